@@ -1,0 +1,1 @@
+# cmake --install: written with the install test (tests/install).

@@ -1,0 +1,32 @@
+# What every target of the project shares: the language, the warnings, where binaries go.
+include(GNUInstallDirs)
+
+set(CMAKE_CXX_STANDARD 20)
+set(CMAKE_CXX_STANDARD_REQUIRED ON)
+set(CMAKE_CXX_EXTENSIONS OFF)
+set(CMAKE_RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/bin)
+set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
+if(NOT CMAKE_BUILD_TYPE)
+  set(CMAKE_BUILD_TYPE Release)
+endif()
+
+add_library(waymark_settings INTERFACE)
+target_compile_options(waymark_settings INTERFACE
+  -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Werror
+  $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>)  # g++ 12 warns inside std::string operator+ (GCC bug 105651)
+
+# waymark_library(<area> SOURCES <file>... DEPENDS <target>... PRIVATE_DEPENDS <target>...)
+# One static library lib<area>, known to others as waymark::<area>, included as "lib<area>/name.hpp".
+# SOURCES stand in dependency order: a file may include only files of the same library that stand before it.
+function(waymark_library area)
+  cmake_parse_arguments(ARG "" "" "SOURCES;DEPENDS;PRIVATE_DEPENDS" ${ARGN})
+  set(target waymark_${area})
+  add_library(${target} STATIC ${ARG_SOURCES})
+  add_library(waymark::${area} ALIAS ${target})
+  set_target_properties(${target} PROPERTIES EXPORT_NAME ${area})
+  target_compile_features(${target} PUBLIC cxx_std_20)
+  target_include_directories(${target} PUBLIC
+    $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/waymark>)
+  target_link_libraries(${target} PUBLIC ${ARG_DEPENDS}
+    PRIVATE $<BUILD_INTERFACE:waymark_settings> ${ARG_PRIVATE_DEPENDS})
+endfunction()

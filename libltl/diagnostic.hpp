@@ -1,0 +1,58 @@
+// Diagnostics: what is said of an input that is wrong, and where.
+//
+// Two kinds only. SyntaxError: a text in one of our small languages (formulas, guards) with the offending span;
+// FormatError: a file that does not have the shape its format demands. Both render as
+//
+//   error: expected a formula after 'U'
+//     tour.ltl:1:12
+//     1 | F (sofa U  )
+//       |            ^
+//
+// with columns counted in UTF-8 characters, not bytes.
+#pragma once
+#include <cstddef>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+
+namespace waymark::ltl {
+
+struct Span {            // bytes of the text, half open
+  std::size_t begin = 0;
+  std::size_t end = 0;
+};
+
+class SyntaxError : public std::runtime_error {
+ public:
+  // text: the whole input; where: the offending bytes; message: what was expected ("expected a formula after 'U'").
+  // source: file name or "" for the command line; first_line: the number of the text's first line in that file.
+  SyntaxError(std::string_view text, Span where, std::string_view message, std::string_view source = "",
+              std::size_t first_line = 1);
+  const std::string& message() const { return message_; }
+  std::size_t line() const { return line_; }      // 1-based
+  std::size_t column() const { return column_; }  // 1-based, in UTF-8 characters
+  Span where() const { return where_; }
+  // The same error about the same text, now known to come from `source`, starting at line `first_line`.
+  SyntaxError in(std::string_view source, std::size_t first_line) const;
+
+ private:
+  std::string text_, message_;
+  Span where_;
+  std::size_t line_, column_;
+};
+
+class FormatError : public std::runtime_error {
+ public:
+  // line and column are 1-based; 0 means "the file as a whole".
+  FormatError(std::string_view source, std::size_t line, std::size_t column, std::string_view message);
+  std::size_t line() const { return line_; }
+  std::size_t column() const { return column_; }
+
+ private:
+  std::size_t line_, column_;
+};
+
+// Number of UTF-8 characters in the text (invalid bytes count one each). O(|text|).
+std::size_t utf8_length(std::string_view text);
+
+}  // namespace waymark::ltl

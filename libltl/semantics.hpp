@@ -1,0 +1,19 @@
+// The meaning of a formula on a word, by definition: the referee that every other engine is tested against.
+//
+//   finite words w = a₀…aₙ₋₁ (n ≥ 1):  w,i ⊨ X φ iff i+1 < n and w,i+1 ⊨ φ      w,i ⊨ N φ iff i+1 = n or w,i+1 ⊨ φ
+//   infinite words u·vʷ:                X and N are the same operator
+// Slow and obvious on purpose. Source: finite [DV13, Sec. 2], infinite [BK08, Def. 5.6].
+#pragma once
+#include <cstdint>
+
+#include "libltl/formula.hpp"
+#include "libltl/word.hpp"
+
+namespace waymark::ltl {
+
+enum class Semantics : std::uint8_t { Finite, Infinite };
+
+bool holds(const Trace& word, Formula f);  // O(|DAG| · |w|²)
+bool holds(const Lasso& word, Formula f);  // O(|DAG| · |uv|²)
+
+}  // namespace waymark::ltl

@@ -1,0 +1,43 @@
+// The vocabulary: the set AP of atomic propositions, in a fixed order, shared by map, formula and automaton.
+//
+// A proposition is its position in the vocabulary; the name is kept beside it. Names are any non-empty text
+// (identifiers print bare, others in double quotes).
+#pragma once
+#include <compare>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <vector>
+
+namespace waymark::ltl {
+
+struct Proposition {
+  std::uint32_t index = 0;
+  friend auto operator<=>(const Proposition&, const Proposition&) = default;
+};
+
+class Vocabulary {
+ public:
+  Vocabulary() = default;
+  explicit Vocabulary(const std::vector<std::string>& names);  // duplicates are kept once
+
+  Proposition add(std::string_view name);  // the proposition of that name, new or not; throws on an empty name
+  std::optional<Proposition> find(std::string_view name) const;
+  const std::string& name(Proposition p) const { return names_.at(p.index); }
+  const std::vector<std::string>& names() const { return names_; }
+  std::size_t size() const { return names_.size(); }
+
+  // The known name with the least edit distance, if it is close enough to be what was meant. O(|AP| · length²).
+  std::optional<std::string> nearest(std::string_view name) const;
+
+  friend bool operator==(const Vocabulary& a, const Vocabulary& b) { return a.names_ == b.names_; }
+
+ private:
+  std::vector<std::string> names_;
+  std::unordered_map<std::string, std::uint32_t> index_;
+};
+
+}  // namespace waymark::ltl

@@ -1,0 +1,32 @@
+// What a solver answers. "No route satisfies φ" and "I gave up" are different facts, and both are values.
+#pragma once
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "libplan/product/compose.hpp"
+
+namespace waymark::plan {
+
+struct Policy {                                  // on the product: what to do in each vertex
+  std::vector<std::optional<Action>> action;     // by vertex; nullopt: stop (accepting) or nothing leads on
+  ProductVertex start;                           // the start vertex that the value belongs to
+};
+
+struct Solved {
+  Policy policy;
+  double value;                                  // least cost from policy.start to acceptance
+  double lower, upper;                           // proved bounds on it; equal for a search
+  std::size_t expanded = 0;                      // vertices expanded: the count that benchmarks report
+};
+struct Infeasible {                              // proved: no run of the product is accepting
+  std::string reason;
+};
+struct Exhausted {                               // nothing proved
+  std::size_t expanded = 0;
+};
+using Outcome = std::variant<Solved, Infeasible, Exhausted>;
+
+}  // namespace waymark::plan
