@@ -10,10 +10,25 @@ if(NOT CMAKE_BUILD_TYPE)
   set(CMAKE_BUILD_TYPE Release)
 endif()
 
+find_program(CCACHE ccache)  # used where it is there, never asked for
+if(CCACHE AND NOT DEFINED CMAKE_CXX_COMPILER_LAUNCHER)
+  set(CMAKE_CXX_COMPILER_LAUNCHER ${CCACHE})
+endif()
+
 add_library(waymark_settings INTERFACE)
 target_compile_options(waymark_settings INTERFACE
-  -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Werror
-  $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>)  # g++ 12 warns inside std::string operator+ (GCC bug 105651)
+  -Wall -Wextra -Wpedantic -Wconversion -Wshadow
+  $<$<BOOL:${PROJECT_IS_TOP_LEVEL}>:-Werror>  # somebody else's project may meet a newer compiler
+  $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>)    # g++ 12 warns inside std::string operator+ (GCC bug 105651)
+
+set(WAYMARK_SANITIZE "" CACHE STRING "Sanitizers to build everything with, such as address,undefined")
+if(WAYMARK_SANITIZE)
+  add_compile_options(-fsanitize=${WAYMARK_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer)
+  add_link_options(-fsanitize=${WAYMARK_SANITIZE})
+endif()
+if(WAYMARK_FUZZ)
+  add_compile_options(-fsanitize=fuzzer-no-link)
+endif()
 
 # waymark_library(<area> SOURCES <file>... DEPENDS <target>... PRIVATE_DEPENDS <target>...)
 # One static library lib<area>, known to others as waymark::<area>, included as "lib<area>/name.hpp".
@@ -24,6 +39,7 @@ function(waymark_library area)
   add_library(${target} STATIC ${ARG_SOURCES})
   add_library(waymark::${area} ALIAS ${target})
   set_target_properties(${target} PROPERTIES EXPORT_NAME ${area})
+  set_property(GLOBAL APPEND PROPERTY WAYMARK_LIBRARIES ${target})  # what cmake --install exports
   target_compile_features(${target} PUBLIC cxx_std_20)
   target_include_directories(${target} PUBLIC
     $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/waymark>)
