@@ -1,0 +1,47 @@
+// Route instructions paired with the trajectories that people took: the only supervision of the grounding parser.
+//
+// The first heading of a paragraph is unknown in the SAIL corpus. A Convention says what is put in its place; it
+// stands beside every number we publish (docs/conventions.md 8).
+#pragma once
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "libplan/world/map.hpp"
+
+namespace waymark::parser {
+
+enum class Convention : std::uint8_t {
+  Absolute,  // the unknown heading is north (0)
+  Relative,  // the unknown heading is 90° left of the first known one
+};
+std::string_view name(Convention convention);  // "absolute", "relative"
+
+struct Sentence {
+  std::string id, text;
+  std::vector<std::string> tokens;
+  bool heading_unknown = false;      // the source left the start heading open
+  std::vector<plan::Pose> absolute;  // trajectory under either convention; equal when the heading is known
+  std::vector<plan::Pose> relative;
+
+  const std::vector<plan::Pose>& path(Convention c) const {
+    return c == Convention::Absolute ? absolute : relative;
+  }
+};
+
+struct Paragraph {
+  std::string id, map, text;
+  std::vector<Sentence> sentences;  // empty: nobody segmented it
+};
+
+struct Corpus {
+  std::vector<Paragraph> paragraphs;
+  std::vector<plan::Map> maps;  // those that came with it, may be empty
+  std::uint64_t checksum = 0;   // FNV-1a of the instruction file as read
+
+  std::size_t sentences() const;
+};
+
+}  // namespace waymark::parser

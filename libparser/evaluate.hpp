@@ -1,0 +1,62 @@
+// Scores of a grounding model against trajectories, and the experiment that everybody reports: leave one map out.
+//
+//   sentence    end node and heading equal the gold ones, from the gold start pose
+//   paragraph   sentences one after the other, each from the pose where the last one ended; end node equals the gold
+//               end node of the last sentence. Unsegmented paragraphs are skipped and counted
+//   path        sets of nodes walked over, start node left out: precision, recall over all sentences together (micro),
+//               accuracy over all (sentence, node other than the start) pairs; under the absolute convention
+// All in percent. A model is trained and tested under the same convention.
+#pragma once
+#include <cstddef>
+#include <map>
+#include <span>
+#include <string>
+
+#include "libparser/learn.hpp"
+
+namespace waymark::parser {
+
+struct Percent {  // a share of counted things
+  std::size_t hits = 0, total = 0;
+  double value() const {
+    return total == 0 ? 0 : 100.0 * static_cast<double>(hits) / static_cast<double>(total);
+  }
+  Percent& operator+=(Percent other) {
+    hits += other.hits;
+    total += other.total;
+    return *this;
+  }
+};
+
+struct ConventionScores {
+  Percent absolute, relative;
+};
+
+struct Scores {
+  ConventionScores sentence, paragraph;
+  Percent path_precision, path_recall, path_accuracy;
+  std::size_t skipped_paragraphs = 0;  // unsegmented
+  Scores& operator+=(const Scores& other);
+};
+
+struct Evaluation {
+  std::map<std::string, Scores> folds;  // by the name of the map left out
+  Scores all;                           // weighted by counts
+  double seconds = 0;
+};
+
+struct EvaluateOptions {
+  TrainOptions train = {};                // its convention is ignored: both are trained and reported
+  bool absolute = true, relative = true;  // which conventions to run
+};
+
+// For each map: train on the paragraphs of the others, test on its own (those of `test` when given).
+// Throws std::invalid_argument when fewer than two maps have paragraphs; Stopped when a stop was requested.
+Evaluation evaluate_leave_one_map_out(const Corpus& train, const Corpus* test,
+                                      std::span<const plan::Map> maps, const EvaluateOptions& options = {});
+
+// Scores of one model, under the convention it is asked about, on the paragraphs of the corpus that lie on this map.
+Scores evaluate(const LinearModel& model, const Corpus& corpus, const plan::Map& map, Convention convention,
+                const TrainOptions& options = {});
+
+}  // namespace waymark::parser

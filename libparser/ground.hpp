@@ -1,0 +1,46 @@
+// English → LTL: the formulas that a model reads out of an instruction, best first.
+//
+// Without a map, `ground` ranks programs by p(program | sentence) alone. With one, each sentence's candidate programs are
+// planned from where the last sentence ended, and the end pose that carries most probability wins: the answer to
+// "which place is meant" is the mass of all readings that lead there, not the single likeliest reading.
+#pragma once
+#include <cstddef>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "libparser/execute.hpp"
+#include "libparser/linear_model.hpp"
+
+namespace waymark::parser {
+
+struct Reading {
+  ltl::Formula formula;
+  double probability = 0;  // of the readings returned: they sum to 1
+  Program program;
+};
+
+struct GroundOptions {
+  std::size_t beam = 64;  // candidate programs a sentence
+  std::size_t top = 64;   // readings returned at most
+  Then then = Then::WholePlan;
+};
+
+// The text may hold several sentences: each is read by itself and the programs are joined by `then`.
+// Throws ltl::FormatError when the arena's vocabulary is not the model's; an empty text gives no reading.
+std::vector<Reading> ground(const LinearModel& model, std::string_view text, ltl::Arena& arena,
+                            const GroundOptions& options = {});
+
+// The same on a map. `starts`: one pose, or several when the heading is unknown. The first reading is the likeliest of
+// those that lead where most probability leads; readings without a route keep their probability but come last.
+std::vector<Reading> ground(const LinearModel& model, std::string_view text, const plan::Map& map,
+                            std::span<const plan::PoseId> starts, ltl::Arena& arena,
+                            const GroundOptions& options = {});
+
+// The position of the reading whose end pose carries most probability, the likeliest among those that end there;
+// 0 when no reading has a route. `readings` must not be empty.
+std::size_t choose(std::span<const Reading> readings, const plan::Map& map,
+                   std::span<const plan::PoseId> starts, Then then = Then::WholePlan);
+
+}  // namespace waymark::parser

@@ -1,0 +1,43 @@
+// Weakly supervised learning: sentences and trajectories in, a grounding model out. No formula is ever given.
+//
+// For each sentence the consistent programs are searched for (search.hpp): those whose plan from the gold start pose
+// ends at the gold end pose. The model maximises their marginal likelihood, Σ_z p(z | sentence), by Adagrad; after the
+// first epochs the model's own beam adds longer consistent programs. Source: the objective of [GPLL17, Eq. 4]; the
+// planner as feedback is (c) of docs/results.md.
+// Same seed, same machine, same bytes, at any number of threads.
+#pragma once
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <stop_token>
+#include <string_view>
+
+#include "libparser/corpus.hpp"
+#include "libparser/execute.hpp"
+#include "libparser/linear_model.hpp"
+
+namespace waymark::parser {
+
+struct TrainOptions {
+  std::uint64_t seed = 1;
+  int epochs = 6;
+  int threads = 2;
+  Convention convention = Convention::Absolute;
+  Then then = Then::WholePlan;  // the meaning of `then` while training and deciding
+  double learning_rate = 0.3;   // Adagrad
+  double decay = 1e-4;          // L2, per update of a row
+  bool mirrored = true;         // every sentence also as its mirror image
+  bool chooser = true;          // also learn to choose between ends on the map
+  std::size_t beam = 64;
+  // Called from the calling thread, fraction in [0, 1], never decreasing.
+  std::function<void(double fraction, std::string_view what)> progress = {};
+  std::stop_token stop = {};  // polled once per sentence; a stopped training throws Stopped
+};
+
+struct Stopped {};  // thrown by train and evaluate when a stop was requested
+
+// Every map that a paragraph names must be among `maps`, and all of them must share one vocabulary
+// (std::invalid_argument otherwise). Sentences without a trajectory are left out.
+LinearModel train(const Corpus& corpus, std::span<const plan::Map> maps, const TrainOptions& options = {});
+
+}  // namespace waymark::parser

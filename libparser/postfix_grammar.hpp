@@ -1,0 +1,73 @@
+// Typed postfix: programs as token sequences, every prefix of which is well typed.
+//
+//   literal : Bool      & : Bool Bool → Bool      reach, next, advance, face : Bool → Step
+//   forward_k, stay, orient : Step                then : Step Step → Step        end: exactly one Step is left
+// e.g. "turn left, go to the chair"  =  turned_left next  chair reach  then  end.
+// One program has one token sequence: literals of a goal ascend, & and `then` follow their second operand at once,
+// `orient` stands only before another step. Decoding asks `allowed` and can produce nothing else. The λ terms of
+// the source are not needed for a propositional task language. Source: typed postfix decoding as in the paper.
+#pragma once
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "libltl/vocabulary.hpp"
+#include "libparser/program.hpp"
+
+namespace waymark::parser {
+
+using Token = std::uint16_t;
+
+// A prefix, as far as the grammar can tell: its stack and what canonical order still allows.
+struct PrefixState {
+  std::uint8_t steps = 0;          // Step-typed entries made so far, `orient` not counted
+  std::uint8_t step_entries = 0;   // on the stack
+  std::uint8_t bools = 0;          // on the stack
+  std::uint8_t goals = 0;          // literals of the open goal
+  std::uint16_t last_literal = 0;  // of the open goal
+  bool oriented = false;           // the last step is `orient`
+  bool stayed = false;             // the first step is `stay`
+  bool ended = false;
+  friend bool operator==(const PrefixState&, const PrefixState&) = default;
+};
+
+class PostfixGrammar {
+ public:
+  static constexpr Token end = 0, then = 1, both = 2, stay = 3, orient = 4, reach = 5, next = 6, advance = 7,
+                         face = 8;
+  static constexpr Token first_forward = 9;  // forward_1
+  static constexpr int max_forward = 8;
+  static constexpr Token first_literal = first_forward + max_forward;
+
+  struct Limits {
+    int steps = 3;  // besides `orient`
+    int goals = 2;  // literals of one goal, ≤ Step::max_goals
+  };
+
+  explicit PostfixGrammar(const ltl::Vocabulary& vocabulary);
+  PostfixGrammar(const ltl::Vocabulary& vocabulary, Limits limits);
+
+  std::size_t tokens() const { return names_.size(); }
+  const std::string& name(Token token) const { return names_[token]; }
+  static Token literal(std::uint16_t proposition) { return static_cast<Token>(first_literal + proposition); }
+
+  bool allowed(const PrefixState& state, Token token) const;
+  PrefixState after(const PrefixState& state, Token token) const;  // of an allowed token
+  // The only token that may follow, when there is just one.
+  std::optional<Token> forced(const PrefixState& state) const;
+
+  std::vector<Token> tokens_of(const Program& program) const;  // ends in `end`; throws std::invalid_argument
+                                                               // when the program is not in the language
+  Program program_of(std::span<const Token> tokens) const;     // of a complete sequence
+  std::string show(const Program& program) const;              // "turned_left next chair reach then"
+  bool in_language(const Program& program) const;
+
+ private:
+  Limits limits_;
+  std::vector<std::string> names_;
+  std::vector<bool> usable_;  // literals a goal may name: all but `moved`, which the macros own
+};
+
+}  // namespace waymark::parser

@@ -1,0 +1,47 @@
+// Programs: one to a few steps joined by `then`, the fragment of LTL that route instructions are grounded in.
+//
+//   step           formula with rest ρ (true after the last step)          g: a conjunction of literals
+//   stay           ρ                                                       nothing to do
+//   orient         ρ ∨ X(turned U (turned ∧ ρ))                            turn somehow, so that the rest can be done
+//   forward k      X(moved ∧ X(moved ∧ … ∧ ρ))                             k moves
+//   reach g        F(g ∧ ρ)
+//   next g         X(g ∧ ρ)
+//   advance g      X(moved U (moved ∧ g ∧ ρ))                              only moves until g
+//   face g         X(turned U (turned ∧ g ∧ ρ))                            only turns until g
+// with turned = turned_left ∨ turned_right. `then` nests: the rest is owed at the point where the step's goal holds.
+// `orient` is ours: in the corpus the heading at the start of a paragraph is unknown, and the turn away from it is
+// described by no word. The macros of docs/conventions.md 10 are these lines.
+#pragma once
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "libltl/formula.hpp"
+
+namespace waymark::parser {
+
+enum class StepKind : std::uint8_t { Stay, Orient, Forward, Reach, Next, Advance, Face };
+
+struct Step {
+  static constexpr std::size_t max_goals = 3;
+  StepKind kind = StepKind::Stay;
+  std::uint8_t count = 0;                       // moves of Forward, otherwise 0
+  std::uint8_t goals = 0;                       // literals of g, at least one for Reach … Face
+  std::array<std::uint16_t, max_goals> goal{};  // proposition indices, ascending; unused ones 0
+
+  std::span<const std::uint16_t> literals() const { return {goal.data(), goals}; }
+  friend auto operator<=>(const Step&, const Step&) = default;
+};
+
+using Program = std::vector<Step>;
+
+// The formula of a program over the arena's vocabulary. O(steps).
+ltl::Formula formula_of(const Program& program, ltl::Arena& arena);
+
+// Left and right exchanged in every literal (left_chair ↔ right_chair, turned_left ↔ turned_right).
+// `images[p]` is the mirror image of proposition p: see mirror_images.
+Program mirror(Program program, std::span<const std::uint16_t> images);
+std::vector<std::uint16_t> mirror_images(const ltl::Vocabulary& vocabulary);
+
+}  // namespace waymark::parser

@@ -1,0 +1,20 @@
+// Words of an instruction: lower case; apostrophes split; punctuation marks are words of their own.
+//
+//   "It's the chair, isn't it?"  →  it s the chair , is n't it ?
+// The convention is that of the SAIL corpus as released [CM11], so that its token lists and ours agree.
+#pragma once
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace waymark::parser {
+
+std::vector<std::string> tokenize(std::string_view text);  // O(|text|)
+
+// The sentences of an instruction: cut after . ; ! ? (each cut mark stays with its sentence), empty ones dropped.
+std::vector<std::string> split_sentences(std::string_view text);
+
+// Left and right exchanged, every other word kept: the mirror image of an instruction.
+std::vector<std::string> mirror(std::vector<std::string> tokens);
+
+}  // namespace waymark::parser
