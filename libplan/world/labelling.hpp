@@ -6,17 +6,32 @@
 //   one step on  next_X   X: object or kind of place at the node one step ahead
 //   events       moved turned_left turned_right, added by the action
 // corridor: two ways in line; corner: two not in line; tee: three; intersection: three or more; dead_end: one.
+// Looking along the hallway starts at the next node: what stands here is not `ahead`.
 #pragma once
-#include "libplan/world/map.hpp"
+#include <string>
+#include <vector>
+
+#include "libltl/vocabulary.hpp"
+#include "libltl/word.hpp"
+#include "libplan/world/hallways.hpp"
 
 namespace waymark::plan {
 
-// The vocabulary of a hallway map with these objects, floors and paintings and places 1 … places. The three SAIL
-// maps share one, so that formulas and models carry over.
-ltl::Vocabulary hallway_vocabulary(const std::vector<std::string>& objects, const std::vector<std::string>& floors,
-                                   const std::vector<std::string>& walls, int places);
+struct Observables {                 // what can be seen on a map; the order is the order of the vocabulary
+  std::vector<std::string> objects;  // furniture
+  std::vector<std::string> floors;   // floor patterns
+  std::vector<std::string> walls;    // paintings on walls
+  int places = 0;                    // places 1 … places
+};
 
-// L(pose) over hallway_vocabulary, without events.
-ltl::Letter hallway_label(const Map& map, const ltl::Vocabulary& vocabulary, PoseId pose);
+// The vocabulary of a hallway map with these observables. The three SAIL maps share one, so that formulas and models
+// carry over. Throws std::invalid_argument when two observables would share one proposition (a floor named like an
+// object, an object named `corner`), or on an empty name.
+ltl::Vocabulary hallway_vocabulary(const Observables& observables);
+
+// L(node, heading) over hallway_vocabulary, without events. Throws std::invalid_argument naming an object, floor,
+// painting or place that the vocabulary lacks. O(length of the four hallways).
+ltl::Letter hallway_label(const Hallways& hallways, const ltl::Vocabulary& vocabulary, std::uint32_t node,
+                          int heading);
 
 }  // namespace waymark::plan

@@ -1,12 +1,15 @@
 // The map 𝓜 = (S, A, T, P, L): poses, the three actions, and a labelling function with letters on moves.
 //
 // S are poses (x, y, heading): nodes of a hallway map times the four headings; A = FORWARD, LEFT, RIGHT.
-// y grows downwards (south); headings in degrees clockwise: 0 is y − 1, 90 is x + 1, 180 is y + 1, 270 is x − 1.
 // The first letter of a word is L(start); each action appends L(pose after it) together with the event propositions
 // of the action (`moved`, `turned_left`, `turned_right`): docs/conventions.md 1.
-// What the observables are called and mean: world/labelling.hpp.
+// What the observables are called and mean: world/labelling.hpp. Geometry: world/hallways.hpp.
+//
+// Equal letters are kept once: a letter has a small id, so that whatever reads letters (automata, feature
+// extractors) can tabulate by LetterId what it does with each.
 #pragma once
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -15,69 +18,83 @@
 
 #include "libltl/vocabulary.hpp"
 #include "libltl/word.hpp"
+#include "libplan/world/hallways.hpp"
+#include "libplan/world/labelling.hpp"
 
 namespace waymark::plan {
 
 enum class Action : std::uint8_t { Forward, Left, Right };
-inline constexpr std::array<Action, 3> all_actions{Action::Forward, Action::Left, Action::Right};  // the tie order
-std::string_view name(Action action);  // "FORWARD", "LEFT", "RIGHT"
-
-struct Pose {
-  int x = 0, y = 0, heading = 0;  // heading ∈ {0, 90, 180, 270}
-  friend auto operator<=>(const Pose&, const Pose&) = default;
-};
+inline constexpr std::array<Action, 3> all_actions{Action::Forward, Action::Left,
+                                                   Action::Right};  // the tie order
+std::string_view name(Action action);                               // "FORWARD", "LEFT", "RIGHT"
 
 struct PoseId {
   std::uint32_t index = 0;  // 4 · node + heading / 90
   friend auto operator<=>(const PoseId&, const PoseId&) = default;
 };
 
-struct Node {
-  int x = 0, y = 0;
-  std::optional<std::string> object;  // furniture standing here
-  std::optional<int> place;           // numbered position
-};
-
-struct Edge {                         // undirected, between orthogonal neighbours at distance 1
-  std::uint32_t a = 0, b = 0;         // node indices
-  std::string floor, wall;            // pattern of the floor, painting on the wall
+struct LetterId {
+  std::uint32_t index = 0;  // position in Map::letters()
+  friend auto operator<=>(const LetterId&, const LetterId&) = default;
 };
 
 class Map {
  public:
-  // The parts of a hallway map. Throws std::invalid_argument on two nodes in one place, or an edge that does not
-  // join orthogonal neighbours or leaves the map.
-  Map(std::string name, std::vector<Node> nodes, std::vector<Edge> edges, std::vector<std::string> objects,
-      std::vector<std::string> floors, std::vector<std::string> walls);
+  // Throws std::invalid_argument on a map without nodes and as world/hallways.hpp and world/labelling.hpp say.
+  // places: the highest place number of the nodes.
+  Map(std::string name, Hallways hallways, std::vector<std::string> objects, std::vector<std::string> floors,
+      std::vector<std::string> walls);
+  Map(std::string name, const std::vector<Node>& nodes, const std::vector<Edge>& edges,
+      std::vector<std::string> objects, std::vector<std::string> floors, std::vector<std::string> walls);
 
   const std::string& name() const { return name_; }
-  const std::vector<Node>& nodes() const { return nodes_; }
-  const std::vector<Edge>& edges() const { return edges_; }
-  const std::vector<std::string>& objects() const { return objects_; }
-  const std::vector<std::string>& floors() const { return floors_; }
-  const std::vector<std::string>& walls() const { return walls_; }
+  const Hallways& hallways() const { return hallways_; }
+  const std::vector<Node>& nodes() const { return hallways_.nodes(); }
+  const std::vector<Edge>& edges() const { return hallways_.edges(); }
+  const std::vector<std::string>& objects() const { return observables_.objects; }
+  const std::vector<std::string>& floors() const { return observables_.floors; }
+  const std::vector<std::string>& walls() const { return observables_.walls; }
+  int places() const { return observables_.places; }
 
   const ltl::Vocabulary& vocabulary() const { return vocabulary_; }
-  std::size_t poses() const { return 4 * nodes_.size(); }
+  std::size_t poses() const { return 4 * nodes().size(); }
   Pose pose(PoseId p) const;
   std::optional<PoseId> find(const Pose& pose) const;
   std::uint32_t node_of(PoseId p) const { return p.index / 4; }
-  std::optional<std::uint32_t> neighbour(std::uint32_t node, int heading) const;  // along a hallway
-  const Edge* hallway(std::uint32_t node, int heading) const;                      // nullptr: a wall
+  std::optional<std::uint32_t> neighbour(std::uint32_t node, int heading) const {  // along a hallway
+    return hallways_.neighbour(node, heading);
+  }
+  const Edge* hallway(std::uint32_t node, int heading) const { return hallways_.hallway(node, heading); }
 
-  std::optional<PoseId> successor(PoseId p, Action action) const;  // nullopt: FORWARD into a wall
-  double cost(Action) const { return 1.0; }                        // conventions.md 4
-  const ltl::Letter& label(PoseId p) const;                        // L(p), without events
-  const ltl::Letter& letter(PoseId after, Action by) const;        // L(p) ∪ events: the letter that an action appends
+  std::optional<PoseId> successor(PoseId p, Action action) const {  // nullopt: FORWARD into a wall
+    const std::uint32_t to = successors_[p.index][static_cast<std::size_t>(action)];
+    return to == wall_ahead ? std::nullopt : std::optional(PoseId{to});
+  }
+  double cost(Action) const { return 1.0; }  // conventions.md 4
+
+  const ltl::Letter& label(PoseId p) const { return letter(label_id(p)); }  // L(p), without events
+  const ltl::Letter& letter(PoseId after, Action by) const {
+    return letter(letter_id(after, by));
+  }  // with events
+  LetterId label_id(PoseId p) const { return letter_ids_[p.index][3]; }
+  LetterId letter_id(PoseId after, Action by) const {
+    return letter_ids_[after.index][static_cast<std::size_t>(by)];
+  }
+  const ltl::Letter& letter(LetterId id) const { return letters_[id.index]; }
+  const std::vector<ltl::Letter>& letters() const { return letters_; }  // the distinct ones
 
  private:
+  static constexpr std::uint32_t wall_ahead = UINT32_MAX;
+  void tabulate_letters();
+  void tabulate_successors();
+
   std::string name_;
-  std::vector<Node> nodes_;
-  std::vector<Edge> edges_;
-  std::vector<std::string> objects_, floors_, walls_;
+  Hallways hallways_;
+  Observables observables_;
   ltl::Vocabulary vocabulary_;
-  std::vector<std::array<std::int32_t, 4>> ways_;      // edge index by node and heading, −1: a wall
-  std::vector<std::array<ltl::Letter, 4>> letters_;    // by pose: label, then the label after each action
+  std::vector<ltl::Letter> letters_;
+  std::vector<std::array<LetterId, 4>> letter_ids_;       // by pose: after each action, then L(pose) itself
+  std::vector<std::array<std::uint32_t, 3>> successors_;  // by pose and action
 };
 
 }  // namespace waymark::plan

@@ -1,0 +1,47 @@
+// Trajectories: poses joined by actions, read from text, checked step by step, and turned into the words formulas
+// are read on.
+//
+//   JSON    [[x,y,heading],…], or an object that holds such a list under "route" or "poses" (the answer of `waymark
+//           plan --json` can be fed back in); each pose differs from the one before by exactly one action
+//   text    a start pose x,y,heading, then the actions: 1,9,0 FORWARD LEFT FORWARD
+//           (separated by blanks or commas; # starts a comment that runs to the end of the line)
+#pragma once
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "libltl/word.hpp"
+#include "libplan/world/map.hpp"
+
+namespace waymark::plan {
+
+struct Trajectory {
+  std::vector<PoseId> poses;  // poses.size() = actions.size() + 1
+  std::vector<Action> actions;
+  friend bool operator==(const Trajectory&, const Trajectory&) = default;
+};
+
+// The action that leads from one pose to the other in one step, if there is one.
+std::optional<Action> action_between(const Map& map, PoseId from, PoseId to);
+
+// The poses that the actions lead through; nullopt when one of them runs into a wall.
+std::optional<Trajectory> follow(const Map& map, PoseId start, const std::vector<Action>& actions);
+
+// L(start), then one letter per action (conventions.md 1).
+ltl::Trace word_of(const Trajectory& trajectory, const Map& map);
+
+// Either form. Throws ltl::FormatError naming the step that is impossible and what would have been possible there.
+Trajectory parse_trajectory(std::string_view text, const Map& map, std::string_view source = "");
+
+// "x,y,heading", or "x,y" and "x,y,-1" for an unknown heading: all four poses of the place, heading 0 first
+// (conventions.md 8). Throws ltl::FormatError; for a place off the map it names the nearest.
+std::vector<PoseId> parse_start(std::string_view text, const Map& map);
+
+// "FORWARD", "LEFT", "RIGHT" in any case, or their first letters.
+std::optional<Action> parse_action(std::string_view text);
+
+// "1,9,0 FORWARD LEFT": parse_trajectory reads it back.
+std::string show(const Trajectory& trajectory, const Map& map);
+
+}  // namespace waymark::plan
