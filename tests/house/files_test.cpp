@@ -1,0 +1,101 @@
+// Files: small, named after the theory, finished, and citing sources that exist.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <fstream>
+#include <regex>
+#include <set>
+
+#include "tests/house/source_tree.hpp"
+
+namespace waymark::house {
+namespace {
+
+// STYLE asks for 150 and 400 lines, tests 300; a file past these hard limits is two files.
+constexpr std::size_t most_header_lines = 250, most_source_lines = 500;
+
+TEST(Files, AreSmall) {
+  for (const SourceFile& file : files("hpp cpp")) {
+    const std::size_t most = file.path.ends_with(".hpp") ? most_header_lines : most_source_lines;
+    EXPECT_LE(file.lines.size(), most) << file.path;
+  }
+}
+
+TEST(Files, AreNamedAfterWhatTheyHold) {
+  const std::set<std::string> vague{"util", "utils",  "common",  "core", "manager",
+                                    "base", "helper", "helpers", "misc"};
+  for (const SourceFile& file : files("hpp cpp txt md"))
+    for (const auto& part : std::filesystem::path(file.path))
+      EXPECT_FALSE(vague.contains(part.stem().string())) << file.path;
+}
+
+TEST(Files, AreFinished) {
+  const std::regex unfinished(
+      "\\b(TO"
+      "DO|FIX"
+      "ME|XX"
+      "X|HA"
+      "CK)\\b");
+  for (const SourceFile& file : files("hpp cpp cmake txt"))
+    for (std::size_t i = 0; i < file.lines.size(); ++i)
+      EXPECT_FALSE(std::regex_search(file.lines[i], unfinished))
+          << file.path << ":" << i + 1 << ": " << file.lines[i];
+}
+
+TEST(Files, HeadersStartWithWhatTheyAre) {
+  for (const SourceFile& file : files("hpp")) {
+    ASSERT_FALSE(file.lines.empty()) << file.path;
+    EXPECT_TRUE(file.lines.front().starts_with("// ")) << file.path << ": the first comment says the idea";
+    EXPECT_NE(std::find(file.lines.begin(), file.lines.end(), "#pragma once"), file.lines.end()) << file.path;
+  }
+}
+
+std::set<std::string> bibliography() {
+  std::ifstream in(root() / "docs/references.bib");
+  const std::regex entry("@\\w+\\{([^,]+),.*");
+  std::set<std::string> keys;
+  for (std::string line; std::getline(in, line);) {
+    std::smatch match;
+    if (std::regex_match(line, match, entry)) keys.insert(match[1]);
+  }
+  return keys;
+}
+
+// [BK08], [BBD+15, Sec. 3]: initials of the authors and two digits of the year.
+TEST(Files, CiteSourcesThatExist) {
+  const std::set<std::string> keys = bibliography();
+  ASSERT_FALSE(keys.empty());
+  const std::regex citation("\\[([A-Z][A-Za-z]*\\+?[0-9]{2}[a-z]?)(,[^\\]]*)?\\]");
+  std::size_t citations = 0;
+  for (const SourceFile& file : files("hpp cpp md"))
+    for (std::size_t i = 0; i < file.lines.size(); ++i) {
+      const std::string& line = file.lines[i];
+      for (auto match = std::sregex_iterator(line.begin(), line.end(), citation);
+           match != std::sregex_iterator(); ++match) {
+        ++citations;
+        EXPECT_TRUE(keys.contains((*match)[1])) << file.path << ":" << i + 1 << " cites " << match->str()
+                                                << ", which docs/references.bib does not have";
+      }
+    }
+  EXPECT_GT(citations, 0U);
+}
+
+TEST(Files, LinkToPagesThatExist) {
+  const std::regex link("\\]\\(([^)#: ]+)(#[^)]*)?\\)");
+  std::size_t links = 0;
+  for (const SourceFile& file : files("md"))
+    for (std::size_t i = 0; i < file.lines.size(); ++i) {
+      const std::string& line = file.lines[i];
+      for (auto match = std::sregex_iterator(line.begin(), line.end(), link); match != std::sregex_iterator();
+           ++match) {
+        ++links;
+        const auto target = root() / std::filesystem::path(file.path).parent_path() / (*match)[1].str();
+        EXPECT_TRUE(std::filesystem::exists(target))
+            << file.path << ":" << i + 1 << " links to " << (*match)[1];
+      }
+    }
+  EXPECT_GT(links, 0U);
+}
+
+}  // namespace
+}  // namespace waymark::house
