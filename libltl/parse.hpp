@@ -1,20 +1,17 @@
-// Text → formula. Precedence climbing for infix, a stack for the prefix and postfix forms.
+// Text → formula. A stack machine: the infix form by operator precedence, the prefix and postfix forms directly.
 //
 // Infix, loosest first:  <->   ->   ^   |   &   U R W M   ! X N F G (and X[!] X[w] WX F<=k G<=k)
-// `->` and the binary temporal operators associate to the right. Grammar in full: docs/formats.md.
+// `->` and the binary temporal operators associate to the right. Grammar in full: docs/formats/formulas.md.
 #pragma once
+#include <cstddef>
 #include <cstdint>
 #include <string_view>
 
 #include "libltl/formula.hpp"
+#include "libltl/symbol.hpp"
 
 namespace waymark::ltl {
 
-enum class Dialect : std::uint8_t {
-  Waymark,  // X is the strong next, N (WX, X[w]) the weak one
-  Spot,     // X is the weak next over finite words (TLSF, Syft, Lydia, Spot); X[!] the strong one
-};
-enum class Notation : std::uint8_t { Infix, Lbt, Postfix };
 enum class Unknown : std::uint8_t {
   Add,     // a name that the arena's vocabulary lacks is added to it
   Reject,  // … is a SyntaxError with the nearest known name as a hint
@@ -26,7 +23,9 @@ struct ParseOptions {
   Unknown unknown = Unknown::Add;
 };
 
-// Throws SyntaxError (diagnostic.hpp). O(|text|), constant stack per nesting level, nesting limited to 10,000.
+inline constexpr std::size_t most_levels = 10'000;  // of nesting in a formula that was read
+
+// Throws SyntaxError (diagnostic.hpp). Time and memory O(|text| log |text|), bounds spelled out; no recursion.
 Formula parse(std::string_view text, Arena& arena, const ParseOptions& options = {});
 
 }  // namespace waymark::ltl

@@ -1,7 +1,12 @@
-// Formula → text. print(parse(s)) is a normal form; parse(print(φ)) = φ for Ascii, Unicode, Lbt and Postfix.
+// Formula → text. print(parse(s)) is a normal form; parse(print(φ)) = φ, as pointers, for all styles but Latex.
+//
+// F G W M -> ^ and, but for Lbt and Postfix, F<=k G<=k (k ≥ 2) are recognised in what is stored and written as such.
+// Operands of & | <-> stand in the order in which they were made. Every binary operator inside another one has its
+// parentheses; unary ones have none. Cost: the length of the text, which is the syntax tree, not the DAG.
 #pragma once
 #include <cstdint>
 #include <string>
+#include <string_view>
 
 #include "libltl/formula.hpp"
 
@@ -10,5 +15,8 @@ namespace waymark::ltl {
 enum class Style : std::uint8_t { Ascii, Unicode, Latex, Lbt, Postfix };
 
 std::string print(Formula f, Style style = Style::Ascii);
+
+// The name of a proposition as it stands in a formula: quoted where it must be, escaped for LaTeX.
+std::string print_name(std::string_view name, Style style = Style::Ascii);
 
 }  // namespace waymark::ltl

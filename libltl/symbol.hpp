@@ -1,0 +1,59 @@
+// Operators as they are written: the symbols of the concrete syntax, their arity and precedence.
+//
+// There are more symbols than stored operators (formula.hpp): F, G, W, M, -> and ^ are spelled out by the
+// constructors and recognised again by the printer. Grammar in full: docs/formats/formulas.md.
+#pragma once
+#include <cstdint>
+
+namespace waymark::ltl {
+
+enum class Symbol : std::uint8_t {
+  Not,
+  Next,
+  WeakNext,
+  Eventually,
+  Always,  // unary
+  And,
+  Or,
+  ExclusiveOr,
+  Implies,
+  Iff,
+  Until,
+  Release,
+  WeakUntil,
+  StrongRelease,  // binary
+};
+
+enum class Dialect : std::uint8_t {
+  Waymark,  // X is the strong next, N (WX, X[w]) the weak one
+  Spot,     // X is the weak next over finite words (TLSF, Syft, Lydia, Spot); X[!] the strong one
+};
+enum class Notation : std::uint8_t { Infix, Lbt, Postfix };
+
+constexpr bool is_unary(Symbol s) { return s <= Symbol::Always; }
+
+// Binds tighter when larger: <-> 1, -> 2, ^ 3, | 4, & 5, U R W M 6, unary 7.
+constexpr int precedence(Symbol s) {
+  switch (s) {
+    case Symbol::Iff: return 1;
+    case Symbol::Implies: return 2;
+    case Symbol::ExclusiveOr: return 3;
+    case Symbol::Or: return 4;
+    case Symbol::And: return 5;
+    case Symbol::Until:
+    case Symbol::Release:
+    case Symbol::WeakUntil:
+    case Symbol::StrongRelease: return 6;
+    case Symbol::Not:
+    case Symbol::Next:
+    case Symbol::WeakNext:
+    case Symbol::Eventually:
+    case Symbol::Always: return 7;
+  }
+  return 0;  // unreachable: -Werror=switch
+}
+
+// φ ∘ ψ ∘ χ reads φ ∘ (ψ ∘ χ). The others group to the left; they are associative in meaning.
+constexpr bool is_right_associative(Symbol s) { return s == Symbol::Implies || precedence(s) == 6; }
+
+}  // namespace waymark::ltl
