@@ -187,11 +187,12 @@ class MapReader {
 };
 
 std::string read_text(const std::filesystem::path& file) {
+  std::error_code error;
+  if (std::filesystem::is_directory(file, error))
+    throw ltl::FormatError(file.string(), 0, 0, "is a directory, not a map");
   std::ifstream in(file, std::ios::binary);
-  std::string text{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
-  if (!in || std::filesystem::is_directory(file))
-    throw ltl::FormatError(file.string(), 0, 0, "cannot read the file");
-  return text;
+  if (!in) throw ltl::FormatError(file.string(), 0, 0, "cannot read the file");
+  return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
 }
 
 }  // namespace
