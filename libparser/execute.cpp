@@ -1,0 +1,202 @@
+#include "libparser/execute.hpp"
+
+#include <algorithm>
+#include <array>
+#include <bitset>
+#include <stdexcept>
+
+namespace waymark::parser {
+namespace {
+
+bool is_move(std::uint32_t arrival) { return arrival % 4 == 1; }
+bool is_turn(std::uint32_t arrival) { return arrival % 4 >= 2; }
+
+// How many obligations a step can leave pending: one for each move of `forward k`, none for `stay`.
+std::size_t pending_bits(const Step& step) {
+  if (step.kind == StepKind::Stay) return 0;
+  return step.kind == StepKind::Forward ? step.count : 1;
+}
+
+// The automaton of a program. A set bit is an obligation that the next letter is read with.
+template <std::size_t N>
+class Progress {
+ public:
+  using Set = std::bitset<N>;
+
+  Progress(const Executor& executor, const Program& program) : executor_(executor), program_(program) {
+    for (const Step& step : program) {
+      first_bit_.push_back(bits_);
+      bits_ += pending_bits(step);
+    }
+  }
+
+  // Reads the letter of `arrival` with these obligations; true when nothing need remain.
+  bool read(const Set& pending, std::uint32_t arrival, Set& rest) const {
+    bool done = false;
+    for (std::size_t i = 0; i < program_.size(); ++i)
+      for (std::size_t k = 0; k < pending_bits(program_[i]); ++k)
+        if (pending[first_bit_[i] + k]) done = read_one(i, k, arrival, rest) || done;
+    return done;
+  }
+
+  // Step i is owed from this letter on.
+  bool enter(std::size_t i, std::uint32_t arrival, Set& rest) const {
+    if (i == program_.size()) return true;
+    const Step& step = program_[i];
+    if (step.kind == StepKind::Stay) return enter(i + 1, arrival, rest);
+    const bool entered_before = rest[first_bit_[i]];
+    rest.set(first_bit_[i]);
+    if (entered_before) return false;
+    if (step.kind == StepKind::Orient) return enter(i + 1, arrival, rest);
+    return step.kind == StepKind::Reach && holds(step, arrival) && enter(i + 1, arrival, rest);
+  }
+
+ private:
+  bool holds(const Step& step, std::uint32_t arrival) const {
+    for (std::uint16_t p : step.literals())
+      if (!executor_.holds(p, arrival)) return false;
+    return true;
+  }
+
+  bool read_one(std::size_t i, std::size_t k, std::uint32_t arrival, Set& rest) const {
+    const Step& step = program_[i];
+    const std::size_t bit = first_bit_[i] + k;
+    switch (step.kind) {
+      case StepKind::Stay: return false;
+      case StepKind::Reach: return enter(i, arrival, rest);
+      case StepKind::Next: return holds(step, arrival) && enter(i + 1, arrival, rest);
+      case StepKind::Forward:
+        if (!is_move(arrival)) return false;
+        if (k + 1 == step.count) return enter(i + 1, arrival, rest);
+        rest.set(bit + 1);
+        return false;
+      case StepKind::Advance:
+        if (!is_move(arrival)) return false;
+        rest.set(bit);
+        return holds(step, arrival) && enter(i + 1, arrival, rest);
+      case StepKind::Orient:
+      case StepKind::Face:
+        if (!is_turn(arrival)) return false;
+        rest.set(bit);
+        return holds(step, arrival) && enter(i + 1, arrival, rest);
+    }
+    throw std::logic_error("a step of no kind");
+  }
+
+  const Executor& executor_;
+  const Program& program_;
+  std::vector<std::size_t> first_bit_;
+  std::size_t bits_ = 0;
+};
+
+template <std::size_t N>
+struct SearchNode {
+  std::uint32_t arrival;
+  std::int32_t from;
+  std::bitset<N> pending;
+};
+
+template <class Nodes>
+Plan plan_to(const Nodes& nodes, std::int32_t from, std::uint32_t arrival) {
+  Plan plan{Arrival::pose(arrival), {}};
+  const auto push = [&](std::uint32_t at) {
+    if (at % 4 != Arrival::none) plan.actions.push_back(static_cast<plan::Action>(at % 4 - 1));
+  };
+  push(arrival);
+  for (; from >= 0; from = nodes[static_cast<std::size_t>(from)].from)
+    push(nodes[static_cast<std::size_t>(from)].arrival);
+  std::reverse(plan.actions.begin(), plan.actions.end());
+  return plan;
+}
+
+}  // namespace
+
+Executor::Executor(const plan::Map& map) : map_(&map) {
+  const std::size_t arrivals = 4 * map.poses();
+  columns_.assign(map.vocabulary().size(), std::vector<std::uint64_t>(arrivals / 64 + 1));
+  successors_.resize(map.poses());
+  const auto set = [&](const ltl::Letter& letter, std::uint32_t arrival) {
+    for (ltl::Proposition p : letter.members())
+      columns_[p.index][arrival / 64] |= std::uint64_t{1} << (arrival % 64);
+  };
+  for (std::uint32_t s = 0; s < map.poses(); ++s) {
+    set(map.label({s}), Arrival::start({s}));
+    for (plan::Action a : plan::all_actions) {
+      set(map.letter({s}, a), Arrival::of({s}, a));
+      const auto t = map.successor({s}, a);
+      successors_[s][static_cast<std::size_t>(a)] = t ? static_cast<std::int32_t>(t->index) : -1;
+    }
+  }
+}
+
+template <std::size_t N>
+std::optional<Plan> Executor::search(const Program& program, plan::PoseId start) const {
+  const Progress<N> progress(*this, program);
+  std::vector<SearchNode<N>> queue;
+  std::vector<std::bitset<N>> seen(4 * map_->poses());
+
+  const std::uint32_t first = Arrival::start(start);
+  std::bitset<N> pending;
+  if (progress.enter(0, first, pending)) return plan_to(queue, -1, first);
+  queue.push_back({first, -1, pending});
+  for (std::size_t head = 0; head < queue.size(); ++head) {
+    const SearchNode<N> node = queue[head];
+    for (plan::Action a : plan::all_actions) {
+      const std::int32_t next = successors_[node.arrival / 4][static_cast<std::size_t>(a)];
+      if (next < 0) continue;
+      const std::uint32_t arrival = Arrival::of({static_cast<std::uint32_t>(next)}, a);
+      std::bitset<N> rest;
+      if (progress.read(node.pending, arrival, rest)) {
+        // The first in breadth-first order is the least word only if no other word of this length is less; words of
+        // one length leave the queue in order, so it is.
+        return plan_to(queue, static_cast<std::int32_t>(head), arrival);
+      }
+      rest &= ~seen[arrival];
+      if (rest.none()) continue;
+      seen[arrival] |= rest;
+      queue.push_back({arrival, static_cast<std::int32_t>(head), rest});
+    }
+  }
+  return std::nullopt;
+}
+
+std::optional<Plan> Executor::run(const Program& program, plan::PoseId start, Then then) const {
+  if (then == Then::Stepwise) {
+    Plan whole{start, {}};
+    for (std::size_t i = 0; i < program.size(); ++i) {
+      Program unit{program[i]};
+      while (program[i].kind == StepKind::Orient && i + 1 < program.size()) unit.push_back(program[++i]);
+      const auto part = run(unit, whole.end);
+      if (!part) return std::nullopt;
+      whole.end = part->end;
+      whole.actions.insert(whole.actions.end(), part->actions.begin(), part->actions.end());
+    }
+    return whole;
+  }
+  std::size_t bits = 0;
+  for (const Step& step : program) bits += pending_bits(step);
+  if (bits <= 64) return search<64>(program, start);
+  if (bits <= 1024) return search<1024>(program, start);
+  throw std::length_error("a program with more than 1,024 pending obligations");
+}
+
+std::vector<Executor::Reached> Executor::horizon(StepKind kind, plan::PoseId start) const {
+  std::vector<Reached> order{{Arrival::start(start), -1}};
+  std::vector<bool> seen(4 * map_->poses(), false);
+  for (std::size_t head = 0; head < order.size(); ++head) {
+    if (kind == StepKind::Next && head > 0) break;
+    for (plan::Action a : plan::all_actions) {
+      if (kind == StepKind::Advance && a != plan::Action::Forward) continue;
+      if (kind == StepKind::Face && a == plan::Action::Forward) continue;
+      const std::int32_t next = successors_[order[head].arrival / 4][static_cast<std::size_t>(a)];
+      if (next < 0) continue;
+      const std::uint32_t arrival = Arrival::of({static_cast<std::uint32_t>(next)}, a);
+      if (seen[arrival]) continue;
+      seen[arrival] = true;
+      order.push_back({arrival, static_cast<std::int32_t>(head)});
+    }
+  }
+  return order;
+}
+
+}  // namespace waymark::parser
