@@ -12,7 +12,7 @@
 namespace waymark::automata {
 
 struct HoaOptions {
-  std::string name;            // the `name:` header, usually the formula
+  std::string name;  // the `name:` header, usually the formula
 };
 
 std::string write_hoa(const Dfa& dfa, const HoaOptions& options = {});

@@ -10,17 +10,17 @@
 namespace waymark::automata {
 
 struct TranslationLimits {
-  std::size_t states = 1'000'000;   // states before minimisation
-  std::stop_token stop = {};        // polled at least every few milliseconds
+  std::size_t states = 1'000'000;  // states before minimisation
+  std::stop_token stop = {};       // polled at least every few milliseconds
 };
 
-struct Exhausted {                  // nothing proved: a limit was met or a stop was requested
-  std::size_t states = 0;           // made so far
+struct Exhausted {         // nothing proved: a limit was met or a stop was requested
+  std::size_t states = 0;  // made so far
 };
 
 // The minimal complete state-based DFA whose initial state rejects the empty word; canonical numbering
 // (breadth first from the initial state, letters in BDD order): same formula, same bytes.
-Dfa ltlf_to_dfa(ltl::Formula f);    // without limits
+Dfa ltlf_to_dfa(ltl::Formula f);  // without limits
 std::variant<Dfa, Exhausted> ltlf_to_dfa(ltl::Formula f, const TranslationLimits& limits);
 
 }  // namespace waymark::automata

@@ -1,0 +1,65 @@
+#include "libautomata/minimize.hpp"
+
+#include "libautomata/refinement.hpp"
+#include "libautomata/very_weak.hpp"
+
+namespace waymark::automata {
+namespace {
+
+Transitions quotient(const Transitions& automaton, const Partition& partition) {
+  constexpr std::uint32_t none = UINT32_MAX;
+  std::vector<std::uint32_t> member(partition.classes, none);
+  for (std::uint32_t q = 0; q < partition.class_of.size(); ++q)
+    if (member[partition.class_of[q]] == none) member[partition.class_of[q]] = q;
+  Transitions out;
+  std::vector<Mtbdd::Node> roots;
+  for (std::uint32_t q : member) {
+    roots.push_back(automaton.roots[q]);
+    out.accepting.push_back(automaton.accepting[q]);
+  }
+  out.roots = out.diagram.import(
+      automaton.diagram, roots, [&](std::uint32_t q) { return Mtbdd::terminal(partition.class_of[q]); },
+      [](Mtbdd::Variable v) { return v; });
+  out.initial = partition.class_of[automaton.initial];
+  return out;
+}
+
+}  // namespace
+
+std::optional<Transitions> minimize(const Transitions& automaton, const std::stop_token& stop) {
+  const TransitionGraph graph(automaton.diagram, automaton.roots);
+  std::optional<Partition> partition = very_weak_partition(automaton, graph);
+  if (!partition) partition = coarsest_partition(automaton, graph, stop);
+  if (!partition) return std::nullopt;
+  return quotient(automaton, *partition);
+}
+
+Dfa finish(const Transitions& automaton, const ltl::Vocabulary& vocabulary,
+           const std::vector<ltl::Proposition>& reads) {
+  Transitions numbered = canonical(automaton);
+  std::vector<bool> asked(reads.size(), false);
+  for (Mtbdd::Node n : numbered.diagram.reachable(numbered.roots)) asked[numbered.diagram.variable(n)] = true;
+  std::vector<ltl::Proposition> kept;
+  std::vector<Mtbdd::Variable> position(reads.size());
+  for (std::size_t v = 0; v < reads.size(); ++v) {
+    position[v] = static_cast<Mtbdd::Variable>(kept.size());
+    if (asked[v]) kept.push_back(reads[v]);
+  }
+  Mtbdd diagram;
+  std::vector<Mtbdd::Node> roots = diagram.import(
+      numbered.diagram, numbered.roots, [](std::uint32_t q) { return Mtbdd::terminal(q); },
+      [&](Mtbdd::Variable v) { return position[v]; });
+  return Dfa(vocabulary, std::move(kept), std::move(diagram), std::move(roots), std::move(numbered.accepting),
+             StateId{numbered.initial});
+}
+
+Dfa minimize(const Dfa& dfa) {
+  Transitions automaton{dfa.diagram(), {}, {}, dfa.initial().index};
+  for (std::uint32_t q = 0; q < dfa.states(); ++q) {
+    automaton.roots.push_back(dfa.root(StateId{q}));
+    automaton.accepting.push_back(dfa.is_accepting(StateId{q}));
+  }
+  return finish(*minimize(canonical(automaton)), dfa.vocabulary(), dfa.reads());
+}
+
+}  // namespace waymark::automata

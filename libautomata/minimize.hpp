@@ -1,0 +1,25 @@
+// Minimisation of symbolic DFAs: one state per class of the coarsest partition that acceptance and letters respect.
+//
+// Very weak automata (no cycle but self-loops: most planning goals) are done in one pass from the bottom
+// (very_weak.hpp), all others by refinement with a worklist (refinement.hpp).
+#pragma once
+#include <optional>
+#include <stop_token>
+
+#include "libautomata/dfa.hpp"
+#include "libautomata/transitions.hpp"
+
+namespace waymark::automata {
+
+// The quotient, its states in no particular order (canonical() numbers them); unreachable states count as any other.
+// nullopt when stopped.
+std::optional<Transitions> minimize(const Transitions& automaton, const std::stop_token& stop = {});
+
+// The minimal automaton of the same language, canonically numbered, reading only what it depends on.
+Dfa minimize(const Dfa& dfa);
+
+// Numbers canonically and drops the propositions that no edge asks for. reads[v]: the proposition of variable v.
+Dfa finish(const Transitions& automaton, const ltl::Vocabulary& vocabulary,
+           const std::vector<ltl::Proposition>& reads);
+
+}  // namespace waymark::automata

@@ -1,0 +1,133 @@
+// Multi-terminal binary decision diagrams: functions from assignments of Boolean variables to 31-bit payloads.
+//
+// One manager owns its nodes; managers share nothing, so any number of them live on any number of threads. Nodes are
+// reduced and unique: equal functions over one manager are equal Nodes. A terminal is its payload with the top bit
+// set and takes no storage. Children have smaller ids than their parents, so a scan over ids is a topological order.
+// Nothing is freed one by one: import() copies what is still wanted into a fresh manager (a copying collection).
+// A Boolean function is a diagram with payloads 0 and 1. Source: [Bry86, Sec. 4], terminals as in [FMY97, Sec. 2].
+#pragma once
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <compare>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace waymark::automata {
+
+class Mtbdd {
+ public:
+  using Variable = std::uint32_t;  // smaller variables stand nearer to the root
+  static constexpr Variable no_variable = UINT32_MAX;
+  static constexpr Variable max_variables = 16'384;  // recursion is as deep as a path is long
+
+  struct Node {
+    std::uint32_t id = terminal_bit;
+    friend auto operator<=>(const Node&, const Node&) = default;
+  };
+  // Names a function of N payloads for the cache: results under one tag are remembered from call to call.
+  struct Operation {
+    std::uint32_t tag = 0;
+  };
+
+  Mtbdd();
+
+  static Node terminal(std::uint32_t payload) {
+    assert(payload < terminal_bit);
+    return Node{payload | terminal_bit};
+  }
+  static bool is_terminal(Node n) { return (n.id & terminal_bit) != 0; }
+  static std::uint32_t payload(Node n) { return n.id & ~terminal_bit; }  // of a terminal
+  Variable variable(Node n) const { return is_terminal(n) ? no_variable : nodes_[n.id].variable; }
+  Node low(Node n) const { return nodes_[n.id].low; }    // of a decision node: the variable is false
+  Node high(Node n) const { return nodes_[n.id].high; }  // … true
+  std::size_t size() const { return nodes_.size(); }     // decision nodes made so far
+
+  // if variable then high else low; `low` itself when both are one. The variable stands above those of both. O(1).
+  Node make(Variable variable, Node low, Node high);
+
+  Operation operation() { return Operation{++operations_}; }
+
+  // The function that decide() computes point by point. decide(args) is asked on the way down and answers as soon as
+  // the arguments determine the result (always, when all are terminals). O(∏ |args|) calls, fewer by the cache.
+  template <std::size_t N, class Decide>
+  Node apply(Operation op, const std::array<Node, N>& args, Decide& decide);
+
+  // The terminal reached under an assignment, a functor Variable → bool. O(variables).
+  template <class Assignment>
+  Node evaluate(Node n, const Assignment& assignment) const {
+    while (!is_terminal(n)) n = assignment(nodes_[n.id].variable) ? nodes_[n.id].high : nodes_[n.id].low;
+    return n;
+  }
+
+  // Decision nodes that the roots reach, children before parents. O(size()).
+  std::vector<Node> reachable(std::span<const Node> roots) const;
+
+  // Copies the diagrams of another manager here: leaf maps a payload to a Node whose variables lie below all renamed
+  // ones (a terminal, usually), rename maps variables and keeps their order. O(from.size()).
+  template <class Leaf, class Rename>
+  std::vector<Node> import(const Mtbdd& from, std::span<const Node> roots, const Leaf& leaf,
+                           const Rename& rename);
+
+ private:
+  static constexpr std::uint32_t terminal_bit = 0x8000'0000;
+  struct Decision {
+    Variable variable;
+    Node low, high;
+  };
+  struct Remembered {
+    std::uint32_t tag = 0;  // 0: empty
+    std::array<Node, 3> args{};
+    Node result{};
+  };
+  Remembered& slot(Operation op, const std::array<Node, 3>& args);
+  void grow();
+
+  std::vector<Decision> nodes_;
+  std::vector<std::uint32_t> table_;  // open-addressed over node ids + 1, 0 is free; a power of two
+  std::vector<Remembered> cache_;     // direct-mapped; a power of two
+  std::uint32_t operations_ = 0;
+};
+
+template <std::size_t N, class Decide>
+Mtbdd::Node Mtbdd::apply(Operation op, const std::array<Node, N>& args, Decide& decide) {
+  static_assert(N >= 1 && N <= 3);
+  if (const std::optional<Node> known = decide(args)) return *known;
+  std::array<Node, 3> key{};
+  std::copy(args.begin(), args.end(), key.begin());
+  const Remembered& before = slot(op, key);
+  if (before.tag == op.tag && before.args == key) return before.result;
+
+  Variable top = no_variable;
+  for (Node n : args) top = std::min(top, variable(n));
+  assert(top != no_variable);  // decide() must answer for terminals
+  std::array<Node, N> lows = args, highs = args;
+  for (std::size_t i = 0; i < N; ++i) {
+    if (variable(args[i]) != top) continue;
+    lows[i] = low(args[i]);
+    highs[i] = high(args[i]);
+  }
+  const Node on_low = apply(op, lows, decide);
+  const Node on_high = apply(op, highs, decide);
+  const Node result = make(top, on_low, on_high);
+  slot(op, key) = Remembered{op.tag, key, result};  // looked up again: the cache may have grown
+  return result;
+}
+
+template <class Leaf, class Rename>
+std::vector<Mtbdd::Node> Mtbdd::import(const Mtbdd& from, std::span<const Node> roots, const Leaf& leaf,
+                                       const Rename& rename) {
+  std::vector<Node> copy(from.size());
+  const auto image = [&](Node n) { return is_terminal(n) ? leaf(payload(n)) : copy[n.id]; };
+  for (Node n : from.reachable(roots))
+    copy[n.id] = make(rename(from.variable(n)), image(from.low(n)), image(from.high(n)));
+  std::vector<Node> images;
+  images.reserve(roots.size());
+  for (Node root : roots) images.push_back(image(root));
+  return images;
+}
+
+}  // namespace waymark::automata

@@ -1,0 +1,18 @@
+// The coarsest partition that acceptance and letters respect, by refinement with a worklist.
+//
+// As in [Hop71], when a class splits its largest part keeps the name, so a state is renamed O(log |Q|) times. In place
+// of letters every decision node remembers its image over the current classes: only the nodes above renamed terminals
+// are redone, and they stop where the image stays the same. A state's signature is the image of its root.
+#pragma once
+#include <optional>
+#include <stop_token>
+
+#include "libautomata/transitions.hpp"
+#include "libautomata/very_weak.hpp"
+
+namespace waymark::automata {
+
+std::optional<Partition> coarsest_partition(const Transitions& automaton, const TransitionGraph& graph,
+                                            const std::stop_token& stop);  // nullopt when stopped
+
+}  // namespace waymark::automata

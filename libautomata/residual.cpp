@@ -1,0 +1,131 @@
+#include "libautomata/residual.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+#include <utility>
+
+namespace waymark::automata {
+
+Residuals::Residuals(ltl::Formula f, const std::vector<ltl::Proposition>& reads, std::function<void()> poll)
+    : logic_(residuals_), ite_(letters_.operation()), poll_(std::move(poll)) {
+  payload(Boolean::constant(false), false);  // trap
+  payload(Boolean::constant(true), true);    // anything
+  initial_ = payload(residual_of(f, reads), false);
+}
+
+Residuals::Node Residuals::residual_of(ltl::Formula f, const std::vector<ltl::Proposition>& reads) {
+  using ltl::Op;
+  std::unordered_map<ltl::Formula, Node> image;
+  const auto combine = [&](ltl::Formula g, bool unit, auto operation) {
+    Node all = Boolean::constant(unit);
+    for (std::size_t i = g.operands().size(); i-- > 0;) all = operation(image.at(g[i]), all);
+    return all;
+  };
+  const auto spell = [&](ltl::Formula g) {
+    switch (g.op()) {
+      case Op::False: return Boolean::constant(false);
+      case Op::True: return Boolean::constant(true);
+      case Op::Atom: {
+        const auto at = std::lower_bound(reads.begin(), reads.end(), g.proposition());
+        return elementary(Kind::Proposition, {},
+                          Mtbdd::terminal(static_cast<std::uint32_t>(at - reads.begin())));
+      }
+      case Op::Not: return logic_.negate(image.at(g[0]));
+      case Op::And: return combine(g, true, [&](Node a, Node b) { return logic_.conjunction(a, b); });
+      case Op::Or: return combine(g, false, [&](Node a, Node b) { return logic_.disjunction(a, b); });
+      case Op::Iff: return logic_.iff(image.at(g[0]), image.at(g[1]));
+      case Op::Next: return next(image.at(g[0]));
+      case Op::WeakNext: return logic_.negate(next(logic_.negate(image.at(g[0]))));
+      case Op::Until: return until(image.at(g[0]), image.at(g[1]));
+      case Op::Release:
+        return logic_.negate(until(logic_.negate(image.at(g[0])), logic_.negate(image.at(g[1]))));
+    }
+    throw std::logic_error("operator without a residual");
+  };
+  for (ltl::Formula g : ltl::subformulas(f)) image.emplace(g, spell(g));
+  return image.at(f);
+}
+
+Residuals::Node Residuals::elementary(Kind kind, Node left, Node right) {
+  if (elementary_.size() >= Mtbdd::max_variables)
+    throw std::length_error("formula with over 16384 elementary parts");
+  const auto e = static_cast<Mtbdd::Variable>(elementary_.size());
+  elementary_.push_back({kind, left, right});
+  const Node self = logic_.variable(e);
+  elementary_successors_.push_back(progress_elementary(elementary_.back(), self));
+  return self;
+}
+
+Residuals::Node Residuals::next(Node operand) {
+  if (operand == Boolean::constant(false)) return operand;  // X false = false
+  const auto known = next_.find(operand.id);
+  if (known != next_.end()) return logic_.variable(known->second);
+  next_.emplace(operand.id, static_cast<Mtbdd::Variable>(elementary_.size()));
+  return elementary(Kind::Next, {}, operand);
+}
+
+Residuals::Node Residuals::until(Node left, Node right) {
+  if (logic_.implies(left, right)) return right;  // false U ψ = ψ U ψ = ψ, φ U true = true
+  left = logic_.disjunction(left, right);         // φ U ψ = (φ ∨ ψ) U ψ: one spelling
+  const std::uint64_t key = std::uint64_t{left.id} << 32U | right.id;
+  const auto known = until_.find(key);
+  if (known != until_.end()) return logic_.variable(known->second);
+  until_.emplace(key, static_cast<Mtbdd::Variable>(elementary_.size()));
+  return elementary(Kind::Until, left, right);
+}
+
+Residuals::Node Residuals::progress_elementary(const Elementary& e, Node self) {
+  switch (e.kind) {
+    case Kind::Proposition:
+      return letters_.make(Mtbdd::payload(e.right), Mtbdd::terminal(trap), Mtbdd::terminal(anything));
+    case Kind::Next: return Mtbdd::terminal(payload(e.right, false));
+    case Kind::Until: {
+      const Node later = Mtbdd::terminal(payload(self, false));
+      const Node on = if_then_else(progress(e.left), later, Mtbdd::terminal(trap));
+      return if_then_else(progress(e.right), Mtbdd::terminal(anything), on);
+    }
+  }
+  throw std::logic_error("elementary formula without successors");
+}
+
+// Shannon's expansion over elementary formulas: δ(if e then g else h) = if δ(e) then δ(g) else δ(h).
+Residuals::Node Residuals::progress(Node residual) {
+  if (Mtbdd::is_terminal(residual))
+    return Mtbdd::terminal(residual == Boolean::constant(true) ? anything : trap);
+  const auto known = progressed_.find(residual.id);
+  if (known != progressed_.end()) return known->second;
+  const Node high = progress(residuals_.high(residual));
+  const Node low = progress(residuals_.low(residual));
+  const Node all = if_then_else(elementary_successors_[residuals_.variable(residual)], high, low);
+  progressed_.emplace(residual.id, all);
+  return all;
+}
+
+Residuals::Node Residuals::if_then_else(Node f, Node g, Node h) {
+  const auto decide = [&](const std::array<Node, 3>& a) -> std::optional<Node> {
+    if (++steps_ % 4096 == 0) poll_();
+    if (a[0] == Mtbdd::terminal(anything)) return a[1];
+    if (a[0] == Mtbdd::terminal(trap)) return a[2];
+    if (a[1] == a[2]) return a[1];
+    if (a[1] == Mtbdd::terminal(anything) && a[2] == Mtbdd::terminal(trap)) return a[0];
+    for (Node n : a)
+      if (!Mtbdd::is_terminal(n)) return std::nullopt;
+    return Mtbdd::terminal(choose(Mtbdd::payload(a[0]), Mtbdd::payload(a[1]), Mtbdd::payload(a[2])));
+  };
+  return letters_.apply(ite_, std::array{f, g, h}, decide);
+}
+
+std::uint32_t Residuals::choose(std::uint32_t f, std::uint32_t g, std::uint32_t h) {
+  const Leaf a = leaves_[f], b = leaves_[g], c = leaves_[h];
+  return payload(logic_.if_then_else(a.residual, b.residual, c.residual),
+                 a.may_stop ? b.may_stop : c.may_stop);
+}
+
+std::uint32_t Residuals::payload(Node residual, bool may_stop) {
+  const std::uint64_t key = std::uint64_t{residual.id} << 1U | (may_stop ? 1U : 0U);
+  const auto [at, fresh] = payload_of_.try_emplace(key, static_cast<std::uint32_t>(leaves_.size()));
+  if (fresh) leaves_.push_back({residual, may_stop});
+  return at->second;
+}
+
+}  // namespace waymark::automata

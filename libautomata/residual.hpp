@@ -1,0 +1,76 @@
+// Residuals: what progression leaves of an LTLf formula, as Boolean functions over its elementary formulas.
+//
+// Elementary are the propositions, X φ and φ U ψ; everything else is spelled in them (N φ = ¬X ¬φ, φ R ψ =
+// ¬(¬φ U ¬ψ)), operands again being Boolean functions. A residual is a BDD over elementary formulas, so residuals equal
+// up to propositional equivalence are one node and the closure under progression is finite. The end of the word is
+// kept apart: a leaf of the successor diagram is (residual of a non-empty rest, may the word stop here), hence
+//   δ(p) = if p then (true, ✓) else (false, ✗)    δ(X φ) = (φ, ✗)    δ(φ U ψ) = δ(ψ) ∨ (δ(φ) ∧ (φ U ψ, ✗)),
+// Boolean operators act on both halves of a leaf. This is libltl/progress.hpp, all letters at once; the leaves follow
+// the MTBDD translation of Spot 2.13 [DL25], the residuals as BDDs [GV13, Sec. 5] are our choice of normal form.
+#pragma once
+#include <cstdint>
+#include <functional>
+#include <unordered_map>
+#include <vector>
+
+#include "libautomata/boolean.hpp"
+#include "libautomata/mtbdd.hpp"
+#include "libltl/formula.hpp"
+
+namespace waymark::automata {
+
+class Residuals {
+ public:
+  using Node = Mtbdd::Node;
+  struct Leaf {
+    Node residual;  // of the rest, which is not empty
+    bool may_stop;  // the rest may be empty
+  };
+
+  // reads[v] is the proposition of variable v of the successor diagrams; poll() is called every few thousand steps of
+  // work and may throw to end it.
+  Residuals(ltl::Formula f, const std::vector<ltl::Proposition>& reads, std::function<void()> poll);
+
+  std::uint32_t initial() const { return initial_; }  // the leaf (φ, ✗)
+  std::size_t leaves() const { return leaves_.size(); }
+  const Leaf& leaf(std::uint32_t payload) const { return leaves_[payload]; }
+  // δ(residual of the leaf, ·): payloads are leaves.
+  Node successors(std::uint32_t payload) { return progress(leaves_[payload].residual); }
+  const Mtbdd& diagram() const { return letters_; }
+
+ private:
+  enum class Kind : std::uint8_t { Proposition, Next, Until };
+  struct Elementary {
+    Kind kind;
+    Node left,
+        right;  // of an Until; the operand of a Next is right; the variable of a Proposition is right's payload
+  };
+  static constexpr std::uint32_t trap = 0, anything = 1;  // the leaves (false, ✗) and (true, ✓)
+
+  Node residual_of(ltl::Formula f, const std::vector<ltl::Proposition>& reads);
+  Node elementary(Kind kind, Node left, Node right);
+  Node next(Node operand);
+  Node until(Node left, Node right);
+  Node progress(Node residual);
+  Node progress_elementary(const Elementary& e, Node self);
+  std::uint32_t payload(Node residual, bool may_stop);
+  std::uint32_t choose(std::uint32_t f, std::uint32_t g,
+                       std::uint32_t h);  // if f then g else h, on both halves
+  Node if_then_else(Node f, Node g, Node h);
+
+  Mtbdd residuals_;  // variables are elementary formulas
+  Boolean logic_;
+  Mtbdd letters_;  // variables are propositions, payloads are leaves
+  Mtbdd::Operation ite_;
+  std::function<void()> poll_;
+  std::size_t steps_ = 0;
+  std::vector<Elementary> elementary_;
+  std::vector<Node> elementary_successors_;
+  std::unordered_map<std::uint64_t, Mtbdd::Variable> next_, until_;
+  std::unordered_map<std::uint32_t, Node> progressed_;
+  std::vector<Leaf> leaves_;
+  std::unordered_map<std::uint64_t, std::uint32_t> payload_of_;
+  std::uint32_t initial_ = 0;
+};
+
+}  // namespace waymark::automata
