@@ -17,7 +17,7 @@
 
 namespace waymark::ltl {
 
-struct Span {            // bytes of the text, half open
+struct Span {  // bytes of the text, half open
   std::size_t begin = 0;
   std::size_t end = 0;
 };

@@ -29,7 +29,7 @@ std::uint32_t Formula::id() const { return node_->id; }
 // Nodes and operand lists live in one growing buffer; the unique table is open-addressed over node pointers.
 struct Arena::Store {
   std::pmr::monotonic_buffer_resource memory{1024};
-  std::vector<const Formula::Node*> nodes;  // by id
+  std::vector<const Formula::Node*> nodes;                                                   // by id
   std::vector<const Formula::Node*> table = std::vector<const Formula::Node*>(64, nullptr);  // a power of two
 };
 
@@ -124,14 +124,19 @@ Formula Arena::junction(Op op, std::span<const Formula> operands) {
   std::sort(flat.begin(), flat.end());
   flat.erase(std::unique(flat.begin(), flat.end()), flat.end());
   for (Formula f : flat)
-    if (f.op() == Op::Not && std::binary_search(flat.begin(), flat.end(), f[0])) return constant(op == Op::Or);
+    if (f.op() == Op::Not && std::binary_search(flat.begin(), flat.end(), f[0]))
+      return constant(op == Op::Or);
   if (flat.empty()) return constant(op == Op::And);
   if (flat.size() == 1) return flat.front();
   return make(op, flat);
 }
 
-Formula conjunction(Arena& arena, std::span<const Formula> operands) { return arena.junction(Op::And, operands); }
-Formula disjunction(Arena& arena, std::span<const Formula> operands) { return arena.junction(Op::Or, operands); }
+Formula conjunction(Arena& arena, std::span<const Formula> operands) {
+  return arena.junction(Op::And, operands);
+}
+Formula disjunction(Arena& arena, std::span<const Formula> operands) {
+  return arena.junction(Op::Or, operands);
+}
 
 Formula conjunction(Formula a, Formula b) {
   const Formula both[] = {a, b};

@@ -27,13 +27,15 @@ enum class Op : std::uint8_t { False, True, Atom, Not, And, Or, Iff, Next, WeakN
 class Formula {  // a value: copy it, compare it, put it in a map. Valid as long as its arena.
  public:
   Op op() const;
-  std::span<const Formula> operands() const;   // sorted by id and unique under And, Or; sorted under Iff
-  Formula operator[](std::size_t i) const;     // operand i, unchecked
-  Proposition proposition() const;             // of an Atom
+  std::span<const Formula> operands() const;  // sorted by id and unique under And, Or; sorted under Iff
+  Formula operator[](std::size_t i) const;    // operand i, unchecked
+  Proposition proposition() const;            // of an Atom
   Arena& arena() const;
-  std::uint32_t id() const;                    // position in the arena: operands have smaller ids
+  std::uint32_t id() const;  // position in the arena: operands have smaller ids
   friend bool operator==(Formula, Formula) = default;
-  friend bool operator<(Formula a, Formula b) { return a.id() < b.id(); }  // creation order, for canonical output
+  friend bool operator<(Formula a, Formula b) {
+    return a.id() < b.id();
+  }  // creation order, for canonical output
 
  private:
   struct Node;
@@ -55,10 +57,10 @@ class Arena {
   Proposition add_proposition(std::string_view name) { return vocabulary_.add(name); }
 
   Formula constant(bool value);
-  Formula atom(Proposition p);                 // throws std::out_of_range when p is not of this vocabulary
-  Formula atom(std::string_view name);         // adds the proposition when it is new
-  std::size_t size() const;                    // formulas made so far
-  Formula formula(std::uint32_t id) const;     // the formula of that id, id < size()
+  Formula atom(Proposition p);              // throws std::out_of_range when p is not of this vocabulary
+  Formula atom(std::string_view name);      // adds the proposition when it is new
+  std::size_t size() const;                 // formulas made so far
+  Formula formula(std::uint32_t id) const;  // the formula of that id, id < size()
 
  private:
   friend Formula negate(Formula);
@@ -79,20 +81,20 @@ class Arena {
 };
 
 // All operands of one call come from one arena (asserted). Cost: O(operands), O(n log n) for conjunction and disjunction.
-Formula negate(Formula f);                                          // ¬φ, with ¬¬φ = φ and constants folded
+Formula negate(Formula f);  // ¬φ, with ¬¬φ = φ and constants folded
 Formula conjunction(Arena& arena, std::span<const Formula> operands);  // ∧; true when empty
 Formula disjunction(Arena& arena, std::span<const Formula> operands);  // ∨; false when empty
 Formula conjunction(Formula a, Formula b);
 Formula disjunction(Formula a, Formula b);
-Formula implies(Formula a, Formula b);         // ¬φ ∨ ψ
-Formula iff(Formula a, Formula b);             // φ ↔ ψ; negations are pulled out: ¬φ ↔ ψ is ¬(φ ↔ ψ)
-Formula exclusive_or(Formula a, Formula b);    // ¬(φ ↔ ψ)
-Formula next(Formula f);                       // X φ: there is a next letter, and φ holds there
-Formula weak_next(Formula f);                  // N φ: if there is a next letter, φ holds there
-Formula until(Formula left, Formula right);    // φ U ψ
-Formula release(Formula left, Formula right);  // φ R ψ
-Formula eventually(Formula f);                 // F φ  is stored as  true U φ
-Formula always(Formula f);                     // G φ  is stored as  false R φ
+Formula implies(Formula a, Formula b);  // ¬φ ∨ ψ
+Formula iff(Formula a, Formula b);      // φ ↔ ψ; negations are pulled out: ¬φ ↔ ψ is ¬(φ ↔ ψ)
+Formula exclusive_or(Formula a, Formula b);           // ¬(φ ↔ ψ)
+Formula next(Formula f);                              // X φ: there is a next letter, and φ holds there
+Formula weak_next(Formula f);                         // N φ: if there is a next letter, φ holds there
+Formula until(Formula left, Formula right);           // φ U ψ
+Formula release(Formula left, Formula right);         // φ R ψ
+Formula eventually(Formula f);                        // F φ  is stored as  true U φ
+Formula always(Formula f);                            // G φ  is stored as  false R φ
 Formula weak_until(Formula left, Formula right);      // φ W ψ  is stored as  ψ R (φ ∨ ψ)
 Formula strong_release(Formula left, Formula right);  // φ M ψ  is stored as  ψ U (φ ∧ ψ)
 Formula eventually_within(std::size_t k, Formula f);  // F<=k φ = φ ∨ X(φ ∨ X(…)), k strong nexts

@@ -26,6 +26,7 @@ class Builder {
         {{token.kind == Token::Kind::Name ? atom(token) : arena_.constant(token.value)}, Op::Atom, 1});
   }
   void apply(const Token& token);  // an Operator, on the last one or two formulas
+  void settle(Symbol next);        // makes the last formula now unless `next` continues its chain
   std::size_t size() const { return stack_.size(); }
   Formula result() { return close(std::move(stack_.back())); }
 
@@ -147,6 +148,13 @@ void Builder::apply(const Token& token) {
   }
 }
 
+// Made now rather than later, a left operand comes before the right one in creation order, and in print.
+void Builder::settle(Symbol next) {
+  Term& last = stack_.back();
+  if (next == (last.junction == Op::And ? Symbol::And : Symbol::Or)) return;
+  if (last.junction != Op::Atom) last = {{close(std::move(last))}, Op::Atom, last.depth};
+}
+
 class Parser {
  public:
   Parser(std::string_view text, Arena& arena, const ParseOptions& options)
@@ -217,7 +225,10 @@ Formula Parser::infix() {
       case Token::Kind::Close: close_parenthesis(token); break;
       case Token::Kind::End: finish(token); return builder_.result();
       case Token::Kind::Operator:
-        if (binary) reduce(precedence(token.symbol), is_right_associative(token.symbol));
+        if (binary) {
+          reduce(precedence(token.symbol), is_right_associative(token.symbol));
+          builder_.settle(token.symbol);
+        }
         waiting_.push_back(token);
         break;
       case Token::Kind::Open: waiting_.push_back(token); break;

@@ -40,11 +40,11 @@ struct Bounded {
 
 // f = φ ∨ X(φ ∨ X(… φ)): φ and the number of nexts. `junction`, `next_op`: Or, Next for F<=k; And, WeakNext for G<=k.
 // The outermost level decides what φ is; every further level must repeat it.
-std::optional<Bounded> bounded_at(Formula f, std::size_t i, Op junction, Op next_op) {
+std::optional<Bounded> bounded_at(std::span<const Formula> parts, std::size_t i, Op junction, Op next_op) {
   Bounded out;
-  for (Formula g : f.operands())
-    if (g != f[i]) out.body.push_back(g);
-  Formula level = f[i][0];
+  for (Formula g : parts)
+    if (g != parts[i]) out.body.push_back(g);
+  Formula level = parts[i][0];
   for (out.k = 1;; ++out.k) {
     if (parts_of(level, junction) == out.body) return out;
     if (level.op() != junction) return std::nullopt;
@@ -54,17 +54,21 @@ std::optional<Bounded> bounded_at(Formula f, std::size_t i, Op junction, Op next
   }
 }
 
-std::optional<View> bounded(Formula f, Op junction, Op next_op, Symbol symbol) {
-  if (f.op() != junction) return std::nullopt;
-  for (std::size_t i = 0; i < f.operands().size(); ++i) {
-    if (f[i].op() != next_op) continue;
-    auto found = bounded_at(f, i, junction, next_op);
-    if (found && found->k >= 2) return View{symbol, {{std::move(found->body), junction}}, found->k};
+std::optional<View> bounded(std::span<const Formula> parts, Op junction) {
+  const Op next_op = junction == Op::Or ? Op::Next : Op::WeakNext;
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    if (parts[i].op() != next_op) continue;
+    auto found = bounded_at(parts, i, junction, next_op);
+    if (!found || found->k < 2) continue;
+    const Symbol symbol = junction == Op::Or ? Symbol::Eventually : Symbol::Always;
+    return View{symbol, {{std::move(found->body), junction}}, found->k};
   }
   return std::nullopt;
 }
 
-View of_junction(std::span<const Formula> parts, Op op) {
+View of_junction(std::span<const Formula> parts, Op op, const ViewOptions& options) {
+  if (options.bounds)
+    if (auto found = bounded(parts, op)) return *found;
   const auto negated = [](Formula f) { return f.op() == Op::Not; };
   if (op == Op::Or && std::count_if(parts.begin(), parts.end(), negated) == 1) {
     const auto no = std::find_if(parts.begin(), parts.end(), negated);
@@ -98,14 +102,10 @@ View of_not(Formula f) {
 }  // namespace
 
 View view(Formula f, const ViewOptions& options) {
-  if (options.bounds) {
-    if (auto found = bounded(f, Op::Or, Op::Next, Symbol::Eventually)) return *found;
-    if (auto found = bounded(f, Op::And, Op::WeakNext, Symbol::Always)) return *found;
-  }
   switch (f.op()) {
     case Op::Not: return of_not(f);
     case Op::And:
-    case Op::Or: return of_junction(f.operands(), f.op());
+    case Op::Or: return of_junction(f.operands(), f.op(), options);
     case Op::Iff: return binary(Symbol::Iff, {{f[0]}}, {{f[1]}});
     case Op::Next: return unary(Symbol::Next, f[0]);
     case Op::WeakNext: return unary(Symbol::WeakNext, f[0]);
@@ -120,7 +120,7 @@ View view(Formula f, const ViewOptions& options) {
 
 View view(const ViewOperand& operand, const ViewOptions& options) {
   return operand.parts.size() == 1 ? view(operand.parts.front(), options)
-                                   : of_junction(operand.parts, operand.junction);
+                                   : of_junction(operand.parts, operand.junction, options);
 }
 
 }  // namespace waymark::ltl

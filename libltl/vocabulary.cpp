@@ -7,17 +7,19 @@
 namespace waymark::ltl {
 namespace {
 
-// Levenshtein distance by the row method. O(|a| · |b|).
+// Insertions, deletions, substitutions and swaps of neighbours, three rows of the table at a time. O(|a| · |b|).
 std::size_t edit_distance(std::string_view a, std::string_view b) {
-  std::vector<std::size_t> row(b.size() + 1);
+  std::vector<std::size_t> before(b.size() + 1), above(b.size() + 1), row(b.size() + 1);
   std::iota(row.begin(), row.end(), std::size_t{0});
   for (std::size_t i = 1; i <= a.size(); ++i) {
-    std::size_t diagonal = row[0];
+    before.swap(above);
+    above.swap(row);
     row[0] = i;
     for (std::size_t j = 1; j <= b.size(); ++j) {
-      const std::size_t substitute = diagonal + (a[i - 1] == b[j - 1] ? 0 : 1);
-      diagonal = row[j];
-      row[j] = std::min({row[j] + 1, row[j - 1] + 1, substitute});
+      const std::size_t substituted = above[j - 1] + (a[i - 1] == b[j - 1] ? 0 : 1);
+      row[j] = std::min({above[j] + 1, row[j - 1] + 1, substituted});
+      if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1])
+        row[j] = std::min(row[j], before[j - 2] + 1);
     }
   }
   return row[b.size()];
@@ -44,7 +46,8 @@ std::optional<Proposition> Vocabulary::find(std::string_view name) const {
 
 std::optional<std::string> Vocabulary::nearest(std::string_view name) const {
   std::optional<std::string> best;
-  std::size_t least = std::max<std::size_t>(1, name.size() / 3) + 1;  // at most a third of the characters wrong
+  std::size_t least =
+      std::max<std::size_t>(1, name.size() / 3) + 1;  // at most a third of the characters wrong
   for (const std::string& known : names_) {
     const std::size_t distance = edit_distance(name, known);
     if (distance < least) {

@@ -27,7 +27,7 @@ class Letter {
   }
   void insert(Proposition p);
   void erase(Proposition p);
-  void insert_all(const Letter& other);    // this ∪ other
+  void insert_all(const Letter& other);      // this ∪ other
   bool includes(const Letter& other) const;  // other ⊆ this
   std::vector<Proposition> members() const;  // ascending
   bool empty() const { return first_ == 0 && rest_.empty(); }
@@ -37,7 +37,8 @@ class Letter {
     return i <= rest_.size() ? rest_[i - 1] : 0;
   }
 
-  friend bool operator==(const Letter&, const Letter&) = default;  // rest_ never ends in 0: equal sets, equal bits
+  friend bool operator==(const Letter&,
+                         const Letter&) = default;  // rest_ never ends in 0: equal sets, equal bits
 
  private:
   std::uint64_t first_ = 0;          // propositions 0 … 63, without allocation
@@ -59,9 +60,10 @@ class Trace {
 
 class Lasso {
  public:
-  Lasso(std::vector<Letter> prefix, std::vector<Letter> cycle);  // throws std::invalid_argument on an empty cycle
-  std::size_t size() const { return letters_.size(); }           // |u| + |v|
-  std::size_t loop_start() const { return loop_start_; }         // |u|
+  Lasso(std::vector<Letter> prefix,
+        std::vector<Letter> cycle);                       // throws std::invalid_argument on an empty cycle
+  std::size_t size() const { return letters_.size(); }    // |u| + |v|
+  std::size_t loop_start() const { return loop_start_; }  // |u|
   const Letter& operator[](std::size_t i) const { return letters_[i]; }
   // The position read after i, 0 ≤ i < size(); the last one leads back to loop_start().
   std::size_t successor(std::size_t i) const { return i + 1 < letters_.size() ? i + 1 : loop_start_; }
