@@ -56,7 +56,8 @@ std::set<std::string> bibliography() {
   std::set<std::string> keys;
   for (std::string line; std::getline(in, line);) {
     std::smatch match;
-    if (std::regex_match(line, match, entry)) keys.insert(match[1]);
+    if (!std::regex_match(line, match, entry)) continue;
+    EXPECT_TRUE(keys.insert(match[1]).second) << "docs/references.bib has " << match[1] << " twice";
   }
   return keys;
 }
