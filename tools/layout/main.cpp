@@ -1,0 +1,58 @@
+// waymark-layout: DOT on standard input, laid out by Graphviz, SVG on standard output.
+//
+// A helper that waymark starts when it draws an automaton, as git starts its subcommands: so that commands which draw
+// nothing never load Graphviz. Arguments: NAME=VALUE, attributes of the graph (rankdir=TB) that override the text's.
+#include <gvc.h>
+
+#include <iostream>
+#include <iterator>
+#include <memory>
+#include <string>
+
+namespace {
+
+constexpr int bad_input = 21, our_bug = 30;  // docs/cli.md
+
+struct Context {
+  GVC_t* gvc = gvContext();
+  Agraph_t* graph = nullptr;
+  ~Context() {
+    if (graph != nullptr) {
+      gvFreeLayout(gvc, graph);
+      agclose(graph);
+    }
+    gvFreeContext(gvc);
+  }
+};
+
+int fail(int code, const std::string& message) {
+  std::cerr << "error: waymark-layout: " << message << '\n';
+  return code;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const std::string dot{std::istreambuf_iterator<char>(std::cin), std::istreambuf_iterator<char>()};
+  Context context;
+  context.graph = agmemread(dot.c_str());
+  if (context.graph == nullptr) return fail(bad_input, "standard input is not a DOT graph");
+  std::string nothing;
+  for (int i = 1; i < argc; ++i) {
+    std::string attribute = argv[i];
+    const auto equals = attribute.find('=');
+    if (equals == std::string::npos) return fail(bad_input, "'" + attribute + "' is not NAME=VALUE");
+    std::string value = attribute.substr(equals + 1);
+    attribute.resize(equals);
+    agsafeset(context.graph, attribute.data(), value.data(), nothing.data());
+  }
+  if (gvLayout(context.gvc, context.graph, "dot") != 0)
+    return fail(our_bug, "Graphviz could not lay the graph out");
+  char* svg = nullptr;
+  unsigned length = 0;
+  if (gvRenderData(context.gvc, context.graph, "svg", &svg, &length) != 0)
+    return fail(our_bug, "Graphviz could not render SVG");
+  std::cout.write(svg, static_cast<std::streamsize>(length));
+  gvFreeRenderData(svg);
+  return std::cout.flush() ? 0 : fail(bad_input, "standard output cannot be written");
+}

@@ -1,0 +1,119 @@
+// waymark: from an English route instruction to a certified route, one subcommand per stage.
+//
+// Parses the command line, runs one subcommand, and turns what comes out into an exit code (docs/cli.md): a value, or
+// one message on standard error for an input that is wrong. Nothing is caught on the way to here.
+#include <unistd.h>
+
+#include <CLI/App.hpp>
+#include <CLI/Config.hpp>
+#include <CLI/Formatter.hpp>
+#include <array>
+#include <exception>
+#include <iostream>
+#include <new>
+#include <vector>
+
+#include "libltl/diagnostic.hpp"
+#include "libltl/vocabulary.hpp"
+#include "tools/shell/interrupt.hpp"
+#include "tools/subcommand.hpp"
+
+namespace waymark::tools {
+namespace {
+
+struct Row {
+  const char* name;
+  const char* summary;
+  Runner (*setup)(CLI::App&);
+};
+
+constexpr std::array rows{
+    Row{"draw", "map, with or without a route → picture", setup_draw},
+    Row{"version", "version, build, and what it was built with", setup_version},
+};
+
+struct Chosen {
+  CLI::App* command;
+  Runner runner;
+};
+
+std::vector<Chosen> add_subcommands(CLI::App& app) {
+  std::vector<Chosen> commands;
+  for (const Row& row : rows) {
+    CLI::App* command = app.add_subcommand(row.name, row.summary);
+    commands.push_back({command, row.setup(*command)});
+  }
+  return commands;
+}
+
+// A first argument that is neither an option nor a subcommand: most likely a slip of the fingers.
+void reject_unknown_subcommand(int argc, char** argv) {
+  if (argc < 2 || argv[1][0] == '-') return;
+  ltl::Vocabulary known;
+  for (const Row& row : rows) known.add(row.name);
+  const std::string_view given = argv[1];
+  if (given.empty()) throw UsageError("the name of the subcommand is empty; see waymark --help");
+  if (known.find(given)) return;
+  const auto nearest = known.nearest(given);
+  throw UsageError("there is no subcommand '" + std::string(given) + "'" +
+                   (nearest ? " (did you mean '" + *nearest + "'?)" : "; see waymark --help"));
+}
+
+ExitCode parse_and_run(int argc, char** argv) {
+  reject_unknown_subcommand(argc, argv);
+  CLI::App app{"waymark: English route instructions → LTL → automata → certified routes"};
+  app.require_subcommand(1);
+  app.get_formatter()->column_width(34);
+  const std::vector<Chosen> commands = add_subcommands(app);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::Success& help) {  // --help
+    app.exit(help, std::cout, std::cerr);
+    return ExitCode::Done;
+  } catch (const CLI::ParseError& error) {
+    throw UsageError(error.what());
+  }
+  const Interrupt interrupt;
+  const Session session{.stop = interrupt.token(), .out = terminal_of(STDOUT_FILENO)};
+  for (const Chosen& chosen : commands) {
+    if (!chosen.command->parsed()) continue;
+    const ExitCode code = chosen.runner(session);
+    std::cout.flush();
+    if (!std::cout) throw ltl::FormatError("standard output", 0, 0, "cannot be written");
+    return code;
+  }
+  return ExitCode::Usage;
+}
+
+ExitCode guarded_main(int argc, char** argv) {
+  try {
+    return parse_and_run(argc, argv);
+  } catch (const UsageError& error) {
+    complain("error", error.what());
+    return ExitCode::Usage;
+  } catch (const ltl::SyntaxError& error) {
+    complain("error", error.what());
+    return ExitCode::BadInput;
+  } catch (const ltl::FormatError& error) {
+    complain("error", error.what());
+    return ExitCode::BadInput;
+  } catch (const Interrupted& error) {
+    complain("error", error.what());
+    return ExitCode::GaveUp;
+  } catch (const std::bad_alloc&) {
+    complain("error", "out of memory");
+    return ExitCode::GaveUp;
+  } catch (
+      const std::exception& error) {  // an assertion of ours that did not hold: said so, never passed over
+    complain("error", std::string("this is a bug in waymark: ") + error.what());
+    return ExitCode::OurBug;
+  }
+}
+
+}  // namespace
+}  // namespace waymark::tools
+
+int main(int argc, char** argv) {
+  std::ios::sync_with_stdio(false);
+  return static_cast<int>(waymark::tools::guarded_main(argc, argv));
+}

@@ -1,0 +1,26 @@
+// The automaton beside the map: DOT laid out by the helper executable waymark-layout, embedded as nested <svg>.
+#pragma once
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "tools/render/svg.hpp"
+
+namespace waymark::render {
+
+struct Drawing {
+  double width = 0, height = 0;  // natural size in pixels
+  std::string content;           // SVG elements in a viewport of that size
+};
+
+// An SVG document as a drawing: its viewBox and what is inside the root element. Throws std::runtime_error when the
+// text has no <svg viewBox="0 0 w h"> root.
+Drawing drawing_of(std::string_view svg);
+
+// nullopt when the helper is not installed. Throws std::runtime_error when it fails.
+std::optional<Drawing> lay_out(const std::string& dot);
+
+// Scaled to fit the box, never enlarged, centred in it.
+void embed(Svg& svg, const Drawing& drawing, Point corner, double width, double height);
+
+}  // namespace waymark::render

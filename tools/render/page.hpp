@@ -1,0 +1,24 @@
+// One page: the task as its title, the map with the route on it, the automaton and the legend beside it.
+#pragma once
+#include <optional>
+#include <string>
+
+#include "libplan/world/trajectory.hpp"
+#include "tools/render/automaton_picture.hpp"
+
+namespace waymark::render {
+
+struct Page {
+  const plan::Map* map = nullptr;
+  std::string instruction = {};  // the English text; may be empty
+  std::string formula = {};      // in Unicode notation; may be empty
+  std::string caption = {};      // one line of facts; may be empty
+  std::optional<plan::Trajectory> route = {};
+  std::optional<Drawing> automaton = {};
+  std::string automaton_caption = {};  // "5 states, 11 edges"
+};
+
+// A complete SVG document.
+std::string draw_page(const Page& page);
+
+}  // namespace waymark::render

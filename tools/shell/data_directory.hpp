@@ -1,0 +1,18 @@
+// Where maps and models lie, and where the helper executables are: beside this one, wherever it was put.
+#pragma once
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+namespace waymark::tools {
+
+std::filesystem::path executable();  // of this process, symbolic links resolved
+
+// `option` (--data DIR) if not empty, else $WAYMARK_DATA, else ../share/waymark from the executable.
+// Throws ltl::FormatError when that is no directory, saying which of the three was used.
+std::filesystem::path data_directory(const std::string& option);
+
+// `name` beside the executable or in ../libexec/waymark; empty when it was not built or installed.
+std::filesystem::path helper(std::string_view name);
+
+}  // namespace waymark::tools

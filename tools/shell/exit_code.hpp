@@ -1,0 +1,30 @@
+// What the exit code of waymark says: one verdict per block, the same for every subcommand (docs/cli.md).
+#pragma once
+#include <stdexcept>
+
+namespace waymark::tools {
+
+enum class ExitCode : int {
+  Done = 0,
+  No = 10,        // the answer is no: infeasible, not satisfied, unsatisfiable (proved)
+  GaveUp = 11,    // nothing proved: a limit was met, or Ctrl-C
+  Usage = 20,     // the command line is wrong
+  BadInput = 21,  // a formula, map, pose, file … is wrong; a batch with some bad lines ends with this
+  OurBug = 30,
+};
+
+// The worse of two verdicts of one batch: what the batch as a whole ends with.
+inline ExitCode worse(ExitCode a, ExitCode b) { return a < b ? b : a; }
+
+class UsageError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+// Thrown where work noticed that a stop was requested and has nothing to show for it.
+class Interrupted : public std::runtime_error {
+ public:
+  Interrupted() : std::runtime_error("interrupted") {}
+};
+
+}  // namespace waymark::tools

@@ -1,0 +1,74 @@
+#include "tools/shell/input.hpp"
+
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <iterator>
+
+#include "libltl/diagnostic.hpp"
+#include "tools/shell/exit_code.hpp"
+
+namespace waymark::tools {
+namespace {
+
+std::unique_ptr<std::istream> open(const std::string& path) {
+  auto file = std::make_unique<std::ifstream>(path, std::ios::binary);
+  if (!*file)
+    throw ltl::FormatError(path, 0, 0, "cannot read the file: " + std::string(std::strerror(errno)));
+  std::error_code ignored;
+  if (std::filesystem::is_directory(path, ignored))
+    throw ltl::FormatError(path, 0, 0, "is a directory, not a file");
+  return file;
+}
+
+bool passed_over(const std::string& line) {
+  const auto first = line.find_first_not_of(" \t");
+  return first == std::string::npos || line[first] == '#';
+}
+
+}  // namespace
+
+std::string source_name(const std::string& path) { return path == "-" ? "standard input" : path; }
+
+std::string read_file(const std::string& path) {
+  const auto file = path == "-" ? nullptr : open(path);
+  std::istream& in = file ? *file : std::cin;
+  return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+}
+
+TextReader::TextReader(TextOptions options, const std::string& what)
+    : arguments_(std::move(options.arguments)) {
+  const bool dash = arguments_.size() == 1 && arguments_[0] == "-";
+  if (!options.file.empty() && !arguments_.empty())
+    throw UsageError("give the " + what + " as an argument or with -F, not both");
+  if (options.file.empty() && !dash && !arguments_.empty()) return;
+  if (options.file.empty() && !dash && ::isatty(STDIN_FILENO) != 0)
+    throw UsageError("no " + what + ": give it as an argument, with -F FILE, or on standard input");
+  arguments_.clear();
+  const std::string path = options.file.empty() ? "-" : options.file;
+  source_ = source_name(path);
+  if (path != "-") file_ = open(path);
+  stream_ = file_ ? file_.get() : &std::cin;
+}
+
+TextReader::~TextReader() = default;
+
+std::optional<Text> TextReader::next() {
+  if (stream_ == nullptr) {
+    if (argument_ == arguments_.size()) return std::nullopt;
+    return Text{arguments_[argument_++], "", 1};
+  }
+  std::string line;
+  while (std::getline(*stream_, line)) {
+    ++line_;
+    if (!line.empty() && line.back() == '\r') line.pop_back();
+    if (!passed_over(line)) return Text{std::move(line), source_, line_};
+  }
+  return std::nullopt;
+}
+
+}  // namespace waymark::tools

@@ -1,0 +1,48 @@
+// Where formulas and instructions come from: arguments, a file with one a line, or standard input.
+#pragma once
+#include <cstddef>
+#include <iosfwd>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace waymark::tools {
+
+struct TextOptions {
+  std::vector<std::string> arguments;  // one text each; "-" alone: standard input
+  std::string file;                    // -F FILE, "-": standard input
+};
+
+struct Text {
+  std::string text;
+  std::string source;    // for messages: the file, "standard input", or "" for the command line
+  std::size_t line = 1;  // in that source, counted from 1
+};
+
+// Reads texts one at a time, so that a pipe is answered line by line. Of files and standard input, blank lines and
+// lines beginning with # are passed over; line numbers count them.
+class TextReader {
+ public:
+  // Without arguments and file, standard input is read unless it is a terminal: then UsageError, saying `what` is missing.
+  TextReader(TextOptions options, const std::string& what);
+  ~TextReader();
+  std::optional<Text> next();
+  bool is_batch() const { return stream_ != nullptr || arguments_.size() > 1; }
+
+ private:
+  std::vector<std::string> arguments_;
+  std::size_t argument_ = 0;
+  std::unique_ptr<std::istream> file_;
+  std::istream* stream_ = nullptr;
+  std::string source_;
+  std::size_t line_ = 0;
+};
+
+// The whole file, or standard input for "-". Throws ltl::FormatError naming the path and the reason.
+std::string read_file(const std::string& path);
+
+// The name that messages use for a path: "standard input" for "-".
+std::string source_name(const std::string& path);
+
+}  // namespace waymark::tools

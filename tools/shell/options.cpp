@@ -1,0 +1,64 @@
+#include "tools/shell/options.hpp"
+
+#include <CLI/App.hpp>
+
+#include "libltl/diagnostic.hpp"
+#include "tools/shell/data_directory.hpp"
+
+namespace waymark::tools {
+
+void add_data_option(CLI::App& command, std::string& data) {
+  command
+      .add_option("--data", data,
+                  "directory of maps and models (else $WAYMARK_DATA, else beside the executable)")
+      ->type_name("DIR");
+}
+
+void add_map_options(CLI::App& command, MapOptions& options) {
+  command.add_option("-m,--map", options.map, "a map that comes with waymark (grid, jelly, l) or a file")
+      ->type_name("MAP")
+      ->capture_default_str();
+  add_data_option(command, options.data);
+}
+
+plan::Map read_map(const MapOptions& options) {
+  return plan::read_map(options.map, data_directory(options.data));
+}
+
+void add_text_options(CLI::App& command, TextOptions& options, const std::string& what) {
+  command.add_option(what, options.arguments, "the " + what + "; - or nothing: standard input, one a line")
+      ->type_name("TEXT");
+  command
+      .add_option("-F,--file", options.file, "read from a file, one " + what + " a line; - is standard input")
+      ->type_name("FILE");
+}
+
+void add_notation_options(CLI::App& command, NotationOptions& options) {
+  command
+      .add_option("--dialect", options.dialect,
+                  "what X means at the end of a finite word: strong or (spot) weak")
+      ->check(CLI::IsMember({"waymark", "spot"}))
+      ->capture_default_str();
+  command.add_option("--notation", options.notation, "how formulas are written")
+      ->check(CLI::IsMember({"infix", "lbt", "postfix"}))
+      ->capture_default_str();
+}
+
+ltl::ParseOptions parse_options(const NotationOptions& options, ltl::Unknown unknown) {
+  return {.dialect = options.dialect == "spot" ? ltl::Dialect::Spot : ltl::Dialect::Waymark,
+          .notation = options.notation == "lbt"       ? ltl::Notation::Lbt
+                      : options.notation == "postfix" ? ltl::Notation::Postfix
+                                                      : ltl::Notation::Infix,
+          .unknown = unknown};
+}
+
+ltl::Formula parse_formula(const Text& text, ltl::Arena& arena, const ltl::ParseOptions& options) {
+  try {
+    return ltl::parse(text.text, arena, options);
+  } catch (const ltl::SyntaxError& error) {
+    if (text.source.empty()) throw;
+    throw error.in(text.source, text.line);
+  }
+}
+
+}  // namespace waymark::tools

@@ -1,0 +1,36 @@
+// Options that several subcommands share, so that they are spelled and explained in one way.
+#pragma once
+#include <string>
+
+#include "libltl/parse.hpp"
+#include "libplan/world/read_map.hpp"
+#include "tools/shell/input.hpp"
+
+namespace CLI {
+class App;
+}
+
+namespace waymark::tools {
+
+struct MapOptions {
+  std::string map = "grid";
+  std::string data;
+};
+void add_map_options(CLI::App& command, MapOptions& options);
+void add_data_option(CLI::App& command, std::string& data);
+plan::Map read_map(const MapOptions& options);
+
+// `what`: "formula" or "instruction", the name of the positional argument.
+void add_text_options(CLI::App& command, TextOptions& options, const std::string& what);
+
+struct NotationOptions {
+  std::string dialect = "waymark";
+  std::string notation = "infix";
+};
+void add_notation_options(CLI::App& command, NotationOptions& options);
+ltl::ParseOptions parse_options(const NotationOptions& options, ltl::Unknown unknown);
+
+// The formula of one text; errors name the file and line that it came from.
+ltl::Formula parse_formula(const Text& text, ltl::Arena& arena, const ltl::ParseOptions& options);
+
+}  // namespace waymark::tools
