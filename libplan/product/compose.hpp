@@ -8,17 +8,20 @@
 namespace waymark::plan {
 
 struct Product {
-  const Map* map;                        // both must outlive the product
+  const Map* map;  // both must outlive the product
   const automata::Dfa* dfa;
-  ProductGraph graph;                    // out-edges in action order FORWARD, LEFT, RIGHT
-  std::vector<ProductVertex> starts;     // (s, δ(q₀, L(s))) for every start pose s, in the order given
+  ProductGraph graph;                 // out-edges in action order FORWARD, LEFT, RIGHT
+  std::vector<ProductVertex> starts;  // (s, δ(q₀, L(s))) for every start pose s, in the order given
   bool is_accepting(ProductVertex v) const { return dfa->is_accepting(graph[v].task); }
+  bool is_trap(ProductVertex v) const { return dfa->is_trap(graph[v].task); }
 };
 
 // `starts`: one pose, or several when the heading is unknown (conventions.md 8). The DFA's propositions are matched
-// with the map's by name; throws std::invalid_argument naming a proposition that the map lacks.
-// Traps of the automaton are kept as vertices without out-edges. O(|S| · |Q|) vertices at most.
+// with the map's by name; throws ltl::FormatError naming a proposition that the map lacks.
+// Traps of the automaton are kept as vertices without out-edges. O(|S| · |Q|) vertices at most, in breadth-first order.
 Product compose(const Map& map, const automata::Dfa& dfa, std::span<const PoseId> starts);
-inline Product compose(const Map& map, const automata::Dfa& dfa, PoseId start) { return compose(map, dfa, {&start, 1}); }
+inline Product compose(const Map& map, const automata::Dfa& dfa, PoseId start) {
+  return compose(map, dfa, {&start, 1});
+}
 
 }  // namespace waymark::plan

@@ -7,14 +7,14 @@
 
 namespace waymark::plan {
 
-struct ProductState {   // the pair is the state's type
+struct ProductState {  // the pair is the state's type
   PoseId pose;
   automata::StateId task;
   friend auto operator<=>(const ProductState&, const ProductState&) = default;
 };
 struct ProductEdge {
-  Action action;
-  double cost;
+  Action action = Action::Forward;
+  double cost = 0;
 };
 using ProductGraph =
     boost::adjacency_list<boost::vecS, boost::vecS, boost::bidirectionalS, ProductState, ProductEdge>;

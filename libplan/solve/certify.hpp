@@ -1,22 +1,11 @@
-// Routes, and the proof that a route does what was asked: by the definition of ⊨, never by the automaton.
+// The proof that a route does what was asked: by the definition of ⊨, never by the automaton that found it.
 #pragma once
-#include <string>
-#include <vector>
+#include <utility>
 
 #include "libltl/formula.hpp"
-#include "libltl/word.hpp"
-#include "libplan/solve/outcome.hpp"
+#include "libplan/solve/route.hpp"
 
 namespace waymark::plan {
-
-struct Route {
-  std::vector<PoseId> poses;     // poses.size() = actions.size() + 1
-  std::vector<Action> actions;
-  double cost = 0;
-};
-
-Route roll_out(const Product& product, const Policy& policy);
-ltl::Trace word_of(const Route& route, const Map& map);  // L(start), then one letter per action
 
 // A route that was checked: every step is a step of the map, the cost is the sum of the steps, the word ⊨ φ.
 // The only way to get one is certify; whatever prints or draws a route takes this type.
@@ -33,7 +22,20 @@ class CertifiedRoute {
 };
 
 // Throws std::logic_error (we are wrong) naming the step or the formula when the check fails. The formula's
-// propositions are matched with the map's by name.
+// propositions are matched with the map's by name. O(|DAG| · |route|²).
 CertifiedRoute certify(Route route, const Map& map, ltl::Formula f);
+
+// The same where the task came as an automaton and there is no formula: the steps, the cost, and a run of the automaton
+// on the word, letter by letter on its own vocabulary. Weaker than certify: the automaton itself is taken at its word.
+class AcceptedRoute {
+ public:
+  const Route& route() const { return route_; }
+
+ private:
+  friend AcceptedRoute certify_acceptance(Route route, const Map& map, const automata::Dfa& dfa);
+  explicit AcceptedRoute(Route route) : route_(std::move(route)) {}
+  Route route_;
+};
+AcceptedRoute certify_acceptance(Route route, const Map& map, const automata::Dfa& dfa);
 
 }  // namespace waymark::plan

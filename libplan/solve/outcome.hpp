@@ -10,21 +10,22 @@
 
 namespace waymark::plan {
 
-struct Policy {                                  // on the product: what to do in each vertex
-  std::vector<std::optional<Action>> action;     // by vertex; nullopt: stop (accepting) or nothing leads on
-  ProductVertex start;                           // the start vertex that the value belongs to
+struct Policy {  // on the product: what to do in each vertex
+  std::vector<std::optional<Action>>
+      action;               // by vertex; nullopt: stop (accepting), nothing leads on, or not known
+  ProductVertex start = 0;  // the start vertex that the value belongs to
 };
 
 struct Solved {
   Policy policy;
-  double value;                                  // least cost from policy.start to acceptance
-  double lower, upper;                           // proved bounds on it; equal for a search
-  std::size_t expanded = 0;                      // vertices expanded: the count that benchmarks report
+  double value = 0;             // least cost from policy.start to acceptance
+  double lower = 0, upper = 0;  // proved bounds on it; equal for a search
+  std::size_t expanded = 0;     // vertices expanded: the count that benchmarks report
 };
-struct Infeasible {                              // proved: no run of the product is accepting
+struct Infeasible {  // proved: no run of the product is accepting
   std::string reason;
 };
-struct Exhausted {                               // nothing proved
+struct Exhausted {  // nothing proved
   std::size_t expanded = 0;
 };
 using Outcome = std::variant<Solved, Infeasible, Exhausted>;

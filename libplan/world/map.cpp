@@ -94,6 +94,18 @@ Pose Map::pose(PoseId p) const {
   return {node.x, node.y, static_cast<int>(p.index % 4) * 90};
 }
 
+std::optional<PoseId> Map::predecessor(PoseId p, Action action) const {
+  const std::uint32_t node = p.index / 4, quarter = p.index % 4;
+  switch (action) {
+    case Action::Left: return successor(p, Action::Right);
+    case Action::Right: return successor(p, Action::Left);
+    case Action::Forward: break;
+  }
+  const auto behind = hallways_.neighbour(node, static_cast<int>((quarter + 2) % 4) * 90);
+  if (!behind) return std::nullopt;
+  return PoseId{4 * *behind + quarter};
+}
+
 std::optional<PoseId> Map::find(const Pose& pose) const {
   if (pose.heading < 0 || pose.heading >= 360 || pose.heading % 90 != 0) return std::nullopt;
   const auto node = hallways_.node_at(pose.x, pose.y);

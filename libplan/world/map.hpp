@@ -70,6 +70,8 @@ class Map {
     const std::uint32_t to = successors_[p.index][static_cast<std::size_t>(action)];
     return to == wall_ahead ? std::nullopt : std::optional(PoseId{to});
   }
+  // The one pose from which the action leads to p, if there is one: actions are injective. O(1).
+  std::optional<PoseId> predecessor(PoseId p, Action action) const;
   double cost(Action) const { return 1.0; }  // conventions.md 4
 
   const ltl::Letter& label(PoseId p) const { return letter(label_id(p)); }  // L(p), without events

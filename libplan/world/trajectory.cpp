@@ -195,6 +195,30 @@ ltl::Trace word_of(const Trajectory& trajectory, const Map& map) {
   return ltl::Trace(std::move(letters));
 }
 
+ltl::FormatError unknown_proposition(const Map& map, const std::string& name) {
+  std::string message = "the map " + map.name() + " has no proposition '" + name + "'";
+  if (const auto meant = map.vocabulary().nearest(name)) message += " (did you mean '" + *meant + "'?)";
+  return ltl::FormatError("", 0, 0, message);
+}
+
+ltl::Trace word_for(ltl::Formula f, const Trajectory& trajectory, const Map& map) {
+  const ltl::Vocabulary& names = f.arena().vocabulary();
+  std::vector<std::pair<ltl::Proposition, ltl::Proposition>> matched;  // of the formula, of the map
+  for (ltl::Proposition p : ltl::propositions(f)) {
+    const auto ours = map.vocabulary().find(names.name(p));
+    if (!ours) throw unknown_proposition(map, names.name(p));
+    matched.emplace_back(p, *ours);
+  }
+  std::vector<ltl::Letter> letters;
+  for (const ltl::Letter& letter : word_of(trajectory, map)) {
+    ltl::Letter seen;
+    for (const auto& [theirs, ours] : matched)
+      if (letter.contains(ours)) seen.insert(theirs);
+    letters.push_back(std::move(seen));
+  }
+  return ltl::Trace(std::move(letters));
+}
+
 Trajectory parse_trajectory(std::string_view text, const Map& map, std::string_view source) {
   const std::size_t first = text.find_first_not_of(" \t\r\n");
   const bool is_json = first != text.npos && (text[first] == '[' || text[first] == '{');

@@ -11,6 +11,8 @@
 #include <string_view>
 #include <vector>
 
+#include "libltl/diagnostic.hpp"
+#include "libltl/formula.hpp"
 #include "libltl/word.hpp"
 #include "libplan/world/map.hpp"
 
@@ -30,6 +32,12 @@ std::optional<Trajectory> follow(const Map& map, PoseId start, const std::vector
 
 // L(start), then one letter per action (conventions.md 1).
 ltl::Trace word_of(const Trajectory& trajectory, const Map& map);
+// The same over the vocabulary of f: the propositions that occur in f are matched with the map's by name. Throws
+// ltl::FormatError naming one that the map lacks.
+ltl::Trace word_for(ltl::Formula f, const Trajectory& trajectory, const Map& map);
+
+// The error for a proposition that no letter of the map can carry, with the nearest name as a hint.
+ltl::FormatError unknown_proposition(const Map& map, const std::string& name);
 
 // Either form. Throws ltl::FormatError naming the step that is impossible and what would have been possible there.
 Trajectory parse_trajectory(std::string_view text, const Map& map, std::string_view source = "");

@@ -1,0 +1,19 @@
+// Routes: what a plan comes down to on the map, a trajectory and its cost.
+#pragma once
+#include "libplan/solve/outcome.hpp"
+#include "libplan/world/trajectory.hpp"
+
+namespace waymark::plan {
+
+struct Route : Trajectory {  // poses, actions
+  double cost = 0;           // sum over the actions
+};
+
+// Sums the costs of the actions, first to last.
+Route priced(Trajectory trajectory, const Map& map);
+
+// The route that the policy takes from its start until it says stop. Throws std::logic_error when the policy leads
+// into a wall or round in a circle.
+Route roll_out(const Product& product, const Policy& policy);
+
+}  // namespace waymark::plan
