@@ -3,6 +3,7 @@
 if(NOT TARGET waymark::ompl)
   find_package(ompl 1.5 REQUIRED CONFIG HINTS /usr/share/ompl/cmake)
   find_package(Eigen3 3.4 REQUIRED CONFIG)
+  find_package(Boost 1.74 REQUIRED CONFIG)
   add_library(waymark::ompl INTERFACE IMPORTED GLOBAL)
   target_include_directories(waymark::ompl SYSTEM INTERFACE ${OMPL_INCLUDE_DIR})
   list(GET OMPL_LIBRARIES 0 ompl_library)
