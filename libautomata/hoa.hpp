@@ -2,7 +2,8 @@
 //
 // HOA has no finite words. Our convention, stated in the output: `properties: finite-words`, state-based
 // `Acceptance: 1 Inf(0)`; the mark {0} on a state says "the word may stop here". Lossless: the initial state never
-// carries it. Edge-based files (the mark on edges, as Spot prints DFAs) are read as well.
+// carries it. Files with the mark on edges ("the word may stop after this letter", as Spot prints DFAs) are read as
+// well, and turned into states. In full: docs/formats/hoa.md.
 #pragma once
 #include <string>
 #include <string_view>
@@ -15,10 +16,13 @@ struct HoaOptions {
   std::string name;  // the `name:` header, usually the formula
 };
 
+// States as the automaton numbers them, edges merged by (source, target), labels irredundant: same automaton, same
+// bytes. O(edges · cubes), which may be exponential in the diagram.
 std::string write_hoa(const Dfa& dfa, const HoaOptions& options = {});
 
-// Throws ltl::FormatError with line and column; `source` names the file in messages.
-// Nondeterministic automata are refused with a message that says so.
+// One automaton. States keep the order of their numbers; a trap is added where letters are missing. Throws
+// ltl::FormatError with line and column; `source` names the file in messages. What is no DFA (nondeterminism,
+// alternation, several initial states, acceptance other than Büchi) is refused with a message that says so.
 Dfa read_hoa(std::string_view text, std::string_view source = "");
 
 }  // namespace waymark::automata

@@ -61,7 +61,7 @@ std::variant<Dfa, Exhausted> ltlf_to_dfa(ltl::Formula f, const TranslationLimits
     const Transitions closed = close(residuals, poll);
     made = closed.roots.size();
     if (const std::optional<Transitions> minimal = minimize(closed, limits.stop))
-      return finish(*minimal, f.arena().vocabulary(), reads);
+      return as_dfa(canonical(*minimal), f.arena().vocabulary(), reads);
   } catch (const Stopped&) {
   }
   return Exhausted{made};

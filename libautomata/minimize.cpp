@@ -1,5 +1,7 @@
 #include "libautomata/minimize.hpp"
 
+#include <utility>
+
 #include "libautomata/refinement.hpp"
 #include "libautomata/very_weak.hpp"
 
@@ -34,23 +36,26 @@ std::optional<Transitions> minimize(const Transitions& automaton, const std::sto
   return quotient(automaton, *partition);
 }
 
-Dfa finish(const Transitions& automaton, const ltl::Vocabulary& vocabulary,
+Dfa as_dfa(Transitions automaton, const ltl::Vocabulary& vocabulary,
            const std::vector<ltl::Proposition>& reads) {
-  Transitions numbered = canonical(automaton);
   std::vector<bool> asked(reads.size(), false);
-  for (Mtbdd::Node n : numbered.diagram.reachable(numbered.roots)) asked[numbered.diagram.variable(n)] = true;
+  for (Mtbdd::Node n : automaton.diagram.reachable(automaton.roots))
+    asked[automaton.diagram.variable(n)] = true;
   std::vector<ltl::Proposition> kept;
   std::vector<Mtbdd::Variable> position(reads.size());
   for (std::size_t v = 0; v < reads.size(); ++v) {
     position[v] = static_cast<Mtbdd::Variable>(kept.size());
     if (asked[v]) kept.push_back(reads[v]);
   }
-  Mtbdd diagram;
-  std::vector<Mtbdd::Node> roots = diagram.import(
-      numbered.diagram, numbered.roots, [](std::uint32_t q) { return Mtbdd::terminal(q); },
-      [&](Mtbdd::Variable v) { return position[v]; });
-  return Dfa(vocabulary, std::move(kept), std::move(diagram), std::move(roots), std::move(numbered.accepting),
-             StateId{numbered.initial});
+  if (kept.size() < reads.size()) {
+    Mtbdd diagram;
+    automaton.roots = diagram.import(
+        automaton.diagram, automaton.roots, [](std::uint32_t q) { return Mtbdd::terminal(q); },
+        [&](Mtbdd::Variable v) { return position[v]; });
+    automaton.diagram = std::move(diagram);
+  }
+  return Dfa(vocabulary, std::move(kept), std::move(automaton.diagram), std::move(automaton.roots),
+             std::move(automaton.accepting), StateId{automaton.initial});
 }
 
 Dfa minimize(const Dfa& dfa) {
@@ -59,7 +64,7 @@ Dfa minimize(const Dfa& dfa) {
     automaton.roots.push_back(dfa.root(StateId{q}));
     automaton.accepting.push_back(dfa.is_accepting(StateId{q}));
   }
-  return finish(*minimize(canonical(automaton)), dfa.vocabulary(), dfa.reads());
+  return as_dfa(canonical(*minimize(canonical(automaton))), dfa.vocabulary(), dfa.reads());
 }
 
 }  // namespace waymark::automata

@@ -18,8 +18,8 @@ std::optional<Transitions> minimize(const Transitions& automaton, const std::sto
 // The minimal automaton of the same language, canonically numbered, reading only what it depends on.
 Dfa minimize(const Dfa& dfa);
 
-// Numbers canonically and drops the propositions that no edge asks for. reads[v]: the proposition of variable v.
-Dfa finish(const Transitions& automaton, const ltl::Vocabulary& vocabulary,
+// Drops the propositions that no edge asks for. reads[v]: the proposition of variable v.
+Dfa as_dfa(Transitions automaton, const ltl::Vocabulary& vocabulary,
            const std::vector<ltl::Proposition>& reads);
 
 }  // namespace waymark::automata

@@ -6,7 +6,7 @@
 // kept apart: a leaf of the successor diagram is (residual of a non-empty rest, may the word stop here), hence
 //   δ(p) = if p then (true, ✓) else (false, ✗)    δ(X φ) = (φ, ✗)    δ(φ U ψ) = δ(ψ) ∨ (δ(φ) ∧ (φ U ψ, ✗)),
 // Boolean operators act on both halves of a leaf. This is libltl/progress.hpp, all letters at once; the leaves follow
-// the MTBDD translation of Spot 2.13 [DL25], the residuals as BDDs [GV13, Sec. 5] are our choice of normal form.
+// [DZP+25, Sec. 3]; states up to propositional equivalence are [EKS16, Sec. 2], here as BDDs of elementary formulas.
 #pragma once
 #include <cstdint>
 #include <functional>
