@@ -1,0 +1,30 @@
+// φ ⇒ ψ at every position of every word, recognised from the syntax alone: sound, far from complete.
+//
+// Holds for finite and infinite words alike (a position of a word is never past its end, so F true counts as true
+// here). After Somenzi and Bloem, Efficient Büchi automata from LTL formulae (CAV 2000), with the weak next added.
+#pragma once
+#include <cstddef>
+#include <cstdint>
+#include <unordered_map>
+
+#include "libltl/formula.hpp"
+
+namespace waymark::ltl {
+
+class Implication {
+ public:
+  // Does φ ⇒ ψ follow by the rules? Answers are remembered; formulas nested deeper than `most_depth` in the course
+  // of an answer are not looked into ("no").
+  bool operator()(Formula from, Formula to) { return follows(from, to, most_depth); }
+  static constexpr std::size_t most_depth = 24;
+
+ private:
+  bool follows(Formula from, Formula to, std::size_t depth);
+  bool by_junctions(Formula from, Formula to, std::size_t depth);
+  bool by_temporal(Formula from, Formula to, std::size_t depth);
+  bool by_expansion(Formula from, Formula to, std::size_t depth);
+
+  std::unordered_map<std::uint64_t, bool> known_;  // by both ids
+};
+
+}  // namespace waymark::ltl

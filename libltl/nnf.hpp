@@ -1,0 +1,14 @@
+// Negation normal form: ¬ stands before atoms only. True on finite and on infinite words alike, because both
+// nexts are there: ¬X φ = N ¬φ, ¬N φ = X ¬φ. Source: [BK08, Def. 5.23], the weak next as in [DV13].
+#pragma once
+#include "libltl/formula.hpp"
+
+namespace waymark::ltl {
+
+// φ ↔ ψ becomes (φ ∧ ψ) ∨ (¬φ ∧ ¬ψ). O(DAG): each subformula appears at most twice, as itself and negated.
+Formula nnf(Formula f);
+
+// The same, but an equivalence of two formulas stays, and may stay negated: ¬ before atoms and ↔ only.
+Formula nnf_keeping_iff(Formula f);
+
+}  // namespace waymark::ltl
