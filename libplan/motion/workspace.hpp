@@ -1,0 +1,71 @@
+// The workspace: the hallways of a map as free space in the plane, where a robot with a body moves.
+//
+// Coordinates are the map's own: one unit is the distance of neighbouring places, y grows southwards. A node is a
+// square cell as wide as the hallways, an edge the rectangle between two of those squares, furniture a round obstacle
+// in the middle of its cell; everything else is wall. Cells are what a motion is read by (motion.hpp).
+// A map says nothing of metres. With 3 m between places the defaults are hallways 1.2 m wide and furniture 42 cm
+// across, and a robot of radius 0.05 is 30 cm across.
+#pragma once
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "libplan/world/map.hpp"
+
+namespace waymark::plan {
+
+struct Point {
+  double x = 0, y = 0;
+  friend bool operator==(const Point&, const Point&) = default;
+};
+double distance(Point a, Point b);
+double distance(Point p, Point a, Point b);           // from p to the segment ab
+double distance(Point a, Point b, Point c, Point d);  // between the segments ab and cd
+
+struct WorkspaceShape {
+  double width = 0.4;       // of hallways, 0 < width < 1
+  double furniture = 0.07;  // radius of every piece, 0 ≤ furniture < width / 2; 0: none
+};
+
+struct Cell {  // of the free space
+  enum class Kind : std::uint8_t { Node, Edge };
+  Kind kind = Kind::Node;
+  std::uint32_t index = 0;  // of the node or edge in the map
+  friend bool operator==(const Cell&, const Cell&) = default;
+};
+
+class Workspace {
+ public:
+  // The map must outlive the workspace. Throws std::invalid_argument on a shape out of bounds.
+  explicit Workspace(const Map& map, const WorkspaceShape& shape = {});
+  const Map& map() const { return *map_; }
+  double width() const { return shape_.width; }
+  double furniture() const { return shape_.furniture; }
+
+  Point centre(std::uint32_t node) const;
+  // The cell that p lies in; on the border of two, the node's. nullopt: a wall. Furniture stands in its cell.
+  // O(log nodes).
+  std::optional<Cell> cell_at(Point p) const;
+
+  // Whether a disc of that radius fits into the free space at p, or all the way from a to b. Exact up to rounding;
+  // a point (radius 0) keeps off walls and furniture too. O(nodes in the bounding box · log nodes).
+  bool admits(Point p, double radius) const { return admits(p, p, radius); }
+  bool admits(Point a, Point b, double radius) const;
+
+  // Where a disc can stand in the cell of a node: its centre, or a few points around the furniture there. Empty: no
+  // such point is known.
+  std::vector<Point> stands(std::uint32_t node, double radius) const;
+
+ private:
+  struct Wall {
+    Point a, b;
+  };
+  std::vector<Wall> walls_around(std::uint32_t node) const;
+  bool keeps_off(std::uint32_t node, Point a, Point b, double radius) const;
+
+  const Map* map_;
+  WorkspaceShape shape_;
+  std::vector<std::vector<Wall>> walls_;  // by node: of its square, and along the edges that meet it
+};
+
+}  // namespace waymark::plan
