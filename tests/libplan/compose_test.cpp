@@ -1,0 +1,136 @@
+#include "libplan/product/compose.hpp"
+
+#include <gtest/gtest.h>
+
+#include <map>
+#include <set>
+
+#include "libautomata/ltlf_to_dfa.hpp"
+#include "libltl/diagnostic.hpp"
+#include "libltl/parse.hpp"
+#include "libltl/random.hpp"
+#include "libplan/product/implicit.hpp"
+#include "tests/libplan/maps.hpp"
+
+namespace waymark::plan {
+namespace {
+
+automata::Dfa dfa_of(const std::string& formula) {
+  ltl::Arena arena;
+  return automata::ltlf_to_dfa(ltl::parse(formula, arena));
+}
+
+std::string show_pair(const Map& map, const ProductState& state) {
+  return show(map.pose(state.pose)) + " × " + std::to_string(state.task.index);
+}
+
+using Edges = std::map<std::string, std::vector<std::string>>;  // pair → "ACTION pair", in order
+
+// The reachable product by definition: a naive search that steps the automaton on whole letters.
+Edges by_definition(const Map& map, const automata::Dfa& dfa, const std::vector<PoseId>& starts) {
+  const auto letter = [&](const ltl::Letter& full) {
+    ltl::Letter out;
+    for (ltl::Proposition p : dfa.reads())
+      if (full.contains(map.vocabulary().find(dfa.vocabulary().name(p)).value())) out.insert(p);
+    return out;
+  };
+  Edges edges;
+  std::vector<ProductState> todo;
+  for (PoseId s : starts) todo.push_back({s, dfa.next(dfa.initial(), letter(map.label(s)))});
+  while (!todo.empty()) {
+    const ProductState from = todo.back();
+    todo.pop_back();
+    const auto [it, is_new] = edges.try_emplace(show_pair(map, from));
+    if (!is_new || dfa.is_trap(from.task)) continue;
+    for (Action action : all_actions) {
+      const auto pose = map.successor(from.pose, action);
+      if (!pose) continue;
+      const ProductState to{*pose, dfa.next(from.task, letter(map.letter(*pose, action)))};
+      it->second.push_back(std::string(name(action)) + " " + show_pair(map, to));
+      todo.push_back(to);
+    }
+  }
+  return edges;
+}
+
+Edges edges_of(const Product& product) {
+  Edges out;
+  for (ProductVertex v = 0; v < num_vertices(product.graph); ++v) {
+    auto& list = out[show_pair(*product.map, product.graph[v])];
+    for (auto [e, end] = out_edges(v, product.graph); e != end; ++e)
+      list.push_back(std::string(name(product.graph[*e].action)) + " " +
+                     show_pair(*product.map, product.graph[target(*e, product.graph)]));
+  }
+  return out;
+}
+
+TEST(Compose, IsTheReachableProductByDefinition) {
+  constexpr std::uint64_t seed = 7;
+  ltl::Random random(seed);
+  for (const Map& map : {hallway(3), square(), plus(), shipped("l")}) {
+    for (int round = 0; round < 60; ++round) {
+      ltl::Arena arena(ltl::Vocabulary({"moved", "sofa", "ahead_open"}));
+      const ltl::Formula f = ltl::random_formula(random, arena, {.size = 3 + random.below(9), .atoms = 3});
+      const automata::Dfa dfa = automata::ltlf_to_dfa(f);
+      const std::vector<PoseId> starts{PoseId{static_cast<std::uint32_t>(random.below(map.poses()))},
+                                       PoseId{static_cast<std::uint32_t>(random.below(map.poses()))}};
+      const Product product = compose(map, dfa, starts);
+      EXPECT_EQ(edges_of(product), by_definition(map, dfa, starts)) << "seed " << seed << ", round " << round;
+      ASSERT_EQ(product.starts.size(), 2U);
+      EXPECT_EQ(product.graph[product.starts[1]].pose, starts[1]);
+    }
+  }
+}
+
+TEST(Compose, TrapsAreNotExpanded) {
+  const Map map = square();
+  const automata::Dfa dfa = dfa_of("G !sofa & F blue");
+  const Product product = compose(map, dfa, PoseId{0});
+  std::size_t traps = 0;
+  for (ProductVertex v = 0; v < num_vertices(product.graph); ++v) {
+    traps += product.is_trap(v) ? 1 : 0;
+    EXPECT_EQ(out_degree(v, product.graph) == 0, product.is_trap(v));
+  }
+  EXPECT_GT(traps, 0U);
+}
+
+TEST(Compose, TheImplicitProductIsTheSameUpToWhereASearchEnds) {
+  const Map map = shipped("grid");
+  const automata::Dfa dfa = dfa_of("F (sofa & X F (chair & X moved)) & G !lamp");
+  const PoseId start{5};
+  const Edges expected = by_definition(map, dfa, {start});
+  TaskSteps steps(map, dfa);
+  const ImplicitProduct product(steps);
+  std::set<std::string> met;
+  product.enter(start);
+  for (ImplicitProduct::Vertex v = 0; v < product.discovered(); ++v) {  // grows while we look
+    const std::string pair = show_pair(map, product[v]);
+    EXPECT_TRUE(met.insert(pair).second) << "two vertices for " << pair;
+    std::vector<std::string> list;
+    for (auto [e, end] = out_edges(v, product); e != end; ++e)
+      list.push_back(std::string(name(e->action)) + " " + show_pair(map, product[target(*e, product)]));
+    EXPECT_EQ(list.size(), out_degree(v, product));
+    EXPECT_EQ(list, product.is_accepting(v) ? std::vector<std::string>{} : expected.at(pair)) << pair;
+  }
+  EXPECT_GT(met.size(), 100U);
+}
+
+TEST(Compose, LettersFallIntoTheClassesThatTheAutomatonTellsApart) {
+  const Map map = shipped("grid");
+  const automata::Dfa dfa = dfa_of("F (sofa & X moved)");
+  EXPECT_EQ(TaskSteps(map, dfa).classes(), 4U);  // sofa or not × moved or not
+  EXPECT_EQ(TaskSteps(map, dfa_of("F true")).classes(), 1U);
+}
+
+TEST(Compose, PropositionsThatTheMapLacksAreNamed) {
+  const Map map = square();
+  try {
+    compose(map, dfa_of("F soffa"), PoseId{0});
+    FAIL() << "accepted";
+  } catch (const ltl::FormatError& error) {
+    EXPECT_STREQ(error.what(), "the map square has no proposition 'soffa' (did you mean 'sofa'?)");
+  }
+}
+
+}  // namespace
+}  // namespace waymark::plan

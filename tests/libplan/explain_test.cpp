@@ -1,0 +1,104 @@
+#include "libplan/solve/explain.hpp"
+
+#include <gtest/gtest.h>
+
+#include "libltl/diagnostic.hpp"
+#include "libltl/parse.hpp"
+#include "libplan/solve/plan_of.hpp"
+#include "tests/libplan/maps.hpp"
+#include "tests/libplan/solvers.hpp"
+
+namespace waymark::plan {
+namespace {
+
+std::string reason(const Map& map, const std::string& formula, const std::vector<PoseId>& starts) {
+  ltl::Arena arena;
+  const Planned planned = plan_of(map, ltl::parse(formula, arena), starts);
+  const auto* infeasible = std::get_if<Infeasible>(&planned);
+  return infeasible == nullptr ? "feasible" : infeasible->reason;
+}
+
+TEST(Explain, NamesTheSmallestPartThatIsTooMuch) {
+  const Map map = hallway(3);
+  const PoseId start = pose_at(map, 0, 0, 90);
+  EXPECT_EQ(reason(map, "F chair", {start}), "feasible");
+  EXPECT_EQ(reason(map, "moved & !moved", {start}),
+            "no finite word satisfies the formula: it contradicts itself");
+  EXPECT_EQ(reason(map, "G moved & F (X X !moved)", {start}),
+            "no finite word satisfies the formula: it contradicts itself");
+  EXPECT_EQ(reason(map, "F sofa", {start}),
+            "no route from (0,0,90) satisfies the formula; never seen from there: sofa");
+  EXPECT_EQ(reason(map, "F chair & F sofa & X moved", {start}),
+            "no route from (0,0,90) satisfies F sofa; never seen from there: sofa");
+  EXPECT_EQ(reason(map, "X chair & F brick", {start}), "no route from (0,0,90) satisfies X chair");
+  EXPECT_EQ(reason(map, "F brick & F chair & G !corridor", {start, pose_at(map, 0, 0, 180)}),
+            "no route from (0,0,90) or (0,0,180) satisfies F chair and G !corridor together");
+}
+
+TEST(Explain, StopsWhenAsked) {
+  const Map map = hallway(3);
+  ltl::Arena arena;
+  std::stop_source source;
+  source.request_stop();
+  const PoseId start{0};
+  const ltl::Formula f = ltl::parse("F chair & F sofa", arena);
+  EXPECT_EQ(explain_infeasible(map, f, {&start, 1}, source.get_token()).reason,
+            "no route satisfies the formula");
+}
+
+TEST(PlanOf, ReportsWhatTheMapLacks) {
+  const Map map = shipped("grid");
+  ltl::Arena arena;
+  const PoseId start{0};
+  // `chiar | !chiar` is dropped by translation, but it is still a proposition that no one here can see.
+  EXPECT_THROW(plan_of(map, ltl::parse("F (chair & (F chiar | G !chiar))", arena), start), ltl::FormatError);
+}
+
+TEST(PlanOf, GivesUpWhenAskedOrLimited) {
+  const Map map = shipped("grid");
+  ltl::Arena arena(map.vocabulary());
+  const ltl::Formula f = ltl::parse("F (chair & X F (sofa & X F (easel & X F (lamp & X F hatrack))))", arena);
+  const PoseId start{0};
+  std::stop_source source;
+  source.request_stop();
+  EXPECT_TRUE(std::holds_alternative<Exhausted>(plan_of(map, f, start, {.stop = source.get_token()})));
+  EXPECT_TRUE(std::holds_alternative<Exhausted>(plan_of(map, f, start, {.automaton_states = 1})));
+  EXPECT_TRUE(std::holds_alternative<CertifiedRoute>(plan_of(map, f, start)));
+}
+
+TEST(Solve, GivesUpWhenAsked) {
+  const Map map = shipped("grid");
+  ltl::Arena arena(map.vocabulary());
+  const automata::Dfa dfa = automata::ltlf_to_dfa(
+      ltl::parse("F place_1 & F place_2 & F place_3 & F place_4 & F place_5 & F place_6 & F place_7", arena));
+  const Product product = compose(map, dfa, PoseId{0});
+  std::stop_source source;
+  source.request_stop();
+  using enum ShortestRoute::Algorithm;
+  for (const auto algorithm : {AStar, Dijkstra}) {
+    EXPECT_TRUE(std::holds_alternative<Exhausted>(
+        solve(product, {.algorithm = algorithm, .stop = source.get_token()})));
+    EXPECT_TRUE(std::holds_alternative<Solved>(solve(product, {.algorithm = algorithm})));
+  }
+  EXPECT_TRUE(std::holds_alternative<Exhausted>(RoutePlanner(map, dfa).plan(PoseId{0}, source.get_token())));
+}
+
+TEST(Solve, DijkstraKnowsTheWayFromEverywhere) {
+  const Map map = shipped("l");
+  ltl::Arena arena(map.vocabulary());
+  const automata::Dfa dfa = automata::ltlf_to_dfa(ltl::parse("F (lamp & F chair)", arena));
+  const Product product = compose(map, dfa, PoseId{0});
+  const Outcome outcome = solve(product, {.algorithm = ShortestRoute::Algorithm::Dijkstra});
+  Policy policy = std::get<Solved>(outcome).policy;
+  for (policy.start = 0; policy.start < num_vertices(product.graph); ++policy.start) {
+    if (product.graph[policy.start].task != product.graph[product.starts[0]].task) continue;
+    const PoseId pose = product.graph[policy.start].pose;
+    const auto direct = RoutePlanner(map, dfa).plan(pose);
+    if (TaskSteps(map, dfa).next(dfa.initial(), map.label_id(pose)) != product.graph[policy.start].task)
+      continue;
+    EXPECT_EQ(roll_out(product, policy).actions, std::get<Route>(direct).actions) << show(map.pose(pose));
+  }
+}
+
+}  // namespace
+}  // namespace waymark::plan

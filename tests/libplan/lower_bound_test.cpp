@@ -1,0 +1,101 @@
+#include "libplan/solve/lower_bound.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "libautomata/ltlf_to_dfa.hpp"
+#include "libltl/parse.hpp"
+#include "libltl/random.hpp"
+#include "libplan/product/compose.hpp"
+#include "tests/libplan/maps.hpp"
+#include "tests/libplan/solvers.hpp"
+
+namespace waymark::plan {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+std::vector<PoseId> every_pose(const Map& map) {
+  std::vector<PoseId> out;
+  for (std::uint32_t i = 0; i < map.poses(); ++i) out.push_back({i});
+  return out;
+}
+
+// Cost to acceptance by vertex: value iteration to the fixed point, slow and obvious.
+std::vector<double> true_costs(const Product& product) {
+  std::vector<double> cost(num_vertices(product.graph), infinity);
+  for (bool changed = true; changed;) {
+    changed = false;
+    for (ProductVertex v = 0; v < cost.size(); ++v) {
+      double best = product.is_accepting(v) ? 0 : infinity;
+      for (auto [e, end] = out_edges(v, product.graph); e != end; ++e)
+        best = std::min(best, product.graph[*e].cost + cost[target(*e, product.graph)]);
+      if (product.is_accepting(v)) best = 0;
+      if (best < cost[v]) changed = true;
+      cost[v] = std::min(cost[v], best);
+    }
+  }
+  return cost;
+}
+
+void check(const Map& map, ltl::Formula f) {
+  const automata::Dfa dfa = automata::ltlf_to_dfa(f);
+  const std::vector<PoseId> starts = every_pose(map);
+  const Product product = compose(map, dfa, starts);
+  const std::vector<double> costs = true_costs(product);
+  TaskSteps steps(map, dfa);
+  LowerBound bound(steps);
+  for (ProductVertex v = 0; v < costs.size(); ++v) {
+    const double h = bound(product.graph[v]);
+    ASSERT_LE(h, costs[v]) << "not admissible: " << paste(map, f, {&product.graph[v].pose, 1});
+    ASSERT_GE(h, product.is_trap(v) ? infinity : dfa.distance_to_acceptance(product.graph[v].task));
+    if (product.is_accepting(v)) continue;  // never expanded by a search
+    for (auto [e, end] = out_edges(v, product.graph); e != end; ++e)
+      ASSERT_LE(h, product.graph[*e].cost + bound(product.graph[target(*e, product.graph)]))
+          << "not consistent: " << paste(map, f, {&product.graph[v].pose, 1});
+  }
+}
+
+TEST(LowerBound, IsAdmissibleAndConsistent) {
+  constexpr std::uint64_t seed = 11;
+  ltl::Random random(seed);
+  for (const Map& map : {hallway(3), square(), plus(), shipped("grid")}) {
+    for (int round = 0; round < 40; ++round) {
+      ltl::Arena arena(ltl::Vocabulary({"sofa", "moved", "ahead_wall"}));
+      check(map, ltl::random_formula(random, arena, {.size = 3 + random.below(10), .atoms = 3}));
+    }
+  }
+}
+
+TEST(LowerBound, IsExactForOneReachStep) {
+  const Map map = shipped("jelly");
+  ltl::Arena arena(map.vocabulary());
+  const automata::Dfa dfa = automata::ltlf_to_dfa(ltl::parse("F sofa", arena));
+  const std::vector<PoseId> starts = every_pose(map);
+  const Product product = compose(map, dfa, starts);
+  const std::vector<double> costs = true_costs(product);
+  TaskSteps steps(map, dfa);
+  LowerBound bound(steps);
+  for (ProductVertex v = 0; v < costs.size(); ++v) EXPECT_EQ(bound(product.graph[v]), costs[v]);
+}
+
+TEST(LowerBound, SavesExpansions) {
+  const Map map = shipped("jelly");
+  ltl::Arena arena(map.vocabulary());
+  const automata::Dfa dfa = automata::ltlf_to_dfa(ltl::parse("F (chair & F (sofa & F place_1))", arena));
+  std::size_t by_a_star = 0, by_dijkstra = 0;
+  for (PoseId start : every_pose(map)) {
+    const Product product = compose(map, dfa, start);
+    const Outcome a_star = solve(product, {.algorithm = ShortestRoute::Algorithm::AStar});
+    const Outcome dijkstra = solve(product, {.algorithm = ShortestRoute::Algorithm::Dijkstra});
+    by_a_star += std::get<Solved>(a_star).expanded;
+    by_dijkstra += std::get<Solved>(dijkstra).expanded;
+  }
+  EXPECT_LT(2 * by_a_star, by_dijkstra);
+}
+
+}  // namespace
+}  // namespace waymark::plan

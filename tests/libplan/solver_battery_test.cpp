@@ -1,0 +1,138 @@
+// One suite that every solver passes: the same cost and the same route as the referees, on all small formulas and then
+// on seeded random larger ones.
+#include <gtest/gtest.h>
+
+#include "libltl/parse.hpp"
+#include "libltl/random.hpp"
+#include "libplan/solve/certify.hpp"
+#include "tests/libplan/maps.hpp"
+#include "tests/libplan/solvers.hpp"
+#include "tests/support/generate.hpp"
+
+namespace waymark::plan {
+namespace {
+
+// Every solver on one task: a route that certify accepts, or none. All the same; returned.
+std::optional<Route> agreed(const Map& map, ltl::Formula f, std::span<const PoseId> starts) {
+  const automata::Dfa dfa = automata::ltlf_to_dfa(f);
+  std::optional<Route> first;
+  bool is_first = true;
+  for (const Solver& solver : all_solvers()) {
+    const std::optional<Route> route = solver.route(map, dfa, starts);
+    if (route) certify(*route, map, f);
+    if (is_first) first = route;
+    is_first = false;
+    EXPECT_EQ(route.has_value(), first.has_value()) << solver.name << "  " << paste(map, f, starts);
+    if (!route || !first) continue;
+    EXPECT_EQ(show(*route, map), show(*first, map)) << solver.name << "  " << paste(map, f, starts);
+    EXPECT_EQ(route->cost, first->cost) << solver.name << "  " << paste(map, f, starts);
+  }
+  return first;
+}
+
+TEST(SolverBattery, AllSmallFormulasAgainstEnumeration) {
+  constexpr std::size_t length = 5;
+  for (const Map& map : {hallway(2), square(), plus()}) {
+    ltl::Arena arena(ltl::Vocabulary({"sofa", "moved"}));
+    for (ltl::Formula f : testing::all_formulas(arena, {.size = 4, .atoms = 2})) {
+      for (const PoseId start : {PoseId{0}, PoseId{9}}) {
+        const auto route = agreed(map, f, {&start, 1});
+        const auto expected = by_enumeration(map, f, start, length);
+        if (expected) {
+          ASSERT_TRUE(route) << paste(map, f, {&start, 1});
+          ASSERT_EQ(show(*route, map), show(*expected, map)) << paste(map, f, {&start, 1});
+        } else if (route) {
+          ASSERT_GT(route->actions.size(), length) << paste(map, f, {&start, 1});
+        }
+      }
+    }
+  }
+}
+
+TEST(SolverBattery, RandomFormulasAgainstProgression) {
+  constexpr std::uint64_t seed = 20240611;
+  ltl::Random random(seed);
+  const std::vector<std::string> names = {"moved", "sofa",        "ahead_chair", "corner",       "blue",
+                                          "tee",   "turned_left", "ahead_wall",  "intersection", "place_1"};
+  std::size_t found = 0, none = 0, gave_up = 0;
+  for (const char* file : {"grid", "jelly", "l"}) {
+    const Map map = shipped(file);
+    for (int round = 0; round < 120; ++round) {
+      ltl::Vocabulary vocabulary;
+      for (int k = 0; k < 3; ++k) vocabulary.add(names[random.below(names.size())]);
+      const std::size_t atoms = vocabulary.size();
+      ltl::Arena arena(std::move(vocabulary));
+      const ltl::Formula f =
+          ltl::random_formula(random, arena, {.size = 4 + random.below(10), .atoms = atoms});
+      const PoseId start{static_cast<std::uint32_t>(random.below(map.poses()))};
+      const auto route = agreed(map, f, {&start, 1});
+      const Progressed expected = by_progression(map, f, start, 1'500);
+      switch (expected.proof) {
+        case Proof::Found:
+          ++found;
+          ASSERT_TRUE(route) << "seed " << seed << "  " << paste(map, f, {&start, 1});
+          EXPECT_EQ(show(*route, map), show(expected.route, map))
+              << "seed " << seed << "  " << paste(map, f, {&start, 1});
+          break;
+        case Proof::None:
+          ++none;
+          EXPECT_FALSE(route) << "seed " << seed << "  " << paste(map, f, {&start, 1});
+          break;
+        case Proof::GaveUp: ++gave_up; break;
+      }
+    }
+  }
+  EXPECT_GT(found, 200U);
+  EXPECT_GT(none, 20U);
+  EXPECT_LT(gave_up, 36U) << found << " found, " << none << " proved infeasible";
+}
+
+// The shape of route programs: nested reach-then-reach tasks, whose plans are long and full of ties.
+TEST(SolverBattery, NestedTasksAgainstProgression) {
+  const char* formulas[] = {
+      "F (sofa & X F (chair & X F lamp))",
+      "F (corner & F (easel & F (hatrack & F barstool)))",
+      "X(moved U (moved & intersection)) & F(place_3 & F place_1)",
+      "G !blue & F (grass & ahead_wall)",
+      "F (moved & X (turned_left & X (moved & X (turned_right & X moved))))",
+      "(!chair U sofa) & F (lamp & X[w] false)",
+      "F place_1 & F place_2 & F place_3 & F place_4",
+      "G (moved -> X !turned_left) & F (place_5 & dead_end | place_6)",
+  };
+  for (const char* file : {"grid", "jelly", "l"}) {
+    const Map map = shipped(file);
+    ltl::Arena arena(map.vocabulary());
+    for (const char* text : formulas) {
+      const ltl::Formula f = ltl::parse(text, arena, {.unknown = ltl::Unknown::Reject});
+      for (std::uint32_t i = 0; i < map.poses(); i += 37) {
+        const PoseId start{i};
+        const auto route = agreed(map, f, {&start, 1});
+        const Progressed expected = by_progression(map, f, start, 200'000);
+        ASSERT_NE(expected.proof, Proof::GaveUp) << paste(map, f, {&start, 1});
+        ASSERT_EQ(route.has_value(), expected.proof == Proof::Found) << paste(map, f, {&start, 1});
+        if (!route) continue;
+        EXPECT_EQ(show(*route, map), show(expected.route, map)) << paste(map, f, {&start, 1});
+      }
+    }
+  }
+}
+
+// A planner that has answered before answers the same as one that has not.
+TEST(SolverBattery, APlannerMayBeAskedAgain) {
+  const Map map = shipped("jelly");
+  ltl::Arena arena(map.vocabulary());
+  const ltl::Formula f = ltl::parse("F (chair & X F (ahead_sofa & X moved))", arena);
+  const automata::Dfa dfa = automata::ltlf_to_dfa(f);
+  RoutePlanner planner(map, dfa);
+  for (int round = 0; round < 2; ++round) {
+    for (std::uint32_t i = 0; i < map.poses(); ++i) {
+      const auto again = planner.plan(PoseId{i});
+      const auto fresh = RoutePlanner(map, dfa).plan(PoseId{i});
+      ASSERT_TRUE(std::holds_alternative<Route>(again));
+      EXPECT_EQ(std::get<Route>(again).actions, std::get<Route>(fresh).actions) << show(map.pose(PoseId{i}));
+    }
+  }
+}
+
+}  // namespace
+}  // namespace waymark::plan
