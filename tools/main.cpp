@@ -28,6 +28,10 @@ struct Row {
 };
 
 constexpr std::array rows{
+    Row{"translate", "formula → automaton", setup_translate},
+    Row{"compose", "formula or automaton, and a map → their product", setup_compose},
+    Row{"plan", "formula or automaton, and a map → a certified route of least cost", setup_plan},
+    Row{"check", "does this trajectory satisfy this formula?", setup_check},
     Row{"draw", "map, with or without a route → picture", setup_draw},
     Row{"version", "version, build, and what it was built with", setup_version},
 };
@@ -97,7 +101,7 @@ ExitCode guarded_main(int argc, char** argv) {
   } catch (const ltl::FormatError& error) {
     complain("error", error.what());
     return ExitCode::BadInput;
-  } catch (const Interrupted& error) {
+  } catch (const GaveUp& error) {
     complain("error", error.what());
     return ExitCode::GaveUp;
   } catch (const std::bad_alloc&) {

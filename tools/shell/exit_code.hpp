@@ -21,10 +21,16 @@ class UsageError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-// Thrown where work noticed that a stop was requested and has nothing to show for it.
-class Interrupted : public std::runtime_error {
+// A limit was met before anything was proved.
+class GaveUp : public std::runtime_error {
  public:
-  Interrupted() : std::runtime_error("interrupted") {}
+  using std::runtime_error::runtime_error;
+};
+
+// Thrown where work noticed that a stop was requested and has nothing to show for it.
+class Interrupted : public GaveUp {
+ public:
+  Interrupted() : GaveUp("interrupted") {}
 };
 
 }  // namespace waymark::tools

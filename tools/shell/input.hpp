@@ -29,6 +29,7 @@ class TextReader {
   ~TextReader();
   std::optional<Text> next();
   bool is_batch() const { return stream_ != nullptr || arguments_.size() > 1; }
+  const std::string& source() const { return source_; }
 
  private:
   std::vector<std::string> arguments_;

@@ -25,6 +25,21 @@ plan::Map read_map(const MapOptions& options) {
   return plan::read_map(options.map, data_directory(options.data));
 }
 
+void add_start_option(CLI::App& command, std::string& start) {
+  command
+      .add_option("--start", start, "start pose; x,y alone: any heading (else the first place, facing north)")
+      ->type_name("X,Y,HEADING");
+}
+
+std::vector<plan::PoseId> start_poses(const std::string& start, const plan::Map& map) {
+  if (!start.empty()) return plan::parse_start(start, map);
+  std::uint32_t best = 0;
+  const auto& nodes = map.nodes();
+  for (std::uint32_t node = 1; node < nodes.size(); ++node)
+    if (nodes[node].place && (!nodes[best].place || *nodes[node].place < *nodes[best].place)) best = node;
+  return {plan::PoseId{4 * best}};
+}
+
 void add_text_options(CLI::App& command, TextOptions& options, const std::string& what) {
   command.add_option(what, options.arguments, "the " + what + "; - or nothing: standard input, one a line")
       ->type_name("TEXT");
@@ -59,6 +74,10 @@ ltl::Formula parse_formula(const Text& text, ltl::Arena& arena, const ltl::Parse
     if (text.source.empty()) throw;
     throw error.in(text.source, text.line);
   }
+}
+
+JsonObject json_error(std::size_t line, const std::string& message) {
+  return JsonObject().add("line", line).add("status", "error").add("message", message);
 }
 
 }  // namespace waymark::tools

@@ -1,10 +1,13 @@
 // Options that several subcommands share, so that they are spelled and explained in one way.
 #pragma once
 #include <string>
+#include <vector>
 
 #include "libltl/parse.hpp"
 #include "libplan/world/read_map.hpp"
+#include "libplan/world/trajectory.hpp"
 #include "tools/shell/input.hpp"
+#include "tools/shell/json.hpp"
 
 namespace CLI {
 class App;
@@ -20,6 +23,10 @@ void add_map_options(CLI::App& command, MapOptions& options);
 void add_data_option(CLI::App& command, std::string& data);
 plan::Map read_map(const MapOptions& options);
 
+void add_start_option(CLI::App& command, std::string& start);
+// Of --start; without it, the place with the lowest number (else the first node), facing north.
+std::vector<plan::PoseId> start_poses(const std::string& start, const plan::Map& map);
+
 // `what`: "formula" or "instruction", the name of the positional argument.
 void add_text_options(CLI::App& command, TextOptions& options, const std::string& what);
 
@@ -32,5 +39,8 @@ ltl::ParseOptions parse_options(const NotationOptions& options, ltl::Unknown unk
 
 // The formula of one text; errors name the file and line that it came from.
 ltl::Formula parse_formula(const Text& text, ltl::Arena& arena, const ltl::ParseOptions& options);
+
+// What stands in the place of an answer that a bad line of a batch does not have.
+JsonObject json_error(std::size_t line, const std::string& message);
 
 }  // namespace waymark::tools

@@ -1,0 +1,146 @@
+#include "tools/answer.hpp"
+
+#include <iomanip>
+#include <ostream>
+
+#include "libltl/print.hpp"
+
+namespace waymark::tools {
+namespace {
+
+JsonObject json_of(const Seconds& seconds, bool grounded) {
+  JsonObject json;
+  json.add("load", seconds.load);
+  if (grounded) json.add("ground", seconds.ground);
+  return json.add("translate", seconds.translate)
+      .add("compose", seconds.compose)
+      .add("solve", seconds.solve)
+      .add("certify", seconds.certify)
+      .add("total", seconds.total());
+}
+
+JsonArray json_of(const plan::Route& route, const plan::Map& map) {
+  JsonArray poses;
+  for (const plan::PoseId id : route.poses) {
+    const plan::Pose pose = map.pose(id);
+    poses.add(JsonArray().add(pose.x).add(pose.y).add(pose.heading));
+  }
+  return poses;
+}
+
+std::string place(const plan::Pose& pose) {
+  return '(' + std::to_string(pose.x) + ',' + std::to_string(pose.y) + ')';
+}
+
+// "FORWARD to (1,8) over brick, at the lamp"
+std::string in_words(plan::Action action, plan::PoseId from, plan::PoseId to, const plan::Map& map) {
+  const plan::Pose pose = map.pose(to);
+  std::string words(plan::name(action));
+  if (action != plan::Action::Forward) return words + " to face " + heading_name(pose.heading);
+  words += " to " + place(pose);
+  const plan::Edge* hallway = map.hallway(map.node_of(from), map.pose(from).heading);
+  if (hallway != nullptr && !hallway->floor.empty()) words += " over " + hallway->floor;
+  if (const auto& object = map.nodes()[map.node_of(to)].object) words += ", at the " + *object;
+  return words;
+}
+
+void print_route(std::ostream& out, const Terminal& terminal, const plan::Route& route,
+                 const plan::Map& map) {
+  const plan::Pose start = map.pose(route.poses.front());
+  out << "    " << terminal.paint(Paint::Dim, "start") << " at " << place(start) << " facing "
+      << heading_name(start.heading) << '\n';
+  for (std::size_t i = 0; i < route.actions.size(); ++i)
+    out << std::setw(5) << i + 1 << "  "
+        << in_words(route.actions[i], route.poses[i], route.poses[i + 1], map) << '\n';
+}
+
+// What the certificate rests on.
+std::string certifier(const Journey& journey) {
+  return std::holds_alternative<plan::CertifiedRoute>(journey.destination) ? "definition" : "automaton";
+}
+
+std::string milliseconds(double seconds) { return fixed(1000 * seconds, 2) + " ms"; }
+
+}  // namespace
+
+std::string heading_name(int heading) {
+  switch (heading) {
+    case 0: return "north";
+    case 90: return "east";
+    case 180: return "south";
+    default: return "west";
+  }
+}
+
+std::string counted(std::size_t count, const std::string& noun) {
+  return std::to_string(count) + ' ' + noun + (count == 1 ? "" : "s");
+}
+
+std::string shown(ltl::Formula formula, const Terminal& terminal) {
+  return ltl::print(formula, terminal.unicode ? ltl::Style::Unicode : ltl::Style::Ascii);
+}
+
+JsonObject json_of(const AutomatonSize& size) {
+  return JsonObject()
+      .add("states", size.states)
+      .add("edges", size.edges)
+      .add("symbolic_nodes", size.symbolic_nodes)
+      .add("propositions", size.propositions);
+}
+
+JsonObject json_of(const Answer& answer, const plan::Map& map) {
+  JsonObject json;
+  if (answer.instruction) json.add("instruction", *answer.instruction);
+  json.add("formula", answer.formula ? Json(ltl::print(*answer.formula)) : Json());
+  if (answer.instruction) {
+    JsonArray readings;
+    for (const WeighedFormula& reading : answer.readings)
+      readings.add(
+          JsonObject().add("formula", ltl::print(reading.formula)).add("probability", reading.probability));
+    json.add("readings", readings);
+  }
+  const Journey& journey = answer.journey;
+  json.add("map", map.name()).add("automaton", json_of(journey.automaton));
+  json.add("product", JsonObject().add("states", journey.product_states).add("edges", journey.product_edges));
+  if (const plan::Route* route = route_of(journey))
+    json.add("status", "solved")
+        .add("route", json_of(*route, map))
+        .add("cost", route->cost)
+        .add("certified", true)
+        .add("certified_by", certifier(journey));
+  else
+    json.add("status", "infeasible").add("reason", std::get<plan::Infeasible>(journey.destination).reason);
+  return json.add("seconds", json_of(journey.seconds, answer.instruction.has_value()));
+}
+
+void print(std::ostream& out, const Terminal& terminal, const Answer& answer, const plan::Map& map) {
+  const auto label = [&](const std::string& text) {
+    return terminal.paint(Paint::Bold, text + std::string(13 - text.size(), ' '));
+  };
+  const Journey& journey = answer.journey;
+  if (answer.instruction) out << label("instruction") << *answer.instruction << '\n';
+  if (answer.formula)
+    out << label("formula") << terminal.paint(Paint::Blue, shown(*answer.formula, terminal)) << '\n';
+  if (answer.readings.size() > 1)
+    for (const WeighedFormula& reading : answer.readings)
+      out << label("  reading") << fixed(100 * reading.probability, 1) << " %  "
+          << shown(reading.formula, terminal) << '\n';
+  out << label("automaton") << counted(journey.automaton.states, "state") << ", "
+      << counted(journey.automaton.edges, "edge") << '\n';
+  out << label("product") << counted(journey.product_states, "state") << ", "
+      << counted(journey.product_edges, "edge") << ", with the map " << map.name() << '\n';
+  if (const plan::Route* route = route_of(journey)) {
+    out << label("route") << counted(route->actions.size(), "action") << ", cost " << Json(route->cost).text()
+        << ", " << terminal.paint(Paint::Green, "certified") << " by " << certifier(journey) << '\n';
+    print_route(out, terminal, *route, map);
+  } else {
+    out << label("route") << "none: " << std::get<plan::Infeasible>(journey.destination).reason << '\n';
+  }
+  const Seconds& s = journey.seconds;
+  out << label("time") << "load " << milliseconds(s.load);
+  if (answer.instruction) out << ", ground " << milliseconds(s.ground);
+  out << ", translate " << milliseconds(s.translate) << ", compose " << milliseconds(s.compose) << ", solve "
+      << milliseconds(s.solve) << ", certify " << milliseconds(s.certify) << '\n';
+}
+
+}  // namespace waymark::tools

@@ -1,0 +1,35 @@
+// What `run` and `plan` answer, as text for people and as one JSON object (docs/cli.md documents every key).
+#pragma once
+#include <iosfwd>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "tools/corridor.hpp"
+#include "tools/shell/json.hpp"
+#include "tools/shell/terminal.hpp"
+
+namespace waymark::tools {
+
+struct WeighedFormula {
+  ltl::Formula formula;
+  double probability = 0;
+};
+
+struct Answer {
+  std::optional<std::string> instruction = {};
+  std::optional<ltl::Formula> formula = {};
+  std::vector<WeighedFormula> readings = {};  // best first; of an instruction only
+  Journey journey;
+};
+
+JsonObject json_of(const Answer& answer, const plan::Map& map);
+void print(std::ostream& out, const Terminal& terminal, const Answer& answer, const plan::Map& map);
+
+JsonObject json_of(const AutomatonSize& size);
+std::string counted(std::size_t count, const std::string& noun);  // "1 state", "3 states"
+// In Unicode where the terminal can show it.
+std::string shown(ltl::Formula formula, const Terminal& terminal);
+std::string heading_name(int heading);  // "north"
+
+}  // namespace waymark::tools

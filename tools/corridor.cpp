@@ -1,0 +1,75 @@
+#include "tools/corridor.hpp"
+
+#include <boost/graph/adjacency_list.hpp>
+
+#include "libautomata/guard.hpp"
+#include "libautomata/ltlf_to_dfa.hpp"
+#include "libplan/solve/shortest_route.hpp"
+#include "tools/shell/exit_code.hpp"
+
+namespace waymark::tools {
+namespace {
+
+plan::Infeasible explained(plan::Infeasible infeasible, const plan::Map& map,
+                           std::optional<ltl::Formula> formula, std::span<const plan::PoseId> starts) {
+  static_cast<void>(map), static_cast<void>(formula), static_cast<void>(starts);
+  return infeasible;
+}
+
+}  // namespace
+
+double StopWatch::lap() {
+  const auto now = std::chrono::steady_clock::now();
+  const std::chrono::duration<double> passed = now - last_;
+  last_ = now;
+  return passed.count();
+}
+
+AutomatonSize size_of(const automata::Dfa& dfa) {
+  return {.states = dfa.states(),
+          .edges = automata::count_edges(dfa),
+          .symbolic_nodes = automata::count_nodes(dfa),
+          .propositions = dfa.reads().size()};
+}
+
+automata::Dfa translate(ltl::Formula formula, std::stop_token stop) {
+  automata::TranslationLimits limits;
+  limits.stop = stop;
+  auto result = automata::ltlf_to_dfa(formula, limits);
+  if (auto* dfa = std::get_if<automata::Dfa>(&result)) return std::move(*dfa);
+  if (stop.stop_requested()) throw Interrupted();
+  throw GaveUp("the automaton has more than " + std::to_string(limits.states) +
+               " states before minimisation");
+}
+
+Journey travel(const plan::Map& map, const automata::Dfa& dfa, std::optional<ltl::Formula> formula,
+               std::span<const plan::PoseId> starts, std::stop_token stop) {
+  StopWatch watch;
+  Seconds seconds;
+  const plan::Product product = plan::compose(map, dfa, starts);
+  seconds.compose = watch.lap();
+  const plan::Outcome outcome = plan::solve(product, plan::ShortestRoute{.stop = stop});
+  seconds.solve = watch.lap();
+  const auto journey = [&](Destination destination) {
+    seconds.certify = watch.lap();
+    return Journey{size_of(dfa), num_vertices(product.graph), num_edges(product.graph),
+                   std::move(destination), seconds};
+  };
+  if (const auto* infeasible = std::get_if<plan::Infeasible>(&outcome))
+    return journey(explained(*infeasible, map, formula, starts));
+  const auto* solved = std::get_if<plan::Solved>(&outcome);
+  if (solved == nullptr) throw Interrupted();
+  plan::Route route = plan::roll_out(product, solved->policy);
+  if (formula) return journey(plan::certify(std::move(route), map, *formula));
+  return journey(plan::certify_acceptance(std::move(route), map, dfa));
+}
+
+const plan::Route* route_of(const Journey& journey) {
+  if (const auto* certified = std::get_if<plan::CertifiedRoute>(&journey.destination))
+    return &certified->route();
+  if (const auto* accepted = std::get_if<plan::AcceptedRoute>(&journey.destination))
+    return &accepted->route();
+  return nullptr;
+}
+
+}  // namespace waymark::tools

@@ -1,0 +1,42 @@
+#include "tools/picture.hpp"
+
+#include "libautomata/dot.hpp"
+#include "libltl/print.hpp"
+#include "tools/answer.hpp"
+#include "tools/render/page.hpp"
+#include "tools/shell/output.hpp"
+
+namespace waymark::tools {
+namespace {
+
+std::string caption(const Picture& picture) {
+  std::string text = "map " + picture.map->name();
+  if (!picture.route) return text;
+  const plan::Pose start = picture.map->pose(picture.route->poses.front());
+  text += ", from (" + std::to_string(start.x) + ',' + std::to_string(start.y) + ") facing " +
+          heading_name(start.heading);
+  text += ", " + counted(picture.route->actions.size(), "action");
+  return picture.certified ? text + ", certified" : text;
+}
+
+}  // namespace
+
+void draw(const Picture& picture, const std::string& path) {
+  render::Page page{.map = picture.map,
+                    .instruction = picture.instruction,
+                    .caption = caption(picture),
+                    .route = picture.route};
+  if (picture.formula) page.formula = ltl::print(*picture.formula, ltl::Style::Unicode);
+  if (picture.dfa != nullptr) {
+    automata::DotOptions look;
+    look.trap = automata::DotOptions::Trap::Omit;
+    page.automaton = render::lay_out(automata::write_dot(*picture.dfa, look));
+    const AutomatonSize size = size_of(*picture.dfa);
+    page.automaton_caption = counted(size.states, "state") + ", " + counted(size.edges, "edge");
+    if (!page.automaton)
+      complain("note", "waymark-layout is not installed: the automaton is left out of the picture");
+  }
+  write_file(path, render::draw_page(page));
+}
+
+}  // namespace waymark::tools

@@ -1,0 +1,24 @@
+// The picture of an answer: which page to draw, and a word where a part of it has to be left out.
+#pragma once
+#include <optional>
+#include <string>
+
+#include "libautomata/dfa.hpp"
+#include "libltl/formula.hpp"
+#include "libplan/world/trajectory.hpp"
+
+namespace waymark::tools {
+
+struct Picture {
+  const plan::Map* map = nullptr;
+  const automata::Dfa* dfa = nullptr;  // may be absent
+  std::string instruction = {};
+  std::optional<ltl::Formula> formula = {};
+  std::optional<plan::Trajectory> route = {};
+  bool certified = false;  // the route satisfies the task; otherwise it is only a trajectory of the map
+};
+
+// Writes the SVG to `path`. Without the helper waymark-layout the automaton is left out, and standard error says so.
+void draw(const Picture& picture, const std::string& path);
+
+}  // namespace waymark::tools

@@ -1,0 +1,115 @@
+// waymark plan: formula or automaton, and a map → a certified route of least cost.
+#include <CLI/App.hpp>
+#include <iostream>
+#include <memory>
+
+#include "libautomata/hoa.hpp"
+#include "libltl/diagnostic.hpp"
+#include "libltl/print.hpp"
+#include "tools/answer.hpp"
+#include "tools/picture.hpp"
+#include "tools/shell/batch.hpp"
+#include "tools/shell/options.hpp"
+#include "tools/shell/output.hpp"
+#include "tools/subcommand.hpp"
+
+namespace waymark::tools {
+namespace {
+
+struct Options {
+  TextOptions text;
+  NotationOptions notation;
+  MapOptions map;
+  std::string start, automaton, svg, hoa;
+  bool json = false;
+};
+
+class Planning {
+ public:
+  Planning(const Options& options, const Session& session)
+      : options_(options),
+        session_(session),
+        map_(read_map(options.map)),
+        starts_(start_poses(options.start, map_)) {
+    load_ = watch_.lap();
+  }
+
+  ExitCode of_formula(const Text& text) {
+    StopWatch watch;
+    ltl::Arena arena(map_.vocabulary());
+    const ltl::Formula formula =
+        parse_formula(text, arena, parse_options(options_.notation, ltl::Unknown::Reject));
+    const automata::Dfa dfa = translate(formula, session_.stop);
+    return answer(dfa, formula, watch.lap());
+  }
+
+  ExitCode of_automaton(const std::string& file) {
+    StopWatch watch;
+    const automata::Dfa dfa = automata::read_hoa(read_file(file), source_name(file));
+    return answer(dfa, std::nullopt, watch.lap());
+  }
+
+ private:
+  ExitCode answer(const automata::Dfa& dfa, std::optional<ltl::Formula> formula, double translating) {
+    Answer answer{.formula = formula, .journey = travel(map_, dfa, formula, starts_, session_.stop)};
+    answer.journey.seconds.load = load_;
+    answer.journey.seconds.translate = translating;
+    if (options_.json)
+      std::cout << json_of(answer, map_).text() << '\n';
+    else
+      print(std::cout, session_.out, answer, map_);
+    if (!options_.hoa.empty())
+      write_file(options_.hoa, automata::write_hoa(dfa, {.name = formula ? ltl::print(*formula) : ""}));
+    const plan::Route* route = route_of(answer.journey);
+    if (!options_.svg.empty()) {
+      Picture picture{.map = &map_, .dfa = &dfa, .formula = formula, .certified = route != nullptr};
+      if (route != nullptr) picture.route = *route;
+      draw(picture, options_.svg);
+    }
+    return route != nullptr ? ExitCode::Done : ExitCode::No;
+  }
+
+  const Options& options_;
+  const Session& session_;
+  StopWatch watch_;
+  plan::Map map_;
+  std::vector<plan::PoseId> starts_;
+  double load_;
+};
+
+ExitCode run_plan(const Options& options, const Session& session) {
+  if (!options.automaton.empty()) {
+    if (!options.text.arguments.empty() || !options.text.file.empty())
+      throw UsageError("give a formula or --automaton, not both");
+    return Planning(options, session).of_automaton(options.automaton);
+  }
+  TextReader texts(options.text, "formula");
+  if (texts.is_batch() && (!options.svg.empty() || !options.hoa.empty()))
+    throw UsageError("--svg and --hoa are for a single formula given as an argument");
+  Planning planning(options, session);
+  return answer_each(
+      texts, session.stop, [&](const Text& text) { return planning.of_formula(text); },
+      [&](const Text& text, const std::string& message) {
+        if (options.json) std::cout << json_error(text.line, message).text() << '\n';
+      });
+}
+
+}  // namespace
+
+Runner setup_plan(CLI::App& command) {
+  const auto options = std::make_shared<Options>();
+  add_text_options(command, options->text, "formula");
+  command
+      .add_option("--automaton", options->automaton,
+                  "an automaton in HOA instead of a formula; - is standard input")
+      ->type_name("FILE");
+  add_notation_options(command, options->notation);
+  add_map_options(command, options->map);
+  add_start_option(command, options->start);
+  command.add_flag("--json", options->json, "one JSON object a line");
+  command.add_option("--svg", options->svg, "draw map, route and automaton")->type_name("FILE");
+  command.add_option("--hoa", options->hoa, "write the automaton")->type_name("FILE");
+  return [options](const Session& session) { return run_plan(*options, session); };
+}
+
+}  // namespace waymark::tools
