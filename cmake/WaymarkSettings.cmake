@@ -39,7 +39,8 @@ function(waymark_library area)
   add_library(${target} STATIC ${ARG_SOURCES})
   add_library(waymark::${area} ALIAS ${target})
   set_target_properties(${target} PROPERTIES EXPORT_NAME ${area})
-  set_property(GLOBAL APPEND PROPERTY WAYMARK_LIBRARIES ${target})  # what cmake --install exports
+  set_property(GLOBAL APPEND PROPERTY WAYMARK_LIBRARIES ${target})  # what cmake --install exports,
+  set_property(GLOBAL APPEND PROPERTY WAYMARK_FOLDERS ${CMAKE_CURRENT_SOURCE_DIR})  # and where the headers are
   target_compile_features(${target} PUBLIC cxx_std_20)
   target_include_directories(${target} PUBLIC
     $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/waymark>)

@@ -31,9 +31,8 @@ foreach(library IN LISTS order)
 endforeach()
 file(WRITE ${SCRATCH}/source/CMakeLists.txt "${text}")
 
-string(REPLACE "lib" "waymark_" target ${LIBRARY})
 foreach(step IN ITEMS
     "-S;${SCRATCH}/source;-B;${SCRATCH}/build;-G;${GENERATOR};-DCMAKE_CXX_COMPILER=${COMPILER};-DCMAKE_BUILD_TYPE=Debug;-DCMAKE_CXX_FLAGS_DEBUG=-O0"
-    "--build;${SCRATCH}/build;--target;${target}")
+    "--build;${SCRATCH}/build;--target;${LIBRARY}/all")
   execute_process(COMMAND ${CMAKE_COMMAND} ${step} COMMAND_ERROR_IS_FATAL ANY)
 endforeach()
