@@ -31,10 +31,10 @@ std::string label(std::string_view text, std::size_t width) {
 }
 
 std::string node(const Dfa& dfa, StateId q) {
-  std::string out = "  " + std::to_string(q.index) + " [";
-  if (dfa.is_accepting(q)) out += "shape=doublecircle";
-  if (dfa.is_trap(q)) out += "color=gray70, fontcolor=gray70";
-  return out + "];\n";
+  std::string out = "  " + std::to_string(q.index);
+  if (dfa.is_accepting(q)) out += " [shape=doublecircle]";
+  if (dfa.is_trap(q)) out += " [color=gray70, fontcolor=gray70]";
+  return out + ";\n";
 }
 
 }  // namespace

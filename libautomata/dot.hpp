@@ -11,7 +11,7 @@ namespace waymark::automata {
 struct DotOptions {
   enum class Trap : std::uint8_t { Grey, Omit };
   Trap trap = Trap::Grey;        // states without hope, and the edges to them
-  std::string name;              // caption under the drawing, none when empty
+  std::string name = {};         // caption under the drawing, none when empty
   std::size_t label_width = 36;  // characters after which a guard breaks before ∨ or ∧
 };
 

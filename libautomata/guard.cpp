@@ -51,9 +51,11 @@ class Cover {
   Guard cubes_;
 };
 
-std::size_t literals(const Guard& guard) {
+// Literals and negation signs.
+std::size_t length(const Guard& guard) {
   std::size_t sum = 0;
-  for (const Cube& cube : guard) sum += cube.size();
+  for (const Cube& cube : guard)
+    for (const Literal& literal : cube) sum += literal.positive ? 1 : 2;
   return sum;
 }
 
@@ -89,7 +91,7 @@ ltl::Formula Edges::label(StateId q, StateId r, ltl::Arena& arena) {
   const Node f = leads_to(q, r);
   const Guard positive = irredundant_cover(scratch_, logic_, f);
   const Guard negative = irredundant_cover(scratch_, logic_, logic_.negate(f));
-  if (literals(positive) <= literals(negative) + 1) return to_formula(positive, dfa_, arena);
+  if (length(positive) <= length(negative) + 1) return to_formula(positive, dfa_, arena);
   return ltl::negate(to_formula(negative, dfa_, arena));
 }
 

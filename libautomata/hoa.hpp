@@ -13,7 +13,7 @@
 namespace waymark::automata {
 
 struct HoaOptions {
-  std::string name;  // the `name:` header, usually the formula
+  std::string name = {};  // the `name:` header, usually the formula
 };
 
 // States as the automaton numbers them, edges merged by (source, target), labels irredundant: same automaton, same

@@ -11,13 +11,14 @@ namespace {
 struct Stopped {};  // thrown by the poll, caught below
 
 // The leaves that the initial one reaches, closed under progression, as states.
-Transitions close(Residuals& residuals, const std::function<void()>& poll) {
+Transitions close(ltl::Formula f, const std::vector<ltl::Proposition>& reads, const Residuals::Poll& poll) {
+  Residuals residuals(f, reads, poll);
   std::vector<std::uint32_t> order{residuals.initial()}, number(residuals.leaves(), UINT32_MAX);
   number[residuals.initial()] = 0;
   std::vector<bool> visited;  // below a visited node every leaf is numbered already
   std::vector<Mtbdd::Node> stack, roots;
   for (std::size_t i = 0; i < order.size(); ++i) {
-    poll();
+    poll(residuals.leaves());
     roots.push_back(residuals.successors(order[i]));
     number.resize(residuals.leaves(), UINT32_MAX);
     visited.resize(residuals.diagram().size(), false);
@@ -49,17 +50,13 @@ Transitions close(Residuals& residuals, const std::function<void()>& poll) {
 
 std::variant<Dfa, Exhausted> ltlf_to_dfa(ltl::Formula f, const TranslationLimits& limits) {
   const std::vector<ltl::Proposition> reads = ltl::propositions(f);
-  const Residuals* progress = nullptr;
-  const auto poll = [&] {
-    if (limits.stop.stop_requested() || (progress != nullptr && progress->leaves() > limits.states))
-      throw Stopped{};
-  };
   std::size_t made = 0;
+  const auto poll = [&](std::size_t leaves) {
+    made = leaves;
+    if (leaves > limits.states || limits.stop.stop_requested()) throw Stopped{};
+  };
   try {
-    Residuals residuals(f, reads, poll);
-    progress = &residuals;
-    const Transitions closed = close(residuals, poll);
-    made = closed.roots.size();
+    const Transitions closed = close(f, reads, poll);
     if (const std::optional<Transitions> minimal = minimize(closed, limits.stop))
       return as_dfa(canonical(*minimal), f.arena().vocabulary(), reads);
   } catch (const Stopped&) {

@@ -10,7 +10,7 @@
 namespace waymark::automata {
 
 struct TranslationLimits {
-  std::size_t states = 1'000'000;  // states before minimisation
+  std::size_t states = 1'000'000;  // states before minimisation, those of intermediate steps included
   std::stop_token stop = {};       // polled at least every few milliseconds
 };
 

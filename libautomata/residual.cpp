@@ -6,7 +6,7 @@
 
 namespace waymark::automata {
 
-Residuals::Residuals(ltl::Formula f, const std::vector<ltl::Proposition>& reads, std::function<void()> poll)
+Residuals::Residuals(ltl::Formula f, const std::vector<ltl::Proposition>& reads, Poll poll)
     : logic_(residuals_), ite_(letters_.operation()), poll_(std::move(poll)) {
   payload(Boolean::constant(false), false);  // trap
   payload(Boolean::constant(true), true);    // anything
@@ -103,7 +103,7 @@ Residuals::Node Residuals::progress(Node residual) {
 
 Residuals::Node Residuals::if_then_else(Node f, Node g, Node h) {
   const auto decide = [&](const std::array<Node, 3>& a) -> std::optional<Node> {
-    if (++steps_ % 4096 == 0) poll_();
+    if (++steps_ % 4096 == 0) poll_(leaves_.size());
     if (a[0] == Mtbdd::terminal(anything)) return a[1];
     if (a[0] == Mtbdd::terminal(trap)) return a[2];
     if (a[1] == a[2]) return a[1];

@@ -27,9 +27,11 @@ class Residuals {
     bool may_stop;  // the rest may be empty
   };
 
-  // reads[v] is the proposition of variable v of the successor diagrams; poll() is called every few thousand steps of
-  // work and may throw to end it.
-  Residuals(ltl::Formula f, const std::vector<ltl::Proposition>& reads, std::function<void()> poll);
+  // Called with leaves() every few thousand steps of work; may throw to end it.
+  using Poll = std::function<void(std::size_t leaves)>;
+
+  // reads[v] is the proposition of variable v of the successor diagrams.
+  Residuals(ltl::Formula f, const std::vector<ltl::Proposition>& reads, Poll poll);
 
   std::uint32_t initial() const { return initial_; }  // the leaf (φ, ✗)
   std::size_t leaves() const { return leaves_.size(); }
@@ -62,7 +64,7 @@ class Residuals {
   Boolean logic_;
   Mtbdd letters_;  // variables are propositions, payloads are leaves
   Mtbdd::Operation ite_;
-  std::function<void()> poll_;
+  Poll poll_;
   std::size_t steps_ = 0;
   std::vector<Elementary> elementary_;
   std::vector<Node> elementary_successors_;
