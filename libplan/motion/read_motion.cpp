@@ -1,0 +1,71 @@
+#include "libplan/motion/read_motion.hpp"
+
+#include <array>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "libplan/world/json_position.hpp"
+
+namespace waymark::plan {
+namespace {
+
+using nlohmann::json;
+
+class MotionReader {
+ public:
+  MotionReader(std::string_view text, std::string_view source) : text_(text), source_(source) {}
+
+  Motion read() const {
+    const json document = parse();
+    const json& line = member(document, "motion");
+    if (!line.is_array()) fail("motion", "expected a list of configurations [x,y,heading]");
+    Motion motion;
+    for (std::size_t i = 0; i < line.size(); ++i)
+      motion.configurations.push_back(configuration(line[i], "motion[" + std::to_string(i) + "]"));
+    motion.radius = number(member(document, "radius"), "radius");
+    return motion;
+  }
+
+ private:
+  [[noreturn]] void fail(const std::string& path, const std::string& message) const {
+    throw format_error(source_, text_, path, message);
+  }
+
+  json parse() const {
+    try {
+      return json::parse(text_.begin(), text_.end());
+    } catch (const json::parse_error& error) {
+      throw format_error_at(source_, text_, error.byte > 0 ? error.byte - 1 : 0, "malformed JSON");
+    } catch (const json::out_of_range&) {
+      throw ltl::FormatError(source_, 0, 0, "a number of the JSON text is out of range");
+    }
+  }
+
+  const json& member(const json& document, const char* key) const {
+    if (!document.is_object() || !document.contains(key))
+      fail("", "expected an object with the key \"" + std::string(key) + "\"");
+    return document[key];
+  }
+
+  double number(const json& value, const std::string& path) const {
+    if (!value.is_number()) fail(path, "expected a number");
+    return value.get<double>();
+  }
+
+  Configuration configuration(const json& value, const std::string& path) const {
+    if (!value.is_array() || value.size() != 3) fail(path, "expected a configuration [x,y,heading]");
+    std::array<double, 3> numbers{};
+    for (std::size_t i = 0; i < 3; ++i) numbers[i] = number(value[i], path + "[" + std::to_string(i) + "]");
+    return {numbers[0], numbers[1], numbers[2]};
+  }
+
+  std::string_view text_, source_;
+};
+
+}  // namespace
+
+Motion parse_motion(std::string_view json, std::string_view source) {
+  return MotionReader(json, source).read();
+}
+
+}  // namespace waymark::plan

@@ -1,0 +1,13 @@
+// Motions from JSON: {"motion":[[x,y,heading],…],"radius":r}, as `waymark move --json` answers; other keys are passed
+// over. Whether the motion is one of a robot in a workspace is the business of route_of and certify.
+#pragma once
+#include <string_view>
+
+#include "libplan/motion/motion.hpp"
+
+namespace waymark::plan {
+
+// Throws ltl::FormatError with line and column, naming the value: "motion[3][0]: expected a number".
+Motion parse_motion(std::string_view json, std::string_view source = "");
+
+}  // namespace waymark::plan
