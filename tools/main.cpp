@@ -32,6 +32,7 @@ constexpr std::array rows{
     Row{"compose", "formula or automaton, and a map → their product", setup_compose},
     Row{"plan", "formula or automaton, and a map → a certified route of least cost", setup_plan},
     Row{"check", "does this trajectory satisfy this formula?", setup_check},
+    Row{"move", "formula and a map → a certified motion of a robot with a body", setup_move},
     Row{"draw", "map, with or without a route → picture", setup_draw},
     Row{"version", "version, build, and what it was built with", setup_version},
 };
@@ -52,7 +53,8 @@ std::vector<Chosen> add_subcommands(CLI::App& app) {
 
 // A first argument that is neither an option nor a subcommand: most likely a slip of the fingers.
 void reject_unknown_subcommand(int argc, char** argv) {
-  if (argc < 2 || argv[1][0] == '-') return;
+  if (argc < 2) throw UsageError("no subcommand given; see waymark --help");
+  if (argv[1][0] == '-') return;
   ltl::Vocabulary known;
   for (const Row& row : rows) known.add(row.name);
   const std::string_view given = argv[1];
@@ -75,7 +77,10 @@ ExitCode parse_and_run(int argc, char** argv) {
     app.exit(help, std::cout, std::cerr);
     return ExitCode::Done;
   } catch (const CLI::ParseError& error) {
-    throw UsageError(error.what());
+    std::string help = "waymark --help";
+    for (const Chosen& chosen : commands)
+      if (chosen.command->parsed()) help = "waymark " + chosen.command->get_name() + " --help";
+    throw UsageError(error.what() + std::string("; see ") + help);
   }
   const Interrupt interrupt;
   const Session session{.stop = interrupt.token(), .out = terminal_of(STDOUT_FILENO)};

@@ -29,6 +29,7 @@ Runner setup_plan(CLI::App& command);
 Runner setup_check(CLI::App& command);
 Runner setup_train(CLI::App& command);
 Runner setup_evaluate(CLI::App& command);
+Runner setup_move(CLI::App& command);
 Runner setup_draw(CLI::App& command);
 Runner setup_version(CLI::App& command);
 

@@ -5,6 +5,7 @@
 #include "tools/render/floors.hpp"
 #include "tools/render/legend.hpp"
 #include "tools/render/map_picture.hpp"
+#include "tools/render/motion_picture.hpp"
 #include "tools/render/route_picture.hpp"
 
 namespace waymark::render {
@@ -114,6 +115,7 @@ std::string draw_page(const Page& page) {
   svg.open("g", translated({border, top}));
   draw_map(svg, view);
   if (page.route) draw_route(svg, view, *page.route);
+  if (page.motion) draw_motion(svg, view, *page.motion);
   draw_place_numbers(svg, view);
   svg.close("g");
   draw_panel(svg, page, panel, {border + view.width() + gutter, top + 4});

@@ -1,0 +1,50 @@
+# `waymark move` from outside: verdicts, messages, and the same bytes for the same seed.
+# Given: WAYMARK and MOTION, the two programs.
+cmake_minimum_required(VERSION 3.25)
+
+# run(<exit code> <regex of standard output> <regex of standard error> <command>...)
+function(run code out err)
+  execute_process(COMMAND ${ARGN} RESULT_VARIABLE got OUTPUT_VARIABLE stdout ERROR_VARIABLE stderr
+                  INPUT_FILE /dev/null)
+  string(REPLACE ";" " " command "${ARGN}")
+  if(NOT got EQUAL code)
+    message(SEND_ERROR "${command}\nexit code ${got}, expected ${code}\n${stdout}${stderr}")
+  endif()
+  if(NOT stdout MATCHES "${out}")
+    message(SEND_ERROR "${command}\nstandard output does not match ${out}:\n${stdout}")
+  endif()
+  if(NOT stderr MATCHES "${err}")
+    message(SEND_ERROR "${command}\nstandard error does not match ${err}:\n${stderr}")
+  endif()
+  set(stdout "${stdout}" PARENT_SCOPE)
+endfunction()
+
+set(move ${WAYMARK} move --map jelly --start 19,16,270 --json)
+set(solved "\"status\":\"solved\".*\"route\":\\[\\[19,16,270\\],.*\"motion\":\\[\\[.*\"certified\":true")
+foreach(robot IN ITEMS point disc)
+  run(0 "${solved}" "^$" ${move} "X (moved & X moved)" --robot ${robot})
+endforeach()
+run(10 "\"status\":\"infeasible\",\"reason\":\"" "^$" ${move} "F sofa & G !sofa")
+run(11 "\"status\":\"exhausted\".*\"certified\":false" "^error: no way found from [^\n]*\n$"
+    ${move} "X (moved & X moved)" --furniture 0.15 --iterations 50)
+run(20 "^$" "^error: --robot car is not there yet[^\n]*\n$" ${move} "F sofa" --robot car)
+run(20 "^$" "^error: a robot of that radius[^\n]*\n$" ${move} "F sofa" --radius 0.2)
+run(20 "^$" "^error: the width of hallways[^\n]*\n$" ${move} "F sofa" --width 1)
+run(21 "^$" "^error: the robot does not fit[^\n]*\n$" ${WAYMARK} move --map jelly --start 18,16,0 sofa --radius 0.199)
+
+# What the helper answers depends on the seed alone.
+file(WRITE ${SCRATCH}/route.json "{\"route\":[[19,16,270],[18,16,270],[17,16,270]]}")
+foreach(seed IN ITEMS 1 1 2)
+  execute_process(COMMAND ${MOTION} --map jelly --seed ${seed}
+                  INPUT_FILE ${SCRATCH}/route.json OUTPUT_VARIABLE motion COMMAND_ERROR_IS_FATAL ANY)
+  list(APPEND motions "${motion}")
+endforeach()
+list(GET motions 0 first)
+list(GET motions 1 again)
+list(GET motions 2 other)
+if(NOT first STREQUAL again)
+  message(SEND_ERROR "the same seed gave\n${first}and\n${again}")
+endif()
+if(first STREQUAL other)
+  message(SEND_ERROR "two seeds gave the same motion\n${first}")
+endif()
