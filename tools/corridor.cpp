@@ -4,19 +4,11 @@
 
 #include "libautomata/guard.hpp"
 #include "libautomata/ltlf_to_dfa.hpp"
+#include "libplan/solve/explain.hpp"
 #include "libplan/solve/shortest_route.hpp"
 #include "tools/shell/exit_code.hpp"
 
 namespace waymark::tools {
-namespace {
-
-plan::Infeasible explained(plan::Infeasible infeasible, const plan::Map& map,
-                           std::optional<ltl::Formula> formula, std::span<const plan::PoseId> starts) {
-  static_cast<void>(map), static_cast<void>(formula), static_cast<void>(starts);
-  return infeasible;
-}
-
-}  // namespace
 
 double StopWatch::lap() {
   const auto now = std::chrono::steady_clock::now();
@@ -56,7 +48,7 @@ Journey travel(const plan::Map& map, const automata::Dfa& dfa, std::optional<ltl
                    std::move(destination), seconds};
   };
   if (const auto* infeasible = std::get_if<plan::Infeasible>(&outcome))
-    return journey(explained(*infeasible, map, formula, starts));
+    return journey(formula ? plan::explain_infeasible(map, *formula, starts, stop) : *infeasible);
   const auto* solved = std::get_if<plan::Solved>(&outcome);
   if (solved == nullptr) throw Interrupted();
   plan::Route route = plan::roll_out(product, solved->policy);

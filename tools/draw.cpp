@@ -2,7 +2,8 @@
 #include <CLI/App.hpp>
 #include <memory>
 
-#include "tools/render/page.hpp"
+#include "tools/corridor.hpp"
+#include "tools/picture.hpp"
 #include "tools/shell/options.hpp"
 #include "tools/shell/output.hpp"
 #include "tools/subcommand.hpp"
@@ -12,16 +13,35 @@ namespace {
 
 struct Options {
   MapOptions map;
-  std::string route, svg;
+  NotationOptions notation;
+  std::string route, formula, start, svg;
 };
 
-ExitCode run_draw(const Options& options) {
+// The plan of the formula on its map, as `waymark plan` would give it.
+ExitCode draw_plan(const Options& options, const plan::Map& map, const Session& session) {
+  ltl::Arena arena(map.vocabulary());
+  const ltl::Formula formula = parse_formula({.text = options.formula, .source = ""}, arena,
+                                             parse_options(options.notation, ltl::Unknown::Reject));
+  const automata::Dfa dfa = translate(formula, session.stop);
+  const Journey journey = travel(map, dfa, formula, start_poses(options.start, map), session.stop);
+  const plan::Route* route = route_of(journey);
+  Picture picture{.map = &map, .dfa = &dfa, .formula = formula, .certified = route != nullptr};
+  if (route != nullptr) picture.route = *route;
+  draw(picture, options.svg);
+  if (route != nullptr) return ExitCode::Done;
+  complain("note", "the picture has no route: " + std::get<plan::Infeasible>(journey.destination).reason);
+  return ExitCode::No;
+}
+
+ExitCode run_draw(const Options& options, const Session& session) {
+  if (!options.route.empty() && !options.formula.empty())
+    throw UsageError("give --route or --formula, not both");
   const plan::Map map = read_map(options.map);
-  render::Page page{.map = &map};
-  page.caption = "map " + map.name();
+  if (!options.formula.empty()) return draw_plan(options, map, session);
+  Picture picture{.map = &map};
   if (!options.route.empty())
-    page.route = plan::parse_trajectory(read_file(options.route), map, source_name(options.route));
-  write_file(options.svg, render::draw_page(page));
+    picture.route = plan::parse_trajectory(read_file(options.route), map, source_name(options.route));
+  draw(picture, options.svg);
   return ExitCode::Done;
 }
 
@@ -33,10 +53,14 @@ Runner setup_draw(CLI::App& command) {
   command
       .add_option("--route", options->route, "a route or trajectory file (docs/formats); - is standard input")
       ->type_name("FILE");
+  command.add_option("--formula", options->formula, "plan this formula and draw its route and automaton")
+      ->type_name("TEXT");
+  add_notation_options(command, options->notation);
+  add_start_option(command, options->start);
   command.add_option("--svg", options->svg, "the picture; - is standard output")
       ->type_name("FILE")
       ->required();
-  return [options](const Session&) { return run_draw(*options); };
+  return [options](const Session& session) { return run_draw(*options, session); };
 }
 
 }  // namespace waymark::tools

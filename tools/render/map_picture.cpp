@@ -63,7 +63,7 @@ void draw_map(Svg& svg, const PlanView& view) {
   for (const plan::Edge& edge : map.edges())
     if (!edge.wall.empty()) draw_hanging(svg, view, edge);
   for (std::uint32_t node = 0; node < map.nodes().size(); ++node)
-    if (const auto& object = map.nodes()[node].object) draw_object(svg, *object, view.centre(node), 24);
+    if (const auto& object = map.nodes()[node].object) draw_object(svg, *object, view.centre(node), 23);
 }
 
 void draw_place_badge(Svg& svg, Point centre, int place) {

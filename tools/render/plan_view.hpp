@@ -19,7 +19,7 @@ Point direction(int heading);
 
 class PlanView {
  public:
-  static constexpr double cell = 108, strip = 46, margin = 62;
+  static constexpr double cell = 112, strip = 50, margin = 64;
 
   explicit PlanView(const plan::Map& map);
   const plan::Map& map() const { return *map_; }

@@ -9,7 +9,7 @@
 namespace waymark::render {
 namespace {
 
-constexpr double lane = 14;  // distance of the line from the middle of the hallway
+constexpr double lane = 16.5;  // distance of the line from the middle of the hallway
 
 Point operator+(Point a, Point b) { return {a.x + b.x, a.y + b.y}; }
 Point operator-(Point a, Point b) { return {a.x - b.x, a.y - b.y}; }
@@ -146,9 +146,9 @@ void draw_step_number(Svg& svg, Point centre, std::string_view text) {
 
 void draw_end_mark(Svg& svg, Point where, int heading) {
   const std::string colour(route_colour);
-  svg.circle(where, 9, "fill=\"#fff\" stroke=\"" + colour + "\" stroke-width=\"2.4\"");
-  const Point tip = where + 6 * direction(heading), back = where - 4 * direction(heading);
-  const Point side = 4.6 * right_of(heading);
+  svg.circle(where, 7.6, "fill=\"#fff\" stroke=\"" + colour + "\" stroke-width=\"2.4\"");
+  const Point tip = where + 5 * direction(heading), back = where - 3.2 * direction(heading);
+  const Point side = 3.9 * right_of(heading);
   svg.path("M" + at(tip) + " L" + at(back + side) + " L" + at(back - side) + " Z", "fill=\"" + colour + '"');
 }
 

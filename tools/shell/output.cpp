@@ -8,6 +8,7 @@
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
+#include <iostream>
 #include <mutex>
 #include <vector>
 
@@ -34,7 +35,7 @@ bool write_all(int file, std::string_view contents) {
 }
 
 void write_directly(const std::filesystem::path& path, std::string_view contents) {
-  const int file = path == "-" ? ::dup(STDOUT_FILENO) : ::open(path.c_str(), O_WRONLY | O_CLOEXEC);
+  const int file = ::open(path.c_str(), O_WRONLY | O_CLOEXEC);
   if (file < 0) fail(path, errno);
   const bool complete = write_all(file, contents);
   const int error = errno;
@@ -63,11 +64,14 @@ mode_t usual_mode() {  // what open(…, 0666) would give; mkstemp gives 0600
 }  // namespace
 
 void write_file(const std::filesystem::path& path, std::string_view contents) {
+  if (path == "-") {
+    std::cout << contents;  // in order with what was printed before
+    return;
+  }
   std::error_code ignored;
   const auto status = std::filesystem::status(path, ignored);
   const bool ordinary = !std::filesystem::exists(status) || std::filesystem::is_regular_file(status);
-  if (path == "-" || (!ordinary && !std::filesystem::is_directory(status)))
-    return write_directly(path, contents);
+  if (!ordinary && !std::filesystem::is_directory(status)) return write_directly(path, contents);
   if (!ordinary) fail(path, EISDIR);
 
   // A symbolic link stays one: the file it names is replaced.

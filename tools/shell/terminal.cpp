@@ -57,8 +57,11 @@ void complain(std::string_view label, std::string_view message) {
 
 ProgressBar::ProgressBar() : visible_(::isatty(STDERR_FILENO) != 0 && environment("TERM") != "dumb") {}
 
-ProgressBar::~ProgressBar() {
+ProgressBar::~ProgressBar() { wipe(); }
+
+void ProgressBar::wipe() {
   if (drawn_) std::cerr << "\r\x1b[K" << std::flush;
+  drawn_ = false;
 }
 
 void ProgressBar::show(double fraction, std::string_view what) {
@@ -72,6 +75,15 @@ void ProgressBar::show(double fraction, std::string_view what) {
   std::cerr << "\r\x1b[K[" << std::string(static_cast<std::size_t>(full), '#')
             << std::string(static_cast<std::size_t>(width - full), ' ') << "] " << fixed(100 * fraction, 0)
             << " %  " << what << std::flush;
+}
+
+bool stdin_is_terminal() { return ::isatty(STDIN_FILENO) != 0; }
+
+std::string hexadecimal(std::uint64_t value) {
+  std::string digits(16, '0');
+  for (auto digit = digits.rbegin(); digit != digits.rend(); ++digit, value >>= 4U)
+    *digit = "0123456789abcdef"[value & 15U];
+  return digits;
 }
 
 std::string fixed(double value, int digits) {

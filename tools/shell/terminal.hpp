@@ -1,6 +1,7 @@
 // What standard output and standard error may show: colour, Unicode, a progress bar.
 #pragma once
 #include <chrono>
+#include <cstdint>
 #include <string>
 #include <string_view>
 
@@ -27,6 +28,7 @@ class ProgressBar {
   ProgressBar& operator=(const ProgressBar&) = delete;
   void show(double fraction,
             std::string_view what);  // from one thread at a time; redraws at most 20 times a second
+  void wipe();
 
  private:
   bool visible_;
@@ -34,6 +36,9 @@ class ProgressBar {
   std::chrono::steady_clock::time_point last_;
 };
 
-std::string fixed(double value, int digits);  // "12.50"; the C locale, always
+bool stdin_is_terminal();
+
+std::string fixed(double value, int digits);   // "12.50"; the C locale, always
+std::string hexadecimal(std::uint64_t value);  // 16 digits
 
 }  // namespace waymark::tools

@@ -1,0 +1,85 @@
+// Ctrl-C ends long work within half a second, with exit code 11 and one message.
+#include <fcntl.h>
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <csignal>
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <thread>
+#include <vector>
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+struct Ended {
+  int exit_code = -1;
+  double seconds = 0;  // from the signal to the end
+  std::string messages;
+};
+
+// Starts waymark, sends the signal after a while, waits for the end.
+Ended interrupt(const std::vector<std::string>& arguments, int signal) {
+  std::string name = (std::filesystem::temp_directory_path() / "waymark-interrupt-XXXXXX").string();
+  const int messages = ::mkstemp(name.data());
+  const pid_t child = ::fork();
+  if (child == 0) {
+    std::vector<char*> argv{const_cast<char*>(WAYMARK_EXECUTABLE)};
+    for (const std::string& argument : arguments) argv.push_back(const_cast<char*>(argument.c_str()));
+    argv.push_back(nullptr);
+    ::dup2(messages, STDERR_FILENO);
+    ::execv(WAYMARK_EXECUTABLE, argv.data());
+    ::_exit(127);
+  }
+  std::this_thread::sleep_for(std::chrono::milliseconds(300));
+  const auto sent = Clock::now();
+  ::kill(child, signal);
+  int status = 0;
+  ::waitpid(child, &status, 0);
+  Ended ended{.exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status),
+              .seconds = std::chrono::duration<double>(Clock::now() - sent).count(),
+              .messages = ""};
+  ::close(messages);
+  std::ifstream file(name);
+  ended.messages.assign(std::istreambuf_iterator<char>(file), {});
+  std::filesystem::remove(name);
+  return ended;
+}
+
+// Its minimal DFA remembers which of 24 propositions held in the last step but one, and so on: hours of work.
+std::string hard_formula() {
+  std::string text;
+  for (int i = 0; i < 24; ++i) {
+    const std::string p = "p" + std::to_string(i), q = "q" + std::to_string(i);
+    text += (i > 0 ? " & " : "") + std::string("F(") + p + " & X X X " + q + " & F(" + q + " & G(" + p +
+            " -> X X " + q + ")))";
+  }
+  return text;
+}
+
+TEST(CtrlC, EndsATranslationWithinHalfASecond) {
+  for (const int signal : {SIGINT, SIGTERM}) {
+    const Ended ended = interrupt({"translate", "--max-states", "4000000000", hard_formula()}, signal);
+    EXPECT_EQ(ended.exit_code, 11) << ended.messages;
+    EXPECT_LT(ended.seconds, 0.5);
+    EXPECT_NE(ended.messages.find("error: interrupted"), std::string::npos) << ended.messages;
+  }
+}
+
+TEST(CtrlC, EndsAWaitForInput) {
+  int ends[2];
+  ASSERT_EQ(::pipe(ends), 0);
+  const int saved = ::dup(STDIN_FILENO);
+  ::dup2(ends[0], STDIN_FILENO);  // nobody ever writes
+  const Ended ended = interrupt({"translate", "-F", "-"}, SIGINT);
+  ::dup2(saved, STDIN_FILENO);
+  for (const int end : {ends[0], ends[1], saved}) ::close(end);
+  EXPECT_EQ(ended.exit_code, 11) << ended.messages;
+  EXPECT_LT(ended.seconds, 0.5);
+}
+
+}  // namespace
