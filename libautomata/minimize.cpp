@@ -28,12 +28,10 @@ Transitions quotient(const Transitions& automaton, const Partition& partition) {
 
 }  // namespace
 
-std::optional<Transitions> minimize(const Transitions& automaton, const std::stop_token& stop) {
+Transitions minimize(const Transitions& automaton, Effort& effort) {
   const TransitionGraph graph(automaton.diagram, automaton.roots);
-  std::optional<Partition> partition = very_weak_partition(automaton, graph);
-  if (!partition) partition = coarsest_partition(automaton, graph, stop);
-  if (!partition) return std::nullopt;
-  return quotient(automaton, *partition);
+  const std::optional<Partition> partition = very_weak_partition(automaton, graph);
+  return quotient(automaton, partition ? *partition : coarsest_partition(automaton, graph, effort));
 }
 
 Dfa as_dfa(Transitions automaton, const ltl::Vocabulary& vocabulary,
@@ -64,7 +62,8 @@ Dfa minimize(const Dfa& dfa) {
     automaton.roots.push_back(dfa.root(StateId{q}));
     automaton.accepting.push_back(dfa.is_accepting(StateId{q}));
   }
-  return as_dfa(canonical(*minimize(canonical(automaton))), dfa.vocabulary(), dfa.reads());
+  Effort unlimited;
+  return as_dfa(canonical(minimize(canonical(automaton), unlimited)), dfa.vocabulary(), dfa.reads());
 }
 
 }  // namespace waymark::automata

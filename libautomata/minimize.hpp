@@ -3,17 +3,15 @@
 // Very weak automata (no cycle but self-loops: most planning goals) are done in one pass from the bottom
 // (very_weak.hpp), all others by refinement with a worklist (refinement.hpp).
 #pragma once
-#include <optional>
-#include <stop_token>
-
 #include "libautomata/dfa.hpp"
+#include "libautomata/effort.hpp"
 #include "libautomata/transitions.hpp"
 
 namespace waymark::automata {
 
 // The quotient, its states in no particular order (canonical() numbers them); unreachable states count as any other.
-// nullopt when stopped.
-std::optional<Transitions> minimize(const Transitions& automaton, const std::stop_token& stop = {});
+// Throws what the effort throws.
+Transitions minimize(const Transitions& automaton, Effort& effort);
 
 // The minimal automaton of the same language, canonically numbered, reading only what it depends on.
 Dfa minimize(const Dfa& dfa);

@@ -17,16 +17,21 @@ using Node = Mtbdd::Node;
 
 class Pairs {
  public:
+  explicit Pairs(Effort& effort) : effort_(effort) {}
   std::uint32_t number(std::uint32_t p, std::uint32_t q) {
     const auto [at, fresh] =
         number_.try_emplace(std::uint64_t{p} << 32U | q, static_cast<std::uint32_t>(pairs_.size()));
-    if (fresh) pairs_.emplace_back(p, q);
+    if (fresh) {
+      pairs_.emplace_back(p, q);
+      effort_.state();
+    }
     return at->second;
   }
   std::size_t size() const { return pairs_.size(); }
   std::pair<std::uint32_t, std::uint32_t> operator[](std::size_t i) const { return pairs_[i]; }
 
  private:
+  Effort& effort_;
   std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs_;
   std::unordered_map<std::uint64_t, std::uint32_t> number_;
 };
@@ -66,17 +71,15 @@ Transitions over(const Dfa& dfa, const ltl::Vocabulary& vocabulary,
 
 }  // namespace
 
-Transitions product(const Transitions& a, const Transitions& b, Verdict verdict,
-                    const std::function<void()>& poll) {
+Transitions product(const Transitions& a, const Transitions& b, Verdict verdict, Effort& effort) {
   Mtbdd both;  // a's diagrams, b's diagrams, and those of the pairs
   const auto same = [](std::uint32_t q) { return Mtbdd::terminal(q); };
   const auto keep = [](Mtbdd::Variable v) { return v; };
   const std::vector<Node> first = both.import(a.diagram, a.roots, same, keep);
   const std::vector<Node> second = both.import(b.diagram, b.roots, same, keep);
-  Pairs pairs;
-  std::size_t steps = 0;
+  Pairs pairs(effort);
   const auto decide = [&](const std::array<Node, 2>& n) -> std::optional<Node> {
-    if (++steps % 4096 == 0) poll();
+    effort.step();
     if (!Mtbdd::is_terminal(n[0]) || !Mtbdd::is_terminal(n[1])) return std::nullopt;
     return Mtbdd::terminal(pairs.number(Mtbdd::payload(n[0]), Mtbdd::payload(n[1])));
   };
@@ -101,7 +104,9 @@ Dfa product(const Dfa& a, const Dfa& b, Verdict verdict) {
   for (ltl::Proposition p : b.reads()) reads.push_back(*vocabulary.find(b.vocabulary().name(p)));
   std::sort(reads.begin(), reads.end());
   reads.erase(std::unique(reads.begin(), reads.end()), reads.end());
-  const Transitions pairs = product(over(a, vocabulary, reads), over(b, vocabulary, reads), verdict, [] {});
+  Effort unlimited;
+  const Transitions pairs =
+      product(over(a, vocabulary, reads), over(b, vocabulary, reads), verdict, unlimited);
   return as_dfa(canonical(pairs), vocabulary, reads);
 }
 

@@ -3,19 +3,18 @@
 // States are pairs, made as they are reached; both diagrams are merged by one apply whose leaf operation numbers pairs,
 // so the work follows shared nodes, not letters. Source: [BK08, Sec. 4.1] for the pairs.
 #pragma once
-#include <functional>
 #include <optional>
 
 #include "libautomata/dfa.hpp"
+#include "libautomata/effort.hpp"
 #include "libautomata/transitions.hpp"
 
 namespace waymark::automata {
 
 using Verdict = bool (*)(bool first, bool second);
 
-// Over the same variables. poll() is called every few thousand steps of work and may throw to end it.
-Transitions product(const Transitions& a, const Transitions& b, Verdict verdict,
-                    const std::function<void()>& poll);
+// Over the same variables. Not minimised; throws what the effort throws.
+Transitions product(const Transitions& a, const Transitions& b, Verdict verdict, Effort& effort);
 
 // Propositions are matched by name; the vocabulary is a's, then what b adds. verdict(false, false) must be false: the
 // empty word is no word (std::invalid_argument otherwise).

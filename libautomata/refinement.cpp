@@ -52,7 +52,7 @@ class Refinement {
   }
 
   // Redoes the images above the renamed states; afterwards dirty_ holds the states whose signature changed.
-  bool propagate(const std::stop_token& stop) {
+  void propagate(Effort& effort) {
     std::priority_queue<Vertex, std::vector<Vertex>, std::greater<>> queue;  // children first
     const auto changed = [&](Vertex v) {
       for (Vertex u : reversed_.predecessors(v)) {
@@ -65,8 +65,8 @@ class Refinement {
       }
     };
     for (std::uint32_t q : renamed_) changed(graph_.of_state(q));
-    for (std::size_t step = 0; !queue.empty(); ++step) {
-      if (step % 1024 == 0 && stop.stop_requested()) return false;
+    while (!queue.empty()) {
+      effort.step();
       const Vertex v = queue.top();
       queue.pop();
       waiting_[v] = false;
@@ -75,7 +75,6 @@ class Refinement {
       image_[v] = image;
       changed(v);
     }
-    return !stop.stop_requested();
   }
 
   Partition partition() && {
@@ -149,11 +148,12 @@ class Refinement {
 
 }  // namespace
 
-std::optional<Partition> coarsest_partition(const Transitions& automaton, const TransitionGraph& graph,
-                                            const std::stop_token& stop) {
+Partition coarsest_partition(const Transitions& automaton, const TransitionGraph& graph, Effort& effort) {
   Refinement refinement(automaton, graph);
-  while (refinement.round())
-    if (!refinement.propagate(stop)) return std::nullopt;
+  while (refinement.round()) {
+    effort.poll();
+    refinement.propagate(effort);
+  }
   return std::move(refinement).partition();
 }
 

@@ -4,15 +4,13 @@
 // of letters every decision node remembers its image over the current classes: only the nodes above renamed terminals
 // are redone, and they stop where the image stays the same. A state's signature is the image of its root.
 #pragma once
-#include <optional>
-#include <stop_token>
-
+#include "libautomata/effort.hpp"
 #include "libautomata/transitions.hpp"
 #include "libautomata/very_weak.hpp"
 
 namespace waymark::automata {
 
-std::optional<Partition> coarsest_partition(const Transitions& automaton, const TransitionGraph& graph,
-                                            const std::stop_token& stop);  // nullopt when stopped
+// One step of effort per image redone.
+Partition coarsest_partition(const Transitions& automaton, const TransitionGraph& graph, Effort& effort);
 
 }  // namespace waymark::automata

@@ -6,8 +6,8 @@
 
 namespace waymark::automata {
 
-Residuals::Residuals(ltl::Formula f, const std::vector<ltl::Proposition>& reads, Poll poll)
-    : logic_(residuals_), ite_(letters_.operation()), poll_(std::move(poll)) {
+Residuals::Residuals(ltl::Formula f, const std::vector<ltl::Proposition>& reads, Effort& effort)
+    : logic_(residuals_), ite_(letters_.operation()), effort_(effort) {
   payload(Boolean::constant(false), false);  // trap
   payload(Boolean::constant(true), true);    // anything
   initial_ = payload(residual_of(f, reads), false);
@@ -103,7 +103,7 @@ Residuals::Node Residuals::progress(Node residual) {
 
 Residuals::Node Residuals::if_then_else(Node f, Node g, Node h) {
   const auto decide = [&](const std::array<Node, 3>& a) -> std::optional<Node> {
-    if (++steps_ % 4096 == 0) poll_(leaves_.size());
+    effort_.step();
     if (a[0] == Mtbdd::terminal(anything)) return a[1];
     if (a[0] == Mtbdd::terminal(trap)) return a[2];
     if (a[1] == a[2]) return a[1];
@@ -124,7 +124,10 @@ std::uint32_t Residuals::choose(std::uint32_t f, std::uint32_t g, std::uint32_t 
 std::uint32_t Residuals::payload(Node residual, bool may_stop) {
   const std::uint64_t key = std::uint64_t{residual.id} << 1U | (may_stop ? 1U : 0U);
   const auto [at, fresh] = payload_of_.try_emplace(key, static_cast<std::uint32_t>(leaves_.size()));
-  if (fresh) leaves_.push_back({residual, may_stop});
+  if (fresh) {
+    leaves_.push_back({residual, may_stop});
+    effort_.state();
+  }
   return at->second;
 }
 

@@ -9,11 +9,11 @@
 // [DZP+25, Sec. 3]; states up to propositional equivalence are [EKS16, Sec. 2], here as BDDs of elementary formulas.
 #pragma once
 #include <cstdint>
-#include <functional>
 #include <unordered_map>
 #include <vector>
 
 #include "libautomata/boolean.hpp"
+#include "libautomata/effort.hpp"
 #include "libautomata/mtbdd.hpp"
 #include "libltl/formula.hpp"
 
@@ -27,11 +27,8 @@ class Residuals {
     bool may_stop;  // the rest may be empty
   };
 
-  // Called with leaves() every few thousand steps of work; may throw to end it.
-  using Poll = std::function<void(std::size_t leaves)>;
-
   // reads[v] is the proposition of variable v of the successor diagrams.
-  Residuals(ltl::Formula f, const std::vector<ltl::Proposition>& reads, Poll poll);
+  Residuals(ltl::Formula f, const std::vector<ltl::Proposition>& reads, Effort& effort);
 
   std::uint32_t initial() const { return initial_; }  // the leaf (φ, ✗)
   std::size_t leaves() const { return leaves_.size(); }
@@ -64,8 +61,7 @@ class Residuals {
   Boolean logic_;
   Mtbdd letters_;  // variables are propositions, payloads are leaves
   Mtbdd::Operation ite_;
-  Poll poll_;
-  std::size_t steps_ = 0;
+  Effort& effort_;
   std::vector<Elementary> elementary_;
   std::vector<Node> elementary_successors_;
   std::unordered_map<std::uint64_t, Mtbdd::Variable> next_, until_;

@@ -1,0 +1,41 @@
+// What a construction may spend: steps, states, and the caller's patience. Counting is the caller's business, so one
+// Effort may cover several constructions; running out is thrown past half-built tables and caught where it is known
+// what to try instead.
+#pragma once
+#include <cstddef>
+#include <cstdint>
+#include <stop_token>
+#include <utility>
+
+namespace waymark::automata {
+
+class Effort {
+ public:
+  struct Spent {  // thrown
+    enum class Reason { Steps, States, Stopped } reason;
+  };
+
+  Effort() = default;  // without limits
+  Effort(std::size_t steps, std::size_t states, std::stop_token stop)
+      : steps_left_(steps), states_left_(states), stop_(std::move(stop)) {}
+
+  void step() {  // a few tens of nanoseconds to a microsecond of work
+    if (steps_left_ == 0) throw Spent{Spent::Reason::Steps};
+    if (--steps_left_ % 4096 == 0) poll();
+  }
+  void state() {
+    ++states_;
+    if (states_left_-- == 0) throw Spent{Spent::Reason::States};
+  }
+  void poll() const {
+    if (stop_.stop_requested()) throw Spent{Spent::Reason::Stopped};
+  }
+  std::size_t steps_left() const { return steps_left_; }
+  std::size_t states() const { return states_; }  // made so far
+
+ private:
+  std::size_t steps_left_ = SIZE_MAX, states_left_ = SIZE_MAX, states_ = 0;
+  std::stop_token stop_;
+};
+
+}  // namespace waymark::automata
