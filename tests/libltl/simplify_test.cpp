@@ -103,7 +103,7 @@ TEST(RewriteRules, EachDoesWhatItsCommentSays) {
 std::vector<Formula> subjects(Arena& arena) {
   std::vector<Formula> out = testing::all_formulas(arena, {.size = 4, .atoms = 2});
   Random random(5);
-  for (int i = 0; i < 2'000; ++i) out.push_back(nnf(random_formula(random, arena, {.size = 9, .atoms = 2})));
+  for (int i = 0; i < 1'000; ++i) out.push_back(nnf(random_formula(random, arena, {.size = 9, .atoms = 2})));
   for (const Row& row : rows) out.push_back(parse(row.match, arena));
   return out;
 }
@@ -153,9 +153,8 @@ TEST(Laws, ImplicationIsSound) {
   EXPECT_GT(found, 4 * formulas.size());  // more than φ ⇒ φ, false ⇒ φ, φ ⇒ true
 }
 
-void expect_sound(Formula f, Over over, const std::vector<Trace>& words, const std::vector<Lasso>& lassos) {
-  const Formula g = simplify(f, over);
-  ASSERT_EQ(over == Over::Infinite ? difference(f, g, lassos) : difference(f, g, words), "");
+// What must hold of g, made of f, besides saying the same of every word.
+void expect_sound(Formula f, Formula g, Over over) {
   if (over == Over::Rest) {
     ASSERT_EQ(accepts_empty(f), accepts_empty(g)) << show(f) << " became " << print(g);
   }
@@ -167,8 +166,22 @@ TEST(Laws, SimplifyKeepsTheMeaningAndNeverGrows) {
   Arena arena(testing::letters_vocabulary(3));
   const auto words = testing::all_traces({.length = 3, .atoms = 2});
   const auto lassos = testing::all_lassos({.length = 2, .atoms = 2});
-  for (Formula f : subjects(arena))
-    for (Over over : {Over::Finite, Over::Rest, Over::Infinite}) expect_sound(f, over, words, lassos);
+  for (Formula f : subjects(arena)) {
+    const Formula finite = simplify(f, Over::Finite), rest = simplify(f, Over::Rest);
+    const Formula infinite = simplify(f, Over::Infinite);
+    if (finite != f) {
+      ASSERT_EQ(difference(f, finite, words), "");
+    }
+    if (rest != finite) {
+      ASSERT_EQ(difference(f, rest, words), "");
+    }
+    if (infinite != f) {
+      ASSERT_EQ(difference(f, infinite, lassos), "");
+    }
+    expect_sound(f, finite, Over::Finite);
+    expect_sound(f, rest, Over::Rest);
+    expect_sound(f, infinite, Over::Infinite);
+  }
 }
 
 TEST(Conventions, WhatProgressionLeavesKeepsTheEndOfTheWord) {
