@@ -2,9 +2,38 @@
 
 #include <algorithm>
 #include <stdexcept>
+#include <unordered_set>
 #include <utility>
 
 namespace waymark::automata {
+namespace {
+
+using ltl::Formula;
+using ltl::Op;
+
+// The operator that a temporal operator distributes over in its right operand, φ U (ψ₁ ∨ ψ₂) = φ U ψ₁ ∨ φ U ψ₂ and
+// dually: the parts have small diagrams where the whole may have a huge one.
+bool is_split(Formula g) {
+  return (g.op() == Op::Until && g[1].op() == Op::Or) || (g.op() == Op::Release && g[1].op() == Op::And);
+}
+
+// Subformulas whose diagrams are asked for, operands before operators: all but the operands that are split.
+std::vector<Formula> needed(Formula f) {
+  std::vector<Formula> all = ltl::subformulas(f), out;
+  std::unordered_set<Formula> asked{f};
+  for (std::size_t i = all.size(); i-- > 0;) {
+    const Formula g = all[i];
+    if (!asked.contains(g)) continue;
+    out.push_back(g);
+    const std::size_t whole = is_split(g) ? 1 : g.operands().size();
+    for (std::size_t j = 0; j < whole; ++j) asked.insert(g[j]);
+    if (is_split(g)) asked.insert(g[1].operands().begin(), g[1].operands().end());
+  }
+  std::reverse(out.begin(), out.end());
+  return out;
+}
+
+}  // namespace
 
 Residuals::Residuals(ltl::Formula f, const std::vector<ltl::Proposition>& reads, Effort& effort)
     : logic_(residuals_), ite_(letters_.operation()), effort_(effort) {
@@ -14,14 +43,23 @@ Residuals::Residuals(ltl::Formula f, const std::vector<ltl::Proposition>& reads,
 }
 
 Residuals::Node Residuals::residual_of(ltl::Formula f, const std::vector<ltl::Proposition>& reads) {
-  using ltl::Op;
-  std::unordered_map<ltl::Formula, Node> image;
-  const auto combine = [&](ltl::Formula g, bool unit, auto operation) {
+  std::unordered_map<Formula, Node> image;
+  const auto combine = [&](Formula g, bool unit, auto operation) {
     Node all = Boolean::constant(unit);
     for (std::size_t i = g.operands().size(); i-- > 0;) all = operation(image.at(g[i]), all);
     return all;
   };
-  const auto spell = [&](ltl::Formula g) {
+  const auto split = [&](Formula g, auto operation) {  // over the parts of the right operand
+    if (!is_split(g)) return operation(g[1]);
+    const bool release = g.op() == Op::Release;
+    Node all = Boolean::constant(release);
+    for (std::size_t i = g[1].operands().size(); i-- > 0;) {
+      const Node part = operation(g[1][i]);
+      all = release ? logic_.conjunction(part, all) : logic_.disjunction(part, all);
+    }
+    return all;
+  };
+  const auto spell = [&](Formula g) {
     switch (g.op()) {
       case Op::False: return Boolean::constant(false);
       case Op::True: return Boolean::constant(true);
@@ -36,13 +74,15 @@ Residuals::Node Residuals::residual_of(ltl::Formula f, const std::vector<ltl::Pr
       case Op::Iff: return logic_.iff(image.at(g[0]), image.at(g[1]));
       case Op::Next: return next(image.at(g[0]));
       case Op::WeakNext: return logic_.negate(next(logic_.negate(image.at(g[0]))));
-      case Op::Until: return until(image.at(g[0]), image.at(g[1]));
+      case Op::Until: return split(g, [&](Formula h) { return until(image.at(g[0]), image.at(h)); });
       case Op::Release:
-        return logic_.negate(until(logic_.negate(image.at(g[0])), logic_.negate(image.at(g[1]))));
+        return split(g, [&](Formula h) {
+          return logic_.negate(until(logic_.negate(image.at(g[0])), logic_.negate(image.at(h))));
+        });
     }
     throw std::logic_error("operator without a residual");
   };
-  for (ltl::Formula g : ltl::subformulas(f)) image.emplace(g, spell(g));
+  for (Formula g : needed(f)) image.emplace(g, spell(g));
   return image.at(f);
 }
 
