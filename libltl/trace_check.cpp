@@ -1,10 +1,48 @@
 #include "libltl/trace_check.hpp"
 
 #include <algorithm>
+#include <array>
 #include <stdexcept>
 #include <unordered_map>
+#include <utility>
 
 namespace waymark::ltl {
+namespace {
+
+struct Bits {
+  std::uint64_t truth, out;  // the truth at each position, and the word whose top bit is carried out
+};
+
+// The temporal operators on words: φ, ψ (where there is one), and what is carried in.
+Bits next_bits(std::uint64_t phi, std::uint64_t, std::uint64_t in) { return {phi << 1U | in, phi}; }
+
+// From the lowest set bit up; all bits when something was carried in.
+Bits finally_bits(std::uint64_t phi, std::uint64_t, std::uint64_t in) {
+  const std::uint64_t truth = phi | (0 - phi) | (0 - in);
+  return {truth, truth};
+}
+
+// The trailing ones; none when a zero came before.
+Bits globally_bits(std::uint64_t phi, std::uint64_t, std::uint64_t in) {
+  const std::uint64_t truth = phi & ~(phi + 1) & (0 - in);
+  return {truth, truth};
+}
+
+// ψ, or φ and a carry into this bit.
+Bits until_bits(std::uint64_t phi, std::uint64_t psi, std::uint64_t in) {
+  const std::uint64_t either = phi | psi;
+  const std::uint64_t truth = psi | (phi & ((either + psi + in) ^ either ^ psi));
+  return {truth, truth};
+}
+
+// ψ, and φ or a carry into this bit.
+Bits release_bits(std::uint64_t phi, std::uint64_t psi, std::uint64_t in) {
+  const std::uint64_t both = phi & psi;
+  const std::uint64_t truth = both | (psi & ((psi + both + in) ^ psi ^ both));
+  return {truth, truth};
+}
+
+}  // namespace
 
 Columns::Columns(const Trace& word, std::size_t propositions)
     : propositions_(propositions), length_(word.size()), bits_(blocks() * propositions) {
@@ -49,14 +87,17 @@ TraceCheck::TraceCheck(std::span<const Formula> formulas) {
     step.emplace(f, compile(f, operands));
   }
   for (Formula f : formulas) roots_.push_back(step.at(f));
+  schedule();
   value_.resize(program_.size());
   carry_.resize(program_.size());
+  // Past the end of the word N, R and G hold: the border of accepts_empty (progress.hpp).
+  for (const Step& s : program_)
+    carry_at_end_.push_back(
+        s.code == Code::WeakNext || s.code == Code::Release || s.code == Code::Globally ? 1 : 0);
 }
 
 std::uint32_t TraceCheck::emit(Code code, std::uint32_t a, std::uint32_t b) {
   program_.push_back({code, a, b});
-  // Past the end of the word N, R and G hold: the border of accepts_empty (progress.hpp).
-  carry_at_end_.push_back(code == Code::WeakNext || code == Code::Release || code == Code::Globally ? 1 : 0);
   return static_cast<std::uint32_t>(program_.size() - 1);
 }
 
@@ -88,55 +129,116 @@ std::uint32_t TraceCheck::compile(Formula f, std::span<const std::uint32_t> oper
   return 0;  // unreachable: -Werror=switch
 }
 
+std::size_t TraceCheck::arity(Code code) {
+  switch (code) {
+    case Code::Load:
+    case Code::False:
+    case Code::True: return 0;
+    case Code::Not:
+    case Code::Next:
+    case Code::WeakNext:
+    case Code::Finally:
+    case Code::Globally: return 1;
+    case Code::And:
+    case Code::Or:
+    case Code::Iff:
+    case Code::Until:
+    case Code::Release: return 2;
+  }
+  return 0;  // unreachable: -Werror=switch
+}
+
+// The steps that a formula's answer depends on (the true of true U φ is none: F has a code of its own).
+std::vector<bool> TraceCheck::needed() const {
+  std::vector<bool> out(program_.size());
+  for (std::uint32_t root : roots_) out[root] = true;
+  for (std::size_t i = program_.size(); i-- > 0;) {
+    if (!out[i]) continue;
+    if (arity(program_[i].code) > 0) out[program_[i].a] = true;
+    if (arity(program_[i].code) > 1) out[program_[i].b] = true;
+  }
+  return out;
+}
+
+// Operands first, and as few changes of code as a greedy choice gives: always the code of which most is ready.
+std::vector<std::uint32_t> TraceCheck::order_by_code(const std::vector<bool>& needed) const {
+  std::vector<std::size_t> missing(program_.size());
+  std::vector<std::vector<std::uint32_t>> users(program_.size());
+  std::array<std::vector<std::uint32_t>, static_cast<std::size_t>(Code::Globally) + 1> ready;
+  const auto queue = [&](std::uint32_t i) -> auto& {
+    return ready[static_cast<std::size_t>(program_[i].code)];
+  };
+  for (std::uint32_t i = 0; i < program_.size(); ++i) {
+    if (!needed[i]) continue;
+    missing[i] = arity(program_[i].code);
+    if (missing[i] > 0) users[program_[i].a].push_back(i);
+    if (missing[i] > 1) users[program_[i].b].push_back(i);
+    if (missing[i] == 0) queue(i).push_back(i);
+  }
+  std::vector<std::uint32_t> out;
+  const auto shorter = [](const auto& x, const auto& y) { return x.size() < y.size(); };
+  while (true) {
+    auto& most = *std::max_element(ready.begin(), ready.end(), shorter);
+    if (most.empty()) return out;
+    for (std::size_t k = 0; k < most.size(); ++k) {  // grows when a step makes one of its own code ready
+      out.push_back(most[k]);
+      for (std::uint32_t user : users[out.back()])
+        if (--missing[user] == 0) queue(user).push_back(user);
+    }
+    most.clear();
+  }
+}
+
+void TraceCheck::schedule() {
+  const std::vector<std::uint32_t> order = order_by_code(needed());
+  std::vector<std::uint32_t> moved(program_.size());
+  std::vector<Step> program;
+  for (std::uint32_t i : order) {
+    Step step = program_[i];
+    const auto at = static_cast<std::uint32_t>(program.size());
+    moved[i] = at;
+    if (arity(step.code) > 0) step.a = moved[step.a];
+    if (arity(step.code) > 1) step.b = moved[step.b];
+    program.push_back(step);
+    if (runs_.empty() || runs_.back().code != step.code) runs_.push_back({step.code, at, at});
+    runs_.back().end = at + 1;
+  }
+  program_ = std::move(program);
+  for (std::uint32_t& root : roots_) root = moved[root];
+}
+
 // One block. Without Carries it is the only one: the end of the word carries in, nothing is carried out.
 template <bool Carries>
 void TraceCheck::run(const std::uint64_t* columns) {
   std::uint64_t* const value = value_.data();
   std::uint64_t* const carry = carry_.data();
   const Step* const program = program_.data();
-  const std::size_t count = program_.size();
-  for (std::size_t i = 0; i < count; ++i) {
-    const Step step = program[i];
-    const auto in = [&](std::uint64_t at_end) { return Carries ? carry[i] : at_end; };
-    const auto out = [&](std::uint64_t bits, std::uint64_t carried) {
-      value[i] = bits;
-      if (Carries) carry[i] = carried >> 63U;
+  for (const Run run : runs_) {
+    const auto each = [&](auto&& truth) {
+      for (std::uint32_t i = run.begin; i < run.end; ++i) value[i] = truth(program[i]);
     };
-    const std::uint64_t a = step.code == Code::Load ? columns[step.a] : value[step.a];
-    switch (step.code) {
-      case Code::Load: value[i] = a; break;
-      case Code::False: value[i] = 0; break;
-      case Code::True: value[i] = ~std::uint64_t{0}; break;
-      case Code::Not: value[i] = ~a; break;
-      case Code::And: value[i] = a & value[step.b]; break;
-      case Code::Or: value[i] = a | value[step.b]; break;
-      case Code::Iff: value[i] = ~(a ^ value[step.b]); break;
-      case Code::Next: out(a << 1U | in(0), a); break;
-      case Code::WeakNext: out(a << 1U | in(1), a); break;
-      case Code::Finally: {  // all bits when something was carried in
-        const std::uint64_t bits = a | (0 - a) | (0 - in(0));
-        out(bits, bits);
-        break;
+    const auto temporal = [&](std::uint64_t at_end, auto&& bits_of) {
+      for (std::uint32_t i = run.begin; i < run.end; ++i) {
+        const Step& s = program[i];  // s.b is 0 where there is no ψ: read and not used
+        const Bits bits = bits_of(value[s.a], value[s.b], Carries ? carry[i] : at_end);
+        value[i] = bits.truth;
+        if (Carries) carry[i] = bits.out >> 63U;
       }
-      case Code::Globally: {  // the trailing ones of a, none when a zero came before
-        const std::uint64_t bits = a & ~(a + 1) & (0 - in(1));
-        out(bits, bits);
-        break;
-      }
-      case Code::Until: {
-        const std::uint64_t psi = value[step.b], either = a | psi;
-        const std::uint64_t carries = (either + psi + in(0)) ^ either ^ psi;  // into each bit
-        const std::uint64_t bits = psi | (a & carries);                       // out of each bit
-        out(bits, bits);
-        break;
-      }
-      case Code::Release: {
-        const std::uint64_t psi = value[step.b], both = a & psi;
-        const std::uint64_t carries = (psi + both + in(1)) ^ psi ^ both;
-        const std::uint64_t bits = both | (psi & carries);
-        out(bits, bits);
-        break;
-      }
+    };
+    switch (run.code) {
+      case Code::Load: each([&](const Step& s) { return columns[s.a]; }); break;
+      case Code::False: each([](const Step&) { return std::uint64_t{0}; }); break;
+      case Code::True: each([](const Step&) { return ~std::uint64_t{0}; }); break;
+      case Code::Not: each([&](const Step& s) { return ~value[s.a]; }); break;
+      case Code::And: each([&](const Step& s) { return value[s.a] & value[s.b]; }); break;
+      case Code::Or: each([&](const Step& s) { return value[s.a] | value[s.b]; }); break;
+      case Code::Iff: each([&](const Step& s) { return ~(value[s.a] ^ value[s.b]); }); break;
+      case Code::Next: temporal(0, next_bits); break;
+      case Code::WeakNext: temporal(1, next_bits); break;
+      case Code::Finally: temporal(0, finally_bits); break;
+      case Code::Globally: temporal(1, globally_bits); break;
+      case Code::Until: temporal(0, until_bits); break;
+      case Code::Release: temporal(1, release_bits); break;
     }
   }
 }

@@ -46,7 +46,7 @@ class TraceCheck {
   explicit TraceCheck(std::span<const Formula> formulas);  // of one arena, at least one
 
   std::size_t formulas() const { return roots_.size(); }
-  std::size_t steps() const { return program_.size(); }  // instructions per block of 64 positions
+  std::size_t steps() const { return program_.size(); }  // word operations per block of 64 positions
 
   // word ⊨ φ. Throws std::invalid_argument on length 0 and when a proposition of the formula has no column.
   bool operator()(const Columns& word);
@@ -77,14 +77,23 @@ class TraceCheck {
     Code code;
     std::uint32_t a = 0, b = 0;  // earlier steps; of a Load the proposition
   };
+  struct Run {  // steps of one code in a row: one branch for all of them
+    Code code;
+    std::uint32_t begin = 0, end = 0;
+  };
+  static std::size_t arity(Code code);
   std::uint32_t compile(Formula f, std::span<const std::uint32_t> operands);
   std::uint32_t emit(Code code, std::uint32_t a = 0, std::uint32_t b = 0);
+  void schedule();
+  std::vector<bool> needed() const;
+  std::vector<std::uint32_t> order_by_code(const std::vector<bool>& needed) const;
   void demand(std::size_t propositions, std::size_t length) const;
   template <bool Carries>
   void run(const std::uint64_t* columns);
   void run_all(const Columns& word);
 
   std::vector<Step> program_;
+  std::vector<Run> runs_;
   std::vector<std::uint32_t> roots_;         // the step of each formula
   std::vector<std::uint64_t> value_;         // of each step, in the current block
   std::vector<std::uint64_t> carry_;         // 0 or 1: out of the block before, for each step
