@@ -53,7 +53,9 @@ TEST(Includes, LibrariesStandOnEarlierOnesOnly) {
 }
 
 TEST(Includes, FollowTheOrderOfTheList) {
-  for (const Library& library : libraries())
+  std::vector<Library> listed = libraries();
+  listed.push_back(tools());
+  for (const Library& library : listed)
     for (const SourceFile& file : files("hpp cpp")) {
       if (folder_of(file.path) != library.folder) continue;
       const auto here = library.position(file.path);

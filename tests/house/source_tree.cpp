@@ -42,21 +42,18 @@ std::vector<std::vector<std::string>> cmake_calls(const fs::path& path, std::str
   return calls;
 }
 
-Library read_library(const std::string& folder) {
-  Library library{folder, {}, {}};
-  for (const auto& arguments : cmake_calls(root() / folder / "CMakeLists.txt", "waymark_library")) {
-    std::string section;
-    for (const std::string& word : arguments) {
-      if (word == "SOURCES" || word == "DEPENDS" || word == "PRIVATE_DEPENDS") {
-        section = word;
-      } else if (section == "SOURCES") {
-        library.sources.push_back(folder + "/" + word);
-      } else if (section.ends_with("DEPENDS") && word.starts_with("waymark::")) {
-        library.below.insert("lib" + word.substr(std::string_view("waymark::").size()));
+// Appends what folder/CMakeLists.txt lists, and what the folders it adds list, in that order.
+void read_lists(const std::string& folder, Library& library) {
+  const fs::path path = root() / folder / "CMakeLists.txt";
+  for (const char* command : {"waymark_library", "add_library", "add_executable"})
+    for (const auto& arguments : cmake_calls(path, command))
+      for (const std::string& word : arguments) {
+        if (word.ends_with(".cpp") || word.ends_with(".hpp")) library.sources.push_back(folder + "/" + word);
+        if (word.starts_with("waymark::"))
+          library.below.insert("lib" + word.substr(std::string_view("waymark::").size()));
       }
-    }
-  }
-  return library;
+  for (const auto& arguments : cmake_calls(path, "add_subdirectory"))
+    read_lists(folder + "/" + arguments.at(0), library);
 }
 
 }  // namespace
@@ -98,13 +95,20 @@ std::vector<Library> libraries() {
   std::vector<Library> out;
   for (const auto& arguments : cmake_calls(root() / "CMakeLists.txt", "add_subdirectory")) {
     if (arguments.empty() || !arguments[0].starts_with("lib")) continue;
-    Library library = read_library(arguments[0]);
+    Library library{arguments[0], {}, {}};
+    read_lists(arguments[0], library);
     for (const Library& earlier : out)
       if (library.below.contains(earlier.folder))
         library.below.insert(earlier.below.begin(), earlier.below.end());
     out.push_back(std::move(library));
   }
   return out;
+}
+
+Library tools() {
+  Library library{"tools", {}, {}};
+  read_lists("tools", library);
+  return library;
 }
 
 std::optional<std::size_t> Library::position(std::string_view path) const {

@@ -33,6 +33,7 @@ std::vector<SourceFile> files(
     std::string_view extensions);  // "hpp cpp md", every such file of the project, sorted
 std::vector<Include> includes(const SourceFile& file);
 std::vector<Library> libraries();              // in the order of the root CMakeLists.txt
+Library tools();                               // the command line, read the same way
 std::string folder_of(std::string_view path);  // "libltl" of "libltl/word.hpp"
 
 }  // namespace waymark::house
