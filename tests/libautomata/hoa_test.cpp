@@ -3,6 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
 #include "libautomata/ltlf_to_dfa.hpp"
 #include "libautomata/product.hpp"
 #include "libltl/parse.hpp"
@@ -40,6 +44,14 @@ TEST(WriteHoa, IsStableAndStatesItsConvention) {
             "State: 1 {0}\n"
             "[t] 1\n"
             "--END--\n");
+}
+
+TEST(WriteHoa, IsWhatTheDocumentShows) {
+  const auto root = std::filesystem::path(__FILE__).parent_path().parent_path().parent_path();
+  std::ifstream in(root / "docs" / "formats" / "hoa.md");
+  const std::string document{std::istreambuf_iterator<char>(in), {}};
+  const std::string shown = "```\n" + write_hoa(translate("F (a & b)"), {.name = "F (a & b)"}) + "```";
+  EXPECT_NE(document.find(shown), std::string::npos) << "docs/formats/hoa.md does not show\n" << shown;
 }
 
 TEST(WriteHoa, EscapesNames) {
