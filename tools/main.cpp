@@ -28,11 +28,16 @@ struct Row {
 };
 
 constexpr std::array rows{
+    Row{"run", "walk the whole corridor: instruction, formula, automaton, product, certified route",
+        setup_run},
+    Row{"ground", "instruction → formulas, best first", setup_ground},
     Row{"translate", "formula → automaton", setup_translate},
     Row{"compose", "formula or automaton, and a map → their product", setup_compose},
     Row{"plan", "formula or automaton, and a map → a certified route of least cost", setup_plan},
     Row{"check", "does this trajectory satisfy this formula?", setup_check},
     Row{"move", "formula and a map → a certified motion of a robot with a body", setup_move},
+    Row{"train", "corpus → model", setup_train},
+    Row{"evaluate", "corpus → accuracy, leaving one map out", setup_evaluate},
     Row{"draw", "map, with or without a route → picture", setup_draw},
     Row{"version", "version, build, and what it was built with", setup_version},
 };

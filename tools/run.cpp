@@ -1,0 +1,135 @@
+// waymark run: the whole corridor, from an English instruction to a certified route.
+#include <CLI/App.hpp>
+#include <iostream>
+#include <memory>
+
+#include "libautomata/hoa.hpp"
+#include "libltl/print.hpp"
+#include "libparser/ground.hpp"
+#include "tools/answer.hpp"
+#include "tools/picture.hpp"
+#include "tools/shell/batch.hpp"
+#include "tools/shell/models.hpp"
+#include "tools/shell/options.hpp"
+#include "tools/shell/output.hpp"
+#include "tools/subcommand.hpp"
+
+namespace waymark::tools {
+namespace {
+
+// What is shown when nothing is asked: an instruction of our own, on the map grid.
+constexpr std::string_view demo_instruction = "walk to the easel, then turn left and go forward two steps";
+constexpr std::string_view demo_map = "grid", demo_start = "1,9,0";
+
+struct Options {
+  TextOptions text;
+  MapOptions map;
+  ModelOptions model;
+  std::string start, svg, hoa;
+  std::size_t top = 0;  // 0: 1 as text, 5 in JSON
+  bool json = false, demo = false;
+};
+
+std::vector<WeighedFormula> weighed(const std::vector<parser::Reading>& readings, std::size_t top) {
+  std::vector<WeighedFormula> out;
+  for (std::size_t i = 0; i < std::min(readings.size(), top); ++i)
+    out.push_back({readings[i].formula, readings[i].probability});
+  return out;
+}
+
+class Running {
+ public:
+  Running(const Options& options, const Session& session)
+      : options_(options),
+        session_(session),
+        model_(read_model(options.model, options.map.data)),
+        map_(read_map(options.map)),
+        starts_(start_poses(options.start, map_)),
+        load_(watch_.lap()) {}
+
+  ExitCode operator()(const Text& text) const {
+    ltl::Arena arena(map_.vocabulary());
+    StopWatch watch;
+    const auto readings = read_instruction(model_, text, map_, starts_, arena);
+    const double grounding = watch.lap();
+    const ltl::Formula formula = readings.front().formula;
+    const automata::Dfa dfa = translate(formula, session_.stop);
+    const double translating = watch.lap();
+    Answer answer{.instruction = text.text,
+                  .formula = formula,
+                  .readings = weighed(readings, options_.top > 0 ? options_.top
+                                                : options_.json  ? 5
+                                                                 : 1),
+                  .journey = travel(map_, dfa, formula, starts_, session_.stop)};
+    Seconds& seconds = answer.journey.seconds;
+    seconds.load = load_, seconds.ground = grounding, seconds.translate = translating;
+    show(answer, dfa);
+    return route_of(answer.journey) != nullptr ? ExitCode::Done : ExitCode::No;
+  }
+
+ private:
+  void show(const Answer& answer, const automata::Dfa& dfa) const {
+    if (options_.json)
+      std::cout << json_of(answer, map_).text() << '\n';
+    else
+      print(std::cout, session_.out, answer, map_);
+    if (!options_.hoa.empty())
+      write_file(options_.hoa, automata::write_hoa(dfa, {.name = ltl::print(*answer.formula)}));
+    if (options_.svg.empty()) return;
+    const plan::Route* route = route_of(answer.journey);
+    Picture picture{.map = &map_,
+                    .dfa = &dfa,
+                    .instruction = *answer.instruction,
+                    .formula = answer.formula,
+                    .certified = route != nullptr};
+    if (route != nullptr) picture.route = *route;
+    draw(picture, options_.svg);
+  }
+
+  const Options& options_;
+  const Session& session_;
+  StopWatch watch_;
+  parser::LinearModel model_;
+  plan::Map map_;
+  std::vector<plan::PoseId> starts_;
+  double load_;
+};
+
+ExitCode run_all(Options options, const Session& session) {
+  const bool asked_nothing = options.text.arguments.empty() && options.text.file.empty();
+  if (options.demo && !asked_nothing) throw UsageError("--demo has its own instruction");
+  if (options.demo || (asked_nothing && stdin_is_terminal())) {
+    options.text.arguments = {std::string(demo_instruction)};
+    options.map.map = demo_map;
+    options.start = demo_start;
+  }
+  TextReader texts(options.text, "instruction");
+  if (texts.is_batch() && (!options.svg.empty() || !options.hoa.empty()))
+    throw UsageError("--svg and --hoa are for a single instruction given as an argument");
+  const Running running(options, session);
+  return answer_each(
+      texts, session.stop, [&](const Text& text) { return running(text); },
+      [&](const Text& text, const std::string& message) {
+        if (options.json) std::cout << json_error(text.line, message).text() << '\n';
+      });
+}
+
+}  // namespace
+
+Runner setup_run(CLI::App& command) {
+  const auto options = std::make_shared<Options>();
+  add_text_options(command, options->text, "instruction");
+  add_map_options(command, options->map);
+  add_model_options(command, options->model);
+  add_start_option(command, options->start);
+  command.add_option("--top", options->top, "show the K likeliest readings with their probabilities")
+      ->type_name("K");
+  command.add_flag("--json", options->json, "one JSON object a line");
+  command.add_option("--svg", options->svg, "draw map, route and automaton")->type_name("FILE");
+  command.add_option("--hoa", options->hoa, "write the automaton")->type_name("FILE");
+  command.add_flag("--demo", options->demo,
+                   "an instruction, map and start of our own; so does waymark run at a terminal");
+  return [options](const Session& session) { return run_all(*options, session); };
+}
+
+}  // namespace waymark::tools
