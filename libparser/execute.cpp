@@ -180,20 +180,21 @@ std::optional<Plan> Executor::run(const Program& program, plan::PoseId start, Th
   throw std::length_error("a program with more than 1,024 pending obligations");
 }
 
-std::vector<Executor::Reached> Executor::horizon(StepKind kind, plan::PoseId start) const {
-  std::vector<Reached> order{{Arrival::start(start), -1}};
+std::vector<Executor::Reached> Executor::horizon(StepKind kind, plan::PoseId start, bool oriented) const {
+  std::vector<Reached> order{{Arrival::start(start), -1, kind == StepKind::Reach}};
   std::vector<bool> seen(4 * map_->poses(), false);
   for (std::size_t head = 0; head < order.size(); ++head) {
     if (kind == StepKind::Next && head > 0) break;
     for (plan::Action a : plan::all_actions) {
-      if (kind == StepKind::Advance && a != plan::Action::Forward) continue;
-      if (kind == StepKind::Face && a == plan::Action::Forward) continue;
+      const bool turn = a != plan::Action::Forward;
+      if (kind == StepKind::Advance && turn && !(oriented && !is_move(order[head].arrival))) continue;
+      if (kind == StepKind::Face && !turn) continue;
       const std::int32_t next = successors_[order[head].arrival / 4][static_cast<std::size_t>(a)];
       if (next < 0) continue;
       const std::uint32_t arrival = Arrival::of({static_cast<std::uint32_t>(next)}, a);
       if (seen[arrival]) continue;
       seen[arrival] = true;
-      order.push_back({arrival, static_cast<std::int32_t>(head)});
+      order.push_back({arrival, static_cast<std::int32_t>(head), kind != StepKind::Advance || !turn});
     }
   }
   return order;

@@ -41,13 +41,14 @@ class Executor {
   const plan::Map& map() const { return *map_; }
   std::optional<Plan> run(const Program& program, plan::PoseId start, Then then = Then::WholePlan) const;
 
-  // Arrivals in shortlex order of their first word under a restriction of the actions, the start first
-  // when the empty word counts. Used by the search for consistent one-step programs.
+  // Arrivals a single step can pass through, in shortlex order of their first word, the start first.
+  // oriented: any turns may come before the step; only for Advance.
   struct Reached {
     std::uint32_t arrival;
     std::int32_t from;  // position of the predecessor, −1: none
+    bool goal;          // the step may end here
   };
-  std::vector<Reached> horizon(StepKind kind, plan::PoseId start) const;
+  std::vector<Reached> horizon(StepKind kind, plan::PoseId start, bool oriented = false) const;
   bool holds(std::uint16_t proposition, std::uint32_t arrival) const {
     return ((columns_[proposition][arrival / 64] >> (arrival % 64)) & 1U) != 0;
   }

@@ -13,7 +13,7 @@
 #include <string_view>
 
 #include "libparser/corpus.hpp"
-#include "libparser/execute.hpp"
+#include "libparser/examples.hpp"
 #include "libparser/linear_model.hpp"
 
 namespace waymark::parser {
@@ -26,18 +26,23 @@ struct TrainOptions {
   Then then = Then::WholePlan;  // the meaning of `then` while training and deciding
   double learning_rate = 0.3;   // Adagrad
   double decay = 1e-4;          // L2, per update of a row
+  double other_route = 0.3;     // weight of a consistent program whose route is not the gold one
+  int explore_from = 2;         // first epoch in which the own beam is searched for consistent programs
+  std::size_t explore = 32;     // how many programs of it
   bool mirrored = true;         // every sentence also as its mirror image
   bool chooser = true;          // also learn to choose between ends on the map
   std::size_t beam = 64;
   // Called from the calling thread, fraction in [0, 1], never decreasing.
   std::function<void(double fraction, std::string_view what)> progress = {};
-  std::stop_token stop = {};  // polled once per sentence; a stopped training throws Stopped
+  std::stop_token stop = {};  // polled once per sentence; then Stopped (examples.hpp) is thrown
 };
-
-struct Stopped {};  // thrown by train and evaluate when a stop was requested
 
 // Every map that a paragraph names must be among `maps`, and all of them must share one vocabulary
 // (std::invalid_argument otherwise). Sentences without a trajectory are left out.
 LinearModel train(const Corpus& corpus, std::span<const plan::Map> maps, const TrainOptions& options = {});
+
+// The same from examples whose programs were found: several models can share one search.
+LinearModel train_on(std::span<const Example* const> examples, std::span<const Executor> executors,
+                     const TrainOptions& options);
 
 }  // namespace waymark::parser

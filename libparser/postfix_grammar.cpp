@@ -64,6 +64,25 @@ bool PostfixGrammar::allowed(const PrefixState& s, Token token) const {
   return s.steps < limits_.steps;  // forward_k
 }
 
+TokenRanges PostfixGrammar::choices(const PrefixState& s) const {
+  TokenRanges out;
+  std::size_t used = 0;
+  const auto add = [&](std::size_t begin, std::size_t stop) {
+    if (begin < stop) out.ranges[used++] = {static_cast<Token>(begin), static_cast<Token>(stop)};
+  };
+  if (const auto token = forced(s)) {
+    add(*token, *token + 1U);
+  } else if (s.bools > 0) {
+    add(reach, face + 1);
+    if (s.goals < limits_.goals) add(first_literal + s.last_literal + 1U, tokens());
+  } else if (!s.ended) {
+    if (s.step_entries == 1 && !s.oriented) add(end, end + 1);
+    if (s.step_entries == 0) add(stay, orient + 1);
+    if (s.steps < limits_.steps) add(first_forward, tokens());
+  }
+  return out;
+}
+
 PrefixState PostfixGrammar::after(const PrefixState& state, Token token) const {
   assert(allowed(state, token));
   PrefixState s = state;
@@ -152,15 +171,6 @@ std::string PostfixGrammar::show(const Program& program) const {
     text += (text.empty() ? "" : " ") + names_[token_of(step)] + (i > 0 ? " then" : "");
   }
   return text;
-}
-
-bool PostfixGrammar::in_language(const Program& program) const {
-  try {
-    tokens_of(program);
-  } catch (const std::invalid_argument&) {
-    return false;
-  }
-  return true;
 }
 
 }  // namespace waymark::parser

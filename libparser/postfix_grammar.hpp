@@ -7,6 +7,7 @@
 // `orient` stands only before another step. Decoding asks `allowed` and can produce nothing else. The λ terms of
 // the source are not needed for a propositional task language. Source: typed postfix decoding as in the paper.
 #pragma once
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -33,6 +34,19 @@ struct PrefixState {
   friend bool operator==(const PrefixState&, const PrefixState&) = default;
 };
 
+// Tokens that may follow a prefix, as up to three ranges of token numbers; empty ranges at the end.
+struct TokenRanges {
+  struct Range {
+    Token begin = 0, end = 0;
+  };
+  std::array<Range, 3> ranges{};
+  template <class Visit>
+  void each(Visit&& visit) const {
+    for (const Range& r : ranges)
+      for (Token t = r.begin; t < r.end; ++t) visit(t);
+  }
+};
+
 class PostfixGrammar {
  public:
   static constexpr Token end = 0, then = 1, both = 2, stay = 3, orient = 4, reach = 5, next = 6, advance = 7,
@@ -54,6 +68,8 @@ class PostfixGrammar {
   static Token literal(std::uint16_t proposition) { return static_cast<Token>(first_literal + proposition); }
 
   bool allowed(const PrefixState& state, Token token) const;
+  // The same for all tokens of a choice: a superset that differs only in literals that are not usable.
+  TokenRanges choices(const PrefixState& state) const;
   PrefixState after(const PrefixState& state, Token token) const;  // of an allowed token
   // The only token that may follow, when there is just one.
   std::optional<Token> forced(const PrefixState& state) const;
@@ -62,7 +78,10 @@ class PostfixGrammar {
                                                                // when the program is not in the language
   Program program_of(std::span<const Token> tokens) const;     // of a complete sequence
   std::string show(const Program& program) const;              // "turned_left next chair reach then"
-  bool in_language(const Program& program) const;
+  bool usable(std::uint16_t proposition) const { return usable_[proposition]; }  // in a goal
+  bool is_turn(std::uint16_t proposition) const {                                // an event of turning
+    return names_[literal(proposition)].rfind("turned_", 0) == 0;
+  }
 
  private:
   Limits limits_;

@@ -1,0 +1,85 @@
+#include "libparser/examples.hpp"
+
+#include <atomic>
+#include <map>
+#include <stdexcept>
+#include <thread>
+
+#include "libplan/world/trajectory.hpp"
+
+namespace waymark::parser {
+namespace {
+
+GoldRoute gold_route(const Sentence& sentence, const plan::Map& map, Convention convention) {
+  const auto fail = [&] {
+    throw std::invalid_argument("sentence " + sentence.id + ": its trajectory is impossible on map " +
+                                map.name());
+  };
+  GoldRoute gold;
+  gold.heading_unknown = sentence.heading_unknown;
+  const std::vector<plan::Pose>& path = sentence.path(convention);
+  for (std::size_t i = 0; i < path.size(); ++i) {
+    const auto pose = map.find(path[i]);
+    if (!pose) fail();
+    if (i == 0) {
+      gold.start = *pose;
+    } else {
+      const auto action = plan::action_between(map, gold.end, *pose);
+      if (!action) fail();
+      gold.actions.push_back(*action);
+    }
+    gold.end = *pose;
+  }
+  return gold;
+}
+
+}  // namespace
+
+Examples make_examples(const Corpus& corpus, std::span<const Executor> executors, Convention convention) {
+  Examples examples;
+  for (std::size_t i = 0; i < corpus.paragraphs.size(); ++i) {
+    const Paragraph& paragraph = corpus.paragraphs[i];
+    std::size_t m = 0;
+    while (m < executors.size() && executors[m].map().name() != paragraph.map) ++m;
+    if (m == executors.size()) continue;
+    for (const Sentence& sentence : paragraph.sentences) {
+      if (sentence.path(convention).empty()) continue;
+      examples.sentences.push_back({{sentence.tokens, sentence.heading_unknown},
+                                    m,
+                                    gold_route(sentence, executors[m].map(), convention),
+                                    nullptr});
+      examples.paragraph.push_back(i);
+    }
+  }
+  return examples;
+}
+
+void find_programs(std::span<Example> examples, std::span<const Executor> executors,
+                   const PostfixGrammar& grammar, int threads,
+                   const std::function<bool(double fraction)>& go_on) {
+  std::map<std::pair<std::size_t, GoldRoute>, std::shared_ptr<std::vector<Consistent>>> routes;
+  for (Example& example : examples) {
+    auto& programs = routes[{example.map, example.gold}];
+    if (!programs) programs = std::make_shared<std::vector<Consistent>>();
+    example.programs = programs;
+  }
+  std::vector<std::pair<const std::pair<std::size_t, GoldRoute>*, std::vector<Consistent>*>> work;
+  for (auto& [route, programs] : routes) work.emplace_back(&route, programs.get());
+
+  std::atomic<std::size_t> next{0};
+  std::atomic<bool> stop{false};
+  const auto run = [&](bool reports) {
+    for (std::size_t i = next++; i < work.size() && !stop; i = next++) {
+      *work[i].second = consistent_programs(executors[work[i].first->first], grammar, work[i].first->second);
+      if (reports && !go_on(static_cast<double>(i) / static_cast<double>(work.size()))) stop = true;
+    }
+  };
+  {
+    std::vector<std::jthread> helpers;
+    for (int t = 1; t < threads; ++t) helpers.emplace_back(run, false);
+    run(true);
+  }
+  if (stop) throw Stopped{};
+}
+
+}  // namespace waymark::parser

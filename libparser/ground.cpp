@@ -1,0 +1,156 @@
+#include "libparser/ground.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <queue>
+
+#include "libltl/diagnostic.hpp"
+#include "libparser/decide.hpp"
+#include "libparser/token.hpp"
+
+namespace waymark::parser {
+namespace {
+
+// Adds a program at the end: `stay` says nothing beside other steps.
+void append(Program& program, const Program& more) {
+  for (const Step& step : more)
+    if (step.kind != StepKind::Stay) program.push_back(step);
+}
+
+Program or_stay(Program program) {
+  if (program.empty()) program.push_back(Step{});
+  return program;
+}
+
+struct Weighted {
+  Program program;
+  double log_probability = 0;
+};
+
+// The likeliest joinings of a program of the one list with a program of the other, best first; both lists sorted.
+std::vector<Weighted> join(const std::vector<Weighted>& firsts, const std::vector<Candidate>& seconds,
+                           std::size_t top) {
+  struct Pair {
+    std::size_t i, j;
+    double log_probability;
+    bool operator<(const Pair& other) const {
+      if (log_probability != other.log_probability) return log_probability < other.log_probability;
+      return std::pair(i, j) > std::pair(other.i, other.j);
+    }
+  };
+  std::priority_queue<Pair> open;
+  const auto push = [&](std::size_t i, std::size_t j) {
+    if (i < firsts.size() && j < seconds.size())
+      open.push({i, j, firsts[i].log_probability + seconds[j].log_probability});
+  };
+  push(0, 0);
+  std::vector<Weighted> joined;
+  while (!open.empty() && joined.size() < top) {
+    const Pair best = open.top();
+    open.pop();
+    joined.push_back({firsts[best.i].program, best.log_probability});
+    append(joined.back().program, seconds[best.j].program);
+    push(best.i, best.j + 1);
+    if (best.j == 0) push(best.i + 1, 0);
+  }
+  return joined;
+}
+
+// Programs → readings with probabilities that sum to 1; programs with one formula are one reading.
+std::vector<Reading> readings_of(const std::vector<Weighted>& programs, ltl::Arena& arena) {
+  std::vector<Reading> readings;
+  double total = 0;
+  for (const Weighted& weighted : programs) {
+    const Program program = or_stay(weighted.program);
+    const ltl::Formula formula = formula_of(program, arena);
+    const double probability = std::exp(weighted.log_probability - programs.front().log_probability);
+    total += probability;
+    const auto same = std::find_if(readings.begin(), readings.end(),
+                                   [&](const Reading& r) { return r.formula == formula; });
+    if (same != readings.end())
+      same->probability += probability;
+    else
+      readings.push_back({formula, probability, program});
+  }
+  for (Reading& reading : readings) reading.probability /= total;
+  return readings;
+}
+
+void by_probability(std::vector<Reading>& readings) {
+  std::stable_sort(readings.begin(), readings.end(),
+                   [](const Reading& a, const Reading& b) { return a.probability > b.probability; });
+}
+
+}  // namespace
+
+std::vector<Reading> ground(const LinearModel& model, std::string_view text, ltl::Arena& arena,
+                            const GroundOptions& options) {
+  model.check_vocabulary(arena.vocabulary(), "the formulas");
+  const std::vector<std::string> sentences = split_sentences(text);
+  if (sentences.empty()) return {};
+  std::vector<Weighted> programs{{}};
+  for (const std::string& sentence : sentences) {
+    const SentenceFeatures features = sentence_features({tokenize(sentence), false}, model.words);
+    Scorer scorer(model, features);
+    programs = join(programs, best_programs(scorer, model.grammar(), options.beam), options.top);
+  }
+  std::vector<Reading> readings = readings_of(programs, arena);
+  by_probability(readings);
+  return readings;
+}
+
+std::vector<Reading> ground(const LinearModel& model, std::string_view text, const plan::Map& map,
+                            std::span<const plan::PoseId> starts, ltl::Arena& arena,
+                            const GroundOptions& options) {
+  model.check_vocabulary(arena.vocabulary(), "the formulas");
+  model.check_vocabulary(map.vocabulary(), "map " + map.name());
+  const Executor executor(map);
+  const std::vector<std::string> sentences = split_sentences(text);
+  if (sentences.empty() || starts.empty()) return {};
+  // All sentences but the last are settled one by one; the readings differ in the last.
+  Program settled;
+  std::vector<plan::PoseId> here(starts.begin(), starts.end());
+  for (std::size_t i = 0;; ++i) {
+    const SentenceInput input{tokenize(sentences[i]), here.size() > 1};
+    const Decision decision = decide(model, executor, input, here, options.beam, options.then);
+    if (i + 1 < sentences.size()) {
+      if (decision.ends.empty()) continue;  // nothing said by it leads anywhere: stay
+      append(settled, decision.candidates[decision.ends.front().candidate].program);
+      here = {decision.ends.front().pose};
+      continue;
+    }
+    std::vector<Weighted> programs;
+    for (const Candidate& candidate : decision.candidates) {
+      programs.push_back({settled, candidate.log_probability});
+      append(programs.back().program, candidate.program);
+    }
+    std::vector<Reading> readings = readings_of(programs, arena);
+    by_probability(readings);
+    if (!decision.ends.empty()) {
+      const Program best = or_stay(programs[decision.ends.front().candidate].program);
+      const ltl::Formula formula = formula_of(best, arena);
+      const auto chosen = std::find_if(readings.begin(), readings.end(),
+                                       [&](const Reading& r) { return r.formula == formula; });
+      std::rotate(readings.begin(), chosen, chosen + 1);
+    }
+    if (readings.size() > options.top)
+      readings.erase(readings.begin() + static_cast<std::ptrdiff_t>(options.top), readings.end());
+    return readings;
+  }
+}
+
+std::size_t choose(std::span<const Reading> readings, const plan::Map& map,
+                   std::span<const plan::PoseId> starts, Then then) {
+  const Executor executor(map);
+  std::vector<double> probabilities;
+  std::vector<std::optional<Plan>> plans;
+  for (const Reading& reading : readings) {
+    probabilities.push_back(reading.probability);
+    auto plan = plan_from(executor, reading.program, starts, then);
+    plans.push_back(plan ? std::optional<Plan>(std::move(plan->first)) : std::nullopt);
+  }
+  const std::vector<End> ends = rank_ends(probabilities, plans);
+  return ends.empty() ? 0 : ends.front().candidate;
+}
+
+}  // namespace waymark::parser

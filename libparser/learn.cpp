@@ -1,0 +1,175 @@
+#include "libparser/learn.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <stdexcept>
+
+#include "libparser/beam.hpp"
+#include "libparser/token.hpp"
+#include "libparser/trie.hpp"
+
+namespace waymark::parser {
+namespace {
+
+// AdaGrad: each weight has its own step size, learning_rate / √(sum of its squared gradients). Source: [DHS11].
+class AdaGrad {
+ public:
+  AdaGrad(WeightTable& table, double rate, double decay)
+      : table_(&table), rate_(static_cast<float>(rate)), decay_(static_cast<float>(decay)) {}
+
+  // Ascends: gradient [columns] of the log-likelihood.
+  void update(std::uint32_t row, const float* gradient) {
+    const std::size_t columns = table_->columns();
+    if (squares_.size() < table_->rows() * columns) squares_.resize(table_->rows() * columns, 1e-6F);
+    float* const weights = table_->row(row);
+    float* const squares = squares_.data() + row * columns;
+    for (std::size_t c = 0; c < columns; ++c) {
+      const float g = gradient[c] - decay_ * weights[c];
+      squares[c] += g * g;
+      weights[c] += rate_ * g / std::sqrt(squares[c]);
+    }
+  }
+
+ private:
+  WeightTable* table_;
+  float rate_, decay_;
+  std::vector<float> squares_;
+};
+
+// One sentence (or its mirror image) while it is learned from.
+struct Lesson {
+  const Example* example;
+  bool mirrored;
+  SentenceFeatures features;
+  ProgramTrie trie;
+};
+
+class Learner {
+ public:
+  Learner(std::span<const Example* const> examples, std::span<const Executor> executors,
+          const TrainOptions& options)
+      : executors_(executors),
+        options_(options),
+        model_(executors.front().map().vocabulary()),
+        images_(mirror_images(model_.vocabulary())),
+        optimizer_(model_.reader, options.learning_rate, options.decay),
+        scorer_(model_),
+        place_numbers_(place_numbers(model_.vocabulary())) {
+    lessons_.reserve(2 * examples.size());
+    for (const Example* example : examples) {
+      add_lesson(*example, false);
+      if (options.mirrored) add_lesson(*example, true);
+    }
+  }
+
+  LinearModel run() {
+    std::mt19937_64 random(options_.seed);
+    std::vector<std::size_t> order(lessons_.size());
+    for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
+    for (int epoch = 0; epoch < options_.epochs; ++epoch) {
+      for (std::size_t i = order.size(); i > 1; --i) std::swap(order[i - 1], order[random() % i]);
+      for (std::size_t i = 0; i < order.size(); ++i) {
+        if (options_.stop.stop_requested()) throw Stopped{};
+        learn(lessons_[order[i]], epoch >= options_.explore_from);
+        if (options_.progress && i % 64 == 0) options_.progress(fraction(epoch, i), "learning");
+      }
+    }
+    return std::move(model_);
+  }
+
+ private:
+  double fraction(int epoch, std::size_t i) const {
+    const double done = static_cast<double>(i) / static_cast<double>(lessons_.size());
+    return (epoch + done) / options_.epochs;
+  }
+
+  void add_lesson(const Example& example, bool mirrored) {
+    SentenceInput input = example.input;
+    if (mirrored) input.tokens = mirror(input.tokens);
+    Lesson lesson{&example, mirrored, sentence_features(input, model_.words), ProgramTrie(model_.grammar())};
+    for (const Consistent& candidate : *example.programs)
+      add_program(lesson, candidate.program, candidate.same_route);
+    if (lesson.trie.programs() > 0) lessons_.push_back(std::move(lesson));
+  }
+
+  // A program of the sentence as it stands, to the lesson as it stands or mirrored.
+  void add_program(Lesson& lesson, const Program& program, bool same_route) {
+    const double weight = same_route ? 1.0 : options_.other_route;
+    if (weight <= 0 || names_other_place(program, lesson.features)) return;
+    lesson.trie.add(lesson.mirrored ? mirror(program, images_) : program, weight);
+  }
+
+  bool names_other_place(const Program& program, const SentenceFeatures& features) const {
+    for (const Step& step : program)
+      for (std::uint16_t p : step.literals())
+        if (const std::size_t n = place_numbers_[p];
+            n > 0 && (n >= features.places.size() || !features.places[n]))
+          return true;
+    return false;
+  }
+
+  void learn(Lesson& lesson, bool explore) {
+    scorer_.begin(lesson.features);
+    if (explore) add_own_programs(lesson);
+    lesson.trie.accumulate_gradient(scorer_, scratch_);
+    scorer_.each_gradient([this](std::uint64_t feature, const float* gradient) {
+      optimizer_.update(model_.reader.add(feature), gradient);
+    });
+  }
+
+  // Consistent programs among those that the model now thinks likely.
+  void add_own_programs(Lesson& lesson) {
+    const Example& example = *lesson.example;
+    const Executor& executor = executors_[example.map];
+    for (const Candidate& candidate : best_programs(scorer_, model_.grammar(), options_.explore)) {
+      const Program here = lesson.mirrored ? mirror(candidate.program, images_) : candidate.program;
+      const auto plan = executor.run(here, example.gold.start, options_.then);
+      if (plan && plan->end == example.gold.end)
+        add_program(lesson, here, plan->actions == example.gold.actions);
+    }
+  }
+
+  std::span<const Executor> executors_;
+  const TrainOptions& options_;
+  LinearModel model_;
+  std::vector<std::uint16_t> images_;
+  AdaGrad optimizer_;
+  Scorer scorer_;
+  ProgramTrie::Scratch scratch_;
+  std::vector<std::size_t> place_numbers_;
+  std::vector<Lesson> lessons_;
+};
+
+}  // namespace
+
+LinearModel train_on(std::span<const Example* const> examples, std::span<const Executor> executors,
+                     const TrainOptions& options) {
+  return Learner(examples, executors, options).run();
+}
+
+LinearModel train(const Corpus& corpus, std::span<const plan::Map> maps, const TrainOptions& options) {
+  if (maps.empty()) throw std::invalid_argument("training needs maps");
+  const std::vector<Executor> executors(maps.begin(), maps.end());
+  for (const plan::Map& map : maps)
+    if (!(map.vocabulary() == maps.front().vocabulary()))
+      throw std::invalid_argument("maps " + maps.front().name() + " and " + map.name() +
+                                  " have different vocabularies");
+  for (const Paragraph& paragraph : corpus.paragraphs)
+    if (std::none_of(maps.begin(), maps.end(),
+                     [&](const plan::Map& map) { return map.name() == paragraph.map; }))
+      throw std::invalid_argument("paragraph " + paragraph.id + ": there is no map '" + paragraph.map + "'");
+  Examples examples = make_examples(corpus, executors, options.convention);
+  if (examples.sentences.empty()) throw std::invalid_argument("the corpus holds no sentence to learn from");
+  const auto report = [&](double fraction, std::string_view what) {
+    if (options.progress) options.progress(fraction, what);
+    return !options.stop.stop_requested();
+  };
+  find_programs(examples.sentences, executors, PostfixGrammar(maps.front().vocabulary()), options.threads,
+                [&](double) { return report(0, "searching for programs"); });
+  std::vector<const Example*> lessons;
+  for (const Example& example : examples.sentences) lessons.push_back(&example);
+  return train_on(lessons, executors, options);
+}
+
+}  // namespace waymark::parser

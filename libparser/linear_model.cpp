@@ -1,0 +1,101 @@
+#include "libparser/linear_model.hpp"
+
+#include <algorithm>
+
+#include "libltl/diagnostic.hpp"
+
+namespace waymark::parser {
+namespace {
+
+// "ahead_chair" → {"ahead", "chair"}, "chair" → {"here", "chair"}, "dead_end" → {"here", "dead_end"}.
+std::pair<std::string, std::string> parts_of(const std::string& literal) {
+  for (const char* direction : {"ahead", "left", "right", "behind", "next", "turned", "place"}) {
+    const std::string prefix = std::string(direction) + "_";
+    if (literal.rfind(prefix, 0) == 0) return {direction, literal.substr(prefix.size())};
+  }
+  return {"here", literal};
+}
+
+}  // namespace
+
+Columns::Columns(const PostfixGrammar& grammar) : tokens(grammar.tokens()) {
+  std::unordered_map<std::string, std::uint16_t> index;
+  const auto part = [&](const std::string& part_name) {
+    const auto [it, is_new] = index.try_emplace(part_name, static_cast<std::uint16_t>(size()));
+    if (is_new) parts.push_back(part_name);
+    return it->second;
+  };
+  for (std::size_t t = 0; t < tokens; ++t) {
+    const std::string& token_name = grammar.name(static_cast<Token>(t));
+    if (t >= PostfixGrammar::first_literal) {
+      const auto [d, o] = parts_of(token_name);
+      direction.push_back(part("direction " + d));
+      thing.push_back(part("thing " + o));
+    } else {
+      const bool forward = t >= PostfixGrammar::first_forward;
+      direction.push_back(part(forward ? "forward" : "operator"));
+      thing.push_back(part(forward ? "thing forward" : "operator " + token_name));
+    }
+  }
+}
+
+WordTable::WordTable() {
+  add("<unknown>");
+  add("<s>");
+  add("</s>");
+}
+
+std::uint32_t WordTable::find(std::string_view word) const {
+  const auto it = index_.find(std::string(word));
+  return it == index_.end() ? unknown : it->second;
+}
+
+std::uint32_t WordTable::add(std::string_view word) {
+  const auto [it, is_new] = index_.try_emplace(std::string(word), static_cast<std::uint32_t>(words_.size()));
+  if (is_new) words_.emplace_back(word);
+  return it->second;
+}
+
+std::uint32_t WeightTable::find(std::uint64_t feature) const {
+  const auto it = index_.find(feature);
+  return it == index_.end() ? absent : it->second;
+}
+
+std::uint32_t WeightTable::add(std::uint64_t feature) {
+  const auto [it, is_new] = index_.try_emplace(feature, static_cast<std::uint32_t>(keys_.size()));
+  if (is_new) {
+    keys_.push_back(feature);
+    weights_.resize(weights_.size() + columns_, 0.0F);
+  }
+  return it->second;
+}
+
+void WeightTable::reserve(std::size_t rows) {
+  keys_.reserve(rows);
+  weights_.reserve(rows * columns_);
+  index_.reserve(rows);
+}
+
+LinearModel::LinearModel(const ltl::Vocabulary& vocabulary)
+    : reader(Columns(PostfixGrammar(vocabulary)).size()),
+      chooser(1),
+      vocabulary_(vocabulary),
+      grammar_(vocabulary),
+      columns_(grammar_) {}
+
+void LinearModel::check_vocabulary(const ltl::Vocabulary& vocabulary, std::string_view whose) const {
+  if (vocabulary == vocabulary_) return;
+  std::string message =
+      "the model was trained on another vocabulary than that of " + std::string(whose) + ": ";
+  for (const std::string& name : vocabulary_.names()) {
+    if (vocabulary.find(name)) continue;
+    throw ltl::FormatError("", 0, 0, message + "'" + name + "' is missing there");
+  }
+  for (const std::string& name : vocabulary.names()) {
+    if (vocabulary_.find(name)) continue;
+    throw ltl::FormatError("", 0, 0, message + "the model does not know '" + name + "'");
+  }
+  throw ltl::FormatError("", 0, 0, message + "the same names stand in another order");
+}
+
+}  // namespace waymark::parser

@@ -1,0 +1,94 @@
+#include "libparser/scorer.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace waymark::parser {
+
+Scorer::Scorer(const LinearModel& model) : model_(&model), buffer_(model.columns().size()) {}
+
+Scorer::Scorer(const LinearModel& model, const SentenceFeatures& features) : Scorer(model) {
+  begin(features);
+}
+
+void Scorer::begin(const SentenceFeatures& features) {
+  features_ = &features;
+  forbidden_ = forbidden_tokens(model_->grammar(), model_->vocabulary(), features);
+  used_ = 0;
+  index_.clear();
+}
+
+void Scorer::sum(Group& group) {
+  const Columns& columns = model_->columns();
+  std::fill(buffer_.begin(), buffer_.end(), 0.0F);
+  float* const out = buffer_.data();
+  for (std::uint64_t feature : group.features) {
+    const std::uint32_t r = model_->reader.find(feature);
+    if (r == WeightTable::absent) continue;
+    const float* const row = model_->reader.row(r);
+    for (std::size_t c = 0; c < buffer_.size(); ++c) out[c] += row[c];
+  }
+  for (std::size_t t = 0; t < columns.tokens; ++t)
+    group.scores[t] = out[t] + out[columns.direction[t]] + out[columns.thing[t]];
+}
+
+// An empty `features` stands for the one feature whose key is `id` itself.
+std::uint32_t Scorer::group(std::uint64_t id, std::span<const std::uint64_t> features) {
+  const auto [it, is_new] = index_.try_emplace(id, static_cast<std::uint32_t>(used_));
+  if (!is_new) return it->second;
+  const std::size_t tokens = model_->columns().tokens;
+  if (used_ == groups_.size())
+    groups_.push_back({{}, 0, std::vector<float>(tokens), std::vector<float>(tokens)});
+  Group& group = groups_[used_++];
+  group.own_feature = id;
+  group.features = features.empty() ? std::span<const std::uint64_t>(&group.own_feature, 1) : features;
+  std::fill(group.gradient.begin(), group.gradient.end(), 0.0F);
+  sum(group);
+  return it->second;
+}
+
+Scorer::GroupIds Scorer::groups(const Choice& c) {
+  const std::size_t context = c.kind * choice_steps + c.step;
+  const std::size_t before = used_;
+  const std::uint32_t sentence = group(context, features_->by_context[c.kind][c.step]);
+  if (used_ > before)  // forbidden once, in the group that every choice of this context has
+    for (std::size_t t = 0; t < forbidden_.size(); ++t)
+      if (forbidden_[t]) groups_[sentence].scores[t] = -INFINITY;
+  return {sentence, group(last_token_feature(c), {}), group(last_two_tokens_feature(c), {})};
+}
+
+void Scorer::log_probabilities(const GroupIds& ids, const TokenRanges& choices, float* out) const {
+  const float* const a = groups_[ids[0]].scores.data();
+  const float* const b = groups_[ids[1]].scores.data();
+  const float* const c = groups_[ids[2]].scores.data();
+  float highest = -INFINITY;
+  choices.each([&](Token t) {
+    out[t] = a[t] + b[t] + c[t];
+    highest = std::max(highest, out[t]);
+  });
+  float total = 0;
+  choices.each([&](Token t) { total += std::exp(out[t] - highest); });
+  const float log_total = highest + std::log(total);
+  choices.each([&](Token t) { out[t] -= log_total; });
+}
+
+void Scorer::add_gradient(const GroupIds& ids, const TokenRanges& choices, const float* delta) {
+  for (std::uint32_t id : ids) {
+    float* const gradient = groups_[id].gradient.data();
+    choices.each([&](Token t) { gradient[t] += delta[t]; });
+  }
+}
+
+const float* Scorer::spread_gradient(const Group& group) {
+  const Columns& columns = model_->columns();
+  std::fill(buffer_.begin(), buffer_.end(), 0.0F);
+  for (std::size_t t = 0; t < columns.tokens; ++t) {
+    const float g = group.gradient[t];
+    buffer_[t] = g;
+    buffer_[columns.direction[t]] += g;
+    buffer_[columns.thing[t]] += g;
+  }
+  return buffer_.data();
+}
+
+}  // namespace waymark::parser
