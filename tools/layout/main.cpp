@@ -30,6 +30,18 @@ int fail(int code, const std::string& message) {
   return code;
 }
 
+// Graphviz sets labels close to their edges: a blank on either side keeps the two apart.
+void pad_labels(Agraph_t* graph) {
+  std::string name = "label";
+  for (Agnode_t* node = agfstnode(graph); node != nullptr; node = agnxtnode(graph, node))
+    for (Agedge_t* edge = agfstout(graph, node); edge != nullptr; edge = agnxtout(graph, edge)) {
+      const char* text = agget(edge, name.data());
+      if (text == nullptr || *text == '\0') continue;
+      std::string padded = ' ' + std::string(text) + ' ';
+      agset(edge, name.data(), padded.data());
+    }
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -46,6 +58,7 @@ int main(int argc, char** argv) {
     attribute.resize(equals);
     agsafeset(context.graph, attribute.data(), value.data(), nothing.data());
   }
+  pad_labels(context.graph);
   if (gvLayout(context.gvc, context.graph, "dot") != 0)
     return fail(our_bug, "Graphviz could not lay the graph out");
   char* svg = nullptr;

@@ -43,7 +43,7 @@ Drawing drawing_of(std::string_view svg) {
 std::optional<Drawing> lay_out(const std::string& dot) {
   const auto program = tools::helper("waymark-layout");
   if (program.empty()) return std::nullopt;
-  const auto finished = tools::run_helper(program, {"rankdir=TB"}, dot);
+  const auto finished = tools::run_helper(program, {"rankdir=TB", "nodesep=0.5", "ranksep=0.6"}, dot);
   if (finished.exit_code != 0)
     throw std::runtime_error("waymark-layout ended with exit code " + std::to_string(finished.exit_code));
   return drawing_of(finished.output);

@@ -82,7 +82,7 @@ void draw_panel(Svg& svg, const Page& page, const Panel& panel, Point corner) {
   Point below = corner;
   if (page.automaton) {
     svg.text({corner.x, corner.y + 14}, 13, "Automaton", R"(font-weight="bold" fill="#20242b")");
-    svg.text({corner.x + 84, corner.y + 14}, 13, page.automaton_caption, R"(fill="#5c5c5c")");
+    svg.text({corner.x + 94, corner.y + 14}, 13, page.automaton_caption, R"(fill="#5c5c5c")");
     embed(svg, *page.automaton, {corner.x, corner.y + 24}, panel.width,
           panel.automaton_height - automaton_heading);
     below.y += panel.automaton_height;

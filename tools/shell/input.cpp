@@ -2,12 +2,12 @@
 
 #include <unistd.h>
 
+#include <array>
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
-#include <iterator>
 
 #include "libltl/diagnostic.hpp"
 #include "tools/shell/exit_code.hpp"
@@ -37,7 +37,14 @@ std::string source_name(const std::string& path) { return path == "-" ? "standar
 std::string read_file(const std::string& path) {
   const auto file = path == "-" ? nullptr : open(path);
   std::istream& in = file ? *file : std::cin;
-  return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+  std::string contents;
+  std::array<char, 1U << 16U> block{};
+  do {
+    in.read(block.data(), static_cast<std::streamsize>(block.size()));
+    contents.append(block.data(), static_cast<std::size_t>(in.gcount()));
+  } while (in);
+  if (in.bad()) throw ltl::FormatError(source_name(path), 0, 0, "cannot read the file to its end");
+  return contents;
 }
 
 TextReader::TextReader(TextOptions options, const std::string& what)
