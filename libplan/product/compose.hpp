@@ -1,6 +1,10 @@
 // 𝓜 ⊗ 𝒜_φ, reachable part only. The label of the start pose is read, always (conventions.md 1).
 #pragma once
+#include <cstddef>
+#include <cstdint>
+#include <optional>
 #include <span>
+#include <stop_token>
 #include <vector>
 
 #include "libplan/product/graph.hpp"
@@ -23,5 +27,13 @@ Product compose(const Map& map, const automata::Dfa& dfa, std::span<const PoseId
 inline Product compose(const Map& map, const automata::Dfa& dfa, PoseId start) {
   return compose(map, dfa, {&start, 1});
 }
+
+struct CompositionLimits {
+  std::size_t vertices = SIZE_MAX;
+  std::stop_token stop = {};  // polled every few hundred vertices
+};
+// The same, or nullopt when the product has more vertices than the limit, or when a stop was requested.
+std::optional<Product> compose(const Map& map, const automata::Dfa& dfa, std::span<const PoseId> starts,
+                               const CompositionLimits& limits);
 
 }  // namespace waymark::plan

@@ -40,7 +40,7 @@ class Explainer {
  private:
   automata::Dfa translate(ltl::Formula f) const {
     auto result = automata::ltlf_to_dfa(f, automata::TranslationLimits{.stop = stop_});
-    if (std::holds_alternative<automata::Exhausted>(result)) throw Stopped{};
+    if (stop_.stop_requested() || std::holds_alternative<automata::Exhausted>(result)) throw Stopped{};
     return std::get<automata::Dfa>(std::move(result));
   }
 

@@ -15,7 +15,8 @@ Planned plan_of(const Map& map, ltl::Formula f, std::span<const PoseId> starts, 
   }
   const auto translated = automata::ltlf_to_dfa(
       f, automata::TranslationLimits{.states = options.automaton_states, .stop = options.stop});
-  if (std::holds_alternative<automata::Exhausted>(translated)) return Exhausted{};
+  if (options.stop.stop_requested() || std::holds_alternative<automata::Exhausted>(translated))
+    return Exhausted{};
   auto answer = RoutePlanner(map, std::get<automata::Dfa>(translated)).plan(starts, options.stop);
   if (auto* route = std::get_if<Route>(&answer)) return certify(std::move(*route), map, f);
   if (auto* infeasible = std::get_if<Infeasible>(&answer))

@@ -4,7 +4,8 @@
 //
 // Backwards (Dijkstra) costs are costs to go, so "still leads to the goal" holds by itself. Forwards (A*) the search
 // goes on until every vertex with f ≤ C* is expanded, C* the least cost, and a pass in order of falling cost finds the
-// vertices from which the goal is reached at C*. Actions cost more than nothing, so that order is well founded.
+// vertices from which the goal is reached at C*. Actions cost more than nothing, so that order is well founded; costs
+// are whole numbers, so that equal sums are equal doubles.
 #include "libplan/solve/shortest_route.hpp"
 
 #include <algorithm>
@@ -55,7 +56,7 @@ struct CountingVisitor : boost::dijkstra_visitor<> {
 
   template <class Vertex, class Graph>
   void examine_vertex(Vertex, const Graph&) const {
-    if (++*expanded % polling_interval == 0 && stop->stop_requested()) throw SearchEnds{};
+    if ((*expanded)++ % polling_interval == 0 && stop->stop_requested()) throw SearchEnds{};
   }
 };
 
@@ -176,7 +177,7 @@ struct AStar {
     void examine_vertex(Vertex v, const Graph&) const {
       const double f = get(rank, v);
       if (f == infinity || f > search->least) throw SearchEnds{};
-      if (++search->expanded % polling_interval == 0 && search->stop.stop_requested()) {
+      if (search->expanded++ % polling_interval == 0 && search->stop.stop_requested()) {
         search->stopped = true;
         throw SearchEnds{};
       }

@@ -2,13 +2,12 @@
 
 #include <algorithm>
 #include <array>
+#include <numeric>
 #include <stdexcept>
 #include <string_view>
 
 namespace waymark::plan {
 namespace {
-
-using namespace std::string_literals;
 
 constexpr std::array<std::string_view, 5> kinds{"intersection", "corner", "tee", "corridor", "dead_end"};
 constexpr std::array<std::string_view, 4> directions{"ahead", "right", "behind",
@@ -56,16 +55,16 @@ void write_here(const Hallways& hallways, std::uint32_t node, Writer& writer) {
   }
 }
 
+// `sight`: the objects along the hallway that way, by their bare propositions.
 void write_seen(const Hallways& hallways, std::uint32_t node, int heading, std::string_view direction,
-                Writer& writer) {
+                const ltl::Letter& sight, const ltl::Vocabulary& vocabulary, Writer& writer) {
   const std::string prefix = std::string(direction) + "_";
   const Edge* way = hallways.hallway(node, heading);
   writer.add(prefix, way == nullptr ? "wall" : "open");
   if (way == nullptr) return;
   if (!way->floor.empty()) writer.add(prefix, way->floor);
   if (!way->wall.empty()) writer.add(prefix, way->wall);
-  for (auto at = hallways.neighbour(node, heading); at; at = hallways.neighbour(*at, heading))
-    if (hallways.nodes()[*at].object) writer.add(prefix, *hallways.nodes()[*at].object);
+  for (ltl::Proposition object : sight.members()) writer.add(prefix, vocabulary.name(object));
 }
 
 void write_next(const Hallways& hallways, std::uint32_t node, int heading, Writer& writer) {
@@ -106,14 +105,40 @@ ltl::Vocabulary hallway_vocabulary(const Observables& observables) {
   return vocabulary;
 }
 
-ltl::Letter hallway_label(const Hallways& hallways, const ltl::Vocabulary& vocabulary, std::uint32_t node,
-                          int heading) {
+// What is seen from a node is what is seen from the next one on, and the object there: nodes are taken in order from
+// the far end of every hallway, so that each is looked at once however long the hallway.
+Labelling::Labelling(const Hallways& hallways, const ltl::Vocabulary& vocabulary)
+    : hallways_(&hallways), vocabulary_(&vocabulary), sights_(hallways.nodes().size()) {
+  std::vector<std::uint32_t> south_east_first(hallways.nodes().size());
+  std::iota(south_east_first.begin(), south_east_first.end(), 0U);
+  std::sort(south_east_first.begin(), south_east_first.end(), [&](std::uint32_t a, std::uint32_t b) {
+    const Node &left = hallways.nodes()[a], &right = hallways.nodes()[b];
+    return std::pair(left.x, left.y) > std::pair(right.x, right.y);
+  });
+  const auto look = [&](std::uint32_t node, std::size_t quarter) {
+    const auto next = hallways.neighbour(node, static_cast<int>(quarter) * 90);
+    if (!next) return;
+    ltl::Letter& sight = sights_[node][quarter];
+    sight = sights_[*next][quarter];
+    const auto& object = hallways.nodes()[*next].object;
+    if (const auto p = object ? vocabulary.find(*object) : std::nullopt) sight.insert(*p);
+  };
+  for (std::uint32_t node : south_east_first)
+    for (std::size_t quarter : {1U, 2U}) look(node, quarter);
+  for (auto node = south_east_first.rbegin(); node != south_east_first.rend(); ++node)
+    for (std::size_t quarter : {0U, 3U}) look(*node, quarter);
+}
+
+ltl::Letter Labelling::label(std::uint32_t node, int heading) const {
   ltl::Letter letter;
-  Writer writer(vocabulary, letter);
-  write_here(hallways, node, writer);
-  for (std::size_t i = 0; i < directions.size(); ++i)
-    write_seen(hallways, node, (heading + 90 * static_cast<int>(i)) % 360, directions[i], writer);
-  write_next(hallways, node, heading, writer);
+  Writer writer(*vocabulary_, letter);
+  write_here(*hallways_, node, writer);
+  for (std::size_t i = 0; i < directions.size(); ++i) {
+    const int looking = (heading + 90 * static_cast<int>(i)) % 360;
+    const ltl::Letter& sight = sights_[node][static_cast<std::size_t>(looking) / 90];
+    write_seen(*hallways_, node, looking, directions[i], sight, *vocabulary_, writer);
+  }
+  write_next(*hallways_, node, heading, writer);
   return letter;
 }
 

@@ -8,6 +8,8 @@
 // corridor: two ways in line; corner: two not in line; tee: three; intersection: three or more; dead_end: one.
 // Looking along the hallway starts at the next node: what stands here is not `ahead`.
 #pragma once
+#include <array>
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -29,9 +31,19 @@ struct Observables {                 // what can be seen on a map; the order is 
 // object, an object named `corner`), or on an empty name.
 ltl::Vocabulary hallway_vocabulary(const Observables& observables);
 
-// L(node, heading) over hallway_vocabulary, without events. Throws std::invalid_argument naming an object, floor,
-// painting or place that the vocabulary lacks. O(length of the four hallways).
-ltl::Letter hallway_label(const Hallways& hallways, const ltl::Vocabulary& vocabulary, std::uint32_t node,
-                          int heading);
+// L over hallway_vocabulary, without events. Hallways and vocabulary must outlive the object.
+class Labelling {
+ public:
+  // Looks along every hallway once. O(nodes · |objects|).
+  Labelling(const Hallways& hallways, const ltl::Vocabulary& vocabulary);
+
+  // L(node, heading). Throws std::invalid_argument naming an object, floor, painting or place that the vocabulary lacks.
+  ltl::Letter label(std::uint32_t node, int heading) const;
+
+ private:
+  const Hallways* hallways_;
+  const ltl::Vocabulary* vocabulary_;
+  std::vector<std::array<ltl::Letter, 4>> sights_;  // by node and heading / 90: the objects along the hallway
+};
 
 }  // namespace waymark::plan

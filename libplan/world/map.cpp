@@ -50,6 +50,9 @@ Map::Map(std::string name, Hallways hallways, std::vector<std::string> objects,
       observables_{std::move(objects), std::move(floors), std::move(walls), highest_place(hallways_)},
       vocabulary_(hallway_vocabulary(observables_)) {
   if (nodes().empty()) throw std::invalid_argument("a map needs at least one node");
+  if (nodes().size() > max_size / vocabulary_.size())
+    throw std::invalid_argument("the map is too large: " + std::to_string(nodes().size()) + " nodes, " +
+                                std::to_string(vocabulary_.size()) + " propositions");
   tabulate_letters();
   tabulate_successors();
 }
@@ -67,9 +70,10 @@ void Map::tabulate_letters() {
   };
   const std::array<ltl::Proposition, 3> events{*vocabulary_.find("moved"), *vocabulary_.find("turned_left"),
                                                *vocabulary_.find("turned_right")};
+  const Labelling labelling(hallways_, vocabulary_);
   letter_ids_.resize(poses());
   for (std::uint32_t p = 0; p < poses(); ++p) {
-    const ltl::Letter label = hallway_label(hallways_, vocabulary_, p / 4, static_cast<int>(p % 4) * 90);
+    const ltl::Letter label = labelling.label(p / 4, static_cast<int>(p % 4) * 90);
     letter_ids_[p][3] = intern(label);
     for (std::size_t a = 0; a < all_actions.size(); ++a) {
       ltl::Letter after = label;

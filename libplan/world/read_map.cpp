@@ -64,9 +64,8 @@ class MapReader {
       throw format_error_at(
           source_, text_, error.byte > 0 ? error.byte - 1 : 0,
           "malformed JSON: " + std::string(what.substr(colon == what.npos ? 0 : colon + 2)));
-    } catch (const json::out_of_range& error) {
-      throw ltl::FormatError(source_, 0, 0,
-                             std::string("a number of the JSON text is out of range: ") + error.what());
+    } catch (const json::out_of_range&) {
+      throw ltl::FormatError(source_, 0, 0, "a number of the JSON text is out of range");
     }
   }
 

@@ -122,6 +122,21 @@ TEST(Compose, LettersFallIntoTheClassesThatTheAutomatonTellsApart) {
   EXPECT_EQ(TaskSteps(map, dfa_of("F true")).classes(), 1U);
 }
 
+TEST(Compose, StopsAtItsLimits) {
+  const Map map = shipped("grid");
+  const automata::Dfa dfa = dfa_of("F (sofa & X F (chair & X moved))");
+  const PoseId start{5};
+  const Product whole = compose(map, dfa, start);
+  const std::size_t vertices = num_vertices(whole.graph);
+  const auto allowed = compose(map, dfa, {&start, 1}, {.vertices = vertices});
+  ASSERT_TRUE(allowed);
+  EXPECT_EQ(edges_of(*allowed), edges_of(whole));
+  EXPECT_FALSE(compose(map, dfa, {&start, 1}, {.vertices = vertices - 1}));
+  std::stop_source source;
+  source.request_stop();
+  EXPECT_FALSE(compose(map, dfa, {&start, 1}, {.stop = source.get_token()}));
+}
+
 TEST(Compose, PropositionsThatTheMapLacksAreNamed) {
   const Map map = square();
   try {

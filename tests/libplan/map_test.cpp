@@ -81,6 +81,22 @@ TEST(Map, EqualLettersHaveOneId) {
   }
 }
 
+// Long hallways are looked along once, not once from every place; what would not fit in memory is refused.
+TEST(Map, LargeMapsAreReadOrRefused) {
+  const int length = 20'000;
+  const Map map = hallway(length);
+  EXPECT_TRUE(map.label(pose_at(map, 0, 0, 90)).contains(*map.vocabulary().find("ahead_chair")));
+  EXPECT_FALSE(map.label(pose_at(map, 0, 0, 270)).contains(*map.vocabulary().find("ahead_chair")));
+  EXPECT_FALSE(map.label(pose_at(map, length, 0, 90)).contains(*map.vocabulary().find("ahead_chair")));
+  std::vector<Node> nodes;
+  std::vector<std::string> objects;
+  for (int x = 0; x < 3000; ++x) {
+    objects.push_back("thing_" + std::to_string(x));
+    nodes.push_back({x, 0, objects.back(), std::nullopt});
+  }
+  EXPECT_THROW(Map("", nodes, {}, objects, {}, {}), std::invalid_argument);
+}
+
 TEST(Map, BadPartsAreRefusedByName) {
   const Node here{0, 0, std::nullopt, std::nullopt}, east{1, 0, std::nullopt, std::nullopt},
       far{3, 0, std::nullopt, std::nullopt}, diagonal{1, 1, std::nullopt, std::nullopt};

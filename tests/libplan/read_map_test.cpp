@@ -76,6 +76,7 @@ TEST(ReadMap, SyntaxErrorsHaveLineAndColumn) {
   const std::string message = message_of("{\"nodes\": [\n  {\"x\": 1,, }]}");
   EXPECT_TRUE(message.starts_with("malformed JSON: ")) << message;
   EXPECT_TRUE(message.ends_with("m.json:2:11")) << message;
+  EXPECT_EQ(message_of("{\"nodes\": 1e999}"), "a number of the JSON text is out of range\n  m.json");
   EXPECT_NE(message_of(""), "accepted");
   EXPECT_NE(message_of(std::string(100'000, '[')), "accepted");
   EXPECT_NE(message_of(std::string(50'000, '[') + std::string(50'000, ']')), "accepted");
