@@ -50,7 +50,7 @@ class Reader {
     const std::vector<double> events = events_between(from, to, turn);
     for (std::size_t i = 0; i + 1 < events.size(); ++i) {
       const double t = (events[i] + events[i + 1]) / 2;
-      const std::string fault =
+      std::string fault =
           step({at(from.x, to.x, t), at(from.y, to.y, t)}, quarter(from.heading + turn * t + full_turn));
       if (!fault.empty()) return fault;
     }

@@ -89,7 +89,7 @@ ob::SpaceInformationPtr make_space(const SamplingProblem& problem, std::uint32_t
   bounds.low = {problem.low.x, problem.low.y};
   bounds.high = {problem.high.x, problem.high.y};
   plane->setBounds(bounds);
-  const auto space = std::make_shared<ob::SpaceInformation>(plane);
+  auto space = std::make_shared<ob::SpaceInformation>(plane);
   space->setStateValidityChecker([is_free = problem.is_free](const ob::State* state) {
     return is_free(point_of(state), point_of(state));
   });
@@ -106,7 +106,7 @@ ob::ProblemDefinitionPtr make_definition(const SamplingProblem& problem,
     state[1] = p.y;
     return state;
   };
-  const auto definition = std::make_shared<ob::ProblemDefinition>(space);
+  auto definition = std::make_shared<ob::ProblemDefinition>(space);
   definition->addStartState(state_at(problem.start));
   const auto goals = std::make_shared<ob::GoalStates>(space);
   for (Point goal : problem.goals) goals->addState(state_at(goal));

@@ -1,6 +1,7 @@
 #include "tools/render/motion_picture.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 
 #include "tools/render/route_picture.hpp"
@@ -51,7 +52,7 @@ void draw_motion(Svg& svg, const PlanView& view, const plan::Motion& motion) {
   svg.path(d, stroke(route_colour, 2.6, 1));
   const plan::Configuration &first = motion.configurations.front(), &last = motion.configurations.back();
   draw_robot(svg, view, motion);
-  const auto quarter = [](double heading) { return static_cast<int>(heading / 90 + 0.5) % 4 * 90; };
+  const auto quarter = [](double heading) { return static_cast<int>(std::lround(heading / 90) % 4 * 90); };
   draw_end_mark(svg, on_page(view, last), quarter(last.heading));
   if (plan::distance(position(first), position(last)) > 0)
     draw_start_mark(svg, on_page(view, first), quarter(first.heading));
