@@ -97,16 +97,21 @@ bool Workspace::keeps_off(std::uint32_t node, Point a, Point b, double radius) c
 }
 
 // Starting in the free space and staying off its border is staying in it. A disc narrower than a hallway touches
-// only walls of nodes whose coordinates lie between those of the segment, rounded outwards.
+// only walls of nodes that are less than 1 away from the segment in both coordinates.
 bool Workspace::admits(Point a, Point b, double radius) const {
   if (!(radius >= 0 && radius < shape_.width / 2) || !cell_at(a) || !cell_at(b)) return false;
+  const auto y_at = [&](double x) {  // on the segment, at its end where x lies beyond
+    return a.y + (b.y - a.y) * std::clamp((x - a.x) / (b.x - a.x), 0.0, 1.0);
+  };
   const auto low = [](double u, double v) { return static_cast<int>(std::floor(std::min(u, v))); };
   const auto high = [](double u, double v) { return static_cast<int>(std::ceil(std::max(u, v))); };
-  for (int x = low(a.x, b.x); x <= high(a.x, b.x); ++x)
-    for (int y = low(a.y, b.y); y <= high(a.y, b.y); ++y) {
+  for (int x = low(a.x, b.x); x <= high(a.x, b.x); ++x) {
+    const double from = a.x == b.x ? a.y : y_at(x - 1), to = a.x == b.x ? b.y : y_at(x + 1);
+    for (int y = low(from, to); y <= high(from, to); ++y) {
       const auto node = map_->hallways().node_at(x, y);
       if (node && !keeps_off(*node, a, b, radius)) return false;
     }
+  }
   return true;
 }
 

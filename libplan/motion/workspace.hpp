@@ -48,7 +48,7 @@ class Workspace {
   std::optional<Cell> cell_at(Point p) const;
 
   // Whether a disc of that radius fits into the free space at p, or all the way from a to b. Exact up to rounding;
-  // a point (radius 0) keeps off walls and furniture too. O(nodes in the bounding box · log nodes).
+  // a point (radius 0) keeps off walls and furniture too. O(distance of a and b · log nodes).
   bool admits(Point p, double radius) const { return admits(p, p, radius); }
   bool admits(Point a, Point b, double radius) const;
 
