@@ -19,9 +19,11 @@ class Effort {
   Effort(std::size_t steps, std::size_t states, std::stop_token stop)
       : steps_left_(steps), states_left_(states), stop_(std::move(stop)) {}
 
-  void step() {  // a few tens of nanoseconds to a microsecond of work
-    if (steps_left_ == 0) throw Spent{Spent::Reason::Steps};
-    if (--steps_left_ % 4096 == 0) poll();
+  void step(std::size_t n = 1) {  // each a few tens of nanoseconds to a microsecond of work
+    if (steps_left_ < n) throw Spent{Spent::Reason::Steps};
+    const std::size_t before = steps_left_ / 4096;
+    steps_left_ -= n;
+    if (steps_left_ / 4096 != before) poll();
   }
   void state() {
     ++states_;

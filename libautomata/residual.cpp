@@ -157,8 +157,10 @@ Residuals::Node Residuals::if_then_else(Node f, Node g, Node h) {
 
 std::uint32_t Residuals::choose(std::uint32_t f, std::uint32_t g, std::uint32_t h) {
   const Leaf a = leaves_[f], b = leaves_[g], c = leaves_[h];
-  return payload(logic_.if_then_else(a.residual, b.residual, c.residual),
-                 a.may_stop ? b.may_stop : c.may_stop);
+  const std::size_t nodes = residuals_.size();
+  const Node residual = logic_.if_then_else(a.residual, b.residual, c.residual);
+  effort_.step(residuals_.size() - nodes);  // where residuals are large, most of the work is here
+  return payload(residual, a.may_stop ? b.may_stop : c.may_stop);
 }
 
 std::uint32_t Residuals::payload(Node residual, bool may_stop) {
