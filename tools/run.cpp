@@ -18,7 +18,8 @@ namespace waymark::tools {
 namespace {
 
 // What is shown when nothing is asked: an instruction of our own, on the map grid.
-constexpr std::string_view demo_instruction = "move forward twice. turn right. walk to the yellow hall.";
+constexpr std::string_view demo_instruction =
+    "walk past the lamp to the easel. take a left. go forward until you reach the blue hall.";
 constexpr std::string_view demo_map = "grid", demo_start = "1,9,0";
 
 struct Options {
