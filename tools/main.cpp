@@ -11,7 +11,6 @@
 #include <exception>
 #include <iostream>
 #include <new>
-#include <vector>
 
 #include "libltl/diagnostic.hpp"
 #include "libltl/vocabulary.hpp"
@@ -42,18 +41,20 @@ constexpr std::array rows{
     Row{"version", "version, build, and what it was built with", setup_version},
 };
 
-struct Chosen {
-  CLI::App* command;
+// Every subcommand is known by name; only the one that is called gets its options, which take longer to set up than
+// a small formula to translate.
+struct Called {
+  CLI::App* command = nullptr;
   Runner runner;
 };
 
-std::vector<Chosen> add_subcommands(CLI::App& app) {
-  std::vector<Chosen> commands;
+Called add_subcommands(CLI::App& app, std::string_view called) {
+  Called found;
   for (const Row& row : rows) {
     CLI::App* command = app.add_subcommand(row.name, row.summary);
-    commands.push_back({command, row.setup(*command)});
+    if (called == row.name) found = {command, row.setup(*command)};
   }
-  return commands;
+  return found;
 }
 
 // A first argument that is neither an option nor a subcommand: most likely a slip of the fingers.
@@ -75,28 +76,22 @@ ExitCode parse_and_run(int argc, char** argv) {
   CLI::App app{"waymark: English route instructions → LTL → automata → certified routes"};
   app.require_subcommand(1);
   app.get_formatter()->column_width(34);
-  const std::vector<Chosen> commands = add_subcommands(app);
+  const Called called = add_subcommands(app, argv[1]);
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& help) {  // --help
     app.exit(help, std::cout, std::cerr);
     return ExitCode::Done;
   } catch (const CLI::ParseError& error) {
-    std::string help = "waymark --help";
-    for (const Chosen& chosen : commands)
-      if (chosen.command->parsed()) help = "waymark " + chosen.command->get_name() + " --help";
-    throw UsageError(error.what() + std::string("; see ") + help);
+    throw UsageError(error.what() + std::string("; see waymark ") +
+                     (called.command != nullptr ? called.command->get_name() + " " : "") + "--help");
   }
+  if (!called.runner) throw UsageError("the subcommand comes first; see waymark --help");
   const Interrupt interrupt;
-  const Session session{.stop = interrupt.token(), .out = terminal_of(STDOUT_FILENO)};
-  for (const Chosen& chosen : commands) {
-    if (!chosen.command->parsed()) continue;
-    const ExitCode code = chosen.runner(session);
-    std::cout.flush();
-    if (!std::cout) throw ltl::FormatError("standard output", 0, 0, "cannot be written");
-    return code;
-  }
-  return ExitCode::Usage;
+  const ExitCode code = called.runner({.stop = interrupt.token(), .out = terminal_of(STDOUT_FILENO)});
+  std::cout.flush();
+  if (!std::cout) throw ltl::FormatError("standard output", 0, 0, "cannot be written");
+  return code;
 }
 
 ExitCode guarded_main(int argc, char** argv) {
