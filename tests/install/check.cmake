@@ -13,7 +13,7 @@ run(${CMAKE_COMMAND} -S ${CONSUMER} -B ${SCRATCH}/build -G ${GENERATOR} -DCMAKE_
   -DCMAKE_CXX_COMPILER=${COMPILER} -DCMAKE_CXX_FLAGS=${FLAGS})
 run(${CMAKE_COMMAND} --build ${SCRATCH}/build)
 run(${SCRATCH}/build/consumer ${prefix}/share/waymark)
-if(NOT said MATCHES "certified: FORWARD")
+if(NOT said STREQUAL "certified: LEFT LEFT FORWARD LEFT FORWARD\n")
   message(FATAL_ERROR "the consumer printed '${said}'")
 endif()
 
