@@ -18,7 +18,7 @@ class Cover {
   Node between(Node lower, Node upper) {
     if (lower == Boolean::constant(false)) return lower;
     if (upper == Boolean::constant(true)) {
-      cubes_.push_back(path_);
+      keep_path();
       return upper;
     }
     const Mtbdd::Variable v = std::min(diagram_.variable(lower), diagram_.variable(upper));
@@ -35,6 +35,7 @@ class Cover {
   Guard cubes() && { return std::move(cubes_); }
 
  private:
+  [[gnu::noinline]] void keep_path() { cubes_.push_back(path_); }  // out of the recursion's frames
   std::pair<Node, Node> cofactors(Node f, Mtbdd::Variable v) const {
     return diagram_.variable(f) == v ? std::pair(diagram_.low(f), diagram_.high(f)) : std::pair(f, f);
   }

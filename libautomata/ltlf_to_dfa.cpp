@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <stdexcept>
 #include <utility>
 
 #include "libautomata/effort.hpp"
@@ -160,6 +161,7 @@ class Translation {
 
 std::variant<Dfa, Exhausted> ltlf_to_dfa(Formula f, const TranslationLimits& limits) {
   const Reads reads = ltl::propositions(f);
+  if (reads.size() > Mtbdd::max_variables) return Exhausted{};
   Translation translation(reads, limits);
   try {
     return as_dfa(canonical(translation.run(f)), f.arena().vocabulary(), reads);
@@ -168,6 +170,10 @@ std::variant<Dfa, Exhausted> ltlf_to_dfa(Formula f, const TranslationLimits& lim
   }
 }
 
-Dfa ltlf_to_dfa(Formula f) { return std::get<Dfa>(ltlf_to_dfa(f, TranslationLimits{.states = SIZE_MAX})); }
+Dfa ltlf_to_dfa(Formula f) {
+  auto found = ltlf_to_dfa(f, TranslationLimits{.states = SIZE_MAX});
+  if (Dfa* dfa = std::get_if<Dfa>(&found)) return std::move(*dfa);
+  throw std::length_error("a formula with too many propositions or temporal operators for one automaton");
+}
 
 }  // namespace waymark::automata

@@ -20,7 +20,10 @@ struct Exhausted {         // nothing proved: a limit was met or a stop was requ
 
 // The minimal complete state-based DFA whose initial state rejects the empty word; canonical numbering
 // (breadth first from the initial state, letters in BDD order): same formula, same bytes.
-Dfa ltlf_to_dfa(ltl::Formula f);  // without limits
+//
+// Without limits but one: a formula with more than Mtbdd::max_variables propositions, or temporal subformulas and
+// propositions that no decomposition brings down, is too large for a diagram: std::length_error here, Exhausted below.
+Dfa ltlf_to_dfa(ltl::Formula f);
 std::variant<Dfa, Exhausted> ltlf_to_dfa(ltl::Formula f, const TranslationLimits& limits);
 
 }  // namespace waymark::automata

@@ -87,8 +87,7 @@ Residuals::Node Residuals::residual_of(ltl::Formula f, const std::vector<ltl::Pr
 }
 
 Residuals::Node Residuals::elementary(Kind kind, Node left, Node right) {
-  if (elementary_.size() >= Mtbdd::max_variables)
-    throw std::length_error("formula with over 16384 elementary parts");
+  if (elementary_.size() >= Mtbdd::max_variables) throw Effort::Spent{Effort::Spent::Reason::States};
   const auto e = static_cast<Mtbdd::Variable>(elementary_.size());
   elementary_.push_back({kind, left, right});
   const Node self = logic_.variable(e);

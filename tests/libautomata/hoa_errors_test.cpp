@@ -82,6 +82,13 @@ TEST(ReadHoa, NumbersInTheTextDoNotCostMemory) {
   EXPECT_EQ(dfa.states(), 3U) << "the two that occur, and a trap";
 }
 
+TEST(ReadHoa, PropositionsAreLimited) {
+  std::string names;
+  for (int i = 0; i < 5000; ++i) names += " \"p" + std::to_string(i) + '"';
+  EXPECT_THROW(read_hoa("HOA: v1\nAP: 5000" + names + "\nAcceptance: 0 t\n--BODY--\n--END--"),
+               ltl::FormatError);
+}
+
 TEST(ReadHoa, NestingIsLimited) {
   for (const char* open : {"(", "!"}) {
     std::string label;

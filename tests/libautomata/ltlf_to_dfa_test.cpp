@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <chrono>
+#include <stdexcept>
 #include <string>
 #include <thread>
 
@@ -131,10 +132,23 @@ TEST(LtlfToDfa, StopsSoonAfterItIsAskedTo) {
   EXPECT_LT(Clock::now() - begin, std::chrono::seconds(2)) << "0.05 s, and time for a busy machine";
 }
 
-TEST(LtlfToDfa, ReadsDeepFormulas) {
+TEST(LtlfToDfa, ReadsDeepAndWideFormulas) {
   std::string nested = "a";
-  for (int i = 0; i < 1500; ++i) nested = "X " + nested;
-  EXPECT_EQ(translate(nested).states(), 1500U + 3);
+  for (int i = 0; i < 4000; ++i) nested = "X " + nested;
+  EXPECT_EQ(translate(nested).states(), 4000U + 3);
+  std::string wide = "p0";
+  for (std::size_t i = 1; i < 4000; ++i) wide += " & " + p(i);
+  const Dfa dfa = translate(wide);
+  EXPECT_EQ(dfa.states(), 3U);
+  EXPECT_EQ(write_hoa(read_hoa(write_hoa(dfa))), write_hoa(dfa));
+}
+
+TEST(LtlfToDfa, SaysWhenAFormulaIsTooLargeForADiagram) {
+  ltl::Arena arena;
+  ltl::Formula f = arena.atom("a");
+  for (int i = 0; i < 5000; ++i) f = ltl::next(f);
+  EXPECT_TRUE(std::holds_alternative<Exhausted>(ltlf_to_dfa(f, TranslationLimits{})));
+  EXPECT_THROW(ltlf_to_dfa(f), std::length_error);
 }
 
 }  // namespace
