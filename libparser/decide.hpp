@@ -26,6 +26,7 @@ struct Decision {
 std::optional<std::pair<Plan, std::size_t>> plan_from(const Executor& executor, const Program& program,
                                                       std::span<const plan::PoseId> starts, Then then);
 
+// By probability of the programs alone; chooser.hpp reranks the ends.
 Decision decide(const LinearModel& model, const Executor& executor, const SentenceInput& input,
                 std::span<const plan::PoseId> starts, std::size_t beam, Then then);
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <set>
 
-#include "libparser/decide.hpp"
+#include "libparser/chooser.hpp"
 #include "libparser/examples.hpp"
 
 namespace waymark::parser {
@@ -66,7 +66,8 @@ class Test {
 
   Answer ask(const SentenceInput& input, plan::PoseId start) const {
     if (options_.stop.stop_requested()) throw Stopped{};
-    const Decision decision = decide(model_, executor_, input, {&start, 1}, options_.beam, options_.then);
+    Decision decision = decide(model_, executor_, input, {&start, 1}, options_.beam, options_.then);
+    choose_end(model_, executor_, input, {&start, 1}, decision);
     if (decision.ends.empty()) return {start, {}};
     const Plan& plan = *decision.plans[decision.ends.front().candidate];
     return {plan.end, plan.actions};

@@ -1,7 +1,8 @@
 #include "libparser/features.hpp"
 
 #include <algorithm>
-#include <charconv>
+
+#include "libparser/lexicon.hpp"
 
 namespace waymark::parser {
 namespace {
@@ -17,7 +18,8 @@ enum Template : std::uint64_t {
   Length,
   Unknown,
   LastToken,
-  LastTwoTokens
+  LastTwoTokens,
+  Mention
 };
 
 // template 8 bits | context 8 | a 24 | b 24
@@ -49,16 +51,6 @@ std::vector<Range> clauses_of(const std::vector<std::string>& tokens) {
   return clauses;
 }
 
-std::size_t number_named(const std::string& word) {
-  constexpr std::array<const char*, 10> names{"zero", "one", "two",   "three", "four",
-                                              "five", "six", "seven", "eight", "nine"};
-  for (std::size_t n = 1; n < names.size(); ++n)
-    if (word == names[n]) return n;
-  std::size_t n = 0;
-  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), n);
-  return error == std::errc() && end == word.data() + word.size() && n < 1000 ? n : 0;
-}
-
 class Extractor {
  public:
   Extractor(const SentenceInput& input, std::vector<std::uint32_t> ids)
@@ -68,6 +60,7 @@ class Extractor {
     SentenceFeatures out;
     for (std::size_t kind = 0; kind < choice_kinds; ++kind)
       for (std::size_t step = 0; step < choice_steps; ++step) add(out.by_context[kind][step], kind, step);
+    out.mentions = mentions(input_.tokens);
     for (const std::string& word : input_.tokens) {
       const std::size_t n = number_named(word);
       if (n >= out.places.size()) out.places.resize(n + 1, false);
@@ -147,6 +140,8 @@ std::uint64_t last_token_feature(const Choice& c) {
 std::uint64_t last_two_tokens_feature(const Choice& c) {
   return key(LastTwoTokens, c.kind, c.last, c.before_last);
 }
+
+std::uint64_t mention_feature(const Choice& c) { return key(Mention, c.kind * choice_steps + c.step); }
 
 std::vector<bool> forbidden_tokens(const PostfixGrammar& grammar, const ltl::Vocabulary& vocabulary,
                                    const SentenceFeatures& features) {

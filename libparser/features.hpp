@@ -4,6 +4,7 @@
 //     its words, pairs of neighbours, pairs with one word between, its length
 //   of the clause the open step is said by, by kind of choice alone, so that every step learns from every other
 //     its words, its pairs; how many clauses are left after it
+//   of a token: that the sentence mentions what it names
 //   of the prefix
 //     the last token, the last two
 // A sentence falls into clauses at "and", "then" and marks; step i belongs to clause i, later steps to the last.
@@ -35,7 +36,8 @@ struct SentenceInput {
 // Keys of the features of a sentence, by (kind, step): everything but what depends on the last tokens.
 struct SentenceFeatures {
   std::array<std::array<std::vector<std::uint64_t>, choice_steps>, choice_kinds> by_context;
-  std::vector<bool> places;  // places[n]: the sentence names the number n
+  std::vector<std::string> mentions;  // columns whose names the sentence mentions: lexicon.hpp
+  std::vector<bool> places;           // places[n]: the sentence names the number n
 };
 
 // With `grow`, words that are new are added to the table; otherwise they are left out.
@@ -44,6 +46,8 @@ SentenceFeatures sentence_features(const SentenceInput& input, const WordTable& 
 
 std::uint64_t last_token_feature(const Choice& choice);
 std::uint64_t last_two_tokens_feature(const Choice& choice);
+// Active for those tokens alone whose thing is mentioned: it weighs their direction and mentioning as such.
+std::uint64_t mention_feature(const Choice& choice);
 
 // n for place_n, 0 for any other proposition. By proposition.
 std::vector<std::size_t> place_numbers(const ltl::Vocabulary& vocabulary);

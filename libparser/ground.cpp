@@ -5,7 +5,7 @@
 #include <queue>
 
 #include "libltl/diagnostic.hpp"
-#include "libparser/decide.hpp"
+#include "libparser/chooser.hpp"
 #include "libparser/token.hpp"
 
 namespace waymark::parser {
@@ -112,7 +112,8 @@ std::vector<Reading> ground(const LinearModel& model, std::string_view text, con
   std::vector<plan::PoseId> here(starts.begin(), starts.end());
   for (std::size_t i = 0;; ++i) {
     const SentenceInput input{tokenize(sentences[i]), here.size() > 1};
-    const Decision decision = decide(model, executor, input, here, options.beam, options.then);
+    Decision decision = decide(model, executor, input, here, options.beam, options.then);
+    choose_end(model, executor, input, here, decision);
     if (i + 1 < sentences.size()) {
       if (decision.ends.empty()) continue;  // nothing said by it leads anywhere: stay
       append(settled, decision.candidates[decision.ends.front().candidate].program);

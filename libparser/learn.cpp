@@ -1,41 +1,18 @@
 #include "libparser/learn.hpp"
 
 #include <algorithm>
-#include <cmath>
+#include <map>
 #include <random>
 #include <stdexcept>
 
+#include "libparser/adagrad.hpp"
 #include "libparser/beam.hpp"
+#include "libparser/learn_chooser.hpp"
 #include "libparser/token.hpp"
 #include "libparser/trie.hpp"
 
 namespace waymark::parser {
 namespace {
-
-// AdaGrad: each weight has its own step size, learning_rate / √(sum of its squared gradients). Source: [DHS11].
-class AdaGrad {
- public:
-  AdaGrad(WeightTable& table, double rate, double decay)
-      : table_(&table), rate_(static_cast<float>(rate)), decay_(static_cast<float>(decay)) {}
-
-  // Ascends: gradient [columns] of the log-likelihood.
-  void update(std::uint32_t row, const float* gradient) {
-    const std::size_t columns = table_->columns();
-    if (squares_.size() < table_->rows() * columns) squares_.resize(table_->rows() * columns, 1e-6F);
-    float* const weights = table_->row(row);
-    float* const squares = squares_.data() + row * columns;
-    for (std::size_t c = 0; c < columns; ++c) {
-      const float g = gradient[c] - decay_ * weights[c];
-      squares[c] += g * g;
-      weights[c] += rate_ * g / std::sqrt(squares[c]);
-    }
-  }
-
- private:
-  WeightTable* table_;
-  float rate_, decay_;
-  std::vector<float> squares_;
-};
 
 // One sentence (or its mirror image) while it is learned from.
 struct Lesson {
@@ -45,17 +22,27 @@ struct Lesson {
   ProgramTrie trie;
 };
 
+// Which part of the whole work a reader is, for the progress that is reported.
+struct Part {
+  double begin, end;
+};
+
 class Learner {
  public:
   Learner(std::span<const Example* const> examples, std::span<const Executor> executors,
-          const TrainOptions& options)
+          const TrainOptions& options, Part part)
       : executors_(executors),
         options_(options),
+        part_(part),
         model_(executors.front().map().vocabulary()),
         images_(mirror_images(model_.vocabulary())),
         optimizer_(model_.reader, options.learning_rate, options.decay),
         scorer_(model_),
         place_numbers_(place_numbers(model_.vocabulary())) {
+    for (std::uint8_t kind = 0; kind < choice_kinds; ++kind)
+      for (std::uint8_t step = 0; step < choice_steps; ++step)
+        model_.reader.row(model_.reader.add(mention_feature({kind, step, 0, 0})))[model_.columns().mention] =
+            static_cast<float>(options.mention);
     lessons_.reserve(2 * examples.size());
     for (const Example* example : examples) {
       add_lesson(*example, false);
@@ -81,7 +68,7 @@ class Learner {
  private:
   double fraction(int epoch, std::size_t i) const {
     const double done = static_cast<double>(i) / static_cast<double>(lessons_.size());
-    return (epoch + done) / options_.epochs;
+    return part_.begin + (part_.end - part_.begin) * (epoch + done) / options_.epochs;
   }
 
   void add_lesson(const Example& example, bool mirrored) {
@@ -132,6 +119,7 @@ class Learner {
 
   std::span<const Executor> executors_;
   const TrainOptions& options_;
+  Part part_;
   LinearModel model_;
   std::vector<std::uint16_t> images_;
   AdaGrad optimizer_;
@@ -141,11 +129,36 @@ class Learner {
   std::vector<Lesson> lessons_;
 };
 
+// Two or more disjoint groups: by map when there are several, otherwise the first and the second half.
+std::vector<std::vector<const Example*>> groups_of(std::span<const Example* const> examples) {
+  std::map<std::size_t, std::vector<const Example*>> by_map;
+  for (const Example* example : examples) by_map[example->map].push_back(example);
+  std::vector<std::vector<const Example*>> groups;
+  for (auto& [map, group] : by_map) groups.push_back(std::move(group));
+  if (groups.size() > 1) return groups;
+  const auto half = examples.begin() + static_cast<std::ptrdiff_t>(examples.size() / 2);
+  return {{examples.begin(), half}, {half, examples.end()}};
+}
+
 }  // namespace
 
 LinearModel train_on(std::span<const Example* const> examples, std::span<const Executor> executors,
                      const TrainOptions& options) {
-  return Learner(examples, executors, options).run();
+  if (!options.chooser || examples.size() < 2) return Learner(examples, executors, options, {0, 1}).run();
+  const auto groups = groups_of(examples);
+  const double share = 0.9 / static_cast<double>(groups.size());  // of the time, roughly
+  std::vector<Dilemma> dilemmas;
+  for (std::size_t g = 0; g < groups.size(); ++g) {
+    std::vector<const Example*> others;
+    for (std::size_t h = 0; h < groups.size(); ++h)
+      if (h != g) others.insert(others.end(), groups[h].begin(), groups[h].end());
+    const Part part{0.5 * share * static_cast<double>(g), 0.5 * share * static_cast<double>(g + 1)};
+    const LinearModel reader = Learner(others, executors, options, part).run();
+    add_dilemmas(reader, groups[g], executors, options, dilemmas);
+  }
+  LinearModel model = Learner(examples, executors, options, {0.45, 0.9}).run();
+  learn_chooser(model, dilemmas, executors, options);
+  return model;
 }
 
 LinearModel train(const Corpus& corpus, std::span<const plan::Map> maps, const TrainOptions& options) {

@@ -25,6 +25,7 @@ Columns::Columns(const PostfixGrammar& grammar) : tokens(grammar.tokens()) {
     if (is_new) parts.push_back(part_name);
     return it->second;
   };
+  mention = part("mention");
   for (std::size_t t = 0; t < tokens; ++t) {
     const std::string& token_name = grammar.name(static_cast<Token>(t));
     if (t >= PostfixGrammar::first_literal) {
@@ -34,7 +35,7 @@ Columns::Columns(const PostfixGrammar& grammar) : tokens(grammar.tokens()) {
     } else {
       const bool forward = t >= PostfixGrammar::first_forward;
       direction.push_back(part(forward ? "forward" : "operator"));
-      thing.push_back(part(forward ? "thing forward" : "operator " + token_name));
+      thing.push_back(part(forward ? "count " + token_name.substr(8) : "operator " + token_name));
     }
   }
 }
@@ -56,24 +57,37 @@ std::uint32_t WordTable::add(std::string_view word) {
   return it->second;
 }
 
-std::uint32_t WeightTable::find(std::uint64_t feature) const {
-  const auto it = index_.find(feature);
-  return it == index_.end() ? absent : it->second;
+// Where the feature stands, or the empty slot where it would.
+std::size_t WeightTable::slot_of(std::uint64_t feature) const {
+  std::uint64_t hash = (feature ^ feature >> 31U) * 0x9E3779B97F4A7C15ULL;
+  hash ^= hash >> 32U;
+  std::size_t slot = hash & (slots_.size() - 1);
+  while (slots_[slot] != absent && keys_[slots_[slot]] != feature) slot = (slot + 1) & (slots_.size() - 1);
+  return slot;
 }
 
+std::uint32_t WeightTable::find(std::uint64_t feature) const { return slots_[slot_of(feature)]; }
+
 std::uint32_t WeightTable::add(std::uint64_t feature) {
-  const auto [it, is_new] = index_.try_emplace(feature, static_cast<std::uint32_t>(keys_.size()));
-  if (is_new) {
-    keys_.push_back(feature);
-    weights_.resize(weights_.size() + columns_, 0.0F);
-  }
-  return it->second;
+  const std::size_t slot = slot_of(feature);
+  if (slots_[slot] != absent) return slots_[slot];
+  const auto row = static_cast<std::uint32_t>(keys_.size());
+  slots_[slot] = row;
+  keys_.push_back(feature);
+  weights_.resize(weights_.size() + columns_, 0.0F);
+  if (2 * keys_.size() > slots_.size()) reserve(keys_.size());
+  return row;
 }
 
 void WeightTable::reserve(std::size_t rows) {
-  keys_.reserve(rows);
-  weights_.reserve(rows * columns_);
-  index_.reserve(rows);
+  if (weights_.capacity() < rows * columns_) {
+    keys_.reserve(rows);
+    weights_.reserve(rows * columns_);
+  }
+  std::size_t size = slots_.size();
+  while (size < 4 * rows) size *= 2;
+  slots_.assign(size, absent);
+  for (std::uint32_t row = 0; row < keys_.size(); ++row) slots_[slot_of(keys_[row])] = row;
 }
 
 LinearModel::LinearModel(const ltl::Vocabulary& vocabulary)

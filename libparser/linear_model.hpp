@@ -21,6 +21,7 @@ namespace waymark::parser {
 struct Columns {
   explicit Columns(const PostfixGrammar& grammar);
   std::size_t tokens = 0;
+  std::uint16_t mention = 0;                    // the column that weighs being mentioned
   std::vector<std::uint16_t> direction, thing;  // of each token: columns ≥ tokens
   std::vector<std::string> parts;               // names of the columns from `tokens` on
   std::size_t size() const { return tokens + parts.size(); }
@@ -58,7 +59,9 @@ class WeightTable {
   std::size_t columns_;
   std::vector<std::uint64_t> keys_;
   std::vector<float> weights_;
-  std::unordered_map<std::uint64_t, std::uint32_t> index_;
+  std::size_t slot_of(std::uint64_t feature) const;
+  std::vector<std::uint32_t> slots_ =
+      std::vector<std::uint32_t>(64, absent);  // open addressing, a power of two
 };
 
 class LinearModel {

@@ -35,13 +35,14 @@ Token token_of(const Step& step) {
 PostfixGrammar::PostfixGrammar(const ltl::Vocabulary& vocabulary) : PostfixGrammar(vocabulary, Limits{}) {}
 
 PostfixGrammar::PostfixGrammar(const ltl::Vocabulary& vocabulary, Limits limits)
-    : limits_(limits), names_{"end", "then", "&", "stay", "orient", "reach", "next", "advance", "face"} {
+    : limits_(limits), names_{"end", "then", "&", "stay", "orient", "reach", "advance", "next", "face"} {
   if (vocabulary.size() > 20'000)
     throw std::invalid_argument("a vocabulary of more than 20,000 propositions");
   for (int k = 1; k <= max_forward; ++k) names_.push_back("forward_" + std::to_string(k));
   for (const std::string& name : vocabulary.names()) {
     names_.push_back(name);
     usable_.push_back(name != "moved");
+    turns_.push_back(name == "turned_left" || name == "turned_right");
   }
 }
 
@@ -55,7 +56,7 @@ bool PostfixGrammar::allowed(const PrefixState& s, Token token) const {
     if (s.bools == 0) return s.steps < limits_.steps;
     return s.goals < limits_.goals && p > s.last_literal;
   }
-  if (operator_of(token)) return s.bools == 1;
+  if (operator_of(token)) return s.bools == 1 && (!s.turns || token == next || token == face);
   if (s.bools > 0 || token == both || token == then) return false;
   if (token == end) return s.step_entries == 1 && !s.oriented;
   if (token == stay) return s.step_entries == 0;
@@ -73,7 +74,7 @@ TokenRanges PostfixGrammar::choices(const PrefixState& s) const {
   if (const auto token = forced(s)) {
     add(*token, *token + 1U);
   } else if (s.bools > 0) {
-    add(reach, face + 1);
+    add(s.turns ? next : reach, face + 1);
     if (s.goals < limits_.goals) add(first_literal + s.last_literal + 1U, tokens());
   } else if (!s.ended) {
     if (s.step_entries == 1 && !s.oriented) add(end, end + 1);
@@ -90,6 +91,7 @@ PrefixState PostfixGrammar::after(const PrefixState& state, Token token) const {
     ++s.bools;
     ++s.goals;
     s.last_literal = static_cast<std::uint16_t>(token - first_literal);
+    s.turns = s.turns || is_turn(s.last_literal);
   } else if (token == both) {
     --s.bools;
   } else if (token == then) {
@@ -99,6 +101,7 @@ PrefixState PostfixGrammar::after(const PrefixState& state, Token token) const {
   } else {  // a Step is pushed
     s.bools = s.goals = 0;
     s.last_literal = 0;
+    s.turns = false;
     ++s.step_entries;
     s.oriented = token == orient;
     s.stayed = token == stay;

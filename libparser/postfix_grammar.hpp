@@ -4,7 +4,8 @@
 //   forward_k, stay, orient : Step                then : Step Step → Step        end: exactly one Step is left
 // e.g. "turn left, go to the chair"  =  turned_left next  chair reach  then  end.
 // One program has one token sequence: literals of a goal ascend, & and `then` follow their second operand at once,
-// `orient` stands only before another step. Decoding asks `allowed` and can produce nothing else. The λ terms of
+// `orient` stands only before another step; events of turning are goals of `next` and `face` alone, so that a sentence
+// of two actions is grounded in two steps. Decoding asks `allowed` and can produce nothing else. The λ terms of
 // the source are not needed for a propositional task language. Source: typed postfix decoding as in the paper.
 #pragma once
 #include <array>
@@ -28,6 +29,7 @@ struct PrefixState {
   std::uint8_t bools = 0;          // on the stack
   std::uint8_t goals = 0;          // literals of the open goal
   std::uint16_t last_literal = 0;  // of the open goal
+  bool turns = false;              // the open goal names an event of turning
   bool oriented = false;           // the last step is `orient`
   bool stayed = false;             // the first step is `stay`
   bool ended = false;
@@ -49,7 +51,7 @@ struct TokenRanges {
 
 class PostfixGrammar {
  public:
-  static constexpr Token end = 0, then = 1, both = 2, stay = 3, orient = 4, reach = 5, next = 6, advance = 7,
+  static constexpr Token end = 0, then = 1, both = 2, stay = 3, orient = 4, reach = 5, advance = 6, next = 7,
                          face = 8;
   static constexpr Token first_forward = 9;  // forward_1
   static constexpr int max_forward = 8;
@@ -79,14 +81,17 @@ class PostfixGrammar {
   Program program_of(std::span<const Token> tokens) const;     // of a complete sequence
   std::string show(const Program& program) const;              // "turned_left next chair reach then"
   bool usable(std::uint16_t proposition) const { return usable_[proposition]; }  // in a goal
-  bool is_turn(std::uint16_t proposition) const {                                // an event of turning
-    return names_[literal(proposition)].rfind("turned_", 0) == 0;
+  bool is_turn(std::uint16_t proposition) const { return turns_[proposition]; }  // an event of turning
+  // May this literal stand under this operator?
+  bool usable(std::uint16_t proposition, StepKind kind) const {
+    return usable(proposition) && (!is_turn(proposition) || kind == StepKind::Next || kind == StepKind::Face);
   }
 
  private:
   Limits limits_;
   std::vector<std::string> names_;
   std::vector<bool> usable_;  // literals a goal may name: all but `moved`, which the macros own
+  std::vector<bool> turns_;
 };
 
 }  // namespace waymark::parser

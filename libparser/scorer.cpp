@@ -16,6 +16,13 @@ void Scorer::begin(const SentenceFeatures& features) {
   forbidden_ = forbidden_tokens(model_->grammar(), model_->vocabulary(), features);
   used_ = 0;
   index_.clear();
+  const Columns& columns = model_->columns();
+  mentioned_.clear();
+  for (std::size_t t = 0; t < columns.tokens; ++t) {
+    const std::string& thing = columns.parts[columns.thing[t] - columns.tokens];
+    if (std::binary_search(features.mentions.begin(), features.mentions.end(), thing))
+      mentioned_.push_back(static_cast<Token>(t));
+  }
 }
 
 void Scorer::sum(Group& group) {
@@ -28,18 +35,24 @@ void Scorer::sum(Group& group) {
     const float* const row = model_->reader.row(r);
     for (std::size_t c = 0; c < buffer_.size(); ++c) out[c] += row[c];
   }
+  if (group.of_mentions) {
+    std::fill(group.scores.begin(), group.scores.end(), 0.0F);
+    for (Token t : mentioned_) group.scores[t] = out[columns.mention] + out[columns.direction[t]];
+    return;
+  }
   for (std::size_t t = 0; t < columns.tokens; ++t)
     group.scores[t] = out[t] + out[columns.direction[t]] + out[columns.thing[t]];
 }
 
 // An empty `features` stands for the one feature whose key is `id` itself.
-std::uint32_t Scorer::group(std::uint64_t id, std::span<const std::uint64_t> features) {
+std::uint32_t Scorer::group(std::uint64_t id, std::span<const std::uint64_t> features, bool of_mentions) {
   const auto [it, is_new] = index_.try_emplace(id, static_cast<std::uint32_t>(used_));
   if (!is_new) return it->second;
   const std::size_t tokens = model_->columns().tokens;
   if (used_ == groups_.size())
-    groups_.push_back({{}, 0, std::vector<float>(tokens), std::vector<float>(tokens)});
+    groups_.push_back({{}, false, 0, std::vector<float>(tokens), std::vector<float>(tokens)});
   Group& group = groups_[used_++];
+  group.of_mentions = of_mentions;
   group.own_feature = id;
   group.features = features.empty() ? std::span<const std::uint64_t>(&group.own_feature, 1) : features;
   std::fill(group.gradient.begin(), group.gradient.end(), 0.0F);
@@ -54,16 +67,18 @@ Scorer::GroupIds Scorer::groups(const Choice& c) {
   if (used_ > before)  // forbidden once, in the group that every choice of this context has
     for (std::size_t t = 0; t < forbidden_.size(); ++t)
       if (forbidden_[t]) groups_[sentence].scores[t] = -INFINITY;
-  return {sentence, group(last_token_feature(c), {}), group(last_two_tokens_feature(c), {})};
+  return {sentence, group(mention_feature(c), {}, true), group(last_token_feature(c), {}),
+          group(last_two_tokens_feature(c), {})};
 }
 
 void Scorer::log_probabilities(const GroupIds& ids, const TokenRanges& choices, float* out) const {
   const float* const a = groups_[ids[0]].scores.data();
   const float* const b = groups_[ids[1]].scores.data();
   const float* const c = groups_[ids[2]].scores.data();
+  const float* const d = groups_[ids[3]].scores.data();
   float highest = -INFINITY;
   choices.each([&](Token t) {
-    out[t] = a[t] + b[t] + c[t];
+    out[t] = a[t] + b[t] + c[t] + d[t];
     highest = std::max(highest, out[t]);
   });
   float total = 0;
@@ -82,6 +97,13 @@ void Scorer::add_gradient(const GroupIds& ids, const TokenRanges& choices, const
 const float* Scorer::spread_gradient(const Group& group) {
   const Columns& columns = model_->columns();
   std::fill(buffer_.begin(), buffer_.end(), 0.0F);
+  if (group.of_mentions) {
+    for (Token t : mentioned_) {
+      buffer_[columns.mention] += group.gradient[t];
+      buffer_[columns.direction[t]] += group.gradient[t];
+    }
+    return buffer_.data();
+  }
   for (std::size_t t = 0; t < columns.tokens; ++t) {
     const float g = group.gradient[t];
     buffer_[t] = g;

@@ -1,8 +1,8 @@
 // Scores of all tokens at a choice, for one sentence: sums of weight rows, shared between choices.
 //
-// The rows that are active at a choice fall into three groups, and many choices share each of them: the sentence in its
-// context, the last token, the last two tokens. A group is summed once (features × columns), a choice adds three
-// sums (3 × tokens), and the gradient takes the same way back.
+// The rows that are active at a choice fall into four groups, and many choices share each of them: the sentence in its
+// context, what it mentions, the last token, the last two tokens. A group is summed once (features × columns), a choice
+// adds four sums (4 × tokens), and the gradient takes the same way back.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -17,7 +17,7 @@ namespace waymark::parser {
 
 class Scorer {
  public:
-  using GroupIds = std::array<std::uint32_t, 3>;
+  using GroupIds = std::array<std::uint32_t, 4>;
 
   // The model must outlive the scorer.
   explicit Scorer(const LinearModel& model);
@@ -45,16 +45,18 @@ class Scorer {
  private:
   struct Group {
     std::span<const std::uint64_t> features;
+    bool of_mentions = false;             // its scores and gradients are those of the mentioned tokens alone
     std::uint64_t own_feature = 0;        // what `features` refers to when it is one of the prefix
     std::vector<float> scores, gradient;  // [tokens]
   };
-  std::uint32_t group(std::uint64_t id, std::span<const std::uint64_t> features);
+  std::uint32_t group(std::uint64_t id, std::span<const std::uint64_t> features, bool of_mentions = false);
   void sum(Group& group);
   const float* spread_gradient(const Group& group);  // [columns], valid until the next call
 
   const LinearModel* model_;
   const SentenceFeatures* features_ = nullptr;
   std::vector<bool> forbidden_;
+  std::vector<Token> mentioned_;
   std::deque<Group> groups_;  // the first `used_` belong to this sentence
   std::size_t used_ = 0;
   std::unordered_map<std::uint64_t, std::uint32_t> index_;

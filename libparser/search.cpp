@@ -99,7 +99,7 @@ class Search {
     std::vector<std::uint16_t> others;  // goals that hold somewhere, but do not do the job alone
     for (std::uint16_t p = 0; p < propositions; ++p) {
       const std::int32_t at = horizon.first(p);
-      if (!grammar_.usable(p) || at < 0) continue;
+      if (!grammar_.usable(p, kind) || at < 0) continue;
       keep_if(at, with_goal(kind, {p}));
       if (horizon.end(at) != gold_.end) others.push_back(p);
     }
@@ -123,7 +123,7 @@ class Search {
     for (StepKind kind : kinds) {
       const Horizon horizon(executor_, kind, false, from);
       for (std::uint16_t p = 0; p < executor_.propositions(); ++p) {
-        if (!grammar_.usable(p) || (few && kind == StepKind::Next && !grammar_.is_turn(p))) continue;
+        if (!grammar_.usable(p, kind) || (few && kind == StepKind::Next && !grammar_.is_turn(p))) continue;
         const std::int32_t at = horizon.first(p);
         if (at >= 0 && horizon.actions(at) == want) steps.push_back(with_goal(kind, {p}));
       }

@@ -62,9 +62,10 @@ class Writer {
     std::vector<std::pair<std::uint32_t, std::vector<std::pair<std::uint16_t, std::uint16_t>>>> rows;
     for (std::uint32_t r = 0; r < table.rows(); ++r) {
       std::vector<std::pair<std::uint16_t, std::uint16_t>> kept;
-      for (std::size_t c = 0; c < table.columns(); ++c)
-        if (std::abs(table.row(r)[c]) >= threshold && (to_half(table.row(r)[c]) & 0x7FFFU) != 0)
-          kept.emplace_back(static_cast<std::uint16_t>(c), to_half(table.row(r)[c]));
+      for (std::size_t c = 0; c < table.columns(); ++c) {
+        const std::uint16_t half = to_half(table.row(r)[c]);
+        if (std::abs(from_half(half)) >= threshold) kept.emplace_back(static_cast<std::uint16_t>(c), half);
+      }
       if (!kept.empty()) rows.emplace_back(r, std::move(kept));
     }
     number(static_cast<std::uint32_t>(table.columns()));

@@ -1,0 +1,75 @@
+#include "libparser/evaluate.hpp"
+
+#include <gtest/gtest.h>
+
+#include "libparser/generate.hpp"
+#include "libparser/sail_corpus.hpp"
+#include "tests/libparser/maps.hpp"
+
+namespace waymark::parser {
+namespace {
+
+// A corpus of one paragraph whose sentences are what the untrained model can be right or wrong about.
+TEST(Evaluate, CountsSentencesParagraphsAndNodesByHand) {
+  const plan::Map& grid = shipped_maps().front();
+  // A model that answers `stay` to everything.
+  LinearModel model(grid.vocabulary());
+  const SentenceFeatures features = sentence_features({{}, false}, model.words);
+  for (std::uint64_t feature : features.by_context[0][0])
+    model.reader.row(model.reader.add(feature))[PostfixGrammar::stay] = 10.0F;
+  Sentence stay{"1", "", {}, false, {{1, 9, 0}}, {{1, 9, 0}}};
+  Sentence walk{"2", "", {}, false, {{1, 9, 0}, {1, 8, 0}, {1, 7, 0}}, {{1, 9, 0}, {1, 8, 0}, {1, 7, 0}}};
+  Sentence turn{"3", "", {}, false, {{1, 9, 0}, {1, 9, 90}}, {{1, 9, 0}, {1, 9, 90}}};
+  Corpus corpus;
+  corpus.paragraphs = {{"a", "grid", "", {stay, walk}},
+                       {"b", "grid", "", {turn}},
+                       {"c", "grid", "", {}},
+                       {"d", "l", "", {walk}}};
+  const Scores s = evaluate(model, corpus, grid, Convention::Absolute);
+  EXPECT_EQ(s.sentence.absolute.hits, 1U);
+  EXPECT_EQ(s.sentence.absolute.total, 3U);
+  EXPECT_EQ(s.sentence.relative.total, 0U);
+  EXPECT_EQ(s.paragraph.absolute.hits, 1U);  // b: the right node, the wrong heading
+  EXPECT_EQ(s.paragraph.absolute.total, 2U);
+  EXPECT_EQ(s.skipped_paragraphs, 1U);
+  EXPECT_EQ(s.path_precision.total, 0U);
+  EXPECT_EQ(s.path_recall.total, 2U);
+  EXPECT_EQ(s.path_recall.hits, 0U);
+  EXPECT_EQ(s.path_accuracy.total, 3 * (grid.nodes().size() - 1));
+  EXPECT_EQ(s.path_accuracy.total - s.path_accuracy.hits, 2U);
+}
+
+TEST(Evaluate, LearnsItsOwnLanguageAcrossMaps) {
+  const Corpus corpus = generate_corpus(shipped_maps(), {.seed = 5, .paragraphs = 90, .sentences = 4});
+  EvaluateOptions options;
+  options.relative = false;
+  const Evaluation result = evaluate_leave_one_map_out(corpus, nullptr, shipped_maps(), options);
+  EXPECT_EQ(result.folds.size(), 3U);
+  EXPECT_EQ(result.all.sentence.absolute.total, 360U);
+  EXPECT_GE(result.all.sentence.absolute.value(), 80.0);
+  EXPECT_EQ(result.all.sentence.relative.total, 0U);
+}
+
+TEST(Evaluate, FewerThanTwoMapsAreRefused) {
+  const auto one = std::span(shipped_maps()).first(1);
+  const Corpus corpus = generate_corpus(one, {.seed = 1, .paragraphs = 2, .sentences = 2});
+  EXPECT_THROW(evaluate_leave_one_map_out(corpus, nullptr, one), std::invalid_argument);
+  EXPECT_THROW(evaluate_leave_one_map_out(corpus, nullptr, {}), std::invalid_argument);
+}
+
+// The number that matters (docs/results.md), start heading north.
+TEST(Evaluate, ReachesTheAccuracyThatIsPublished) {
+  if (!std::filesystem::exists(sail_directory()))
+    GTEST_SKIP() << "the SAIL corpus is not at " << sail_directory() << " (set WAYMARK_SHARED)";
+  EvaluateOptions options;
+  options.relative = false;
+  const Corpus corpus = read_sail_corpus(sail_directory());
+  const Evaluation result = evaluate_leave_one_map_out(corpus, nullptr, corpus.maps, options);
+  double mean = 0;
+  for (const auto& [map, scores] : result.folds) mean += scores.sentence.absolute.value() / 3;
+  EXPECT_EQ(result.folds.size(), 3U);
+  EXPECT_GE(mean, 68.0);
+}
+
+}  // namespace
+}  // namespace waymark::parser
