@@ -5,7 +5,7 @@
 namespace waymark::parser {
 namespace {
 
-constexpr float least = -25.0F;  // log-probability below which a prefix is not worth keeping
+constexpr float least = -12.0F;  // log-probability below which a prefix is not worth keeping
 
 struct Prefix {
   PrefixState state;

@@ -15,7 +15,7 @@ struct Candidate {
   double log_probability = 0;
 };
 
-// At most `beam` programs; fewer when `expansions` prefixes did not suffice. Deterministic: ties by order of making.
+// At most `beam` programs, none of probability below e⁻¹²; fewer when `expansions` prefixes did not suffice. Deterministic: ties by order of making.
 std::vector<Candidate> best_programs(Scorer& scorer, const PostfixGrammar& grammar, std::size_t beam,
                                      std::size_t expansions = 2000);
 

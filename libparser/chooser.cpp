@@ -77,8 +77,10 @@ ChooserSentence::ChooserSentence(const LinearModel& model, const SentenceInput& 
   if (mirrored) images_ = mirror_images(model.vocabulary());
 }
 
-void ChooserSentence::route_properties(const Executor& executor, plan::PoseId start, const Plan& plan,
-                                       std::vector<Property>& out) const {
+std::vector<ChooserSentence::Property> ChooserSentence::route_properties(const Executor& executor,
+                                                                         plan::PoseId start,
+                                                                         const Plan& plan) const {
+  std::vector<Property> out;
   std::vector<plan::Action> actions = plan.actions;
   std::vector<std::uint32_t> poses{Arrival::start(start)};  // labels without events
   for (plan::Action action : actions)
@@ -93,6 +95,7 @@ void ChooserSentence::route_properties(const Executor& executor, plan::PoseId st
   out.push_back({Turns, std::min<std::size_t>(actions.size() - moves, 5), true});
   out.push_back({LastAction, actions.empty() ? 3U : static_cast<std::uint64_t>(actions.back()), true});
   if (heading_unknown_) out.push_back({OpenStart, pattern, true});
+  const Columns& columns = model_->columns();
   for (std::uint16_t p = 0; p < images_.size(); ++p) {
     const std::uint16_t image = images_[p];
     if (hidden_[image]) continue;
@@ -101,46 +104,50 @@ void ChooserSentence::route_properties(const Executor& executor, plan::PoseId st
       out.push_back({AtEnd, image, false});
       if (std::none_of(poses.begin(), poses.end() - 1, holds)) out.push_back({FirstAtEnd, image, false});
     }
-    const Columns& columns = model_->columns();
     const bool here =
         columns.parts[columns.direction[PostfixGrammar::literal(p)] - columns.tokens] == "direction here";
     if (here && poses.size() > 2 && std::any_of(poses.begin() + 1, poses.end() - 1, holds))
       out.push_back({Passed, image, false});
   }
+  return out;
 }
 
-void ChooserSentence::mention_features(const std::vector<Property>& properties, std::size_t moves,
-                                       std::vector<std::pair<std::uint64_t, float>>& out) const {
+void ChooserSentence::add_to_last_end(std::uint64_t first, const Property* property) {
+  const auto [it, is_new] = index_.try_emplace(first, static_cast<std::uint32_t>(features_.bundles.size()));
+  features_.ends.back().push_back(it->second);
+  if (!is_new) return;
+  auto& bundle = features_.bundles.emplace_back(1, first);
+  if (property == nullptr) return;
+  for (std::uint32_t word : words_) bundle.push_back(key(WithWord, property->kind, property->id, word));
+  if (!property->with_pairs) return;
+  for (std::uint32_t pair : pairs_) bundle.push_back(key(WithPair, property->kind, property->id, pair));
+}
+
+void ChooserSentence::add_mentions(const std::vector<Property>& properties, std::size_t moves) {
   const Columns& columns = model_->columns();
   std::vector<std::uint16_t> met;  // things that are mentioned and met
   for (const Property& property : properties) {
     if (property.kind != AtEnd && property.kind != FirstAtEnd && property.kind != Passed) continue;
     if (!mentioned_[property.id]) continue;
     const std::size_t token = PostfixGrammar::literal(static_cast<std::uint16_t>(property.id));
-    out.emplace_back(key(Mentioned, property.kind, columns.direction[token]), 1.0F);
+    add_to_last_end(key(Mentioned, property.kind, columns.direction[token]), nullptr);
     met.push_back(columns.thing[token]);
   }
   std::sort(met.begin(), met.end());
   const auto distinct = static_cast<std::size_t>(std::unique(met.begin(), met.end()) - met.begin());
-  out.emplace_back(key(Missing, 0, std::min<std::size_t>(things_ - std::min(things_, distinct), 3)), 1.0F);
-  for (std::size_t n : counts_) out.emplace_back(key(Count, n == moves ? 1 : 0, moves == 0 ? 1 : 0), 1.0F);
+  add_to_last_end(key(Missing, 0, std::min<std::size_t>(things_ - std::min(things_, distinct), 3)), nullptr);
+  for (std::size_t n : counts_) add_to_last_end(key(Count, n == moves ? 1 : 0, moves == 0 ? 1 : 0), nullptr);
 }
 
-void ChooserSentence::features(const Executor& executor, plan::PoseId start, const Plan& plan, double mass,
-                               std::vector<std::pair<std::uint64_t, float>>& out) const {
-  std::vector<Property> properties;
-  route_properties(executor, start, plan, properties);
-  out.clear();
-  out.emplace_back(key(LogMass, 0, 0), static_cast<float>(std::log(std::max(mass, 1e-9))));
-  for (const Property& property : properties) {
-    out.emplace_back(key(Alone, property.kind, property.id), 1.0F);
-    for (std::uint32_t word : words_) out.emplace_back(key(WithWord, property.kind, property.id, word), 1.0F);
-    if (!property.with_pairs) continue;
-    for (std::uint32_t pair : pairs_) out.emplace_back(key(WithPair, property.kind, property.id, pair), 1.0F);
-  }
+void ChooserSentence::add_end(const Executor& executor, plan::PoseId start, const Plan& plan, double mass) {
+  features_.ends.emplace_back();
+  features_.log_mass.push_back(static_cast<float>(std::log(std::max(mass, 1e-9))));
+  const std::vector<Property> properties = route_properties(executor, start, plan);
+  for (const Property& property : properties)
+    add_to_last_end(key(Alone, property.kind, property.id), &property);
   const auto moves =
       static_cast<std::size_t>(std::count(plan.actions.begin(), plan.actions.end(), plan::Action::Forward));
-  mention_features(properties, moves, out);
+  add_mentions(properties, moves);
 }
 
 std::uint64_t log_mass_feature() { return key(LogMass, 0, 0); }
@@ -148,23 +155,29 @@ std::uint64_t log_mass_feature() { return key(LogMass, 0, 0); }
 void choose_end(const LinearModel& model, const Executor& executor, const SentenceInput& input,
                 std::span<const plan::PoseId> starts, Decision& decision) {
   if (model.chooser.rows() == 0 || decision.ends.size() < 2) return;
-  const ChooserSentence sentence(model, input);
-  std::vector<std::pair<std::uint64_t, float>> features;
+  ChooserSentence sentence(model, input);
+  for (const End& end : decision.ends)
+    sentence.add_end(executor, starts[decision.start[end.candidate]], *decision.plans[end.candidate],
+                     end.mass);
+  const EndFeatures features = sentence.take();
+  const auto weight = [&](std::uint64_t feature) {
+    const std::uint32_t row = model.chooser.find(feature);
+    return row == WeightTable::absent ? 0.0 : static_cast<double>(*model.chooser.row(row));
+  };
+  std::vector<double> bundles;
+  for (const auto& bundle : features.bundles) {
+    bundles.push_back(0);
+    for (std::uint64_t feature : bundle) bundles.back() += weight(feature);
+  }
   std::vector<double> scores;
-  for (const End& end : decision.ends) {
-    sentence.features(executor, starts[decision.start[end.candidate]], *decision.plans[end.candidate],
-                      end.mass, features);
-    double score = 0;
-    for (const auto& [feature, value] : features)
-      if (const std::uint32_t row = model.chooser.find(feature); row != WeightTable::absent)
-        score += static_cast<double>(value) * static_cast<double>(*model.chooser.row(row));
-    scores.push_back(score);
+  for (std::size_t i = 0; i < features.ends.size(); ++i) {
+    scores.push_back(weight(log_mass_feature()) * static_cast<double>(features.log_mass[i]));
+    for (std::uint32_t bundle : features.ends[i]) scores.back() += bundles[bundle];
   }
   const double highest = *std::max_element(scores.begin(), scores.end());
   double total = 0;
-  for (double score : scores) total += std::exp(score - highest);
-  for (std::size_t i = 0; i < scores.size(); ++i)
-    decision.ends[i].mass = std::exp(scores[i] - highest) / total;
+  for (double& score : scores) total += score = std::exp(score - highest);
+  for (std::size_t i = 0; i < scores.size(); ++i) decision.ends[i].mass = scores[i] / total;
   std::stable_sort(decision.ends.begin(), decision.ends.end(),
                    [](const End& a, const End& b) { return a.mass > b.mass; });
 }

@@ -8,11 +8,21 @@
 #pragma once
 #include <cstdint>
 #include <span>
+#include <unordered_map>
 #include <vector>
 
 #include "libparser/decide.hpp"
 
 namespace waymark::parser {
+
+// Features of all ends of one decision. What a route is like (a property) goes with every word: such a bundle of features
+// is the same for all ends that share the property, so it is listed and weighed once.
+struct EndFeatures {
+  std::vector<std::vector<std::uint64_t>> bundles;  // keys
+  std::vector<std::vector<std::uint32_t>> ends;     // bundles of each end; one may count twice
+  std::vector<float> log_mass;                      // of each end, the value of log_mass_feature()
+};
+std::uint64_t log_mass_feature();
 
 // What the chooser knows of a sentence.
 class ChooserSentence {
@@ -20,19 +30,19 @@ class ChooserSentence {
   // `mirrored`: the tokens are a mirror image and routes are to be mirrored before they are looked at.
   ChooserSentence(const LinearModel& model, const SentenceInput& input, bool mirrored = false);
 
-  // Features of an end: (key, value) with value 1 but for log mass.
-  void features(const Executor& executor, plan::PoseId start, const Plan& plan, double mass,
-                std::vector<std::pair<std::uint64_t, float>>& out) const;
+  // Adds one more end: where `plan` leads from `start`.
+  void add_end(const Executor& executor, plan::PoseId start, const Plan& plan, double mass);
+  EndFeatures take() { return std::move(features_); }
 
  private:
   struct Property {
     std::uint64_t kind, id;
     bool with_pairs;
   };
-  void route_properties(const Executor& executor, plan::PoseId start, const Plan& plan,
-                        std::vector<Property>& out) const;
-  void mention_features(const std::vector<Property>& properties, std::size_t moves,
-                        std::vector<std::pair<std::uint64_t, float>>& out) const;
+  std::vector<Property> route_properties(const Executor& executor, plan::PoseId start,
+                                         const Plan& plan) const;
+  void add_mentions(const std::vector<Property>& properties, std::size_t moves);
+  void add_to_last_end(std::uint64_t key, const Property* with_words);
 
   const LinearModel* model_;
   std::vector<std::uint32_t> words_, pairs_;
@@ -42,9 +52,9 @@ class ChooserSentence {
   std::size_t things_ = 0;             // mentioned
   std::vector<std::size_t> counts_;    // numbers named
   bool heading_unknown_, mirrored_;
+  EndFeatures features_;
+  std::unordered_map<std::uint64_t, std::uint32_t> index_;  // of bundles, by their first key
 };
-
-std::uint64_t log_mass_feature();
 
 // Scores of the ends of a decision; the ends are then sorted by probability, `mass` replaced by it.
 // Does nothing when the model has no chooser.

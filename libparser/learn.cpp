@@ -58,7 +58,7 @@ class Learner {
       for (std::size_t i = order.size(); i > 1; --i) std::swap(order[i - 1], order[random() % i]);
       for (std::size_t i = 0; i < order.size(); ++i) {
         if (options_.stop.stop_requested()) throw Stopped{};
-        learn(lessons_[order[i]], epoch >= options_.explore_from);
+        learn(lessons_[order[i]], explores(epoch));
         if (options_.progress && i % 64 == 0) options_.progress(fraction(epoch, i), "learning");
       }
     }
@@ -66,6 +66,11 @@ class Learner {
   }
 
  private:
+  // Every second epoch from the first that may.
+  bool explores(int epoch) const {
+    return epoch >= options_.explore_from && (epoch - options_.explore_from) % 2 == 0;
+  }
+
   double fraction(int epoch, std::size_t i) const {
     const double done = static_cast<double>(i) / static_cast<double>(lessons_.size());
     return part_.begin + (part_.end - part_.begin) * (epoch + done) / options_.epochs;

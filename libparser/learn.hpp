@@ -28,10 +28,10 @@ struct TrainOptions {
   double decay = 1e-2;          // L2, per update of a row
   double mention = 2.0;         // first weight of naming what the sentence mentions
   double other_route = 0.3;     // weight of a consistent program whose route is not the gold one
-  int explore_from = 2;         // first epoch in which the own beam is searched for consistent programs
-  std::size_t explore = 32;     // how many programs of it
-  bool mirrored = true;         // every sentence also as its mirror image
-  bool chooser = true;          // also learn to choose between ends on the map
+  int explore_from = 2;  // from this epoch on, every second one searches the own beam for consistent programs
+  std::size_t explore = 32;  // how many programs of it
+  bool mirrored = true;      // every sentence also as its mirror image
+  bool chooser = true;       // also learn to choose between ends on the map
   int chooser_epochs = 4;
   double chooser_rate = 0.03;   // AdaGrad
   double chooser_decay = 1e-2;  // L2

@@ -9,6 +9,13 @@
 namespace waymark::parser {
 namespace {
 
+// A dilemma, or its mirror image, with its features turned into rows of the chooser's table.
+struct Lesson {
+  std::vector<std::vector<std::uint32_t>> bundles, ends;
+  std::vector<float> log_mass;
+  std::size_t gold;
+};
+
 class ChooserLearner {
  public:
   ChooserLearner(LinearModel& model, std::span<const Executor> executors, const TrainOptions& options)
@@ -18,45 +25,50 @@ class ChooserLearner {
     *model_.chooser.row(model_.chooser.add(log_mass_feature())) = 1.0F;
   }
 
+  Lesson lesson(const Dilemma& dilemma, bool mirrored) {
+    SentenceInput input = dilemma.example->input;
+    if (mirrored) input.tokens = mirror(input.tokens);
+    ChooserSentence sentence(model_, input, mirrored);
+    for (const Dilemma::Option& option : dilemma.options)
+      sentence.add_end(executors_[dilemma.example->map], dilemma.example->gold.start, option.plan,
+                       option.mass);
+    EndFeatures features = sentence.take();
+    Lesson lesson{{}, std::move(features.ends), std::move(features.log_mass), dilemma.gold};
+    for (const auto& bundle : features.bundles) {
+      auto& rows = lesson.bundles.emplace_back();
+      for (std::uint64_t feature : bundle) rows.push_back(model_.chooser.add(feature));
+    }
+    return lesson;
+  }
+
   // One step up the log-probability of the gold end.
-  void learn(const Dilemma& dilemma, const ChooserSentence& sentence) {
-    const std::size_t n = dilemma.options.size();
-    features_.resize(n);
-    std::vector<double> probability(n);
+  void learn(const Lesson& lesson) {
+    const std::size_t n = lesson.ends.size();
+    std::vector<float> bundles(lesson.bundles.size(), 0.0F), errors(lesson.bundles.size(), 0.0F), p(n);
+    for (std::size_t b = 0; b < bundles.size(); ++b)
+      for (std::uint32_t row : lesson.bundles[b]) bundles[b] += *model_.chooser.row(row);
+    const std::uint32_t mass_row = model_.chooser.find(log_mass_feature());
     for (std::size_t i = 0; i < n; ++i) {
-      sentence.features(executors_[dilemma.example->map], dilemma.example->gold.start,
-                        dilemma.options[i].plan, dilemma.options[i].mass, features_[i]);
-      for (auto& [feature, value] : features_[i])
-        probability[i] += static_cast<double>(value * *model_.chooser.row(model_.chooser.add(feature)));
+      p[i] = *model_.chooser.row(mass_row) * lesson.log_mass[i];
+      for (std::uint32_t b : lesson.ends[i]) p[i] += bundles[b];
     }
-    const double highest = *std::max_element(probability.begin(), probability.end());
-    double total = 0;
-    for (double& p : probability) total += p = std::exp(p - highest);
-    gradient_.resize(model_.chooser.rows(), 0.0F);
-    touched_.clear();
+    const float highest = *std::max_element(p.begin(), p.end());
+    float total = 0, mass_error = 0;
+    for (float& x : p) total += x = std::exp(x - highest);
     for (std::size_t i = 0; i < n; ++i) {
-      const auto error = static_cast<float>((i == dilemma.gold ? 1.0 : 0.0) - probability[i] / total);
-      for (const auto& [feature, value] : features_[i]) {
-        const std::uint32_t row = model_.chooser.find(feature);
-        touched_.push_back(row);
-        gradient_[row] += error * value;
-      }
+      const float error = (i == lesson.gold ? 1.0F : 0.0F) - p[i] / total;
+      mass_error += error * lesson.log_mass[i];
+      for (std::uint32_t b : lesson.ends[i]) errors[b] += error;
     }
-    std::sort(touched_.begin(), touched_.end());
-    touched_.erase(std::unique(touched_.begin(), touched_.end()), touched_.end());
-    for (std::uint32_t row : touched_) {
-      optimizer_.update(row, &gradient_[row]);
-      gradient_[row] = 0;
-    }
+    optimizer_.update(mass_row, &mass_error);
+    for (std::size_t b = 0; b < bundles.size(); ++b)
+      for (std::uint32_t row : lesson.bundles[b]) optimizer_.update(row, &errors[b]);
   }
 
  private:
   LinearModel& model_;
   std::span<const Executor> executors_;
   AdaGrad optimizer_;
-  std::vector<std::vector<std::pair<std::uint64_t, float>>> features_;
-  std::vector<float> gradient_;
-  std::vector<std::uint32_t> touched_;
 };
 
 }  // namespace
@@ -82,20 +94,17 @@ void add_dilemmas(const LinearModel& reader, std::span<const Example* const> exa
 void learn_chooser(LinearModel& model, std::span<const Dilemma> dilemmas, std::span<const Executor> executors,
                    const TrainOptions& options) {
   ChooserLearner learner(model, executors, options);
-  std::vector<std::pair<std::size_t, ChooserSentence>> lessons;
-  for (std::size_t i = 0; i < dilemmas.size(); ++i) {
-    SentenceInput input = dilemmas[i].example->input;
-    lessons.emplace_back(i, ChooserSentence(model, input));
-    if (!options.mirrored) continue;
-    input.tokens = mirror(input.tokens);
-    lessons.emplace_back(i, ChooserSentence(model, input, true));
+  std::vector<Lesson> lessons;
+  for (const Dilemma& dilemma : dilemmas) {
+    lessons.push_back(learner.lesson(dilemma, false));
+    if (options.mirrored) lessons.push_back(learner.lesson(dilemma, true));
   }
   std::mt19937_64 random(options.seed);
   for (int epoch = 0; epoch < options.chooser_epochs; ++epoch) {
     for (std::size_t i = lessons.size(); i > 1; --i) std::swap(lessons[i - 1], lessons[random() % i]);
-    for (const auto& [i, sentence] : lessons) {
+    for (const Lesson& lesson : lessons) {
       if (options.stop.stop_requested()) throw Stopped{};
-      learner.learn(dilemmas[i], sentence);
+      learner.learn(lesson);
     }
     if (options.progress)
       options.progress(0.9 + 0.1 * (epoch + 1) / options.chooser_epochs, "learning to choose");

@@ -180,10 +180,17 @@ LinearModel parse_linear_model(std::string_view bytes, std::string_view source) 
   return model;
 }
 
+std::string serialize_within(const LinearModel& model, std::size_t bytes) {
+  double threshold = least_weight;
+  std::string out = serialize(model, threshold);
+  while (out.size() > bytes && threshold < 65'504) out = serialize(model, threshold *= 1.25);
+  return out;
+}
+
 void save(const LinearModel& model, const std::filesystem::path& file) {
   const std::filesystem::path temporary = file.string() + ".tmp";
   std::ofstream out(temporary, std::ios::binary);
-  const std::string bytes = serialize(model);
+  const std::string bytes = serialize_within(model, most_bytes);
   out.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
   out.close();
   std::error_code error;

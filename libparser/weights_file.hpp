@@ -11,8 +11,12 @@
 
 namespace waymark::parser {
 
+inline constexpr double least_weight = 0.02;
 // Weights smaller than `threshold` in absolute value are dropped.
-std::string serialize(const LinearModel& model, double threshold = 0.02);
+std::string serialize(const LinearModel& model, double threshold = least_weight);
+// The same with the threshold raised by quarters until the file fits; `bytes` must leave room for the words.
+inline constexpr std::size_t most_bytes = 3'000'000;
+std::string serialize_within(const LinearModel& model, std::size_t bytes);
 // Throws ltl::FormatError when it is no weights file, of another version, cut short or altered.
 LinearModel parse_linear_model(std::string_view bytes, std::string_view source = "");
 

@@ -57,19 +57,5 @@ TEST(Evaluate, FewerThanTwoMapsAreRefused) {
   EXPECT_THROW(evaluate_leave_one_map_out(corpus, nullptr, {}), std::invalid_argument);
 }
 
-// The number that matters (docs/results.md), start heading north.
-TEST(Evaluate, ReachesTheAccuracyThatIsPublished) {
-  if (!std::filesystem::exists(sail_directory()))
-    GTEST_SKIP() << "the SAIL corpus is not at " << sail_directory() << " (set WAYMARK_SHARED)";
-  EvaluateOptions options;
-  options.relative = false;
-  const Corpus corpus = read_sail_corpus(sail_directory());
-  const Evaluation result = evaluate_leave_one_map_out(corpus, nullptr, corpus.maps, options);
-  double mean = 0;
-  for (const auto& [map, scores] : result.folds) mean += scores.sentence.absolute.value() / 3;
-  EXPECT_EQ(result.folds.size(), 3U);
-  EXPECT_GE(mean, 68.0);
-}
-
 }  // namespace
 }  // namespace waymark::parser

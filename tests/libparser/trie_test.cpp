@@ -62,7 +62,8 @@ TEST_F(Decoding, ProbabilitiesOfAllProgramsSumToOne) {
   const auto all = best_programs(scorer, model.grammar(), 10'000'000, 2'000'000);
   double total = 0;
   for (const Candidate& candidate : all) total += std::exp(candidate.log_probability);
-  EXPECT_NEAR(total, 1.0, 1e-3) << all.size();
+  EXPECT_NEAR(total, 1.0, 0.03) << all.size();  // programs below e⁻¹² are not made
+  EXPECT_LE(total, 1.0 + 1e-4);
 }
 
 TEST_F(Decoding, BestFirstGivesTheBestProgramsInOrder) {
