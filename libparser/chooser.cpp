@@ -162,7 +162,7 @@ void choose_end(const LinearModel& model, const Executor& executor, const Senten
   const EndFeatures features = sentence.take();
   const auto weight = [&](std::uint64_t feature) {
     const std::uint32_t row = model.chooser.find(feature);
-    return row == WeightTable::absent ? 0.0 : static_cast<double>(*model.chooser.row(row));
+    return row == WeightTable::absent ? 0.0 : static_cast<double>(model.chooser.weight(row, 0));
   };
   std::vector<double> bundles;
   for (const auto& bundle : features.bundles) {

@@ -3,7 +3,24 @@
 #include <algorithm>
 #include <cmath>
 
+#include "libparser/wording.hpp"
+
 namespace waymark::parser {
+
+std::vector<Weighed> likely_programs(const LinearModel& model, const SentenceInput& input, std::size_t beam) {
+  const SentenceFeatures features = sentence_features(input, model.words);
+  const Wording wording(model, features.mentions);
+  Scorer scorer(model, features);
+  std::vector<Weighed> weighed;
+  for (Candidate& candidate : best_programs(scorer, model.grammar(), beam)) {
+    const double disagreement = wording.disagreement(candidate.program), p = candidate.log_probability;
+    weighed.push_back({std::move(candidate.program), p - trust_in_wording * disagreement,
+                       p - trust_at_one_end * disagreement});
+  }
+  std::stable_sort(weighed.begin(), weighed.end(),
+                   [](const Weighed& a, const Weighed& b) { return a.log_weight > b.log_weight; });
+  return weighed;
+}
 
 std::optional<std::pair<Plan, std::size_t>> plan_from(const Executor& executor, const Program& program,
                                                       std::span<const plan::PoseId> starts, Then then) {
@@ -16,16 +33,15 @@ std::optional<std::pair<Plan, std::size_t>> plan_from(const Executor& executor, 
   return best;
 }
 
-std::vector<End> rank_ends(std::span<const double> probabilities,
-                           std::span<const std::optional<Plan>> plans) {
+std::vector<End> rank_ends(std::span<const Weighed> candidates, std::span<const std::optional<Plan>> plans) {
   std::vector<End> ends;
   for (std::size_t i = 0; i < plans.size(); ++i) {
     if (!plans[i]) continue;
     const plan::PoseId pose = plans[i]->end;
     auto end = std::find_if(ends.begin(), ends.end(), [&](const End& e) { return e.pose == pose; });
     if (end == ends.end()) end = ends.insert(end, End{pose, 0, i});
-    end->mass += probabilities[i];
-    if (probabilities[i] > probabilities[end->candidate]) end->candidate = i;
+    end->mass += std::exp(candidates[i].log_weight);
+    if (candidates[i].preference > candidates[end->candidate].preference) end->candidate = i;
   }
   std::stable_sort(ends.begin(), ends.end(), [](const End& a, const End& b) { return a.mass > b.mass; });
   return ends;
@@ -33,18 +49,14 @@ std::vector<End> rank_ends(std::span<const double> probabilities,
 
 Decision decide(const LinearModel& model, const Executor& executor, const SentenceInput& input,
                 std::span<const plan::PoseId> starts, std::size_t beam, Then then) {
-  const SentenceFeatures features = sentence_features(input, model.words);
-  Scorer scorer(model, features);
   Decision decision;
-  decision.candidates = best_programs(scorer, model.grammar(), beam);
-  std::vector<double> probabilities;
-  for (const Candidate& candidate : decision.candidates) {
+  decision.candidates = likely_programs(model, input, beam);
+  for (const Weighed& candidate : decision.candidates) {
     auto plan = plan_from(executor, candidate.program, starts, then);
     decision.start.push_back(plan ? plan->second : 0);
     decision.plans.push_back(plan ? std::optional<Plan>(std::move(plan->first)) : std::nullopt);
-    probabilities.push_back(std::exp(candidate.log_probability));
   }
-  decision.ends = rank_ends(probabilities, decision.plans);
+  decision.ends = rank_ends(decision.candidates, decision.plans);
   return decision;
 }
 

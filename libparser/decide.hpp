@@ -1,4 +1,4 @@
-// Which place is meant: candidate programs are planned on the map, and their probability is summed by end pose.
+// Which place is meant: candidate programs are planned on the map, and their weight is summed by end pose.
 #pragma once
 #include <optional>
 #include <span>
@@ -11,26 +11,37 @@ namespace waymark::parser {
 
 struct End {
   plan::PoseId pose;
-  double mass = 0;            // probability of the candidates that end there
-  std::size_t candidate = 0;  // the likeliest of them
+  double mass = 0;            // weight of the candidates that end there
+  std::size_t candidate = 0;  // of those that end there, the preferred one
 };
 
+// A program the reader thinks likely, weighed by how well it says what the sentence says (wording.hpp).
+struct Weighed {
+  Program program;
+  double log_weight = 0;  // log p(program | sentence) − trust_in_wording · disagreement; not normalised
+  double preference = 0;  // the same with more trust, to compare programs that lead to one end
+};
+inline constexpr double trust_in_wording = 3.0, trust_at_one_end = 6.0;
+
 struct Decision {
-  std::vector<Candidate> candidates;       // likeliest first
+  std::vector<Weighed> candidates;         // most weight first
   std::vector<std::optional<Plan>> plans;  // of each candidate; nullopt: no route
   std::vector<std::size_t> start;          // of each candidate: which of the starts its plan leaves from
   std::vector<End> ends;                   // most mass first; empty when no candidate has a route
 };
 
+// The reader's `beam` likeliest programs of a sentence, most weight first.
+std::vector<Weighed> likely_programs(const LinearModel& model, const SentenceInput& input, std::size_t beam);
+
 // The plan from several starts is the cheapest of the plans from each, ties by their order.
 std::optional<std::pair<Plan, std::size_t>> plan_from(const Executor& executor, const Program& program,
                                                       std::span<const plan::PoseId> starts, Then then);
 
-// By probability of the programs alone; chooser.hpp reranks the ends.
+// By weight of the programs alone; chooser.hpp reranks the ends.
 Decision decide(const LinearModel& model, const Executor& executor, const SentenceInput& input,
                 std::span<const plan::PoseId> starts, std::size_t beam, Then then);
 
-// Sums masses by end pose. Ties: the end of the likelier candidate first.
-std::vector<End> rank_ends(std::span<const double> probabilities, std::span<const std::optional<Plan>> plans);
+// Sums weights by end pose. Ties: the end that an earlier candidate leads to first. candidates and plans: same size.
+std::vector<End> rank_ends(std::span<const Weighed> candidates, std::span<const std::optional<Plan>> plans);
 
 }  // namespace waymark::parser

@@ -22,14 +22,9 @@ Program or_stay(Program program) {
   return program;
 }
 
-struct Weighted {
-  Program program;
-  double log_probability = 0;
-};
-
 // The likeliest joinings of a program of the one list with a program of the other, best first; both lists sorted.
-std::vector<Weighted> join(const std::vector<Weighted>& firsts, const std::vector<Candidate>& seconds,
-                           std::size_t top) {
+std::vector<Weighed> join(const std::vector<Weighed>& firsts, const std::vector<Weighed>& seconds,
+                          std::size_t top) {
   struct Pair {
     std::size_t i, j;
     double log_probability;
@@ -41,14 +36,14 @@ std::vector<Weighted> join(const std::vector<Weighted>& firsts, const std::vecto
   std::priority_queue<Pair> open;
   const auto push = [&](std::size_t i, std::size_t j) {
     if (i < firsts.size() && j < seconds.size())
-      open.push({i, j, firsts[i].log_probability + seconds[j].log_probability});
+      open.push({i, j, firsts[i].log_weight + seconds[j].log_weight});
   };
   push(0, 0);
-  std::vector<Weighted> joined;
+  std::vector<Weighed> joined;
   while (!open.empty() && joined.size() < top) {
     const Pair best = open.top();
     open.pop();
-    joined.push_back({firsts[best.i].program, best.log_probability});
+    joined.push_back({firsts[best.i].program, best.log_probability, 0});
     append(joined.back().program, seconds[best.j].program);
     push(best.i, best.j + 1);
     if (best.j == 0) push(best.i + 1, 0);
@@ -57,13 +52,14 @@ std::vector<Weighted> join(const std::vector<Weighted>& firsts, const std::vecto
 }
 
 // Programs → readings with probabilities that sum to 1; programs with one formula are one reading.
-std::vector<Reading> readings_of(const std::vector<Weighted>& programs, ltl::Arena& arena) {
+std::vector<Reading> readings_of(const std::vector<Weighed>& programs, ltl::Arena& arena) {
   std::vector<Reading> readings;
-  double total = 0;
-  for (const Weighted& weighted : programs) {
-    const Program program = or_stay(weighted.program);
+  double total = 0, highest = -INFINITY;
+  for (const Weighed& weighed : programs) highest = std::max(highest, weighed.log_weight);
+  for (const Weighed& weighed : programs) {
+    const Program program = or_stay(weighed.program);
     const ltl::Formula formula = formula_of(program, arena);
-    const double probability = std::exp(weighted.log_probability - programs.front().log_probability);
+    const double probability = std::exp(weighed.log_weight - highest);
     total += probability;
     const auto same = std::find_if(readings.begin(), readings.end(),
                                    [&](const Reading& r) { return r.formula == formula; });
@@ -74,6 +70,26 @@ std::vector<Reading> readings_of(const std::vector<Weighted>& programs, ltl::Are
   }
   for (Reading& reading : readings) reading.probability /= total;
   return readings;
+}
+
+// p(program | sentence, map): that of its end, shared among the programs that lead there by their weight; 0 without a
+// route. When none has a route, the weights alone.
+std::vector<double> on_the_map(const Decision& decision) {
+  std::vector<double> weights;
+  for (const Weighed& candidate : decision.candidates) weights.push_back(std::exp(candidate.log_weight));
+  if (decision.ends.empty()) return weights;
+  std::vector<double> probabilities(weights.size(), 0.0);
+  for (const End& end : decision.ends) {
+    const auto leads_there = [&](std::size_t c) {
+      return decision.plans[c] && decision.plans[c]->end == end.pose;
+    };
+    double total = 0;
+    for (std::size_t c = 0; c < weights.size(); ++c)
+      if (leads_there(c)) total += weights[c];
+    for (std::size_t c = 0; c < weights.size(); ++c)
+      if (leads_there(c)) probabilities[c] = end.mass * weights[c] / total;
+  }
+  return probabilities;
 }
 
 void by_probability(std::vector<Reading>& readings) {
@@ -88,11 +104,10 @@ std::vector<Reading> ground(const LinearModel& model, std::string_view text, ltl
   model.check_vocabulary(arena.vocabulary(), "the formulas");
   const std::vector<std::string> sentences = split_sentences(text);
   if (sentences.empty()) return {};
-  std::vector<Weighted> programs{{}};
+  std::vector<Weighed> programs{{}};
   for (const std::string& sentence : sentences) {
-    const SentenceFeatures features = sentence_features({tokenize(sentence), false}, model.words);
-    Scorer scorer(model, features);
-    programs = join(programs, best_programs(scorer, model.grammar(), options.beam), options.top);
+    const SentenceInput input{tokenize(sentence), false};
+    programs = join(programs, likely_programs(model, input, options.beam), options.top);
   }
   std::vector<Reading> readings = readings_of(programs, arena);
   by_probability(readings);
@@ -120,10 +135,11 @@ std::vector<Reading> ground(const LinearModel& model, std::string_view text, con
       here = {decision.ends.front().pose};
       continue;
     }
-    std::vector<Weighted> programs;
-    for (const Candidate& candidate : decision.candidates) {
-      programs.push_back({settled, candidate.log_probability});
-      append(programs.back().program, candidate.program);
+    const std::vector<double> weights = on_the_map(decision);
+    std::vector<Weighed> programs;
+    for (std::size_t c = 0; c < weights.size(); ++c) {
+      programs.push_back({settled, std::log(weights[c]), 0});
+      append(programs.back().program, decision.candidates[c].program);
     }
     std::vector<Reading> readings = readings_of(programs, arena);
     by_probability(readings);
@@ -143,14 +159,15 @@ std::vector<Reading> ground(const LinearModel& model, std::string_view text, con
 std::size_t choose(std::span<const Reading> readings, const plan::Map& map,
                    std::span<const plan::PoseId> starts, Then then) {
   const Executor executor(map);
-  std::vector<double> probabilities;
+  std::vector<Weighed> candidates;
   std::vector<std::optional<Plan>> plans;
   for (const Reading& reading : readings) {
-    probabilities.push_back(reading.probability);
+    const double log_probability = std::log(reading.probability);
+    candidates.push_back({reading.program, log_probability, log_probability});
     auto plan = plan_from(executor, reading.program, starts, then);
     plans.push_back(plan ? std::optional<Plan>(std::move(plan->first)) : std::nullopt);
   }
-  const std::vector<End> ends = rank_ends(probabilities, plans);
+  const std::vector<End> ends = rank_ends(candidates, plans);
   return ends.empty() ? 0 : ends.front().candidate;
 }
 

@@ -33,7 +33,8 @@ std::vector<Reading> ground(const LinearModel& model, std::string_view text, ltl
                             const GroundOptions& options = {});
 
 // The same on a map. `starts`: one pose, or several when the heading is unknown. The first reading is the likeliest of
-// those that lead where most probability leads; readings without a route keep their probability but come last.
+// those that lead where most probability leads. Probabilities are those of the ends, shared among the readings that
+// lead there; a reading without a route has none, unless no reading has one.
 std::vector<Reading> ground(const LinearModel& model, std::string_view text, const plan::Map& map,
                             std::span<const plan::PoseId> starts, ltl::Arena& arena,
                             const GroundOptions& options = {});

@@ -1,7 +1,9 @@
 #include "libparser/learn.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
+#include <optional>
 #include <random>
 #include <stdexcept>
 
@@ -10,6 +12,7 @@
 #include "libparser/learn_chooser.hpp"
 #include "libparser/token.hpp"
 #include "libparser/trie.hpp"
+#include "libparser/wording.hpp"
 
 namespace waymark::parser {
 namespace {
@@ -19,21 +22,17 @@ struct Lesson {
   const Example* example;
   bool mirrored;
   SentenceFeatures features;
+  Wording wording;
   ProgramTrie trie;
-};
-
-// Which part of the whole work a reader is, for the progress that is reported.
-struct Part {
-  double begin, end;
 };
 
 class Learner {
  public:
   Learner(std::span<const Example* const> examples, std::span<const Executor> executors,
-          const TrainOptions& options, Part part)
+          const TrainOptions& options, const JobProgress& progress)
       : executors_(executors),
         options_(options),
-        part_(part),
+        progress_(progress),
         model_(executors.front().map().vocabulary()),
         images_(mirror_images(model_.vocabulary())),
         optimizer_(model_.reader, options.learning_rate, options.decay),
@@ -59,7 +58,7 @@ class Learner {
       for (std::size_t i = 0; i < order.size(); ++i) {
         if (options_.stop.stop_requested()) throw Stopped{};
         learn(lessons_[order[i]], explores(epoch));
-        if (options_.progress && i % 64 == 0) options_.progress(fraction(epoch, i), "learning");
+        if (i % 64 == 0) progress_(fraction(epoch, i));
       }
     }
     return std::move(model_);
@@ -73,13 +72,15 @@ class Learner {
 
   double fraction(int epoch, std::size_t i) const {
     const double done = static_cast<double>(i) / static_cast<double>(lessons_.size());
-    return part_.begin + (part_.end - part_.begin) * (epoch + done) / options_.epochs;
+    return (epoch + done) / options_.epochs;
   }
 
   void add_lesson(const Example& example, bool mirrored) {
     SentenceInput input = example.input;
     if (mirrored) input.tokens = mirror(input.tokens);
-    Lesson lesson{&example, mirrored, sentence_features(input, model_.words), ProgramTrie(model_.grammar())};
+    SentenceFeatures features = sentence_features(input, model_.words);
+    Wording wording(model_, features.mentions);
+    Lesson lesson{&example, mirrored, std::move(features), std::move(wording), ProgramTrie(model_.grammar())};
     for (const Consistent& candidate : *example.programs)
       add_program(lesson, candidate.program, candidate.same_route);
     if (lesson.trie.programs() > 0) lessons_.push_back(std::move(lesson));
@@ -87,9 +88,11 @@ class Learner {
 
   // A program of the sentence as it stands, to the lesson as it stands or mirrored.
   void add_program(Lesson& lesson, const Program& program, bool same_route) {
-    const double weight = same_route ? 1.0 : options_.other_route;
-    if (weight <= 0 || names_other_place(program, lesson.features)) return;
-    lesson.trie.add(lesson.mirrored ? mirror(program, images_) : program, weight);
+    if (names_other_place(program, lesson.features)) return;
+    const Program read = lesson.mirrored ? mirror(program, images_) : program;
+    const double weight = (same_route ? 1.0 : options_.other_route) *
+                          std::exp(-options_.wording * lesson.wording.disagreement(read));
+    if (weight > 0) lesson.trie.add(read, weight);
   }
 
   bool names_other_place(const Program& program, const SentenceFeatures& features) const {
@@ -124,7 +127,7 @@ class Learner {
 
   std::span<const Executor> executors_;
   const TrainOptions& options_;
-  Part part_;
+  const JobProgress& progress_;
   LinearModel model_;
   std::vector<std::uint16_t> images_;
   AdaGrad optimizer_;
@@ -147,23 +150,40 @@ std::vector<std::vector<const Example*>> groups_of(std::span<const Example* cons
 
 }  // namespace
 
+LinearModel learn_reader(std::span<const Example* const> examples, std::span<const Executor> executors,
+                         const TrainOptions& options, const JobProgress& progress) {
+  return Learner(examples, executors, options, progress).run();
+}
+
 LinearModel train_on(std::span<const Example* const> examples, std::span<const Executor> executors,
                      const TrainOptions& options) {
-  if (!options.chooser || examples.size() < 2) return Learner(examples, executors, options, {0, 1}).run();
-  const auto groups = groups_of(examples);
-  const double share = 0.9 / static_cast<double>(groups.size());  // of the time, roughly
-  std::vector<Dilemma> dilemmas;
-  for (std::size_t g = 0; g < groups.size(); ++g) {
+  const bool chooses = options.chooser && examples.size() > 1;
+  const auto groups = chooses ? groups_of(examples) : std::vector<std::vector<const Example*>>{};
+  std::optional<LinearModel> model;
+  std::vector<std::vector<Dilemma>> dilemmas(groups.size());
+  const auto job = [&](std::size_t i, const JobProgress& progress) {
+    if (i == 0) {  // the longest first
+      model = learn_reader(examples, executors, options, progress);
+      return;
+    }
     std::vector<const Example*> others;
     for (std::size_t h = 0; h < groups.size(); ++h)
-      if (h != g) others.insert(others.end(), groups[h].begin(), groups[h].end());
-    const Part part{0.5 * share * static_cast<double>(g), 0.5 * share * static_cast<double>(g + 1)};
-    const LinearModel reader = Learner(others, executors, options, part).run();
-    add_dilemmas(reader, groups[g], executors, options, dilemmas);
-  }
-  LinearModel model = Learner(examples, executors, options, {0.45, 0.9}).run();
-  learn_chooser(model, dilemmas, executors, options);
-  return model;
+      if (h != i - 1) others.insert(others.end(), groups[h].begin(), groups[h].end());
+    const LinearModel reader = learn_reader(others, executors, options, progress);
+    dilemmas[i - 1] = dilemmas_of(reader, groups[i - 1], executors, options);
+  };
+  const Report most = [&](double fraction, std::string_view what) {
+    if (options.progress) options.progress(0.9 * fraction, what);
+  };
+  run_jobs(1 + groups.size(), options.threads, most, "learning", job);
+  if (!chooses) return std::move(*model);
+  std::vector<const Dilemma*> all;
+  for (const auto& group : dilemmas)
+    for (const Dilemma& dilemma : group) all.push_back(&dilemma);
+  learn_chooser(*model, all, executors, options, [&](double fraction) {
+    if (options.progress) options.progress(0.9 + 0.1 * fraction, "learning to choose");
+  });
+  return std::move(*model);
 }
 
 LinearModel train(const Corpus& corpus, std::span<const plan::Map> maps, const TrainOptions& options) {

@@ -7,14 +7,13 @@
 // Same seed, same machine, same bytes, at any number of threads.
 #pragma once
 #include <cstdint>
-#include <functional>
 #include <span>
 #include <stop_token>
-#include <string_view>
 
 #include "libparser/corpus.hpp"
 #include "libparser/examples.hpp"
 #include "libparser/linear_model.hpp"
+#include "libparser/parallel.hpp"
 
 namespace waymark::parser {
 
@@ -26,18 +25,19 @@ struct TrainOptions {
   Then then = Then::WholePlan;  // the meaning of `then` while training and deciding
   double learning_rate = 0.03;  // Adagrad
   double decay = 1e-2;          // L2, per update of a row
-  double mention = 2.0;         // first weight of naming what the sentence mentions
+  double mention = 4.0;         // first weight of naming what the sentence mentions
   double other_route = 0.3;     // weight of a consistent program whose route is not the gold one
+  double wording = 2.0;         // … by e^−wording for each disagreement with the sentence (wording.hpp)
   int explore_from = 2;  // from this epoch on, every second one searches the own beam for consistent programs
   std::size_t explore = 32;  // how many programs of it
   bool mirrored = true;      // every sentence also as its mirror image
   bool chooser = true;       // also learn to choose between ends on the map
-  int chooser_epochs = 4;
-  double chooser_rate = 0.03;   // AdaGrad
-  double chooser_decay = 1e-2;  // L2
+  int chooser_epochs = 6;
+  double chooser_rate = 0.03;  // AdaGrad
+  double chooser_decay = 0.2;  // L2
   std::size_t beam = 64;
   // Called from the calling thread, fraction in [0, 1], never decreasing.
-  std::function<void(double fraction, std::string_view what)> progress = {};
+  Report progress = {};
   std::stop_token stop = {};  // polled once per sentence; then Stopped (examples.hpp) is thrown
 };
 
@@ -48,5 +48,9 @@ LinearModel train(const Corpus& corpus, std::span<const plan::Map> maps, const T
 // The same from examples whose programs were found: several models can share one search.
 LinearModel train_on(std::span<const Example* const> examples, std::span<const Executor> executors,
                      const TrainOptions& options);
+
+// Without a chooser: ends are chosen by probability alone.
+LinearModel learn_reader(std::span<const Example* const> examples, std::span<const Executor> executors,
+                         const TrainOptions& options, const JobProgress& progress);
 
 }  // namespace waymark::parser

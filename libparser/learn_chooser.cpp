@@ -73,9 +73,9 @@ class ChooserLearner {
 
 }  // namespace
 
-void add_dilemmas(const LinearModel& reader, std::span<const Example* const> examples,
-                  std::span<const Executor> executors, const TrainOptions& options,
-                  std::vector<Dilemma>& dilemmas) {
+std::vector<Dilemma> dilemmas_of(const LinearModel& reader, std::span<const Example* const> examples,
+                                 std::span<const Executor> executors, const TrainOptions& options) {
+  std::vector<Dilemma> dilemmas;
   for (const Example* example : examples) {
     if (options.stop.stop_requested()) throw Stopped{};
     Decision decision = decide(reader, executors[example->map], example->input, {&example->gold.start, 1},
@@ -89,15 +89,17 @@ void add_dilemmas(const LinearModel& reader, std::span<const Example* const> exa
     if (dilemma.gold < decision.ends.size() && decision.ends.size() > 1)
       dilemmas.push_back(std::move(dilemma));
   }
+  return dilemmas;
 }
 
-void learn_chooser(LinearModel& model, std::span<const Dilemma> dilemmas, std::span<const Executor> executors,
-                   const TrainOptions& options) {
+void learn_chooser(LinearModel& model, std::span<const Dilemma* const> dilemmas,
+                   std::span<const Executor> executors, const TrainOptions& options,
+                   const JobProgress& progress) {
   ChooserLearner learner(model, executors, options);
   std::vector<Lesson> lessons;
-  for (const Dilemma& dilemma : dilemmas) {
-    lessons.push_back(learner.lesson(dilemma, false));
-    if (options.mirrored) lessons.push_back(learner.lesson(dilemma, true));
+  for (const Dilemma* dilemma : dilemmas) {
+    lessons.push_back(learner.lesson(*dilemma, false));
+    if (options.mirrored) lessons.push_back(learner.lesson(*dilemma, true));
   }
   std::mt19937_64 random(options.seed);
   for (int epoch = 0; epoch < options.chooser_epochs; ++epoch) {
@@ -106,8 +108,7 @@ void learn_chooser(LinearModel& model, std::span<const Dilemma> dilemmas, std::s
       if (options.stop.stop_requested()) throw Stopped{};
       learner.learn(lesson);
     }
-    if (options.progress)
-      options.progress(0.9 + 0.1 * (epoch + 1) / options.chooser_epochs, "learning to choose");
+    progress(static_cast<double>(epoch + 1) / options.chooser_epochs);
   }
 }
 

@@ -1,6 +1,6 @@
 // Learning to choose: a softmax over the ends of a sentence's candidates, of which one is the gold end.
 //
-// The candidates must come from a reader that has not learned from the sentence (train_on leaves out the whole map), or
+// The candidates must come from a reader that has not learned from the sentence (learn.cpp leaves out the whole map), or
 // the chooser would learn to trust probabilities that are too good. The end pose of a candidate is right or wrong:
 // that is all the supervision there is.
 #pragma once
@@ -23,11 +23,11 @@ struct Dilemma {
   std::size_t gold;
 };
 
-void add_dilemmas(const LinearModel& reader, std::span<const Example* const> examples,
-                  std::span<const Executor> executors, const TrainOptions& options,
-                  std::vector<Dilemma>& dilemmas);
+std::vector<Dilemma> dilemmas_of(const LinearModel& reader, std::span<const Example* const> examples,
+                                 std::span<const Executor> executors, const TrainOptions& options);
 
-void learn_chooser(LinearModel& model, std::span<const Dilemma> dilemmas, std::span<const Executor> executors,
-                   const TrainOptions& options);
+void learn_chooser(LinearModel& model, std::span<const Dilemma* const> dilemmas,
+                   std::span<const Executor> executors, const TrainOptions& options,
+                   const JobProgress& progress);
 
 }  // namespace waymark::parser

@@ -1,104 +1,140 @@
-// The experiment: one model per (convention, map left out), all of them from one search for programs per convention.
+// The experiment: for each convention one search for programs, one reader for every one or two maps, shared by the
+// folds that need it, and for each map left out a chooser and a test.
 #include <algorithm>
-#include <atomic>
 #include <chrono>
-#include <exception>
-#include <mutex>
+#include <map>
+#include <optional>
 #include <stdexcept>
-#include <thread>
 
 #include "libparser/evaluate.hpp"
 #include "libparser/examples.hpp"
+#include "libparser/learn_chooser.hpp"
 
 namespace waymark::parser {
 namespace {
 
-struct Job {
+struct Fold {
   Convention convention;
-  std::size_t map;  // left out
+  std::size_t map;                   // left out
+  std::vector<std::size_t> lessons;  // maps that are learned from
   Scores scores;
-  std::exception_ptr error;
 };
 
-// Runs jobs on several threads; only the calling thread reports progress.
 class Experiment {
  public:
   Experiment(const Corpus& train, const Corpus& test, std::span<const plan::Map> maps,
              const EvaluateOptions& options)
       : train_(train), test_(test), maps_(maps), options_(options), executors_(maps.begin(), maps.end()) {}
 
-  std::vector<Job> run() {
-    const PostfixGrammar grammar(maps_.front().vocabulary());
-    for (Convention convention : {Convention::Absolute, Convention::Relative}) {
-      if (!(convention == Convention::Absolute ? options_.absolute : options_.relative)) continue;
-      auto& sentences = examples_[static_cast<std::size_t>(convention)];
-      sentences = make_examples(train_, executors_, convention).sentences;
-      find_programs(sentences, executors_, grammar, options_.train.threads,
-                    [&](double) { return report(0, "searching for programs"); });
-      for (std::size_t m = 0; m < maps_.size(); ++m)
-        if (can_leave_out(sentences, m)) jobs_.push_back({convention, m, {}, nullptr});
-    }
-    if (jobs_.empty())
+  std::vector<Fold> run() {
+    for (Convention convention : {Convention::Absolute, Convention::Relative})
+      if (convention == Convention::Absolute ? options_.absolute : options_.relative) prepare(convention);
+    if (folds_.empty())
       throw std::invalid_argument("leaving one map out needs sentences on at least two maps");
-    done_.assign(jobs_.size(), 0.0);
-    run_all();
-    for (const Job& job : jobs_)
-      if (job.error) std::rethrow_exception(job.error);
-    return std::move(jobs_);
+    read();
+    const Report report = [&](double fraction, std::string_view what) {
+      if (options_.train.progress) options_.train.progress(0.8 + 0.2 * fraction, what);
+    };
+    run_jobs(folds_.size(), options_.train.threads, report, "learning to choose, testing",
+             [&](std::size_t i, const JobProgress& progress) { finish(folds_[i], progress); });
+    return std::move(folds_);
   }
 
  private:
-  bool can_leave_out(std::span<const Example> sentences, std::size_t map) const {
-    const bool tested = std::any_of(test_.paragraphs.begin(), test_.paragraphs.end(),
-                                    [&](const Paragraph& p) { return p.map == maps_[map].name(); });
-    return tested &&
-           std::any_of(sentences.begin(), sentences.end(), [&](const Example& e) { return e.map != map; });
+  using Maps = std::vector<std::size_t>;
+  using ReaderKey = std::pair<Convention, Maps>;
+
+  std::span<const Example> sentences(Convention convention) const {
+    return examples_[static_cast<std::size_t>(convention)];
   }
 
-  bool report(double fraction, std::string_view what) const {
-    if (options_.train.progress && std::this_thread::get_id() == caller_)
-      options_.train.progress(fraction, what);
-    return !options_.train.stop.stop_requested();
+  std::vector<const Example*> on(Convention convention, const Maps& maps) const {
+    std::vector<const Example*> out;
+    for (const Example& example : sentences(convention))
+      if (std::find(maps.begin(), maps.end(), example.map) != maps.end()) out.push_back(&example);
+    return out;
   }
 
-  double progress(std::size_t job, double fraction) {
-    const std::lock_guard lock(mutex_);
-    done_[job] = std::max(done_[job], fraction);
-    double sum = 0;
-    for (double part : done_) sum += part;
-    return highest_ = std::max(highest_, sum / static_cast<double>(done_.size()));
-  }
-
-  void run_all() {
-    std::atomic<std::size_t> next{0};
-    const auto work = [&] {
-      for (std::size_t i = next++; i < jobs_.size(); i = next++) {
-        try {
-          run_one(i);
-        } catch (...) {
-          jobs_[i].error = std::current_exception();
-        }
+  // Finds the programs, and which folds and readers there are to be.
+  void prepare(Convention convention) {
+    auto& examples = examples_[static_cast<std::size_t>(convention)];
+    examples = make_examples(train_, executors_, convention).sentences;
+    find_programs(examples, executors_, PostfixGrammar(maps_.front().vocabulary()), options_.train.threads,
+                  [&](double) {
+                    if (options_.train.progress) options_.train.progress(0, "searching for programs");
+                    return !options_.train.stop.stop_requested();
+                  });
+    for (std::size_t left_out = 0; left_out < maps_.size(); ++left_out) {
+      const bool tested = std::any_of(test_.paragraphs.begin(), test_.paragraphs.end(),
+                                      [&](const Paragraph& p) { return p.map == maps_[left_out].name(); });
+      Maps lessons;
+      for (std::size_t m = 0; m < maps_.size(); ++m)
+        if (m != left_out && !on(convention, {m}).empty()) lessons.push_back(m);
+      if (!tested || lessons.empty()) continue;
+      if (lessons.size() > 1) {  // otherwise there is nothing to share
+        readers_[{convention, lessons}];
+        for (std::size_t m : lessons) readers_[{convention, without(lessons, m)}];
       }
-    };
-    std::vector<std::jthread> helpers;
-    for (int t = 1; t < options_.train.threads; ++t) helpers.emplace_back(work);
-    work();
+      folds_.push_back({convention, left_out, lessons, {}});
+    }
   }
 
-  void run_one(std::size_t i) {
-    Job& job = jobs_[i];
+  // The maps that a reader may know whose answers on map m are to be chosen between.
+  static Maps without(const Maps& maps, std::size_t m) {
+    Maps others;
+    for (std::size_t other : maps)
+      if (other != m) others.push_back(other);
+    return others;
+  }
+
+  TrainOptions options_for(Convention convention) const {
     TrainOptions options = options_.train;
-    options.convention = job.convention;
-    options.threads = 1;
-    options.progress = [&](double fraction, std::string_view) {
-      report(progress(i, 0.9 * fraction), "training and testing, one map left out");
+    options.convention = convention;
+    return options;
+  }
+
+  // Learns all readers, those with the most maps first.
+  void read() {
+    std::vector<std::pair<const ReaderKey, std::optional<LinearModel>>*> work;
+    for (auto& entry : readers_) work.push_back(&entry);
+    std::stable_sort(work.begin(), work.end(), [](const auto* a, const auto* b) {
+      return a->first.second.size() > b->first.second.size();
+    });
+    const Report report = [&](double fraction, std::string_view what) {
+      if (options_.train.progress) options_.train.progress(0.8 * fraction, what);
     };
-    std::vector<const Example*> lessons;
-    for (const Example& example : examples_[static_cast<std::size_t>(job.convention)])
-      if (example.map != job.map) lessons.push_back(&example);
-    const LinearModel model = train_on(lessons, executors_, options);
-    job.scores = evaluate(model, test_, maps_[job.map], job.convention, options);
-    report(progress(i, 1.0), "training and testing, one map left out");
+    run_jobs(work.size(), options_.train.threads, report, "learning",
+             [&](std::size_t i, const JobProgress& progress) {
+               const auto& [convention, maps] = work[i]->first;
+               work[i]->second =
+                   learn_reader(on(convention, maps), executors_, options_for(convention), progress);
+             });
+  }
+
+  void finish(Fold& fold, const JobProgress& progress) {
+    TrainOptions options = options_for(fold.convention);
+    options.threads = 1;
+    options.progress = nullptr;
+    const LinearModel model = fold.lessons.size() > 1
+                                  ? with_chooser(fold, options, progress)
+                                  : train_on(on(fold.convention, fold.lessons), executors_, options);
+    fold.scores = evaluate(model, test_, maps_[fold.map], fold.convention, options);
+  }
+
+  // The fold's reader and a chooser that learned from readers of fewer maps.
+  LinearModel with_chooser(const Fold& fold, const TrainOptions& options, const JobProgress& progress) const {
+    LinearModel model = *readers_.at({fold.convention, fold.lessons});
+    if (!options.chooser) return model;
+    std::vector<Dilemma> dilemmas;
+    for (std::size_t m : fold.lessons) {
+      const LinearModel& reader = *readers_.at({fold.convention, without(fold.lessons, m)});
+      for (Dilemma& dilemma : dilemmas_of(reader, on(fold.convention, {m}), executors_, options))
+        dilemmas.push_back(std::move(dilemma));
+    }
+    std::vector<const Dilemma*> all;
+    for (const Dilemma& dilemma : dilemmas) all.push_back(&dilemma);
+    learn_chooser(model, all, executors_, options, [&](double fraction) { progress(0.7 * fraction); });
+    return model;
   }
 
   const Corpus &train_, &test_;
@@ -106,11 +142,8 @@ class Experiment {
   const EvaluateOptions& options_;
   std::vector<Executor> executors_;
   std::vector<Example> examples_[2];  // by convention
-  std::vector<Job> jobs_;
-  std::vector<double> done_;
-  double highest_ = 0;
-  std::mutex mutex_;
-  const std::thread::id caller_ = std::this_thread::get_id();
+  std::map<ReaderKey, std::optional<LinearModel>> readers_;
+  std::vector<Fold> folds_;
 };
 
 }  // namespace
@@ -120,9 +153,9 @@ Evaluation evaluate_leave_one_map_out(const Corpus& train, const Corpus* test,
   if (maps.empty()) throw std::invalid_argument("leaving one map out needs maps");
   const auto begin = std::chrono::steady_clock::now();
   Evaluation evaluation;
-  for (const Job& job : Experiment(train, test == nullptr ? train : *test, maps, options).run()) {
-    evaluation.folds[maps[job.map].name()] += job.scores;
-    evaluation.all += job.scores;
+  for (const Fold& fold : Experiment(train, test == nullptr ? train : *test, maps, options).run()) {
+    evaluation.folds[maps[fold.map].name()] += fold.scores;
+    evaluation.all += fold.scores;
   }
   evaluation.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   return evaluation;

@@ -83,6 +83,12 @@ std::vector<std::string> mentions(const std::vector<std::string>& tokens) {
   return out;
 }
 
+bool in_lexicon(const std::string& column) {
+  if (column.rfind("count ", 0) == 0) return column != "count 1";
+  return std::any_of(std::begin(entries), std::end(entries),
+                     [&](const Entry& entry) { return column == "thing " + std::string(entry.thing); });
+}
+
 std::size_t number_named(const std::string& word) {
   constexpr std::array<const char*, 13> names{"zero",  "one",   "two",  "three", "four",  "five",  "six",
                                               "seven", "eight", "nine", "once",  "twice", "thrice"};

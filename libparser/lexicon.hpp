@@ -12,6 +12,9 @@ namespace waymark::parser {
 // Names of columns ("thing chair", "count 2"), sorted and unique.
 std::vector<std::string> mentions(const std::vector<std::string>& tokens);
 
+// Could any sentence mention this column? "count 1" counts as a word that nobody says: "a step" is one step.
+bool in_lexicon(const std::string& column);
+
 // The number that a word names, 0 when it names none: "two", "twice", "2" → 2.
 std::size_t number_named(const std::string& word);
 

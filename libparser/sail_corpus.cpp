@@ -105,6 +105,8 @@ Paragraph read_paragraph(const Line& line) {
     object = json::parse(line.text);
   } catch (const json::parse_error& error) {
     throw ltl::FormatError(line.source, line.number, error.byte, "expected one JSON object on this line");
+  } catch (const json::out_of_range&) {
+    throw ltl::FormatError(line.source, line.number, 0, "a number of the JSON text is out of range");
   }
   if (!object.is_object())
     throw ltl::FormatError(line.source, line.number, 1, "expected one JSON object on this line");

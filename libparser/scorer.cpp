@@ -1,9 +1,18 @@
 #include "libparser/scorer.hpp"
 
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 
 namespace waymark::parser {
+namespace {
+
+using Row = Eigen::Map<const Eigen::ArrayXf>;
+using MutableRow = Eigen::Map<Eigen::ArrayXf>;
+constexpr float least_exponent =
+    -80.0F;  // e^x is next to nothing, yet no denormal number, which would be slow
+
+}  // namespace
 
 Scorer::Scorer(const LinearModel& model) : model_(&model), buffer_(model.columns().size()) {}
 
@@ -31,9 +40,7 @@ void Scorer::sum(Group& group) {
   float* const out = buffer_.data();
   for (std::uint64_t feature : group.features) {
     const std::uint32_t r = model_->reader.find(feature);
-    if (r == WeightTable::absent) continue;
-    const float* const row = model_->reader.row(r);
-    for (std::size_t c = 0; c < buffer_.size(); ++c) out[c] += row[c];
+    if (r != WeightTable::absent) model_->reader.add_to(r, out);
   }
   if (group.of_mentions) {
     std::fill(group.scores.begin(), group.scores.end(), 0.0F);
@@ -72,19 +79,22 @@ Scorer::GroupIds Scorer::groups(const Choice& c) {
 }
 
 void Scorer::log_probabilities(const GroupIds& ids, const TokenRanges& choices, float* out) const {
-  const float* const a = groups_[ids[0]].scores.data();
-  const float* const b = groups_[ids[1]].scores.data();
-  const float* const c = groups_[ids[2]].scores.data();
-  const float* const d = groups_[ids[3]].scores.data();
   float highest = -INFINITY;
-  choices.each([&](Token t) {
-    out[t] = a[t] + b[t] + c[t] + d[t];
-    highest = std::max(highest, out[t]);
-  });
+  for (const auto& [begin, end] : choices.ranges) {
+    if (begin == end) continue;
+    const auto of_group = [&, at = begin, n = end - begin](std::size_t g) {
+      return Row(groups_[ids[g]].scores.data() + at, n);
+    };
+    auto sums = MutableRow(out + begin, end - begin);
+    sums = of_group(0) + of_group(1) + of_group(2) + of_group(3);
+    highest = std::max(highest, sums.maxCoeff());
+  }
   float total = 0;
-  choices.each([&](Token t) { total += std::exp(out[t] - highest); });
+  for (const auto& [begin, end] : choices.ranges)
+    if (begin < end)
+      total += (MutableRow(out + begin, end - begin) - highest).max(least_exponent).exp().sum();
   const float log_total = highest + std::log(total);
-  choices.each([&](Token t) { out[t] -= log_total; });
+  for (const auto& [begin, end] : choices.ranges) MutableRow(out + begin, end - begin) -= log_total;
 }
 
 void Scorer::add_gradient(const GroupIds& ids, const TokenRanges& choices, const float* delta) {

@@ -1,5 +1,6 @@
 #include "libparser/trie.hpp"
 
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 
@@ -67,7 +68,12 @@ double ProgramTrie::accumulate_gradient(Scorer& scorer, Scratch& scratch) const 
     const Node& node = nodes_[n];
     const float* const log_p = scratch.log_p.data() + n * tokens;
     const TokenRanges choices = grammar_->choices(node.state);
-    choices.each([&](Token t) { scratch.delta[t] = -mass * std::exp(log_p[t]); });
+    for (const auto& [begin, end] : choices.ranges) {
+      using Row = Eigen::Map<const Eigen::ArrayXf>;
+      constexpr float least_exponent = -80.0F;  // below it come denormal numbers, which are slow
+      Eigen::Map<Eigen::ArrayXf>(scratch.delta.data() + begin, end - begin) =
+          -mass * Row(log_p + begin, end - begin).max(least_exponent).exp();
+    }
     for (const Child& c : node.children) {
       const float below = c.node < 0 ? c.log_weight : scratch.value[static_cast<std::size_t>(c.node)];
       const float share = mass * std::exp(log_p[c.token] + below - scratch.value[n]);

@@ -63,7 +63,7 @@ class Writer {
     for (std::uint32_t r = 0; r < table.rows(); ++r) {
       std::vector<std::pair<std::uint16_t, std::uint16_t>> kept;
       for (std::size_t c = 0; c < table.columns(); ++c) {
-        const std::uint16_t half = to_half(table.row(r)[c]);
+        const std::uint16_t half = to_half(table.weight(r, c));
         if (std::abs(from_half(half)) >= threshold) kept.emplace_back(static_cast<std::uint16_t>(c), half);
       }
       if (!kept.empty()) rows.emplace_back(r, std::move(kept));
@@ -123,14 +123,16 @@ class Reader {
     const std::size_t rows = count(10);
     if (rows > most_weights / table.columns()) fail("a table is too large");
     table.reserve(rows);
+    std::vector<WeightTable::Weight> weights;
     for (std::size_t r = 0; r < rows; ++r) {
-      const std::uint32_t row = table.add(number<std::uint64_t>());
-      if (row != r) fail("a feature stands twice");
+      const auto feature = number<std::uint64_t>();
+      weights.clear();
       for (std::size_t left = number<std::uint16_t>(); left > 0; --left) {
         const auto column = number<std::uint16_t>();
         if (column >= table.columns()) fail("a weight lies outside its table");
-        table.row(row)[column] = from_half(number<std::uint16_t>());
+        weights.push_back({column, from_half(number<std::uint16_t>())});
       }
+      if (!table.add_row(feature, weights)) fail("a feature stands twice");
     }
   }
   bool at_end() const { return at_ == bytes_.size(); }

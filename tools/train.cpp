@@ -32,7 +32,8 @@ ExitCode run_train(const Options& options, const Session& session) {
   train.progress = [&](double fraction, std::string_view what) { bar.show(fraction, what); };
   std::string bytes;
   try {
-    bytes = parser::serialize(parser::train(corpus, maps_of(corpus, options.data), train));
+    bytes = parser::serialize_within(parser::train(corpus, maps_of(corpus, options.data), train),
+                                     parser::most_bytes);
   } catch (const parser::Stopped&) {
     throw Interrupted();
   }

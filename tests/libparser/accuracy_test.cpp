@@ -20,7 +20,7 @@ TEST(Evaluate, ReachesTheAccuracyThatIsPublished) {
   double mean = 0;
   for (const auto& [map, scores] : result.folds) mean += scores.sentence.absolute.value() / 3;
   EXPECT_EQ(result.folds.size(), 3U);
-  EXPECT_GE(mean, 58.0);  // what was asked; docs/results.md has what was reached
+  EXPECT_GE(mean, 74.0);  // docs/results.md: 75.98, and room for another machine's arithmetic
 }
 
 }  // namespace

@@ -43,6 +43,8 @@ TEST_F(Ground, PlainInstructionsAreCarriedOut) {
       {"turn right", "R"},
       {"walk forward once", "F"},
       {"go forward two steps", "FF"},
+      {"go forward two steps then turn right", "FFR"},
+      {"walk forward three times and turn left", "FFFL"},
   };
   for (const auto& [text, want] : table) EXPECT_EQ(actions(text, grid, {1, 9, 0}), want) << text;
 }

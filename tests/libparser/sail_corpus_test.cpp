@@ -36,6 +36,7 @@ TEST(SailCorpus, ErrorsNameTheLineAndTheValue) {
   const std::tuple<std::string, std::size_t, std::string> table[] = {
       {"{", 1, "expected one JSON object"},
       {good + "\n[1]", 2, "expected one JSON object"},
+      {good + "\n{\"id\":1e999}", 2, "out of range"},
       {good + "\n" + replaced("\"map\":\"grid\"", "\"map\":7"), 2, "map: expected a text"},
       {replaced("\"map\":\"grid\",", ""), 1, "map: is missing"},
       {replaced("[[1,8,0]]", "[[1,8,45]]"), 1, "sentences[1].path[0][2]: expected a heading"},

@@ -36,8 +36,8 @@ TEST(WeightsFile, KeepsWordsAndWeightsToHalfPrecision) {
     const std::uint32_t there = read.reader.find(model.reader.key(r));
     ASSERT_NE(there, WeightTable::absent);
     for (std::size_t c = 0; c < model.reader.columns(); ++c) {
-      const double want = static_cast<double>(model.reader.row(r)[c]),
-                   got = static_cast<double>(read.reader.row(there)[c]);
+      const double want = static_cast<double>(model.reader.weight(r, c)),
+                   got = static_cast<double>(read.reader.weight(there, c));
       EXPECT_NEAR(got, std::abs(want) < 0.02 ? got * 0.0 + want : want,
                   0.0005 * std::abs(want) + 0.021 * (got == 0.0));
     }

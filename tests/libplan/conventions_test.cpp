@@ -122,6 +122,16 @@ TEST_F(Conventions, FaceTurnsAtLeastOnceAndStays) {
             "LEFT RIGHT");  // already so: at least one turn all the same
 }
 
+TEST_F(Conventions, OrientAllowsAnyTurnsFirst) {
+  const Map map = hallway(2);
+  const std::string turned = "(turned_left | turned_right)", rest = "X moved";
+  const std::string orient_then_move = rest + " | X(" + turned + " U (" + turned + " & " + rest + "))";
+  EXPECT_EQ(plan(map, orient_then_move, {pose_at(map, 0, 0, 90)}),
+            "FORWARD");  // no turn is needed, none is made
+  EXPECT_EQ(plan(map, orient_then_move, {pose_at(map, 0, 0, 0)}), "RIGHT FORWARD");
+  EXPECT_EQ(plan(map, orient_then_move, {pose_at(map, 0, 0, 270)}), "LEFT LEFT FORWARD");
+}
+
 TEST_F(Conventions, ThenIsPlannedAsAWhole) {
   // (0,0) start facing east: the nearer chair, one step west, is on the way to no lamp; the farther one is.
   const Map map(

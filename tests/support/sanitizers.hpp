@@ -1,0 +1,18 @@
+// Whether this build carries the address sanitizer, whose stack frames are several times larger.
+#pragma once
+
+namespace waymark::testing {
+
+#if defined(__SANITIZE_ADDRESS__)
+inline constexpr bool sanitized = true;
+#elif defined(__has_feature)
+#if __has_feature(address_sanitizer)
+inline constexpr bool sanitized = true;
+#else
+inline constexpr bool sanitized = false;
+#endif
+#else
+inline constexpr bool sanitized = false;
+#endif
+
+}  // namespace waymark::testing
