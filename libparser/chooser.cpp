@@ -67,7 +67,8 @@ ChooserSentence::ChooserSentence(const LinearModel& model, const SentenceInput& 
   const Columns& columns = model.columns();
   const SentenceFeatures features = sentence_features(input, model.words);
   const std::vector<bool> forbidden = forbidden_tokens(model.grammar(), model.vocabulary(), features);
-  for (std::uint16_t p = 0; p < model.vocabulary().size(); ++p) {
+  const auto propositions = static_cast<std::uint16_t>(model.vocabulary().size());
+  for (std::uint16_t p = 0; p < propositions; ++p) {
     const std::size_t token = PostfixGrammar::literal(p);
     const std::string& thing = columns.parts[columns.thing[token] - columns.tokens];
     mentioned_.push_back(std::binary_search(said.begin(), said.end(), thing));
@@ -96,7 +97,8 @@ std::vector<ChooserSentence::Property> ChooserSentence::route_properties(const E
   out.push_back({LastAction, actions.empty() ? 3U : static_cast<std::uint64_t>(actions.back()), true});
   if (heading_unknown_) out.push_back({OpenStart, pattern, true});
   const Columns& columns = model_->columns();
-  for (std::uint16_t p = 0; p < images_.size(); ++p) {
+  const auto propositions = static_cast<std::uint16_t>(images_.size());
+  for (std::uint16_t p = 0; p < propositions; ++p) {
     const std::uint16_t image = images_[p];
     if (hidden_[image]) continue;
     const auto holds = [&](std::uint32_t at) { return executor.holds(p, at); };

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <queue>
 
 #include "libltl/diagnostic.hpp"
@@ -54,7 +55,7 @@ std::vector<Weighed> join(const std::vector<Weighed>& firsts, const std::vector<
 // Programs → readings with probabilities that sum to 1; programs with one formula are one reading.
 std::vector<Reading> readings_of(const std::vector<Weighed>& programs, ltl::Arena& arena) {
   std::vector<Reading> readings;
-  double total = 0, highest = -INFINITY;
+  double total = 0, highest = -std::numeric_limits<double>::infinity();
   for (const Weighed& weighed : programs) highest = std::max(highest, weighed.log_weight);
   for (const Weighed& weighed : programs) {
     const Program program = or_stay(weighed.program);

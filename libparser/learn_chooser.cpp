@@ -98,6 +98,7 @@ void learn_chooser(LinearModel& model, std::span<const Dilemma* const> dilemmas,
   ChooserLearner learner(model, executors, options);
   std::vector<Lesson> lessons;
   for (const Dilemma* dilemma : dilemmas) {
+    if (options.stop.stop_requested()) throw Stopped{};
     lessons.push_back(learner.lesson(*dilemma, false));
     if (options.mirrored) lessons.push_back(learner.lesson(*dilemma, true));
   }

@@ -84,6 +84,13 @@ void answer(const plan::Product& product, std::optional<ltl::Formula> formula, c
     print_text(product, formula, session.out);
 }
 
+plan::Product composed(const plan::Map& map, const automata::Dfa& dfa, std::span<const plan::PoseId> starts,
+                       const Session& session) {
+  std::optional<plan::Product> product = plan::compose(map, dfa, starts, {.stop = session.stop});
+  if (!product) throw Interrupted();
+  return std::move(*product);
+}
+
 ExitCode run_compose(const Options& options, const Session& session) {
   const bool given = !options.text.arguments.empty() || !options.text.file.empty();
   if (!options.automaton.empty() && given) throw UsageError("give a formula or --automaton, not both");
@@ -92,7 +99,7 @@ ExitCode run_compose(const Options& options, const Session& session) {
   if (!options.automaton.empty()) {
     const automata::Dfa dfa =
         automata::read_hoa(read_file(options.automaton), source_name(options.automaton));
-    answer(plan::compose(map, dfa, starts), std::nullopt, options, session);
+    answer(composed(map, dfa, starts, session), std::nullopt, options, session);
     return ExitCode::Done;
   }
   TextReader texts(options.text, "formula");
@@ -103,7 +110,7 @@ ExitCode run_compose(const Options& options, const Session& session) {
         const ltl::Formula formula =
             parse_formula(text, arena, parse_options(options.notation, ltl::Unknown::Reject));
         const automata::Dfa dfa = translate(formula, session.stop);
-        answer(plan::compose(map, dfa, starts), formula, options, session);
+        answer(composed(map, dfa, starts, session), formula, options, session);
         return ExitCode::Done;
       },
       [&](const Text& text, const std::string& message) {

@@ -24,7 +24,7 @@ AutomatonSize size_of(const automata::Dfa& dfa) {
           .propositions = dfa.reads().size()};
 }
 
-automata::Dfa translate(ltl::Formula formula, std::stop_token stop) {
+automata::Dfa translate(ltl::Formula formula, const std::stop_token& stop) {
   automata::TranslationLimits limits;
   limits.stop = stop;
   auto result = automata::ltlf_to_dfa(formula, limits);
@@ -35,10 +35,12 @@ automata::Dfa translate(ltl::Formula formula, std::stop_token stop) {
 }
 
 Journey travel(const plan::Map& map, const automata::Dfa& dfa, std::optional<ltl::Formula> formula,
-               std::span<const plan::PoseId> starts, std::stop_token stop) {
+               std::span<const plan::PoseId> starts, const std::stop_token& stop) {
   StopWatch watch;
   Seconds seconds;
-  const plan::Product product = plan::compose(map, dfa, starts);
+  const std::optional<plan::Product> composed = plan::compose(map, dfa, starts, {.stop = stop});
+  if (!composed) throw Interrupted();
+  const plan::Product& product = *composed;
   seconds.compose = watch.lap();
   const plan::Outcome outcome = plan::solve(product, plan::ShortestRoute{.stop = stop});
   seconds.solve = watch.lap();

@@ -37,7 +37,7 @@ struct AutomatonSize {
 AutomatonSize size_of(const automata::Dfa& dfa);
 
 // φ → 𝒜_φ. Throws Interrupted when a stop was requested.
-automata::Dfa translate(ltl::Formula formula, std::stop_token stop);
+automata::Dfa translate(ltl::Formula formula, const std::stop_token& stop);
 
 using Destination = std::variant<plan::CertifiedRoute, plan::AcceptedRoute, plan::Infeasible>;
 
@@ -51,7 +51,7 @@ struct Journey {
 // The certified route of least cost. `formula`: of the automaton, when there is one; without it the route is checked
 // against the automaton by a run of its own. Throws Interrupted when a stop was requested.
 Journey travel(const plan::Map& map, const automata::Dfa& dfa, std::optional<ltl::Formula> formula,
-               std::span<const plan::PoseId> starts, std::stop_token stop);
+               std::span<const plan::PoseId> starts, const std::stop_token& stop);
 
 // The route that was found, nullptr when there is none.
 const plan::Route* route_of(const Journey& journey);
