@@ -61,7 +61,7 @@ TEST(HoaClaims, AboutDeterminismAndCompleteness) {
 TEST(HoaClaims, AboutWeakness) {
   const std::string weak = two + "Acceptance: 1 Inf(0) properties: weak very-weak terminal";
   EXPECT_EQ(found(weak, "State: 0 [!0] 0 [0] 1 State: 1 {0} [t] 1"), "");
-  EXPECT_EQ(found(weak, "State: 0 [!0] 1 State: 1 [t] 0"), "very-weak: states 1 and 0 reach each other");
+  EXPECT_EQ(found(weak, "State: 0 [!0] 1 State: 1 [t] 0"), "very-weak: states 0 and 1 reach each other");
   EXPECT_EQ(found(weak, "State: 0 [!0] 0 [0] 0 {0}"),
             "weak: edges among state 0 and its component have different marks; "
             "very-weak: edges among state 0 and its component have different marks");

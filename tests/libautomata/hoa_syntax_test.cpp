@@ -59,9 +59,9 @@ TEST(HoaSyntax, ReadsNamesAndWhereLabelsStand) {
 
 TEST(HoaSyntax, ReadsStreams) {
   const std::string first = "HOA: v1 Acceptance: 0 t --BODY-- --END-- /* between */ ";
-  HoaReader reader(first + "HOA: v1 name: \"cut\" AP: 3 \"a\" --ABORT-- " + "HOA: v1 --ABORT--" +
-                       "HOA: v1 Acceptance: 0 t --BODY-- State: 0 [t --ABORT-- " + first,
-                   "");
+  const std::string text = first + "HOA: v1 name: \"cut\" AP: 3 \"a\" --ABORT-- " + "HOA: v1 --ABORT--" +
+                           "HOA: v1 Acceptance: 0 t --BODY-- State: 0 [t --ABORT-- " + first;
+  HoaReader reader(text, "");
   EXPECT_FALSE(reader.next()->aborted);
   EXPECT_TRUE(reader.next()->aborted);
   EXPECT_TRUE(reader.next()->aborted);
