@@ -17,8 +17,18 @@ Translated finite_dfa(ltl::Formula f, const automata::TranslationLimits& limits)
   return widened(automata::ltlf_to_dfa(f, limits));
 }
 
+Translated tgba(ltl::Formula f, const automata::TranslationLimits& limits) {
+  return widened(automata::ltl_to_tgba(f, limits));
+}
+
+Translated buchi(ltl::Formula f, const automata::TranslationLimits& limits) {
+  return widened(automata::ltl_to_buchi(f, limits));
+}
+
 constexpr std::array rows{
     Translation{"finite", "dfa", finite_dfa},
+    Translation{"infinite", "tgba", tgba},
+    Translation{"infinite", "buchi", buchi},
 };
 
 }  // namespace

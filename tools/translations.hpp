@@ -6,12 +6,12 @@
 
 #include "libautomata/dfa.hpp"
 #include "libautomata/ltlf_to_dfa.hpp"
-#include "libautomata/omega/automaton.hpp"
+#include "libautomata/omega/ltl_to_buchi.hpp"
 #include "libltl/formula.hpp"
 
 namespace waymark::tools {
 
-using Translated = std::variant<automata::Dfa, automata::Automaton, automata::Exhausted>;
+using Translated = std::variant<automata::Dfa, automata::Translated, automata::Exhausted>;
 
 struct Translation {
   std::string_view semantics;  // "finite" or "infinite"

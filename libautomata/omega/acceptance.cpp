@@ -139,6 +139,13 @@ Condition Condition::replaced(std::uint32_t mark, bool seen) const {
   return mapped(leaf, false);
 }
 
+Condition Condition::without_fin(std::uint32_t mark) const {
+  const auto leaf = [&](const Condition& c) {
+    return c.op_ == Op::Fin && c.mark_ == mark ? constant(false) : c;
+  };
+  return mapped(leaf, false);
+}
+
 Condition Condition::shifted(std::uint32_t by) const {
   const auto leaf = [&](const Condition& c) {
     Condition out = c;

@@ -57,8 +57,9 @@ class Condition {  // a value; operands of ∧ and ∨ stay in the order in whic
   Marks fin_marks() const;    // that occur under Fin
   Condition negated() const;  // Inf and Fin, ∧ and ∨ exchanged
   Condition replaced(std::uint32_t mark,
-                     bool seen) const;        // where the mark is seen infinitely often, or is not
-  Condition shifted(std::uint32_t by) const;  // every mark i becomes i + by
+                     bool seen) const;              // where the mark is seen infinitely often, or is not
+  Condition without_fin(std::uint32_t mark) const;  // Fin(mark) is false, Inf(mark) stays
+  Condition shifted(std::uint32_t by) const;        // every mark i becomes i + by
   friend bool operator==(const Condition&, const Condition&) = default;
 
  private:

@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <array>
-#include <map>
 #include <stdexcept>
 #include <utility>
 
 #include "libautomata/boolean.hpp"
+#include "libautomata/omega/product.hpp"
 
 namespace waymark::automata {
 namespace {
@@ -58,6 +58,17 @@ Aligned align(const Automaton& a, const Automaton& b) {
   return out;
 }
 
+// One of the two, over the common variables.
+Branching over(const Aligned& both, const std::vector<Node>& roots, const Branching& automaton) {
+  Branching out;
+  out.diagram = both.diagram;
+  out.choices = automaton.choices;
+  out.roots = roots;
+  out.initial = automaton.initial;
+  out.acceptance = automaton.acceptance;
+  return out;
+}
+
 void require_sets(std::size_t sets) {
   if (sets > Marks::most)
     throw std::length_error("the automaton needs " + std::to_string(sets) +
@@ -73,49 +84,6 @@ std::vector<Branch> moved(std::span<const Branch> branches, std::uint32_t states
   std::vector<Branch> out;
   for (const Branch& b : branches) out.push_back({b.target + states, shifted(b.marks, marks) | more});
   return out;
-}
-
-using Join = Condition (*)(std::vector<Condition>);
-
-Automaton pairs(const Automaton& a, const Automaton& b, Join join, Effort& effort) {
-  Aligned both = align(a, b);
-  const std::uint32_t shift = a.acceptance().sets;
-  require_sets(std::size_t{shift} + b.acceptance().sets);
-  Branching out;
-  out.acceptance = {shift + b.acceptance().sets,
-                    join({a.acceptance().condition, b.acceptance().condition.shifted(shift)})};
-  std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> number;
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> order;
-  const auto number_of = [&](std::uint32_t p, std::uint32_t q) {
-    const auto [at, fresh] = number.try_emplace({p, q}, static_cast<std::uint32_t>(order.size()));
-    if (fresh) {
-      effort.state();
-      order.emplace_back(p, q);
-    }
-    return at->second;
-  };
-  const auto decide = [&](const std::array<Node, 2>& n) -> std::optional<Node> {
-    effort.step();
-    const Node none = Mtbdd::terminal(Choices::none);
-    if (n[0] == none || n[1] == none) return none;
-    if (!Mtbdd::is_terminal(n[0]) || !Mtbdd::is_terminal(n[1])) return std::nullopt;
-    std::vector<Branch> branches;
-    for (const Branch& p : a.transitions().choices[Mtbdd::payload(n[0])])
-      for (const Branch& q : b.transitions().choices[Mtbdd::payload(n[1])])
-        branches.push_back({number_of(p.target, q.target), p.marks | shifted(q.marks, shift)});
-    return Mtbdd::terminal(out.choices.intern(std::move(branches)));
-  };
-  const Mtbdd::Operation pairing = both.diagram.operation();
-  number_of(a.initial().index, b.initial().index);
-  std::vector<Node> roots;
-  for (std::size_t i = 0; i < order.size(); ++i) {
-    const auto [p, q] = order[i];
-    roots.push_back(both.diagram.apply(pairing, std::array{both.first[p], both.second[q]}, decide));
-  }
-  out.roots = out.diagram.import(
-      both.diagram, roots, [](std::uint32_t choice) { return Mtbdd::terminal(choice); },
-      [](Mtbdd::Variable v) { return v; });
-  return as_automaton(out, both.vocabulary, both.reads);
 }
 
 // Marks on a loop that the condition rejects, if the two plainest sets tell.
@@ -160,13 +128,15 @@ std::optional<Deterministic> Deterministic::checked(Automaton automaton) {
 }
 
 Automaton intersection(const Automaton& a, const Automaton& b, Effort& effort) {
-  return pairs(a, b, Condition::all_of, effort);
+  const Aligned both = align(a, b);
+  return as_automaton(
+      intersection(over(both, both.first, a.transitions()), over(both, both.second, b.transitions()), effort),
+      both.vocabulary, both.reads);
 }
 
 Deterministic either(const Deterministic& a, const Deterministic& b, Effort& effort) {
-  return *Deterministic::checked(pairs(with(a.automaton(), completed(a.automaton().transitions())),
-                                       with(b.automaton(), completed(b.automaton().transitions())),
-                                       Condition::any_of, effort));
+  const Automaton neither = intersection(complement(a).automaton(), complement(b).automaton(), effort);
+  return complement(*Deterministic::checked(neither));
 }
 
 Deterministic complement(const Deterministic& a) {

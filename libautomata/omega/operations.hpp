@@ -22,11 +22,12 @@ class Deterministic {
   Automaton automaton_;
 };
 
-// Throw what the effort throws (a state for every pair), and std::length_error where more than 64 sets are needed.
+// Throws what the effort throws: a state for every pair, and more than 64 sets count as too many.
 Automaton intersection(const Automaton& a, const Automaton& b, Effort& effort);
-// A new initial state that may start as either; two marks say which one the run is in. One pass.
+// A new initial state that may start as either; two marks say which one the run is in. One pass. Throws
+// std::length_error when more than 64 sets are needed.
 Automaton sum(const Automaton& a, const Automaton& b);
-// The pairs of both, complete: deterministic again.
+// The pairs of both, complete: deterministic again. By complement(complement(a) ∩ complement(b)).
 Deterministic either(const Deterministic& a, const Deterministic& b, Effort& effort);
 Deterministic complement(const Deterministic& a);  // complete; at most one state and one set more
 
