@@ -37,6 +37,10 @@ Reply translate_one(const Text& text, const Options& options, const Translation&
   if (options.output.format != "stats") about.name = ltl::print(formula);
   if (options.output.format == "dot") about.unicode_name = ltl::print(formula, ltl::Style::Unicode);
   if (const auto* dfa = std::get_if<automata::Dfa>(&result)) return show(*dfa, about, options.output);
+  if (const auto* omega = std::get_if<automata::Translated>(&result)) {
+    if (!omega->reduced) about.status = "unreduced";
+    return show(omega->automaton, about, options.output);
+  }
   const std::size_t made = std::get<automata::Exhausted>(result).states;
   return gave_up(
       text, about.seconds, options,
@@ -66,7 +70,7 @@ Runner setup_translate(CLI::App& command) {
   add_notation_options(command, options->notation);
   command.add_option("--semantics", options->semantics, "what words formulas are read on (with dfa: finite)")
       ->check(CLI::IsMember({"finite", "infinite"}));
-  command.add_option("--to", options->target, "kind of automaton (of finite words: dfa)")
+  command.add_option("--to", options->target, "kind of automaton (of finite words: dfa; else tgba)")
       ->check(CLI::IsMember({"dfa", "tgba", "buchi", "parity", "rabin", "ldba", "generic"}));
   add_output_options(command, options->output);
   command
