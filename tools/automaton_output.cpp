@@ -64,8 +64,8 @@ JsonArray reads_of(const Any& automaton) {
 // All of JSON but the automaton itself.
 template <class Any>
 JsonObject json_of(const Any& automaton, const Size& size, const Shown& about, std::string_view status) {
-  return JsonObject()
-      .add("formula", about.name)
+  JsonObject out;
+  out.add("formula", about.name)
       .add("semantics", about.semantics)
       .add("status", std::string(status))
       .add("automaton", json_size(size, automaton.reads().size()))
@@ -73,6 +73,8 @@ JsonObject json_of(const Any& automaton, const Size& size, const Shown& about, s
       .add("deterministic", size.deterministic)
       .add("reads", reads_of(automaton))
       .add("seconds", about.seconds);
+  if (!about.certificate.empty()) out.add("certificate", about.certificate);
+  return out;
 }
 
 template <class Any>
