@@ -1,17 +1,64 @@
-// Strongly connected components of a transition graph, decision nodes included. [Tar72], with an explicit stack.
+// Strongly connected components of any graph with vertices 0 … size() − 1 and successors(v). [Tar72], with an explicit
+// stack. Of a transition graph the decision nodes are vertices too.
 #pragma once
+#include <algorithm>
 #include <cstdint>
 #include <vector>
-
-#include "libautomata/transitions.hpp"
 
 namespace waymark::automata {
 
 struct Components {
-  std::vector<std::uint32_t> of;               // component of a vertex; successors have smaller or equal ones
-  std::vector<TransitionGraph::Vertex> order;  // vertices by component, ascending
+  std::vector<std::uint32_t> of;     // component of a vertex; successors have smaller or equal ones
+  std::vector<std::uint32_t> order;  // vertices by component, ascending
   std::uint32_t count = 0;
 };
-Components components(const TransitionGraph& graph);  // O(vertices)
+
+template <class Graph>
+Components components(const Graph& graph) {  // O(vertices + edges)
+  using Vertex = std::uint32_t;
+  constexpr std::uint32_t none = UINT32_MAX;
+  struct Frame {
+    Vertex vertex;
+    std::uint32_t edge;
+  };
+  Components out{std::vector<std::uint32_t>(graph.size(), none), {}, 0};
+  out.order.reserve(graph.size());
+  std::vector<std::uint32_t> index(graph.size(), none), low(graph.size(), none);
+  std::vector<Vertex> open;
+  std::vector<Frame> calls;
+  std::uint32_t visited = 0;
+  const auto enter = [&](Vertex v) {
+    index[v] = low[v] = visited++;
+    open.push_back(v);
+    calls.push_back({v, 0});
+  };
+  for (Vertex start = 0; start < graph.size(); ++start) {
+    if (index[start] != none) continue;
+    enter(start);
+    while (!calls.empty()) {
+      const Vertex v = calls.back().vertex;
+      if (calls.back().edge < graph.successors(v).size()) {
+        const Vertex w = graph.successors(v)[calls.back().edge++];
+        if (index[w] == none) {
+          enter(w);
+        } else if (out.of[w] == none) {
+          low[v] = std::min(low[v], index[w]);
+        }
+        continue;
+      }
+      calls.pop_back();
+      if (!calls.empty()) low[calls.back().vertex] = std::min(low[calls.back().vertex], low[v]);
+      if (low[v] != index[v]) continue;
+      for (Vertex w = none; w != v;) {
+        w = open.back();
+        open.pop_back();
+        out.of[w] = out.count;
+        out.order.push_back(w);
+      }
+      ++out.count;
+    }
+  }
+  return out;
+}
 
 }  // namespace waymark::automata

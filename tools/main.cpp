@@ -31,6 +31,7 @@ constexpr std::array rows{
         setup_run},
     Row{"ground", "instruction → formulas, best first", setup_ground},
     Row{"translate", "formula → automaton", setup_translate},
+    Row{"automaton", "automata of HOA files → operations, questions, other formats", setup_automaton},
     Row{"compose", "formula or automaton, and a map → their product", setup_compose},
     Row{"plan", "formula or automaton, and a map → a certified route of least cost", setup_plan},
     Row{"check", "does this trajectory satisfy this formula?", setup_check},
@@ -38,6 +39,8 @@ constexpr std::array rows{
     Row{"train", "corpus → model", setup_train},
     Row{"evaluate", "corpus → accuracy, leaving one map out", setup_evaluate},
     Row{"draw", "map, with or without a route → picture", setup_draw},
+    Row{"patterns", "specification patterns by name → formula", setup_patterns},
+    Row{"random", "random formulas", setup_random},
     Row{"version", "version, build, and what it was built with", setup_version},
 };
 

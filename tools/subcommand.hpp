@@ -24,6 +24,7 @@ using Runner = std::function<ExitCode(const Session&)>;
 Runner setup_run(CLI::App& command);
 Runner setup_ground(CLI::App& command);
 Runner setup_translate(CLI::App& command);
+Runner setup_automaton(CLI::App& command);
 Runner setup_compose(CLI::App& command);
 Runner setup_plan(CLI::App& command);
 Runner setup_check(CLI::App& command);
@@ -31,6 +32,8 @@ Runner setup_train(CLI::App& command);
 Runner setup_evaluate(CLI::App& command);
 Runner setup_move(CLI::App& command);
 Runner setup_draw(CLI::App& command);
+Runner setup_patterns(CLI::App& command);
+Runner setup_random(CLI::App& command);
 Runner setup_version(CLI::App& command);
 
 }  // namespace waymark::tools

@@ -1,0 +1,47 @@
+// Nondeterministic automata on infinite words with symbolic, transition-based acceptance.
+//
+// 𝒜 = (Q, AP, δ, q₀, Acc): δ(q, ·) is one MTBDD over the propositions that the automaton reads, its terminals are
+// choices, sets of branches (marks, target). A run on a₀a₁… picks a branch of δ(qᵢ, aᵢ) at each step; it accepts when
+// the marks that it meets infinitely often satisfy Acc. Not every state needs a branch for every letter.
+// Determinism is a property here (is_deterministic); algorithms that need it take a type that was checked.
+#pragma once
+#include <span>
+#include <vector>
+
+#include "libautomata/dfa.hpp"
+#include "libautomata/omega/branching.hpp"
+#include "libltl/vocabulary.hpp"
+#include "libltl/word.hpp"
+
+namespace waymark::automata {
+
+class Automaton {
+ public:
+  // The diagram's variables are positions in `reads`. Throws std::invalid_argument when a branch leads to no state or
+  // carries a mark that the acceptance does not have, or a variable is not read.
+  Automaton(ltl::Vocabulary vocabulary, std::vector<ltl::Proposition> reads, Branching transitions);
+
+  const ltl::Vocabulary& vocabulary() const { return vocabulary_; }
+  const std::vector<ltl::Proposition>& reads() const { return reads_; }  // only these matter, in BDD order
+  std::size_t states() const { return transitions_.states(); }
+  StateId initial() const { return StateId{transitions_.initial}; }
+  const Acceptance& acceptance() const { return transitions_.acceptance; }
+
+  std::span<const Branch> next(StateId q, const ltl::Letter& letter) const;  // δ(q, a), O(|reads|)
+
+  const Branching& transitions() const { return transitions_; }
+  const Mtbdd& diagram() const { return transitions_.diagram; }
+  Mtbdd::Node root(StateId q) const { return transitions_.roots[q.index]; }
+
+ private:
+  ltl::Vocabulary vocabulary_;
+  std::vector<ltl::Proposition> reads_;
+  Branching transitions_;
+};
+
+// The same automaton in canonical numbering, reading only the propositions that an edge asks for.
+// reads[v]: the proposition of variable v.
+Automaton as_automaton(const Branching& transitions, const ltl::Vocabulary& vocabulary,
+                       const std::vector<ltl::Proposition>& reads);
+
+}  // namespace waymark::automata

@@ -1,0 +1,72 @@
+// The transition function of a nondeterministic ω-automaton while it is being built or reduced.
+//
+// δ(q, ·) is one MTBDD whose terminals are choices: sets of branches (marks, target), interned, the empty set where no
+// run goes on. A letter picks a choice and the run picks a branch of it; nowhere is there a list of letters or cubes.
+#pragma once
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <unordered_map>
+#include <vector>
+
+#include "libautomata/mtbdd.hpp"
+#include "libautomata/omega/acceptance.hpp"
+
+namespace waymark::automata {
+
+struct Branch {
+  std::uint32_t target = 0;
+  Marks marks;
+  friend auto operator<=>(const Branch&, const Branch&) = default;
+};
+
+// Interned sets of branches. Id 0 is the empty set.
+class Choices {
+ public:
+  static constexpr std::uint32_t none = 0;
+  Choices();
+  std::uint32_t intern(std::vector<Branch> branches);           // any order, duplicates allowed
+  std::span<const Branch> operator[](std::uint32_t id) const {  // sorted by target, then marks
+    return {branches_.data() + begin_[id], begin_[id + 1] - begin_[id]};
+  }
+  std::size_t size() const { return begin_.size() - 1; }
+
+ private:
+  std::vector<Branch> branches_;
+  std::vector<std::size_t> begin_;
+  std::unordered_multimap<std::uint64_t, std::uint32_t> by_hash_;
+};
+
+struct Branching {
+  Mtbdd diagram;  // terminals are ids of choices
+  Choices choices;
+  std::vector<Mtbdd::Node> roots;  // δ(q, ·)
+  std::uint32_t initial = 0;
+  Acceptance acceptance;
+
+  std::size_t states() const { return roots.size(); }
+};
+
+// The distinct choices below a root, in order of first appearance (false before true), the empty one included.
+std::vector<std::uint32_t> choices_of(const Branching& automaton, std::uint32_t q);
+// The distinct branches of all choices of q, sorted by target, then marks.
+std::vector<Branch> branches_of(const Branching& automaton, std::uint32_t q);
+// Distinct (source, marks, target): the edges after merging. O(states · diagram).
+std::size_t count_edges(const Branching& automaton);
+// No choice has two branches.
+bool is_deterministic(const Branching& automaton);
+// … and none is empty.
+bool is_complete(const Branching& automaton);
+
+// The automaton with new branches: `change` is asked once for each choice of each state in `kept` (indices of the old
+// automaton, its new state i is kept[i]) and gives branches over new states. The initial state and the acceptance are
+// copied and are the caller's to change.
+using ChangeChoice = std::function<std::vector<Branch>(std::uint32_t source, std::span<const Branch> choice)>;
+Branching rebuild(const Branching& automaton, std::span<const std::uint32_t> kept,
+                  const ChangeChoice& change);
+
+// The reachable states, numbered breadth first from the initial state (which becomes 0), targets in the order of the
+// diagram, false before true, and of a choice by (marks, old number); nodes and choices made afresh in that order.
+Branching canonical(const Branching& automaton);
+
+}  // namespace waymark::automata

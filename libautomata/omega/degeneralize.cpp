@@ -1,0 +1,114 @@
+#include "libautomata/omega/degeneralize.hpp"
+
+#include <algorithm>
+#include <map>
+#include <numeric>
+
+#include "libautomata/omega/emptiness.hpp"
+
+namespace waymark::automata {
+namespace {
+
+class Levels {
+ public:
+  Levels(const Branching& automaton, const LevelRule& rule, Effort& effort)
+      : from_(automaton),
+        rule_(rule),
+        effort_(effort),
+        graph_(automaton),
+        live_(live_components(graph_, automaton.acceptance.condition)),
+        sets_(automaton.acceptance.sets),
+        order_(sets_),
+        counted_(live_.components.count, false),
+        common_(automaton.states(), Marks::first(sets_)) {
+    std::iota(order_.begin(), order_.end(), 0U);
+    if (rule.descending) std::reverse(order_.begin(), order_.end());
+    for (std::uint32_t q = 0; q < graph_.size(); ++q)
+      for (const Branch& b : graph_.branches(q))
+        if (inside(q, b.target)) {
+          common_[q] = common_[q] & b.marks;
+          if (b.marks != Marks::first(sets_)) counted_[component(q)] = true;
+        }
+  }
+
+  Branching run() {
+    Branching out;
+    out.acceptance = Acceptance::buchi();
+    out.initial = entry(from_.initial);
+    std::vector<std::uint32_t> sources;
+    for (std::size_t i = 0; i < copies_.size(); ++i) {  // the copies double as the queue
+      const auto [q, level] = copies_[i];
+      const Marks marks = level == sets_ && live_.accepting[component(q)] ? Marks::of(0) : Marks();
+      const std::uint32_t only[] = {q};
+      const Branching one = rebuild(from_, only, [&](std::uint32_t, std::span<const Branch> choice) {
+        std::vector<Branch> branches;
+        for (const Branch& b : choice) branches.push_back({copy(b.target, after(q, level, b)), marks});
+        return branches;
+      });
+      const auto leaf = [&](std::uint32_t c) {
+        return Mtbdd::terminal(out.choices.intern({one.choices[c].begin(), one.choices[c].end()}));
+      };
+      out.roots.push_back(
+          out.diagram.import(one.diagram, one.roots, leaf, [](Mtbdd::Variable v) { return v; })[0]);
+    }
+    return out;
+  }
+
+ private:
+  std::uint32_t component(std::uint32_t q) const { return live_.components.of[q]; }
+  bool inside(std::uint32_t q, std::uint32_t r) const { return component(q) == component(r); }
+
+  std::uint32_t advance(std::uint32_t level, Marks marks) const {
+    while (level < sets_ && marks.contains(order_[level])) ++level;
+    return level;
+  }
+  // The level of the copy that a branch leads to.
+  std::uint32_t after(std::uint32_t q, std::uint32_t level, const Branch& b) {
+    if (!inside(q, b.target)) return entry_level(b.target);
+    if (!live_.accepting[component(q)]) return 0;
+    if (!counted_[component(q)]) return sets_;
+    Marks marks = b.marks;
+    if (level == sets_) {
+      level = 0;
+      if (rule_.look_ahead && !rule_.count_twice) marks = marks.without(common_[q]);
+    }
+    level = advance(level, marks);
+    return rule_.look_ahead ? advance(level, common_[b.target]) : level;
+  }
+  std::uint32_t entry_level(std::uint32_t q) {
+    if (!live_.accepting[component(q)]) return 0;
+    if (!counted_[component(q)]) return sets_;
+    const auto known = copy_.lower_bound({q, 0});  // any copy will do
+    if (known != copy_.end() && known->first.first == q) return known->first.second;
+    return rule_.look_ahead ? advance(0, common_[q]) : 0;
+  }
+  std::uint32_t entry(std::uint32_t q) { return copy(q, entry_level(q)); }
+  std::uint32_t copy(std::uint32_t q, std::uint32_t level) {
+    const auto [at, fresh] = copy_.try_emplace({q, level}, static_cast<std::uint32_t>(copies_.size()));
+    if (fresh) {
+      effort_.state();
+      copies_.emplace_back(q, level);
+    }
+    return at->second;
+  }
+
+  const Branching& from_;
+  LevelRule rule_;
+  Effort& effort_;
+  BranchGraph graph_;
+  LiveComponents live_;
+  std::uint32_t sets_;
+  std::vector<std::uint32_t> order_;
+  std::vector<bool> counted_;  // by component: not every branch inside has all marks
+  std::vector<Marks> common_;  // of the branches of a state that stay inside its component
+  std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> copy_;
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> copies_;
+};
+
+}  // namespace
+
+Branching degeneralize(const Branching& automaton, const LevelRule& rule, Effort& effort) {
+  return Levels(automaton, rule, effort).run();
+}
+
+}  // namespace waymark::automata

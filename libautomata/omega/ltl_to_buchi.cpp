@@ -1,0 +1,176 @@
+#include "libautomata/omega/ltl_to_buchi.hpp"
+
+#include <array>
+#include <optional>
+#include <stdexcept>
+
+#include "libautomata/omega/degeneralize.hpp"
+#include "libautomata/omega/emptiness.hpp"
+#include "libautomata/omega/product.hpp"
+#include "libautomata/omega/reduce.hpp"
+#include "libautomata/omega/tableau.hpp"
+#include "libautomata/omega/weak.hpp"
+#include "libltl/fragment.hpp"
+#include "libltl/nnf.hpp"
+#include "libltl/simplify.hpp"
+
+namespace waymark::automata {
+namespace {
+
+using ltl::Formula;
+
+// What the parts may spend: constants chosen so that a formula of everyday size never meets one.
+constexpr std::size_t tableau_steps = 400'000'000;
+constexpr std::size_t reduction_steps = 30'000'000;
+constexpr std::size_t guess_steps = 2'000'000;  // to find out whether a formula is an obligation
+constexpr std::size_t guess_states = 2'000;
+
+struct Candidate {
+  Branching automaton;
+  bool reduced = true;
+};
+
+class Construction {
+ public:
+  Construction(Formula f, const TranslationLimits& limits)
+      : limits_(limits),
+        formula_(ltl::nnf(ltl::simplify(f, ltl::Over::Infinite))),
+        reads_(ltl::propositions(f)) {}
+
+  std::optional<Candidate> tgba() {
+    if (reads_.size() > Mtbdd::max_variables) return std::nullopt;
+    const bool obligation = ltl::fragments(formula_, ltl::Semantics::Infinite).obligation;
+    std::optional<Branching> weak;
+    if (obligation) weak = trimmed_weak(tableau_steps, limits_.states);
+    std::optional<Candidate> best;
+    if (std::optional<Branching> raw = raw_tableau(formula_, weak ? 4 * weak->states() : limits_.states)) {
+      best = reduced(*raw, MarksOn::Edges);
+      if (!obligation) weak = checked_weak(best->automaton);
+    }
+    if (weak && (!best || no_larger(*weak, best->automaton))) best = Candidate{*std::move(weak), true};
+    return best;
+  }
+
+  std::optional<Candidate> buchi() {
+    std::optional<Candidate> general = tgba();
+    if (!general) return std::nullopt;
+    std::optional<Candidate> best;
+    for (const LevelRule rule :
+         {LevelRule{false, true, false}, LevelRule{false, false, false}, LevelRule{true, true, false},
+          LevelRule{true, false, false}, LevelRule{false, true, true}, LevelRule{true, true, true}}) {
+      if (rule.descending && general->automaton.acceptance.sets < 2) continue;
+      Effort effort(reduction_steps, limits_.states, limits_.stop);
+      const std::optional<Branching> counted =
+          within([&] { return degeneralize(general->automaton, rule, effort); });
+      if (!counted) continue;
+      Candidate made = reduced(*counted, MarksOn::States);
+      made.reduced = made.reduced && general->reduced;
+      if (!best || smaller(made.automaton, best->automaton)) best = std::move(made);
+    }
+    return best;
+  }
+
+  Automaton finish(const Branching& automaton, const ltl::Vocabulary& vocabulary) const {
+    return as_automaton(automaton, vocabulary, reads_);
+  }
+  std::size_t states() const { return states_; }
+
+ private:
+  static std::pair<std::size_t, std::size_t> size(const Branching& a) { return {a.states(), count_edges(a)}; }
+  static bool smaller(const Branching& a, const Branching& b) {
+    return a.states() < b.states() || (a.states() == b.states() && count_edges(a) < count_edges(b));
+  }
+  static bool no_larger(const Branching& a, const Branching& b) { return !smaller(b, a); }
+
+  // nullopt when a limit is met; being stopped ends the translation.
+  template <class Make>
+  std::optional<Branching> within(const Make& make) {
+    try {
+      return make();
+    } catch (const Effort::Spent& spent) {
+      if (spent.reason == Effort::Spent::Reason::Stopped) throw;
+      return std::nullopt;
+    }
+  }
+  std::optional<Branching> raw_tableau(Formula f, std::size_t most) {
+    Effort effort(tableau_steps, most, limits_.stop);
+    std::optional<Branching> made = within([&] { return tableau(f, reads_, effort); });
+    states_ = std::max(states_, effort.states());
+    return made;
+  }
+  Candidate reduced(Branching automaton, MarksOn marks) const {
+    Effort effort(reduction_steps, SIZE_MAX, limits_.stop);
+    Reduced out = reduce(std::move(automaton), marks, effort);
+    return {std::move(out.automaton), out.complete};
+  }
+  std::optional<Branching> trimmed_weak(std::size_t steps, std::size_t states) {
+    Effort effort(steps, states, limits_.stop);
+    return within([&] { return as_buchi(weak_deterministic(formula_, reads_, effort), {}); });
+  }
+  // The weak automaton, when it has the language of the tableau's automaton.
+  std::optional<Branching> checked_weak(const Branching& automaton) {
+    Effort effort(guess_steps, guess_states, limits_.stop);
+    return within([&] {
+      const Transitions weak = weak_deterministic(formula_, reads_, effort);
+      const Branching outside = as_buchi(weak, {.complement = true, .trim = false});
+      if (!is_empty(intersection(automaton, outside, effort)))
+        throw Effort::Spent{Effort::Spent::Reason::Steps};
+      const Branching negation = tableau(ltl::nnf(ltl::negate(formula_)), reads_, effort);
+      const Branching inside = as_buchi(weak, {.complement = false, .trim = true});
+      if (!is_empty(intersection(inside, negation, effort)))
+        throw Effort::Spent{Effort::Spent::Reason::Steps};
+      return inside;
+    });
+  }
+
+  const TranslationLimits& limits_;
+  Formula formula_;
+  std::vector<ltl::Proposition> reads_;
+  std::size_t states_ = 0;  // made by the tableau
+};
+
+// A set on all branches where every run accepts.
+Branching with_one_set(Branching automaton) {
+  if (automaton.acceptance.sets > 0) return automaton;
+  std::vector<std::uint32_t> all;
+  for (std::uint32_t q = 0; q < automaton.states(); ++q) all.push_back(q);
+  Branching out = rebuild(automaton, all, [](std::uint32_t, std::span<const Branch> choice) {
+    std::vector<Branch> branches(choice.begin(), choice.end());
+    for (Branch& b : branches) b.marks = Marks::of(0);
+    return branches;
+  });
+  out.acceptance = Acceptance::buchi();
+  return out;
+}
+
+std::variant<Translated, Exhausted> translate(Formula f, const TranslationLimits& limits, bool buchi) {
+  Construction construction(f, limits);
+  try {
+    if (std::optional<Candidate> found = buchi ? construction.buchi() : construction.tgba()) {
+      const Branching result =
+          buchi ? with_one_set(std::move(found->automaton)) : std::move(found->automaton);
+      return Translated{construction.finish(result, f.arena().vocabulary()), found->reduced};
+    }
+  } catch (const Effort::Spent&) {  // stopped
+  }
+  return Exhausted{construction.states()};
+}
+
+Automaton without_limits(Formula f, bool buchi) {
+  auto found = translate(f, {.states = SIZE_MAX}, buchi);
+  if (Translated* made = std::get_if<Translated>(&found)) return std::move(made->automaton);
+  throw std::length_error("a formula with too many temporal operators for one automaton");
+}
+
+}  // namespace
+
+std::variant<Translated, Exhausted> ltl_to_tgba(Formula f, const TranslationLimits& limits) {
+  return translate(f, limits, false);
+}
+std::variant<Translated, Exhausted> ltl_to_buchi(Formula f, const TranslationLimits& limits) {
+  return translate(f, limits, true);
+}
+Automaton ltl_to_tgba(Formula f) { return without_limits(f, false); }
+Automaton ltl_to_buchi(Formula f) { return without_limits(f, true); }
+
+}  // namespace waymark::automata

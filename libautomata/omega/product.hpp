@@ -1,0 +1,12 @@
+// The synchronous product of two ω-automata over the same variables: runs of both on one word.
+#pragma once
+#include "libautomata/effort.hpp"
+#include "libautomata/omega/branching.hpp"
+
+namespace waymark::automata {
+
+// L(a) ∩ L(b): reachable pairs, the marks of b after those of a, the conditions joined by ∧. One state of effort per
+// pair; more than Marks::most sets count as too many states.
+Branching intersection(const Branching& a, const Branching& b, Effort& effort);
+
+}  // namespace waymark::automata

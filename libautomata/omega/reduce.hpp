@@ -1,0 +1,17 @@
+// Reduction of generalised Büchi automata: components and simulation in both directions, until nothing changes.
+#pragma once
+#include "libautomata/effort.hpp"
+#include "libautomata/omega/branching.hpp"
+#include "libautomata/omega/scc_filter.hpp"
+
+namespace waymark::automata {
+
+struct Reduced {
+  Branching automaton;
+  bool complete = true;  // false: the effort ran out; the automaton is valid, and larger than it could be
+};
+
+// Never throws Spent except when stopped: what was reached is returned.
+Reduced reduce(Branching automaton, MarksOn marks, Effort& effort);
+
+}  // namespace waymark::automata

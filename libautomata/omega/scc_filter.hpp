@@ -1,0 +1,23 @@
+// What components say about states and marks: the automaton without what no accepting run uses.
+//
+// States that no accepting run visits go, and the branches to them. Marks outside accepting components go. Inside one,
+// a branch gets mark i when every cycle through it has i anyway (its ends fall into different components once the
+// branches with i are gone); then a set implied by another one is dropped, and the others are numbered afresh, so that
+// there are as many sets as the component that needs most. [BKRS12, Sec. 4], the saturation is ours.
+#pragma once
+#include "libautomata/effort.hpp"
+#include "libautomata/omega/branching.hpp"
+
+namespace waymark::automata {
+
+enum class MarksOn : std::uint8_t { Edges, States };  // States: all branches of a state carry the same marks
+
+// Generalised Büchi in (std::invalid_argument otherwise), generalised Büchi out. The empty language is one state
+// without branches. With marks on states sets stay as they are, and a state gets mark i when no cycle through it avoids
+// the states that have it.
+Branching scc_filter(const Branching& automaton, MarksOn marks, Effort& effort);
+
+// One state without branches.
+Branching nothing_accepted();
+
+}  // namespace waymark::automata

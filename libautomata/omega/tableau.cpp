@@ -1,0 +1,210 @@
+#include "libautomata/omega/tableau.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+#include <unordered_map>
+
+#include "libltl/implication.hpp"
+
+namespace waymark::automata {
+namespace {
+
+using ltl::Formula;
+using ltl::Op;
+using Node = Mtbdd::Node;
+
+class Tableau {
+ public:
+  Tableau(Formula f, const std::vector<ltl::Proposition>& reads, Effort& effort)
+      : arena_(f.arena()),
+        reads_(reads),
+        effort_(effort),
+        and_(diagram_.operation()),
+        or_(diagram_.operation()),
+        initial_(f) {}
+
+  Branching run() {
+    std::vector<Node> roots;
+    state_of(initial_);
+    for (std::size_t i = 0; i < order_.size(); ++i) {  // the order doubles as the queue
+      roots.push_back(order_[i]);
+      for (std::uint32_t c : leaves(order_[i]))
+        for (std::size_t b = 0; b < choices_[c].size(); ++b) state_of(arena_.formula(choices_[c][b].target));
+    }
+    Branching out;
+    const Marks all = Marks::first(static_cast<std::uint32_t>(promises_.size()));
+    const auto leaf = [&](std::uint32_t c) {
+      std::vector<Branch> branches;
+      for (const Branch& b : choices_[c])
+        branches.push_back({state_of(arena_.formula(b.target)), all.without(b.marks)});
+      return Mtbdd::terminal(out.choices.intern(std::move(branches)));
+    };
+    out.roots = out.diagram.import(diagram_, roots, leaf, [](Mtbdd::Variable v) { return v; });
+    out.acceptance = Acceptance::generalized_buchi(static_cast<std::uint32_t>(promises_.size()));
+    return out;
+  }
+
+ private:
+  std::uint32_t state_of(Formula f) {
+    if (const auto known = number_of_.find(f.id()); known != number_of_.end()) return known->second;
+    const Node root = successors(f);
+    const auto [at, fresh] = number_.try_emplace(root.id, static_cast<std::uint32_t>(order_.size()));
+    if (fresh) {
+      effort_.state();
+      order_.push_back(root);
+    }
+    number_of_.emplace(f.id(), at->second);
+    return at->second;
+  }
+
+  std::vector<std::uint32_t> leaves(Node root) {
+    std::vector<std::uint32_t> out;
+    std::vector<Node> stack{root};
+    while (!stack.empty()) {
+      const Node n = stack.back();
+      stack.pop_back();
+      if (!visited_.emplace(n.id, true).second) continue;  // below it everything is known
+      if (Mtbdd::is_terminal(n)) {
+        out.push_back(Mtbdd::payload(n));
+      } else {
+        stack.push_back(diagram_.high(n));
+        stack.push_back(diagram_.low(n));
+      }
+    }
+    return out;
+  }
+
+  Node successors(Formula f) {
+    if (const auto known = successors_.find(f); known != successors_.end()) return known->second;
+    const Node root = expand(f);
+    successors_.emplace(f, root);
+    return root;
+  }
+
+  Node expand(Formula f) {
+    switch (f.op()) {
+      case Op::False: return Mtbdd::terminal(Choices::none);
+      case Op::True: return one(f, {});
+      case Op::Atom: return literal(f, true);
+      case Op::Not: return literal(f[0], false);
+      case Op::And: {
+        Node all = successors(f[0]);
+        for (std::size_t i = 1; i < f.operands().size(); ++i) all = both(all, successors(f[i]));
+        return all;
+      }
+      case Op::Or: {
+        Node all = successors(f[0]);
+        for (std::size_t i = 1; i < f.operands().size(); ++i) all = either(all, successors(f[i]));
+        return all;
+      }
+      case Op::Next:
+      case Op::WeakNext: return one(f[0], {});
+      case Op::Until: return either(successors(f[1]), both(successors(f[0]), one(f, promise(f))));
+      case Op::Release: return both(successors(f[1]), either(successors(f[0]), one(f, {})));
+      case Op::Iff: break;
+    }
+    throw std::logic_error("a tableau needs negation normal form");
+  }
+
+  Node one(Formula next, Marks promises) { return Mtbdd::terminal(choices_.intern({{next.id(), promises}})); }
+  Node literal(Formula atom, bool positive) {
+    const auto at = std::lower_bound(reads_.begin(), reads_.end(), atom.proposition());
+    const Node yes = one(arena_.constant(true), {}), no = Mtbdd::terminal(Choices::none);
+    return diagram_.make(static_cast<Mtbdd::Variable>(at - reads_.begin()), positive ? no : yes,
+                         positive ? yes : no);
+  }
+  Marks promise(Formula until) {
+    Formula right = until[1];
+    while (right.op() == Op::Until) right = right[1];
+    const auto [at, fresh] = promises_.try_emplace(right, static_cast<std::uint32_t>(promises_.size()));
+    if (fresh && promises_.size() > Marks::most) throw Effort::Spent{Effort::Spent::Reason::States};
+    return Marks::of(at->second);
+  }
+
+  Node both(Node f, Node g) {
+    const Node nothing = Mtbdd::terminal(Choices::none), free = one(arena_.constant(true), {});
+    const auto decide = [&](const std::array<Node, 2>& a) -> std::optional<Node> {
+      effort_.step();
+      if (a[0] == nothing || a[1] == nothing) return nothing;
+      if (a[0] == free || a[0] == a[1]) return a[1];
+      if (a[1] == free) return a[0];
+      if (!Mtbdd::is_terminal(a[0]) || !Mtbdd::is_terminal(a[1])) return std::nullopt;
+      return Mtbdd::terminal(product(Mtbdd::payload(a[0]), Mtbdd::payload(a[1])));
+    };
+    return diagram_.apply(and_, g < f ? std::array{g, f} : std::array{f, g}, decide);
+  }
+  Node either(Node f, Node g) {
+    const Node nothing = Mtbdd::terminal(Choices::none), free = one(arena_.constant(true), {});
+    const auto decide = [&](const std::array<Node, 2>& a) -> std::optional<Node> {
+      effort_.step();
+      if (a[0] == free || a[1] == free) return free;
+      if (a[0] == nothing || a[0] == a[1]) return a[1];
+      if (a[1] == nothing) return a[0];
+      if (!Mtbdd::is_terminal(a[0]) || !Mtbdd::is_terminal(a[1])) return std::nullopt;
+      return Mtbdd::terminal(sum(Mtbdd::payload(a[0]), Mtbdd::payload(a[1])));
+    };
+    return diagram_.apply(or_, g < f ? std::array{g, f} : std::array{f, g}, decide);
+  }
+
+  std::uint32_t product(std::uint32_t f, std::uint32_t g) {
+    const auto [at, fresh] = products_.try_emplace(std::uint64_t{f} << 32U | g, 0);
+    if (!fresh) return at->second;
+    std::vector<Branch> all;
+    for (const Branch& a : choices_[f])
+      for (const Branch& b : choices_[g]) {
+        effort_.step();
+        const Formula next = conjunction(arena_.formula(a.target), arena_.formula(b.target));
+        if (next.op() != Op::False) all.push_back({next.id(), a.marks | b.marks});
+      }
+    return at->second = antichain(std::move(all));
+  }
+  std::uint32_t sum(std::uint32_t f, std::uint32_t g) {
+    std::vector<Branch> all(choices_[f].begin(), choices_[f].end());
+    all.insert(all.end(), choices_[g].begin(), choices_[g].end());
+    return antichain(std::move(all));
+  }
+
+  // A run that could take b may as well take a: it promises no more, and b's rest implies a's.
+  std::uint32_t antichain(std::vector<Branch> all) {
+    std::sort(all.begin(), all.end());
+    all.erase(std::unique(all.begin(), all.end()), all.end());
+    for (std::size_t i = 0; i < all.size();) {
+      const Branch b = all[i];
+      const auto better = [&](const Branch& a) {
+        effort_.step();
+        return a != b && b.marks.includes(a.marks) &&
+               implies_(arena_.formula(b.target), arena_.formula(a.target));
+      };
+      // One at a time, so that of two branches as good as each other one stays.
+      if (std::any_of(all.begin(), all.end(), better))
+        all.erase(all.begin() + static_cast<std::ptrdiff_t>(i));
+      else
+        ++i;
+    }
+    return choices_.intern(std::move(all));
+  }
+
+  ltl::Arena& arena_;
+  const std::vector<ltl::Proposition>& reads_;
+  Effort& effort_;
+  ltl::Implication implies_;
+  Mtbdd diagram_;    // terminals are choices
+  Choices choices_;  // branches: target is the id of a formula, marks are promises
+  Mtbdd::Operation and_, or_;
+  std::unordered_map<std::uint64_t, std::uint32_t> products_;
+  std::unordered_map<Formula, std::uint32_t> promises_;
+  std::unordered_map<Formula, Node> successors_;
+  Formula initial_;
+  std::vector<Node> order_;                                     // roots of states
+  std::unordered_map<std::uint32_t, std::uint32_t> number_;     // state of a root
+  std::unordered_map<std::uint32_t, std::uint32_t> number_of_;  // … of a formula
+  std::unordered_map<std::uint32_t, bool> visited_;
+};
+
+}  // namespace
+
+Branching tableau(Formula f, const std::vector<ltl::Proposition>& reads, Effort& effort) {
+  return Tableau(f, reads, effort).run();
+}
+
+}  // namespace waymark::automata

@@ -1,0 +1,23 @@
+// LTL → transition-based generalised Büchi automata, by a tableau whose successor sets are diagrams.
+//
+// A state is a conjunction of formulas in negation normal form. Its successors are one MTBDD built bottom up, leaves
+// being antichains of (promises, next conjunction): [Cou99, Sec. 4], with letters decided by the diagram instead of
+// being part of the products there:
+//   δ(φ U ψ) = δ(ψ) ∪ (δ(φ) ⊗ {(P(ψ), φ U ψ)})    δ(φ R ψ) = δ(ψ) ⊗ (δ(φ) ∪ {(∅, φ R ψ)})    δ(X φ) = {(∅, φ)}
+// ∪ and ⊗ drop a branch when another one promises no more and leaves no more to do. A promise is named by what is
+// promised in the end: φ U (χ U ψ) and χ U ψ both promise ψ. Mark i says "promise i is not made on this edge".
+// Formulas with one successor diagram are one state.
+#pragma once
+#include <vector>
+
+#include "libautomata/effort.hpp"
+#include "libautomata/omega/branching.hpp"
+#include "libltl/formula.hpp"
+
+namespace waymark::automata {
+
+// φ in negation normal form, without ↔. reads[v] is the proposition of variable v. Neither trimmed nor reduced.
+// Throws what the effort throws; too many promises count as too many states.
+Branching tableau(ltl::Formula f, const std::vector<ltl::Proposition>& reads, Effort& effort);
+
+}  // namespace waymark::automata

@@ -1,0 +1,26 @@
+// Obligations: the minimal weak deterministic automaton, by progression.
+//
+// Progression closed off is a deterministic structure whose states mean what is left to satisfy. When the property is
+// an obligation, all loops of one component agree: one of them is read against the definition, and that colours the
+// component. Transient states take the colour that makes states of one language equal, then minimisation as for
+// finite words gives the minimal automaton [Loe01]. Trying this on any formula and checking the result is [DEK07].
+#pragma once
+#include "libautomata/effort.hpp"
+#include "libautomata/omega/branching.hpp"
+#include "libautomata/transitions.hpp"
+#include "libltl/formula.hpp"
+
+namespace waymark::automata {
+
+// Complete; accepting states are those whose loops accept. The language is φ's when φ is an obligation, else any.
+Transitions weak_deterministic(ltl::Formula f, const std::vector<ltl::Proposition>& reads, Effort& effort);
+
+// The same as Büchi automaton with marks on states; all runs accept where no state rejects. `complement` exchanges
+// accepting and rejecting states; `trim` removes the rejecting sink.
+struct AsBuchi {
+  bool complement = false;
+  bool trim = true;
+};
+Branching as_buchi(const Transitions& weak, const AsBuchi& options);
+
+}  // namespace waymark::automata
