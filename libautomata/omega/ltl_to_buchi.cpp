@@ -12,6 +12,7 @@
 #include "libautomata/omega/weak.hpp"
 #include "libltl/fragment.hpp"
 #include "libltl/nnf.hpp"
+#include "libltl/separate.hpp"
 #include "libltl/simplify.hpp"
 
 namespace waymark::automata {
@@ -25,6 +26,12 @@ constexpr std::size_t reduction_steps = 30'000'000;
 constexpr std::size_t guess_steps = 2'000'000;  // to find out whether a formula is an obligation
 constexpr std::size_t guess_states = 2'000;
 
+// Smaller first, then what may be looked at late pulled out; a second round because each makes work for the other.
+Formula prepared(Formula f) {
+  for (int round = 0; round < 2; ++round) f = ltl::separate(ltl::nnf(ltl::simplify(f, ltl::Over::Infinite)));
+  return f;
+}
+
 struct Candidate {
   Branching automaton;
   bool reduced = true;
@@ -33,9 +40,7 @@ struct Candidate {
 class Construction {
  public:
   Construction(Formula f, const TranslationLimits& limits)
-      : limits_(limits),
-        formula_(ltl::nnf(ltl::simplify(f, ltl::Over::Infinite))),
-        reads_(ltl::propositions(f)) {}
+      : limits_(limits), formula_(prepared(f)), reads_(ltl::propositions(f)) {}
 
   std::optional<Candidate> tgba() {
     if (reads_.size() > Mtbdd::max_variables) return std::nullopt;

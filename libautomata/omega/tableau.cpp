@@ -5,6 +5,7 @@
 #include <unordered_map>
 
 #include "libltl/implication.hpp"
+#include "libltl/separate.hpp"
 
 namespace waymark::automata {
 namespace {
@@ -95,7 +96,7 @@ class Tableau {
       case Op::Or: {
         Node all = successors(f[0]);
         for (std::size_t i = 1; i < f.operands().size(); ++i) all = either(all, successors(f[i]));
-        return all;
+        return ltl::purity(f).both() ? postponed(f, all) : all;
       }
       case Op::Next:
       case Op::WeakNext: return one(f[0], {});
@@ -104,6 +105,35 @@ class Tableau {
       case Op::Iff: break;
     }
     throw std::logic_error("a tableau needs negation normal form");
+  }
+
+  // A disjunction that only concerns the far end of the word may be postponed as a whole: a branch that leads to one
+  // of its disjuncts and promises something may as well lead back to it, always under the same promise, so that
+  // nobody postpones for ever.
+  Node postponed(Formula f, Node root) {
+    std::unordered_map<std::uint32_t, Node> image;
+    Marks waiting;
+    const auto change = [&](auto&& self, Node n) -> Node {
+      if (const auto known = image.find(n.id); known != image.end()) return known->second;
+      Node made;
+      if (Mtbdd::is_terminal(n)) {
+        std::vector<Branch> branches(choices_[Mtbdd::payload(n)].begin(), choices_[Mtbdd::payload(n)].end());
+        for (Branch& b : branches) {
+          const auto all = f.operands();
+          if (b.marks.empty() || std::find(all.begin(), all.end(), arena_.formula(b.target)) == all.end())
+            continue;
+          if (waiting.empty()) waiting = Marks::of(b.marks.members().front());
+          b = {f.id(), waiting};
+        }
+        made = Mtbdd::terminal(antichain(std::move(branches)));
+      } else {
+        const Node low = self(self, diagram_.low(n)), high = self(self, diagram_.high(n));
+        made = diagram_.make(diagram_.variable(n), low, high);
+      }
+      image.emplace(n.id, made);
+      return made;
+    };
+    return change(change, root);
   }
 
   Node one(Formula next, Marks promises) { return Mtbdd::terminal(choices_.intern({{next.id(), promises}})); }
