@@ -13,7 +13,9 @@ using Node = Mtbdd::Node;
 // A cover of some function between `lower` and `upper`, and that function. [Min93, Fig. 2]
 class Cover {
  public:
-  Cover(Mtbdd& diagram, Boolean& logic) : diagram_(diagram), logic_(logic) {}
+  struct TooLong {};  // thrown
+  Cover(Mtbdd& diagram, Boolean& logic, std::size_t most_cubes)
+      : diagram_(diagram), logic_(logic), most_cubes_(most_cubes) {}
 
   Node between(Node lower, Node upper) {
     if (lower == Boolean::constant(false)) return lower;
@@ -35,7 +37,10 @@ class Cover {
   Guard cubes() && { return std::move(cubes_); }
 
  private:
-  [[gnu::noinline]] void keep_path() { cubes_.push_back(path_); }  // out of the recursion's frames
+  [[gnu::noinline]] void keep_path() {  // out of the recursion's frames
+    if (cubes_.size() == most_cubes_) throw TooLong{};
+    cubes_.push_back(path_);
+  }
   std::pair<Node, Node> cofactors(Node f, Mtbdd::Variable v) const {
     return diagram_.variable(f) == v ? std::pair(diagram_.low(f), diagram_.high(f)) : std::pair(f, f);
   }
@@ -48,6 +53,7 @@ class Cover {
 
   Mtbdd& diagram_;
   Boolean& logic_;
+  std::size_t most_cubes_;
   Cube path_;
   Guard cubes_;
 };
@@ -81,10 +87,15 @@ Node Edges::leads_to(StateId q, StateId r) {
   return scratch_.apply(is_target_[r.index], std::array{dfa_.root(q)}, decide);
 }
 
-std::vector<Edge> Edges::from(StateId q) {
+std::vector<Edge> Edges::from(StateId q) { return *from(q, SIZE_MAX); }
+
+std::optional<std::vector<Edge>> Edges::from(StateId q, std::size_t most_cubes) {
   std::vector<Edge> out;
-  for (StateId r : targets(dfa_, q))
-    out.push_back({q, r, irredundant_cover(scratch_, logic_, leads_to(q, r))});
+  for (StateId r : targets(dfa_, q)) {
+    std::optional<Guard> guard = irredundant_cover(scratch_, logic_, leads_to(q, r), most_cubes);
+    if (!guard) return std::nullopt;
+    out.push_back({q, r, std::move(*guard)});
+  }
   return out;
 }
 
@@ -114,9 +125,14 @@ std::vector<StateId> targets(const Dfa& dfa, StateId q) {
   return out;
 }
 
-std::size_t count_edges(const Dfa& dfa) {
+std::size_t count_edges(const Dfa& dfa) { return *count_edges(dfa, SIZE_MAX); }
+
+std::optional<std::size_t> count_edges(const Dfa& dfa, std::size_t most) {
   std::size_t sum = 0;
-  for (std::uint32_t q = 0; q < dfa.states(); ++q) sum += targets(dfa, StateId{q}).size();
+  for (std::uint32_t q = 0; q < dfa.states(); ++q) {
+    sum += targets(dfa, StateId{q}).size();
+    if (sum > most) return std::nullopt;
+  }
   return sum;
 }
 

@@ -3,6 +3,7 @@
 // Inside the library edges stay diagrams; guards exist only where an automaton is written down. [Min93]
 #pragma once
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "libautomata/boolean.hpp"
@@ -20,6 +21,8 @@ using Guard = std::vector<Cube>;    // a disjunction; empty is false
 
 // A cover of f in which no cube and no literal can be dropped. The diagram is f's, and grows.
 Guard irredundant_cover(Mtbdd& diagram, Boolean& logic, Mtbdd::Node f);
+// … nullopt when it has more cubes than that; no more than a multiple of them is looked at.
+std::optional<Guard> irredundant_cover(Mtbdd& diagram, Boolean& logic, Mtbdd::Node f, std::size_t most_cubes);
 
 struct Edge {
   StateId source, target;
@@ -33,6 +36,8 @@ class Edges {
   Edges(const Edges&) = delete;
   Edges& operator=(const Edges&) = delete;
   std::vector<Edge> from(StateId q);
+  // … nullopt when a guard has more cubes than that.
+  std::optional<std::vector<Edge>> from(StateId q, std::size_t most_cubes);
   // The letters that lead from q to r, negated when that is shorter to write: `otherwise` edges stay readable.
   ltl::Formula label(StateId q, StateId r, ltl::Arena& arena);
 
@@ -49,6 +54,8 @@ class Edges {
 std::vector<StateId> targets(const Dfa& dfa, StateId q);
 // Edges after merging by (source, target): pairs of states with a letter between them. O(states · diagram).
 std::size_t count_edges(const Dfa& dfa);
+// … nullopt when there are more than that. Stops there.
+std::optional<std::size_t> count_edges(const Dfa& dfa, std::size_t most);
 // Decision nodes that the automaton consists of.
 std::size_t count_nodes(const Dfa& dfa);
 

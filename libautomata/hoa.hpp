@@ -5,20 +5,27 @@
 // carries it. Files with the mark on edges ("the word may stop after this letter", as Spot prints DFAs) are read as
 // well, and turned into states. In full: docs/formats/hoa.md.
 #pragma once
+#include <optional>
 #include <string>
 #include <string_view>
 
 #include "libautomata/dfa.hpp"
+#include "libautomata/hoa_text.hpp"
 
 namespace waymark::automata {
 
 struct HoaOptions {
-  std::string name = {};  // the `name:` header, usually the formula
+  std::string name = {};        // the `name:` header, usually the formula
+  bool marks_on_edges = false;  // "the word may stop after this letter" in the place of "… in this state"
+  HoaLayout layout = {};
 };
 
 // States as the automaton numbers them, edges merged by (source, target), labels irredundant: same automaton, same
 // bytes. O(edges · cubes), which may be exponential in the diagram.
 std::string write_hoa(const Dfa& dfa, const HoaOptions& options = {});
+// … nullopt when there are more edges, or a label has more cubes, than that: counted before anything is written.
+std::optional<std::string> write_hoa_within(const Dfa& dfa, std::size_t most_edges,
+                                            const HoaOptions& options = {});
 
 // One automaton. States keep the order of their numbers; a trap is added where letters are missing. Throws
 // ltl::FormatError with line and column; `source` names the file in messages. What is no DFA (nondeterminism,

@@ -33,7 +33,10 @@ class Builder {
   }
 
   void check_shape() const {
-    if (file_.acceptance.kind == HoaAutomaton::Acceptance::Kind::Other)
+    using Op = HoaCondition::Op;
+    const HoaCondition& condition = file_.acceptance;
+    if (condition.op != Op::True && condition.op != Op::False &&
+        (condition.op != Op::Inf || condition.complemented))
       refuse(
           file_.acceptance_at,
           "the acceptance of a DFA is Büchi, 1 Inf(0), its mark saying where the word may stop (or t, or f)");
@@ -75,8 +78,8 @@ class Builder {
   }
 
   bool marked(const std::vector<std::uint64_t>& marks) const {
-    using Kind = HoaAutomaton::Acceptance::Kind;
-    if (file_.acceptance.kind != Kind::Buchi) return file_.acceptance.kind == Kind::All;
+    using Op = HoaCondition::Op;
+    if (file_.acceptance.op != Op::Inf) return file_.acceptance.op == Op::True;
     return std::find(marks.begin(), marks.end(), file_.acceptance.set) != marks.end();
   }
 

@@ -4,50 +4,37 @@
 #include "libautomata/hoa.hpp"
 
 namespace waymark::automata {
-namespace {
 
-std::string quoted(std::string_view text) {
-  std::string out = "\"";
-  for (char c : text) {
-    if (c == '"' || c == '\\') out += '\\';
-    out += c;
-  }
-  return out + '"';
-}
-
-std::string label(const Guard& guard) {
-  std::string out;
-  for (const Cube& cube : guard) {
-    if (!out.empty()) out += " | ";
-    for (std::size_t i = 0; i < cube.size(); ++i) {
-      if (i > 0) out += '&';
-      if (!cube[i].positive) out += '!';
-      out += std::to_string(cube[i].variable);
-    }
-    if (cube.empty()) out += 't';
-  }
-  return out;
-}
-
-}  // namespace
-
-std::string write_hoa(const Dfa& dfa, const HoaOptions& options) {
-  std::string out = "HOA: v1\n";
-  if (!options.name.empty()) out += "name: " + quoted(options.name) + '\n';
-  out += "tool: \"waymark\"\n";
-  out += "States: " + std::to_string(dfa.states()) + '\n';
-  out += "Start: " + std::to_string(dfa.initial().index) + '\n';
-  out += "AP: " + std::to_string(dfa.reads().size());
-  for (ltl::Proposition p : dfa.reads()) out += ' ' + quoted(dfa.vocabulary().name(p));
-  out += "\nacc-name: Buchi\nAcceptance: 1 Inf(0)\n";
-  out += "properties: trans-labels explicit-labels state-acc complete deterministic finite-words\n--BODY--\n";
+std::optional<std::string> write_hoa_within(const Dfa& dfa, std::size_t most_edges,
+                                            const HoaOptions& options) {
+  if (!count_edges(dfa, most_edges)) return std::nullopt;
+  HoaText text;
+  text.name = options.name;
+  text.starts = {dfa.initial().index};
+  for (ltl::Proposition p : dfa.reads()) text.propositions.push_back(dfa.vocabulary().name(p));
+  text.acceptance_name = "Buchi";
+  text.acceptance = "1 Inf(0)";
+  text.properties = "trans-labels explicit-labels ";
+  text.properties += options.marks_on_edges ? "trans-acc" : "state-acc";
+  text.properties += " complete deterministic finite-words";
   Edges edges(dfa);
   for (std::uint32_t q = 0; q < dfa.states(); ++q) {
-    out += "State: " + std::to_string(q) + (dfa.is_accepting(StateId{q}) ? " {0}\n" : "\n");
-    for (const Edge& edge : edges.from(StateId{q}))
-      out += '[' + label(edge.guard) + "] " + std::to_string(edge.target.index) + '\n';
+    std::optional<std::vector<Edge>> from = edges.from(StateId{q}, most_edges);
+    if (!from) return std::nullopt;
+    HoaText::State state;
+    if (!options.marks_on_edges && dfa.is_accepting(StateId{q})) state.marks = {0};
+    for (Edge& edge : *from) {
+      const bool marked = options.marks_on_edges && dfa.is_accepting(edge.target);
+      state.edges.push_back({std::move(edge.guard), edge.target.index,
+                             marked ? std::vector<std::uint32_t>{0} : std::vector<std::uint32_t>{}});
+    }
+    text.states.push_back(std::move(state));
   }
-  return out + "--END--\n";
+  return print(text, options.layout);
+}
+
+std::string write_hoa(const Dfa& dfa, const HoaOptions& options) {
+  return *write_hoa_within(dfa, SIZE_MAX, options);
 }
 
 }  // namespace waymark::automata

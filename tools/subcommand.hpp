@@ -31,6 +31,8 @@ Runner setup_train(CLI::App& command);
 Runner setup_evaluate(CLI::App& command);
 Runner setup_move(CLI::App& command);
 Runner setup_draw(CLI::App& command);
+Runner setup_patterns(CLI::App& command);
+Runner setup_random(CLI::App& command);
 Runner setup_version(CLI::App& command);
 
 }  // namespace waymark::tools

@@ -1,0 +1,33 @@
+// Alternating automata, and the removal of their universal branches.
+//
+// On a letter a state offers edges; an edge leads to several states at once, all of which must accept the rest. The
+// breakpoint construction of [MH84] follows the set S of states that are owed and, in O ⊆ S, those that have not met a
+// mark since the last breakpoint; when O runs empty that edge is marked and O starts anew as S. Here marks sit on
+// edges, the alternatives of a set are one diagram, and of two alternatives that are comparable (S₁ ⊆ S₂ and O₁ ⊆ O₂)
+// the larger one is dropped: whatever it accepts, the smaller one does.
+#pragma once
+#include <cstdint>
+#include <vector>
+
+#include "libautomata/effort.hpp"
+#include "libautomata/omega/branching.hpp"
+
+namespace waymark::automata {
+
+// Alternating Büchi automaton: a run accepts when each of its branches meets infinitely many marked edges.
+struct AlternatingBuchi {
+  struct Edge {
+    Mtbdd::Node label;                   // over diagram, Boolean
+    std::vector<std::uint32_t> targets;  // sorted, unique, not empty
+    bool marked = false;
+  };
+  Mtbdd diagram;
+  std::vector<std::vector<Edge>> edges;            // by state
+  std::vector<std::vector<std::uint32_t>> starts;  // conjunctions; several: nondeterminism
+};
+
+// A nondeterministic Büchi automaton of the same language; at most 3ⁿ states. One state and some steps of effort for
+// each. The variables stay.
+Branching without_alternation(AlternatingBuchi automaton, Effort& effort);
+
+}  // namespace waymark::automata

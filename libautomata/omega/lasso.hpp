@@ -1,0 +1,17 @@
+// A word that an automaton accepts, for any acceptance condition; none when its language is empty.
+//
+// A component whose marks together satisfy the condition accepts: its cycle is walked once past every mark. Otherwise
+// one mark under Fin is either left out with its edges, or given up (its Fin is false) and kept. [BBD+19]
+#pragma once
+#include <optional>
+
+#include "libautomata/omega/automaton.hpp"
+#include "libltl/word.hpp"
+
+namespace waymark::automata {
+
+// Shortest way to an accepting component, propositions that do not matter false. Exponential in the Fin marks that
+// occur in one component, linear in the rest; the cycle has at most |component| · (marks + 1) letters.
+std::optional<ltl::Lasso> find_lasso(const Automaton& automaton);
+
+}  // namespace waymark::automata

@@ -1,0 +1,183 @@
+#include "libautomata/omega/operations.hpp"
+
+#include <algorithm>
+#include <array>
+#include <stdexcept>
+#include <utility>
+
+#include "libautomata/boolean.hpp"
+#include "libautomata/omega/product.hpp"
+
+namespace waymark::automata {
+namespace {
+
+using Node = Mtbdd::Node;
+
+// Two automata over the same variables.
+struct Aligned {
+  ltl::Vocabulary vocabulary;
+  std::vector<ltl::Proposition> reads;
+  Mtbdd diagram;  // payloads are choices of the automaton whose root it is
+  std::vector<Node> first, second;
+};
+
+// The diagrams of an automaton with variable v renamed to name[v], which need not keep their order.
+std::vector<Node> renamed(const Branching& from, const std::vector<Mtbdd::Variable>& name, Mtbdd& to) {
+  Boolean logic(to);
+  std::vector<Node> image(from.diagram.size());
+  const auto of = [&](Node n) { return Mtbdd::is_terminal(n) ? n : image[n.id]; };
+  for (Node n : from.diagram.reachable(from.roots))
+    image[n.id] = logic.if_then_else(logic.variable(name[from.diagram.variable(n)]), of(from.diagram.high(n)),
+                                     of(from.diagram.low(n)));
+  std::vector<Node> out;
+  for (Node root : from.roots) out.push_back(of(root));
+  return out;
+}
+
+Aligned align(const Automaton& a, const Automaton& b) {
+  Aligned out;
+  out.vocabulary = a.vocabulary();
+  for (const std::string& name : b.vocabulary().names()) out.vocabulary.add(name);
+  const auto named = [&](const Automaton& from, ltl::Proposition p) {
+    return *out.vocabulary.find(from.vocabulary().name(p));
+  };
+  for (const Automaton* from : {&a, &b})
+    for (ltl::Proposition p : from->reads()) out.reads.push_back(named(*from, p));
+  std::sort(out.reads.begin(), out.reads.end());
+  out.reads.erase(std::unique(out.reads.begin(), out.reads.end()), out.reads.end());
+  const auto names = [&](const Automaton& from) {
+    std::vector<Mtbdd::Variable> name;
+    for (ltl::Proposition p : from.reads()) {
+      const auto at = std::lower_bound(out.reads.begin(), out.reads.end(), named(from, p));
+      name.push_back(static_cast<Mtbdd::Variable>(at - out.reads.begin()));
+    }
+    return name;
+  };
+  out.first = renamed(a.transitions(), names(a), out.diagram);
+  out.second = renamed(b.transitions(), names(b), out.diagram);
+  return out;
+}
+
+// One of the two, over the common variables.
+Branching over(const Aligned& both, const std::vector<Node>& roots, const Branching& automaton) {
+  Branching out;
+  out.diagram = both.diagram;
+  out.choices = automaton.choices;
+  out.roots = roots;
+  out.initial = automaton.initial;
+  out.acceptance = automaton.acceptance;
+  return out;
+}
+
+void require_sets(std::size_t sets) {
+  if (sets > Marks::most)
+    throw std::length_error("the automaton needs " + std::to_string(sets) +
+                            " acceptance sets; 64 are possible");
+}
+
+Marks shifted(Marks marks, std::uint32_t by) {
+  return by >= Marks::most ? Marks() : Marks::from_bits(marks.bits() << by);
+}
+
+std::vector<Branch> moved(std::span<const Branch> branches, std::uint32_t states, std::uint32_t marks,
+                          Marks more) {
+  std::vector<Branch> out;
+  for (const Branch& b : branches) out.push_back({b.target + states, shifted(b.marks, marks) | more});
+  return out;
+}
+
+// Marks on a loop that the condition rejects, if the two plainest sets tell.
+std::optional<Marks> rejecting_marks(const Acceptance& acceptance) {
+  for (Marks marks : {Marks(), Marks::first(acceptance.sets)})
+    if (!acceptance.condition.holds(marks)) return marks;
+  return std::nullopt;
+}
+
+// Letters without a branch lead to a state whose loop is rejected: with the marks found, or with a new one, which the
+// condition then excludes.
+Branching completed(const Branching& automaton) {
+  if (is_complete(automaton)) return automaton;
+  const std::optional<Marks> known = rejecting_marks(automaton.acceptance);
+  if (!known) require_sets(std::size_t{automaton.acceptance.sets} + 1);
+  const Marks marks = known ? *known : Marks::of(automaton.acceptance.sets);
+  std::vector<std::uint32_t> all(automaton.states());
+  for (std::uint32_t q = 0; q < all.size(); ++q) all[q] = q;
+  const auto sink = static_cast<std::uint32_t>(automaton.states());
+  const auto to_sink = [&](std::uint32_t, std::span<const Branch> choice) {
+    return choice.empty() ? std::vector<Branch>{{sink, Marks()}}
+                          : std::vector<Branch>(choice.begin(), choice.end());
+  };
+  Branching out = rebuild(automaton, all, to_sink);
+  out.roots.push_back(Mtbdd::terminal(out.choices.intern({{sink, marks}})));
+  if (!known) {
+    const std::uint32_t mark = out.acceptance.sets++;
+    out.acceptance.condition = Condition::all_of({Condition::fin(mark), out.acceptance.condition});
+  }
+  return out;
+}
+
+Automaton with(const Automaton& automaton, const Branching& transitions) {
+  return as_automaton(transitions, automaton.vocabulary(), automaton.reads());
+}
+
+}  // namespace
+
+std::optional<Deterministic> Deterministic::checked(Automaton automaton) {
+  if (!is_deterministic(automaton.transitions())) return std::nullopt;
+  return Deterministic(std::move(automaton));
+}
+
+Automaton intersection(const Automaton& a, const Automaton& b, Effort& effort) {
+  const Aligned both = align(a, b);
+  return as_automaton(
+      intersection(over(both, both.first, a.transitions()), over(both, both.second, b.transitions()), effort),
+      both.vocabulary, both.reads);
+}
+
+Deterministic either(const Deterministic& a, const Deterministic& b, Effort& effort) {
+  const Automaton neither = intersection(complement(a).automaton(), complement(b).automaton(), effort);
+  return complement(*Deterministic::checked(neither));
+}
+
+Deterministic complement(const Deterministic& a) {
+  Branching out = completed(a.automaton().transitions());
+  out.acceptance.condition = out.acceptance.condition.negated();
+  return *Deterministic::checked(with(a.automaton(), out));
+}
+
+Automaton sum(const Automaton& a, const Automaton& b) {
+  Aligned both = align(a, b);
+  const std::uint32_t sets_a = a.acceptance().sets, sets = sets_a + b.acceptance().sets;
+  require_sets(std::size_t{sets} + 2);
+  const auto states_a = static_cast<std::uint32_t>(a.states());
+  const Marks in_a = Marks::of(sets), in_b = Marks::of(sets + 1);
+  Branching out;
+  out.acceptance = {sets + 2,
+                    Condition::any_of({Condition::all_of({Condition::inf(sets), a.acceptance().condition}),
+                                       Condition::all_of({Condition::inf(sets + 1),
+                                                          b.acceptance().condition.shifted(sets_a)})})};
+  const auto of_a = [&](std::uint32_t c) {
+    return out.choices.intern(moved(a.transitions().choices[c], 0, 0, in_a));
+  };
+  const auto of_b = [&](std::uint32_t c) {
+    return out.choices.intern(moved(b.transitions().choices[c], states_a, sets_a, in_b));
+  };
+  const auto keep = [](Mtbdd::Variable v) { return v; };
+  const auto first = [&](std::uint32_t c) { return Mtbdd::terminal(of_a(c)); };
+  const auto second = [&](std::uint32_t c) { return Mtbdd::terminal(of_b(c)); };
+  out.roots = out.diagram.import(both.diagram, both.first, first, keep);
+  for (Node root : out.diagram.import(both.diagram, both.second, second, keep)) out.roots.push_back(root);
+  const auto unite = [&](const std::array<Node, 2>& n) -> std::optional<Node> {
+    if (!Mtbdd::is_terminal(n[0]) || !Mtbdd::is_terminal(n[1])) return std::nullopt;
+    const auto p = out.choices[Mtbdd::payload(n[0])], q = out.choices[Mtbdd::payload(n[1])];
+    std::vector<Branch> branches(p.begin(), p.end());
+    branches.insert(branches.end(), q.begin(), q.end());
+    return Mtbdd::terminal(out.choices.intern(std::move(branches)));
+  };
+  const std::array starts{out.roots[a.initial().index], out.roots[states_a + b.initial().index]};
+  out.initial = static_cast<std::uint32_t>(out.roots.size());
+  out.roots.push_back(out.diagram.apply(out.diagram.operation(), starts, unite));
+  return as_automaton(out, both.vocabulary, both.reads);
+}
+
+}  // namespace waymark::automata

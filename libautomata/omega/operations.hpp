@@ -1,0 +1,34 @@
+// Boolean operations on ω-automata of any acceptance: the language of both, of either, of what is left.
+//
+// Both automata read the same word; propositions are matched by name. Conditions are joined, those of the second one
+// speaking of marks of their own, so nothing is lost and nothing is degeneralised. Negation is free on deterministic,
+// complete automata (the condition is negated) and not offered for others. [BK08, Sec. 4.4.2], conditions as in HOA.
+#pragma once
+#include <optional>
+
+#include "libautomata/effort.hpp"
+#include "libautomata/omega/automaton.hpp"
+
+namespace waymark::automata {
+
+// An automaton of which every choice was seen to have at most one branch.
+class Deterministic {
+ public:
+  static std::optional<Deterministic> checked(Automaton automaton);
+  const Automaton& automaton() const { return automaton_; }
+
+ private:
+  explicit Deterministic(Automaton automaton) : automaton_(std::move(automaton)) {}
+  Automaton automaton_;
+};
+
+// Throws what the effort throws: a state for every pair, and more than 64 sets count as too many.
+Automaton intersection(const Automaton& a, const Automaton& b, Effort& effort);
+// A new initial state that may start as either; two marks say which one the run is in. One pass. Throws
+// std::length_error when more than 64 sets are needed.
+Automaton sum(const Automaton& a, const Automaton& b);
+// The pairs of both, complete: deterministic again. By complement(complement(a) ∩ complement(b)).
+Deterministic either(const Deterministic& a, const Deterministic& b, Effort& effort);
+Deterministic complement(const Deterministic& a);  // complete; at most one state and one set more
+
+}  // namespace waymark::automata

@@ -1,0 +1,129 @@
+#include "tools/automaton_output.hpp"
+
+#include <CLI/App.hpp>
+#include <optional>
+
+#include "libautomata/dot.hpp"
+#include "libautomata/guard.hpp"
+#include "libautomata/hoa.hpp"
+#include "tools/answer.hpp"
+#include "tools/shell/json.hpp"
+
+namespace waymark::tools {
+namespace {
+
+// What all formats say of an automaton before its edges are looked at one by one.
+struct Size {
+  std::size_t states = 0, symbolic_nodes = 0, sets = 0;
+  std::optional<std::size_t> edges;  // none: more than the limit
+  bool deterministic = false;
+};
+
+Size size_of(const automata::Dfa& dfa, std::size_t most_edges) {
+  return {dfa.states(), automata::count_nodes(dfa), 1, automata::count_edges(dfa, most_edges), true};
+}
+
+// One row, tab-separated: line states edges sets deterministic seconds status symbolic_nodes.
+std::string row(std::size_t line, const std::optional<Size>& size, double seconds, std::string_view status) {
+  const auto number = [](const std::optional<std::size_t>& n) { return n ? std::to_string(*n) : "-"; };
+  std::string out = std::to_string(line) + '\t';
+  if (size)
+    out += std::to_string(size->states) + '\t' + number(size->edges) + '\t' + std::to_string(size->sets) +
+           (size->deterministic ? "\tyes\t" : "\tno\t");
+  else
+    out += "-\t-\t-\t-\t";
+  out += fixed(seconds, 6) + '\t' + std::string(status) + '\t';
+  return out + (size ? std::to_string(size->symbolic_nodes) : "-") + '\n';
+}
+
+JsonObject json_size(const Size& size, std::size_t propositions) {
+  JsonObject out;
+  out.add("states", size.states);
+  if (size.edges) out.add("edges", *size.edges);
+  return out.add("symbolic_nodes", size.symbolic_nodes).add("propositions", propositions);
+}
+
+template <class Any>
+JsonArray reads_of(const Any& automaton) {
+  JsonArray reads;
+  for (const ltl::Proposition p : automaton.reads()) reads.add(automaton.vocabulary().name(p));
+  return reads;
+}
+
+// All of JSON but the automaton itself.
+template <class Any>
+JsonObject json_of(const Any& automaton, const Size& size, const Shown& about, std::string_view status) {
+  return JsonObject()
+      .add("formula", about.name)
+      .add("semantics", about.semantics)
+      .add("status", std::string(status))
+      .add("automaton", json_size(size, automaton.reads().size()))
+      .add("sets", size.sets)
+      .add("deterministic", size.deterministic)
+      .add("reads", reads_of(automaton))
+      .add("seconds", about.seconds);
+}
+
+template <class Any>
+Reply too_large(const Any& automaton, const Size& size, const Shown& about, const OutputOptions& options) {
+  const std::string problem = "more than " + counted(options.edges, "edge") +
+                              " (symbolic: " + counted(size.states, "state") + ", " +
+                              counted(size.symbolic_nodes, "node") + ")";
+  Reply reply{ExitCode::GaveUp, {}, problem};
+  if (options.format == "json")
+    reply.text = json_of(automaton, size, about, "limit").text() + '\n';
+  else
+    reply.text = show_none(about.line, about.seconds, "limit", problem, options);
+  return reply;
+}
+
+}  // namespace
+
+void add_output_options(CLI::App& command, OutputOptions& options) {
+  command.add_option("--format", options.format, "HOA, Graphviz DOT, one row of counts, or JSON")
+      ->check(CLI::IsMember({"hoa", "dot", "stats", "json"}))
+      ->capture_default_str();
+  command.add_flag_callback(
+      "--json", [&options] { options.format = "json"; }, "the same as --format json");
+  command.add_flag("--one-line", options.one_line, "HOA: each automaton on one line");
+  command.add_flag("--aliases", options.aliases, "HOA: labels that occur more than once get a name");
+  command.add_option("--acceptance", options.acceptance, "HOA of DFAs: marks on states or edges")
+      ->check(CLI::IsMember({"state", "edge"}))
+      ->capture_default_str();
+  command
+      .add_option("--limit-edges", options.edges,
+                  "write no automaton with more edges; they are counted before")
+      ->type_name("N")
+      ->capture_default_str();
+}
+
+std::string show_none(std::size_t line, double seconds, std::string_view status, const std::string& message,
+                      const OutputOptions& options) {
+  if (options.format == "stats") return row(line, std::nullopt, seconds, status);
+  if (options.format == "json")
+    return JsonObject().add("line", line).add("status", std::string(status)).add("message", message).text() +
+           '\n';
+  if (options.format == "hoa") return automata::aborted_hoa("", {.one_line = options.one_line});
+  return "";
+}
+
+Reply show(const automata::Dfa& dfa, const Shown& about, const OutputOptions& options) {
+  if (options.format == "stats")
+    return {ExitCode::Done, row(about.line, size_of(dfa, options.edges), about.seconds, about.status)};
+  if (options.format == "dot") {
+    const Size size = size_of(dfa, options.edges);
+    if (!size.edges) return too_large(dfa, size, about, options);
+    return {ExitCode::Done, automata::write_dot(dfa, {.name = about.unicode_name})};
+  }
+  const std::optional<std::string> hoa = automata::write_hoa_within(
+      dfa, options.edges,
+      {.name = about.name,
+       .marks_on_edges = options.acceptance == "edge",
+       .layout = {.aliases = options.aliases, .one_line = options.one_line && options.format == "hoa"}});
+  if (!hoa) return too_large(dfa, size_of(dfa, options.edges), about, options);
+  if (options.format == "hoa") return {ExitCode::Done, *hoa};
+  return {ExitCode::Done,
+          json_of(dfa, size_of(dfa, options.edges), about, about.status).add("hoa", *hoa).text() + '\n'};
+}
+
+}  // namespace waymark::tools

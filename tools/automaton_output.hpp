@@ -1,0 +1,43 @@
+// How an automaton is shown: every format of `waymark translate` and `waymark automaton`, and when it is too large.
+#pragma once
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "libautomata/dfa.hpp"
+#include "libautomata/omega/automaton.hpp"
+#include "tools/shell/parallel.hpp"
+
+namespace CLI {
+class App;
+}
+
+namespace waymark::tools {
+
+struct OutputOptions {
+  std::string format = "hoa";
+  bool one_line = false, aliases = false;
+  std::string acceptance = "state";  // of HOA for DFAs: where the marks stand
+  std::size_t edges = 1'000'000;     // explicit edges, at most
+};
+void add_output_options(CLI::App& command, OutputOptions& options);
+
+struct Shown {
+  std::size_t line = 1;
+  std::string name = {};          // in ASCII notation; of the formula, or as the file says
+  std::string unicode_name = {};  // for drawings
+  std::string semantics = {};     // "finite", "infinite"
+  std::string status = "ok";      // or unreduced
+  double seconds = 0;
+};
+
+// The automaton in the format asked for; past the limit on edges the answer is status limit with the symbolic size.
+Reply show(const automata::Dfa& dfa, const Shown& about, const OutputOptions& options);
+Reply show(const automata::Automaton& automaton, const Shown& about, const OutputOptions& options);
+
+// What stands in the place of an automaton that there is not: status limit or error, on standard output.
+std::string show_none(std::size_t line, double seconds, std::string_view status, const std::string& message,
+                      const OutputOptions& options);
+
+}  // namespace waymark::tools

@@ -1,0 +1,42 @@
+// Many texts, one reply each, several at a time: the replies come out in the order of the texts, each one flushed as
+// soon as all before it are out. A bad text is reported, the others are still answered.
+#pragma once
+#include <cstddef>
+#include <functional>
+#include <stop_token>
+#include <string>
+
+#include "tools/shell/exit_code.hpp"
+#include "tools/shell/input.hpp"
+
+namespace waymark::tools {
+
+struct Reply {
+  ExitCode code = ExitCode::Done;
+  std::string text = {};     // for standard output
+  std::string problem = {};  // for standard error, before the text; none when empty
+};
+
+class Patience {  // what one text may take
+ public:
+  virtual ~Patience() = default;
+  virtual std::stop_token token() const = 0;
+  virtual bool passed() const = 0;  // the time ran out, no other stop was requested
+};
+
+using Answer = std::function<Reply(const Text&, const Patience&)>;
+// What stands in the place of the answer to a bad text, on standard output.
+using BadTextReply = std::function<std::string(const Text&, const std::string& message)>;
+
+struct ParallelOptions {
+  std::size_t threads = 0;  // 0: one for each core
+  double seconds = 0;       // for each text; 0: any
+};
+
+// The worst code of all replies, BadInput when a text of a batch was bad: ltl::SyntaxError and ltl::FormatError end one
+// text of a batch only. Any other exception ends everything, and is thrown here. Throws Interrupted when a stop was
+// requested, ltl::FormatError when there was no text at all. At most `threads` · 256 replies wait for their turn.
+ExitCode answer_in_parallel(TextReader& texts, const std::stop_token& stop, const ParallelOptions& options,
+                            const Answer& answer, const BadTextReply& bad);
+
+}  // namespace waymark::tools

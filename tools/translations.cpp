@@ -1,0 +1,51 @@
+#include "tools/translations.hpp"
+
+#include <array>
+#include <string>
+
+#include "tools/shell/exit_code.hpp"
+
+namespace waymark::tools {
+namespace {
+
+template <class Result>
+Translated widened(Result result) {
+  return std::visit([](auto&& alternative) { return Translated(std::move(alternative)); }, std::move(result));
+}
+
+Translated finite_dfa(ltl::Formula f, const automata::TranslationLimits& limits) {
+  return widened(automata::ltlf_to_dfa(f, limits));
+}
+
+Translated tgba(ltl::Formula f, const automata::TranslationLimits& limits) {
+  return widened(automata::ltl_to_tgba(f, limits));
+}
+
+Translated buchi(ltl::Formula f, const automata::TranslationLimits& limits) {
+  return widened(automata::ltl_to_buchi(f, limits));
+}
+
+constexpr std::array rows{
+    Translation{"finite", "dfa", finite_dfa},
+    Translation{"infinite", "tgba", tgba},
+    Translation{"infinite", "buchi", buchi},
+};
+
+}  // namespace
+
+std::span<const Translation> translations() { return rows; }
+
+const Translation& find_translation(std::string_view semantics, std::string_view target) {
+  if (semantics.empty()) semantics = target == "dfa" ? "finite" : "infinite";
+  if (target.empty()) target = semantics == "finite" ? "dfa" : "tgba";
+  std::string there;
+  for (const Translation& row : rows) {
+    if (row.semantics == semantics && row.target == target) return row;
+    if (row.semantics == semantics) there += (there.empty() ? "" : ", ") + std::string(row.target);
+  }
+  throw UsageError("--semantics " + std::string(semantics) + " --to " + std::string(target) +
+                   " is not available yet: " +
+                   (there.empty() ? "only finite words are" : "over these words there is " + there));
+}
+
+}  // namespace waymark::tools
