@@ -69,8 +69,16 @@ std::size_t length(const Guard& guard) {
 }  // namespace
 
 Guard irredundant_cover(Mtbdd& diagram, Boolean& logic, Node f) {
-  Cover cover(diagram, logic);
-  cover.between(f, f);
+  return *irredundant_cover(diagram, logic, f, SIZE_MAX);
+}
+
+std::optional<Guard> irredundant_cover(Mtbdd& diagram, Boolean& logic, Node f, std::size_t most_cubes) {
+  Cover cover(diagram, logic, most_cubes);
+  try {
+    cover.between(f, f);
+  } catch (const Cover::TooLong&) {
+    return std::nullopt;
+  }
   return std::move(cover).cubes();
 }
 
