@@ -107,9 +107,28 @@ class Separation {
     return join(f.op(), made.out);
   }
 
+  // match:  (φ U ψ) ∨ G φ, (φ R ψ) ∧ F φ
+  // result: φ W ψ, φ M ψ
+  Formula weakened(Op op, Formula f) {
+    const bool any = op == Op::Or;
+    std::vector<Formula> all(f.operands().begin(), f.operands().end());
+    for (std::size_t i = 0; i < all.size(); ++i)
+      for (std::size_t j = 0; j < all.size(); ++j) {
+        const Formula g = all[i], h = all[j];
+        if (g.op() != (any ? Op::Until : Op::Release) || !(any ? is_always(h) : is_eventually(h)) ||
+            h[1] != g[0])
+          continue;
+        all[i] = any ? weak_until(g[0], g[1]) : strong_release(g[0], g[1]);
+        all.erase(all.begin() + static_cast<std::ptrdiff_t>(j));
+        return join(op, all);
+      }
+    return f;
+  }
+
   // match:  G φ ∨ F(¬φ ∧ e) with e eventual, F φ ∧ G(¬φ ∨ u) with u universal
   // result: φ W (¬φ ∧ e), ¬φ U (φ ∧ u)
   Formula junction(Op op, Formula f) {
+    if (f.op() == op) f = weakened(op, f);
     if (f.op() != op) return f;
     const bool any = op == Op::Or;
     std::vector<Formula> all(f.operands().begin(), f.operands().end());
@@ -153,7 +172,7 @@ class Separation {
     const bool free = left.op() == (is_until ? Op::True : Op::False);
     if (free) {
       if (const Formula found = recurring(is_until, right); found != right) return found;
-      return distributed(wide, is_until, right);
+      return distributed(is_until, right);
     }
     // match: (φ ∧ q) U ψ   result: ψ ∨ (q ∧ (φ U ψ))
     if (Split made = split(left, narrow, mixed); !made.out.empty()) {
@@ -192,17 +211,16 @@ class Separation {
     return join(wide, all);
   }
 
-  // match:  F(φ ∨ u), G(φ ∧ e)
-  // result: F φ ∨ F u, G φ ∧ G e
-  Formula distributed(Op wide, bool is_until, Formula right) {
-    const auto outer = [&](Formula g) { return is_until ? eventually(g) : always(g); };
-    const Split made = split(right, wide, [&](Formula g) { return is_until ? universal(g) : eventual(g); });
-    if (made.out.empty() || right.op() != wide) return outer(right);
+  // match:  G(φ ∧ e)
+  // result: G φ ∧ G e      (F(φ ∨ u) stays: one F is one promise)
+  Formula distributed(bool is_until, Formula right) {
+    const Split made = split(right, Op::And, [&](Formula g) { return eventual(g); });
+    if (is_until) return eventually(right);
+    if (made.out.empty() || made.out.size() + made.rest.size() < 2) return always(right);
     std::vector<Formula> all;
-    for (Formula g : made.out)
-      all.push_back(temporal(is_until ? Op::Until : Op::Release, arena_.constant(is_until), g));
-    if (!made.rest.empty()) all.push_back(outer(join(wide, made.rest)));
-    return join(wide, all);
+    for (Formula g : made.out) all.push_back(temporal(Op::Release, arena_.constant(false), g));
+    if (!made.rest.empty()) all.push_back(always(conjunction(arena_, made.rest)));
+    return conjunction(arena_, all);
   }
 
   Arena& arena_;

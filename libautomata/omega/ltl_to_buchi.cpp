@@ -1,6 +1,6 @@
 #include "libautomata/omega/ltl_to_buchi.hpp"
 
-#include <array>
+#include <algorithm>
 #include <optional>
 #include <stdexcept>
 
@@ -8,6 +8,7 @@
 #include "libautomata/omega/emptiness.hpp"
 #include "libautomata/omega/product.hpp"
 #include "libautomata/omega/reduce.hpp"
+#include "libautomata/omega/suspension.hpp"
 #include "libautomata/omega/tableau.hpp"
 #include "libautomata/omega/weak.hpp"
 #include "libltl/fragment.hpp"
@@ -44,16 +45,13 @@ class Construction {
 
   std::optional<Candidate> tgba() {
     if (reads_.size() > Mtbdd::max_variables) return std::nullopt;
-    const bool obligation = ltl::fragments(formula_, ltl::Semantics::Infinite).obligation;
-    std::optional<Branching> weak;
-    if (obligation) weak = trimmed_weak(tableau_steps, limits_.states);
-    std::optional<Candidate> best;
-    if (std::optional<Branching> raw = raw_tableau(formula_, weak ? 4 * weak->states() : limits_.states)) {
-      best = reduced(*raw, MarksOn::Edges);
-      if (!obligation) weak = checked_weak(best->automaton);
-    }
-    if (weak && (!best || no_larger(*weak, best->automaton))) best = Candidate{*std::move(weak), true};
-    return best;
+    std::optional<Candidate> best = direct(formula_);
+    std::vector<Formula> late, rest;
+    if (formula_.op() == ltl::Op::And)
+      for (Formula g : formula_.operands()) (ltl::purity(g).both() ? late : rest).push_back(g);
+    if (late.empty() || rest.empty()) return best;
+    ltl::Arena& arena = formula_.arena();
+    return smallest(std::move(best), suspended(conjunction(arena, rest), conjunction(arena, late)));
   }
 
   std::optional<Candidate> buchi() {
@@ -81,11 +79,60 @@ class Construction {
   std::size_t states() const { return states_; }
 
  private:
-  static std::pair<std::size_t, std::size_t> size(const Branching& a) { return {a.states(), count_edges(a)}; }
   static bool smaller(const Branching& a, const Branching& b) {
     return a.states() < b.states() || (a.states() == b.states() && count_edges(a) < count_edges(b));
   }
-  static bool no_larger(const Branching& a, const Branching& b) { return !smaller(b, a); }
+  static std::optional<Candidate> smallest(std::optional<Candidate> a, std::optional<Candidate> b) {
+    if (!a || (b && smaller(b->automaton, a->automaton))) return b;
+    return a;
+  }
+
+  // The minimal weak automaton or the reduced tableau, whichever is smaller.
+  std::optional<Candidate> direct(Formula f) {
+    std::optional<Branching> weak;
+    std::optional<Candidate> best;
+    if (ltl::fragments(f, ltl::Semantics::Infinite).obligation) {
+      weak = trimmed_weak(f);
+      const std::size_t most = weak ? std::min(guess_states, 4 * weak->states()) : limits_.states;
+      if (const auto raw = raw_tableau(f, weak ? guess_steps : tableau_steps, most))
+        best = reduced(*raw, MarksOn::Edges);
+    } else if (const auto raw = raw_tableau(f, tableau_steps, limits_.states)) {
+      best = reduced(*raw, MarksOn::Edges);
+      weak = checked_weak(f, best->automaton);
+    }
+    if (weak) best = smallest(Candidate{*std::move(weak), true}, std::move(best));
+    return smallest(std::move(best), recurring(f));
+  }
+  // G e₁ ∧ G e₂ ∧ …, every e co-safe and eventual: deterministic, a set for each.
+  std::optional<Candidate> recurring(Formula f) {
+    std::vector<Formula> parts{f};
+    if (f.op() == ltl::Op::And) parts.assign(f.operands().begin(), f.operands().end());
+    for (Formula g : parts)
+      if (g.op() != ltl::Op::Release || g[0].op() != ltl::Op::False || !ltl::purity(g[1]).eventual ||
+          !ltl::fragments(g[1], ltl::Semantics::Infinite).cosafety)
+        return std::nullopt;
+    Effort effort(guess_steps, guess_states, limits_.stop);
+    const std::optional<Branching> all = within([&] {
+      std::optional<Branching> product;
+      for (Formula g : parts) {
+        const Branching part = restarted(weak_deterministic(g[1], reads_, effort));
+        product = product ? intersection(*product, part, effort) : part;
+      }
+      return *std::move(product);
+    });
+    if (!all) return std::nullopt;
+    return reduced(*all, MarksOn::Edges);
+  }
+  std::optional<Candidate> suspended(Formula rest, Formula late) {
+    const std::optional<Candidate> a = direct(rest), b = direct(late);
+    if (!a || !b) return std::nullopt;
+    Effort effort(reduction_steps, limits_.states, limits_.stop);
+    const auto both = within([&] { return compose_late(a->automaton, b->automaton, effort); });
+    if (!both) return std::nullopt;
+    Candidate made = reduced(*both, MarksOn::Edges);
+    made.reduced = made.reduced && a->reduced && b->reduced;
+    return made;
+  }
 
   // nullopt when a limit is met; being stopped ends the translation.
   template <class Make>
@@ -97,8 +144,8 @@ class Construction {
       return std::nullopt;
     }
   }
-  std::optional<Branching> raw_tableau(Formula f, std::size_t most) {
-    Effort effort(tableau_steps, most, limits_.stop);
+  std::optional<Branching> raw_tableau(Formula f, std::size_t steps, std::size_t most) {
+    Effort effort(steps, std::min(most, limits_.states), limits_.stop);
     std::optional<Branching> made = within([&] { return tableau(f, reads_, effort); });
     states_ = std::max(states_, effort.states());
     return made;
@@ -108,19 +155,19 @@ class Construction {
     Reduced out = reduce(std::move(automaton), marks, effort);
     return {std::move(out.automaton), out.complete};
   }
-  std::optional<Branching> trimmed_weak(std::size_t steps, std::size_t states) {
-    Effort effort(steps, states, limits_.stop);
-    return within([&] { return as_buchi(weak_deterministic(formula_, reads_, effort), {}); });
+  std::optional<Branching> trimmed_weak(Formula f) {
+    Effort effort(tableau_steps, limits_.states, limits_.stop);
+    return within([&] { return as_buchi(weak_deterministic(f, reads_, effort), {}); });
   }
   // The weak automaton, when it has the language of the tableau's automaton.
-  std::optional<Branching> checked_weak(const Branching& automaton) {
+  std::optional<Branching> checked_weak(Formula f, const Branching& automaton) {
     Effort effort(guess_steps, guess_states, limits_.stop);
     return within([&] {
-      const Transitions weak = weak_deterministic(formula_, reads_, effort);
+      const Transitions weak = weak_deterministic(f, reads_, effort);
       const Branching outside = as_buchi(weak, {.complement = true, .trim = false});
       if (!is_empty(intersection(automaton, outside, effort)))
         throw Effort::Spent{Effort::Spent::Reason::Steps};
-      const Branching negation = tableau(ltl::nnf(ltl::negate(formula_)), reads_, effort);
+      const Branching negation = tableau(ltl::nnf(ltl::negate(f)), reads_, effort);
       const Branching inside = as_buchi(weak, {.complement = false, .trim = true});
       if (!is_empty(intersection(inside, negation, effort)))
         throw Effort::Spent{Effort::Spent::Reason::Steps};

@@ -191,4 +191,17 @@ Branching as_buchi(const Transitions& weak, const AsBuchi& options) {
   return out;
 }
 
+Branching restarted(const Transitions& weak) {
+  Branching out;
+  const auto leaf = [&](std::uint32_t target) {
+    const bool sink = weak.accepting[target] && weak.roots[target] == Mtbdd::terminal(target);
+    const Branch branch = sink ? Branch{weak.initial, Marks::of(0)} : Branch{target, {}};
+    return Mtbdd::terminal(out.choices.intern({branch}));
+  };
+  out.roots = out.diagram.import(weak.diagram, weak.roots, leaf, [](Mtbdd::Variable v) { return v; });
+  out.initial = weak.initial;
+  out.acceptance = Acceptance::buchi();
+  return out;
+}
+
 }  // namespace waymark::automata

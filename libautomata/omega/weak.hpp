@@ -23,4 +23,8 @@ struct AsBuchi {
 };
 Branching as_buchi(const Transitions& weak, const AsBuchi& options);
 
+// G e from the automaton of e, co-safe and eventual: reading a good prefix of e over and over. A branch into the
+// accepting sink, whose words are all accepted, leads back to the initial state with a mark; it must not be the sink.
+Branching restarted(const Transitions& weak);
+
 }  // namespace waymark::automata
