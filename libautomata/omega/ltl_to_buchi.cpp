@@ -6,6 +6,7 @@
 
 #include "libautomata/omega/degeneralize.hpp"
 #include "libautomata/omega/emptiness.hpp"
+#include "libautomata/omega/language_merge.hpp"
 #include "libautomata/omega/product.hpp"
 #include "libautomata/omega/reduce.hpp"
 #include "libautomata/omega/suspension.hpp"
@@ -26,6 +27,8 @@ constexpr std::size_t tableau_steps = 400'000'000;
 constexpr std::size_t reduction_steps = 30'000'000;
 constexpr std::size_t guess_steps = 2'000'000;  // to find out whether a formula is an obligation
 constexpr std::size_t guess_states = 2'000;
+constexpr std::size_t merge_steps = 500'000;  // to find states of one language
+constexpr std::size_t merge_states = 200;
 
 // Smaller first, then what may be looked at late pulled out; a second round because each makes work for the other.
 Formula prepared(Formula f) {
@@ -92,12 +95,12 @@ class Construction {
     std::optional<Branching> weak;
     std::optional<Candidate> best;
     if (ltl::fragments(f, ltl::Semantics::Infinite).obligation) {
-      weak = trimmed_weak(f);
+      weak = trimmed_weak(f, tableau_steps, limits_.states);
       const std::size_t most = weak ? std::min(guess_states, 4 * weak->states()) : limits_.states;
       if (const auto raw = raw_tableau(f, weak ? guess_steps : tableau_steps, most))
-        best = reduced(*raw, MarksOn::Edges);
+        best = reduced(raw->automaton, MarksOn::Edges);
     } else if (const auto raw = raw_tableau(f, tableau_steps, limits_.states)) {
-      best = reduced(*raw, MarksOn::Edges);
+      best = reduced(merged(*raw), MarksOn::Edges);
       weak = checked_weak(f, best->automaton);
     }
     if (weak) best = smallest(Candidate{*std::move(weak), true}, std::move(best));
@@ -111,17 +114,27 @@ class Construction {
       if (g.op() != ltl::Op::Release || g[0].op() != ltl::Op::False || !ltl::purity(g[1]).eventual ||
           !ltl::fragments(g[1], ltl::Semantics::Infinite).cosafety)
         return std::nullopt;
+    return smallest(restarted_each(parts, &Construction::weak_only),
+                    restarted_each(parts, &Construction::tableau_only));
+  }
+  using Route = std::optional<Branching> (Construction::*)(Formula);
+  std::optional<Candidate> restarted_each(const std::vector<Formula>& parts, Route route) {
+    std::optional<Branching> product;
     Effort effort(guess_steps, guess_states, limits_.stop);
-    const std::optional<Branching> all = within([&] {
-      std::optional<Branching> product;
-      for (Formula g : parts) {
-        const Branching part = restarted(weak_deterministic(g[1], reads_, effort));
-        product = product ? intersection(*product, part, effort) : part;
-      }
-      return *std::move(product);
-    });
-    if (!all) return std::nullopt;
-    return reduced(*all, MarksOn::Edges);
+    for (Formula g : parts) {
+      const std::optional<Branching> part = (this->*route)(g[1]);
+      const std::optional<Branching> again = part ? restarted(*part) : std::nullopt;
+      if (!again) return std::nullopt;
+      product = product ? within([&] { return intersection(*product, *again, effort); }) : again;
+      if (!product) return std::nullopt;
+    }
+    return reduced(*std::move(product), MarksOn::Edges);
+  }
+  std::optional<Branching> weak_only(Formula f) { return trimmed_weak(f, guess_steps, guess_states); }
+  std::optional<Branching> tableau_only(Formula f) {
+    const auto raw = raw_tableau(f, guess_steps, guess_states);
+    if (!raw) return std::nullopt;
+    return reduced(raw->automaton, MarksOn::Edges).automaton;
   }
   std::optional<Candidate> suspended(Formula rest, Formula late) {
     const std::optional<Candidate> a = direct(rest), b = direct(late);
@@ -136,7 +149,7 @@ class Construction {
 
   // nullopt when a limit is met; being stopped ends the translation.
   template <class Make>
-  std::optional<Branching> within(const Make& make) {
+  auto within(const Make& make) -> std::optional<decltype(make())> {
     try {
       return make();
     } catch (const Effort::Spent& spent) {
@@ -144,9 +157,9 @@ class Construction {
       return std::nullopt;
     }
   }
-  std::optional<Branching> raw_tableau(Formula f, std::size_t steps, std::size_t most) {
+  std::optional<Tableau> raw_tableau(Formula f, std::size_t steps, std::size_t most) {
     Effort effort(steps, std::min(most, limits_.states), limits_.stop);
-    std::optional<Branching> made = within([&] { return tableau(f, reads_, effort); });
+    std::optional<Tableau> made = within([&] { return tableau(f, reads_, effort); });
     states_ = std::max(states_, effort.states());
     return made;
   }
@@ -155,8 +168,12 @@ class Construction {
     Reduced out = reduce(std::move(automaton), marks, effort);
     return {std::move(out.automaton), out.complete};
   }
-  std::optional<Branching> trimmed_weak(Formula f) {
-    Effort effort(tableau_steps, limits_.states, limits_.stop);
+  Branching merged(const Tableau& raw) const {
+    Effort effort(merge_steps, guess_states, limits_.stop);
+    return raw.automaton.states() > merge_states ? raw.automaton : merge_equivalent(raw, reads_, effort);
+  }
+  std::optional<Branching> trimmed_weak(Formula f, std::size_t steps, std::size_t states) {
+    Effort effort(steps, states, limits_.stop);
     return within([&] { return as_buchi(weak_deterministic(f, reads_, effort), {}); });
   }
   // The weak automaton, when it has the language of the tableau's automaton.
@@ -167,7 +184,7 @@ class Construction {
       const Branching outside = as_buchi(weak, {.complement = true, .trim = false});
       if (!is_empty(intersection(automaton, outside, effort)))
         throw Effort::Spent{Effort::Spent::Reason::Steps};
-      const Branching negation = tableau(ltl::nnf(ltl::negate(f)), reads_, effort);
+      const Branching negation = tableau(ltl::nnf(ltl::negate(f)), reads_, effort).automaton;
       const Branching inside = as_buchi(weak, {.complement = false, .trim = true});
       if (!is_empty(intersection(inside, negation, effort)))
         throw Effort::Spent{Effort::Spent::Reason::Steps};

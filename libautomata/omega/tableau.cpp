@@ -14,9 +14,9 @@ using ltl::Formula;
 using ltl::Op;
 using Node = Mtbdd::Node;
 
-class Tableau {
+class Construction {
  public:
-  Tableau(Formula f, const std::vector<ltl::Proposition>& reads, Effort& effort)
+  Construction(Formula f, const std::vector<ltl::Proposition>& reads, Effort& effort)
       : arena_(f.arena()),
         reads_(reads),
         effort_(effort),
@@ -24,7 +24,7 @@ class Tableau {
         or_(diagram_.operation()),
         initial_(f) {}
 
-  Branching run() {
+  Tableau run() {
     std::vector<Node> roots;
     state_of(initial_);
     for (std::size_t i = 0; i < order_.size(); ++i) {  // the order doubles as the queue
@@ -42,7 +42,7 @@ class Tableau {
     };
     out.roots = out.diagram.import(diagram_, roots, leaf, [](Mtbdd::Variable v) { return v; });
     out.acceptance = Acceptance::generalized_buchi(static_cast<std::uint32_t>(promises_.size()));
-    return out;
+    return {std::move(out), std::move(meaning_)};
   }
 
  private:
@@ -53,6 +53,7 @@ class Tableau {
     if (fresh) {
       effort_.state();
       order_.push_back(root);
+      meaning_.push_back(f);
     }
     number_of_.emplace(f.id(), at->second);
     return at->second;
@@ -226,6 +227,7 @@ class Tableau {
   std::unordered_map<Formula, Node> successors_;
   Formula initial_;
   std::vector<Node> order_;                                     // roots of states
+  std::vector<Formula> meaning_;                                // of states
   std::unordered_map<std::uint32_t, std::uint32_t> number_;     // state of a root
   std::unordered_map<std::uint32_t, std::uint32_t> number_of_;  // … of a formula
   std::unordered_map<std::uint32_t, bool> visited_;
@@ -233,8 +235,8 @@ class Tableau {
 
 }  // namespace
 
-Branching tableau(Formula f, const std::vector<ltl::Proposition>& reads, Effort& effort) {
-  return Tableau(f, reads, effort).run();
+Tableau tableau(Formula f, const std::vector<ltl::Proposition>& reads, Effort& effort) {
+  return Construction(f, reads, effort).run();
 }
 
 }  // namespace waymark::automata

@@ -5,6 +5,7 @@
 #include <unordered_map>
 
 #include "libautomata/minimize.hpp"
+#include "libautomata/omega/emptiness.hpp"
 #include "libautomata/residual.hpp"
 #include "libautomata/scc.hpp"
 #include "libltl/semantics.hpp"
@@ -191,15 +192,26 @@ Branching as_buchi(const Transitions& weak, const AsBuchi& options) {
   return out;
 }
 
-Branching restarted(const Transitions& weak) {
-  Branching out;
-  const auto leaf = [&](std::uint32_t target) {
-    const bool sink = weak.accepting[target] && weak.roots[target] == Mtbdd::terminal(target);
-    const Branch branch = sink ? Branch{weak.initial, Marks::of(0)} : Branch{target, {}};
-    return Mtbdd::terminal(out.choices.intern({branch}));
+std::optional<Branching> restarted(const Branching& automaton) {
+  const Marks full = Marks::first(automaton.acceptance.sets);
+  const auto is_sink = [&](std::uint32_t q) {
+    const Mtbdd::Node root = automaton.roots[q];
+    if (!Mtbdd::is_terminal(root)) return false;
+    const auto choice = automaton.choices[Mtbdd::payload(root)];
+    return choice.size() == 1 && choice[0] == Branch{q, full};
   };
-  out.roots = out.diagram.import(weak.diagram, weak.roots, leaf, [](Mtbdd::Variable v) { return v; });
-  out.initial = weak.initial;
+  const LiveComponents live = live_components(BranchGraph(automaton), automaton.acceptance.condition);
+  for (std::uint32_t q = 0; q < automaton.states(); ++q)
+    if (live.accepting[live.components.of[q]] != is_sink(q)) return std::nullopt;
+  if (is_sink(automaton.initial)) return std::nullopt;
+  std::vector<std::uint32_t> all(automaton.states());
+  std::iota(all.begin(), all.end(), 0U);
+  Branching out = rebuild(automaton, all, [&](std::uint32_t, std::span<const Branch> choice) {
+    std::vector<Branch> branches;
+    for (const Branch& b : choice)
+      branches.push_back(is_sink(b.target) ? Branch{automaton.initial, Marks::of(0)} : Branch{b.target, {}});
+    return branches;
+  });
   out.acceptance = Acceptance::buchi();
   return out;
 }

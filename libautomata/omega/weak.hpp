@@ -5,6 +5,8 @@
 // component. Transient states take the colour that makes states of one language equal, then minimisation as for
 // finite words gives the minimal automaton [Loe01]. Trying this on any formula and checking the result is [DEK07].
 #pragma once
+#include <optional>
+
 #include "libautomata/effort.hpp"
 #include "libautomata/omega/branching.hpp"
 #include "libautomata/transitions.hpp"
@@ -23,8 +25,9 @@ struct AsBuchi {
 };
 Branching as_buchi(const Transitions& weak, const AsBuchi& options);
 
-// G e from the automaton of e, co-safe and eventual: reading a good prefix of e over and over. A branch into the
-// accepting sink, whose words are all accepted, leads back to the initial state with a mark; it must not be the sink.
-Branching restarted(const Transitions& weak);
+// G e from the automaton of e, eventual and co-safe: a good prefix of e is read over and over. A branch into the state
+// that accepts everything leads back to the initial state with a mark. nullopt when some run accepts elsewhere, or the
+// initial state is that state.
+std::optional<Branching> restarted(const Branching& automaton);
 
 }  // namespace waymark::automata

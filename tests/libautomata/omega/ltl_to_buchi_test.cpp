@@ -62,7 +62,8 @@ TEST(Tableau, AgreesWithTheDefinitionOnAllSmallPairs) {
   testing::for_each_formula(arena, {.size = 4, .atoms = 2}, [&](Formula f) {
     const auto reads = ltl::propositions(f);
     Effort effort;
-    const Automaton raw = as_automaton(tableau(ltl::nnf(f), reads, effort), arena.vocabulary(), reads);
+    const Automaton raw =
+        as_automaton(tableau(ltl::nnf(f), reads, effort).automaton, arena.vocabulary(), reads);
     for (const Lasso& word : words) ASSERT_TRUE(agree(f, raw, word));
   });
 }
@@ -93,9 +94,10 @@ TEST(LtlToBuchi, AFormulaAndItsNegationShareNoWord) {
       f = conjunction(f, disjunction(arena.atom(name), negate(arena.atom(name))));
     const auto reads = ltl::propositions(f);
     Effort effort;
-    const Branching yes = reduce(tableau(ltl::nnf(f), reads, effort), MarksOn::Edges, effort).automaton;
+    const Branching yes =
+        reduce(tableau(ltl::nnf(f), reads, effort).automaton, MarksOn::Edges, effort).automaton;
     const Branching no =
-        reduce(tableau(ltl::nnf(negate(f)), reads, effort), MarksOn::Edges, effort).automaton;
+        reduce(tableau(ltl::nnf(negate(f)), reads, effort).automaton, MarksOn::Edges, effort).automaton;
     ASSERT_TRUE(is_empty(intersection(yes, no, effort))) << show(f) << " seed " << seed << ", formula " << i;
   }
 }
