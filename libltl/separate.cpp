@@ -169,6 +169,14 @@ class Separation {
       made.out.push_back(temporal(op, left, join(narrow, made.rest)));
       return join(narrow, made.out);
     }
+    // match: φ U (ψ ∨ G φ)   result: φ W ψ
+    if (Split made =
+            split(right, wide,
+                  [&](Formula g) { return (is_until ? is_always(g) : is_eventually(g)) && g[1] == left; });
+        !made.out.empty()) {
+      const Formula rest = join(wide, made.rest);
+      return is_until ? weak_until(left, rest) : strong_release(left, rest);
+    }
     const bool free = left.op() == (is_until ? Op::True : Op::False);
     if (free) {
       if (const Formula found = recurring(is_until, right); found != right) return found;

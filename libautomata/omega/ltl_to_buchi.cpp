@@ -8,6 +8,7 @@
 #include "libautomata/omega/emptiness.hpp"
 #include "libautomata/omega/language_merge.hpp"
 #include "libautomata/omega/product.hpp"
+#include "libautomata/omega/recurrence.hpp"
 #include "libautomata/omega/reduce.hpp"
 #include "libautomata/omega/suspension.hpp"
 #include "libautomata/omega/tableau.hpp"
@@ -92,19 +93,20 @@ class Construction {
 
   // The minimal weak automaton or the reduced tableau, whichever is smaller.
   std::optional<Candidate> direct(Formula f) {
-    std::optional<Branching> weak;
+    if (ltl::fragments(f, ltl::Semantics::Infinite).obligation) return obligation(f);
+    const auto raw = raw_tableau(f, tableau_steps, limits_.states);
+    if (!raw) return std::nullopt;
+    Candidate best = reduced(merged(*raw), MarksOn::Edges);
+    std::optional<Candidate> other = deterministic(f, best.automaton);
+    return smallest(smallest(std::move(best), std::move(other)), recurring(f));
+  }
+  std::optional<Candidate> obligation(Formula f) {
     std::optional<Candidate> best;
-    if (ltl::fragments(f, ltl::Semantics::Infinite).obligation) {
-      weak = trimmed_weak(f, tableau_steps, limits_.states);
-      const std::size_t most = weak ? std::min(guess_states, 4 * weak->states()) : limits_.states;
-      if (const auto raw = raw_tableau(f, weak ? guess_steps : tableau_steps, most))
-        best = reduced(raw->automaton, MarksOn::Edges);
-    } else if (const auto raw = raw_tableau(f, tableau_steps, limits_.states)) {
-      best = reduced(merged(*raw), MarksOn::Edges);
-      weak = checked_weak(f, best->automaton);
-    }
-    if (weak) best = smallest(Candidate{*std::move(weak), true}, std::move(best));
-    return smallest(std::move(best), recurring(f));
+    if (auto weak = trimmed_weak(f, tableau_steps, limits_.states)) best = Candidate{*std::move(weak), true};
+    const std::size_t most = best ? std::min(guess_states, 4 * best->automaton.states()) : limits_.states;
+    if (const auto raw = raw_tableau(f, best ? guess_steps : tableau_steps, most))
+      best = smallest(std::move(best), reduced(raw->automaton, MarksOn::Edges));
+    return best;
   }
   // G e₁ ∧ G e₂ ∧ …, every e co-safe and eventual: deterministic, a set for each.
   std::optional<Candidate> recurring(Formula f) {
@@ -176,20 +178,27 @@ class Construction {
     Effort effort(steps, states, limits_.stop);
     return within([&] { return as_buchi(weak_deterministic(f, reads_, effort), {}); });
   }
-  // The weak automaton, when it has the language of the tableau's automaton.
-  std::optional<Branching> checked_weak(Formula f, const Branching& automaton) {
+  // On the structure of progression: the weak automaton when φ turns out to be an obligation, else a deterministic
+  // Büchi automaton where there is one. `automaton` is φ's, by the tableau.
+  std::optional<Candidate> deterministic(Formula f, const Branching& automaton) {
     Effort effort(guess_steps, guess_states, limits_.stop);
-    return within([&] {
-      const Transitions weak = weak_deterministic(f, reads_, effort);
-      const Branching outside = as_buchi(weak, {.complement = true, .trim = false});
-      if (!is_empty(intersection(automaton, outside, effort)))
-        throw Effort::Spent{Effort::Spent::Reason::Steps};
-      const Branching negation = tableau(ltl::nnf(ltl::negate(f)), reads_, effort).automaton;
-      const Branching inside = as_buchi(weak, {.complement = false, .trim = true});
-      if (!is_empty(intersection(inside, negation, effort)))
-        throw Effort::Spent{Effort::Spent::Reason::Steps};
-      return inside;
+    std::optional<Branching> marked;
+    const std::optional<Branching> weak = within([&] {
+      const Transitions structure = progression(f, reads_, effort);
+      const Branching negation =
+          scc_filter(tableau(ltl::nnf(ltl::negate(f)), reads_, effort).automaton, MarksOn::Edges, effort);
+      const Transitions guess = weak_deterministic(f, reads_, structure, effort);
+      const Branching outside = as_buchi(guess, {.complement = true, .trim = false});
+      const Branching inside = as_buchi(guess, {.complement = false, .trim = true});
+      if (is_empty(intersection(automaton, outside, effort)) &&
+          is_empty(intersection(inside, negation, effort)))
+        return inside;
+      marked = deterministic_buchi(structure, automaton, negation, effort);
+      throw Effort::Spent{Effort::Spent::Reason::States};  // no weak automaton
     });
+    if (weak) return Candidate{*weak, true};
+    if (marked) return reduced(*std::move(marked), MarksOn::Edges);
+    return std::nullopt;
   }
 
   const TranslationLimits& limits_;

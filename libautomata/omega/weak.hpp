@@ -14,8 +14,13 @@
 
 namespace waymark::automata {
 
+// Progression closed off: deterministic, complete, nothing accepting.
+Transitions progression(ltl::Formula f, const std::vector<ltl::Proposition>& reads, Effort& effort);
+
 // Complete; accepting states are those whose loops accept. The language is φ's when φ is an obligation, else any.
 Transitions weak_deterministic(ltl::Formula f, const std::vector<ltl::Proposition>& reads, Effort& effort);
+Transitions weak_deterministic(ltl::Formula f, const std::vector<ltl::Proposition>& reads,
+                               Transitions structure, Effort& effort);  // on the structure of progression()
 
 // The same as Büchi automaton with marks on states; all runs accept where no state rejects. `complement` exchanges
 // accepting and rejecting states; `trim` removes the rejecting sink.
