@@ -17,6 +17,8 @@ class Implication {
   // of an answer are not looked into ("no").
   bool operator()(Formula from, Formula to) { return follows(from, to, most_depth); }
   static constexpr std::size_t most_depth = 24;
+  Formula opposite(
+      Formula f);  // ¬φ with negations pushed inwards, so that it can be looked into. Remembered.
 
  private:
   bool follows(Formula from, Formula to, std::size_t depth);
@@ -25,6 +27,7 @@ class Implication {
   bool by_expansion(Formula from, Formula to, std::size_t depth);
 
   std::unordered_map<std::uint64_t, bool> known_;  // by both ids
+  std::unordered_map<Formula, Formula> opposite_;
 };
 
 }  // namespace waymark::ltl
