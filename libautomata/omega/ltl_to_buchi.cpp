@@ -50,12 +50,22 @@ class Construction {
   std::optional<Candidate> tgba() {
     if (reads_.size() > Mtbdd::max_variables) return std::nullopt;
     std::optional<Candidate> best = direct(formula_);
-    std::vector<Formula> late, rest;
-    if (formula_.op() == ltl::Op::And)
-      for (Formula g : formula_.operands()) (ltl::purity(g).both() ? late : rest).push_back(g);
-    if (late.empty() || rest.empty()) return best;
-    ltl::Arena& arena = formula_.arena();
-    return smallest(std::move(best), suspended(conjunction(arena, rest), conjunction(arena, late)));
+    if (formula_.op() != ltl::Op::And || (best && best->automaton.states() <= 2)) return best;
+    std::vector<Formula> late, obligations, rest;
+    for (Formula g : formula_.operands()) {
+      const bool obligation = ltl::fragments(g, ltl::Semantics::Infinite).obligation;
+      (ltl::purity(g).both() ? late : obligation ? obligations : rest).push_back(g);
+    }
+    std::optional<Candidate> composed;
+    for (const std::vector<Formula>* part : {&obligations, &rest, &late}) {
+      if (part->empty()) continue;
+      if (part->size() == formula_.operands().size()) return best;
+      std::optional<Candidate> next = direct(conjunction(formula_.arena(), *part));
+      if (!next) return best;
+      composed = composed ? both(*composed, *next, part == &late) : std::move(next);
+      if (!composed) return best;
+    }
+    return smallest(std::move(best), std::move(composed));
   }
 
   std::optional<Candidate> buchi() {
@@ -138,14 +148,16 @@ class Construction {
     if (!raw) return std::nullopt;
     return reduced(raw->automaton, MarksOn::Edges).automaton;
   }
-  std::optional<Candidate> suspended(Formula rest, Formula late) {
-    const std::optional<Candidate> a = direct(rest), b = direct(late);
-    if (!a || !b) return std::nullopt;
+  // The product, reduced; b starts late when it only concerns the far end of the word.
+  std::optional<Candidate> both(const Candidate& a, const Candidate& b, bool late) {
     Effort effort(reduction_steps, limits_.states, limits_.stop);
-    const auto both = within([&] { return compose_late(a->automaton, b->automaton, effort); });
-    if (!both) return std::nullopt;
-    Candidate made = reduced(*both, MarksOn::Edges);
-    made.reduced = made.reduced && a->reduced && b->reduced;
+    const auto product = within([&] {
+      return late ? compose_late(a.automaton, b.automaton, effort)
+                  : intersection(a.automaton, b.automaton, effort);
+    });
+    if (!product) return std::nullopt;
+    Candidate made = reduced(*product, MarksOn::Edges);
+    made.reduced = made.reduced && a.reduced && b.reduced;
     return made;
   }
 
