@@ -4,6 +4,7 @@
 #include <optional>
 #include <stdexcept>
 
+#include "libautomata/omega/containment.hpp"
 #include "libautomata/omega/degeneralize.hpp"
 #include "libautomata/omega/emptiness.hpp"
 #include "libautomata/omega/language_merge.hpp"
@@ -30,10 +31,18 @@ constexpr std::size_t guess_steps = 2'000'000;  // to find out whether a formula
 constexpr std::size_t guess_states = 2'000;
 constexpr std::size_t merge_steps = 500'000;  // to find states of one language
 constexpr std::size_t merge_states = 200;
+constexpr std::size_t containment_steps = 500'000;  // to simplify the formula
 
-// Smaller first, then what may be looked at late pulled out; a second round because each makes work for the other.
-Formula prepared(Formula f) {
-  for (int round = 0; round < 2; ++round) f = ltl::separate(ltl::nnf(ltl::simplify(f, ltl::Over::Infinite)));
+// Smaller first, implications found by automata included; then what may be looked at late is pulled out. A second round
+// because each makes work for the other.
+Formula prepared(Formula f, const std::vector<ltl::Proposition>& reads, const std::stop_token& stop) {
+  Effort effort(containment_steps, SIZE_MAX, stop);
+  Containment implies(reads, effort);
+  f = ltl::simplify(f, ltl::Over::Infinite);
+  for (int round = 0; round < 2; ++round) {
+    f = ltl::simplify(f, ltl::Over::Infinite, [&](Formula g, Formula h) { return implies(g, h); });
+    f = ltl::separate(ltl::nnf(f));
+  }
   return f;
 }
 
@@ -44,11 +53,13 @@ struct Candidate {
 
 class Construction {
  public:
-  Construction(Formula f, const TranslationLimits& limits)
-      : limits_(limits), formula_(prepared(f)), reads_(ltl::propositions(f)) {}
+  Construction(Formula f, const TranslationLimits& limits, std::size_t& states)
+      : limits_(limits),
+        reads_(ltl::propositions(f)),
+        formula_(prepared(f, reads_, limits.stop)),
+        states_(states) {}
 
   std::optional<Candidate> tgba() {
-    if (reads_.size() > Mtbdd::max_variables) return std::nullopt;
     std::optional<Candidate> best = direct(formula_);
     if (formula_.op() != ltl::Op::And || (best && best->automaton.states() <= 2)) return best;
     std::vector<Formula> late, obligations, rest;
@@ -90,7 +101,6 @@ class Construction {
   Automaton finish(const Branching& automaton, const ltl::Vocabulary& vocabulary) const {
     return as_automaton(automaton, vocabulary, reads_);
   }
-  std::size_t states() const { return states_; }
 
  private:
   static bool smaller(const Branching& a, const Branching& b) {
@@ -214,9 +224,9 @@ class Construction {
   }
 
   const TranslationLimits& limits_;
-  Formula formula_;
   std::vector<ltl::Proposition> reads_;
-  std::size_t states_ = 0;  // made by the tableau
+  Formula formula_;
+  std::size_t& states_;  // made by the tableau that made most
 };
 
 // A set on all branches where every run accepts.
@@ -234,8 +244,10 @@ Branching with_one_set(Branching automaton) {
 }
 
 std::variant<Translated, Exhausted> translate(Formula f, const TranslationLimits& limits, bool buchi) {
-  Construction construction(f, limits);
+  std::size_t states = 0;
+  if (ltl::propositions(f).size() > Mtbdd::max_variables) return Exhausted{};
   try {
+    Construction construction(f, limits, states);
     if (std::optional<Candidate> found = buchi ? construction.buchi() : construction.tgba()) {
       const Branching result =
           buchi ? with_one_set(std::move(found->automaton)) : std::move(found->automaton);
@@ -243,7 +255,7 @@ std::variant<Translated, Exhausted> translate(Formula f, const TranslationLimits
     }
   } catch (const Effort::Spent&) {  // stopped
   }
-  return Exhausted{construction.states()};
+  return Exhausted{states};
 }
 
 Automaton without_limits(Formula f, bool buchi) {
