@@ -2,7 +2,14 @@
 
 #include <algorithm>
 
+#include "libltl/nnf.hpp"
+
 namespace waymark::ltl {
+
+Formula Implication::opposite(Formula f) {
+  if (const auto known = opposite_.find(f); known != opposite_.end()) return known->second;
+  return opposite_.emplace(f, nnf_keeping_iff(negate(f))).first->second;
+}
 
 bool Implication::follows(Formula from, Formula to, std::size_t depth) {
   if (from == to || from.op() == Op::False || to.op() == Op::True) return true;
@@ -34,10 +41,14 @@ bool Implication::by_temporal(Formula from, Formula to, std::size_t depth) {
   return follows(from[0], to[0], depth) && follows(from[1], to[1], depth);
 }
 
-// ψ ⇒ φ U ψ ⇒ φ ∨ ψ, and φ ∧ ψ ⇒ φ R ψ ⇒ ψ.
+// ψ ⇒ φ U ψ ⇒ φ ∨ ψ, and φ ∧ ψ ⇒ φ R ψ ⇒ ψ; X F ψ ⇒ F ψ, and G ψ ⇒ N G ψ.
 bool Implication::by_expansion(Formula from, Formula to, std::size_t depth) {
   if (to.op() == Op::Until && follows(from, to[1], depth)) return true;
   if (from.op() == Op::Release && follows(from[1], to, depth)) return true;
+  const bool to_eventually = to.op() == Op::Until && to[0].op() == Op::True;
+  if (to_eventually && from.op() == Op::Next && follows(from[0], to, depth)) return true;
+  const bool from_always = from.op() == Op::Release && from[0].op() == Op::False;
+  if (from_always && to.op() == Op::WeakNext && follows(from, to[0], depth)) return true;
   if (to.op() == Op::Release && follows(from, to[0], depth) && follows(from, to[1], depth)) return true;
   return from.op() == Op::Until && follows(from[0], to, depth) && follows(from[1], to, depth);
 }

@@ -5,7 +5,9 @@
 #pragma once
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <unordered_map>
+#include <utility>
 
 #include "libltl/formula.hpp"
 
@@ -13,10 +15,18 @@ namespace waymark::ltl {
 
 class Implication {
  public:
+  // Asked where the rules find nothing: proves φ ⇒ ψ by other means (automata, say), or says no.
+  using Oracle = std::function<bool(Formula from, Formula to)>;
+  explicit Implication(Oracle oracle = {}) : oracle_(std::move(oracle)) {}
+
   // Does φ ⇒ ψ follow by the rules? Answers are remembered; formulas nested deeper than `most_depth` in the course
   // of an answer are not looked into ("no").
-  bool operator()(Formula from, Formula to) { return follows(from, to, most_depth); }
+  bool operator()(Formula from, Formula to) {
+    return follows(from, to, most_depth) || (oracle_ && oracle_(from, to));
+  }
   static constexpr std::size_t most_depth = 24;
+  Formula opposite(
+      Formula f);  // ¬φ with negations pushed inwards, so that it can be looked into. Remembered.
 
  private:
   bool follows(Formula from, Formula to, std::size_t depth);
@@ -25,6 +35,8 @@ class Implication {
   bool by_expansion(Formula from, Formula to, std::size_t depth);
 
   std::unordered_map<std::uint64_t, bool> known_;  // by both ids
+  std::unordered_map<Formula, Formula> opposite_;
+  Oracle oracle_;
 };
 
 }  // namespace waymark::ltl

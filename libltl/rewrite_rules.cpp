@@ -3,6 +3,7 @@
 #include "libltl/rewrite_rules.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <vector>
 
 namespace waymark::ltl {
@@ -63,8 +64,10 @@ Result constant_right(Formula f, Implication&) {
 // match:  φ U ψ with ¬ψ ⇒ φ, φ R ψ with φ ⇒ ¬ψ
 // result: F ψ, G ψ
 Result unguarded(Formula f, Implication& implies) {
-  if (is(f, Op::Until) && !is(f[0], Op::True) && implies(negate(f[1]), f[0])) return eventually(f[1]);
-  if (is(f, Op::Release) && !is(f[0], Op::False) && implies(f[0], negate(f[1]))) return always(f[1]);
+  if (is(f, Op::Until) && !is(f[0], Op::True) && implies(implies.opposite(f[1]), f[0]))
+    return eventually(f[1]);
+  if (is(f, Op::Release) && !is(f[0], Op::False) && implies(f[0], implies.opposite(f[1])))
+    return always(f[1]);
   return {};
 }
 
@@ -171,7 +174,7 @@ Result contradiction(Formula f, Implication& implies) {
   if (!is(f, Op::And) && !is(f, Op::Or)) return {};
   for (Formula g : f.operands())
     for (Formula h : f.operands())
-      if (g != h && (is(f, Op::And) ? implies(g, negate(h)) : implies(negate(g), h)))
+      if (g != h && (is(f, Op::And) ? implies(g, implies.opposite(h)) : implies(implies.opposite(g), h)))
         return constant(f, is(f, Op::Or));
   return {};
 }
@@ -191,6 +194,28 @@ Result join_two(Formula f, Op op, Join join) {
       return op == Op::And ? conjunction(f.arena(), rest) : disjunction(f.arena(), rest);
     }
   return {};
+}
+
+// match:  (φ ∨ ψ) ∧ (φ ∨ χ), (φ ∧ ψ) ∨ (φ ∧ χ)
+// result: φ ∨ (ψ ∧ χ), φ ∧ (ψ ∨ χ)
+Result factored(Formula f, Implication&) {
+  if (!is(f, Op::And) && !is(f, Op::Or)) return {};
+  const Op outer = f.op(), inner = outer == Op::And ? Op::Or : Op::And;
+  const auto junction = [&](Op op, const std::vector<Formula>& all) {
+    return op == Op::And ? conjunction(f.arena(), all) : disjunction(f.arena(), all);
+  };
+  return join_two(f, outer, [&](Formula g, Formula h) -> Result {
+    if (g.op() != inner || h.op() != inner) return {};
+    const auto left = g.operands(), right = h.operands();
+    std::vector<Formula> common, g_only, h_only;
+    std::set_intersection(left.begin(), left.end(), right.begin(), right.end(), std::back_inserter(common));
+    if (common.empty()) return {};
+    std::set_difference(left.begin(), left.end(), right.begin(), right.end(), std::back_inserter(g_only));
+    std::set_difference(right.begin(), right.end(), left.begin(), left.end(), std::back_inserter(h_only));
+    const Formula rests[] = {junction(inner, g_only), junction(inner, h_only)};
+    common.push_back(junction(outer, {rests[0], rests[1]}));
+    return junction(inner, common);
+  });
 }
 
 bool is_next(Formula f) { return is(f, Op::Next) || is(f, Op::WeakNext); }
@@ -267,6 +292,7 @@ constexpr RewriteRule rules[] = {
     {"next out of release", next_out_of_release, false, true},
     {"absorbed", absorbed, true, true},
     {"contradiction", contradiction, true, true},
+    {"factored", factored, true, true},
     {"nexts joined", nexts_joined, true, true},
     {"joined by and", joined_by_and, true, true},
     {"joined by or", joined_by_or, true, true},

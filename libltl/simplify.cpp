@@ -2,9 +2,9 @@
 
 #include <unordered_map>
 #include <unordered_set>
+#include <utility>
 #include <vector>
 
-#include "libltl/implication.hpp"
 #include "libltl/nnf.hpp"
 #include "libltl/progress.hpp"
 #include "libltl/rewrite_rules.hpp"
@@ -47,7 +47,7 @@ std::unordered_set<Formula> top_layer(Formula f) {
 
 class Simplifier {
  public:
-  explicit Simplifier(Over over) : over_(over) {}
+  Simplifier(Over over, Implication::Oracle implies) : over_(over), implies_(std::move(implies)) {}
 
   // Every subformula once, operands first. A subformula that occurs both at the top and below a temporal operator
   // has two images.
@@ -94,8 +94,10 @@ class Simplifier {
 
 }  // namespace
 
-Formula simplify(Formula f, Over over) {
-  Simplifier simplifier(over);
+Formula simplify(Formula f, Over over) { return simplify(f, over, {}); }
+
+Formula simplify(Formula f, Over over, Implication::Oracle implies) {
+  Simplifier simplifier(over, std::move(implies));
   Formula before = f;
   f = nnf_keeping_iff(f);
   do {

@@ -9,6 +9,7 @@
 #include <cstdint>
 
 #include "libltl/formula.hpp"
+#include "libltl/implication.hpp"
 #include "libltl/semantics.hpp"
 
 namespace waymark::ltl {
@@ -21,6 +22,8 @@ enum class Over : std::uint8_t {
 
 // Idempotent; the tree never grows beyond that of nnf_keeping_iff(f). Passes over the DAG until nothing changes.
 Formula simplify(Formula f, Over over);
+// The rules may also ask whether one formula implies another one, over the same words.
+Formula simplify(Formula f, Over over, Implication::Oracle implies);
 
 inline Formula simplify(Formula f, Semantics semantics) {
   return simplify(f, semantics == Semantics::Finite ? Over::Finite : Over::Infinite);

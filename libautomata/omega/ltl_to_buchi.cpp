@@ -1,17 +1,22 @@
 #include "libautomata/omega/ltl_to_buchi.hpp"
 
-#include <array>
+#include <algorithm>
 #include <optional>
 #include <stdexcept>
 
+#include "libautomata/omega/containment.hpp"
 #include "libautomata/omega/degeneralize.hpp"
 #include "libautomata/omega/emptiness.hpp"
+#include "libautomata/omega/language_merge.hpp"
 #include "libautomata/omega/product.hpp"
+#include "libautomata/omega/recurrence.hpp"
 #include "libautomata/omega/reduce.hpp"
+#include "libautomata/omega/suspension.hpp"
 #include "libautomata/omega/tableau.hpp"
 #include "libautomata/omega/weak.hpp"
 #include "libltl/fragment.hpp"
 #include "libltl/nnf.hpp"
+#include "libltl/separate.hpp"
 #include "libltl/simplify.hpp"
 
 namespace waymark::automata {
@@ -24,6 +29,22 @@ constexpr std::size_t tableau_steps = 400'000'000;
 constexpr std::size_t reduction_steps = 30'000'000;
 constexpr std::size_t guess_steps = 2'000'000;  // to find out whether a formula is an obligation
 constexpr std::size_t guess_states = 2'000;
+constexpr std::size_t merge_steps = 500'000;  // to find states of one language
+constexpr std::size_t merge_states = 200;
+constexpr std::size_t containment_steps = 500'000;  // to simplify the formula
+
+// Smaller first, implications found by automata included; then what may be looked at late is pulled out. A second round
+// because each makes work for the other.
+Formula prepared(Formula f, const std::vector<ltl::Proposition>& reads, const std::stop_token& stop) {
+  Effort effort(containment_steps, SIZE_MAX, stop);
+  Containment implies(reads, effort);
+  f = ltl::simplify(f, ltl::Over::Infinite);
+  for (int round = 0; round < 2; ++round) {
+    f = ltl::simplify(f, ltl::Over::Infinite, [&](Formula g, Formula h) { return implies(g, h); });
+    f = ltl::separate(ltl::nnf(f));
+  }
+  return f;
+}
 
 struct Candidate {
   Branching automaton;
@@ -32,23 +53,30 @@ struct Candidate {
 
 class Construction {
  public:
-  Construction(Formula f, const TranslationLimits& limits)
+  Construction(Formula f, const TranslationLimits& limits, std::size_t& states)
       : limits_(limits),
-        formula_(ltl::nnf(ltl::simplify(f, ltl::Over::Infinite))),
-        reads_(ltl::propositions(f)) {}
+        reads_(ltl::propositions(f)),
+        formula_(prepared(f, reads_, limits.stop)),
+        states_(states) {}
 
   std::optional<Candidate> tgba() {
-    if (reads_.size() > Mtbdd::max_variables) return std::nullopt;
-    const bool obligation = ltl::fragments(formula_, ltl::Semantics::Infinite).obligation;
-    std::optional<Branching> weak;
-    if (obligation) weak = trimmed_weak(tableau_steps, limits_.states);
-    std::optional<Candidate> best;
-    if (std::optional<Branching> raw = raw_tableau(formula_, weak ? 4 * weak->states() : limits_.states)) {
-      best = reduced(*raw, MarksOn::Edges);
-      if (!obligation) weak = checked_weak(best->automaton);
+    std::optional<Candidate> best = direct(formula_);
+    if (formula_.op() != ltl::Op::And || (best && best->automaton.states() <= 2)) return best;
+    std::vector<Formula> late, obligations, rest;
+    for (Formula g : formula_.operands()) {
+      const bool obligation = ltl::fragments(g, ltl::Semantics::Infinite).obligation;
+      (ltl::purity(g).both() ? late : obligation ? obligations : rest).push_back(g);
     }
-    if (weak && (!best || no_larger(*weak, best->automaton))) best = Candidate{*std::move(weak), true};
-    return best;
+    std::optional<Candidate> composed;
+    for (const std::vector<Formula>* part : {&obligations, &rest, &late}) {
+      if (part->empty()) continue;
+      if (part->size() == formula_.operands().size()) return best;
+      std::optional<Candidate> next = direct(conjunction(formula_.arena(), *part));
+      if (!next) return best;
+      composed = composed ? both(*composed, *next, part == &late) : std::move(next);
+      if (!composed) return best;
+    }
+    return smallest(std::move(best), std::move(composed));
   }
 
   std::optional<Candidate> buchi() {
@@ -73,18 +101,79 @@ class Construction {
   Automaton finish(const Branching& automaton, const ltl::Vocabulary& vocabulary) const {
     return as_automaton(automaton, vocabulary, reads_);
   }
-  std::size_t states() const { return states_; }
 
  private:
-  static std::pair<std::size_t, std::size_t> size(const Branching& a) { return {a.states(), count_edges(a)}; }
   static bool smaller(const Branching& a, const Branching& b) {
     return a.states() < b.states() || (a.states() == b.states() && count_edges(a) < count_edges(b));
   }
-  static bool no_larger(const Branching& a, const Branching& b) { return !smaller(b, a); }
+  static std::optional<Candidate> smallest(std::optional<Candidate> a, std::optional<Candidate> b) {
+    if (!a || (b && smaller(b->automaton, a->automaton))) return b;
+    return a;
+  }
+
+  // The minimal weak automaton or the reduced tableau, whichever is smaller.
+  std::optional<Candidate> direct(Formula f) {
+    if (ltl::fragments(f, ltl::Semantics::Infinite).obligation) return obligation(f);
+    const auto raw = raw_tableau(f, tableau_steps, limits_.states);
+    if (!raw) return std::nullopt;
+    Candidate best = reduced(merged(*raw), MarksOn::Edges);
+    std::optional<Candidate> other = deterministic(f, best.automaton);
+    return smallest(smallest(std::move(best), std::move(other)), recurring(f));
+  }
+  std::optional<Candidate> obligation(Formula f) {
+    std::optional<Candidate> best;
+    if (auto weak = trimmed_weak(f, tableau_steps, limits_.states)) best = Candidate{*std::move(weak), true};
+    const std::size_t most = best ? std::min(guess_states, 4 * best->automaton.states()) : limits_.states;
+    if (const auto raw = raw_tableau(f, best ? guess_steps : tableau_steps, most))
+      best = smallest(std::move(best), reduced(raw->automaton, MarksOn::Edges));
+    return best;
+  }
+  // G e₁ ∧ G e₂ ∧ …, every e co-safe and eventual: deterministic, a set for each.
+  std::optional<Candidate> recurring(Formula f) {
+    std::vector<Formula> parts{f};
+    if (f.op() == ltl::Op::And) parts.assign(f.operands().begin(), f.operands().end());
+    for (Formula g : parts)
+      if (g.op() != ltl::Op::Release || g[0].op() != ltl::Op::False || !ltl::purity(g[1]).eventual ||
+          !ltl::fragments(g[1], ltl::Semantics::Infinite).cosafety)
+        return std::nullopt;
+    return smallest(restarted_each(parts, &Construction::weak_only),
+                    restarted_each(parts, &Construction::tableau_only));
+  }
+  using Route = std::optional<Branching> (Construction::*)(Formula);
+  std::optional<Candidate> restarted_each(const std::vector<Formula>& parts, Route route) {
+    std::optional<Branching> product;
+    Effort effort(guess_steps, guess_states, limits_.stop);
+    for (Formula g : parts) {
+      const std::optional<Branching> part = (this->*route)(g[1]);
+      const std::optional<Branching> again = part ? restarted(*part) : std::nullopt;
+      if (!again) return std::nullopt;
+      product = product ? within([&] { return intersection(*product, *again, effort); }) : again;
+      if (!product) return std::nullopt;
+    }
+    return reduced(*std::move(product), MarksOn::Edges);
+  }
+  std::optional<Branching> weak_only(Formula f) { return trimmed_weak(f, guess_steps, guess_states); }
+  std::optional<Branching> tableau_only(Formula f) {
+    const auto raw = raw_tableau(f, guess_steps, guess_states);
+    if (!raw) return std::nullopt;
+    return reduced(raw->automaton, MarksOn::Edges).automaton;
+  }
+  // The product, reduced; b starts late when it only concerns the far end of the word.
+  std::optional<Candidate> both(const Candidate& a, const Candidate& b, bool late) {
+    Effort effort(reduction_steps, limits_.states, limits_.stop);
+    const auto product = within([&] {
+      return late ? compose_late(a.automaton, b.automaton, effort)
+                  : intersection(a.automaton, b.automaton, effort);
+    });
+    if (!product) return std::nullopt;
+    Candidate made = reduced(*product, MarksOn::Edges);
+    made.reduced = made.reduced && a.reduced && b.reduced;
+    return made;
+  }
 
   // nullopt when a limit is met; being stopped ends the translation.
   template <class Make>
-  std::optional<Branching> within(const Make& make) {
+  auto within(const Make& make) -> std::optional<decltype(make())> {
     try {
       return make();
     } catch (const Effort::Spent& spent) {
@@ -92,9 +181,9 @@ class Construction {
       return std::nullopt;
     }
   }
-  std::optional<Branching> raw_tableau(Formula f, std::size_t most) {
-    Effort effort(tableau_steps, most, limits_.stop);
-    std::optional<Branching> made = within([&] { return tableau(f, reads_, effort); });
+  std::optional<Tableau> raw_tableau(Formula f, std::size_t steps, std::size_t most) {
+    Effort effort(steps, std::min(most, limits_.states), limits_.stop);
+    std::optional<Tableau> made = within([&] { return tableau(f, reads_, effort); });
     states_ = std::max(states_, effort.states());
     return made;
   }
@@ -103,30 +192,41 @@ class Construction {
     Reduced out = reduce(std::move(automaton), marks, effort);
     return {std::move(out.automaton), out.complete};
   }
-  std::optional<Branching> trimmed_weak(std::size_t steps, std::size_t states) {
-    Effort effort(steps, states, limits_.stop);
-    return within([&] { return as_buchi(weak_deterministic(formula_, reads_, effort), {}); });
+  Branching merged(const Tableau& raw) const {
+    Effort effort(merge_steps, guess_states, limits_.stop);
+    return raw.automaton.states() > merge_states ? raw.automaton : merge_equivalent(raw, reads_, effort);
   }
-  // The weak automaton, when it has the language of the tableau's automaton.
-  std::optional<Branching> checked_weak(const Branching& automaton) {
+  std::optional<Branching> trimmed_weak(Formula f, std::size_t steps, std::size_t states) {
+    Effort effort(steps, states, limits_.stop);
+    return within([&] { return as_buchi(weak_deterministic(f, reads_, effort), {}); });
+  }
+  // On the structure of progression: the weak automaton when φ turns out to be an obligation, else a deterministic
+  // Büchi automaton where there is one. `automaton` is φ's, by the tableau.
+  std::optional<Candidate> deterministic(Formula f, const Branching& automaton) {
     Effort effort(guess_steps, guess_states, limits_.stop);
-    return within([&] {
-      const Transitions weak = weak_deterministic(formula_, reads_, effort);
-      const Branching outside = as_buchi(weak, {.complement = true, .trim = false});
-      if (!is_empty(intersection(automaton, outside, effort)))
-        throw Effort::Spent{Effort::Spent::Reason::Steps};
-      const Branching negation = tableau(ltl::nnf(ltl::negate(formula_)), reads_, effort);
-      const Branching inside = as_buchi(weak, {.complement = false, .trim = true});
-      if (!is_empty(intersection(inside, negation, effort)))
-        throw Effort::Spent{Effort::Spent::Reason::Steps};
-      return inside;
+    std::optional<Branching> marked;
+    const std::optional<Branching> weak = within([&] {
+      const Transitions structure = progression(f, reads_, effort);
+      const Branching negation =
+          scc_filter(tableau(ltl::nnf(ltl::negate(f)), reads_, effort).automaton, MarksOn::Edges, effort);
+      const Transitions guess = weak_deterministic(f, reads_, structure, effort);
+      const Branching outside = as_buchi(guess, {.complement = true, .trim = false});
+      const Branching inside = as_buchi(guess, {.complement = false, .trim = true});
+      if (is_empty(intersection(automaton, outside, effort)) &&
+          is_empty(intersection(inside, negation, effort)))
+        return inside;
+      marked = deterministic_buchi(structure, automaton, negation, effort);
+      throw Effort::Spent{Effort::Spent::Reason::States};  // no weak automaton
     });
+    if (weak) return Candidate{*weak, true};
+    if (marked) return reduced(*std::move(marked), MarksOn::Edges);
+    return std::nullopt;
   }
 
   const TranslationLimits& limits_;
-  Formula formula_;
   std::vector<ltl::Proposition> reads_;
-  std::size_t states_ = 0;  // made by the tableau
+  Formula formula_;
+  std::size_t& states_;  // made by the tableau that made most
 };
 
 // A set on all branches where every run accepts.
@@ -144,8 +244,10 @@ Branching with_one_set(Branching automaton) {
 }
 
 std::variant<Translated, Exhausted> translate(Formula f, const TranslationLimits& limits, bool buchi) {
-  Construction construction(f, limits);
+  std::size_t states = 0;
+  if (ltl::propositions(f).size() > Mtbdd::max_variables) return Exhausted{};
   try {
+    Construction construction(f, limits, states);
     if (std::optional<Candidate> found = buchi ? construction.buchi() : construction.tgba()) {
       const Branching result =
           buchi ? with_one_set(std::move(found->automaton)) : std::move(found->automaton);
@@ -153,7 +255,7 @@ std::variant<Translated, Exhausted> translate(Formula f, const TranslationLimits
     }
   } catch (const Effort::Spent&) {  // stopped
   }
-  return Exhausted{construction.states()};
+  return Exhausted{states};
 }
 
 Automaton without_limits(Formula f, bool buchi) {

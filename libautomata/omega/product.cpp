@@ -18,7 +18,7 @@ class Intersection {
     b_roots_ = out_.diagram.import(b.diagram, b.roots, same, keep);
     operation_ = out_.diagram.operation();
   }
-  Branching run() {
+  Pairs run() {
     out_.initial = number(a_.initial, b_.initial);
     for (std::size_t i = 0; i < pairs_.size(); ++i) {  // the pairs double as the queue
       const auto [p, q] = pairs_[i];
@@ -27,7 +27,7 @@ class Intersection {
     const std::uint32_t by = a_.acceptance.sets;
     out_.acceptance = {by + b_.acceptance.sets,
                        Condition::all_of({a_.acceptance.condition, b_.acceptance.condition.shifted(by)})};
-    return std::move(out_);
+    return {std::move(out_), std::move(pairs_)};
   }
 
  private:
@@ -68,8 +68,11 @@ class Intersection {
 
 }  // namespace
 
-Branching intersection(const Branching& a, const Branching& b, Effort& effort) {
+Pairs pairs_of(const Branching& a, const Branching& b, Effort& effort) {
   return Intersection(a, b, effort).run();
+}
+Branching intersection(const Branching& a, const Branching& b, Effort& effort) {
+  return pairs_of(a, b, effort).automaton;
 }
 
 }  // namespace waymark::automata

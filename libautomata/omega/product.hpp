@@ -1,12 +1,21 @@
 // The synchronous product of two ω-automata over the same variables: runs of both on one word.
 #pragma once
+#include <utility>
+#include <vector>
+
 #include "libautomata/effort.hpp"
 #include "libautomata/omega/branching.hpp"
 
 namespace waymark::automata {
 
+struct Pairs {
+  Branching automaton;
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs;  // by state: those of a and b
+};
+
 // L(a) ∩ L(b): reachable pairs, the marks of b after those of a, the conditions joined by ∧. One state of effort per
 // pair; more than Marks::most sets count as too many states.
+Pairs pairs_of(const Branching& a, const Branching& b, Effort& effort);
 Branching intersection(const Branching& a, const Branching& b, Effort& effort);
 
 }  // namespace waymark::automata

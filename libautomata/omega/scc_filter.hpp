@@ -3,7 +3,7 @@
 // States that no accepting run visits go, and the branches to them. Marks outside accepting components go. Inside one,
 // a branch gets mark i when every cycle through it has i anyway (its ends fall into different components once the
 // branches with i are gone); then a set implied by another one is dropped, and the others are numbered afresh, so that
-// there are as many sets as the component that needs most. [BKRS12, Sec. 4], the saturation is ours.
+// there are as many sets as the component that needs most. [BBDLF13, Sec. 3], the saturation is ours.
 #pragma once
 #include "libautomata/effort.hpp"
 #include "libautomata/omega/branching.hpp"

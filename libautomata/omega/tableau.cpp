@@ -5,6 +5,7 @@
 #include <unordered_map>
 
 #include "libltl/implication.hpp"
+#include "libltl/separate.hpp"
 
 namespace waymark::automata {
 namespace {
@@ -13,9 +14,9 @@ using ltl::Formula;
 using ltl::Op;
 using Node = Mtbdd::Node;
 
-class Tableau {
+class Construction {
  public:
-  Tableau(Formula f, const std::vector<ltl::Proposition>& reads, Effort& effort)
+  Construction(Formula f, const std::vector<ltl::Proposition>& reads, Effort& effort)
       : arena_(f.arena()),
         reads_(reads),
         effort_(effort),
@@ -23,7 +24,7 @@ class Tableau {
         or_(diagram_.operation()),
         initial_(f) {}
 
-  Branching run() {
+  Tableau run() {
     std::vector<Node> roots;
     state_of(initial_);
     for (std::size_t i = 0; i < order_.size(); ++i) {  // the order doubles as the queue
@@ -41,7 +42,7 @@ class Tableau {
     };
     out.roots = out.diagram.import(diagram_, roots, leaf, [](Mtbdd::Variable v) { return v; });
     out.acceptance = Acceptance::generalized_buchi(static_cast<std::uint32_t>(promises_.size()));
-    return out;
+    return {std::move(out), std::move(meaning_)};
   }
 
  private:
@@ -52,6 +53,7 @@ class Tableau {
     if (fresh) {
       effort_.state();
       order_.push_back(root);
+      meaning_.push_back(f);
     }
     number_of_.emplace(f.id(), at->second);
     return at->second;
@@ -95,7 +97,7 @@ class Tableau {
       case Op::Or: {
         Node all = successors(f[0]);
         for (std::size_t i = 1; i < f.operands().size(); ++i) all = either(all, successors(f[i]));
-        return all;
+        return ltl::purity(f).both() ? postponed(f, all) : all;
       }
       case Op::Next:
       case Op::WeakNext: return one(f[0], {});
@@ -104,6 +106,35 @@ class Tableau {
       case Op::Iff: break;
     }
     throw std::logic_error("a tableau needs negation normal form");
+  }
+
+  // A disjunction that only concerns the far end of the word may be postponed as a whole: a branch that leads to one
+  // of its disjuncts and promises something may as well lead back to it, always under the same promise, so that
+  // nobody postpones for ever.
+  Node postponed(Formula f, Node root) {
+    std::unordered_map<std::uint32_t, Node> image;
+    Marks waiting;
+    const auto change = [&](auto&& self, Node n) -> Node {
+      if (const auto known = image.find(n.id); known != image.end()) return known->second;
+      Node made;
+      if (Mtbdd::is_terminal(n)) {
+        std::vector<Branch> branches(choices_[Mtbdd::payload(n)].begin(), choices_[Mtbdd::payload(n)].end());
+        for (Branch& b : branches) {
+          const auto all = f.operands();
+          if (b.marks.empty() || std::find(all.begin(), all.end(), arena_.formula(b.target)) == all.end())
+            continue;
+          if (waiting.empty()) waiting = Marks::of(b.marks.members().front());
+          b = {f.id(), waiting};
+        }
+        made = Mtbdd::terminal(antichain(std::move(branches)));
+      } else {
+        const Node low = self(self, diagram_.low(n)), high = self(self, diagram_.high(n));
+        made = diagram_.make(diagram_.variable(n), low, high);
+      }
+      image.emplace(n.id, made);
+      return made;
+    };
+    return change(change, root);
   }
 
   Node one(Formula next, Marks promises) { return Mtbdd::terminal(choices_.intern({{next.id(), promises}})); }
@@ -196,6 +227,7 @@ class Tableau {
   std::unordered_map<Formula, Node> successors_;
   Formula initial_;
   std::vector<Node> order_;                                     // roots of states
+  std::vector<Formula> meaning_;                                // of states
   std::unordered_map<std::uint32_t, std::uint32_t> number_;     // state of a root
   std::unordered_map<std::uint32_t, std::uint32_t> number_of_;  // … of a formula
   std::unordered_map<std::uint32_t, bool> visited_;
@@ -203,8 +235,8 @@ class Tableau {
 
 }  // namespace
 
-Branching tableau(Formula f, const std::vector<ltl::Proposition>& reads, Effort& effort) {
-  return Tableau(f, reads, effort).run();
+Tableau tableau(Formula f, const std::vector<ltl::Proposition>& reads, Effort& effort) {
+  return Construction(f, reads, effort).run();
 }
 
 }  // namespace waymark::automata

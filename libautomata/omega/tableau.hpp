@@ -16,8 +16,13 @@
 
 namespace waymark::automata {
 
-// φ in negation normal form, without ↔. reads[v] is the proposition of variable v. Neither trimmed nor reduced.
+struct Tableau {
+  Branching automaton;                // neither trimmed nor reduced
+  std::vector<ltl::Formula> meaning;  // by state: what is accepted from it
+};
+
+// φ in negation normal form, without ↔. reads[v] is the proposition of variable v.
 // Throws what the effort throws; too many promises count as too many states.
-Branching tableau(ltl::Formula f, const std::vector<ltl::Proposition>& reads, Effort& effort);
+Tableau tableau(ltl::Formula f, const std::vector<ltl::Proposition>& reads, Effort& effort);
 
 }  // namespace waymark::automata

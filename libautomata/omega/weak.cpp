@@ -5,6 +5,7 @@
 #include <unordered_map>
 
 #include "libautomata/minimize.hpp"
+#include "libautomata/omega/emptiness.hpp"
 #include "libautomata/residual.hpp"
 #include "libautomata/scc.hpp"
 #include "libltl/semantics.hpp"
@@ -14,45 +15,6 @@ namespace {
 
 using Vertex = TransitionGraph::Vertex;
 using Letters = std::vector<ltl::Letter>;
-
-// Residuals closed under progression. On infinite words "may stop here" says nothing: leaves that differ in it only
-// are one state.
-Transitions close(ltl::Formula f, const std::vector<ltl::Proposition>& reads, Effort& effort) {
-  Residuals residuals(f, reads, effort);
-  std::vector<std::uint32_t> order;                        // leaves
-  std::unordered_map<std::uint32_t, std::uint32_t> state;  // of a residual
-  const auto state_of = [&](std::uint32_t leaf) {
-    const auto [at, fresh] =
-        state.try_emplace(residuals.leaf(leaf).residual.id, static_cast<std::uint32_t>(order.size()));
-    if (fresh) order.push_back(leaf);
-    return at->second;
-  };
-  state_of(residuals.initial());
-  std::vector<bool> visited;  // below a visited node every leaf is numbered already
-  std::vector<Mtbdd::Node> stack, roots;
-  for (std::size_t i = 0; i < order.size(); ++i) {
-    effort.step();
-    roots.push_back(residuals.successors(order[i]));
-    visited.resize(residuals.diagram().size(), false);
-    stack.push_back(roots.back());
-    while (!stack.empty()) {
-      const Mtbdd::Node n = stack.back();
-      stack.pop_back();
-      if (Mtbdd::is_terminal(n)) {
-        state_of(Mtbdd::payload(n));
-      } else if (!visited[n.id]) {
-        visited[n.id] = true;
-        stack.push_back(residuals.diagram().high(n));
-        stack.push_back(residuals.diagram().low(n));
-      }
-    }
-  }
-  Transitions out;
-  out.roots = out.diagram.import(
-      residuals.diagram(), roots, [&](std::uint32_t leaf) { return Mtbdd::terminal(state_of(leaf)); },
-      [](Mtbdd::Variable v) { return v; });
-  return out;
-}
 
 // Shortest words in the graph of a deterministic automaton.
 class Paths {
@@ -152,8 +114,52 @@ class Colouring {
 
 }  // namespace
 
+// Residuals closed under progression. On infinite words "may stop here" says nothing: leaves that differ in it only
+// are one state.
+Transitions progression(ltl::Formula f, const std::vector<ltl::Proposition>& reads, Effort& effort) {
+  Residuals residuals(f, reads, effort);
+  std::vector<std::uint32_t> order;                        // leaves
+  std::unordered_map<std::uint32_t, std::uint32_t> state;  // of a residual
+  const auto state_of = [&](std::uint32_t leaf) {
+    const auto [at, fresh] =
+        state.try_emplace(residuals.leaf(leaf).residual.id, static_cast<std::uint32_t>(order.size()));
+    if (fresh) order.push_back(leaf);
+    return at->second;
+  };
+  state_of(residuals.initial());
+  std::vector<bool> visited;  // below a visited node every leaf is numbered already
+  std::vector<Mtbdd::Node> stack, roots;
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    effort.step();
+    roots.push_back(residuals.successors(order[i]));
+    visited.resize(residuals.diagram().size(), false);
+    stack.push_back(roots.back());
+    while (!stack.empty()) {
+      const Mtbdd::Node n = stack.back();
+      stack.pop_back();
+      if (Mtbdd::is_terminal(n)) {
+        state_of(Mtbdd::payload(n));
+      } else if (!visited[n.id]) {
+        visited[n.id] = true;
+        stack.push_back(residuals.diagram().high(n));
+        stack.push_back(residuals.diagram().low(n));
+      }
+    }
+  }
+  Transitions out;
+  out.roots = out.diagram.import(
+      residuals.diagram(), roots, [&](std::uint32_t leaf) { return Mtbdd::terminal(state_of(leaf)); },
+      [](Mtbdd::Variable v) { return v; });
+  out.accepting.assign(out.roots.size(), false);
+  return out;
+}
+
 Transitions weak_deterministic(ltl::Formula f, const std::vector<ltl::Proposition>& reads, Effort& effort) {
-  Transitions structure = close(f, reads, effort);
+  return weak_deterministic(f, reads, progression(f, reads, effort), effort);
+}
+
+Transitions weak_deterministic(ltl::Formula f, const std::vector<ltl::Proposition>& reads,
+                               Transitions structure, Effort& effort) {
   structure.accepting = Colouring(f, structure, reads, effort).accepting();
   return minimize(structure, effort);
 }
@@ -188,6 +194,30 @@ Branching as_buchi(const Transitions& weak, const AsBuchi& options) {
   }
   out.initial = number[weak.initial];
   out.acceptance = all ? Acceptance::all() : Acceptance::buchi();
+  return out;
+}
+
+std::optional<Branching> restarted(const Branching& automaton) {
+  const Marks full = Marks::first(automaton.acceptance.sets);
+  const auto is_sink = [&](std::uint32_t q) {
+    const Mtbdd::Node root = automaton.roots[q];
+    if (!Mtbdd::is_terminal(root)) return false;
+    const auto choice = automaton.choices[Mtbdd::payload(root)];
+    return choice.size() == 1 && choice[0] == Branch{q, full};
+  };
+  const LiveComponents live = live_components(BranchGraph(automaton), automaton.acceptance.condition);
+  for (std::uint32_t q = 0; q < automaton.states(); ++q)
+    if (live.accepting[live.components.of[q]] != is_sink(q)) return std::nullopt;
+  if (is_sink(automaton.initial)) return std::nullopt;
+  std::vector<std::uint32_t> all(automaton.states());
+  std::iota(all.begin(), all.end(), 0U);
+  Branching out = rebuild(automaton, all, [&](std::uint32_t, std::span<const Branch> choice) {
+    std::vector<Branch> branches;
+    for (const Branch& b : choice)
+      branches.push_back(is_sink(b.target) ? Branch{automaton.initial, Marks::of(0)} : Branch{b.target, {}});
+    return branches;
+  });
+  out.acceptance = Acceptance::buchi();
   return out;
 }
 

@@ -5,6 +5,8 @@
 // component. Transient states take the colour that makes states of one language equal, then minimisation as for
 // finite words gives the minimal automaton [Loe01]. Trying this on any formula and checking the result is [DEK07].
 #pragma once
+#include <optional>
+
 #include "libautomata/effort.hpp"
 #include "libautomata/omega/branching.hpp"
 #include "libautomata/transitions.hpp"
@@ -12,8 +14,13 @@
 
 namespace waymark::automata {
 
+// Progression closed off: deterministic, complete, nothing accepting.
+Transitions progression(ltl::Formula f, const std::vector<ltl::Proposition>& reads, Effort& effort);
+
 // Complete; accepting states are those whose loops accept. The language is φ's when φ is an obligation, else any.
 Transitions weak_deterministic(ltl::Formula f, const std::vector<ltl::Proposition>& reads, Effort& effort);
+Transitions weak_deterministic(ltl::Formula f, const std::vector<ltl::Proposition>& reads,
+                               Transitions structure, Effort& effort);  // on the structure of progression()
 
 // The same as Büchi automaton with marks on states; all runs accept where no state rejects. `complement` exchanges
 // accepting and rejecting states; `trim` removes the rejecting sink.
@@ -22,5 +29,10 @@ struct AsBuchi {
   bool trim = true;
 };
 Branching as_buchi(const Transitions& weak, const AsBuchi& options);
+
+// G e from the automaton of e, eventual and co-safe: a good prefix of e is read over and over. A branch into the state
+// that accepts everything leads back to the initial state with a mark. nullopt when some run accepts elsewhere, or the
+// initial state is that state.
+std::optional<Branching> restarted(const Branching& automaton);
 
 }  // namespace waymark::automata

@@ -1,0 +1,97 @@
+#include "libautomata/omega/containment.hpp"
+
+#include "libautomata/omega/emptiness.hpp"
+#include "libautomata/omega/tableau.hpp"
+#include "libltl/nnf.hpp"
+#include "libltl/random.hpp"
+
+namespace waymark::automata {
+
+using ltl::Formula;
+using ltl::Op;
+
+Containment::Containment(const std::vector<ltl::Proposition>& reads, Effort& effort)
+    : reads_(reads), effort_(effort) {
+  ltl::Random random(1);  // fixed: same formula, same automaton
+  for (std::size_t i = 0; i < lassos; ++i) {
+    const std::size_t start = i % letters;
+    for (std::size_t j = 0; j < letters; ++j)
+      successor_[letters * i + j] =
+          static_cast<std::uint8_t>(letters * i + (j + 1 < letters ? j + 1 : start));
+  }
+  for (ltl::Proposition p : reads) {
+    std::uint64_t bits = 0;
+    for (std::size_t i = 0; i < lassos * letters; ++i)
+      if (random.chance(0.5)) bits |= std::uint64_t{1} << i;
+    atoms_.emplace(p.index, bits);
+  }
+}
+
+bool Containment::operator()(Formula from, Formula to) {
+  if (spent_ || (verdict(from) & ~verdict(to)) != 0) return false;
+  const auto [at, fresh] = known_.try_emplace(std::uint64_t{from.id()} << 32U | to.id(), false);
+  if (fresh) at->second = prove(from, to);
+  return at->second;
+}
+
+bool Containment::prove(Formula from, Formula to) {
+  try {
+    const Formula both = ltl::nnf(conjunction(from, negate(to)));
+    return is_empty(tableau(both, reads_, effort_).automaton);
+  } catch (const Effort::Spent& spent) {
+    if (spent.reason == Effort::Spent::Reason::Stopped) throw;
+    spent_ = true;
+    return false;
+  }
+}
+
+std::uint64_t Containment::verdict(Formula f) {
+  if (const auto known = verdicts_.find(f); known != verdicts_.end()) return known->second;
+  for (Formula g : ltl::subformulas(f))
+    if (!verdicts_.contains(g)) verdicts_.emplace(g, compute(g));
+  return verdicts_.at(f);
+}
+
+std::uint64_t Containment::next(std::uint64_t bits) const {
+  std::uint64_t out = 0;
+  for (std::size_t i = 0; i < successor_.size(); ++i) out |= (bits >> successor_[i] & 1U) << i;
+  return out;
+}
+
+std::uint64_t Containment::compute(Formula f) {
+  const auto at = [&](std::size_t i) { return verdicts_.at(f[i]); };
+  const auto all = [&](std::uint64_t unit, bool conjunctive) {
+    for (Formula g : f.operands()) unit = conjunctive ? unit & verdicts_.at(g) : unit | verdicts_.at(g);
+    return unit;
+  };
+  switch (f.op()) {
+    case Op::False: return 0;
+    case Op::True: return ~std::uint64_t{0};
+    case Op::Atom: return atoms_.at(f.proposition().index);
+    case Op::Not: return ~at(0);
+    case Op::And: return all(~std::uint64_t{0}, true);
+    case Op::Or: return all(0, false);
+    case Op::Iff: return ~(at(0) ^ at(1));
+    case Op::Next:
+    case Op::WeakNext: return next(at(0));
+    case Op::Until: {  // least fixpoint, from below
+      std::uint64_t x = at(1);
+      for (std::uint64_t before = ~x; before != x;) {
+        before = x;
+        x = at(1) | (at(0) & next(x));
+      }
+      return x;
+    }
+    case Op::Release: {  // greatest fixpoint, from above
+      std::uint64_t x = at(1);
+      for (std::uint64_t before = ~x; before != x;) {
+        before = x;
+        x = at(1) & (at(0) | next(x));
+      }
+      return x;
+    }
+  }
+  return 0;  // unreachable: -Werror=switch
+}
+
+}  // namespace waymark::automata

@@ -1,0 +1,40 @@
+// φ ⇒ ψ over infinite words, decided by automata: the tableau of φ ∧ ¬ψ accepts nothing.
+//
+// Most questions are answered by a few lassos that satisfy φ and not ψ. They all have four letters, so what a formula
+// says of every position of all of them is one 64-bit word, computed from those of its operands.
+#pragma once
+#include <array>
+#include <cstdint>
+#include <map>
+#include <unordered_map>
+
+#include "libautomata/effort.hpp"
+#include "libltl/formula.hpp"
+
+namespace waymark::automata {
+
+class Containment {
+ public:
+  // reads: at least the propositions of the formulas to come. The effort is shared by all questions; once it has run
+  // out, the answer is no.
+  Containment(const std::vector<ltl::Proposition>& reads, Effort& effort);
+  bool operator()(ltl::Formula from, ltl::Formula to);
+
+ private:
+  static constexpr std::size_t letters = 4, lassos = 16;
+
+  std::uint64_t verdict(ltl::Formula f);  // bit 4·i + j: position j of lasso i
+  std::uint64_t compute(ltl::Formula f);
+  std::uint64_t next(std::uint64_t bits) const;
+  bool prove(ltl::Formula from, ltl::Formula to);
+
+  const std::vector<ltl::Proposition>& reads_;
+  Effort& effort_;
+  std::array<std::uint8_t, lassos * letters> successor_{};  // of every position
+  std::unordered_map<std::uint32_t, std::uint64_t> atoms_;  // by proposition
+  std::unordered_map<ltl::Formula, std::uint64_t> verdicts_;
+  std::unordered_map<std::uint64_t, bool> known_;  // by both ids
+  bool spent_ = false;
+};
+
+}  // namespace waymark::automata

@@ -1,0 +1,92 @@
+#include "libautomata/omega/suspension.hpp"
+
+#include <unordered_map>
+
+#include "libautomata/omega/emptiness.hpp"
+
+namespace waymark::automata {
+namespace {
+
+using Node = Mtbdd::Node;
+
+class LateProduct {
+ public:
+  LateProduct(const Branching& automaton, const Branching& late, Effort& effort)
+      : a_(automaton),
+        b_(late),
+        effort_(effort),
+        live_(live_components(BranchGraph(automaton), automaton.acceptance.condition)) {
+    const std::uint32_t sets = a_.acceptance.sets + b_.acceptance.sets;
+    if (sets > Marks::most) throw Effort::Spent{Effort::Spent::Reason::States};
+    out_.acceptance = Acceptance::generalized_buchi(sets);
+    const auto same = [](std::uint32_t payload) { return Mtbdd::terminal(payload); };
+    const auto keep = [](Mtbdd::Variable v) { return v; };
+    a_roots_ = out_.diagram.import(a_.diagram, a_.roots, same, keep);
+    b_roots_ = out_.diagram.import(b_.diagram, b_.roots, same, keep);
+  }
+
+  Branching run() {
+    out_.initial = entry(a_.initial);
+    for (std::size_t i = 0; i < pairs_.size(); ++i) {  // the pairs double as the queue
+      const auto [p, q] = pairs_[i];
+      const Node late = q == alone ? Mtbdd::terminal(Choices::none) : b_roots_[q];
+      out_.roots.push_back(successors(p, a_roots_[p], late));
+    }
+    return std::move(out_);
+  }
+
+ private:
+  static constexpr std::uint32_t alone = UINT32_MAX;
+
+  std::uint32_t component(std::uint32_t p) const { return live_.components.of[p]; }
+  std::uint32_t entry(std::uint32_t p) {
+    return number(p, live_.accepting[component(p)] ? b_.initial : alone);
+  }
+  std::uint32_t number(std::uint32_t p, std::uint32_t q) {
+    const auto [at, fresh] =
+        number_.try_emplace(std::uint64_t{p} << 32U | q, static_cast<std::uint32_t>(pairs_.size()));
+    if (fresh) {
+      effort_.state();
+      pairs_.emplace_back(p, q);
+    }
+    return at->second;
+  }
+
+  // What a letter means depends on the component of p, so an operation serves one state.
+  Node successors(std::uint32_t p, Node f, Node g) {
+    const bool paired = live_.accepting[component(p)];
+    const auto decide = [&](const std::array<Node, 2>& n) -> std::optional<Node> {
+      effort_.step();
+      if (n[0] == Mtbdd::terminal(Choices::none)) return n[0];
+      if (!Mtbdd::is_terminal(n[0]) || !Mtbdd::is_terminal(n[1])) return std::nullopt;
+      std::vector<Branch> branches;
+      for (const Branch& x : a_.choices[Mtbdd::payload(n[0])]) {
+        if (!paired || component(x.target) != component(p)) {
+          branches.push_back({entry(x.target), {}});
+          continue;
+        }
+        for (const Branch& y : b_.choices[Mtbdd::payload(n[1])])
+          branches.push_back(
+              {number(x.target, y.target), x.marks | Marks::from_bits(y.marks.bits() << a_.acceptance.sets)});
+      }
+      return Mtbdd::terminal(out_.choices.intern(std::move(branches)));
+    };
+    return out_.diagram.apply(out_.diagram.operation(), std::array{f, g}, decide);
+  }
+
+  const Branching &a_, &b_;
+  Effort& effort_;
+  LiveComponents live_;
+  Branching out_;
+  std::vector<Node> a_roots_, b_roots_;
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs_;
+  std::unordered_map<std::uint64_t, std::uint32_t> number_;
+};
+
+}  // namespace
+
+Branching compose_late(const Branching& automaton, const Branching& late, Effort& effort) {
+  return LateProduct(automaton, late, effort).run();
+}
+
+}  // namespace waymark::automata

@@ -1,0 +1,81 @@
+// Reductions keep the language: random generalised Büchi automata before and after, on all small lassos.
+#include "libautomata/omega/reduce.hpp"
+
+#include <gtest/gtest.h>
+
+#include "libautomata/omega/degeneralize.hpp"
+#include "libautomata/omega/emptiness.hpp"
+#include "libautomata/omega/hoa.hpp"
+#include "libautomata/omega/random_automaton.hpp"
+#include "libautomata/omega/simulation.hpp"
+#include "tests/support/generate.hpp"
+
+namespace waymark::automata {
+namespace {
+
+class Reductions : public ::testing::Test {
+ protected:
+  // What `change` makes of 600 random automata accepts the same lassos, and seldom nothing or everything.
+  template <class Change>
+  void keep_the_language(const Change& change) {
+    constexpr std::uint64_t seed = 31;
+    ltl::Random random(seed);
+    const auto vocabulary = testing::letters_vocabulary(2);
+    const auto words = testing::all_lassos({.length = 3, .atoms = 2});
+    std::size_t accepted = 0, smaller = 0;
+    for (int i = 0; i < 600; ++i) {
+      const Automaton before = random_automaton(random, vocabulary,
+                                                {.states = static_cast<std::uint32_t>(2 + random.below(5)),
+                                                 .sets = static_cast<std::uint32_t>(random.below(3)),
+                                                 .empty = 0.3,
+                                                 .generic = false});
+      const Automaton after = as_automaton(change(before.transitions()), vocabulary, before.reads());
+      smaller += after.states() < before.states() ? 1 : 0;
+      for (const ltl::Lasso& word : words) {
+        accepted += accepts(before, word) ? 1 : 0;
+        ASSERT_EQ(accepts(before, word), accepts(after, word))
+            << "seed " << seed << ", automaton " << i << ", word " << ltl::show(word, vocabulary);
+      }
+    }
+    EXPECT_GT(accepted, words.size() * 60);
+    EXPECT_LT(accepted, words.size() * 540);
+    RecordProperty("smaller", static_cast<int>(smaller));
+  }
+  Effort effort_;
+};
+
+TEST_F(Reductions, SccFilterKeepsTheLanguage) {
+  keep_the_language([&](const Branching& a) { return scc_filter(a, MarksOn::Edges, effort_); });
+}
+TEST_F(Reductions, BisimulationKeepsTheLanguage) {
+  keep_the_language([&](const Branching& a) { return bisimulation_quotient(a, effort_); });
+}
+TEST_F(Reductions, SimulationKeepsTheLanguage) {
+  keep_the_language([&](const Branching& a) {
+    return simulation_quotient(simulation_quotient(a, effort_), effort_);  // merges, then prunes
+  });
+}
+TEST_F(Reductions, ReverseSimulationKeepsTheLanguage) {
+  keep_the_language([&](const Branching& a) {
+    return reverse_simulation_quotient(a, std::vector<bool>(a.states()), effort_);
+  });
+}
+TEST_F(Reductions, ReduceKeepsTheLanguage) {
+  keep_the_language([&](const Branching& a) { return reduce(a, MarksOn::Edges, effort_).automaton; });
+}
+TEST_F(Reductions, DegeneralisationKeepsTheLanguage) {
+  for (int rules = 0; rules < 8; ++rules)
+    keep_the_language([&](const Branching& a) {
+      const LevelRule rule{(rules & 1) != 0, (rules & 2) != 0, (rules & 4) != 0};
+      return degeneralize(a, rule, effort_);
+    });
+}
+TEST_F(Reductions, DegeneralisedAndReducedKeepsTheLanguage) {
+  keep_the_language([&](const Branching& a) {
+    const Branching general = reduce(a, MarksOn::Edges, effort_).automaton;
+    return reduce(degeneralize(general, {.look_ahead = true}, effort_), MarksOn::States, effort_).automaton;
+  });
+}
+
+}  // namespace
+}  // namespace waymark::automata
