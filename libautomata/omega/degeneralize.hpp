@@ -2,7 +2,7 @@
 //
 // In a component, level l means that the sets before l in the order were met in this round; the copy at the last level
 // accepts. Levels start afresh in every component, a component that needs no counting has none, and a branch into
-// another component goes to a copy that exists. [BDLF+14, Sec. 3]
+// another component goes to a copy that exists. [BBDLF13, Sec. 4]
 #pragma once
 #include "libautomata/effort.hpp"
 #include "libautomata/omega/branching.hpp"
