@@ -125,7 +125,7 @@ class Construction {
     if (auto weak = trimmed_weak(f, tableau_steps, limits_.states)) best = Candidate{*std::move(weak), true};
     const std::size_t most = best ? std::min(guess_states, 4 * best->automaton.states()) : limits_.states;
     if (const auto raw = raw_tableau(f, best ? guess_steps : tableau_steps, most))
-      best = smallest(std::move(best), reduced(raw->automaton, MarksOn::Edges));
+      best = smallest(std::move(best), reduced(merged(*raw), MarksOn::Edges));
     return best;
   }
   // G e₁ ∧ G e₂ ∧ …, every e co-safe and eventual: deterministic, a set for each.
