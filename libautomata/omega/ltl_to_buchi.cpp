@@ -49,6 +49,7 @@ Formula prepared(Formula f, const std::vector<ltl::Proposition>& reads, const st
 struct Candidate {
   Branching automaton;
   bool reduced = true;
+  bool weak = false;  // a minimal weak deterministic automaton: marks are on states already
 };
 
 class Construction {
@@ -81,7 +82,7 @@ class Construction {
 
   std::optional<Candidate> buchi() {
     std::optional<Candidate> general = tgba();
-    if (!general) return std::nullopt;
+    if (!general || general->weak) return general;
     std::optional<Candidate> best;
     for (const LevelRule rule :
          {LevelRule{false, true, false}, LevelRule{false, false, false}, LevelRule{true, true, false},
@@ -122,7 +123,8 @@ class Construction {
   }
   std::optional<Candidate> obligation(Formula f) {
     std::optional<Candidate> best;
-    if (auto weak = trimmed_weak(f, tableau_steps, limits_.states)) best = Candidate{*std::move(weak), true};
+    if (auto weak = trimmed_weak(f, tableau_steps, limits_.states))
+      best = Candidate{*std::move(weak), true, true};
     const std::size_t most = best ? std::min(guess_states, 4 * best->automaton.states()) : limits_.states;
     if (const auto raw = raw_tableau(f, best ? guess_steps : tableau_steps, most))
       best = smallest(std::move(best), reduced(merged(*raw), MarksOn::Edges));
@@ -218,7 +220,7 @@ class Construction {
       marked = deterministic_buchi(structure, automaton, negation, effort);
       throw Effort::Spent{Effort::Spent::Reason::States};  // no weak automaton
     });
-    if (weak) return Candidate{*weak, true};
+    if (weak) return Candidate{*weak, true, true};
     if (marked) return reduced(*std::move(marked), MarksOn::Edges);
     return std::nullopt;
   }

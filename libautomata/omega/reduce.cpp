@@ -7,9 +7,10 @@ namespace {
 
 std::vector<bool> colours(const Branching& automaton, MarksOn marks) {
   std::vector<bool> out(automaton.states(), false);
-  if (marks == MarksOn::States)
-    for (std::uint32_t q = 0; q < automaton.states(); ++q)
-      for (const Branch& b : branches_of(automaton, q)) out[q] = out[q] || !b.marks.empty();
+  if (marks == MarksOn::Edges) return out;
+  ChoiceLists lists(automaton);
+  for (std::uint32_t q = 0; q < automaton.states(); ++q)
+    for (const Branch& b : lists.branches(q)) out[q] = out[q] || !b.marks.empty();
   return out;
 }
 
