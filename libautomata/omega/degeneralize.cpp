@@ -44,7 +44,7 @@ class Levels {
     out.initial = entry(from_.initial);
     std::vector<std::uint32_t> sources;
     for (std::size_t i = 0; i < copies_.size(); ++i) {  // the copies double as the queue
-      const auto [q, level] = copies_[i];
+      const std::uint32_t q = copies_[i].first, level = copies_[i].second;
       const Marks marks = level == sets_ && live_.accepting[component(q)] ? Marks::of(0) : Marks();
       const std::uint32_t only[] = {q};
       const Branching one = rebuild(from_, only, [&](std::uint32_t, std::span<const Branch> choice) {
