@@ -146,10 +146,11 @@ std::uint64_t mention_feature(const Choice& c) { return key(Mention, c.kind * ch
 std::vector<bool> forbidden_tokens(const PostfixGrammar& grammar, const ltl::Vocabulary& vocabulary,
                                    const SentenceFeatures& features) {
   std::vector<bool> forbidden(grammar.tokens(), false);
-  for (std::uint16_t p = 0; p < vocabulary.size(); ++p)
+  const auto propositions = static_cast<std::uint16_t>(vocabulary.size());
+  for (std::uint16_t p = 0; p < propositions; ++p)
     if (!grammar.usable(p)) forbidden[PostfixGrammar::literal(p)] = true;
   const std::vector<std::size_t> numbers = place_numbers(vocabulary);
-  for (std::uint16_t p = 0; p < numbers.size(); ++p) {
+  for (std::uint16_t p = 0; p < propositions; ++p) {
     const std::size_t n = numbers[p];
     const bool named = n < features.places.size() && features.places[n];
     if (n > 0 && !named) forbidden[PostfixGrammar::literal(p)] = true;
