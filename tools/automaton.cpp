@@ -37,11 +37,6 @@ struct Options {
   double seconds = 0;
 };
 
-struct Named {
-  Any automaton;
-  std::string name;
-};
-
 bool is_finite(const automata::HoaAutomaton& file) {
   for (const automata::HoaToken& property : file.properties)
     if (property.text == "finite-words") return true;

@@ -59,14 +59,11 @@ class Interned {
 class Breakpoints {
  public:
   Breakpoints(AlternatingBuchi automaton, Effort& effort)
-      : automaton_(std::move(automaton)), effort_(effort) {
-    for (bool unmarked : {false, true}) {
-      (void)unmarked;
-      step_.emplace_back(automaton_.edges.size(), Node{});
-      done_.emplace_back(automaton_.edges.size(), false);
-    }
-    join_ = automaton_.diagram.operation();
-  }
+      : automaton_(std::move(automaton)),
+        effort_(effort),
+        step_(2, std::vector<Node>(automaton_.edges.size())),
+        done_(2, std::vector<bool>(automaton_.edges.size(), false)),
+        join_(automaton_.diagram.operation()) {}
 
   Branching build() {
     Alternatives starts;

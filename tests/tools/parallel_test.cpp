@@ -12,13 +12,13 @@
 namespace waymark::tools {
 namespace {
 
-struct Batch {
+struct Outcome {
   ExitCode code;
   std::string output, problems;
 };
 
-Batch run(std::vector<std::string> texts, const ParallelOptions& options, const Replier& answer) {
-  TextReader reader(TextOptions{std::move(texts), ""}, "text");
+Outcome run(std::vector<std::string> texts, const ParallelOptions& options, const Replier& answer) {
+  TextReader reader({.arguments = std::move(texts), .file = ""}, "text");
   testing::internal::CaptureStdout();
   testing::internal::CaptureStderr();
   const ExitCode code =
@@ -38,7 +38,7 @@ TEST(Parallel, RepliesComeInTheOrderOfTheTexts) {
   std::string expected;
   for (const std::string& number : numbers(2'000)) expected += number + '\n';
   for (const std::size_t threads : {1U, 2U, 7U}) {
-    const Batch result = run(numbers(2'000), {.threads = threads}, [](const Text& text, const Patience&) {
+    const Outcome result = run(numbers(2'000), {.threads = threads}, [](const Text& text, const Patience&) {
       if (std::stoi(text.text) % 100 == 0) std::this_thread::sleep_for(std::chrono::milliseconds(2));
       return Reply{ExitCode::Done, text.text + '\n'};
     });
@@ -48,7 +48,7 @@ TEST(Parallel, RepliesComeInTheOrderOfTheTexts) {
 }
 
 TEST(Parallel, ABadTextEndsNothingButItself) {
-  const Batch result = run(numbers(4), {.threads = 2}, [](const Text& text, const Patience&) -> Reply {
+  const Outcome result = run(numbers(4), {.threads = 2}, [](const Text& text, const Patience&) -> Reply {
     if (text.text == "1") throw ltl::FormatError("somewhere", 1, 2, "is wrong");
     if (text.text == "2") return {ExitCode::No, "no\n", "a problem"};
     return {ExitCode::Done, "yes\n"};
@@ -60,7 +60,7 @@ TEST(Parallel, ABadTextEndsNothingButItself) {
 }
 
 TEST(Parallel, EveryTextHasItsOwnTime) {
-  const Batch result =
+  const Outcome result =
       run(numbers(6), {.threads = 2, .seconds = 0.05}, [](const Text& text, const Patience& patience) {
         if (std::stoi(text.text) % 2 == 0) return Reply{ExitCode::Done, "soon\n"};
         while (!patience.token().stop_requested()) std::this_thread::yield();
@@ -71,7 +71,7 @@ TEST(Parallel, EveryTextHasItsOwnTime) {
 }
 
 TEST(Parallel, WhatIsNoBadTextEndsEverything) {
-  TextReader reader(TextOptions{numbers(50), ""}, "text");
+  TextReader reader({.arguments = numbers(50), .file = ""}, "text");
   const auto bug = [](const Text& text, const Patience&) -> Reply {
     if (text.text == "20") throw std::logic_error("a bug");
     return {};
@@ -79,7 +79,7 @@ TEST(Parallel, WhatIsNoBadTextEndsEverything) {
   EXPECT_THROW(answer_in_parallel(reader, {}, {.threads = 3}, bug, {}), std::logic_error);
   std::stop_source stop;
   stop.request_stop();
-  TextReader more(TextOptions{numbers(3), ""}, "text");
+  TextReader more({.arguments = numbers(3), .file = ""}, "text");
   const auto fine = [](const Text&, const Patience&) { return Reply{}; };
   EXPECT_THROW(answer_in_parallel(more, stop.get_token(), {}, fine, {}), Interrupted);
 }
