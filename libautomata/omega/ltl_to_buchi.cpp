@@ -32,6 +32,7 @@ constexpr std::size_t guess_steps = 2'000'000;  // to find out whether a formula
 constexpr std::size_t guess_states = 2'000;
 constexpr std::size_t merge_steps = 500'000;  // to find states of one language
 constexpr std::size_t merge_states = 200;
+constexpr std::size_t large_states = 100;           // from here on, one way to count levels instead of all
 constexpr std::size_t containment_steps = 500'000;  // to simplify the formula
 
 // Smaller first, implications found by automata included; then what may be looked at late is pulled out. A second round
@@ -86,6 +87,8 @@ class Construction {
   std::optional<Candidate> buchi() {
     std::optional<Candidate> general = tgba();
     if (!general || general->weak) return general;
+    if (general->automaton.states() >= large_states)
+      return counted(general->automaton, {.look_ahead = true}, general->reduced);
     std::optional<Candidate> best = with_marks_on_states(*general);
     for (const Candidate& other : routes_)
       if (other.automaton.states() <= 2 * general->automaton.states())
