@@ -28,10 +28,12 @@ using ltl::Formula;
 // What the parts may spend: constants chosen so that a formula of everyday size never meets one.
 constexpr std::size_t tableau_steps = 400'000'000;
 constexpr std::size_t reduction_steps = 30'000'000;
+constexpr std::size_t least_steps = 100'000;    // of one attempt, when those before it have spent nearly all
 constexpr std::size_t guess_steps = 2'000'000;  // to find out whether a formula is an obligation
 constexpr std::size_t guess_states = 2'000;
 constexpr std::size_t merge_steps = 500'000;  // to find states of one language
 constexpr std::size_t merge_states = 200;
+constexpr std::size_t large_states = 100;           // from here on, one way to count levels instead of all
 constexpr std::size_t containment_steps = 500'000;  // to simplify the formula
 
 // Smaller first, implications found by automata included; then what may be looked at late is pulled out. A second round
@@ -86,6 +88,8 @@ class Construction {
   std::optional<Candidate> buchi() {
     std::optional<Candidate> general = tgba();
     if (!general || general->weak) return general;
+    if (general->automaton.states() >= large_states)
+      return counted(general->automaton, {.look_ahead = true}, general->reduced);
     std::optional<Candidate> best = with_marks_on_states(*general);
     for (const Candidate& other : routes_)
       if (other.automaton.states() <= 2 * general->automaton.states())
@@ -121,9 +125,10 @@ class Construction {
     Effort effort(reduction_steps, limits_.states, limits_.stop);
     const auto levels = within([&] { return degeneralize(general, rule, effort); });
     if (!levels) return std::nullopt;
-    Candidate made = reduced(*levels, MarksOn::States);
-    made.reduced = made.reduced && is_reduced;
-    return made;
+    Effort rest(std::max(level_steps_, least_steps), SIZE_MAX, limits_.stop);  // shared by all attempts
+    Reduced made = reduce(*levels, MarksOn::States, rest);
+    level_steps_ = rest.steps_left();
+    return Candidate{std::move(made.automaton), made.complete && is_reduced};
   }
 
   // The minimal weak automaton or the reduced tableau, whichever is smaller.
@@ -245,6 +250,7 @@ class Construction {
   const TranslationLimits& limits_;
   std::vector<ltl::Proposition> reads_;
   Formula formula_;
+  std::size_t level_steps_ = reduction_steps;
   std::vector<Candidate> routes_;  // of the whole formula, where there is a choice
   std::size_t& states_;            // made by the tableau that made most
 };
