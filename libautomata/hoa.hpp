@@ -10,6 +10,7 @@
 #include <string_view>
 
 #include "libautomata/dfa.hpp"
+#include "libautomata/hoa_syntax.hpp"
 #include "libautomata/hoa_text.hpp"
 
 namespace waymark::automata {
@@ -31,5 +32,6 @@ std::optional<std::string> write_hoa_within(const Dfa& dfa, std::size_t most_edg
 // ltl::FormatError with line and column; `source` names the file in messages. What is no DFA (nondeterminism,
 // alternation, several initial states, acceptance other than Büchi) is refused with a message that says so.
 Dfa read_hoa(std::string_view text, std::string_view source = "");
+Dfa to_dfa(HoaAutomaton file, std::string_view source);  // the same of an automaton that was parsed
 
 }  // namespace waymark::automata

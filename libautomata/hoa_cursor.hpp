@@ -10,8 +10,6 @@
 
 namespace waymark::automata {
 
-struct HoaAborted {};  // thrown: --ABORT--, which may stand anywhere, ends the automaton
-
 class HoaCursor {
  public:
   using Kind = HoaToken::Kind;
@@ -33,7 +31,6 @@ class HoaCursor {
     throw ltl::FormatError(source_, at.line, at.column, message);
   }
   [[noreturn]] void expected(std::string_view what) const {
-    if (peek().kind == Kind::Abort) throw HoaAborted{};
     fail(peek(), "expected " + std::string(what) + ", not " + described(peek()));
   }
   void demand(char c) {

@@ -151,8 +151,10 @@ class Builder {
 
 }  // namespace
 
+Dfa to_dfa(HoaAutomaton file, std::string_view source) { return Builder(std::move(file), source).build(); }
+
 Dfa read_hoa(std::string_view text, std::string_view source) {
-  return Builder(parse_hoa(text, source), source).build();
+  return to_dfa(parse_hoa(text, source), source);
 }
 
 }  // namespace waymark::automata

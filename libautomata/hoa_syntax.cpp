@@ -266,14 +266,13 @@ std::optional<HoaAutomaton> HoaReader::next() {
     throw;
   }
   if (tokens.size() == 1 && tokens.front().kind == Kind::Eof) return std::nullopt;
-  HoaAutomaton aborted;
-  aborted.aborted = true;
-  aborted.acceptance_at = tokens.back();
-  try {
-    return Parser(std::move(tokens), source_).parse();
-  } catch (const HoaAborted&) {
+  if (tokens.back().kind == Kind::Abort) {  // whatever stands before it
+    HoaAutomaton aborted;
+    aborted.aborted = true;
+    aborted.acceptance_at = tokens.back();
     return aborted;
   }
+  return Parser(std::move(tokens), source_).parse();
 }
 
 HoaAutomaton parse_hoa(std::string_view text, std::string_view source) {

@@ -6,6 +6,11 @@
 #include "libautomata/dot.hpp"
 #include "libautomata/guard.hpp"
 #include "libautomata/hoa.hpp"
+#include "libautomata/omega/dot.hpp"
+#include "libautomata/omega/edges.hpp"
+#include "libautomata/omega/exchange.hpp"
+#include "libautomata/omega/hoa.hpp"
+#include "libltl/print.hpp"
 #include "tools/answer.hpp"
 #include "tools/shell/json.hpp"
 
@@ -21,6 +26,12 @@ struct Size {
 
 Size size_of(const automata::Dfa& dfa, std::size_t most_edges) {
   return {dfa.states(), automata::count_nodes(dfa), 1, automata::count_edges(dfa, most_edges), true};
+}
+
+Size size_of(const automata::Automaton& automaton, std::size_t most_edges) {
+  return {automaton.states(), automata::count_nodes(automaton), automaton.acceptance().sets,
+          automata::count_edges(automaton.transitions(), most_edges),
+          automata::is_deterministic(automaton.transitions())};
 }
 
 // One row, tab-separated: line states edges sets deterministic seconds status symbolic_nodes.
@@ -53,8 +64,8 @@ JsonArray reads_of(const Any& automaton) {
 // All of JSON but the automaton itself.
 template <class Any>
 JsonObject json_of(const Any& automaton, const Size& size, const Shown& about, std::string_view status) {
-  return JsonObject()
-      .add("formula", about.name)
+  JsonObject out;
+  out.add("formula", about.name)
       .add("semantics", about.semantics)
       .add("status", std::string(status))
       .add("automaton", json_size(size, automaton.reads().size()))
@@ -62,6 +73,8 @@ JsonObject json_of(const Any& automaton, const Size& size, const Shown& about, s
       .add("deterministic", size.deterministic)
       .add("reads", reads_of(automaton))
       .add("seconds", about.seconds);
+  if (!about.certificate.empty()) out.add("certificate", about.certificate);
+  return out;
 }
 
 template <class Any>
@@ -77,17 +90,59 @@ Reply too_large(const Any& automaton, const Size& size, const Shown& about, cons
   return reply;
 }
 
+template <class Any>
+Reply show_or_refuse(const Any& automaton, const std::optional<std::string>& text, const Shown& about,
+                     const OutputOptions& options) {
+  if (text) return {ExitCode::Done, *text};
+  return too_large(automaton, size_of(automaton, options.edges), about, options);
+}
+
+// A heading, then one edge a line; marks: "stop" where the word may stop behind the edge.
+std::optional<std::string> dfa_table(const automata::Dfa& dfa, std::size_t most_edges) {
+  if (!automata::count_edges(dfa, most_edges)) return std::nullopt;
+  ltl::Arena arena(dfa.vocabulary());
+  automata::Edges edges(dfa);
+  std::string out = "source\ttarget\tmarks\tguard\n";
+  for (std::uint32_t q = 0; q < dfa.states(); ++q) {
+    const auto from = edges.from(automata::StateId{q}, most_edges);
+    if (!from) return std::nullopt;
+    for (const automata::Edge& edge : *from)
+      out += std::to_string(q) + '\t' + std::to_string(edge.target.index) + '\t' +
+             (dfa.is_accepting(edge.target) ? "stop" : "-") + '\t' +
+             ltl::print(automata::to_formula(edge.guard, dfa, arena)) + '\n';
+  }
+  return out;
+}
+
+// In a format that knows fewer acceptance conditions; counters are added where states must accept.
+std::optional<std::string> exchanged(const automata::Automaton& automaton, const Shown& about,
+                                     const OutputOptions& options) {
+  if (!automaton.acceptance().is_generalized_buchi())
+    throw UsageError("--format " + options.format + " takes generalised Büchi automata, not " +
+                     automata::print(automaton.acceptance().condition));
+  if (options.format == "lbtt") return automata::write_lbtt(automaton, options.edges);
+  automata::Effort effort;
+  const automata::Automaton states = *automata::make_state_based(automaton, effort);
+  if (options.format == "ba") return automata::write_ba(states, options.edges);
+  return automata::write_never_claim(states, options.edges, about.name);
+}
+
 }  // namespace
 
 void add_output_options(CLI::App& command, OutputOptions& options) {
-  command.add_option("--format", options.format, "HOA, Graphviz DOT, one row of counts, or JSON")
-      ->check(CLI::IsMember({"hoa", "dot", "stats", "json"}))
+  command
+      .add_option("--format", options.format,
+                  "HOA, Graphviz DOT, one row of counts, JSON, a table; of infinite words also: never claim, "
+                  "LBTT, BA")
+      ->check(CLI::IsMember({"hoa", "dot", "stats", "json", "tsv", "never", "lbtt", "ba"}))
       ->capture_default_str();
   command.add_flag_callback(
       "--json", [&options] { options.format = "json"; }, "the same as --format json");
   command.add_flag("--one-line", options.one_line, "HOA: each automaton on one line");
   command.add_flag("--aliases", options.aliases, "HOA: labels that occur more than once get a name");
-  command.add_option("--acceptance", options.acceptance, "HOA of DFAs: marks on states or edges")
+  command
+      .add_option("--acceptance", options.acceptance,
+                  "HOA: marks on states or edges; on states only where all edges of each state agree")
       ->check(CLI::IsMember({"state", "edge"}))
       ->capture_default_str();
   command
@@ -110,6 +165,9 @@ std::string show_none(std::size_t line, double seconds, std::string_view status,
 Reply show(const automata::Dfa& dfa, const Shown& about, const OutputOptions& options) {
   if (options.format == "stats")
     return {ExitCode::Done, row(about.line, size_of(dfa, options.edges), about.seconds, about.status)};
+  if (options.format == "never" || options.format == "lbtt" || options.format == "ba")
+    throw UsageError("--format " + options.format + " is one for infinite words");
+  if (options.format == "tsv") return show_or_refuse(dfa, dfa_table(dfa, options.edges), about, options);
   if (options.format == "dot") {
     const Size size = size_of(dfa, options.edges);
     if (!size.edges) return too_large(dfa, size, about, options);
@@ -124,6 +182,28 @@ Reply show(const automata::Dfa& dfa, const Shown& about, const OutputOptions& op
   if (options.format == "hoa") return {ExitCode::Done, *hoa};
   return {ExitCode::Done,
           json_of(dfa, size_of(dfa, options.edges), about, about.status).add("hoa", *hoa).text() + '\n'};
+}
+
+Reply show(const automata::Automaton& automaton, const Shown& about, const OutputOptions& options) {
+  const std::string& format = options.format;
+  const std::size_t most = options.edges;
+  if (format == "stats")
+    return {ExitCode::Done, row(about.line, size_of(automaton, most), about.seconds, about.status)};
+  if (format == "dot")
+    return show_or_refuse(automaton, automata::write_dot_within(automaton, most, {about.unicode_name}), about,
+                          options);
+  if (format == "tsv")
+    return show_or_refuse(automaton, automata::write_table(automaton, most), about, options);
+  if (format == "never" || format == "lbtt" || format == "ba")
+    return show_or_refuse(automaton, exchanged(automaton, about, options), about, options);
+  const std::optional<std::string> hoa = automata::write_hoa_within(
+      automaton, most,
+      {.name = about.name,
+       .marks_on_states = options.acceptance == "state",
+       .layout = {.aliases = options.aliases, .one_line = options.one_line && format == "hoa"}});
+  if (format == "hoa" || !hoa) return show_or_refuse(automaton, hoa, about, options);
+  return {ExitCode::Done,
+          json_of(automaton, size_of(automaton, most), about, about.status).add("hoa", *hoa).text() + '\n'};
 }
 
 }  // namespace waymark::tools

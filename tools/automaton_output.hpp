@@ -30,6 +30,7 @@ struct Shown {
   std::string semantics = {};     // "finite", "infinite"
   std::string status = "ok";      // or unreduced
   double seconds = 0;
+  std::string certificate = {};  // of JSON, when one was asked for
 };
 
 // The automaton in the format asked for; past the limit on edges the answer is status limit with the symbolic size.

@@ -31,6 +31,7 @@ constexpr std::array rows{
         setup_run},
     Row{"ground", "instruction → formulas, best first", setup_ground},
     Row{"translate", "formula → automaton", setup_translate},
+    Row{"automaton", "automata of HOA files → operations, questions, other formats", setup_automaton},
     Row{"compose", "formula or automaton, and a map → their product", setup_compose},
     Row{"plan", "formula or automaton, and a map → a certified route of least cost", setup_plan},
     Row{"check", "does this trajectory satisfy this formula?", setup_check},

@@ -1,10 +1,12 @@
-// waymark random: formulas drawn at random, one a line; the same seed gives the same lines on every machine.
+// waymark random: formulas or automata drawn at random; the same seed gives the same ones on every machine.
 #include <CLI/App.hpp>
 #include <charconv>
 #include <iostream>
 #include <memory>
 #include <unordered_set>
 
+#include "libautomata/omega/hoa.hpp"
+#include "libautomata/omega/random_automaton.hpp"
 #include "libltl/print.hpp"
 #include "libltl/random.hpp"
 #include "tools/subcommand.hpp"
@@ -16,6 +18,8 @@ struct Options {
   std::size_t props = 4, count = 1;
   std::string size = "15..30", semantics = "infinite";
   std::uint64_t seed = 1;
+  bool automata = false, deterministic = false;
+  std::uint32_t states = 5, sets = 1;
 };
 
 struct Sizes {
@@ -39,11 +43,34 @@ Sizes sizes_of(std::string_view text) {
   return sizes;
 }
 
+std::vector<std::string> names_of(const Options& options) {
+  std::vector<std::string> names;
+  for (std::size_t p = 0; p < options.props; ++p) names.push_back("p" + std::to_string(p));
+  return names;
+}
+
+// In HOA, one a line; any condition over the sets that there are.
+ExitCode run_random_automata(const Options& options, const Session& session) {
+  if (options.props > 16) throw UsageError("random automata read at most 16 propositions");
+  const ltl::Vocabulary vocabulary(names_of(options));
+  ltl::Random random(options.seed);
+  for (std::size_t i = 0; i < options.count; ++i) {
+    if (session.stop.stop_requested()) throw Interrupted();
+    const automata::Automaton automaton =
+        automata::random_automaton(random, vocabulary,
+                                   {.states = options.states,
+                                    .atoms = options.props,
+                                    .sets = options.sets,
+                                    .branches = options.deterministic ? std::size_t{1} : std::size_t{2}});
+    std::cout << automata::write_hoa(automaton, {.layout = {.one_line = true}});
+  }
+  return ExitCode::Done;
+}
+
 // Different formulas, none a constant: drawing goes on until there are enough, or new ones stay away.
 ExitCode run_random(const Options& options, const Session& session) {
   const Sizes sizes = sizes_of(options.size);
-  std::vector<std::string> names;
-  for (std::size_t p = 0; p < options.props; ++p) names.push_back("p" + std::to_string(p));
+  const std::vector<std::string> names = names_of(options);
   ltl::Random random(options.seed);
   std::unordered_set<std::string> drawn;
   constexpr std::size_t patience = 10'000;
@@ -74,7 +101,7 @@ ExitCode run_random(const Options& options, const Session& session) {
 
 Runner setup_random(CLI::App& command) {
   const auto options = std::make_shared<Options>();
-  command.add_option("--props", options->props, "propositions p0, p1, …")
+  command.add_option("--props", options->props, "propositions p0, p1, … (of automata: at most 16)")
       ->type_name("N")
       ->check(CLI::Range(1, 1'000))
       ->capture_default_str();
@@ -90,7 +117,20 @@ Runner setup_random(CLI::App& command) {
   command.add_option("--semantics", options->semantics, "finite: the weak next N occurs as well")
       ->check(CLI::IsMember({"finite", "infinite"}))
       ->capture_default_str();
-  return [options](const Session& session) { return run_random(*options, session); };
+  command.add_flag("--automata", options->automata, "automata on infinite words in the place of formulas");
+  command.add_option("--states", options->states, "of automata, at most: what is not reached is dropped")
+      ->type_name("N")
+      ->check(CLI::Range(1, 100'000))
+      ->capture_default_str();
+  command.add_option("--sets", options->sets, "acceptance sets of automata")
+      ->type_name("N")
+      ->check(CLI::Range(0, 64))
+      ->capture_default_str();
+  command.add_flag("--deterministic", options->deterministic,
+                   "automata with at most one edge for each letter");
+  return [options](const Session& session) {
+    return options->automata ? run_random_automata(*options, session) : run_random(*options, session);
+  };
 }
 
 }  // namespace waymark::tools

@@ -24,6 +24,7 @@ using Runner = std::function<ExitCode(const Session&)>;
 Runner setup_run(CLI::App& command);
 Runner setup_ground(CLI::App& command);
 Runner setup_translate(CLI::App& command);
+Runner setup_automaton(CLI::App& command);
 Runner setup_compose(CLI::App& command);
 Runner setup_plan(CLI::App& command);
 Runner setup_check(CLI::App& command);

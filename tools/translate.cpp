@@ -2,9 +2,11 @@
 #include <CLI/App.hpp>
 #include <memory>
 
+#include "libautomata/effort.hpp"
 #include "libltl/print.hpp"
 #include "tools/answer.hpp"
 #include "tools/automaton_output.hpp"
+#include "tools/certificate.hpp"
 #include "tools/shell/options.hpp"
 #include "tools/shell/parallel.hpp"
 #include "tools/subcommand.hpp"
@@ -19,6 +21,7 @@ struct Options {
   OutputOptions output;
   std::string semantics, target;
   std::size_t states = automata::TranslationLimits{}.states;
+  bool certify = false;
   ParallelOptions parallel;
 };
 
@@ -27,16 +30,34 @@ Reply gave_up(const Text& text, double seconds, const Options& options, const st
           reason + (text.source.empty() ? "" : "\n  " + text.source + ':' + std::to_string(text.line))};
 }
 
+// Running out of budget leaves the automaton as it is, and says so.
+std::string certificate(ltl::Formula formula, const Translated& result, const Translation& translation,
+                        const automata::TranslationLimits& limits) {
+  try {
+    const Certificate certificate = certify(formula, result, translation, limits);
+    return certificate.proved ? "proved" : counted(certificate.words, "word");
+  } catch (const automata::Effort::Spent&) {
+    return "none";
+  }
+}
+
 Reply translate_one(const Text& text, const Options& options, const Translation& translation,
                     const Patience& patience) {
   ltl::Arena arena;
   StopWatch watch;
   const ltl::Formula formula = parse_formula(text, arena, parse_options(options.notation, ltl::Unknown::Add));
-  const Translated result = translation.run(formula, {.states = options.states, .stop = patience.token()});
+  const automata::TranslationLimits limits{.states = options.states, .stop = patience.token()};
+  const Translated result = translation.run(formula, limits);
   Shown about{.line = text.line, .semantics = std::string(translation.semantics), .seconds = watch.lap()};
+  if (options.certify && !std::holds_alternative<automata::Exhausted>(result))
+    about.certificate = certificate(formula, result, translation, limits);
   if (options.output.format != "stats") about.name = ltl::print(formula);
   if (options.output.format == "dot") about.unicode_name = ltl::print(formula, ltl::Style::Unicode);
   if (const auto* dfa = std::get_if<automata::Dfa>(&result)) return show(*dfa, about, options.output);
+  if (const auto* omega = std::get_if<automata::Translated>(&result)) {
+    if (!omega->reduced) about.status = "unreduced";
+    return show(omega->automaton, about, options.output);
+  }
   const std::size_t made = std::get<automata::Exhausted>(result).states;
   return gave_up(
       text, about.seconds, options,
@@ -66,9 +87,12 @@ Runner setup_translate(CLI::App& command) {
   add_notation_options(command, options->notation);
   command.add_option("--semantics", options->semantics, "what words formulas are read on (with dfa: finite)")
       ->check(CLI::IsMember({"finite", "infinite"}));
-  command.add_option("--to", options->target, "kind of automaton (of finite words: dfa)")
+  command.add_option("--to", options->target, "kind of automaton (of finite words: dfa; else tgba)")
       ->check(CLI::IsMember({"dfa", "tgba", "buchi", "parity", "rabin", "ldba", "generic"}));
   add_output_options(command, options->output);
+  command.add_flag(
+      "--certify", options->certify,
+      "check each automaton against that of the negation and the definition; exit 30 if one is wrong");
   command
       .add_option("--limit-states,--max-states", options->states,
                   "give up beyond so many states before minimisation")

@@ -53,7 +53,7 @@ TEST(Corridor, EveryPrefixCanBeFedBackIn) {
   const std::string formula = run["formula"];
   const json planned = json::parse(waymark({"plan", formula, "--start", "1,9,0", "--json"}).output);
   EXPECT_EQ(planned["route"], run["route"]);
-  const std::string hoa = waymark({"translate", formula}).output;
+  const std::string hoa = waymark({"translate", "--to", "dfa", formula}).output;
   const json by_automaton =
       json::parse(waymark({"plan", "--automaton", "-", "--start", "1,9,0", "--json"}, hoa).output);
   EXPECT_EQ(by_automaton["route"], run["route"]);

@@ -63,7 +63,7 @@ std::string hard_formula() {
 
 TEST(CtrlC, EndsATranslationWithinHalfASecond) {
   for (const int signal : {SIGINT, SIGTERM}) {
-    const Ended ended = interrupt({"translate", "--max-states", "4000000000", hard_formula()}, signal);
+    const Ended ended = interrupt({"translate", "--to", "dfa", "--max-states", "4000000000", hard_formula()}, signal);
     EXPECT_EQ(ended.exit_code, 11) << ended.messages;
     EXPECT_LT(ended.seconds, 0.5);
     EXPECT_NE(ended.messages.find("error: interrupted"), std::string::npos) << ended.messages;

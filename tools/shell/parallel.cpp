@@ -63,7 +63,7 @@ class Turn : public Patience {
 
 class Batch {
  public:
-  Batch(TextReader& texts, const std::stop_token& stop, const ParallelOptions& options, const Answer& answer,
+  Batch(TextReader& texts, const std::stop_token& stop, const ParallelOptions& options, const Replier& answer,
         const BadTextReply& bad)
       : texts_(texts), stop_(stop), options_(options), answer_(answer), bad_(bad), turns_(options.threads) {}
 
@@ -164,7 +164,7 @@ class Batch {
   TextReader& texts_;
   const std::stop_token& stop_;
   ParallelOptions options_;
-  const Answer& answer_;
+  const Replier& answer_;
   const BadTextReply& bad_;
   std::deque<Turn> turns_;  // one for each thread
   std::mutex input_, output_;
@@ -179,7 +179,7 @@ class Batch {
 }  // namespace
 
 ExitCode answer_in_parallel(TextReader& texts, const std::stop_token& stop, const ParallelOptions& options,
-                            const Answer& answer, const BadTextReply& bad) {
+                            const Replier& answer, const BadTextReply& bad) {
   ParallelOptions settled = options;
   if (settled.threads == 0) settled.threads = std::max(1U, std::thread::hardware_concurrency());
   if (!texts.is_batch()) settled.threads = 1;

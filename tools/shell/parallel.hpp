@@ -24,7 +24,7 @@ class Patience {  // what one text may take
   virtual bool passed() const = 0;  // the time ran out, no other stop was requested
 };
 
-using Answer = std::function<Reply(const Text&, const Patience&)>;
+using Replier = std::function<Reply(const Text&, const Patience&)>;
 // What stands in the place of the answer to a bad text, on standard output.
 using BadTextReply = std::function<std::string(const Text&, const std::string& message)>;
 
@@ -37,6 +37,6 @@ struct ParallelOptions {
 // text of a batch only. Any other exception ends everything, and is thrown here. Throws Interrupted when a stop was
 // requested, ltl::FormatError when there was no text at all. At most `threads` · 256 replies wait for their turn.
 ExitCode answer_in_parallel(TextReader& texts, const std::stop_token& stop, const ParallelOptions& options,
-                            const Answer& answer, const BadTextReply& bad);
+                            const Replier& answer, const BadTextReply& bad);
 
 }  // namespace waymark::tools

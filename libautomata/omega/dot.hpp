@@ -1,0 +1,20 @@
+// Graphviz DOT for ω-automata: one arrow for each pair of states, a line of its label for each set of marks, guards as
+// short Unicode formulas, every mark a dot in its own colour.
+#pragma once
+#include <cstddef>
+#include <optional>
+#include <string>
+
+#include "libautomata/omega/automaton.hpp"
+
+namespace waymark::automata {
+
+struct OmegaDotOptions {
+  std::string name = {};  // caption under the drawing, none when empty; the acceptance stands behind it
+};
+
+// nullopt when there are more edges, or a guard has more cubes, than that.
+std::optional<std::string> write_dot_within(const Automaton& automaton, std::size_t most_edges,
+                                            const OmegaDotOptions& options = {});
+
+}  // namespace waymark::automata

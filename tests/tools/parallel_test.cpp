@@ -1,0 +1,88 @@
+// Batches on several threads: order, bad texts, time limits, exceptions.
+#include "tools/shell/parallel.hpp"
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <stdexcept>
+#include <thread>
+
+#include "libltl/diagnostic.hpp"
+
+namespace waymark::tools {
+namespace {
+
+struct Run {
+  ExitCode code;
+  std::string output, problems;
+};
+
+Run run(std::vector<std::string> texts, const ParallelOptions& options, const Replier& answer) {
+  TextReader reader({.arguments = std::move(texts)}, "text");
+  testing::internal::CaptureStdout();
+  testing::internal::CaptureStderr();
+  const ExitCode code =
+      answer_in_parallel(reader, {}, options, answer,
+                         [](const Text& text, const std::string&) { return "bad " + text.text + "\n"; });
+  std::string output = testing::internal::GetCapturedStdout();
+  return {code, std::move(output), testing::internal::GetCapturedStderr()};
+}
+
+std::vector<std::string> numbers(int count) {
+  std::vector<std::string> out;
+  for (int i = 0; i < count; ++i) out.push_back(std::to_string(i));
+  return out;
+}
+
+TEST(Parallel, RepliesComeInTheOrderOfTheTexts) {
+  std::string expected;
+  for (const std::string& number : numbers(2'000)) expected += number + '\n';
+  for (const std::size_t threads : {1U, 2U, 7U}) {
+    const Run result = run(numbers(2'000), {.threads = threads}, [](const Text& text, const Patience&) {
+      if (std::stoi(text.text) % 100 == 0) std::this_thread::sleep_for(std::chrono::milliseconds(2));
+      return Reply{ExitCode::Done, text.text + '\n'};
+    });
+    EXPECT_EQ(result.output, expected) << threads;
+    EXPECT_EQ(result.code, ExitCode::Done);
+  }
+}
+
+TEST(Parallel, ABadTextEndsNothingButItself) {
+  const Run result = run(numbers(4), {.threads = 2}, [](const Text& text, const Patience&) -> Reply {
+    if (text.text == "1") throw ltl::FormatError("somewhere", 1, 2, "is wrong");
+    if (text.text == "2") return {ExitCode::No, "no\n", "a problem"};
+    return {ExitCode::Done, "yes\n"};
+  });
+  EXPECT_EQ(result.output, "yes\nbad 1\nno\nyes\n");
+  EXPECT_EQ(result.code, ExitCode::BadInput);
+  EXPECT_NE(result.problems.find("is wrong"), std::string::npos);
+  EXPECT_NE(result.problems.find("a problem"), std::string::npos);
+}
+
+TEST(Parallel, EveryTextHasItsOwnTime) {
+  const Run result =
+      run(numbers(6), {.threads = 2, .seconds = 0.05}, [](const Text& text, const Patience& patience) {
+        if (std::stoi(text.text) % 2 == 0) return Reply{ExitCode::Done, "soon\n"};
+        while (!patience.token().stop_requested()) std::this_thread::yield();
+        return Reply{ExitCode::GaveUp, patience.passed() ? "late\n" : "stopped\n"};
+      });
+  EXPECT_EQ(result.output, "soon\nlate\nsoon\nlate\nsoon\nlate\n");
+  EXPECT_EQ(result.code, ExitCode::GaveUp);
+}
+
+TEST(Parallel, WhatIsNoBadTextEndsEverything) {
+  TextReader reader({.arguments = numbers(50)}, "text");
+  const auto bug = [](const Text& text, const Patience&) -> Reply {
+    if (text.text == "20") throw std::logic_error("a bug");
+    return {};
+  };
+  EXPECT_THROW(answer_in_parallel(reader, {}, {.threads = 3}, bug, {}), std::logic_error);
+  std::stop_source stop;
+  stop.request_stop();
+  TextReader more({.arguments = numbers(3)}, "text");
+  const auto fine = [](const Text&, const Patience&) { return Reply{}; };
+  EXPECT_THROW(answer_in_parallel(more, stop.get_token(), {}, fine, {}), Interrupted);
+}
+
+}  // namespace
+}  // namespace waymark::tools

@@ -1,0 +1,281 @@
+// waymark automaton: HOA files → operations on their automata, questions about them, other formats.
+//
+// Automata that say finite-words are DFAs, all others are read as automata on infinite words. A stream is answered
+// automaton by automaton. What a file claims and its body contradicts is said on standard error.
+#include <CLI/App.hpp>
+#include <iostream>
+#include <memory>
+#include <variant>
+
+#include "libautomata/hoa.hpp"
+#include "libautomata/hoa_claims.hpp"
+#include "libautomata/minimize.hpp"
+#include "libautomata/omega/hoa.hpp"
+#include "libautomata/omega/lasso.hpp"
+#include "libautomata/omega/operations.hpp"
+#include "libautomata/omega/reduce.hpp"
+#include "libautomata/product.hpp"
+#include "libautomata/run.hpp"
+#include "libltl/diagnostic.hpp"
+#include "tools/automaton_output.hpp"
+#include "tools/shell/deadline.hpp"
+#include "tools/shell/input.hpp"
+#include "tools/subcommand.hpp"
+
+namespace waymark::tools {
+namespace {
+
+using Any = std::variant<automata::Dfa, automata::Automaton>;
+
+struct Options {
+  std::string file = "-", product, either, difference, equivalent, included;
+  bool complement = false, empty = false, universal = false, minimize = false, reduce = false, strict = false;
+  OutputOptions output;
+  std::size_t states = 1'000'000;
+  double seconds = 0;
+};
+
+struct Named {
+  Any automaton;
+  std::string name;
+};
+
+bool is_finite(const automata::HoaAutomaton& file) {
+  for (const automata::HoaToken& property : file.properties)
+    if (property.text == "finite-words") return true;
+  return false;
+}
+
+Any understood(automata::HoaAutomaton file, const std::string& source, automata::Effort& effort) {
+  if (is_finite(file)) return automata::to_dfa(std::move(file), source);
+  return automata::to_automaton(std::move(file), source, effort);
+}
+
+// Refused claims are an error with --strict, else a warning.
+void check_claims(automata::HoaAutomaton& file, const std::string& source, bool strict) {
+  for (const automata::HoaContradiction& c : automata::contradictions(file)) {
+    const ltl::FormatError error(source, c.claim.line, c.claim.column,
+                                 "the claim '" + std::string(c.claim.text) + "' is not true: " + c.reason);
+    if (strict) throw error;
+    complain("warning", error.what());
+  }
+}
+
+Any read_one(const std::string& path, automata::Effort& effort) {
+  const std::string text = read_file(path), source = source_name(path);
+  return understood(automata::parse_hoa(text, source), source, effort);
+}
+
+automata::Deterministic deterministic(const automata::Automaton& automaton, const std::string& what) {
+  if (auto checked = automata::Deterministic::checked(automaton)) return *std::move(checked);
+  throw GaveUp(what + " is nondeterministic; only deterministic automata are complemented");
+}
+
+[[noreturn]] void mixed() {
+  throw UsageError("one automaton is about finite words, the other about infinite ones");
+}
+
+// All words that are left: those of the second automaton taken away from the first.
+std::optional<ltl::Lasso> word_left(const automata::Automaton& a, const automata::Automaton& b,
+                                    const std::string& what, automata::Effort& effort,
+                                    ltl::Vocabulary& vocabulary) {
+  const automata::Automaton rest =
+      automata::intersection(a, automata::complement(deterministic(b, what)).automaton(), effort);
+  vocabulary = rest.vocabulary();
+  return automata::find_lasso(rest);
+}
+
+template <class Word>
+Reply answer(const char* yes, const char* no, const std::optional<Word>& word,
+             const ltl::Vocabulary& vocabulary) {
+  if (!word) return {ExitCode::Done, std::string(yes) + '\n'};
+  return {ExitCode::No, std::string(no) + ltl::show(*word, vocabulary) + '\n'};
+}
+
+constexpr auto conjunction_of = [](bool p, bool q) { return p && q; };
+constexpr auto disjunction_of = [](bool p, bool q) { return p || q; };
+constexpr auto difference_of = [](bool p, bool q) { return p && !q; };
+// The words that a DFA rejects: against an automaton that accepts all.
+automata::Dfa all_words() {
+  return automata::read_hoa("HOA: v1 Start: 0 AP: 0 Acceptance: 0 t --BODY-- State: 0 [t] 0 --END--");
+}
+
+Reply compare(const automata::Dfa& a, const automata::Dfa& b, const Options& options) {
+  if (!options.equivalent.empty()) {
+    const auto found = automata::difference(a, b);
+    if (!found) return {ExitCode::Done, "equivalent\n"};
+    const char* which = found->first_accepts ? "only the first accepts " : "only the second accepts ";
+    return {ExitCode::No, which + ltl::show(found->word, found->vocabulary) + '\n'};
+  }
+  const automata::Dfa rest = automata::product(a, b, difference_of);
+  return answer("included", "only the first accepts ", automata::shortest_word(rest), rest.vocabulary());
+}
+
+Reply compare(const automata::Automaton& a, const automata::Automaton& b, const Options& options,
+              automata::Effort& effort) {
+  ltl::Vocabulary vocabulary;
+  const auto more = word_left(a, b, "the second automaton", effort, vocabulary);
+  if (more || options.equivalent.empty())
+    return answer(options.equivalent.empty() ? "included" : "equivalent", "only the first accepts ", more,
+                  vocabulary);
+  const auto less = word_left(b, a, "the first automaton", effort, vocabulary);
+  return answer("equivalent", "only the second accepts ", less, vocabulary);
+}
+
+automata::Automaton reduced(const automata::Automaton& automaton, automata::Effort& effort, Shown& about) {
+  if (!automaton.acceptance().is_generalized_buchi()) {
+    about.status = "unreduced";
+    return automaton;
+  }
+  automata::Reduced result = automata::reduce(automaton.transitions(), automata::MarksOn::Edges, effort);
+  if (!result.complete) about.status = "unreduced";
+  return automata::as_automaton(result.automaton, automaton.vocabulary(), automaton.reads());
+}
+
+Any transformed(automata::Dfa dfa, const Options& options, automata::Effort& effort) {
+  const auto with = [&](const std::string& path, automata::Verdict verdict) {
+    const Any other = read_one(path, effort);
+    if (!std::holds_alternative<automata::Dfa>(other)) mixed();
+    dfa = automata::product(dfa, std::get<automata::Dfa>(other), verdict);
+  };
+  if (options.complement) dfa = automata::product(all_words(), dfa, difference_of);
+  if (!options.product.empty()) with(options.product, conjunction_of);
+  if (!options.either.empty()) with(options.either, disjunction_of);
+  if (!options.difference.empty()) with(options.difference, difference_of);
+  if (options.minimize || options.reduce) dfa = automata::minimize(dfa);
+  return dfa;
+}
+
+automata::Automaton other_omega(const std::string& path, automata::Effort& effort) {
+  Any other = read_one(path, effort);
+  if (!std::holds_alternative<automata::Automaton>(other)) mixed();
+  return std::get<automata::Automaton>(std::move(other));
+}
+
+automata::Automaton united(const automata::Automaton& a, const automata::Automaton& b,
+                           automata::Effort& effort) {
+  const auto first = automata::Deterministic::checked(a), second = automata::Deterministic::checked(b);
+  if (first && second) return automata::either(*first, *second, effort).automaton();
+  return automata::sum(a, b);
+}
+
+Any transformed(automata::Automaton a, const Options& options, automata::Effort& effort, Shown& about) {
+  if (options.complement) a = automata::complement(deterministic(a, "the automaton")).automaton();
+  if (!options.product.empty()) a = automata::intersection(a, other_omega(options.product, effort), effort);
+  if (!options.either.empty()) a = united(a, other_omega(options.either, effort), effort);
+  if (!options.difference.empty())
+    a = automata::intersection(
+        a,
+        automata::complement(deterministic(other_omega(options.difference, effort), "the second automaton"))
+            .automaton(),
+        effort);
+  if (options.minimize || options.reduce) a = reduced(a, effort, about);
+  return a;
+}
+
+Reply asked_of(const Any& any, const Options& options, automata::Effort& effort) {
+  if (const auto* dfa = std::get_if<automata::Dfa>(&any)) {
+    if (options.empty) return answer("empty", "accepts ", automata::shortest_word(*dfa), dfa->vocabulary());
+    if (options.universal) {
+      const automata::Dfa rest = automata::product(all_words(), *dfa, difference_of);
+      return answer("universal", "rejects ", automata::shortest_word(rest), rest.vocabulary());
+    }
+    const Any other = read_one(options.equivalent.empty() ? options.included : options.equivalent, effort);
+    if (!std::holds_alternative<automata::Dfa>(other)) mixed();
+    return compare(*dfa, std::get<automata::Dfa>(other), options);
+  }
+  const auto& a = std::get<automata::Automaton>(any);
+  if (options.empty) return answer("empty", "accepts ", automata::find_lasso(a), a.vocabulary());
+  if (options.universal) {
+    const automata::Automaton rest = automata::complement(deterministic(a, "the automaton")).automaton();
+    return answer("universal", "rejects ", automata::find_lasso(rest), rest.vocabulary());
+  }
+  return compare(a, other_omega(options.equivalent.empty() ? options.included : options.equivalent, effort),
+                 options, effort);
+}
+
+Reply reply_to(automata::HoaAutomaton file, const std::string& source, std::size_t number,
+               const Options& options, automata::Effort& effort) {
+  check_claims(file, source, options.strict);
+  Shown about{.line = number, .name = file.name, .unicode_name = file.name};
+  Any any = understood(std::move(file), source, effort);
+  about.semantics = std::holds_alternative<automata::Dfa>(any) ? "finite" : "infinite";
+  any = std::holds_alternative<automata::Dfa>(any)
+            ? transformed(std::get<automata::Dfa>(std::move(any)), options, effort)
+            : transformed(std::get<automata::Automaton>(std::move(any)), options, effort, about);
+  const bool changed = options.complement || !options.product.empty() || !options.either.empty() ||
+                       !options.difference.empty();
+  if (changed) about.name = about.unicode_name = "";
+  if (options.empty || options.universal || !options.equivalent.empty() || !options.included.empty())
+    return asked_of(any, options, effort);
+  return std::visit([&](const auto& automaton) { return show(automaton, about, options.output); }, any);
+}
+
+// A limit ends one automaton of the stream; a wrong one ends all.
+Reply limited_reply(automata::HoaAutomaton file, const std::string& source, std::size_t number,
+                    const Options& options, const Session& session) {
+  const Deadline deadline(options.seconds, session.stop);
+  automata::Effort effort(SIZE_MAX, options.states, deadline.token());
+  try {
+    return reply_to(std::move(file), source, number, options, effort);
+  } catch (const automata::Effort::Spent& spent) {
+    if (session.stop.stop_requested()) throw Interrupted();
+    const std::string reason = spent.reason == automata::Effort::Spent::Reason::Stopped
+                                   ? "gave up: the time is over"
+                                   : "gave up: too many states or acceptance sets";
+    return {ExitCode::GaveUp, show_none(number, 0, "limit", reason, options.output), reason};
+  }
+}
+
+ExitCode run_automaton(const Options& options, const Session& session) {
+  const std::string text = read_file(options.file), source = source_name(options.file);
+  automata::HoaReader reader(text, source);
+  ExitCode worst = ExitCode::Done;
+  std::size_t number = 0;
+  while (std::optional<automata::HoaAutomaton> file = reader.next()) {
+    ++number;
+    if (file->aborted) {
+      complain("warning", "automaton " + std::to_string(number) + " was aborted by its writer");
+      continue;
+    }
+    const Reply reply = limited_reply(*std::move(file), source, number, options, session);
+    if (!reply.problem.empty()) complain("error", reply.problem);
+    std::cout << reply.text << std::flush;
+    worst = worse(worst, reply.code);
+  }
+  if (number == 0) throw ltl::FormatError(source, 1, 1, "expected 'HOA: v1' at the beginning");
+  return worst;
+}
+
+}  // namespace
+
+Runner setup_automaton(CLI::App& command) {
+  const auto options = std::make_shared<Options>();
+  command.add_option("file", options->file, "HOA, a stream of automata (-: standard input)")
+      ->type_name("FILE");
+  const auto file_option = [&](const char* name, std::string& path, const char* help) {
+    command.add_option(name, path, help)->type_name("FILE");
+  };
+  command.add_flag("--complement", options->complement,
+                   "the words that are rejected; deterministic automata");
+  file_option("--product", options->product, "the words that both accept");
+  file_option("--union", options->either, "the words that one of them accepts");
+  file_option("--difference", options->difference, "without the words of that one, which is deterministic");
+  command.add_flag("--minimize", options->minimize, "DFAs: the minimal one; others: reduced");
+  command.add_flag("--reduce", options->reduce, "smaller, without a promise");
+  command.add_flag("--empty", options->empty, "is no word accepted? 10 and a word if one is");
+  command.add_flag("--universal", options->universal, "is every word accepted? 10 and a word if one is not");
+  file_option("--equivalent", options->equivalent, "do both accept the same words? 10 and a word if not");
+  file_option("--included", options->included,
+              "does that one accept all words of this one? 10 and a word if not");
+  command.add_flag("--strict", options->strict, "a claim of the file that its body contradicts is an error");
+  add_output_options(command, options->output);
+  command.add_option("--to", options->output.format, "the same as --format");
+  command.add_option("--limit-states", options->states, "give up beyond so many states")->type_name("N");
+  command.add_option("--limit-seconds", options->seconds, "give up on an automaton after so many seconds")
+      ->type_name("SECONDS")
+      ->check(CLI::NonNegativeNumber);
+  return [options](const Session& session) { return run_automaton(*options, session); };
+}
+
+}  // namespace waymark::tools

@@ -1,0 +1,25 @@
+// Certificates of translations: the automaton of φ against that of ¬φ, and against the definition.
+//
+// On finite words both are DFAs: that they accept no word together, and every word one of them, is decided. On infinite
+// words that no word is accepted by both is decided; that every word is accepted by one of them is decided where both
+// automata are deterministic, and else tried on words, the definition of ⊨ being the referee.
+#pragma once
+#include <cstddef>
+#include <stop_token>
+#include <string>
+
+#include "tools/translations.hpp"
+
+namespace waymark::tools {
+
+struct Certificate {
+  bool proved = false;    // else: disjointness only, and some words
+  std::size_t words = 0;  // that were tried
+};
+
+// Throws std::logic_error, with the formula and a word, when the automaton is wrong, and automata::Effort::Spent when
+// the stop comes first. Of a result that is an automaton.
+Certificate certify(ltl::Formula formula, const Translated& result, const Translation& translation,
+                    const automata::TranslationLimits& limits);
+
+}  // namespace waymark::tools
