@@ -209,24 +209,6 @@ std::optional<HoaCondition> parity(bool max, bool odd, std::uint64_t colours) {
   return out;
 }
 
-}  // namespace
-
-bool holds(const HoaCondition& condition, std::uint64_t infinitely_often) {
-  const auto operand_holds = [&](const HoaCondition& c) { return holds(c, infinitely_often); };
-  const auto& operands = condition.operands;
-  switch (condition.op) {
-    case Op::True: return true;
-    case Op::False: return false;
-    case Op::Inf: return ((infinitely_often >> condition.set) & 1U) != 0;
-    case Op::Fin: return ((infinitely_often >> condition.set) & 1U) == 0;
-    case Op::And: return std::all_of(operands.begin(), operands.end(), operand_holds);
-    case Op::Or: return std::any_of(operands.begin(), operands.end(), operand_holds);
-  }
-  return false;  // unreachable: -Werror=switch
-}
-
-namespace {
-
 // n sets, or n pairs of sets, joined.
 HoaCondition row(Op outer, std::uint64_t n, const std::function<HoaCondition(std::uint64_t)>& each) {
   std::vector<HoaCondition> all;
@@ -256,6 +238,20 @@ std::optional<NamedCondition> parity_named(const std::vector<HoaToken>& name) {
 }
 
 }  // namespace
+
+bool holds(const HoaCondition& condition, std::uint64_t infinitely_often) {
+  const auto operand_holds = [&](const HoaCondition& c) { return holds(c, infinitely_often); };
+  const auto& operands = condition.operands;
+  switch (condition.op) {
+    case Op::True: return true;
+    case Op::False: return false;
+    case Op::Inf: return ((infinitely_often >> condition.set) & 1U) != 0;
+    case Op::Fin: return ((infinitely_often >> condition.set) & 1U) == 0;
+    case Op::And: return std::all_of(operands.begin(), operands.end(), operand_holds);
+    case Op::Or: return std::any_of(operands.begin(), operands.end(), operand_holds);
+  }
+  return false;  // unreachable: -Werror=switch
+}
 
 std::optional<NamedCondition> named_condition(const std::vector<HoaToken>& name) {
   const std::string_view kind = name.front().text;

@@ -12,11 +12,13 @@
 #include "libautomata/minimize.hpp"
 #include "libautomata/omega/hoa.hpp"
 #include "libautomata/omega/lasso.hpp"
+#include "libautomata/omega/ltl_to_buchi.hpp"
 #include "libautomata/omega/operations.hpp"
 #include "libautomata/omega/reduce.hpp"
 #include "libautomata/product.hpp"
 #include "libautomata/run.hpp"
 #include "libltl/diagnostic.hpp"
+#include "libltl/parse.hpp"
 #include "tools/automaton_output.hpp"
 #include "tools/shell/deadline.hpp"
 #include "tools/shell/input.hpp"
@@ -28,7 +30,7 @@ namespace {
 using Any = std::variant<automata::Dfa, automata::Automaton>;
 
 struct Options {
-  std::string file = "-", product, either, difference, equivalent, included;
+  std::string file = "-", product, either, difference, equivalent, included, satisfies;
   bool complement = false, empty = false, universal = false, minimize = false, reduce = false, strict = false;
   OutputOptions output;
   std::size_t states = 1'000'000;
@@ -173,6 +175,29 @@ Any transformed(automata::Automaton a, const Options& options, automata::Effort&
   return a;
 }
 
+// Do all words that are accepted satisfy the formula? Against the automaton of its negation, which always exists.
+Reply satisfies(const Any& any, const Options& options, automata::Effort& effort, std::stop_token stop) {
+  ltl::Arena arena;
+  const ltl::Formula no = ltl::negate(ltl::parse(options.satisfies, arena));
+  const automata::TranslationLimits limits{.states = options.states, .stop = std::move(stop)};
+  const auto answer_to = [&](const auto& rest, const auto& word) {
+    return answer("satisfied", "not satisfied by ", word, rest.vocabulary());
+  };
+  const auto automaton_of = [](auto result) {
+    if (std::holds_alternative<automata::Exhausted>(result))
+      throw automata::Effort::Spent{automata::Effort::Spent::Reason::States};
+    return std::get<0>(std::move(result));
+  };
+  if (const auto* dfa = std::get_if<automata::Dfa>(&any)) {
+    const automata::Dfa rest =
+        automata::product(*dfa, automaton_of(automata::ltlf_to_dfa(no, limits)), conjunction_of);
+    return answer_to(rest, automata::shortest_word(rest));
+  }
+  const automata::Automaton rest = automata::intersection(
+      std::get<automata::Automaton>(any), automaton_of(automata::ltl_to_tgba(no, limits)).automaton, effort);
+  return answer_to(rest, automata::find_lasso(rest));
+}
+
 Reply asked_of(const Any& any, const Options& options, automata::Effort& effort) {
   if (const auto* dfa = std::get_if<automata::Dfa>(&any)) {
     if (options.empty) return answer("empty", "accepts ", automata::shortest_word(*dfa), dfa->vocabulary());
@@ -195,7 +220,7 @@ Reply asked_of(const Any& any, const Options& options, automata::Effort& effort)
 }
 
 Reply reply_to(automata::HoaAutomaton file, const std::string& source, std::size_t number,
-               const Options& options, automata::Effort& effort) {
+               const Options& options, automata::Effort& effort, const std::stop_token& stop) {
   check_claims(file, source, options.strict);
   Shown about{.line = number, .name = file.name, .unicode_name = file.name};
   Any any = understood(std::move(file), source, effort);
@@ -206,6 +231,7 @@ Reply reply_to(automata::HoaAutomaton file, const std::string& source, std::size
   const bool changed = options.complement || !options.product.empty() || !options.either.empty() ||
                        !options.difference.empty();
   if (changed) about.name = about.unicode_name = "";
+  if (!options.satisfies.empty()) return satisfies(any, options, effort, stop);
   if (options.empty || options.universal || !options.equivalent.empty() || !options.included.empty())
     return asked_of(any, options, effort);
   return std::visit([&](const auto& automaton) { return show(automaton, about, options.output); }, any);
@@ -217,7 +243,7 @@ Reply limited_reply(automata::HoaAutomaton file, const std::string& source, std:
   const Deadline deadline(options.seconds, session.stop);
   automata::Effort effort(SIZE_MAX, options.states, deadline.token());
   try {
-    return reply_to(std::move(file), source, number, options, effort);
+    return reply_to(std::move(file), source, number, options, effort, deadline.token());
   } catch (const automata::Effort::Spent& spent) {
     if (session.stop.stop_requested()) throw Interrupted();
     const std::string reason = spent.reason == automata::Effort::Spent::Reason::Stopped
@@ -268,6 +294,10 @@ Runner setup_automaton(CLI::App& command) {
   file_option("--equivalent", options->equivalent, "do both accept the same words? 10 and a word if not");
   file_option("--included", options->included,
               "does that one accept all words of this one? 10 and a word if not");
+  command
+      .add_option("--satisfies", options->satisfies,
+                  "do all words accepted satisfy this formula? 10 and a word if not")
+      ->type_name("FORMULA");
   command.add_flag("--strict", options->strict, "a claim of the file that its body contradicts is an error");
   add_output_options(command, options->output);
   command.add_option("--to", options->output.format, "the same as --format");

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <tuple>
-#include <unordered_set>
 
 namespace waymark::automata {
 namespace {
@@ -18,24 +17,6 @@ std::uint64_t hash_of(std::span<const Branch> branches) {
     hash ^= hash >> 29U;
   }
   return hash;
-}
-
-// The terminals below a root in order of first appearance.
-template <class Visit>
-void for_each_choice(const Mtbdd& diagram, Node root, const Visit& visit) {
-  std::unordered_set<std::uint32_t> seen;  // ids of nodes and terminals
-  std::vector<Node> stack{root};
-  while (!stack.empty()) {
-    const Node n = stack.back();
-    stack.pop_back();
-    if (!seen.insert(n.id).second) continue;
-    if (Mtbdd::is_terminal(n)) {
-      visit(Mtbdd::payload(n));
-    } else {
-      stack.push_back(diagram.high(n));
-      stack.push_back(diagram.low(n));
-    }
-  }
 }
 
 // Copies one root into another manager, the low side first; `leaf` maps ids of choices.
@@ -83,39 +64,71 @@ std::uint32_t Choices::intern(std::vector<Branch> branches) {
   return id;
 }
 
-std::vector<std::uint32_t> choices_of(const Branching& automaton, std::uint32_t q) {
-  std::vector<std::uint32_t> out;
-  for_each_choice(automaton.diagram, automaton.roots[q], [&](std::uint32_t c) { out.push_back(c); });
-  return out;
+ChoiceLists::ChoiceLists(const Branching& automaton)
+    : automaton_(automaton),
+      node_seen_(automaton.diagram.size(), 0),
+      choice_seen_(automaton.choices.size(), 0) {}
+
+std::span<const std::uint32_t> ChoiceLists::of(std::uint32_t q) {
+  ++round_;
+  found_.clear();
+  stack_.assign(1, automaton_.roots[q]);
+  while (!stack_.empty()) {
+    const Node n = stack_.back();
+    stack_.pop_back();
+    std::uint32_t& seen = Mtbdd::is_terminal(n) ? choice_seen_[Mtbdd::payload(n)] : node_seen_[n.id];
+    if (seen == round_) continue;
+    seen = round_;
+    if (Mtbdd::is_terminal(n)) {
+      found_.push_back(Mtbdd::payload(n));
+    } else {
+      stack_.push_back(automaton_.diagram.high(n));
+      stack_.push_back(automaton_.diagram.low(n));
+    }
+  }
+  return found_;
 }
 
-std::vector<Branch> branches_of(const Branching& automaton, std::uint32_t q) {
+std::vector<Branch> ChoiceLists::branches(std::uint32_t q) {
   std::vector<Branch> out;
-  for_each_choice(automaton.diagram, automaton.roots[q], [&](std::uint32_t c) {
-    const auto choice = automaton.choices[c];
+  for (std::uint32_t c : of(q)) {
+    const auto choice = automaton_.choices[c];
     out.insert(out.end(), choice.begin(), choice.end());
-  });
+  }
   std::sort(out.begin(), out.end());
   out.erase(std::unique(out.begin(), out.end()), out.end());
   return out;
 }
 
+std::vector<std::uint32_t> choices_of(const Branching& automaton, std::uint32_t q) {
+  ChoiceLists lists(automaton);
+  const auto found = lists.of(q);
+  return {found.begin(), found.end()};
+}
+
+std::vector<Branch> branches_of(const Branching& automaton, std::uint32_t q) {
+  return ChoiceLists(automaton).branches(q);
+}
+
 std::size_t count_edges(const Branching& automaton) {
+  ChoiceLists lists(automaton);
   std::size_t sum = 0;
-  for (std::uint32_t q = 0; q < automaton.states(); ++q) sum += branches_of(automaton, q).size();
+  for (std::uint32_t q = 0; q < automaton.states(); ++q) sum += lists.branches(q).size();
   return sum;
 }
 
 bool is_deterministic(const Branching& automaton) {
+  ChoiceLists lists(automaton);
   for (std::uint32_t q = 0; q < automaton.states(); ++q)
-    for (std::uint32_t c : choices_of(automaton, q))
+    for (std::uint32_t c : lists.of(q))
       if (automaton.choices[c].size() > 1) return false;
   return true;
 }
 
 bool is_complete(const Branching& automaton) {
+  ChoiceLists lists(automaton);
   for (std::uint32_t q = 0; q < automaton.states(); ++q)
-    for (std::uint32_t c : choices_of(automaton, q))
+    for (std::uint32_t c : lists.of(q))
       if (c == Choices::none) return false;
   return true;
 }
@@ -135,8 +148,9 @@ Branching rebuild(const Branching& automaton, std::span<const std::uint32_t> kep
 Branching canonical(const Branching& automaton) {
   std::vector<std::uint32_t> order{automaton.initial}, number(automaton.states(), unseen);
   number[automaton.initial] = 0;
+  ChoiceLists lists(automaton);
   for (std::size_t i = 0; i < order.size(); ++i) {  // the order doubles as the queue
-    for_each_choice(automaton.diagram, automaton.roots[order[i]], [&](std::uint32_t c) {
+    for (std::uint32_t c : lists.of(order[i])) {
       const auto choice = automaton.choices[c];
       std::vector<Branch> fresh;
       for (const Branch& b : choice)
@@ -149,7 +163,7 @@ Branching canonical(const Branching& automaton) {
         number[b.target] = static_cast<std::uint32_t>(order.size());
         order.push_back(b.target);
       }
-    });
+    }
   }
   Branching out = rebuild(automaton, order, [&](std::uint32_t, std::span<const Branch> choice) {
     std::vector<Branch> branches(choice.begin(), choice.end());

@@ -47,9 +47,22 @@ struct Branching {
   std::size_t states() const { return roots.size(); }
 };
 
-// The distinct choices below a root, in order of first appearance (false before true), the empty one included.
+// The distinct choices below a root, in order of first appearance (false before true), the empty one included; and the
+// distinct branches of all of them, sorted by target, then marks. For many states of one automaton, which must stay.
+class ChoiceLists {
+ public:
+  explicit ChoiceLists(const Branching& automaton);
+  std::span<const std::uint32_t> of(std::uint32_t q);  // valid until the next call
+  std::vector<Branch> branches(std::uint32_t q);
+
+ private:
+  const Branching& automaton_;
+  std::uint32_t round_ = 0;
+  std::vector<std::uint32_t> node_seen_, choice_seen_;  // in which round
+  std::vector<Mtbdd::Node> stack_;
+  std::vector<std::uint32_t> found_;
+};
 std::vector<std::uint32_t> choices_of(const Branching& automaton, std::uint32_t q);
-// The distinct branches of all choices of q, sorted by target, then marks.
 std::vector<Branch> branches_of(const Branching& automaton, std::uint32_t q);
 // Distinct (source, marks, target): the edges after merging. O(states · diagram).
 std::size_t count_edges(const Branching& automaton);

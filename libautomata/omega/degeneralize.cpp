@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 #include <numeric>
+#include <unordered_map>
 
 #include "libautomata/omega/emptiness.hpp"
 
@@ -31,13 +32,19 @@ class Levels {
         }
   }
 
+  using ByState = std::unordered_map<std::uint32_t, std::uint32_t>;
+  const ByState& reached() const {
+    return reached_;
+  }  // the highest levels that a component's own branches lead to
+  void enter_at(const ByState& levels) { entries_ = levels; }
+
   Branching run() {
     Branching out;
     out.acceptance = Acceptance::buchi();
     out.initial = entry(from_.initial);
     std::vector<std::uint32_t> sources;
     for (std::size_t i = 0; i < copies_.size(); ++i) {  // the copies double as the queue
-      const auto [q, level] = copies_[i];
+      const std::uint32_t q = copies_[i].first, level = copies_[i].second;
       const Marks marks = level == sets_ && live_.accepting[component(q)] ? Marks::of(0) : Marks();
       const std::uint32_t only[] = {q};
       const Branching one = rebuild(from_, only, [&](std::uint32_t, std::span<const Branch> choice) {
@@ -65,6 +72,12 @@ class Levels {
   // The level of the copy that a branch leads to.
   std::uint32_t after(std::uint32_t q, std::uint32_t level, const Branch& b) {
     if (!inside(q, b.target)) return entry_level(b.target);
+    const std::uint32_t inner = inner_level(q, level, b);
+    std::uint32_t& highest = reached_.try_emplace(b.target, inner).first->second;
+    highest = std::max(highest, inner);
+    return inner;
+  }
+  std::uint32_t inner_level(std::uint32_t q, std::uint32_t level, const Branch& b) const {
     if (!live_.accepting[component(q)]) return 0;
     if (!counted_[component(q)]) return sets_;
     Marks marks = b.marks;
@@ -78,8 +91,7 @@ class Levels {
   std::uint32_t entry_level(std::uint32_t q) {
     if (!live_.accepting[component(q)]) return 0;
     if (!counted_[component(q)]) return sets_;
-    const auto known = copy_.lower_bound({q, 0});  // any copy will do
-    if (known != copy_.end() && known->first.first == q) return known->first.second;
+    if (const auto known = entries_.find(q); known != entries_.end()) return known->second;
     return rule_.look_ahead ? advance(0, common_[q]) : 0;
   }
   std::uint32_t entry(std::uint32_t q) { return copy(q, entry_level(q)); }
@@ -101,6 +113,7 @@ class Levels {
   std::vector<std::uint32_t> order_;
   std::vector<bool> counted_;  // by component: not every branch inside has all marks
   std::vector<Marks> common_;  // of the branches of a state that stay inside its component
+  ByState reached_, entries_;
   std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> copy_;
   std::vector<std::pair<std::uint32_t, std::uint32_t>> copies_;
 };
@@ -108,7 +121,11 @@ class Levels {
 }  // namespace
 
 Branching degeneralize(const Branching& automaton, const LevelRule& rule, Effort& effort) {
-  return Levels(automaton, rule, effort).run();
+  Levels first(automaton, rule, effort);
+  first.run();
+  Levels second(automaton, rule, effort);  // into copies that are there anyway
+  second.enter_at(first.reached());
+  return second.run();
 }
 
 }  // namespace waymark::automata

@@ -57,9 +57,10 @@ bool component_accepts(const BranchGraph& graph, const std::vector<std::uint32_t
 }  // namespace
 
 BranchGraph::BranchGraph(const Branching& automaton) {
+  ChoiceLists choices(automaton);
   for (std::uint32_t q = 0; q < automaton.states(); ++q) {
     add_state();
-    for (const Branch& b : branches_of(automaton, q)) add(q, b);
+    for (const Branch& b : choices.branches(q)) add(q, b);
   }
 }
 
@@ -81,9 +82,7 @@ LiveComponents live_components(const BranchGraph& graph, const Condition& condit
 }
 
 bool is_empty(const Branching& automaton) {
-  // Only what the initial state reaches counts; states may be unreachable.
-  const Branching reached = canonical(automaton);
-  return !live_components(BranchGraph(reached), reached.acceptance.condition).live[reached.initial];
+  return !live_components(BranchGraph(automaton), automaton.acceptance.condition).live[automaton.initial];
 }
 
 bool accepts(const Automaton& automaton, const ltl::Lasso& word) {

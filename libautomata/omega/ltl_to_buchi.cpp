@@ -7,6 +7,7 @@
 #include "libautomata/omega/containment.hpp"
 #include "libautomata/omega/degeneralize.hpp"
 #include "libautomata/omega/emptiness.hpp"
+#include "libautomata/omega/fewest_marks.hpp"
 #include "libautomata/omega/language_merge.hpp"
 #include "libautomata/omega/product.hpp"
 #include "libautomata/omega/recurrence.hpp"
@@ -49,6 +50,7 @@ Formula prepared(Formula f, const std::vector<ltl::Proposition>& reads, const st
 struct Candidate {
   Branching automaton;
   bool reduced = true;
+  bool weak = false;  // a minimal weak deterministic automaton: marks are on states already
 };
 
 class Construction {
@@ -76,25 +78,18 @@ class Construction {
       composed = composed ? both(*composed, *next, part == &late) : std::move(next);
       if (!composed) return best;
     }
+    routes_.push_back(*composed);
     return smallest(std::move(best), std::move(composed));
   }
 
+  // From every automaton that a route gave: the smallest generalised one need not be the best to start from.
   std::optional<Candidate> buchi() {
     std::optional<Candidate> general = tgba();
-    if (!general) return std::nullopt;
-    std::optional<Candidate> best;
-    for (const LevelRule rule :
-         {LevelRule{false, true, false}, LevelRule{false, false, false}, LevelRule{true, true, false},
-          LevelRule{true, false, false}, LevelRule{false, true, true}, LevelRule{true, true, true}}) {
-      if (rule.descending && general->automaton.acceptance.sets < 2) continue;
-      Effort effort(reduction_steps, limits_.states, limits_.stop);
-      const std::optional<Branching> counted =
-          within([&] { return degeneralize(general->automaton, rule, effort); });
-      if (!counted) continue;
-      Candidate made = reduced(*counted, MarksOn::States);
-      made.reduced = made.reduced && general->reduced;
-      if (!best || smaller(made.automaton, best->automaton)) best = std::move(made);
-    }
+    if (!general || general->weak) return general;
+    std::optional<Candidate> best = with_marks_on_states(*general);
+    for (const Candidate& other : routes_)
+      if (other.automaton.states() <= 2 * general->automaton.states())
+        best = smallest(std::move(best), with_marks_on_states(other));
     return best;
   }
 
@@ -111,21 +106,45 @@ class Construction {
     return a;
   }
 
+  std::optional<Candidate> with_marks_on_states(const Candidate& general) {
+    Effort effort(reduction_steps, SIZE_MAX, limits_.stop);
+    const auto few = within([&] { return fewest_marks(general.automaton, effort); });
+    std::optional<Candidate> best;
+    for (const Branching* from : {&general.automaton, few ? &*few : nullptr})
+      for (const LevelRule rule : {LevelRule{false, true, false}, LevelRule{false, false, false},
+                                   LevelRule{true, true, false}, LevelRule{true, false, false}})
+        if (from != nullptr && (!rule.descending || from->acceptance.sets > 1))
+          best = smallest(std::move(best), counted(*from, rule, general.reduced));
+    return best;
+  }
+  std::optional<Candidate> counted(const Branching& general, const LevelRule& rule, bool is_reduced) {
+    Effort effort(reduction_steps, limits_.states, limits_.stop);
+    const auto levels = within([&] { return degeneralize(general, rule, effort); });
+    if (!levels) return std::nullopt;
+    Candidate made = reduced(*levels, MarksOn::States);
+    made.reduced = made.reduced && is_reduced;
+    return made;
+  }
+
   // The minimal weak automaton or the reduced tableau, whichever is smaller.
   std::optional<Candidate> direct(Formula f) {
     if (ltl::fragments(f, ltl::Semantics::Infinite).obligation) return obligation(f);
     const auto raw = raw_tableau(f, tableau_steps, limits_.states);
     if (!raw) return std::nullopt;
-    Candidate best = reduced(merged(*raw), MarksOn::Edges);
-    std::optional<Candidate> other = deterministic(f, best.automaton);
-    return smallest(smallest(std::move(best), std::move(other)), recurring(f));
+    Candidate first = reduced(merged(*raw), MarksOn::Edges);
+    std::optional<Candidate> second = deterministic(f, first.automaton), third = recurring(f);
+    if (f == formula_) routes_ = {first};
+    if (f == formula_ && second) routes_.push_back(*second);
+    if (f == formula_ && third) routes_.push_back(*third);
+    return smallest(smallest(std::move(first), std::move(second)), std::move(third));
   }
   std::optional<Candidate> obligation(Formula f) {
     std::optional<Candidate> best;
-    if (auto weak = trimmed_weak(f, tableau_steps, limits_.states)) best = Candidate{*std::move(weak), true};
+    if (auto weak = trimmed_weak(f, tableau_steps, limits_.states))
+      best = Candidate{*std::move(weak), true, true};
     const std::size_t most = best ? std::min(guess_states, 4 * best->automaton.states()) : limits_.states;
     if (const auto raw = raw_tableau(f, best ? guess_steps : tableau_steps, most))
-      best = smallest(std::move(best), reduced(raw->automaton, MarksOn::Edges));
+      best = smallest(std::move(best), reduced(merged(*raw), MarksOn::Edges));
     return best;
   }
   // G e₁ ∧ G e₂ ∧ …, every e co-safe and eventual: deterministic, a set for each.
@@ -218,7 +237,7 @@ class Construction {
       marked = deterministic_buchi(structure, automaton, negation, effort);
       throw Effort::Spent{Effort::Spent::Reason::States};  // no weak automaton
     });
-    if (weak) return Candidate{*weak, true};
+    if (weak) return Candidate{*weak, true, true};
     if (marked) return reduced(*std::move(marked), MarksOn::Edges);
     return std::nullopt;
   }
@@ -226,7 +245,8 @@ class Construction {
   const TranslationLimits& limits_;
   std::vector<ltl::Proposition> reads_;
   Formula formula_;
-  std::size_t& states_;  // made by the tableau that made most
+  std::vector<Candidate> routes_;  // of the whole formula, where there is a choice
+  std::size_t& states_;            // made by the tableau that made most
 };
 
 // A set on all branches where every run accepts.

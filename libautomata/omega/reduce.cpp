@@ -7,9 +7,10 @@ namespace {
 
 std::vector<bool> colours(const Branching& automaton, MarksOn marks) {
   std::vector<bool> out(automaton.states(), false);
-  if (marks == MarksOn::States)
-    for (std::uint32_t q = 0; q < automaton.states(); ++q)
-      for (const Branch& b : branches_of(automaton, q)) out[q] = out[q] || !b.marks.empty();
+  if (marks == MarksOn::Edges) return out;
+  ChoiceLists lists(automaton);
+  for (std::uint32_t q = 0; q < automaton.states(); ++q)
+    for (const Branch& b : lists.branches(q)) out[q] = out[q] || !b.marks.empty();
   return out;
 }
 
@@ -17,8 +18,10 @@ std::vector<bool> colours(const Branching& automaton, MarksOn marks) {
 
 Reduced reduce(Branching automaton, MarksOn marks, Effort& effort) {
   const auto filter = [&](const Branching& a) { return scc_filter(a, marks, effort); };
+  Effort unlimited;  // trimmed in any case, in linear time
+  automaton = scc_filter(automaton, marks, unlimited);
   try {
-    automaton = bisimulation_quotient(filter(automaton), effort);
+    automaton = bisimulation_quotient(automaton, effort);
     while (true) {
       const auto size = std::pair(automaton.states(), count_edges(automaton));
       automaton = filter(simulation_quotient(automaton, effort));

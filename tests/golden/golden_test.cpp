@@ -40,7 +40,7 @@ std::string without_seconds(std::string text) {
       {std::regex(R"("seconds":\{[^}]*\})"), R"("seconds":{SECONDS})"},
       {std::regex(R"("seconds":[0-9.e+-]+)"), R"("seconds":SECONDS)"},
       {std::regex(R"((\n|^)time  .*)"), "$1time SECONDS"},
-      {std::regex(R"(\t(yes|-)\t[0-9]+\.[0-9]+\t)"), "\t$1\tSECONDS\t"},
+      {std::regex(R"(\t(yes|no|-)\t[0-9]+\.[0-9]+\t)"), "\t$1\tSECONDS\t"},
   }};
   for (const auto& [pattern, word] : rules) text = std::regex_replace(text, pattern, word);
   return text;

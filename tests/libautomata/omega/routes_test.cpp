@@ -1,0 +1,121 @@
+// The parts that the translation is put together from, each against the definition on all small lassos.
+#include <gtest/gtest.h>
+
+#include "libautomata/omega/automaton.hpp"
+#include "libautomata/omega/containment.hpp"
+#include "libautomata/omega/emptiness.hpp"
+#include "libautomata/omega/language_merge.hpp"
+#include "libautomata/omega/recurrence.hpp"
+#include "libautomata/omega/suspension.hpp"
+#include "libautomata/omega/tableau.hpp"
+#include "libautomata/omega/weak.hpp"
+#include "libltl/fragment.hpp"
+#include "libltl/nnf.hpp"
+#include "libltl/parse.hpp"
+#include "libltl/semantics.hpp"
+#include "libltl/separate.hpp"
+#include "tests/support/generate.hpp"
+
+namespace waymark::automata {
+namespace {
+
+using ltl::Formula;
+using testing::show;
+
+class Routes : public ::testing::Test {
+ protected:
+  // Both propositions, whatever the formula reads: automata of several formulas share their variables.
+  const std::vector<ltl::Proposition> reads_{{0}, {1}};
+  const std::vector<ltl::Lasso> words_ = testing::all_lassos({.length = 3, .atoms = 2});
+  ltl::Arena arena_{testing::letters_vocabulary(2)};
+  Effort effort_;
+
+  Branching tableau_of(Formula f) { return tableau(ltl::nnf(f), reads_, effort_).automaton; }
+  ::testing::AssertionResult accepts_the_words_of(Formula f, const Branching& transitions) {
+    const Automaton automaton = as_automaton(transitions, arena_.vocabulary(), reads_);
+    for (const ltl::Lasso& word : words_)
+      if (accepts(automaton, word) != ltl::holds(word, f))
+        return ::testing::AssertionFailure() << show(f, word) << " holds: " << ltl::holds(word, f);
+    return ::testing::AssertionSuccess();
+  }
+};
+
+TEST_F(Routes, TheWeakAutomatonOfAnObligationHasItsLanguage) {
+  std::size_t obligations = 0;
+  testing::for_each_formula(arena_, {.size = 4, .atoms = 2}, [&](Formula f) {
+    if (!ltl::fragments(f, ltl::Semantics::Infinite).obligation) return;
+    ++obligations;
+    const Transitions weak = weak_deterministic(f, reads_, effort_);
+    ASSERT_TRUE(accepts_the_words_of(f, as_buchi(weak, {})));
+    ASSERT_TRUE(accepts_the_words_of(negate(f), as_buchi(weak, {.complement = true})));
+  });
+  EXPECT_GT(obligations, 400U);
+}
+
+TEST_F(Routes, ADeterministicBuchiAutomatonIsFoundWhereTheStructureCarriesIt) {
+  for (const char* text : {"G F a", "G(a -> F b)", "G(a | F(b & X a))", "a U b", "G(a -> X F b)"}) {
+    const Formula f = ltl::parse(text, arena_);
+    const auto found =
+        deterministic_buchi(progression(f, reads_, effort_), tableau_of(f), tableau_of(negate(f)), effort_);
+    ASSERT_TRUE(found) << text;
+    EXPECT_TRUE(is_deterministic(*found)) << text;
+    EXPECT_TRUE(accepts_the_words_of(f, *found));
+  }
+  for (const char* text : {"F G a", "F G a | G F b", "G F a & G F b"}) {  // the last one would have to count
+    const Formula f = ltl::parse(text, arena_);
+    EXPECT_FALSE(
+        deterministic_buchi(progression(f, reads_, effort_), tableau_of(f), tableau_of(negate(f)), effort_))
+        << text;
+  }
+}
+
+TEST_F(Routes, WhatConcernsTheFarEndMayStartLate) {
+  for (const char* late : {"G F a", "F G b", "G F a & F G(a | b)", "G F(a & X b)"})
+    testing::for_each_formula(arena_, {.size = 3, .atoms = 2}, [&](Formula f) {
+      const Formula q = ltl::parse(late, arena_);
+      ASSERT_TRUE(ltl::purity(q).both()) << late;
+      ASSERT_TRUE(
+          accepts_the_words_of(conjunction(f, q), compose_late(tableau_of(f), tableau_of(q), effort_)));
+    });
+}
+
+TEST_F(Routes, MergingStatesOfOneLanguageKeepsTheLanguage) {
+  std::size_t smaller = 0;
+  testing::for_each_formula(arena_, {.size = 4, .atoms = 2}, [&](Formula f) {
+    const Tableau raw = tableau(ltl::nnf(f), reads_, effort_);
+    const Branching merged = canonical(merge_equivalent(raw, reads_, effort_));
+    smaller += merged.states() < raw.automaton.states() ? 1 : 0;
+    ASSERT_TRUE(accepts_the_words_of(f, merged));
+  });
+  EXPECT_GT(smaller, 30U);
+}
+
+TEST_F(Routes, RestartingReadsGoodPrefixesForEver) {
+  for (const char* text : {"F a", "F(a & X b)", "F(a & X(b & X a))", "F(a & F b)"}) {
+    const Formula e = ltl::parse(text, arena_);
+    const auto again = restarted(as_buchi(weak_deterministic(e, reads_, effort_), {}));
+    ASSERT_TRUE(again) << text;
+    EXPECT_TRUE(accepts_the_words_of(ltl::always(e), *again));
+  }
+  const Formula persistent = ltl::parse("F G a", arena_);  // not co-safe: some runs accept elsewhere
+  EXPECT_FALSE(restarted(tableau_of(persistent)));
+}
+
+// Small formulas that no lasso of three letters tells apart do imply each other.
+TEST_F(Routes, ContainmentIsImplicationOnEveryWord) {
+  Containment implies(reads_, effort_);
+  std::size_t found = 0;
+  const auto formulas = testing::all_formulas(arena_, {.size = 3, .atoms = 2});
+  for (Formula f : formulas)
+    for (Formula g : formulas) {
+      bool on_words = true;
+      for (const ltl::Lasso& word : words_)
+        on_words = on_words && (!ltl::holds(word, f) || ltl::holds(word, g));
+      ASSERT_EQ(implies(f, g), on_words) << show(f) << " and " << show(g);
+      found += on_words ? 1 : 0;
+    }
+  EXPECT_GT(found, formulas.size());
+}
+
+}  // namespace
+}  // namespace waymark::automata
