@@ -58,14 +58,14 @@ BraceStep settled(const std::map<std::uint32_t, Brace>& places, const std::vecto
       kept[i] = true;
       if (direct[i]) continue;
       stays = outer;
-      out.colour = std::min(out.colour, static_cast<std::uint32_t>(2 * outer));
+      out.colour = std::min(out.colour, static_cast<std::uint32_t>(2 * outer + 2));
       break;
     }
     out.tree.runs.emplace_back(q, stays);
   }
   std::vector<Brace> number(count, no_brace);
   for (std::size_t i = 0; i < count; ++i) {
-    if (!kept[i]) {
+    if (!kept[i]) {  // its number may be given again, so this counts more than its acceptance did
       if (i < before) out.colour = std::min(out.colour, static_cast<std::uint32_t>(2 * i + 1));
       continue;
     }

@@ -148,9 +148,10 @@ Branching complement_parity(const Branching& automaton) {
 
 Branching plain_parity(const Branching& automaton) {
   const std::uint32_t sets = automaton.acceptance.sets;
+  if (sets == 0) return automaton;
   for (std::uint32_t q = 0; q < automaton.states(); ++q)
     for (const Branch& b : branches_of(automaton, q))
-      if (sets == 0 || b.marks.contains(0)) return automaton;
+      if (b.marks.contains(0)) return automaton;
   Branching out =
       rebuild(automaton, all_states(automaton), [&](std::uint32_t, std::span<const Branch> choice) {
         std::vector<Branch> branches;

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "libautomata/deterministic/ltl_to_parity.hpp"
+#include "libautomata/omega/emptiness.hpp"
 #include "libautomata/omega/operations.hpp"
 #include "libautomata/omega/product.hpp"
 #include "libautomata/omega/tableau.hpp"
@@ -130,15 +131,15 @@ TEST(LtlToParity, HasTheSizesThatTheTheoryKnows) {
     const char* acceptance;
   } table[] = {
       {"true", 1, "all"},
-      {"F a", 2, "Buchi"},
+      {"F a", 2, "co-Buchi"},
       {"G F a", 1, "Buchi"},
       {"F G a", 1, "co-Buchi"},
       {"G(a -> F b)", 2, "Buchi"},
-      {"a U (b U c)", 3, "Buchi"},
-      {"F G a | G F b", 1, "parity min even 3"},
-      {"G F a & F G b", 1, "parity min odd 2"},
-      {"F a & F b", 4, "Buchi"},
-      {"F a | G b", 3, "Buchi"},
+      {"a U (b U c)", 3, "co-Buchi"},
+      {"F G a | G F b", 2, "parity min even 2"},
+      {"G F a & F G b", 2, "Rabin 1"},
+      {"F a & F b", 4, "co-Buchi"},
+      {"F a | G b", 3, "co-Buchi"},
   };
   for (const auto& row : table) {
     ltl::Arena arena;
