@@ -111,6 +111,22 @@ Marks mark_of(std::uint32_t colour, std::uint32_t sets) {
   return colour < sets ? Marks::of(colour) : Marks();
 }
 
+Branching completed_parity(const Branching& automaton) {
+  if (is_complete(automaton)) return automaton;
+  const auto sink = static_cast<std::uint32_t>(automaton.states());
+  const std::uint32_t sets = std::max(automaton.acceptance.sets, 2U);
+  std::vector<std::uint32_t> all(automaton.states());
+  std::iota(all.begin(), all.end(), 0U);
+  Branching out = rebuild(automaton, all, [&](std::uint32_t, std::span<const Branch> choice) {
+    if (choice.empty()) return std::vector<Branch>{{sink, {}}};
+    return std::vector<Branch>{
+        {choice.front().target, mark_of(colour_of(automaton, choice.front().marks), sets)}};
+  });
+  out.acceptance = Acceptance::parity(Acceptance::Extreme::Min, Acceptance::Parity::Even, sets);
+  out.roots.push_back(Mtbdd::terminal(out.choices.intern({{sink, Marks::of(1)}})));
+  return out;
+}
+
 Recoloured with_fewest_colours(const Branching& automaton) {
   const Heights from_even(automaton, 0), from_odd(automaton, 2);
   const Heights& best = from_odd.colours() < from_even.colours() ? from_odd : from_even;

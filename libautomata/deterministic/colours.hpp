@@ -18,4 +18,7 @@ Recoloured with_fewest_colours(const Branching& automaton);
 std::uint32_t colour_of(const Branching& automaton, Marks marks);
 Marks mark_of(std::uint32_t colour, std::uint32_t sets);
 
+// With a state that rejects for letters without a branch, if there are any.
+Branching completed_parity(const Branching& automaton);
+
 }  // namespace waymark::automata

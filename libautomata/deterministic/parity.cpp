@@ -4,6 +4,7 @@
 #include <numeric>
 
 #include "libautomata/deterministic/colours.hpp"
+#include "libautomata/deterministic/one_language.hpp"
 #include "libautomata/minimize.hpp"
 #include "libautomata/omega/emptiness.hpp"
 #include "libautomata/omega/scc_filter.hpp"
@@ -13,6 +14,8 @@
 
 namespace waymark::automata {
 namespace {
+
+constexpr std::size_t compared_states = 120;  // languages of states are compared pair by pair
 
 using Extreme = Acceptance::Extreme;
 using Parity = Acceptance::Parity;
@@ -48,24 +51,8 @@ std::vector<bool> weak_acceptance(const Branching& automaton) {
   return out;
 }
 
-// With a state that rejects for letters without a branch: its loop has an odd colour.
-Branching completed(const Branching& automaton) {
-  if (is_complete(automaton)) return automaton;
-  const auto sink = static_cast<std::uint32_t>(automaton.states());
-  const std::uint32_t sets = std::max(automaton.acceptance.sets, 2U);
-  Branching out =
-      rebuild(automaton, all_states(automaton), [&](std::uint32_t, std::span<const Branch> choice) {
-        if (choice.empty()) return std::vector<Branch>{{sink, {}}};
-        return std::vector<Branch>{
-            {choice.front().target, mark_of(colour_of(automaton, choice.front().marks), sets)}};
-      });
-  out.acceptance = Acceptance::parity(Extreme::Min, Parity::Even, sets);
-  out.roots.push_back(Mtbdd::terminal(out.choices.intern({{sink, Marks::of(1)}})));
-  return out;
-}
-
 Branching minimal_weak(const Branching& automaton, Effort& effort) {
-  const Branching complete = completed(automaton);
+  const Branching complete = completed_parity(automaton);
   Transitions weak;
   weak.roots = weak.diagram.import(
       complete.diagram, complete.roots,
@@ -126,6 +113,8 @@ Branching reduce_parity(const Branching& automaton, Effort& effort) {
     const Recoloured coloured = with_fewest_colours(live);
     if (coloured.weak) return with_fewest_colours(minimal_weak(coloured.automaton, effort)).automaton;
     live = canonical(bisimulation_quotient(coloured.automaton, effort));
+    if (live.states() <= compared_states && 2 * live.acceptance.sets <= Marks::most)
+      live = trim(one_component_each(live, effort));
     if (live.states() == states) return live;
   }
 }
