@@ -25,7 +25,7 @@ class EdgeLevels {
     out.acceptance = Acceptance::buchi();
     copy(from_.initial, 0);
     for (std::size_t i = 0; i < copies_.size(); ++i) {  // the copies double as the queue
-      const auto [q, level] = copies_[i];
+      const std::uint32_t q = copies_[i].first, level = copies_[i].second;
       const std::uint32_t only[] = {q};
       const Branching one = rebuild(from_, only, [&](std::uint32_t, std::span<const Branch> choice) {
         std::vector<Branch> branches;
