@@ -25,10 +25,22 @@ Translated buchi(ltl::Formula f, const automata::TranslationLimits& limits) {
   return widened(automata::ltl_to_buchi(f, limits));
 }
 
+Translated parity(ltl::Formula f, const automata::TranslationLimits& limits) {
+  return widened(automata::ltl_to_parity(f, limits));
+}
+
+Translated rabin(ltl::Formula f, const automata::TranslationLimits& limits) {
+  return widened(automata::ltl_to_rabin(f, limits));
+}
+
+Translated generic(ltl::Formula f, const automata::TranslationLimits& limits) {
+  return widened(automata::ltl_to_generic(f, limits));
+}
+
 constexpr std::array rows{
-    Translation{"finite", "dfa", finite_dfa},
-    Translation{"infinite", "tgba", tgba},
-    Translation{"infinite", "buchi", buchi},
+    Translation{"finite", "dfa", finite_dfa}, Translation{"infinite", "tgba", tgba},
+    Translation{"infinite", "buchi", buchi},  Translation{"infinite", "parity", parity},
+    Translation{"infinite", "rabin", rabin},  Translation{"infinite", "generic", generic},
 };
 
 }  // namespace

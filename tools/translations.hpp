@@ -4,6 +4,7 @@
 #include <string_view>
 #include <variant>
 
+#include "libautomata/deterministic/ltl_to_parity.hpp"
 #include "libautomata/dfa.hpp"
 #include "libautomata/ltlf_to_dfa.hpp"
 #include "libautomata/omega/ltl_to_buchi.hpp"

@@ -297,6 +297,14 @@ Branching simulation_quotient(const Branching& automaton, Effort& effort) {
   return out.states() == automaton.states() ? pruned(automaton, below) : out;
 }
 
+std::vector<std::vector<bool>> direct_simulation(const Branching& automaton, Effort& effort) {
+  const Simulation below(automaton, effort);
+  std::vector<std::vector<bool>> out(automaton.states(), std::vector<bool>(automaton.states()));
+  for (std::uint32_t q = 0; q < automaton.states(); ++q)
+    for (std::uint32_t r = 0; r < automaton.states(); ++r) out[q][r] = below(q, r);
+  return out;
+}
+
 Branching reverse_simulation_quotient(const Branching& automaton, const std::vector<bool>& colour,
                                       Effort& effort) {
   const Branching reversed = Reversal(automaton, effort).result();

@@ -19,6 +19,9 @@ Branching bisimulation_quotient(const Branching& automaton, Effort& effort);
 // Marks are read as "the more the better": generalised Büchi (or any condition without Fin).
 Branching simulation_quotient(const Branching& automaton, Effort& effort);
 
+// [q][r]: r simulates q, marks read as above.
+std::vector<std::vector<bool>> direct_simulation(const Branching& automaton, Effort& effort);
+
 // colour[q]: states of different colours are not merged (those with and without mark, where marks belong to states).
 Branching reverse_simulation_quotient(const Branching& automaton, const std::vector<bool>& colour,
                                       Effort& effort);

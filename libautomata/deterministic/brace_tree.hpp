@@ -1,0 +1,52 @@
+// The macro-states of determinize(): states of runs in nested braces, and what one letter makes of them.
+#pragma once
+#include <compare>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "libautomata/omega/branching.hpp"
+#include "libautomata/omega/emptiness.hpp"
+
+namespace waymark::automata {
+
+using Brace = std::int32_t;  // number by age, the oldest is 0
+constexpr Brace no_brace = -1;
+
+struct BraceTree {
+  std::vector<std::pair<std::uint32_t, Brace>> runs;  // state, innermost brace; by state
+  std::vector<Brace> parent;                          // of a brace; older than it
+  friend auto operator<=>(const BraceTree&, const BraceTree&) = default;
+};
+
+struct BraceStep {
+  BraceTree tree;
+  std::uint32_t colour;  // min even; `nothing` when no brace of before accepted or went
+  static constexpr std::uint32_t nothing = UINT32_MAX;
+};
+
+// What does not change while an automaton is being determinised.
+class BraceRules {
+ public:
+  // above[q][r]: r simulates q. Büchi with marks on edges.
+  BraceRules(const Branching& automaton, std::vector<std::vector<bool>> above);
+
+  BraceTree initial() const;
+  // choices[i]: what the letter offers to tree.runs[i].
+  BraceStep successor(const BraceTree& tree, std::span<const std::uint32_t> choices) const;
+
+ private:
+  using Places = std::map<std::uint32_t, Brace>;
+  std::uint32_t component(std::uint32_t q) const { return live_.components.of[q]; }
+  bool accepting(std::uint32_t q) const { return live_.accepting[component(q)]; }
+  void prune(Places& places, const std::vector<Brace>& parent) const;
+
+  const Branching& automaton_;
+  LiveComponents live_;
+  std::vector<bool> deterministic_;  // by component: inside it no choice has two branches
+  std::vector<std::vector<bool>> above_;
+};
+
+}  // namespace waymark::automata

@@ -1,0 +1,169 @@
+#include "libautomata/deterministic/determinize.hpp"
+
+#include <algorithm>
+#include <map>
+
+#include "libautomata/deterministic/brace_tree.hpp"
+#include "libautomata/omega/emptiness.hpp"
+#include "libautomata/omega/simulation.hpp"
+
+namespace waymark::automata {
+namespace {
+
+using Node = Mtbdd::Node;
+
+class EdgeLevels {
+ public:
+  EdgeLevels(const Branching& automaton, Effort& effort)
+      : from_(automaton),
+        effort_(effort),
+        live_(live_components(BranchGraph(automaton), automaton.acceptance.condition)),
+        sets_(automaton.acceptance.sets) {}
+
+  Branching run() {
+    Branching out;
+    out.acceptance = Acceptance::buchi();
+    copy(from_.initial, 0);
+    for (std::size_t i = 0; i < copies_.size(); ++i) {  // the copies double as the queue
+      const std::uint32_t q = copies_[i].first, level = copies_[i].second;
+      const std::uint32_t only[] = {q};
+      const Branching one = rebuild(from_, only, [&](std::uint32_t, std::span<const Branch> choice) {
+        std::vector<Branch> branches;
+        for (const Branch& b : choice) branches.push_back(step(q, level, b));
+        return branches;
+      });
+      const auto leaf = [&](std::uint32_t c) {
+        return Mtbdd::terminal(out.choices.intern({one.choices[c].begin(), one.choices[c].end()}));
+      };
+      out.roots.push_back(
+          out.diagram.import(one.diagram, one.roots, leaf, [](Mtbdd::Variable v) { return v; })[0]);
+    }
+    return out;
+  }
+
+ private:
+  Branch step(std::uint32_t q, std::uint32_t level, const Branch& b) {
+    const std::uint32_t component = live_.components.of[q];
+    if (component != live_.components.of[b.target] || !live_.accepting[component])
+      return {copy(b.target, 0), {}};
+    const auto advanced = [&](std::uint32_t from) {
+      while (from < sets_ && b.marks.contains(from)) ++from;
+      return from;
+    };
+    std::uint32_t next = advanced(level);
+    if (next < sets_) return {copy(b.target, next), {}};
+    next = b.marks == Marks::first(sets_) ? 0 : advanced(0);  // what is left over counts for the next round
+    return {copy(b.target, next), Marks::of(0)};
+  }
+  std::uint32_t copy(std::uint32_t q, std::uint32_t level) {
+    const auto [at, fresh] = copy_.try_emplace({q, level}, static_cast<std::uint32_t>(copies_.size()));
+    if (fresh) {
+      effort_.state();
+      copies_.emplace_back(q, level);
+    }
+    return at->second;
+  }
+
+  const Branching& from_;
+  Effort& effort_;
+  LiveComponents live_;
+  std::uint32_t sets_;
+  std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> copy_;
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> copies_;
+};
+
+class Determinization {
+ public:
+  Determinization(const Branching& buchi, Effort& effort)
+      : effort_(effort), rules_(buchi, direct_simulation(buchi, effort)) {
+    from_roots_ = out_.diagram.import(
+        buchi.diagram, buchi.roots, [](std::uint32_t c) { return Mtbdd::terminal(c); },
+        [](Mtbdd::Variable v) { return v; });
+    extend_ = out_.diagram.operation();
+  }
+
+  Branching run() {
+    number(rules_.initial());
+    for (std::size_t i = 0; i < trees_.size(); ++i) out_.roots.push_back(successors(trees_[i]));
+    out_.acceptance = Acceptance::parity(Acceptance::Extreme::Min, Acceptance::Parity::Even, colours_);
+    return std::move(out_);
+  }
+
+ private:
+  // The choices that a letter offers to the runs of a tree, one after another: interned as (those before, the last).
+  struct Offers {
+    std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> number;
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> list{{0, 0}};  // 0: none so far
+    std::uint32_t intern(std::uint32_t before, std::uint32_t choice) {
+      const auto [at, fresh] = number.try_emplace({before, choice}, static_cast<std::uint32_t>(list.size()));
+      if (fresh) list.emplace_back(before, choice);
+      return at->second;
+    }
+  };
+
+  Node successors(const BraceTree tree) {  // by value: trees_ grows
+    Node offered = Mtbdd::terminal(0);
+    const auto extend = [&](const std::array<Node, 2>& n) -> std::optional<Node> {
+      effort_.step();
+      if (!Mtbdd::is_terminal(n[0]) || !Mtbdd::is_terminal(n[1])) return std::nullopt;
+      return Mtbdd::terminal(offers_.intern(Mtbdd::payload(n[0]), Mtbdd::payload(n[1])));
+    };
+    for (const auto& [q, brace] : tree.runs)
+      offered = out_.diagram.apply(extend_, std::array{offered, from_roots_[q]}, extend);
+    const auto settle = [&](const std::array<Node, 1>& n) -> std::optional<Node> {
+      effort_.step();
+      if (!Mtbdd::is_terminal(n[0])) return std::nullopt;
+      return Mtbdd::terminal(step(tree, Mtbdd::payload(n[0])));
+    };
+    return out_.diagram.apply(out_.diagram.operation(), std::array{offered}, settle);
+  }
+  std::uint32_t step(const BraceTree& tree, std::uint32_t offer) {
+    effort_.step(tree.runs.size() * tree.runs.size() * 8);
+    std::vector<std::uint32_t> choices(tree.runs.size());
+    for (std::size_t i = choices.size(); i-- > 0; offer = offers_.list[offer].first)
+      choices[i] = offers_.list[offer].second;
+    BraceStep next = rules_.successor(tree, choices);
+    if (next.tree.runs.empty()) return Choices::none;
+    Marks marks;
+    if (next.colour != BraceStep::nothing) {
+      if (next.colour + 3 > Marks::most) throw Effort::Spent{Effort::Spent::Reason::States};
+      marks = Marks::of(next.colour);
+      colours_ =
+          std::max(colours_, (next.colour | 1U) + 2);  // odd: a branch without mark counts as rejecting
+    }
+    return out_.choices.intern({{number(std::move(next.tree)), marks}});
+  }
+  std::uint32_t number(BraceTree tree) {
+    const auto [at, fresh] = number_.try_emplace(std::move(tree), static_cast<std::uint32_t>(trees_.size()));
+    if (fresh) {
+      effort_.state();
+      trees_.push_back(at->first);
+    }
+    return at->second;
+  }
+
+  Effort& effort_;
+  BraceRules rules_;
+  Branching out_;
+  std::vector<Node> from_roots_;
+  Mtbdd::Operation extend_;
+  Offers offers_;
+  std::uint32_t colours_ = 1;
+  std::map<BraceTree, std::uint32_t> number_;
+  std::vector<BraceTree> trees_;
+};
+
+}  // namespace
+
+Branching degeneralize_on_edges(const Branching& automaton, Effort& effort) {
+  return EdgeLevels(automaton, effort).run();
+}
+
+Branching determinize(const Branching& automaton, Effort& effort) {
+  const Branching buchi = bisimulation_quotient(
+      automaton.acceptance.is_buchi() ? canonical(automaton) : degeneralize_on_edges(automaton, effort),
+      effort);
+  return Determinization(buchi, effort).run();
+}
+
+}  // namespace waymark::automata

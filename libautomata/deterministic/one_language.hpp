@@ -1,0 +1,16 @@
+// States of a deterministic automaton with one language, and what they allow: each language in one component only.
+//
+// Whether a word is accepted does not depend on where a run starts among states of one language. So a branch may lead
+// to another state of its target's language in a component that comes later: a run is sent on finitely often, and what
+// it meets for ever is met by a run of the original. What only served to find the right component goes away.
+#pragma once
+#include "libautomata/effort.hpp"
+#include "libautomata/omega/branching.hpp"
+
+namespace waymark::automata {
+
+// parity(Min, Even, ·) in and out, deterministic; states may be left that nothing reaches. Languages are compared on
+// all pairs of states: one step of effort per pair of nodes.
+Branching one_component_each(const Branching& automaton, Effort& effort);
+
+}  // namespace waymark::automata

@@ -1,0 +1,172 @@
+#include "libautomata/deterministic/parity.hpp"
+
+#include <algorithm>
+#include <numeric>
+
+#include "libautomata/deterministic/colours.hpp"
+#include "libautomata/deterministic/one_language.hpp"
+#include "libautomata/minimize.hpp"
+#include "libautomata/omega/emptiness.hpp"
+#include "libautomata/omega/scc_filter.hpp"
+#include "libautomata/omega/simulation.hpp"
+#include "libautomata/omega/weak.hpp"
+#include "libautomata/transitions.hpp"
+
+namespace waymark::automata {
+namespace {
+
+constexpr std::size_t compared_states = 120;  // languages of states are compared pair by pair
+
+using Extreme = Acceptance::Extreme;
+using Parity = Acceptance::Parity;
+
+std::vector<std::uint32_t> all_states(const Branching& automaton) {
+  std::vector<std::uint32_t> out(automaton.states());
+  std::iota(out.begin(), out.end(), 0U);
+  return out;
+}
+
+// By state of an automaton whose components each have one colour: the largest colours that decrease along edges, even
+// where cycles accept and odd where they reject; accepting are the even ones. [Loe01, Sec. 3]
+std::vector<bool> weak_acceptance(const Branching& automaton) {
+  const BranchGraph graph(automaton);
+  const LiveComponents live = live_components(graph, automaton.acceptance.condition);
+  const Components& found = live.components;
+  std::vector<std::uint32_t> colour(found.count, 2 * found.count + 2);
+  std::vector<bool> out(graph.size());
+  for (std::size_t i = 0; i < found.order.size();) {  // successors first
+    const std::uint32_t c = found.of[found.order[i]];
+    const std::size_t begin = i;
+    bool cyclic = false;
+    for (; i < found.order.size() && found.of[found.order[i]] == c; ++i)
+      for (std::uint32_t r : graph.successors(found.order[i])) {
+        if (found.of[r] == c)
+          cyclic = true;
+        else
+          colour[c] = std::min(colour[c], colour[found.of[r]]);
+      }
+    if (cyclic && (colour[c] % 2 == 0) != live.accepting[c]) --colour[c];
+    for (std::size_t j = begin; j < i; ++j) out[found.order[j]] = colour[c] % 2 == 0;
+  }
+  return out;
+}
+
+Branching minimal_weak(const Branching& automaton, Effort& effort) {
+  const Branching complete = completed_parity(automaton);
+  Transitions weak;
+  weak.roots = weak.diagram.import(
+      complete.diagram, complete.roots,
+      [&](std::uint32_t c) { return Mtbdd::terminal(complete.choices[c].front().target); },
+      [](Mtbdd::Variable v) { return v; });
+  weak.accepting = weak_acceptance(complete);
+  weak.initial = complete.initial;
+  return as_buchi(minimize(weak, effort), {});
+}
+
+// One mark at most on a branch, one branch at most in a choice.
+bool has_single_colours(const Branching& automaton) {
+  if (!is_deterministic(automaton)) return false;
+  for (std::uint32_t q = 0; q < automaton.states(); ++q)
+    for (const Branch& b : branches_of(automaton, q))
+      if (b.marks.count() > 1) return false;
+  return true;
+}
+
+bool is_parity(const Acceptance& acceptance) {
+  for (const Extreme extreme : {Extreme::Min, Extreme::Max})
+    for (const Parity parity : {Parity::Even, Parity::Odd})
+      if (acceptance == Acceptance::parity(extreme, parity, acceptance.sets)) return true;
+  return false;
+}
+
+}  // namespace
+
+std::optional<Dpa> Dpa::checked(Automaton automaton) {
+  if (!is_parity(automaton.acceptance()) || !has_single_colours(automaton.transitions())) return std::nullopt;
+  return Dpa(std::move(automaton));
+}
+
+Branching trim(const Branching& automaton) {
+  const Branching reached = canonical(automaton);
+  const LiveComponents live = live_components(BranchGraph(reached), reached.acceptance.condition);
+  if (!live.live[reached.initial]) return nothing_accepted();
+  std::vector<std::uint32_t> kept, number(reached.states(), 0);
+  for (std::uint32_t q = 0; q < reached.states(); ++q) {
+    if (!live.live[q]) continue;
+    number[q] = static_cast<std::uint32_t>(kept.size());
+    kept.push_back(q);
+  }
+  Branching out = rebuild(reached, kept, [&](std::uint32_t, std::span<const Branch> choice) {
+    std::vector<Branch> branches;
+    for (const Branch& b : choice)
+      if (live.live[b.target]) branches.push_back({number[b.target], b.marks});
+    return branches;
+  });
+  out.initial = number[reached.initial];
+  return out;
+}
+
+Branching reduce_parity(const Branching& automaton, Effort& effort) {
+  Branching live = trim(automaton);
+  while (true) {
+    const std::size_t states = live.states();
+    const Recoloured coloured = with_fewest_colours(live);
+    if (coloured.weak) return with_fewest_colours(minimal_weak(coloured.automaton, effort)).automaton;
+    live = canonical(bisimulation_quotient(coloured.automaton, effort));
+    if (live.states() <= compared_states && 2 * live.acceptance.sets <= Marks::most)
+      live = trim(one_component_each(live, effort));
+    if (live.states() == states) return live;
+  }
+}
+
+Branching complement_parity(const Branching& automaton) {
+  const auto sink = static_cast<std::uint32_t>(automaton.states());
+  const std::uint32_t sets = automaton.acceptance.sets + 1;
+  if (sets > Marks::most) throw Effort::Spent{Effort::Spent::Reason::States};
+  const bool complete = is_complete(automaton);
+  Branching out =
+      rebuild(automaton, all_states(automaton), [&](std::uint32_t, std::span<const Branch> choice) {
+        if (choice.empty()) return std::vector<Branch>{{sink, {}}};
+        const Branch& b = choice.front();
+        return std::vector<Branch>{{b.target, mark_of(colour_of(automaton, b.marks) + 1, sets)}};
+      });
+  out.acceptance = Acceptance::parity(Extreme::Min, Parity::Even, sets);
+  if (!complete) out.roots.push_back(Mtbdd::terminal(out.choices.intern({{sink, Marks::of(0)}})));
+  return out;
+}
+
+Branching plain_parity(const Branching& automaton) {
+  const std::uint32_t sets = automaton.acceptance.sets;
+  if (sets == 0) return automaton;
+  for (std::uint32_t q = 0; q < automaton.states(); ++q)
+    for (const Branch& b : branches_of(automaton, q))
+      if (b.marks.contains(0)) return automaton;
+  Branching out =
+      rebuild(automaton, all_states(automaton), [&](std::uint32_t, std::span<const Branch> choice) {
+        std::vector<Branch> branches;
+        for (const Branch& b : choice) branches.push_back({b.target, Marks::from_bits(b.marks.bits() >> 1U)});
+        return branches;
+      });
+  out.acceptance = Acceptance::parity(Extreme::Min, Parity::Odd, sets - 1);
+  return out;
+}
+
+Branching as_rabin(const Branching& automaton) {
+  const std::uint32_t sets = automaton.acceptance.sets, pairs = sets / 2 + 1;
+  if (2 * pairs > Marks::most) throw Effort::Spent{Effort::Spent::Reason::States};
+  Branching out =
+      rebuild(automaton, all_states(automaton), [&](std::uint32_t, std::span<const Branch> choice) {
+        std::vector<Branch> branches;
+        for (const Branch& b : choice) {
+          const std::uint32_t colour = colour_of(automaton, b.marks);
+          Marks marks = colour % 2 == 0 ? Marks::of(colour + 1) : Marks();
+          for (std::uint32_t i = colour / 2 + 1; i < pairs; ++i) marks = marks | Marks::of(2 * i);
+          branches.push_back({b.target, marks});
+        }
+        return branches;
+      });
+  out.acceptance = Acceptance::rabin(pairs);
+  return out;
+}
+
+}  // namespace waymark::automata

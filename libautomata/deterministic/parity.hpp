@@ -1,0 +1,43 @@
+// Deterministic parity automata: the type, and what makes them smaller without changing their language.
+//
+// Inside, the condition is parity(Min, Even, n): the least colour met for ever decides, even accepts. A branch has at
+// most one mark, its colour; without a mark its colour is n, of whatever parity that is.
+#pragma once
+#include <optional>
+
+#include "libautomata/effort.hpp"
+#include "libautomata/omega/automaton.hpp"
+
+namespace waymark::automata {
+
+// An automaton that was seen to be deterministic, with a parity condition (all, Büchi and co-Büchi are instances) and
+// at most one mark on a branch. Letters without a branch reject.
+class Dpa {
+ public:
+  static std::optional<Dpa> checked(Automaton automaton);
+  const Automaton& automaton() const { return automaton_; }
+
+ private:
+  explicit Dpa(Automaton automaton) : automaton_(std::move(automaton)) {}
+  Automaton automaton_;
+};
+
+// Without what no accepting run visits; any condition. One state without branches when nothing is accepted.
+Branching trim(const Branching& automaton);
+
+// The functions below take and give deterministic automata with parity(Min, Even, n).
+
+// Trimmed; as few colours as the components need [CM99, Sec. 4]; states with one signature merged. When every component
+// accepts or rejects as a whole the language is an obligation, and the result is the minimal automaton [Loe01].
+Branching reduce_parity(const Branching& automaton, Effort& effort);
+
+// The words that it rejects. Complete, one state more at most.
+Branching complement_parity(const Branching& automaton);
+
+// The same automaton with the plainest name: colours from 1 on are counted from 0, odd ones accepting.
+Branching plain_parity(const Branching& automaton);
+
+// Pair i: the colours below 2i finitely often, 2i infinitely often.
+Branching as_rabin(const Branching& automaton);
+
+}  // namespace waymark::automata
