@@ -134,7 +134,8 @@ TEST(LtlfToDfa, StopsSoonAfterItIsAskedTo) {
 }
 
 TEST(LtlfToDfa, ReadsDeepAndWideFormulas) {
-  constexpr std::size_t depth = testing::sanitized ? 500 : 4000;  // sanitizers make frames several times larger
+  constexpr std::size_t depth =
+      testing::sanitized ? 500 : 4000;  // sanitizers make frames several times larger
   std::string nested = "a";
   for (std::size_t i = 0; i < depth; ++i) nested = "X " + nested;
   EXPECT_EQ(translate(nested).states(), depth + 3);
