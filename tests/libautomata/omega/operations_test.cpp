@@ -83,7 +83,7 @@ TEST(FindLasso, FindsAWordThatIsAcceptedOrThereIsNone) {
   ltl::Random random(14);
   std::size_t empty = 0;
   for (int i = 0; i < 400; ++i) {
-    RandomAutomaton options = shape(i, 1 + i % 2);
+    RandomAutomaton options = shape(i, 1 + static_cast<std::size_t>(i % 2));
     options.sets = static_cast<std::uint32_t>(i % 4);
     const Automaton a = random_automaton(random, ab, options);
     const std::optional<ltl::Lasso> word = find_lasso(a);
