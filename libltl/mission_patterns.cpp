@@ -2,6 +2,8 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <initializer_list>
+#include <span>
 #include <stdexcept>
 
 #include "libltl/parse.hpp"
@@ -91,9 +93,13 @@ Formula successor_again(Places l, std::size_t i) {
   return always(implies(l[i], next(until(negate(l[i]), after(l, i)))));
 }
 
+// Braces make the parts from left to right with every compiler; arguments of a call would not be.
+Formula all_of(std::initializer_list<Formula> parts) {
+  return conjunction(parts.begin()->arena(), std::span<const Formula>(parts.begin(), parts.size()));
+}
+
 Formula ordered_patrolling(Places l) {
-  const std::array parts{always(sequence(l)), in_order(l), for_all(l, predecessor_again, l.size())};
-  return conjunction(l.front().arena(), parts);
+  return all_of({always(sequence(l)), in_order(l), for_all(l, predecessor_again, l.size())});
 }
 
 Formula over_places(Mission mission, Places l) {
@@ -101,16 +107,16 @@ Formula over_places(Mission mission, Places l) {
   switch (mission) {
     case Mission::Visit: return for_all(l, visited, n);
     case Mission::SequencedVisit: return sequence(l);
-    case Mission::OrderedVisit: return conjunction(sequence(l), in_order(l));
+    case Mission::OrderedVisit: return all_of({sequence(l), in_order(l)});
     case Mission::StrictOrderedVisit:
-      return conjunction(conjunction(sequence(l), in_order(l)), for_all(l, successor_first, n - 1));
-    case Mission::FairVisit: return conjunction(for_all(l, visited, n), for_all(l, fair, n));
+      return all_of({sequence(l), in_order(l), for_all(l, successor_first, n - 1)});
+    case Mission::FairVisit: return all_of({for_all(l, visited, n), for_all(l, fair, n)});
     case Mission::Patrolling: return for_all(l, patrolled, n);
     case Mission::SequencedPatrolling: return always(sequence(l));
     case Mission::OrderedPatrolling: return ordered_patrolling(l);
     case Mission::StrictOrderedPatrolling:
-      return conjunction(ordered_patrolling(l), for_all(l, successor_again, n - 1));
-    case Mission::FairPatrolling: return conjunction(for_all(l, patrolled, n), for_all(l, fair, n));
+      return all_of({ordered_patrolling(l), for_all(l, successor_again, n - 1)});
+    case Mission::FairPatrolling: return all_of({for_all(l, patrolled, n), for_all(l, fair, n)});
     case Mission::GlobalAvoidance: return always(negate(l[0]));
     case Mission::PastAvoidance: return until(negate(l[0]), l[1]);
     case Mission::FutureAvoidance: return always(implies(l[1], always(negate(l[0]))));

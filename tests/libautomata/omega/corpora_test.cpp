@@ -11,6 +11,7 @@
 #include "libltl/parse.hpp"
 #include "libltl/random.hpp"
 #include "libltl/semantics.hpp"
+#include "tests/support/sanitizers.hpp"
 
 namespace waymark::automata {
 namespace {
@@ -38,6 +39,8 @@ TEST_P(BuchiCorpora, HaveTheirSizesAndTheirLanguages) {
   std::size_t general_states = 0, buchi_states = 0, number = 0;
   for (std::string line; std::getline(in, line);) {
     ++number;
+    if (testing::sanitized && number % 10 != 1)
+      continue;  // slow there; sizes are for the whole set, in release
     ltl::Arena arena;
     const ltl::Formula f = ltl::parse(line, arena);
     const Automaton general = ltl_to_tgba(f), buchi = ltl_to_buchi(f);
@@ -53,6 +56,7 @@ TEST_P(BuchiCorpora, HaveTheirSizesAndTheirLanguages) {
           << path << ":" << number << " on " << ltl::show(word, arena.vocabulary());
     }
   }
+  if (testing::sanitized) return;
   EXPECT_LE(general_states, GetParam().tgba_states);
   EXPECT_LE(buchi_states, GetParam().buchi_states);
 }

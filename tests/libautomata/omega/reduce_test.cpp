@@ -10,6 +10,7 @@
 #include "libautomata/omega/random_automaton.hpp"
 #include "libautomata/omega/simulation.hpp"
 #include "tests/support/generate.hpp"
+#include "tests/support/sanitizers.hpp"
 
 namespace waymark::automata {
 namespace {
@@ -24,7 +25,7 @@ class Reductions : public ::testing::Test {
     const auto vocabulary = testing::letters_vocabulary(2);
     const auto words = testing::all_lassos({.length = 3, .atoms = 2});
     std::size_t accepted = 0, smaller = 0;
-    for (int i = 0; i < 300; ++i) {
+    for (int i = 0; i < (waymark::testing::sanitized ? 50 : 300); ++i) {
       const Automaton before = random_automaton(random, vocabulary,
                                                 {.states = static_cast<std::uint32_t>(2 + random.below(5)),
                                                  .sets = static_cast<std::uint32_t>(random.below(3)),
