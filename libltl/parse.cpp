@@ -152,7 +152,9 @@ void Builder::apply(const Token& token) {
 void Builder::settle(Symbol next) {
   Term& last = stack_.back();
   if (next == (last.junction == Op::And ? Symbol::And : Symbol::Or)) return;
-  if (last.junction != Op::Atom) last = {{close(std::move(last))}, Op::Atom, last.depth};
+  if (last.junction == Op::Atom) return;
+  const auto depth = last.depth;
+  last = {{close(std::move(last))}, Op::Atom, depth};
 }
 
 class Parser {
