@@ -36,6 +36,15 @@ void add_training_options(CLI::App& command, parser::TrainOptions& options) {
       ->type_name("N")
       ->check(CLI::Range(1, 1000))
       ->capture_default_str();
+  command
+      .add_option_function<std::string>(
+          "--then",
+          [&options](const std::string& meaning) {
+            options.then = meaning == "stepwise" ? parser::Then::Stepwise : parser::Then::WholePlan;
+          },
+          "what 'then' means: whole-plan (the default) or stepwise")
+      ->type_name("MEANING")
+      ->check(CLI::IsMember({"whole-plan", "stepwise"}));
   command.add_option("--threads", options.threads, "of no influence on the result")
       ->type_name("N")
       ->check(CLI::Range(1, 256))
