@@ -65,7 +65,9 @@ std::string headers(const HoaText& automaton) {
   out += "AP: " + std::to_string(automaton.propositions.size());
   for (const std::string& name : automaton.propositions) out += ' ' + quoted(name);
   if (!automaton.acceptance_name.empty()) out += "\nacc-name: " + automaton.acceptance_name;
-  return out + "\nAcceptance: " + automaton.acceptance + "\nproperties: " + automaton.properties + '\n';
+  out += "\nAcceptance: " + automaton.acceptance + "\nproperties: " + automaton.properties + '\n';
+  for (const std::string& header : automaton.headers) out += header + '\n';
+  return out;
 }
 
 }  // namespace

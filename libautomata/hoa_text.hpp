@@ -34,7 +34,8 @@ struct HoaText {
   std::string acceptance_name;  // the whole line behind `acc-name:`, none when empty
   std::string acceptance;       // the number of sets and the condition
   std::string properties;
-  std::vector<State> states;  // numbered from 0
+  std::vector<std::string> headers;  // more of them, whole lines
+  std::vector<State> states;         // numbered from 0
 };
 
 std::string print(const HoaText& automaton, const HoaLayout& layout);

@@ -127,6 +127,40 @@ std::optional<std::string> exchanged(const automata::Automaton& automaton, const
   return automata::write_never_claim(states, options.edges, about.name);
 }
 
+// Of limit-deterministic automata: what their HOA and JSON say besides.
+struct Guesses {
+  std::vector<std::string> properties, headers;
+  JsonArray accepting_part, jumps;
+};
+
+Reply show_omega(const automata::Automaton& automaton, const std::optional<Guesses>& guesses,
+                 const Shown& about, const OutputOptions& options) {
+  const std::string& format = options.format;
+  const std::size_t most = options.edges;
+  if (format == "stats")
+    return {ExitCode::Done, row(about.line, size_of(automaton, most), about.seconds, about.status)};
+  if (format == "dot")
+    return show_or_refuse(automaton, automata::write_dot_within(automaton, most, {about.unicode_name}), about,
+                          options);
+  if (format == "tsv")
+    return show_or_refuse(automaton, automata::write_table(automaton, most), about, options);
+  if (format == "never" || format == "lbtt" || format == "ba")
+    return show_or_refuse(automaton, exchanged(automaton, about, options), about, options);
+  automata::OmegaHoaOptions layout{
+      .name = about.name,
+      .marks_on_states = options.acceptance == "state",
+      .layout = {.aliases = options.aliases, .one_line = options.one_line && format == "hoa"}};
+  if (guesses) {
+    layout.properties = guesses->properties;
+    layout.headers = guesses->headers;
+  }
+  const std::optional<std::string> hoa = automata::write_hoa_within(automaton, most, layout);
+  if (format == "hoa" || !hoa) return show_or_refuse(automaton, hoa, about, options);
+  JsonObject out = json_of(automaton, size_of(automaton, most), about, about.status);
+  if (guesses) out.add("accepting_part", guesses->accepting_part).add("jumps", guesses->jumps);
+  return {ExitCode::Done, out.add("hoa", *hoa).text() + '\n'};
+}
+
 }  // namespace
 
 void add_output_options(CLI::App& command, OutputOptions& options) {
@@ -185,25 +219,25 @@ Reply show(const automata::Dfa& dfa, const Shown& about, const OutputOptions& op
 }
 
 Reply show(const automata::Automaton& automaton, const Shown& about, const OutputOptions& options) {
-  const std::string& format = options.format;
-  const std::size_t most = options.edges;
-  if (format == "stats")
-    return {ExitCode::Done, row(about.line, size_of(automaton, most), about.seconds, about.status)};
-  if (format == "dot")
-    return show_or_refuse(automaton, automata::write_dot_within(automaton, most, {about.unicode_name}), about,
-                          options);
-  if (format == "tsv")
-    return show_or_refuse(automaton, automata::write_table(automaton, most), about, options);
-  if (format == "never" || format == "lbtt" || format == "ba")
-    return show_or_refuse(automaton, exchanged(automaton, about, options), about, options);
-  const std::optional<std::string> hoa = automata::write_hoa_within(
-      automaton, most,
-      {.name = about.name,
-       .marks_on_states = options.acceptance == "state",
-       .layout = {.aliases = options.aliases, .one_line = options.one_line && format == "hoa"}});
-  if (format == "hoa" || !hoa) return show_or_refuse(automaton, hoa, about, options);
-  return {ExitCode::Done,
-          json_of(automaton, size_of(automaton, most), about, about.status).add("hoa", *hoa).text() + '\n'};
+  return show_omega(automaton, {}, about, options);
+}
+
+Reply show(const automata::MdpSafe& automaton, const Shown& about, const OutputOptions& options) {
+  Guesses guesses;
+  if (!automaton.is_deterministic()) guesses.properties.push_back("semi-deterministic");
+  std::string parts = "waymark-accepting-part:", jumps = "waymark-jumps:";
+  for (std::uint32_t q = 0; q < automaton.states(); ++q) {
+    if (automaton.in_accepting_part(automata::StateId{q})) {
+      guesses.accepting_part.add(std::size_t{q});
+      parts += ' ' + std::to_string(q);
+    }
+    for (const automata::StateId target : automaton.jumps(automata::StateId{q})) {
+      guesses.jumps.add(JsonObject().add("from", std::size_t{q}).add("to", std::size_t{target.index}));
+      jumps += ' ' + std::to_string(q) + ' ' + std::to_string(target.index);
+    }
+  }
+  guesses.headers = {parts, jumps};
+  return show_omega(automaton.automaton(), guesses, about, options);
 }
 
 }  // namespace waymark::tools

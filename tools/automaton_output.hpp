@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "libautomata/dfa.hpp"
+#include "libautomata/limit_deterministic/ldba.hpp"
 #include "libautomata/omega/automaton.hpp"
 #include "tools/shell/parallel.hpp"
 
@@ -36,6 +37,8 @@ struct Shown {
 // The automaton in the format asked for; past the limit on edges the answer is status limit with the symbolic size.
 Reply show(const automata::Dfa& dfa, const Shown& about, const OutputOptions& options);
 Reply show(const automata::Automaton& automaton, const Shown& about, const OutputOptions& options);
+// Jumps are branches; HOA and JSON also say which.
+Reply show(const automata::MdpSafe& automaton, const Shown& about, const OutputOptions& options);
 
 // What stands in the place of an automaton that there is not: status limit or error, on standard output.
 std::string show_none(std::size_t line, double seconds, std::string_view status, const std::string& message,

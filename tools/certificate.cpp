@@ -79,6 +79,12 @@ std::size_t try_words(ltl::Formula formula, const Automaton& positive, const Aut
   return words;
 }
 
+const Automaton& omega_of(const Translated& result) {
+  if (const auto* ldba = std::get_if<automata::TranslatedForMdps>(&result))
+    return ldba->automaton.automaton();
+  return std::get<automata::Translated>(result).automaton;
+}
+
 Certificate certify_omega(ltl::Formula formula, const Automaton& positive, const Automaton& negative,
                           const automata::TranslationLimits& limits) {
   automata::Effort effort(SIZE_MAX, limits.states, limits.stop);
@@ -101,8 +107,7 @@ Certificate certify(ltl::Formula formula, const Translated& result, const Transl
     try_words(formula, *dfa);
     return {.proved = true};
   }
-  return certify_omega(formula, std::get<automata::Translated>(result).automaton,
-                       std::get<automata::Translated>(negated).automaton, limits);
+  return certify_omega(formula, omega_of(result), omega_of(negated), limits);
 }
 
 }  // namespace waymark::tools

@@ -58,6 +58,10 @@ Reply translate_one(const Text& text, const Options& options, const Translation&
     if (!omega->reduced) about.status = "unreduced";
     return show(omega->automaton, about, options.output);
   }
+  if (const auto* ldba = std::get_if<automata::TranslatedForMdps>(&result)) {
+    if (!ldba->reduced) about.status = "unreduced";
+    return show(ldba->automaton, about, options.output);
+  }
   const std::size_t made = std::get<automata::Exhausted>(result).states;
   return gave_up(
       text, about.seconds, options,

@@ -37,10 +37,15 @@ Translated generic(ltl::Formula f, const automata::TranslationLimits& limits) {
   return widened(automata::ltl_to_generic(f, limits));
 }
 
+Translated ldba(ltl::Formula f, const automata::TranslationLimits& limits) {
+  return widened(automata::ltl_to_ldba(f, limits));
+}
+
 constexpr std::array rows{
     Translation{"finite", "dfa", finite_dfa}, Translation{"infinite", "tgba", tgba},
     Translation{"infinite", "buchi", buchi},  Translation{"infinite", "parity", parity},
     Translation{"infinite", "rabin", rabin},  Translation{"infinite", "generic", generic},
+    Translation{"infinite", "ldba", ldba},
 };
 
 }  // namespace

@@ -6,13 +6,15 @@
 
 #include "libautomata/deterministic/ltl_to_parity.hpp"
 #include "libautomata/dfa.hpp"
+#include "libautomata/limit_deterministic/ltl_to_ldba.hpp"
 #include "libautomata/ltlf_to_dfa.hpp"
 #include "libautomata/omega/ltl_to_buchi.hpp"
 #include "libltl/formula.hpp"
 
 namespace waymark::tools {
 
-using Translated = std::variant<automata::Dfa, automata::Translated, automata::Exhausted>;
+using Translated =
+    std::variant<automata::Dfa, automata::Translated, automata::TranslatedForMdps, automata::Exhausted>;
 
 struct Translation {
   std::string_view semantics;  // "finite" or "infinite"

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <numeric>
+#include <stdexcept>
+#include <utility>
 
 #include "libautomata/deterministic/colours.hpp"
 #include "libautomata/deterministic/one_language.hpp"
@@ -72,17 +74,18 @@ bool has_single_colours(const Branching& automaton) {
   return true;
 }
 
-bool is_parity(const Acceptance& acceptance) {
+std::optional<std::pair<Extreme, Parity>> parity_kind(const Acceptance& acceptance) {
   for (const Extreme extreme : {Extreme::Min, Extreme::Max})
     for (const Parity parity : {Parity::Even, Parity::Odd})
-      if (acceptance == Acceptance::parity(extreme, parity, acceptance.sets)) return true;
-  return false;
+      if (acceptance == Acceptance::parity(extreme, parity, acceptance.sets)) return {{extreme, parity}};
+  return std::nullopt;
 }
 
 }  // namespace
 
 std::optional<Dpa> Dpa::checked(Automaton automaton) {
-  if (!is_parity(automaton.acceptance()) || !has_single_colours(automaton.transitions())) return std::nullopt;
+  if (!parity_kind(automaton.acceptance()) || !has_single_colours(automaton.transitions()))
+    return std::nullopt;
   return Dpa(std::move(automaton));
 }
 
@@ -132,6 +135,31 @@ Branching complement_parity(const Branching& automaton) {
       });
   out.acceptance = Acceptance::parity(Extreme::Min, Parity::Even, sets);
   if (!complete) out.roots.push_back(Mtbdd::terminal(out.choices.intern({{sink, Marks::of(0)}})));
+  return out;
+}
+
+// Min odd: one more. Max: counted from the other end, so that what accepts stays even; no mark is the colour −1.
+Branching min_even_parity(const Branching& automaton) {
+  const auto kind = parity_kind(automaton.acceptance);
+  if (!kind) throw std::invalid_argument("not a parity condition");
+  const auto [extreme, parity] = *kind;
+  if (extreme == Extreme::Min && parity == Parity::Even) return automaton;
+  const std::uint32_t sets = automaton.acceptance.sets;
+  const std::uint32_t top =  // the colour that 0 becomes when counted from the other end
+      sets + (sets % 2 == (parity == Parity::Even ? 0U : 1U) ? 0 : 1);
+  const std::uint32_t new_sets = sets + 1 + (extreme == Extreme::Max ? top - sets : 0);
+  if (new_sets > Marks::most) throw Effort::Spent{Effort::Spent::Reason::States};
+  const auto renamed = [&](std::uint32_t c) { return extreme == Extreme::Min ? c + 1 : top - c; };
+  Branching out =
+      rebuild(automaton, all_states(automaton), [&](std::uint32_t, std::span<const Branch> choice) {
+        std::vector<Branch> branches;
+        for (const Branch& b : choice) {
+          const Marks marks = b.marks.empty() ? Marks() : Marks::of(renamed(colour_of(automaton, b.marks)));
+          branches.push_back({b.target, marks});
+        }
+        return branches;
+      });
+  out.acceptance = Acceptance::parity(Extreme::Min, Parity::Even, new_sets);
   return out;
 }
 

@@ -25,6 +25,9 @@ class Dpa {
 // Without what no accepting run visits; any condition. One state without branches when nothing is accepted.
 Branching trim(const Branching& automaton);
 
+// Any of the four parity conditions as parity(Min, Even, n), the same language.
+Branching min_even_parity(const Branching& automaton);
+
 // The functions below take and give deterministic automata with parity(Min, Even, n).
 
 // Trimmed; as few colours as the components need [CM99, Sec. 4]; states with one signature merged. When every component

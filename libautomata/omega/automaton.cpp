@@ -47,11 +47,10 @@ std::span<const Branch> Automaton::next(StateId q, const ltl::Letter& letter) co
   return transitions_.choices[Mtbdd::payload(diagram().evaluate(root(q), holds))];
 }
 
-Automaton as_automaton(const Branching& transitions, const ltl::Vocabulary& vocabulary,
-                       const std::vector<ltl::Proposition>& reads) {
-  Branching numbered = canonical(transitions);
+std::vector<ltl::Proposition> keep_asked(Branching& transitions, const std::vector<ltl::Proposition>& reads) {
   std::vector<bool> asked(reads.size(), false);
-  for (Mtbdd::Node n : numbered.diagram.reachable(numbered.roots)) asked[numbered.diagram.variable(n)] = true;
+  for (Mtbdd::Node n : transitions.diagram.reachable(transitions.roots))
+    asked[transitions.diagram.variable(n)] = true;
   std::vector<ltl::Proposition> kept;
   std::vector<Mtbdd::Variable> renamed(reads.size());
   for (std::size_t v = 0; v < reads.size(); ++v) {
@@ -59,10 +58,17 @@ Automaton as_automaton(const Branching& transitions, const ltl::Vocabulary& voca
     if (asked[v]) kept.push_back(reads[v]);
   }
   Mtbdd diagram;
-  numbered.roots = diagram.import(
-      numbered.diagram, numbered.roots, [](std::uint32_t choice) { return Mtbdd::terminal(choice); },
+  transitions.roots = diagram.import(
+      transitions.diagram, transitions.roots, [](std::uint32_t choice) { return Mtbdd::terminal(choice); },
       [&](Mtbdd::Variable v) { return renamed[v]; });
-  numbered.diagram = std::move(diagram);
+  transitions.diagram = std::move(diagram);
+  return kept;
+}
+
+Automaton as_automaton(const Branching& transitions, const ltl::Vocabulary& vocabulary,
+                       const std::vector<ltl::Proposition>& reads) {
+  Branching numbered = canonical(transitions);
+  std::vector<ltl::Proposition> kept = keep_asked(numbered, reads);
   return Automaton(vocabulary, std::move(kept), std::move(numbered));
 }
 

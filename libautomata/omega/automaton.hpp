@@ -39,6 +39,9 @@ class Automaton {
   Branching transitions_;
 };
 
+// Renames the variables so that only those stay which some edge asks for; their propositions. reads[v]: that of v.
+std::vector<ltl::Proposition> keep_asked(Branching& transitions, const std::vector<ltl::Proposition>& reads);
+
 // The same automaton in canonical numbering, reading only the propositions that an edge asks for.
 // reads[v]: the proposition of variable v.
 Automaton as_automaton(const Branching& transitions, const ltl::Vocabulary& vocabulary,

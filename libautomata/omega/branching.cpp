@@ -145,6 +145,21 @@ Branching rebuild(const Branching& automaton, std::span<const std::uint32_t> kep
   return out;
 }
 
+Mtbdd::Node unite(Branching& automaton, Mtbdd::Operation operation, Node f, Node g, Effort& effort) {
+  const Node none = Mtbdd::terminal(Choices::none);
+  const auto decide = [&](const std::array<Node, 2>& n) -> std::optional<Node> {
+    effort.step();
+    if (n[0] == none || n[0] == n[1]) return n[1];
+    if (n[1] == none) return n[0];
+    if (!Mtbdd::is_terminal(n[0]) || !Mtbdd::is_terminal(n[1])) return std::nullopt;
+    const auto x = automaton.choices[Mtbdd::payload(n[0])], y = automaton.choices[Mtbdd::payload(n[1])];
+    std::vector<Branch> both(x.begin(), x.end());
+    both.insert(both.end(), y.begin(), y.end());
+    return Mtbdd::terminal(automaton.choices.intern(std::move(both)));
+  };
+  return automaton.diagram.apply(operation, std::array{f, g}, decide);
+}
+
 Branching canonical(const Branching& automaton) {
   std::vector<std::uint32_t> order{automaton.initial}, number(automaton.states(), unseen);
   number[automaton.initial] = 0;

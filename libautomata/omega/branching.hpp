@@ -9,6 +9,7 @@
 #include <unordered_map>
 #include <vector>
 
+#include "libautomata/effort.hpp"
 #include "libautomata/mtbdd.hpp"
 #include "libautomata/omega/acceptance.hpp"
 
@@ -77,6 +78,10 @@ bool is_complete(const Branching& automaton);
 using ChangeChoice = std::function<std::vector<Branch>(std::uint32_t source, std::span<const Branch> choice)>;
 Branching rebuild(const Branching& automaton, std::span<const std::uint32_t> kept,
                   const ChangeChoice& change);
+
+// Two roots joined: on each letter the branches of both. The operation belongs to this function alone.
+Mtbdd::Node unite(Branching& automaton, Mtbdd::Operation operation, Mtbdd::Node f, Mtbdd::Node g,
+                  Effort& effort);
 
 // The reachable states, numbered breadth first from the initial state (which becomes 0), targets in the order of the
 // diagram, false before true, and of a choice by (marks, old number); nodes and choices made afresh in that order.

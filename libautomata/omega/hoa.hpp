@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "libautomata/effort.hpp"
 #include "libautomata/hoa_syntax.hpp"
@@ -18,6 +19,8 @@ namespace waymark::automata {
 struct OmegaHoaOptions {
   std::string name = {};
   bool marks_on_states = false;  // where all edges of each state carry the same marks; else it stays as it is
+  std::vector<std::string> properties = {};  // that are true and not seen on the automaton: more of them
+  std::vector<std::string> headers = {};     // whole lines, of names that begin with a small letter
   HoaLayout layout = {};
 };
 

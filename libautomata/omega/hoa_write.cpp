@@ -47,6 +47,8 @@ std::optional<std::string> write_hoa_within(const Automaton& automaton, std::siz
   text.properties += " no-univ-branch";
   if (is_complete(transitions)) text.properties += " complete";
   if (is_deterministic(transitions)) text.properties += " deterministic";
+  for (const std::string& property : options.properties) text.properties += ' ' + property;
+  text.headers = options.headers;
   for (std::vector<BranchEdge>& from : *edges) text.states.push_back(state_text(from, on_states));
   return print(text, options.layout);
 }

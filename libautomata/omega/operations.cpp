@@ -167,16 +167,11 @@ Automaton sum(const Automaton& a, const Automaton& b) {
   const auto second = [&](std::uint32_t c) { return Mtbdd::terminal(of_b(c)); };
   out.roots = out.diagram.import(both.diagram, both.first, first, keep);
   for (Node root : out.diagram.import(both.diagram, both.second, second, keep)) out.roots.push_back(root);
-  const auto unite = [&](const std::array<Node, 2>& n) -> std::optional<Node> {
-    if (!Mtbdd::is_terminal(n[0]) || !Mtbdd::is_terminal(n[1])) return std::nullopt;
-    const auto p = out.choices[Mtbdd::payload(n[0])], q = out.choices[Mtbdd::payload(n[1])];
-    std::vector<Branch> branches(p.begin(), p.end());
-    branches.insert(branches.end(), q.begin(), q.end());
-    return Mtbdd::terminal(out.choices.intern(std::move(branches)));
-  };
-  const std::array starts{out.roots[a.initial().index], out.roots[states_a + b.initial().index]};
+  Effort unlimited;
+  const Node start = unite(out, out.diagram.operation(), out.roots[a.initial().index],
+                           out.roots[states_a + b.initial().index], unlimited);
   out.initial = static_cast<std::uint32_t>(out.roots.size());
-  out.roots.push_back(out.diagram.apply(out.diagram.operation(), starts, unite));
+  out.roots.push_back(start);
   return as_automaton(out, both.vocabulary, both.reads);
 }
 

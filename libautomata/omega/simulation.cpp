@@ -169,7 +169,8 @@ class Reversal {
     union_ = out_.diagram.operation();
     for (std::uint32_t p = 0; p < automaton.states(); ++p) {
       known_.clear();
-      for (const auto& [q, root] : into(p, automaton.roots[p])) out_.roots[q] = either(out_.roots[q], root);
+      for (const auto& [q, root] : into(p, automaton.roots[p]))
+        out_.roots[q] = unite(out_, union_, out_.roots[q], root, effort_);
     }
   }
   Branching result() && { return std::move(out_); }
@@ -198,21 +199,6 @@ class Reversal {
     }
     return known_.emplace(n.id, std::move(out)).first->second;
   }
-  Node either(Node f, Node g) {
-    const Node none = Mtbdd::terminal(Choices::none);
-    const auto decide = [&](const std::array<Node, 2>& a) -> std::optional<Node> {
-      effort_.step();
-      if (a[0] == none || a[0] == a[1]) return a[1];
-      if (a[1] == none) return a[0];
-      if (!Mtbdd::is_terminal(a[0]) || !Mtbdd::is_terminal(a[1])) return std::nullopt;
-      const auto x = out_.choices[Mtbdd::payload(a[0])], y = out_.choices[Mtbdd::payload(a[1])];
-      std::vector<Branch> all(x.begin(), x.end());
-      all.insert(all.end(), y.begin(), y.end());
-      return Mtbdd::terminal(out_.choices.intern(std::move(all)));
-    };
-    return out_.diagram.apply(union_, std::array{f, g}, decide);
-  }
-
   const Branching& from_;
   Effort& effort_;
   Branching out_;
@@ -232,19 +218,10 @@ Branching united(const Branching& automaton, const std::vector<std::uint32_t>& r
     return branches;
   });
   const Mtbdd::Operation operation = out.diagram.operation();
-  const auto decide = [&](const std::array<Node, 2>& a) -> std::optional<Node> {
-    effort.step();
-    if (a[0] == a[1]) return a[1];
-    if (!Mtbdd::is_terminal(a[0]) || !Mtbdd::is_terminal(a[1])) return std::nullopt;
-    const auto x = out.choices[Mtbdd::payload(a[0])], y = out.choices[Mtbdd::payload(a[1])];
-    std::vector<Branch> both(x.begin(), x.end());
-    both.insert(both.end(), y.begin(), y.end());
-    return Mtbdd::terminal(out.choices.intern(std::move(both)));
-  };
   std::vector<Node> roots(merge.kept.size(), Mtbdd::terminal(Choices::none));
   for (std::uint32_t q = 0; q < automaton.states(); ++q) {
     Node& root = roots[merge.number[q]];
-    root = out.diagram.apply(operation, std::array{root, out.roots[q]}, decide);
+    root = unite(out, operation, root, out.roots[q], effort);
   }
   out.roots = std::move(roots);
   out.initial = merge.number[automaton.initial];
@@ -253,7 +230,7 @@ Branching united(const Branching& automaton, const std::vector<std::uint32_t>& r
 
 }  // namespace
 
-Branching bisimulation_quotient(const Branching& automaton, Effort& effort) {
+Quotient bisimulation(const Branching& automaton, Effort& effort) {
   std::vector<std::uint32_t> class_of(automaton.states(), 0);
   std::size_t classes = 1;
   while (true) {
@@ -278,14 +255,14 @@ Branching bisimulation_quotient(const Branching& automaton, Effort& effort) {
     }
     class_of = std::move(next);
     if (names.size() == classes) {
-      const Merging merge = merging(representative);
+      Merging merge = merging(representative);
       Branching out = rebuild(automaton, merge.kept, [&](std::uint32_t, std::span<const Branch> choice) {
         std::vector<Branch> branches(choice.begin(), choice.end());
         for (Branch& b : branches) b.target = merge.number[b.target];
         return branches;
       });
       out.initial = merge.number[automaton.initial];
-      return out;
+      return {std::move(out), std::move(merge.number)};
     }
     classes = names.size();
   }

@@ -14,7 +14,14 @@
 namespace waymark::automata {
 
 // States with one signature merged: the coarsest partition that letters, marks and classes respect.
-Branching bisimulation_quotient(const Branching& automaton, Effort& effort);
+struct Quotient {
+  Branching automaton;
+  std::vector<std::uint32_t> number;  // of an old state in the new automaton
+};
+Quotient bisimulation(const Branching& automaton, Effort& effort);
+inline Branching bisimulation_quotient(const Branching& automaton, Effort& effort) {
+  return bisimulation(automaton, effort).automaton;
+}
 
 // Marks are read as "the more the better": generalised Büchi (or any condition without Fin).
 Branching simulation_quotient(const Branching& automaton, Effort& effort);

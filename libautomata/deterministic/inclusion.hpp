@@ -1,0 +1,18 @@
+// Which states of one deterministic automaton accept no more than which states of another one.
+//
+// A word that one state accepts and another one rejects is a run of pairs that meets the first condition and not the
+// second. The graph of all pairs is made once and its live part answers for every two states. [BK08, Sec. 4.4.2]
+#pragma once
+#include <cstdint>
+#include <vector>
+
+#include "libautomata/effort.hpp"
+#include "libautomata/omega/branching.hpp"
+
+namespace waymark::automata {
+
+// [q][r]: L(q) ⊆ L(r), q a state of a, r one of b. Both deterministic and complete, over the same variables, any
+// acceptance. One step of effort per pair of nodes; more than Marks::most sets in both count as too many states.
+std::vector<std::vector<bool>> inclusions(const Branching& a, const Branching& b, Effort& effort);
+
+}  // namespace waymark::automata

@@ -1,0 +1,107 @@
+#include "libautomata/limit_deterministic/pool.hpp"
+
+#include <algorithm>
+#include <numeric>
+
+#include "libautomata/omega/emptiness.hpp"
+#include "libautomata/omega/simulation.hpp"
+
+namespace waymark::automata {
+namespace {
+
+struct Unmarked {  // the graph without marked edges
+  std::vector<std::vector<std::uint32_t>> targets;
+  std::size_t size() const { return targets.size(); }
+  const std::vector<std::uint32_t>& successors(std::uint32_t q) const { return targets[q]; }
+};
+
+Branching with_all_marks(const Branching& automaton) {
+  const BranchGraph graph(automaton);
+  Unmarked unmarked{std::vector<std::vector<std::uint32_t>>(graph.size())};
+  for (std::uint32_t q = 0; q < graph.size(); ++q)
+    for (const Branch& b : graph.branches(q))
+      if (b.marks.empty()) unmarked.targets[q].push_back(b.target);
+  const Components found = components(unmarked);
+  std::vector<std::uint32_t> all(automaton.states());
+  std::iota(all.begin(), all.end(), 0U);
+  return rebuild(automaton, all, [&](std::uint32_t q, std::span<const Branch> choice) {
+    std::vector<Branch> branches(choice.begin(), choice.end());
+    for (Branch& b : branches)
+      if (found.of[q] != found.of[b.target]) b.marks = Marks::of(0);
+    return branches;
+  });
+}
+
+}  // namespace
+
+std::uint32_t Pool::add(const Branching& part) {
+  const auto first = static_cast<std::uint32_t>(automaton.states());
+  const auto leaf = [&](std::uint32_t c) {
+    std::vector<Branch> branches(part.choices[c].begin(), part.choices[c].end());
+    for (Branch& b : branches) b.target += first;
+    return Mtbdd::terminal(automaton.choices.intern(std::move(branches)));
+  };
+  for (Mtbdd::Node root :
+       automaton.diagram.import(part.diagram, part.roots, leaf, [](Mtbdd::Variable v) { return v; }))
+    automaton.roots.push_back(root);
+  return first;
+}
+
+MergedPool merged(const Pool& pool, Effort& effort) {
+  MergedPool out;
+  if (pool.automaton.states() == 0) return out;
+  Quotient quotient = bisimulation(with_all_marks(pool.automaton), effort);
+  out.pool.automaton = std::move(quotient.automaton);
+  out.number = std::move(quotient.number);
+  return out;
+}
+
+Choosing::Choosing(const Pool& pool) : reached_(pool.automaton.states(), false) {
+  const BranchGraph graph(pool.automaton);
+  for (std::uint32_t q = 0; q < graph.size(); ++q) successors_.push_back(graph.successors(q));
+}
+
+std::vector<std::uint32_t> Choosing::choose(const std::vector<std::vector<std::uint32_t>>& requests) {
+  std::vector<std::uint32_t> out(requests.size());
+  std::vector<std::size_t> order(requests.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t i, std::size_t j) { return requests[i].size() < requests[j].size(); });
+  for (std::size_t i : order) {
+    std::size_t fewest = SIZE_MAX;
+    for (std::uint32_t option : requests[i]) {
+      const std::size_t more = added(option);
+      if (more >= fewest) continue;
+      fewest = more;
+      out[i] = option;
+    }
+    reach(out[i]);
+  }
+  return out;
+}
+
+std::size_t Choosing::added(std::uint32_t state) const {
+  if (reached_[state]) return 0;
+  std::vector<bool> met = reached_;
+  std::vector<std::uint32_t> queue{state};
+  met[state] = true;
+  for (std::size_t i = 0; i < queue.size(); ++i)
+    for (std::uint32_t target : successors_[queue[i]]) {
+      if (!met[target]) queue.push_back(target);
+      met[target] = true;
+    }
+  return queue.size();
+}
+
+void Choosing::reach(std::uint32_t state) {
+  std::vector<std::uint32_t> stack{state};
+  while (!stack.empty()) {
+    const std::uint32_t q = stack.back();
+    stack.pop_back();
+    if (reached_[q]) continue;
+    reached_[q] = true;
+    stack.insert(stack.end(), successors_[q].begin(), successors_[q].end());
+  }
+}
+
+}  // namespace waymark::automata

@@ -1,0 +1,45 @@
+// The accepting part of a limit-deterministic automaton while its entries are being chosen: deterministic Büchi
+// automata side by side, one for each guess.
+#pragma once
+#include <cstdint>
+#include <vector>
+
+#include "libautomata/effort.hpp"
+#include "libautomata/omega/branching.hpp"
+
+namespace waymark::automata {
+
+// States beside each other; diagrams over the same variables, one branch at most in a choice. The initial state says
+// nothing.
+struct Pool {
+  Branching automaton;  // Büchi
+  Pool() { automaton.acceptance = Acceptance::buchi(); }
+  // Copies the states of a part; the number of its first one. O(size of the part).
+  std::uint32_t add(const Branching& part);
+};
+
+// Every edge that no cycle of unmarked edges goes through is marked: a run that takes it for ever meets marks for ever.
+// Then states with one signature are merged. The second component: by old state, the new one.
+struct MergedPool {
+  Pool pool;
+  std::vector<std::uint32_t> number;
+};
+MergedPool merged(const Pool& pool, Effort& effort);
+
+// The fewest states that answer requests, each of which may be answered by any of several states: greedily, those with
+// a single option first, then always the option that reaches the fewest states not yet reached.
+class Choosing {
+ public:
+  explicit Choosing(const Pool& pool);
+  // options: not empty, best first among equals. Returns the chosen option of every request.
+  std::vector<std::uint32_t> choose(const std::vector<std::vector<std::uint32_t>>& requests);
+
+ private:
+  std::size_t added(std::uint32_t state) const;  // states reached from it and not yet
+  void reach(std::uint32_t state);
+
+  std::vector<std::vector<std::uint32_t>> successors_;
+  std::vector<bool> reached_;
+};
+
+}  // namespace waymark::automata
