@@ -36,7 +36,7 @@ std::vector<Formula> needed(Formula f) {
 }  // namespace
 
 Residuals::Residuals(ltl::Formula f, const std::vector<ltl::Proposition>& reads, Effort& effort)
-    : logic_(residuals_), ite_(letters_.operation()), effort_(effort) {
+    : reads_(reads), logic_(residuals_), ite_(letters_.operation()), effort_(effort) {
   payload(Boolean::constant(false), false);  // trap
   payload(Boolean::constant(true), true);    // anything
   initial_ = payload(residual_of(f, reads), false);
@@ -160,6 +160,30 @@ std::uint32_t Residuals::choose(std::uint32_t f, std::uint32_t g, std::uint32_t 
   const Node residual = logic_.if_then_else(a.residual, b.residual, c.residual);
   effort_.step(residuals_.size() - nodes);  // where residuals are large, most of the work is here
   return payload(residual, a.may_stop ? b.may_stop : c.may_stop);
+}
+
+// Shannon's expansion where the function is not monotone in the elementary formula, a shorter form where it is.
+ltl::Formula Residuals::formula(Node residual, ltl::Arena& arena) {
+  if (Mtbdd::is_terminal(residual)) return arena.constant(residual == Boolean::constant(true));
+  if (const auto known = spelled_.find(residual.id); known != spelled_.end()) return known->second;
+  const Node low = residuals_.low(residual), high = residuals_.high(residual);
+  const Formula e = spelled(elementary_[residuals_.variable(residual)], arena);
+  const Formula on_low = formula(low, arena), on_high = formula(high, arena);
+  const Formula with = logic_.implies(high, low) ? on_high : ltl::conjunction(e, on_high);
+  const Formula without = logic_.implies(low, high) ? on_low : ltl::conjunction(ltl::negate(e), on_low);
+  return spelled_.emplace(residual.id, ltl::disjunction(with, without)).first->second;
+}
+
+ltl::Formula Residuals::spelled(const Elementary& e, ltl::Arena& arena) {
+  switch (e.kind) {
+    case Kind::Proposition: return arena.atom(reads_[Mtbdd::payload(e.right)]);
+    case Kind::Next: return ltl::next(formula(e.right, arena));
+    case Kind::Until: {
+      const Formula left = formula(e.left, arena), right = formula(e.right, arena);
+      return ltl::until(left, right);
+    }
+  }
+  throw std::logic_error("elementary formula without a spelling");
 }
 
 std::uint32_t Residuals::payload(Node residual, bool may_stop) {

@@ -36,6 +36,8 @@ class Residuals {
   // δ(residual of the leaf, ·): payloads are leaves.
   Node successors(std::uint32_t payload) { return progress(leaves_[payload].residual); }
   const Mtbdd& diagram() const { return letters_; }
+  // What the rest must satisfy, over infinite words: as a formula.
+  ltl::Formula formula(Node residual, ltl::Arena& arena);
 
  private:
   enum class Kind : std::uint8_t { Proposition, Next, Until };
@@ -56,7 +58,9 @@ class Residuals {
   std::uint32_t choose(std::uint32_t f, std::uint32_t g,
                        std::uint32_t h);  // if f then g else h, on both halves
   Node if_then_else(Node f, Node g, Node h);
+  ltl::Formula spelled(const Elementary& e, ltl::Arena& arena);
 
+  std::vector<ltl::Proposition> reads_;
   Mtbdd residuals_;  // variables are elementary formulas
   Boolean logic_;
   Mtbdd letters_;  // variables are propositions, payloads are leaves
@@ -66,6 +70,7 @@ class Residuals {
   std::vector<Node> elementary_successors_;
   std::unordered_map<std::uint64_t, Mtbdd::Variable> next_, until_;
   std::unordered_map<std::uint32_t, Node> progressed_;
+  std::unordered_map<std::uint32_t, ltl::Formula> spelled_;
   std::vector<Leaf> leaves_;
   std::unordered_map<std::uint64_t, std::uint32_t> payload_of_;
   std::uint32_t initial_ = 0;

@@ -4,7 +4,6 @@
 #include <utility>
 
 #include "libautomata/deterministic/colours.hpp"
-#include "libautomata/limit_deterministic/host.hpp"
 #include "libautomata/omega/emptiness.hpp"
 
 namespace waymark::automata {
@@ -120,11 +119,6 @@ class Copies {
 
 }  // namespace
 
-LimitDeterministic guess_colour(const Branching& parity, bool compare, Effort& effort) {
-  const Branching complete = completed_parity(parity);
-  Pool pool;
-  std::vector<Guess> guesses = Copies(complete).guesses(pool);
-  return hosted(complete, pool, std::move(guesses), compare, effort);
-}
+std::vector<Guess> guess_colour(const Branching& parity, Pool& pool) { return Copies(parity).guesses(pool); }
 
 }  // namespace waymark::automata

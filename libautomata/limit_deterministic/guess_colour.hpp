@@ -7,16 +7,18 @@
 // Why that is sound for MDPs: under the strategy that is best for the parity automaton, almost every run comes into an
 // end component of the product and stays, with one state set and one least colour; when that is even and c, jumping to
 // the copy of the current state is accepted with probability one, and no word outside the language is ever accepted
-// [SEJK16, Sec. 5, with colours in place of formulas]. A jump may lead to any state of the accepting part instead that
+// [SEJK16] with colours in place of formulas. A jump may lead to any state of the accepting part instead that
 // accepts all words of the first target and only words of the language: the accepting part is deterministic, so what
 // was accepted with probability one still is. And a state of the initial part whose whole language one such state
 // accepts is that state: no guess is left to make.
 #pragma once
-#include "libautomata/limit_deterministic/ldba.hpp"
+#include <vector>
+
+#include "libautomata/limit_deterministic/host.hpp"
 
 namespace waymark::automata {
 
-// parity(Min, Even, ·), deterministic. `compare` and the rest as in hosted().
-LimitDeterministic guess_colour(const Branching& parity, bool compare, Effort& effort);
+// parity(Min, Even, ·), deterministic, complete. Adds the copies to the pool; a guess for each state of each copy.
+std::vector<Guess> guess_colour(const Branching& parity, Pool& pool);
 
 }  // namespace waymark::automata

@@ -4,7 +4,7 @@
 // the initial part offers jumps to states of the accepting one, taken at no cost and reading no letter: a guess of what
 // will hold for ever. A run that guesses wrong is rejected; how often it may guess is what makes an automaton usable:
 // in the product with any MDP the best strategy must win with the probability of the formula. That is a theorem about a
-// construction [SEJK16, Thm. 2], not something to be seen on the automaton, so only our constructions make an MdpSafe.
+// construction [SEJK16], not something to be seen on the automaton, so only our constructions make an MdpSafe.
 #pragma once
 #include <cstdint>
 #include <optional>

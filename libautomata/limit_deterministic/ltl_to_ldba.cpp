@@ -1,11 +1,15 @@
 #include "libautomata/limit_deterministic/ltl_to_ldba.hpp"
 
+#include <algorithm>
 #include <optional>
 #include <stdexcept>
 #include <utility>
 
+#include "libautomata/deterministic/colours.hpp"
 #include "libautomata/deterministic/ltl_to_parity.hpp"
 #include "libautomata/limit_deterministic/guess_colour.hpp"
+#include "libautomata/limit_deterministic/master_theorem.hpp"
+#include "libltl/simplify.hpp"
 
 namespace waymark::automata {
 
@@ -21,24 +25,95 @@ class ProvedConstructions {
 namespace {
 
 constexpr std::size_t compared_states = 150;  // of the parity automaton: languages are compared for all pairs
-constexpr std::size_t comparison_steps = 100'000'000;
+constexpr std::size_t comparison_steps = 50'000'000;
+constexpr std::size_t theorem_steps = 50'000'000;
 
 struct Candidate {
   LimitDeterministic ldba;
   bool reduced = true;
 };
 
-Candidate by_colours(const Branching& parity, const std::stop_token& stop) {
-  if (parity.states() <= compared_states) {
-    Effort effort(comparison_steps, SIZE_MAX, stop);
-    try {
-      return {guess_colour(parity, true, effort), true};
-    } catch (const Effort::Spent& spent) {
-      if (spent.reason == Effort::Spent::Reason::Stopped) throw;
+template <class Make>
+auto within(std::size_t steps, const std::stop_token& stop, const Make& make)
+    -> std::optional<decltype(make(std::declval<Effort&>()))> {
+  Effort effort(steps, SIZE_MAX, stop);
+  try {
+    return make(effort);
+  } catch (const Effort::Spent& spent) {
+    if (spent.reason == Effort::Spent::Reason::Stopped) throw;
+    return std::nullopt;
+  }
+}
+
+bool smaller(const LimitDeterministic& a, const LimitDeterministic& b) {
+  return a.automaton.states() < b.automaton.states();
+}
+
+class Construction {
+ public:
+  // parity(Min, Even, ·), deterministic.
+  Construction(const Branching& parity, std::stop_token stop)
+      : parity_(completed_parity(parity)), stop_(std::move(stop)), by_colours_(guess_colour(parity_, pool_)) {
+    if (parity_.states() <= compared_states) best_ = compared(by_colours_);
+    if (!best_) {
+      Effort effort(SIZE_MAX, SIZE_MAX, stop_);
+      best_ = Candidate{hosted(parity_, pool_, by_colours_, false, effort), false};
     }
   }
-  Effort effort(SIZE_MAX, SIZE_MAX, stop);
-  return {guess_colour(parity, false, effort), false};
+  // Two more ways where the first one has something to guess: its guesses over a larger pool, and the theorem's.
+  void try_the_theorem(ltl::Formula f, const std::vector<ltl::Proposition>& reads) {
+    if (!best_->reduced || parity_.states() > compared_states || is_deterministic()) return;
+    auto guesses = within(theorem_steps, stop_, [&](Effort& effort) {
+      return guess_by_master_theorem(f, parity_, reads, pool_, effort);
+    });
+    if (!guesses || !*guesses) return;
+    for (const std::vector<Guess>* from : {&by_colours_, &**guesses}) {
+      std::optional<Candidate> made = compared(*from);
+      if (made && smaller(made->ldba, best_->ldba)) best_ = std::move(made);
+    }
+  }
+  Candidate best() && { return *std::move(best_); }
+
+ private:
+  std::optional<Candidate> compared(const std::vector<Guess>& guesses) const {
+    auto made = within(comparison_steps, stop_,
+                       [&](Effort& effort) { return hosted(parity_, pool_, guesses, true, effort); });
+    if (!made) return std::nullopt;
+    return Candidate{*std::move(made), true};
+  }
+  bool is_deterministic() const {
+    for (const auto& jumps : best_->ldba.jumps)
+      if (!jumps.empty()) return false;
+    return true;
+  }
+
+  Branching parity_;
+  std::stop_token stop_;
+  Pool pool_;
+  std::vector<Guess> by_colours_;
+  std::optional<Candidate> best_;
+};
+
+std::vector<ltl::Proposition> together(std::vector<ltl::Proposition> a,
+                                       const std::vector<ltl::Proposition>& b) {
+  a.insert(a.end(), b.begin(), b.end());
+  std::sort(a.begin(), a.end());
+  a.erase(std::unique(a.begin(), a.end()), a.end());
+  return a;
+}
+
+// The transitions with the positions in `reads` as variables.
+Branching over(const std::vector<ltl::Proposition>& reads, const Automaton& automaton) {
+  Branching out = automaton.transitions();
+  Mtbdd diagram;
+  out.roots = diagram.import(
+      automaton.diagram(), out.roots, [](std::uint32_t choice) { return Mtbdd::terminal(choice); },
+      [&](Mtbdd::Variable v) {
+        const auto at = std::lower_bound(reads.begin(), reads.end(), automaton.reads()[v]);
+        return static_cast<Mtbdd::Variable>(at - reads.begin());
+      });
+  out.diagram = std::move(diagram);
+  return out;
 }
 
 }  // namespace
@@ -47,12 +122,15 @@ std::variant<TranslatedForMdps, Exhausted> ltl_to_ldba(ltl::Formula f, const Tra
   auto found = ltl_to_parity(f, limits);
   if (const Exhausted* none = std::get_if<Exhausted>(&found)) return *none;
   const Translated& parity = std::get<Translated>(found);
+  const ltl::Formula simple = ltl::simplify(f, ltl::Over::Infinite);
+  const std::vector<ltl::Proposition> reads = together(ltl::propositions(simple), parity.automaton.reads());
   try {
-    Candidate best = by_colours(min_even_parity(parity.automaton.transitions()), limits.stop);
-    return TranslatedForMdps{
-        ProvedConstructions::made(std::move(best.ldba), f.arena().vocabulary(), parity.automaton.reads()),
-        best.reduced && parity.reduced};
-  } catch (const Effort::Spent&) {
+    Construction construction(min_even_parity(over(reads, parity.automaton)), limits.stop);
+    construction.try_the_theorem(simple, reads);
+    Candidate best = std::move(construction).best();
+    return TranslatedForMdps{ProvedConstructions::made(std::move(best.ldba), f.arena().vocabulary(), reads),
+                             best.reduced && parity.reduced};
+  } catch (const Effort::Spent&) {  // stopped
     return Exhausted{parity.automaton.states()};
   }
 }
@@ -65,7 +143,7 @@ MdpSafe ltl_to_ldba(ltl::Formula f) {
 
 MdpSafe limit_deterministic(const Dpa& automaton) {
   const Automaton& parity = automaton.automaton();
-  Candidate made = by_colours(min_even_parity(parity.transitions()), {});
+  Candidate made = Construction(min_even_parity(parity.transitions()), {}).best();
   return ProvedConstructions::made(std::move(made.ldba), parity.vocabulary(), parity.reads());
 }
 

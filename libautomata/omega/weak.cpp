@@ -112,13 +112,9 @@ class Colouring {
   Effort& effort_;
 };
 
-}  // namespace
-
 // Residuals closed under progression. On infinite words "may stop here" says nothing: leaves that differ in it only
-// are one state.
-Transitions progression(ltl::Formula f, const std::vector<ltl::Proposition>& reads, Effort& effort) {
-  Residuals residuals(f, reads, effort);
-  std::vector<std::uint32_t> order;                        // leaves
+// are one state. `order` receives the leaves, by state.
+Transitions close(Residuals& residuals, std::vector<std::uint32_t>& order, Effort& effort) {
   std::unordered_map<std::uint32_t, std::uint32_t> state;  // of a residual
   const auto state_of = [&](std::uint32_t leaf) {
     const auto [at, fresh] =
@@ -151,6 +147,24 @@ Transitions progression(ltl::Formula f, const std::vector<ltl::Proposition>& rea
       residuals.diagram(), roots, [&](std::uint32_t leaf) { return Mtbdd::terminal(state_of(leaf)); },
       [](Mtbdd::Variable v) { return v; });
   out.accepting.assign(out.roots.size(), false);
+  return out;
+}
+
+}  // namespace
+
+Transitions progression(ltl::Formula f, const std::vector<ltl::Proposition>& reads, Effort& effort) {
+  Residuals residuals(f, reads, effort);
+  std::vector<std::uint32_t> leaves;
+  return close(residuals, leaves, effort);
+}
+
+Progression progression_with_meaning(ltl::Formula f, const std::vector<ltl::Proposition>& reads,
+                                     Effort& effort) {
+  Residuals residuals(f, reads, effort);
+  std::vector<std::uint32_t> leaves;
+  Progression out{close(residuals, leaves, effort), {}};
+  for (std::uint32_t leaf : leaves)
+    out.meaning.push_back(residuals.formula(residuals.leaf(leaf).residual, f.arena()));
   return out;
 }
 

@@ -17,6 +17,14 @@ namespace waymark::automata {
 // Progression closed off: deterministic, complete, nothing accepting.
 Transitions progression(ltl::Formula f, const std::vector<ltl::Proposition>& reads, Effort& effort);
 
+// … and what is left to satisfy, by state: formulas of the same arena, in no normal form.
+struct Progression {
+  Transitions structure;
+  std::vector<ltl::Formula> meaning;
+};
+Progression progression_with_meaning(ltl::Formula f, const std::vector<ltl::Proposition>& reads,
+                                     Effort& effort);
+
 // Complete; accepting states are those whose loops accept. The language is φ's when φ is an obligation, else any.
 Transitions weak_deterministic(ltl::Formula f, const std::vector<ltl::Proposition>& reads, Effort& effort);
 Transitions weak_deterministic(ltl::Formula f, const std::vector<ltl::Proposition>& reads,

@@ -1,0 +1,165 @@
+#include "libautomata/limit_deterministic/advice.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+#include <unordered_map>
+#include <utility>
+
+namespace waymark::automata {
+namespace {
+
+using ltl::Formula;
+using ltl::Op;
+
+// Formulas under decisions: U and R subformulas that are in (true) or out. An image is unknown when it depends on one
+// that is not decided; that one is remembered.
+class Reading {
+ public:
+  enum class As { Safe, Cosafe };
+  using Decisions = std::unordered_map<Formula, bool>;
+
+  Reading(ltl::Arena& arena, const Decisions& decisions) : arena_(arena), decisions_(decisions) {}
+
+  std::optional<Formula> image(Formula f, As as) {
+    auto& known = known_[as == As::Safe ? 0 : 1];
+    if (const auto at = known.find(f); at != known.end()) return at->second;
+    const std::optional<Formula> made = make(f, as);
+    known.emplace(f, made);
+    return made;
+  }
+  const std::optional<Formula>& undecided() const { return undecided_; }
+
+ private:
+  std::optional<Formula> make(Formula f, As as) {
+    switch (f.op()) {
+      case Op::False:
+      case Op::True:
+      case Op::Atom:
+      case Op::Not: return f;
+      case Op::And:
+      case Op::Or: return junction(f, as);
+      case Op::Next: {
+        const std::optional<Formula> operand = image(f[0], as);
+        return operand ? std::optional(ltl::next(*operand)) : std::nullopt;
+      }
+      case Op::Until: return until(f, as);
+      case Op::Release: return release(f, as);
+      case Op::WeakNext:
+      case Op::Iff: break;
+    }
+    throw std::logic_error("advice is for negation normal forms over infinite words");
+  }
+  // The absorbing constant decides, whatever is unknown beside it.
+  std::optional<Formula> junction(Formula f, As as) {
+    const Formula absorbing = arena_.constant(f.op() == Op::Or);
+    std::vector<Formula> images;
+    bool all = true;
+    for (Formula operand : f.operands()) {
+      const std::optional<Formula> one = image(operand, as);
+      if (one == absorbing) return absorbing;
+      if (one) images.push_back(*one);
+      all = all && one;
+    }
+    if (!all) return std::nullopt;
+    return f.op() == Op::Or ? ltl::disjunction(arena_, images) : ltl::conjunction(arena_, images);
+  }
+  std::optional<Formula> until(Formula f, As as) {
+    if (as == As::Safe) {
+      const std::optional<bool> in = decision(f);
+      if (!in) return std::nullopt;
+      if (!*in) return arena_.constant(false);
+    }
+    const std::optional<Formula> left = image(f[0], as), right = image(f[1], as);
+    if (right == arena_.constant(true)) return right;
+    if (!left || !right) return std::nullopt;
+    return as == As::Safe ? ltl::weak_until(*left, *right) : ltl::until(*left, *right);
+  }
+  std::optional<Formula> release(Formula f, As as) {
+    if (as == As::Cosafe) {
+      const std::optional<bool> in = decision(f);
+      if (!in) return std::nullopt;
+      if (*in) return arena_.constant(true);
+    }
+    const std::optional<Formula> left = image(f[0], as), right = image(f[1], as);
+    if (right == arena_.constant(false)) return right;
+    if (!left || !right) return std::nullopt;
+    return as == As::Safe ? ltl::release(*left, *right) : ltl::strong_release(*left, *right);
+  }
+  std::optional<bool> decision(Formula f) {
+    const auto at = decisions_.find(f);
+    if (at != decisions_.end()) return at->second;
+    if (!undecided_) undecided_ = f;
+    return std::nullopt;
+  }
+
+  ltl::Arena& arena_;
+  const Decisions& decisions_;
+  std::unordered_map<Formula, std::optional<Formula>> known_[2];
+  std::optional<Formula> undecided_;
+};
+
+class Enumeration {
+ public:
+  Enumeration(Formula f, std::size_t most) : formula_(f), arena_(f.arena()), most_(most) {}
+  std::optional<std::vector<Advice>> run() {
+    decide();
+    if (made_.size() > most_) return std::nullopt;
+    return std::move(made_);
+  }
+
+ private:
+  void decide() {
+    if (made_.size() > most_) return;
+    Reading reading(arena_, decisions_);
+    std::optional<Advice> advice = read(reading);
+    if (!advice) return;
+    if (!reading.undecided()) {
+      made_.push_back(*std::move(advice));
+      return;
+    }
+    const Formula next = *reading.undecided();
+    order_.push_back(next);
+    for (const bool in : {true, false}) {
+      decisions_[next] = in;
+      decide();
+    }
+    decisions_.erase(next);
+    order_.pop_back();
+  }
+  // nullopt: false by its look. What is not known yet is left out.
+  std::optional<Advice> read(Reading& reading) const {
+    std::vector<Formula> safe;
+    Advice out{formula_, {}};
+    const auto add = [&](std::optional<Formula> image, std::vector<Formula>& to) {
+      if (image && *image != arena_.constant(true)) to.push_back(*image);
+      return image != arena_.constant(false);
+    };
+    if (!add(reading.image(formula_, Reading::As::Safe), safe)) return std::nullopt;
+    for (Formula g : order_) {
+      if (!decisions_.at(g)) continue;
+      if (g.op() == Op::Until && !add(reading.image(g[1], Reading::As::Cosafe), out.often))
+        return std::nullopt;
+      if (g.op() == Op::Release) {
+        const std::optional<Formula> image = reading.image(g[1], Reading::As::Safe);
+        if (!add(image ? std::optional(ltl::always(*image)) : std::nullopt, safe)) return std::nullopt;
+      }
+    }
+    out.safe = ltl::conjunction(arena_, safe);
+    std::sort(out.often.begin(), out.often.end());
+    out.often.erase(std::unique(out.often.begin(), out.often.end()), out.often.end());
+    return out;
+  }
+
+  Formula formula_;
+  ltl::Arena& arena_;
+  std::size_t most_;
+  Reading::Decisions decisions_;
+  std::vector<Formula> order_;  // decided, in this order
+  std::vector<Advice> made_;
+};
+
+}  // namespace
+
+std::optional<std::vector<Advice>> advices(Formula f, std::size_t most) { return Enumeration(f, most).run(); }
+
+}  // namespace waymark::automata

@@ -1,0 +1,178 @@
+#include "libautomata/limit_deterministic/master_theorem.hpp"
+
+#include <algorithm>
+#include <unordered_set>
+#include <utility>
+
+#include "libautomata/limit_deterministic/advice.hpp"
+#include "libautomata/omega/emptiness.hpp"
+#include "libautomata/omega/product.hpp"
+#include "libautomata/omega/weak.hpp"
+#include "libltl/nnf.hpp"
+#include "libltl/simplify.hpp"
+
+namespace waymark::automata {
+namespace {
+
+using ltl::Formula;
+using Node = Mtbdd::Node;
+
+constexpr std::size_t most_advices = 64;   // of one formula
+constexpr std::size_t most_entries = 256;  // of all
+
+// For each state of a complete deterministic automaton of φ, a state of the progression that some word reaches
+// together with it: the language left is the same.
+class Companions {
+ public:
+  Companions(const Branching& parity, const Transitions& structure, Effort& effort)
+      : parity_(parity), structure_(structure), effort_(effort), companion_(parity.states()) {
+    meet(parity.initial, structure.initial);
+    for (std::size_t i = 0; i < queue_.size(); ++i) {
+      seen_.clear();
+      const std::uint32_t q = queue_[i];
+      follow(parity.roots[q], structure.roots[*companion_[q]]);
+    }
+  }
+  const std::optional<std::uint32_t>& of(std::uint32_t q) const { return companion_[q]; }
+
+ private:
+  void meet(std::uint32_t q, std::uint32_t companion) {
+    if (companion_[q]) return;
+    companion_[q] = companion;
+    queue_.push_back(q);
+  }
+  void follow(Node x, Node y) {
+    if (!seen_.insert(std::uint64_t{x.id} << 32U | y.id).second) return;
+    effort_.step();
+    if (Mtbdd::is_terminal(x) && Mtbdd::is_terminal(y))
+      return meet(parity_.choices[Mtbdd::payload(x)].front().target, Mtbdd::payload(y));
+    const Mtbdd::Variable top = std::min(parity_.diagram.variable(x), structure_.diagram.variable(y));
+    const auto side = [&](const Mtbdd& diagram, Node n, bool high) {
+      return diagram.variable(n) != top ? n : high ? diagram.high(n) : diagram.low(n);
+    };
+    for (const bool high : {false, true})
+      follow(side(parity_.diagram, x, high), side(structure_.diagram, y, high));
+  }
+
+  const Branching& parity_;
+  const Transitions& structure_;
+  Effort& effort_;
+  std::vector<std::optional<std::uint32_t>> companion_;
+  std::vector<std::uint32_t> queue_;
+  std::unordered_set<std::uint64_t> seen_;
+};
+
+bool accepts_all(const Branching& automaton, std::uint32_t q) {
+  const Node root = automaton.roots[q];
+  if (!Mtbdd::is_terminal(root)) return false;
+  const auto choice = automaton.choices[Mtbdd::payload(root)];
+  return choice.size() == 1 && choice[0] == Branch{q, Marks::first(automaton.acceptance.sets)};
+}
+
+class Entries {
+ public:
+  Entries(const std::vector<ltl::Proposition>& reads, Effort& effort) : reads_(reads), effort_(effort) {}
+
+  // nullopt: accepts nothing.
+  std::optional<Branching> automaton(const Advice& advice) {
+    const Formula safe = ltl::simplify(advice.safe, ltl::Over::Infinite);
+    const Branching safety = as_buchi(weak_deterministic(safe, reads_, effort_), {});
+    if (is_empty(safety)) return std::nullopt;
+    std::vector<Branching> waits;
+    for (Formula e : advice.often) {
+      const Formula f = ltl::simplify(ltl::eventually(e), ltl::Over::Infinite);
+      const Branching wait = as_buchi(weak_deterministic(f, reads_, effort_), {});
+      if (is_empty(wait)) return std::nullopt;
+      if (!accepts_all(wait, wait.initial)) waits.push_back(wait);
+    }
+    return waits.empty() ? always_marked(safety) : marked_once(intersection(safety, round(waits), effort_));
+  }
+
+ private:
+  // Each is waited for until a good prefix is read, then the next one; a mark for every round.
+  static Branching round(const std::vector<Branching>& waits) {
+    Pool all;
+    std::vector<std::uint32_t> first;
+    for (const Branching& wait : waits) first.push_back(all.add(wait));
+    std::vector<std::uint32_t> kept(all.automaton.states()), part(kept.size());
+    for (std::uint32_t q = 0, i = 0; q < kept.size(); ++q) {
+      kept[q] = q;
+      if (i + 1 < first.size() && q == first[i + 1]) ++i;
+      part[q] = i;
+    }
+    const auto start = [&](std::size_t i) { return first[i] + waits[i].initial; };
+    Branching out = rebuild(all.automaton, kept, [&](std::uint32_t q, std::span<const Branch> choice) {
+      std::vector<Branch> branches;
+      for (const Branch& b : choice) {
+        const std::uint32_t i = part[q];
+        if (!accepts_all(waits[i], b.target - first[i])) {
+          branches.push_back({b.target, {}});
+        } else {
+          const bool last = i + 1 == waits.size();
+          branches.push_back({start(last ? 0 : i + 1), last ? Marks::of(0) : Marks()});
+        }
+      }
+      return branches;
+    });
+    out.initial = start(0);
+    out.acceptance = Acceptance::buchi();
+    return out;
+  }
+  static Branching always_marked(const Branching& safety) {
+    return remarked(safety, [](Marks) { return true; });
+  }
+  // The safety part has no marks, or is empty: the round's mark is the last one.
+  static Branching marked_once(const Branching& product) {
+    const Marks full = Marks::first(product.acceptance.sets);
+    return remarked(product, [&](Marks marks) { return marks == full; });
+  }
+  template <class Marked>
+  static Branching remarked(const Branching& automaton, const Marked& marked) {
+    std::vector<std::uint32_t> all(automaton.states());
+    for (std::uint32_t q = 0; q < all.size(); ++q) all[q] = q;
+    Branching out = rebuild(automaton, all, [&](std::uint32_t, std::span<const Branch> choice) {
+      std::vector<Branch> branches(choice.begin(), choice.end());
+      for (Branch& b : branches) b.marks = marked(b.marks) ? Marks::of(0) : Marks();
+      return branches;
+    });
+    out.acceptance = Acceptance::buchi();
+    return out;
+  }
+
+  const std::vector<ltl::Proposition>& reads_;
+  Effort& effort_;
+};
+
+}  // namespace
+
+std::optional<std::vector<Guess>> guess_by_master_theorem(Formula f, const Branching& parity,
+                                                          const std::vector<ltl::Proposition>& reads,
+                                                          Pool& pool, Effort& effort) {
+  const Progression progression = progression_with_meaning(f, reads, effort);
+  const Companions companions(parity, progression.structure, effort);
+  Entries entries(reads, effort);
+  std::vector<std::optional<std::vector<std::uint32_t>>> known(progression.meaning.size());
+  std::size_t made = 0;
+  std::vector<Guess> out;
+  for (std::uint32_t q = 0; q < parity.states(); ++q) {
+    if (!companions.of(q)) continue;
+    std::optional<std::vector<std::uint32_t>>& targets = known[*companions.of(q)];
+    if (!targets) {
+      targets.emplace();
+      const Formula meaning =
+          ltl::simplify(ltl::nnf(progression.meaning[*companions.of(q)]), ltl::Over::Infinite);
+      const auto choices = advices(ltl::nnf(meaning), most_advices);
+      if (!choices) return std::nullopt;
+      for (const Advice& advice : *choices) {
+        const std::optional<Branching> entry = entries.automaton(advice);
+        if (!entry) continue;
+        if (++made > most_entries) return std::nullopt;
+        targets->push_back(pool.add(*entry) + entry->initial);
+      }
+    }
+    for (std::uint32_t target : *targets) out.push_back({q, target});
+  }
+  return out;
+}
+
+}  // namespace waymark::automata

@@ -1,0 +1,23 @@
+// Guesses by the master theorem: an entry of the accepting part for each choice of what holds for ever.
+//
+// For one formula per language that can be left, each advice gives a deterministic Büchi automaton: the minimal one of
+// its safety formula, beside a round through the co-safe formulas that must hold again and again, each waited for in
+// turn. Sound for MDPs: in an end component of the product almost all words share X and Y, which holds for ever there
+// and so from every state of it on [SEJK16], [EKS20]; the argument asks nothing of the formula but its
+// language, so one formula for each language will do.
+#pragma once
+#include <optional>
+#include <vector>
+
+#include "libautomata/limit_deterministic/host.hpp"
+#include "libltl/formula.hpp"
+
+namespace waymark::automata {
+
+// parity: complete, deterministic, of φ. Adds entries to the pool, with a guess for each state of `parity`. reads[v] is the proposition of
+// variable v of both. nullopt when there are too many choices; throws what the effort throws.
+std::optional<std::vector<Guess>> guess_by_master_theorem(ltl::Formula f, const Branching& parity,
+                                                          const std::vector<ltl::Proposition>& reads,
+                                                          Pool& pool, Effort& effort);
+
+}  // namespace waymark::automata
