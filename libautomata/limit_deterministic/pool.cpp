@@ -58,7 +58,10 @@ MergedPool merged(const Pool& pool, Effort& effort) {
 
 Choosing::Choosing(const Pool& pool) : reached_(pool.automaton.states(), false) {
   const BranchGraph graph(pool.automaton);
-  for (std::uint32_t q = 0; q < graph.size(); ++q) successors_.push_back(graph.successors(q));
+  for (std::uint32_t q = 0; q < graph.size(); ++q) {
+    std::vector<std::uint32_t>& targets = successors_.emplace_back();
+    for (std::uint32_t target : graph.successors(q)) targets.push_back(target);
+  }
 }
 
 std::vector<std::uint32_t> Choosing::choose(const std::vector<std::vector<std::uint32_t>>& requests) {

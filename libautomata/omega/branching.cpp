@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <tuple>
+#include <utility>
 
 namespace waymark::automata {
 namespace {
@@ -19,49 +20,38 @@ std::uint64_t hash_of(std::span<const Branch> branches) {
   return hash;
 }
 
-// Copies one root into another manager, the low side first; `leaf` maps ids of choices.
-template <class Leaf>
-class Copier {
- public:
-  Copier(const Mtbdd& from, Mtbdd& to, const Leaf& leaf) : from_(from), to_(to), leaf_(leaf) {}
-  Node copy(Node n) {
-    if (const auto known = image_.find(n.id); known != image_.end()) return known->second;
-    Node image;
-    if (Mtbdd::is_terminal(n)) {
-      image = Mtbdd::terminal(leaf_(Mtbdd::payload(n)));
-    } else {
-      const Node low = copy(from_.low(n)), high = copy(from_.high(n));
-      image = to_.make(from_.variable(n), low, high);
-    }
-    image_.emplace(n.id, image);
-    return image;
-  }
-
- private:
-  const Mtbdd& from_;
-  Mtbdd& to_;
-  const Leaf& leaf_;
-  std::unordered_map<std::uint32_t, Node> image_;
-};
-
 }  // namespace
 
-Choices::Choices() : begin_{0} { intern({}); }
+Choices::Choices() : begin_{0}, table_(16, 0) { intern({}); }
 
 std::uint32_t Choices::intern(std::vector<Branch> branches) {
   std::sort(branches.begin(), branches.end());
   branches.erase(std::unique(branches.begin(), branches.end()), branches.end());
   const std::uint64_t hash = hash_of(branches);
-  const auto [first, last] = by_hash_.equal_range(hash);
-  for (auto it = first; it != last; ++it) {
-    const std::span<const Branch> known = (*this)[it->second];
-    if (std::equal(known.begin(), known.end(), branches.begin(), branches.end())) return it->second;
+  if (2 * (size() + 1) > table_.size()) grow();
+  std::size_t at = hash & (table_.size() - 1);
+  for (; table_[at] != 0; at = (at + 1) & (table_.size() - 1)) {
+    const std::uint32_t id = table_[at] - 1;
+    if (hashes_[id] != hash) continue;
+    const std::span<const Branch> known = (*this)[id];
+    if (std::equal(known.begin(), known.end(), branches.begin(), branches.end())) return id;
   }
   const auto id = static_cast<std::uint32_t>(size());
   branches_.insert(branches_.end(), branches.begin(), branches.end());
   begin_.push_back(branches_.size());
-  by_hash_.emplace(hash, id);
+  hashes_.push_back(hash);
+  table_[at] = id + 1;
   return id;
+}
+
+void Choices::grow() {
+  std::vector<std::uint32_t> larger(2 * table_.size(), 0);
+  for (std::uint32_t id = 0; id < size(); ++id) {
+    std::size_t at = hashes_[id] & (larger.size() - 1);
+    while (larger[at] != 0) at = (at + 1) & (larger.size() - 1);
+    larger[at] = id + 1;
+  }
+  table_ = std::move(larger);
 }
 
 ChoiceLists::ChoiceLists(const Branching& automaton)
@@ -138,9 +128,10 @@ Branching rebuild(const Branching& automaton, std::span<const std::uint32_t> kep
   Branching out;
   out.initial = automaton.initial;
   out.acceptance = automaton.acceptance;
+  RootCopier copier(automaton, out);
   for (std::uint32_t q : kept) {
     const auto leaf = [&](std::uint32_t c) { return out.choices.intern(change(q, automaton.choices[c])); };
-    out.roots.push_back(Copier(automaton.diagram, out.diagram, leaf).copy(automaton.roots[q]));
+    out.roots.push_back(copier.copy(automaton.roots[q], leaf));
   }
   return out;
 }
@@ -158,6 +149,23 @@ Mtbdd::Node unite(Branching& automaton, Mtbdd::Operation operation, Node f, Node
     return Mtbdd::terminal(automaton.choices.intern(std::move(both)));
   };
   return automaton.diagram.apply(operation, std::array{f, g}, decide);
+}
+
+// Nodes were made in the same order, so equal functions have equal ids.
+bool identical(const Branching& a, const Branching& b) {
+  if (a.states() != b.states() || a.initial != b.initial || a.acceptance != b.acceptance ||
+      a.roots != b.roots || a.choices.size() != b.choices.size() || a.diagram.size() != b.diagram.size())
+    return false;
+  for (std::uint32_t c = 0; c < a.choices.size(); ++c)
+    if (!std::equal(a.choices[c].begin(), a.choices[c].end(), b.choices[c].begin(), b.choices[c].end()))
+      return false;
+  for (std::uint32_t id = 0; id < a.diagram.size(); ++id) {
+    const Node n{id};
+    if (a.diagram.variable(n) != b.diagram.variable(n) || a.diagram.low(n) != b.diagram.low(n) ||
+        a.diagram.high(n) != b.diagram.high(n))
+      return false;
+  }
+  return true;
 }
 
 Branching canonical(const Branching& automaton) {

@@ -6,7 +6,6 @@
 #include <cstdint>
 #include <functional>
 #include <span>
-#include <unordered_map>
 #include <vector>
 
 #include "libautomata/effort.hpp"
@@ -33,9 +32,12 @@ class Choices {
   std::size_t size() const { return begin_.size() - 1; }
 
  private:
+  void grow();
+
   std::vector<Branch> branches_;
   std::vector<std::size_t> begin_;
-  std::unordered_multimap<std::uint64_t, std::uint32_t> by_hash_;
+  std::vector<std::uint64_t> hashes_;
+  std::vector<std::uint32_t> table_;  // open-addressed over ids + 1, 0 is free; a power of two
 };
 
 struct Branching {
@@ -72,6 +74,45 @@ bool is_deterministic(const Branching& automaton);
 // … and none is empty.
 bool is_complete(const Branching& automaton);
 
+// Copies roots of one automaton into another one, choices changed: leaf(choice) is asked once a root and gives the id
+// of a choice of the other one. The low side is copied first. Both automata must stay.
+class RootCopier {
+ public:
+  RootCopier(const Branching& from, Branching& to)
+      : from_(from), to_(to), nodes_(from.diagram.size()), leaves_(from.choices.size()) {}
+  template <class Leaf>
+  Mtbdd::Node copy(Mtbdd::Node root, const Leaf& leaf) {
+    ++round_;
+    return image(root, leaf);
+  }
+
+ private:
+  struct Known {
+    std::uint32_t round = 0;
+    Mtbdd::Node image;
+  };
+  template <class Leaf>
+  Mtbdd::Node image(Mtbdd::Node n, const Leaf& leaf) {
+    const bool terminal = Mtbdd::is_terminal(n);
+    Known& known = terminal ? leaves_[Mtbdd::payload(n)] : nodes_[n.id];
+    if (known.round == round_) return known.image;
+    Mtbdd::Node made;
+    if (terminal) {
+      made = Mtbdd::terminal(leaf(Mtbdd::payload(n)));
+    } else {
+      const Mtbdd::Node low = image(from_.diagram.low(n), leaf), high = image(from_.diagram.high(n), leaf);
+      made = to_.diagram.make(from_.diagram.variable(n), low, high);
+    }
+    known = {round_, made};
+    return made;
+  }
+
+  const Branching& from_;
+  Branching& to_;
+  std::uint32_t round_ = 0;
+  std::vector<Known> nodes_, leaves_;
+};
+
 // The automaton with new branches: `change` is asked once for each choice of each state in `kept` (indices of the old
 // automaton, its new state i is kept[i]) and gives branches over new states. The initial state and the acceptance are
 // copied and are the caller's to change.
@@ -86,5 +127,7 @@ Mtbdd::Node unite(Branching& automaton, Mtbdd::Operation operation, Mtbdd::Node 
 // The reachable states, numbered breadth first from the initial state (which becomes 0), targets in the order of the
 // diagram, false before true, and of a choice by (marks, old number); nodes and choices made afresh in that order.
 Branching canonical(const Branching& automaton);
+// Of two in canonical numbering: the same but for the names of states and nodes. O(size).
+bool identical(const Branching& a, const Branching& b);
 
 }  // namespace waymark::automata

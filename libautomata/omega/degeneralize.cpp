@@ -42,21 +42,17 @@ class Levels {
     Branching out;
     out.acceptance = Acceptance::buchi();
     out.initial = entry(from_.initial);
-    std::vector<std::uint32_t> sources;
+    RootCopier copier(from_, out);
     for (std::size_t i = 0; i < copies_.size(); ++i) {  // the copies double as the queue
       const std::uint32_t q = copies_[i].first, level = copies_[i].second;
       const Marks marks = level == sets_ && live_.accepting[component(q)] ? Marks::of(0) : Marks();
-      const std::uint32_t only[] = {q};
-      const Branching one = rebuild(from_, only, [&](std::uint32_t, std::span<const Branch> choice) {
-        std::vector<Branch> branches;
-        for (const Branch& b : choice) branches.push_back({copy(b.target, after(q, level, b)), marks});
-        return branches;
-      });
       const auto leaf = [&](std::uint32_t c) {
-        return Mtbdd::terminal(out.choices.intern({one.choices[c].begin(), one.choices[c].end()}));
+        std::vector<Branch> branches;
+        for (const Branch& b : from_.choices[c])
+          branches.push_back({copy(b.target, after(q, level, b)), marks});
+        return out.choices.intern(std::move(branches));
       };
-      out.roots.push_back(
-          out.diagram.import(one.diagram, one.roots, leaf, [](Mtbdd::Variable v) { return v; })[0]);
+      out.roots.push_back(copier.copy(from_.roots[q], leaf));
     }
     return out;
   }

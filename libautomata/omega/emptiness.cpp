@@ -58,10 +58,7 @@ bool component_accepts(const BranchGraph& graph, const std::vector<std::uint32_t
 
 BranchGraph::BranchGraph(const Branching& automaton) {
   ChoiceLists choices(automaton);
-  for (std::uint32_t q = 0; q < automaton.states(); ++q) {
-    add_state();
-    for (const Branch& b : choices.branches(q)) add(q, b);
-  }
+  for (std::uint32_t q = 0; q < automaton.states(); ++q) states_.push_back(choices.branches(q));
 }
 
 LiveComponents live_components(const BranchGraph& graph, const Condition& condition) {

@@ -3,6 +3,8 @@
 // Emptiness for any condition by removing Fin marks recursively: a component all of whose marks satisfy the condition
 // accepts; otherwise one mark under Fin is either avoided (its edges removed) or met (its Fin is false). [BBD+19]
 #pragma once
+#include <cstdint>
+#include <span>
 #include <vector>
 
 #include "libautomata/omega/automaton.hpp"
@@ -14,23 +16,41 @@ namespace waymark::automata {
 // Branches by state, letters forgotten.
 class BranchGraph {
  public:
+  class Targets {  // of the branches of a state
+   public:
+    class Iterator {
+     public:
+      explicit Iterator(const Branch* at) : at_(at) {}
+      std::uint32_t operator*() const { return at_->target; }
+      Iterator& operator++() {
+        ++at_;
+        return *this;
+      }
+      friend bool operator==(Iterator, Iterator) = default;
+
+     private:
+      const Branch* at_;
+    };
+    explicit Targets(const std::vector<Branch>& branches) : branches_(branches) {}
+    std::size_t size() const { return branches_.size(); }
+    std::uint32_t operator[](std::size_t i) const { return branches_[i].target; }
+    Iterator begin() const { return Iterator(branches_.data()); }
+    Iterator end() const { return Iterator(branches_.data() + branches_.size()); }
+
+   private:
+    std::span<const Branch> branches_;
+  };
+
   BranchGraph() = default;
   explicit BranchGraph(const Branching& automaton);
-  void add_state() {
-    states_.emplace_back();
-    targets_.emplace_back();
-  }
-  void add(std::uint32_t source, Branch branch) {
-    states_[source].push_back(branch);
-    targets_[source].push_back(branch.target);
-  }
+  void add_state() { states_.emplace_back(); }
+  void add(std::uint32_t source, Branch branch) { states_[source].push_back(branch); }
   std::size_t size() const { return states_.size(); }
   const std::vector<Branch>& branches(std::uint32_t q) const { return states_[q]; }
-  const std::vector<std::uint32_t>& successors(std::uint32_t q) const { return targets_[q]; }
+  Targets successors(std::uint32_t q) const { return Targets(states_[q]); }
 
  private:
   std::vector<std::vector<Branch>> states_;
-  std::vector<std::vector<std::uint32_t>> targets_;
 };
 
 struct LiveComponents {

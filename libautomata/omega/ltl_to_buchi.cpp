@@ -123,8 +123,11 @@ class Construction {
   }
   std::optional<Candidate> counted(const Branching& general, const LevelRule& rule, bool is_reduced) {
     Effort effort(reduction_steps, limits_.states, limits_.stop);
-    const auto levels = within([&] { return degeneralize(general, rule, effort); });
+    auto levels = within([&] { return canonical(degeneralize(general, rule, effort)); });
     if (!levels) return std::nullopt;
+    for (const Branching& before : counted_)
+      if (identical(before, *levels)) return std::nullopt;
+    counted_.push_back(*levels);
     Effort rest(std::max(level_steps_, least_steps), SIZE_MAX, limits_.stop);  // shared by all attempts
     Reduced made = reduce(*levels, MarksOn::States, rest);
     level_steps_ = rest.steps_left();
@@ -251,8 +254,9 @@ class Construction {
   std::vector<ltl::Proposition> reads_;
   Formula formula_;
   std::size_t level_steps_ = reduction_steps;
-  std::vector<Candidate> routes_;  // of the whole formula, where there is a choice
-  std::size_t& states_;            // made by the tableau that made most
+  std::vector<Branching> counted_;  // automata with levels that were reduced already
+  std::vector<Candidate> routes_;   // of the whole formula, where there is a choice
+  std::size_t& states_;             // made by the tableau that made most
 };
 
 // A set on all branches where every run accepts.

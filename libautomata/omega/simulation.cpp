@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <map>
 #include <numeric>
+#include <unordered_map>
 
 #include "libautomata/omega/emptiness.hpp"
+#include "libautomata/omega/pair_memo.hpp"
 
 namespace waymark::automata {
 namespace {
@@ -37,8 +39,8 @@ class Simulation {
 
  private:
   struct Answer {
-    std::uint32_t round;  // when it was given; a "no" stays true, a "yes" only in its round
-    bool yes;
+    std::uint32_t round = 0;  // when it was given; a "no" stays true, a "yes" only in its round
+    bool yes = false;
   };
 
   std::size_t index(std::uint32_t q, std::uint32_t r) const { return q * automaton_.states() + r; }
@@ -55,12 +57,11 @@ class Simulation {
   }
   bool compare(Node x, Node y) {
     if (x == y) return true;
-    const std::uint64_t key = std::uint64_t{x.id} << 32U | y.id;
-    if (const auto known = known_.find(key); known != known_.end())
-      if (!known->second.yes || known->second.round == rounds_) return known->second.yes;
+    if (const Answer* known = known_.find(x.id, y.id))
+      if (!known->yes || known->round == rounds_) return known->yes;
     effort_.step();
     const bool yes = look(x, y);
-    known_[key] = {rounds_, yes};
+    known_.store(x.id, y.id, {rounds_, yes});
     return yes;
   }
   bool look(Node x, Node y) {
@@ -85,7 +86,7 @@ class Simulation {
   const Branching& automaton_;
   Effort& effort_;
   std::vector<bool> below_;
-  std::unordered_map<std::uint64_t, Answer> known_;
+  PairMemo<Answer> known_;
   std::uint32_t rounds_ = 0;
 };
 
