@@ -4,6 +4,7 @@
 #include <array>
 #include <optional>
 #include <unordered_set>
+#include <utility>
 
 namespace waymark::automata {
 namespace {
@@ -136,12 +137,25 @@ std::vector<StateId> targets(const Dfa& dfa, StateId q) {
 std::size_t count_edges(const Dfa& dfa) { return *count_edges(dfa, SIZE_MAX); }
 
 std::optional<std::size_t> count_edges(const Dfa& dfa, std::size_t most) {
+  constexpr std::uint32_t never = UINT32_MAX;
+  std::vector<std::uint32_t> node_seen(dfa.diagram().size(), never),
+      state_seen(dfa.states(), never);  // last from
+  std::vector<Node> stack;
   std::size_t sum = 0;
-  for (std::uint32_t q = 0; q < dfa.states(); ++q) {
-    sum += targets(dfa, StateId{q}).size();
-    if (sum > most) return std::nullopt;
+  for (std::uint32_t q = 0; q < dfa.states() && sum <= most; ++q) {
+    stack.push_back(dfa.root(StateId{q}));
+    while (!stack.empty()) {
+      const Node n = stack.back();
+      stack.pop_back();
+      if (Mtbdd::is_terminal(n)) {
+        if (std::exchange(state_seen[Mtbdd::payload(n)], q) != q) ++sum;
+      } else if (std::exchange(node_seen[n.id], q) != q) {
+        stack.push_back(dfa.diagram().high(n));
+        stack.push_back(dfa.diagram().low(n));
+      }
+    }
   }
-  return sum;
+  return sum <= most ? std::optional(sum) : std::nullopt;
 }
 
 std::size_t count_nodes(const Dfa& dfa) {

@@ -9,19 +9,13 @@ namespace waymark::automata {
 namespace {
 
 Transitions quotient(const Transitions& automaton, const Partition& partition) {
-  constexpr std::uint32_t none = UINT32_MAX;
-  std::vector<std::uint32_t> member(partition.classes, none);
-  for (std::uint32_t q = 0; q < partition.class_of.size(); ++q)
-    if (member[partition.class_of[q]] == none) member[partition.class_of[q]] = q;
   Transitions out;
-  std::vector<Mtbdd::Node> roots;
-  for (std::uint32_t q : member) {
-    roots.push_back(automaton.roots[q]);
-    out.accepting.push_back(automaton.accepting[q]);
-  }
+  out.accepting.resize(partition.classes);
+  for (std::uint32_t q = 0; q < partition.class_of.size(); ++q)
+    out.accepting[partition.class_of[q]] = automaton.accepting[q];
   out.roots = out.diagram.import(
-      automaton.diagram, roots, [&](std::uint32_t q) { return Mtbdd::terminal(partition.class_of[q]); },
-      [](Mtbdd::Variable v) { return v; });
+      partition.diagram, partition.roots, [](std::uint32_t c) { return Mtbdd::terminal(c); },
+      [](Mtbdd::Variable v) { return v; }, Mtbdd::Images::StayApart);
   out.initial = partition.class_of[automaton.initial];
   return out;
 }
@@ -49,7 +43,7 @@ Dfa as_dfa(Transitions automaton, const ltl::Vocabulary& vocabulary,
     Mtbdd diagram;
     automaton.roots = diagram.import(
         automaton.diagram, automaton.roots, [](std::uint32_t q) { return Mtbdd::terminal(q); },
-        [&](Mtbdd::Variable v) { return position[v]; });
+        [&](Mtbdd::Variable v) { return position[v]; }, Mtbdd::Images::StayApart);
     automaton.diagram = std::move(diagram);
   }
   return Dfa(vocabulary, std::move(kept), std::move(automaton.diagram), std::move(automaton.roots),

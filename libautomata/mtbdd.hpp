@@ -3,8 +3,11 @@
 // One manager owns its nodes; managers share nothing, so any number of them live on any number of threads. Nodes are
 // reduced and unique: equal functions over one manager are equal Nodes. A terminal is its payload with the top bit
 // set and takes no storage. Children have smaller ids than their parents, so a scan over ids is a topological order.
-// Nothing is freed one by one: import() copies what is still wanted into a fresh manager (a copying collection).
-// A Boolean function is a diagram with payloads 0 and 1. Source: [Bry86, Sec. 4], terminals as in [FMY97, Sec. 2].
+// Nothing is freed one by one, and nothing is marked and swept: constructions end in an automaton that keeps a fraction
+// of what they made, so import() copies what is still wanted into a fresh manager (a copying collection), which also
+// keeps ids topological and drops tables and caches with the garbage. Tables are made when first needed, and a copy
+// that is one to one needs none. A Boolean function is a diagram with payloads 0 and 1.
+// Source: [Bry86, Sec. 4], terminals as in [FMY97, Sec. 2].
 #pragma once
 #include <algorithm>
 #include <array>
@@ -33,8 +36,6 @@ class Mtbdd {
     std::uint32_t tag = 0;
   };
 
-  Mtbdd();
-
   static Node terminal(std::uint32_t payload) {
     assert(payload < terminal_bit);
     return Node{payload | terminal_bit};
@@ -48,6 +49,10 @@ class Mtbdd {
 
   // if variable then high else low; `low` itself when both are one. The variable stands above those of both. O(1).
   Node make(Variable variable, Node low, Node high);
+  // … where the caller knows that there is no such node yet and that low ≠ high: the images of different nodes under a
+  // map that is one to one on their terminals are different. O(1), without a look at the unique table.
+  Node append(Variable variable, Node low, Node high);
+  void reserve(std::size_t nodes) { nodes_.reserve(nodes); }
 
   Operation operation() { return Operation{++operations_}; }
 
@@ -67,10 +72,12 @@ class Mtbdd {
   std::vector<Node> reachable(std::span<const Node> roots) const;
 
   // Copies the diagrams of another manager here: leaf maps a payload to a Node whose variables lie below all renamed
-  // ones (a terminal, usually), rename maps variables and keeps their order. O(from.size()).
+  // ones (a terminal, usually), rename maps variables and keeps their order. O(from.size()). StayApart: both are one to
+  // one and nothing is here yet.
+  enum class Images : std::uint8_t { MayMeet, StayApart };
   template <class Leaf, class Rename>
   std::vector<Node> import(const Mtbdd& from, std::span<const Node> roots, const Leaf& leaf,
-                           const Rename& rename);
+                           const Rename& rename, Images images = Images::MayMeet);
 
  private:
   static constexpr std::uint32_t terminal_bit = 0x8000'0000;
@@ -84,11 +91,13 @@ class Mtbdd {
     Node result{};
   };
   Remembered& slot(Operation op, const std::array<Node, 3>& args);
-  void grow();
+  void grow_cache();
+  void index();  // all nodes, with room for as many again
 
   std::vector<Decision> nodes_;
-  std::vector<std::uint32_t> table_;  // open-addressed over node ids + 1, 0 is free; a power of two
-  std::vector<Remembered> cache_;     // direct-mapped; a power of two
+  std::vector<std::uint32_t> table_;  // open-addressed over node ids + 1, 0 is free; a power of two, or empty
+  std::size_t indexed_ = 0;           // nodes in the table: all, unless some were appended
+  std::vector<Remembered> cache_;     // direct-mapped; a power of two, or empty; entries of old tags are dead
   std::uint32_t operations_ = 0;
 };
 
@@ -119,15 +128,19 @@ Mtbdd::Node Mtbdd::apply(Operation op, const std::array<Node, N>& args, Decide& 
 
 template <class Leaf, class Rename>
 std::vector<Mtbdd::Node> Mtbdd::import(const Mtbdd& from, std::span<const Node> roots, const Leaf& leaf,
-                                       const Rename& rename) {
+                                       const Rename& rename, Images images) {
+  assert(images == Images::MayMeet || size() == 0);
   std::vector<Node> copy(from.size());
   const auto image = [&](Node n) { return is_terminal(n) ? leaf(payload(n)) : copy[n.id]; };
-  for (Node n : from.reachable(roots))
-    copy[n.id] = make(rename(from.variable(n)), image(from.low(n)), image(from.high(n)));
-  std::vector<Node> images;
-  images.reserve(roots.size());
-  for (Node root : roots) images.push_back(image(root));
-  return images;
+  for (Node n : from.reachable(roots)) {
+    const Variable variable = rename(from.variable(n));
+    const Node low = image(from.low(n)), high = image(from.high(n));
+    copy[n.id] = images == Images::StayApart ? append(variable, low, high) : make(variable, low, high);
+  }
+  std::vector<Node> out;
+  out.reserve(roots.size());
+  for (Node root : roots) out.push_back(image(root));
+  return out;
 }
 
 }  // namespace waymark::automata

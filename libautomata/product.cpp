@@ -1,9 +1,7 @@
 #include "libautomata/product.hpp"
 
 #include <algorithm>
-#include <array>
 #include <stdexcept>
-#include <unordered_map>
 #include <utility>
 
 #include "libautomata/boolean.hpp"
@@ -15,25 +13,131 @@ namespace {
 
 using Node = Mtbdd::Node;
 
-class Pairs {
+// What became of pairs of nodes: open-addressed, linear probing, twelve bytes an entry, nothing forgotten.
+class PairTable {
  public:
-  explicit Pairs(Effort& effort) : effort_(effort) {}
-  std::uint32_t number(std::uint32_t p, std::uint32_t q) {
-    const auto [at, fresh] =
-        number_.try_emplace(std::uint64_t{p} << 32U | q, static_cast<std::uint32_t>(pairs_.size()));
-    if (fresh) {
-      pairs_.emplace_back(p, q);
-      effort_.state();
-    }
-    return at->second;
+  PairTable() : entries_(64) {}
+  // The result of the pair, `unknown` when it is new; then set() is to follow, after any other calls.
+  Node find(Node p, Node q) {
+    if (4 * used_ > 3 * entries_.size()) grow();
+    Entry& entry = entries_[slot(p, q)];
+    if (entry.first == p && entry.second == q) return entry.result;
+    entry = {p, q, unknown};
+    ++used_;
+    return unknown;
   }
-  std::size_t size() const { return pairs_.size(); }
-  std::pair<std::uint32_t, std::uint32_t> operator[](std::size_t i) const { return pairs_[i]; }
+  void set(Node p, Node q, Node result) { entries_[slot(p, q)].result = result; }
+  static constexpr Node unknown{UINT32_MAX};  // the terminal of the largest payload: no state has it
 
  private:
+  struct Entry {
+    Node first = unknown, second = unknown, result = unknown;
+  };
+  std::size_t slot(Node p, Node q) const {  // of the pair, or free
+    std::uint64_t hash = (std::uint64_t{p.id} << 32U | q.id) * 0x9E37'79B9'7F4A'7C15ULL;
+    hash = (hash ^ hash >> 32U) * 0xBF58'476D'1CE4'E5B9ULL;
+    std::size_t at = (hash >> 24U) & (entries_.size() - 1);
+    const auto other = [&](const Entry& e) { return e.first != unknown && (e.first != p || e.second != q); };
+    while (other(entries_[at])) at = (at + 1) & (entries_.size() - 1);
+    return at;
+  }
+  void grow() {
+    std::vector<Entry> old(2 * entries_.size());
+    old.swap(entries_);
+    for (const Entry& e : old)
+      if (e.first != unknown) entries_[slot(e.first, e.second)] = e;
+  }
+
+  std::vector<Entry> entries_;  // a power of two
+  std::size_t used_ = 0;
+};
+
+// Different pairs of nodes are different functions into pairs of states, so results need no unique table, unless
+// pairs of states are merged: those of which one half settles the verdict for good.
+class PairProduct {
+ public:
+  PairProduct(const Transitions& a, const Transitions& b, Verdict verdict, Effort& effort)
+      : first_(a),
+        second_(b),
+        verdict_(verdict),
+        effort_(effort),
+        settles_first_(
+            settling(a, [&](bool accepts) { return verdict(accepts, false) == verdict(accepts, true); })),
+        settles_second_(
+            settling(b, [&](bool accepts) { return verdict(false, accepts) == verdict(true, accepts); })) {}
+
+  Transitions run() && {
+    out_.initial = Mtbdd::payload(pair(Mtbdd::terminal(first_.initial), Mtbdd::terminal(second_.initial)));
+    for (std::size_t i = 0; i < pairs_.size(); ++i) {
+      const auto [p, q] = pairs_[i];
+      const Node root = i == settled_ ? Mtbdd::terminal(settled_) : pair(first_.roots[p], second_.roots[q]);
+      out_.roots.push_back(root);
+      out_.accepting.push_back(verdict_(first_.accepting[p], second_.accepting[q]));
+    }
+    return std::move(out_);
+  }
+
+ private:
+  static constexpr std::uint32_t no_state = UINT32_MAX;
+
+  // The terminal of a state that is never left and whose acceptance settles the verdict; `unknown`: there is none.
+  template <class Settles>
+  static Node settling(const Transitions& automaton, const Settles& settles) {
+    for (std::uint32_t q = 0; q < automaton.roots.size(); ++q)
+      if (automaton.roots[q] == Mtbdd::terminal(q) && settles(automaton.accepting[q]))
+        return automaton.roots[q];
+    return PairTable::unknown;
+  }
+
+  Node pair(Node p, Node q) {
+    effort_.step();
+    if (p == settles_first_ || q == settles_second_) return settled(p, q);
+    const Node known = made_.find(p, q);
+    if (known != PairTable::unknown) return known;
+    const Node made = Mtbdd::is_terminal(p) && Mtbdd::is_terminal(q)
+                          ? state(Mtbdd::payload(p), Mtbdd::payload(q))
+                          : decision(p, q);
+    made_.set(p, q, made);
+    return made;
+  }
+
+  Node decision(Node p, Node q) {
+    const Mtbdd &a = first_.diagram, &b = second_.diagram;
+    const Mtbdd::Variable of_p = a.variable(p), of_q = b.variable(q), top = std::min(of_p, of_q);
+    const Node low = pair(of_p == top ? a.low(p) : p, of_q == top ? b.low(q) : q);
+    const Node high = pair(of_p == top ? a.high(p) : p, of_q == top ? b.high(q) : q);
+    return merges() ? out_.diagram.make(top, low, high) : out_.diagram.append(top, low, high);
+  }
+
+  Node state(std::uint32_t p, std::uint32_t q) {
+    effort_.state();
+    pairs_.emplace_back(p, q);
+    return Mtbdd::terminal(static_cast<std::uint32_t>(pairs_.size() - 1));
+  }
+
+  Node settled(Node p, Node q) {
+    if (settled_ != no_state) return Mtbdd::terminal(settled_);
+    // The other half does not matter.
+    const std::uint32_t first = p == settles_first_ ? Mtbdd::payload(p) : first_.initial;
+    const std::uint32_t second = q == settles_second_ ? Mtbdd::payload(q) : second_.initial;
+    const Node made = state(first, second);
+    settled_ = Mtbdd::payload(made);
+    return made;
+  }
+
+  bool merges() const {
+    return settles_first_ != PairTable::unknown || settles_second_ != PairTable::unknown;
+  }
+
+  const Transitions& first_;
+  const Transitions& second_;
+  Verdict verdict_;
   Effort& effort_;
+  Node settles_first_, settles_second_;
+  std::uint32_t settled_ = no_state;  // the state of all pairs in which one half settles the verdict
+  PairTable made_;
   std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs_;
-  std::unordered_map<std::uint64_t, std::uint32_t> number_;
+  Transitions out_;
 };
 
 // The same function where variable v is called name[v]; the order of variables may change.
@@ -72,28 +176,7 @@ Transitions over(const Dfa& dfa, const ltl::Vocabulary& vocabulary,
 }  // namespace
 
 Transitions product(const Transitions& a, const Transitions& b, Verdict verdict, Effort& effort) {
-  Mtbdd both;  // a's diagrams, b's diagrams, and those of the pairs
-  const auto same = [](std::uint32_t q) { return Mtbdd::terminal(q); };
-  const auto keep = [](Mtbdd::Variable v) { return v; };
-  const std::vector<Node> first = both.import(a.diagram, a.roots, same, keep);
-  const std::vector<Node> second = both.import(b.diagram, b.roots, same, keep);
-  Pairs pairs(effort);
-  const auto decide = [&](const std::array<Node, 2>& n) -> std::optional<Node> {
-    effort.step();
-    if (!Mtbdd::is_terminal(n[0]) || !Mtbdd::is_terminal(n[1])) return std::nullopt;
-    return Mtbdd::terminal(pairs.number(Mtbdd::payload(n[0]), Mtbdd::payload(n[1])));
-  };
-  const Mtbdd::Operation pairing = both.operation();
-  std::vector<Node> roots;
-  Transitions out;
-  out.initial = pairs.number(a.initial, b.initial);
-  for (std::size_t i = 0; i < pairs.size(); ++i) {
-    const auto [p, q] = pairs[i];
-    out.accepting.push_back(verdict(a.accepting[p], b.accepting[q]));
-    roots.push_back(both.apply(pairing, std::array{first[p], second[q]}, decide));
-  }
-  out.roots = out.diagram.import(both, roots, same, keep);
-  return out;
+  return PairProduct(a, b, verdict, effort).run();
 }
 
 Dfa product(const Dfa& a, const Dfa& b, Verdict verdict) {

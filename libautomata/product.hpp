@@ -1,7 +1,8 @@
 // Products of DFAs: both read the same word, a Boolean function of the two verdicts decides.
 //
 // States are pairs, made as they are reached; both diagrams are merged by one apply whose leaf operation numbers pairs,
-// so the work follows shared nodes, not letters. Source: [BK08, Sec. 4.1] for the pairs.
+// so the work follows shared nodes, not letters. Pairs of which one half settles the verdict for good are one state.
+// Source: [BK08, Sec. 4.1] for the pairs.
 #pragma once
 #include <optional>
 

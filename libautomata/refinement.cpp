@@ -1,23 +1,39 @@
 #include "libautomata/refinement.hpp"
 
 #include <algorithm>
-#include <functional>
-#include <queue>
-#include <tuple>
+#include <bit>
+#include <optional>
+#include <utility>
 
 namespace waymark::automata {
 namespace {
 
 using Vertex = TransitionGraph::Vertex;
 
+// A set of vertices that is emptied in ascending order; what is added meanwhile is larger than what was taken.
+class Agenda {
+ public:
+  explicit Agenda(std::size_t size) : words_(size / 64 + 1, 0) {}
+  void add(Vertex v) { words_[v / 64] |= std::uint64_t{1} << v % 64; }
+  template <class Visit>
+  void drain(const Visit& visit) {
+    for (std::size_t i = 0; i < words_.size(); ++i) {
+      while (words_[i] != 0) {
+        const auto bit = static_cast<Vertex>(std::countr_zero(words_[i]));
+        words_[i] &= words_[i] - 1;
+        visit(static_cast<Vertex>(64 * i) + bit);
+      }
+    }
+  }
+
+ private:
+  std::vector<std::uint64_t> words_;
+};
+
 class Refinement {
  public:
   Refinement(const Transitions& automaton, const TransitionGraph& graph)
-      : diagram_(automaton.diagram),
-        graph_(graph),
-        reversed_(graph),
-        image_(graph.size()),
-        waiting_(graph.size()) {
+      : diagram_(automaton.diagram), graph_(graph), image_(graph.size()), agenda_(graph.nodes()) {
     const auto n = static_cast<std::uint32_t>(graph.states());
     partition_.class_of.resize(n);
     for (std::uint32_t q = 0; q < n; ++q) elements_.push_back(q);
@@ -32,18 +48,17 @@ class Refinement {
     for (std::uint32_t c = 0; c < blocks_.size(); ++c)
       for (std::uint32_t i = blocks_[c].begin; i < blocks_[c].end; ++i) rename(elements_[i], c);
     for (Vertex v = 0; v < graph.nodes(); ++v) image_[v] = image_of(v);
-    dirty_ = elements_;
+    for (std::uint32_t q = 0; q < n; ++q) dirty_.push_back(dirty(q));
   }
 
   // Splits classes by the new signatures; false when nothing changed.
   bool round() {
-    std::sort(dirty_.begin(), dirty_.end(),
-              [&](std::uint32_t a, std::uint32_t b) { return key(a) < key(b); });
+    std::sort(dirty_.begin(), dirty_.end());
     dirty_.erase(std::unique(dirty_.begin(), dirty_.end()), dirty_.end());
     renamed_.clear();
     for (std::size_t i = 0; i < dirty_.size();) {
       std::size_t end = i;
-      while (end < dirty_.size() && partition_.class_of[dirty_[end]] == partition_.class_of[dirty_[i]]) ++end;
+      while (end < dirty_.size() && dirty_[end].of == dirty_[i].of) ++end;
       split(i, end);
       i = end;
     }
@@ -53,32 +68,19 @@ class Refinement {
 
   // Redoes the images above the renamed states; afterwards dirty_ holds the states whose signature changed.
   void propagate(Effort& effort) {
-    std::priority_queue<Vertex, std::vector<Vertex>, std::greater<>> queue;  // children first
-    const auto changed = [&](Vertex v) {
-      for (Vertex u : reversed_.predecessors(v)) {
-        if (graph_.is_state(u)) {
-          dirty_.push_back(graph_.state(u));
-        } else if (!waiting_[u]) {
-          waiting_[u] = true;
-          queue.push(u);
-        }
-      }
-    };
-    for (std::uint32_t q : renamed_) changed(graph_.of_state(q));
-    while (!queue.empty()) {
-      effort.step();
-      const Vertex v = queue.top();
-      queue.pop();
-      waiting_[v] = false;
-      const Mtbdd::Node image = image_of(v);
-      if (image == image_[v]) continue;
-      image_[v] = image;
-      changed(v);
-    }
+    if (images_.size() > 2 * graph_.nodes() + 4096) collect();
+    changed_.clear();
+    if (renamed_.size() > partition_.class_of.size() / 8)
+      pass(effort);
+    else
+      climb(effort);
+    for (std::uint32_t q : changed_) dirty_.push_back(dirty(q));
   }
 
   Partition partition() && {
     partition_.classes = static_cast<std::uint32_t>(blocks_.size());
+    for (const Block& block : blocks_) partition_.roots.push_back(signature(elements_[block.begin]));
+    partition_.diagram = std::move(images_);
     return std::move(partition_);
   }
 
@@ -87,9 +89,64 @@ class Refinement {
     std::uint32_t begin, end;  // of elements_
   };
 
-  std::tuple<std::uint32_t, Mtbdd::Node, std::uint32_t> key(std::uint32_t q) const {
-    return {partition_.class_of[q], image_[graph_.root(q)], q};
+  struct Dirty {  // a state with its class and new signature
+    std::uint32_t of;
+    Mtbdd::Node signature;
+    std::uint32_t state;
+    friend auto operator<=>(const Dirty&, const Dirty&) = default;
+  };
+
+  Mtbdd::Node signature(std::uint32_t q) const { return image_[graph_.root(q)]; }
+  Dirty dirty(std::uint32_t q) const { return {partition_.class_of[q], signature(q), q}; }
+
+  bool redo(Vertex v) {  // did the image change?
+    const Mtbdd::Node before = std::exchange(image_[v], image_of(v));
+    return image_[v] != before;
   }
+
+  // All nodes, children first.
+  void pass(Effort& effort) {
+    effort.step(graph_.nodes());
+    std::vector<bool> redone(graph_.size(), false);
+    for (const std::uint32_t q : renamed_) redone[graph_.of_state(q)] = true;
+    for (Vertex v = 0; v < graph_.nodes(); ++v) {
+      const auto children = graph_.successors(v);
+      if (redone[children[0]] || redone[children[1]]) redone[v] = redo(v);
+    }
+    for (std::uint32_t q = 0; q < graph_.states(); ++q)
+      if (redone[graph_.root(q)]) changed_.push_back(q);
+  }
+
+  // Only nodes above the renamed states, children first.
+  void climb(Effort& effort) {
+    if (!reversed_) reversed_.emplace(graph_);
+    const auto tell = [&](Vertex v) {
+      for (Vertex u : reversed_->predecessors(v)) {
+        if (graph_.is_state(u))
+          changed_.push_back(graph_.state(u));
+        else
+          agenda_.add(u);
+      }
+    };
+    for (const std::uint32_t q : renamed_) tell(graph_.of_state(q));
+    agenda_.drain([&](Vertex v) {
+      effort.step();
+      if (redo(v)) tell(v);
+    });
+  }
+
+  // Drops the diagrams over former classes.
+  void collect() {
+    std::vector<Mtbdd::Node> roots(image_.begin(),
+                                   image_.begin() + static_cast<std::ptrdiff_t>(graph_.nodes()));
+    Mtbdd fresh;
+    roots = fresh.import(
+        images_, roots, [](std::uint32_t c) { return Mtbdd::terminal(c); },
+        [](Mtbdd::Variable v) { return v; }, Mtbdd::Images::StayApart);
+    std::copy(roots.begin(), roots.end(), image_.begin());
+    images_ = std::move(fresh);
+  }
+
   Mtbdd::Node image_of(Vertex v) {
     const auto children = graph_.successors(v);
     return images_.make(diagram_.variable(graph_.node(v)), image_[children[0]], image_[children[1]]);
@@ -102,15 +159,14 @@ class Refinement {
   // dirty_[begin, end) lie in one class, sorted by signature. The class becomes one block per signature, and one for
   // the states that are not dirty (they all kept the old signature, which no dirty state has).
   void split(std::size_t begin, std::size_t end) {
-    const std::uint32_t name = partition_.class_of[dirty_[begin]];
+    const std::uint32_t name = dirty_[begin].of;
     const Block whole = blocks_[name];
     std::vector<Block> parts;
     std::uint32_t at = whole.begin;
     for (std::size_t i = begin; i < end;) {
-      const Mtbdd::Node signature = image_[graph_.root(dirty_[i])];
+      const Mtbdd::Node same = dirty_[i].signature;
       Block part{at, at};
-      for (; i < end && image_[graph_.root(dirty_[i])] == signature; ++i)
-        exchange(place_[dirty_[i]], part.end++);
+      for (; i < end && dirty_[i].signature == same; ++i) exchange(place_[dirty_[i].state], part.end++);
       at = part.end;
       parts.push_back(part);
     }
@@ -137,11 +193,12 @@ class Refinement {
 
   const Mtbdd& diagram_;
   const TransitionGraph& graph_;
-  ReversedGraph reversed_;
+  std::optional<ReversedGraph> reversed_;  // made when first needed
   Mtbdd images_;
   std::vector<Mtbdd::Node> image_;  // of a vertex: its diagram, or state, over the current classes
-  std::vector<bool> waiting_;       // node vertices in the queue of propagate()
-  std::vector<std::uint32_t> elements_, place_, dirty_, renamed_;
+  Agenda agenda_;                   // node vertices to redo
+  std::vector<std::uint32_t> elements_, place_, renamed_, changed_;
+  std::vector<Dirty> dirty_;
   std::vector<Block> blocks_;  // by class
   Partition partition_;
 };

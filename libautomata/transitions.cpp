@@ -36,7 +36,8 @@ Numbering breadth_first(const Transitions& automaton) {
   return out;
 }
 
-// Copies one root at a time, children first and the low side first: node ids depend on the functions alone.
+// Copies one root at a time, children first and the low side first: node ids depend on the functions alone. Numbers
+// are one to one, so different nodes stay different.
 class CanonicalCopy {
  public:
   CanonicalCopy(const Mtbdd& from, const Numbering& numbering, Mtbdd& to)
@@ -53,7 +54,7 @@ class CanonicalCopy {
       } else if (!ready(from_.high(n))) {
         stack.push_back(from_.high(n));
       } else {
-        image_[n.id] = to_.make(from_.variable(n), image(from_.low(n)), image(from_.high(n)));
+        image_[n.id] = to_.append(from_.variable(n), image(from_.low(n)), image(from_.high(n)));
         done_[n.id] = true;
       }
     }

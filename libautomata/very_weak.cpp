@@ -53,7 +53,11 @@ class BottomUp {
     summit_[n] = join(summit_[low], summit_[high]);
   }
 
-  Partition partition() && { return std::move(partition_); }
+  Partition partition() && {
+    for (const ClassRoot& root : roots_) partition_.roots.push_back(root.image);
+    partition_.diagram = std::move(images_);
+    return std::move(partition_);
+  }
 
  private:
   struct
