@@ -4,6 +4,7 @@
 #include <map>
 
 #include "libautomata/deterministic/brace_tree.hpp"
+#include "libautomata/deterministic/joint_choices.hpp"
 #include "libautomata/omega/emptiness.hpp"
 #include "libautomata/omega/simulation.hpp"
 
@@ -71,11 +72,10 @@ class EdgeLevels {
 class Determinization {
  public:
   Determinization(const Branching& buchi, Effort& effort)
-      : effort_(effort), rules_(buchi, direct_simulation(buchi, effort)) {
+      : effort_(effort), rules_(buchi, direct_simulation(buchi, effort)), joint_(out_.diagram, effort) {
     from_roots_ = out_.diagram.import(
         buchi.diagram, buchi.roots, [](std::uint32_t c) { return Mtbdd::terminal(c); },
         [](Mtbdd::Variable v) { return v; });
-    extend_ = out_.diagram.operation();
   }
 
   Branching run() {
@@ -86,38 +86,15 @@ class Determinization {
   }
 
  private:
-  // The choices that a letter offers to the runs of a tree, one after another: interned as (those before, the last).
-  struct Offers {
-    std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> number;
-    std::vector<std::pair<std::uint32_t, std::uint32_t>> list{{0, 0}};  // 0: none so far
-    std::uint32_t intern(std::uint32_t before, std::uint32_t choice) {
-      const auto [at, fresh] = number.try_emplace({before, choice}, static_cast<std::uint32_t>(list.size()));
-      if (fresh) list.emplace_back(before, choice);
-      return at->second;
-    }
-  };
-
   Node successors(const BraceTree tree) {  // by value: trees_ grows
-    Node offered = Mtbdd::terminal(0);
-    const auto extend = [&](const std::array<Node, 2>& n) -> std::optional<Node> {
-      effort_.step();
-      if (!Mtbdd::is_terminal(n[0]) || !Mtbdd::is_terminal(n[1])) return std::nullopt;
-      return Mtbdd::terminal(offers_.intern(Mtbdd::payload(n[0]), Mtbdd::payload(n[1])));
-    };
-    for (const auto& [q, brace] : tree.runs)
-      offered = out_.diagram.apply(extend_, std::array{offered, from_roots_[q]}, extend);
-    const auto settle = [&](const std::array<Node, 1>& n) -> std::optional<Node> {
-      effort_.step();
-      if (!Mtbdd::is_terminal(n[0])) return std::nullopt;
-      return Mtbdd::terminal(step(tree, Mtbdd::payload(n[0])));
-    };
-    return out_.diagram.apply(out_.diagram.operation(), std::array{offered}, settle);
+    Node offered = JointChoices::empty();
+    for (const auto& [q, brace] : tree.runs) offered = joint_.extended(offered, from_roots_[q]);
+    return joint_.settled(offered, [&](std::uint32_t offer) { return step(tree, offer); });
   }
   std::uint32_t step(const BraceTree& tree, std::uint32_t offer) {
     effort_.step(tree.runs.size() * tree.runs.size() * 8);
     std::vector<std::uint32_t> choices(tree.runs.size());
-    for (std::size_t i = choices.size(); i-- > 0; offer = offers_.list[offer].first)
-      choices[i] = offers_.list[offer].second;
+    joint_.read(offer, choices);
     BraceStep next = rules_.successor(tree, choices);
     if (next.tree.runs.empty()) return Choices::none;
     Marks marks;
@@ -142,8 +119,7 @@ class Determinization {
   BraceRules rules_;
   Branching out_;
   std::vector<Node> from_roots_;
-  Mtbdd::Operation extend_;
-  Offers offers_;
+  JointChoices joint_;
   std::uint32_t colours_ = 1;
   std::map<BraceTree, std::uint32_t> number_;
   std::vector<BraceTree> trees_;

@@ -1,5 +1,6 @@
 #include "libautomata/deterministic/ltl_to_parity.hpp"
 
+#include <algorithm>
 #include <array>
 #include <numeric>
 #include <optional>
@@ -8,10 +9,14 @@
 #include <utility>
 #include <vector>
 
+#include "libautomata/deterministic/combination.hpp"
 #include "libautomata/deterministic/determinize.hpp"
+#include "libautomata/deterministic/paritise.hpp"
+#include "libautomata/omega/prepare.hpp"
 #include "libautomata/omega/weak.hpp"
 #include "libltl/fragment.hpp"
-#include "libltl/simplify.hpp"
+#include "libltl/nnf.hpp"
+#include "libltl/separate.hpp"
 
 namespace waymark::automata {
 namespace {
@@ -20,6 +25,7 @@ using ltl::Formula;
 
 constexpr std::size_t weak_steps = 400'000'000;
 constexpr std::size_t safra_steps = 2'000'000'000;
+constexpr std::size_t product_steps = 200'000'000;
 constexpr std::size_t reduction_steps = 100'000'000;
 constexpr std::size_t wait_for = 20;  // times the states that one route needed, while the other one is tried
 
@@ -29,6 +35,8 @@ struct Candidate {
   std::vector<ltl::Proposition> reads;
   bool reduced = true;
 };
+
+bool is_obligation(Formula f) { return ltl::fragments(f, ltl::Semantics::Infinite).obligation; }
 
 bool smaller(const Candidate& a, const Candidate& b) {
   return std::tuple(a.automaton.states(), count_edges(a.automaton), a.automaton.acceptance.sets) <
@@ -53,31 +61,67 @@ Branching rejected_by(const Branching& automaton) {
   return out;
 }
 
+// φ as positive Boolean combination of formulas, none of which is a junction unless it is an obligation. One that is
+// the negation of another one is not listed again.
+class Split {
+ public:
+  explicit Split(Formula f) : over_(tree(f)) {}
+  const std::vector<Formula>& parts() const { return parts_; }
+  const Condition& over() const { return over_; }
+
+ private:
+  Condition tree(Formula f) {
+    if (is_obligation(f) || (f.op() != ltl::Op::And && f.op() != ltl::Op::Or)) return literal(f);
+    const bool all = f.op() == ltl::Op::And;
+    std::vector<Formula> obligations, rest;
+    for (Formula g : f.operands()) (is_obligation(g) ? obligations : rest).push_back(g);
+    std::vector<Condition> operands;
+    if (!obligations.empty())
+      operands.push_back(
+          literal(all ? ltl::conjunction(f.arena(), obligations) : ltl::disjunction(f.arena(), obligations)));
+    for (Formula g : rest) operands.push_back(tree(g));
+    return all ? Condition::all_of(std::move(operands)) : Condition::any_of(std::move(operands));
+  }
+  Condition literal(Formula f) {
+    const Formula opposite = ltl::nnf(ltl::negate(f));
+    for (std::uint32_t i = 0; i < parts_.size(); ++i) {
+      if (parts_[i] == f) return Condition::inf(i);
+      if (parts_[i] == opposite) return Condition::fin(i);
+    }
+    if (parts_.size() == Marks::most) throw Effort::Spent{Effort::Spent::Reason::States};
+    parts_.push_back(f);
+    return Condition::inf(static_cast<std::uint32_t>(parts_.size() - 1));
+  }
+
+  std::vector<Formula> parts_;
+  Condition over_;
+};
+
 class Construction {
  public:
+  // f simplified, in negation normal form.
   Construction(Formula f, const TranslationLimits& limits)
-      : limits_(limits), formula_(ltl::simplify(f, ltl::Over::Infinite)) {}
+      : limits_(limits), formula_(f), reads_(ltl::propositions(f)) {}
 
   std::optional<Candidate> parity() {
-    if (ltl::fragments(formula_, ltl::Semantics::Infinite).obligation) return obligation();
-    std::optional<Candidate> best = determinized(buchi(false), limits_.states);
-    if (best && best->automaton.states() == 1) return best;
-    const std::size_t most =
-        best ? std::min(limits_.states, wait_for * best->automaton.states()) : limits_.states;
-    if (std::optional<Candidate> dual = determinized(buchi(true), most))
-      best = smallest(std::move(best), complement(*dual));
+    if (is_obligation(formula_)) return obligation();
+    std::optional<Candidate> best;
+    for (const std::optional<Candidate>* from : {&combined(), &deterministic(false), &deterministic(true)})
+      if (*from) best = smallest(std::move(best), paritised(**from));
+    for (const bool negated : {false, true}) {
+      if (best && best->automaton.states() == 1) break;
+      std::optional<Candidate> next = determinized(buchi(negated), most(best));
+      if (next && negated) next = complement(*next);
+      best = smallest(std::move(best), std::move(next));
+    }
     return best;
   }
 
-  // Or the generalised Büchi automaton of φ or of ¬φ, where it is deterministic as it comes.
+  // Or an automaton with a deterministic structure and another condition.
   std::optional<Candidate> generic() {
     std::optional<Candidate> best = parity();
-    if (const auto& positive = buchi(false); positive && is_deterministic(positive->automaton))
-      best = smallest(std::move(best), positive);
-    if (const auto& negative = buchi(true);
-        negative && negative->automaton.acceptance.sets > 0 && is_deterministic(negative->automaton))
-      best = smallest(std::move(best),
-                      Candidate{trim(rejected_by(negative->automaton)), negative->reads, negative->reduced});
+    for (const std::optional<Candidate>* from : {&deterministic(false), &deterministic(true), &combined()})
+      if (*from) best = smallest(std::move(best), *from);
     return best;
   }
 
@@ -97,13 +141,15 @@ class Construction {
       return std::nullopt;
     }
   }
+  std::size_t most(const std::optional<Candidate>& best) const {
+    return best ? std::min(limits_.states, wait_for * best->automaton.states()) : limits_.states;
+  }
   std::optional<Candidate> obligation() const {
-    const std::vector<ltl::Proposition> reads = ltl::propositions(formula_);
     auto weak = within(weak_steps, limits_.states, [&](Effort& effort) {
-      return reduce_parity(as_buchi(weak_deterministic(formula_, reads, effort), {}), effort);
+      return reduce_parity(as_buchi(weak_deterministic(formula_, reads_, effort), {}), effort);
     });
     if (!weak) return std::nullopt;
-    return Candidate{*std::move(weak), reads, true};
+    return Candidate{*std::move(weak), reads_, true};
   }
   // The generalised Büchi automaton of φ or of ¬φ.
   const std::optional<Candidate>& buchi(bool negated) {
@@ -115,6 +161,62 @@ class Construction {
       *known = Candidate{made->automaton.transitions(), made->automaton.reads(), made->reduced};
     if (limits_.stop.stop_requested()) throw Effort::Spent{Effort::Spent::Reason::Stopped};
     return *known;
+  }
+  // The same where it comes out deterministic, with the words of φ.
+  const std::optional<Candidate>& deterministic(bool negated) {
+    std::optional<std::optional<Candidate>>& known = deterministic_[negated ? 1 : 0];
+    if (known) return *known;
+    known.emplace();
+    const std::optional<Candidate>& from = buchi(negated);
+    if (!from || !is_deterministic(from->automaton)) return *known;
+    if (!negated)
+      *known = *from;
+    else if (from->automaton.acceptance.sets > 0)
+      *known = Candidate{trim(rejected_by(from->automaton)), from->reads, from->reduced};
+    return *known;
+  }
+  // A deterministic automaton with any condition, the first that is found.
+  std::optional<Candidate> any() {
+    if (is_obligation(formula_)) return obligation();
+    if (deterministic(false)) return deterministic(false);
+    if (deterministic(true)) return deterministic(true);
+    return parity();
+  }
+  // The product of deterministic automata of the parts.
+  const std::optional<Candidate>& combined() {
+    if (combined_) return *combined_;
+    combined_.emplace();
+    const Split split(formula_);
+    if (split.parts().size() < 2) return *combined_;
+    std::vector<Part> parts;
+    bool reduced = true;
+    for (Formula g : split.parts()) {
+      const std::optional<Candidate> made = Construction(g, limits_).any();
+      if (!made) return *combined_;
+      reduced = reduced && made->reduced;
+      parts.push_back({over(made->automaton, made->reads), ltl::purity(g).both()});
+    }
+    auto product = within(product_steps, limits_.states,
+                          [&](Effort& effort) { return combination(parts, split.over(), effort); });
+    if (product) *combined_ = Candidate{trim(*product), reads_, reduced};
+    return *combined_;
+  }
+  // The same automaton over the variables of φ, of whose propositions it reads some.
+  Branching over(const Branching& automaton, const std::vector<ltl::Proposition>& reads) const {
+    Branching out = automaton;
+    Mtbdd diagram;
+    out.roots = diagram.import(
+        automaton.diagram, automaton.roots, [](std::uint32_t c) { return Mtbdd::terminal(c); },
+        [&](Mtbdd::Variable v) {
+          const auto at = std::lower_bound(reads_.begin(), reads_.end(), reads[v]);
+          return static_cast<Mtbdd::Variable>(at - reads_.begin());
+        });
+    out.diagram = std::move(diagram);
+    return out;
+  }
+  std::optional<Candidate> paritised(const Candidate& from) const {
+    auto made = within(product_steps, limits_.states, [&](Effort& e) { return paritise(from.automaton, e); });
+    return made ? reduced({*std::move(made), from.reads, from.reduced}) : std::nullopt;
   }
   std::optional<Candidate> determinized(const std::optional<Candidate>& from, std::size_t states) const {
     if (!from) return std::nullopt;
@@ -138,14 +240,18 @@ class Construction {
 
   const TranslationLimits& limits_;
   Formula formula_;
-  std::array<std::optional<std::optional<Candidate>>, 2> buchi_;  // asked for; there is one
+  std::vector<ltl::Proposition> reads_;
+  // Asked for; there is one. Of φ and of ¬φ.
+  std::array<std::optional<std::optional<Candidate>>, 2> buchi_, deterministic_;
+  std::optional<std::optional<Candidate>> combined_;
 };
 
 template <class Make>
 std::variant<Translated, Exhausted> translate(Formula f, const TranslationLimits& limits, const Make& make) {
   if (ltl::propositions(f).size() > Mtbdd::max_variables) return Exhausted{};
   try {
-    Construction construction(f, limits);
+    const std::vector<ltl::Proposition> reads = ltl::propositions(f);
+    Construction construction(prepared(f, reads, limits.stop), limits);
     if (std::optional<Candidate> found = make(construction)) return construction.finish(*found);
   } catch (const Effort::Spent&) {  // stopped
   }

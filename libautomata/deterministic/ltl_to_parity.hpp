@@ -1,7 +1,8 @@
 // LTL over infinite words → deterministic automata with parity, Rabin or any condition.
 //
-// Obligations by their minimal weak automaton. Else the generalised Büchi automaton of φ, which may be deterministic as
-// it is, is determinised, and that of ¬φ too and complemented; the smaller one stays.
+// Obligations by their minimal weak automaton. A Boolean combination also by the product of deterministic automata of
+// its parts, made a parity automaton only then. Else the generalised Büchi automata of φ and of ¬φ, complemented: as
+// they are where they come out deterministic, and determinised. The smallest one stays.
 #pragma once
 #include <variant>
 

@@ -4,11 +4,11 @@
 #include <optional>
 #include <stdexcept>
 
-#include "libautomata/omega/containment.hpp"
 #include "libautomata/omega/degeneralize.hpp"
 #include "libautomata/omega/emptiness.hpp"
 #include "libautomata/omega/fewest_marks.hpp"
 #include "libautomata/omega/language_merge.hpp"
+#include "libautomata/omega/prepare.hpp"
 #include "libautomata/omega/product.hpp"
 #include "libautomata/omega/recurrence.hpp"
 #include "libautomata/omega/reduce.hpp"
@@ -18,7 +18,6 @@
 #include "libltl/fragment.hpp"
 #include "libltl/nnf.hpp"
 #include "libltl/separate.hpp"
-#include "libltl/simplify.hpp"
 
 namespace waymark::automata {
 namespace {
@@ -33,21 +32,7 @@ constexpr std::size_t guess_steps = 2'000'000;  // to find out whether a formula
 constexpr std::size_t guess_states = 2'000;
 constexpr std::size_t merge_steps = 500'000;  // to find states of one language
 constexpr std::size_t merge_states = 200;
-constexpr std::size_t large_states = 100;           // from here on, one way to count levels instead of all
-constexpr std::size_t containment_steps = 500'000;  // to simplify the formula
-
-// Smaller first, implications found by automata included; then what may be looked at late is pulled out. A second round
-// because each makes work for the other.
-Formula prepared(Formula f, const std::vector<ltl::Proposition>& reads, const std::stop_token& stop) {
-  Effort effort(containment_steps, SIZE_MAX, stop);
-  Containment implies(reads, effort);
-  f = ltl::simplify(f, ltl::Over::Infinite);
-  for (int round = 0; round < 2; ++round) {
-    f = ltl::simplify(f, ltl::Over::Infinite, [&](Formula g, Formula h) { return implies(g, h); });
-    f = ltl::separate(ltl::nnf(f));
-  }
-  return f;
-}
+constexpr std::size_t large_states = 100;  // from here on, one way to count levels instead of all
 
 struct Candidate {
   Branching automaton;

@@ -136,9 +136,12 @@ TEST(LtlToParity, HasTheSizesThatTheTheoryKnows) {
       {"F G a", 1, "co-Buchi"},
       {"G(a -> F b)", 2, "Buchi"},
       {"a U (b U c)", 3, "co-Buchi"},
-      {"F G a | G F b", 2, "parity min even 2"},
-      {"G F a & F G b", 2, "Rabin 1"},
+      {"F G a | G F b", 1, "parity min even 2"},
+      {"G F a & F G b", 1, "Rabin 1"},
       {"F a & F b", 4, "co-Buchi"},
+      {"(G F a -> G F b) & (G F c -> G F d)", 2, "parity min even 4"},
+      {"G F a <-> G F b", 2, "parity min even 2"},
+      {"F a & G F(b & X(c & X d))", 5, "Buchi"},
       {"F a | G b", 3, "co-Buchi"},
   };
   for (const auto& row : table) {

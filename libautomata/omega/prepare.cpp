@@ -1,0 +1,29 @@
+#include "libautomata/omega/prepare.hpp"
+
+#include "libautomata/omega/containment.hpp"
+#include "libltl/nnf.hpp"
+#include "libltl/separate.hpp"
+#include "libltl/simplify.hpp"
+
+namespace waymark::automata {
+namespace {
+
+using ltl::Formula;
+
+constexpr std::size_t containment_steps = 500'000;
+
+}  // namespace
+
+// Two rounds because each makes work for the other.
+Formula prepared(Formula f, const std::vector<ltl::Proposition>& reads, const std::stop_token& stop) {
+  Effort effort(containment_steps, SIZE_MAX, stop);
+  Containment implies(reads, effort);
+  f = ltl::simplify(f, ltl::Over::Infinite);
+  for (int round = 0; round < 2; ++round) {
+    f = ltl::simplify(f, ltl::Over::Infinite, [&](Formula g, Formula h) { return implies(g, h); });
+    f = ltl::separate(ltl::nnf(f));
+  }
+  return f;
+}
+
+}  // namespace waymark::automata
