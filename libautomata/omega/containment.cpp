@@ -1,7 +1,6 @@
 #include "libautomata/omega/containment.hpp"
 
 #include "libautomata/omega/emptiness.hpp"
-#include "libautomata/omega/tableau.hpp"
 #include "libltl/nnf.hpp"
 #include "libltl/random.hpp"
 
@@ -35,14 +34,19 @@ bool Containment::operator()(Formula from, Formula to) {
 }
 
 bool Containment::prove(Formula from, Formula to) {
-  try {
-    const Formula both = ltl::nnf(conjunction(from, negate(to)));
-    return is_empty(tableau(both, reads_, effort_).automaton);
-  } catch (const Effort::Spent& spent) {
-    if (spent.reason == Effort::Spent::Reason::Stopped) throw;
-    spent_ = true;
-    return false;
+  const Formula both = ltl::nnf(conjunction(from, negate(to)));
+  for (const bool afresh : {false, true}) {  // many questions may promise more than there are marks
+    if (!satisfiable_ || afresh) satisfiable_.emplace(from.arena(), reads_, effort_);
+    try {
+      return !(*satisfiable_)(both);
+    } catch (const Effort::Spent& spent) {
+      if (spent.reason == Effort::Spent::Reason::Stopped) throw;
+      if (spent.reason == Effort::Spent::Reason::Steps) break;
+    }
   }
+  spent_ = true;
+  satisfiable_.reset();
+  return false;
 }
 
 std::uint64_t Containment::verdict(Formula f) {

@@ -6,9 +6,11 @@
 #include <array>
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <unordered_map>
 
 #include "libautomata/effort.hpp"
+#include "libautomata/omega/tableau.hpp"
 #include "libltl/formula.hpp"
 
 namespace waymark::automata {
@@ -34,6 +36,7 @@ class Containment {
   std::unordered_map<std::uint32_t, std::uint64_t> atoms_;  // by proposition
   std::unordered_map<ltl::Formula, std::uint64_t> verdicts_;
   std::unordered_map<std::uint64_t, bool> known_;  // by both ids
+  std::optional<Satisfiability> satisfiable_;
   bool spent_ = false;
 };
 

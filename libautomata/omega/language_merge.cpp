@@ -1,5 +1,6 @@
 #include "libautomata/omega/language_merge.hpp"
 
+#include <algorithm>
 #include <numeric>
 
 #include "libautomata/omega/emptiness.hpp"
@@ -9,20 +10,26 @@
 namespace waymark::automata {
 namespace {
 
-constexpr std::size_t probes = 24;
+constexpr std::size_t probes = 64;
+
+bool is_distinct(std::vector<std::uint64_t> verdicts) {
+  std::sort(verdicts.begin(), verdicts.end());
+  return std::adjacent_find(verdicts.begin(), verdicts.end()) == verdicts.end();
+}
 
 // By state: on which of a few lassos u·vʷ over the automaton's variables it accepts.
 std::vector<std::uint64_t> verdicts(const Branching& automaton, std::size_t variables) {
   const auto states = static_cast<std::uint32_t>(automaton.states());
   std::vector<std::uint64_t> out(states, 0);
   ltl::Random random(1);  // fixed: same formula, same automaton
-  for (std::size_t probe = 0; probe < probes; ++probe) {
-    const auto length = static_cast<std::uint32_t>(1 + random.below(3));
+  for (std::size_t probe = 0; probe < probes && !is_distinct(out); ++probe) {
+    const auto length = static_cast<std::uint32_t>(1 + random.below(4));
     const auto start = static_cast<std::uint32_t>(random.below(length));
+    const double density = 0.25 * static_cast<double>(1 + probe % 3);
     BranchGraph graph;  // vertex position · |Q| + q
     for (std::uint32_t i = 0; i < length; ++i) {
       std::vector<bool> letter(variables);
-      for (std::size_t v = 0; v < variables; ++v) letter[v] = random.chance(0.5);
+      for (std::size_t v = 0; v < variables; ++v) letter[v] = random.chance(density);
       const std::uint32_t after = (i + 1 < length ? i + 1 : start) * states;
       for (std::uint32_t q = 0; q < states; ++q) {
         graph.add_state();
@@ -39,12 +46,6 @@ std::vector<std::uint64_t> verdicts(const Branching& automaton, std::size_t vari
   return out;
 }
 
-bool includes(ltl::Formula larger, ltl::Formula smaller, const std::vector<ltl::Proposition>& reads,
-              Effort& effort) {
-  const ltl::Formula rest = ltl::nnf(conjunction(smaller, negate(larger)));
-  return is_empty(tableau(rest, reads, effort).automaton);
-}
-
 }  // namespace
 
 Branching merge_equivalent(const Tableau& tableau, const std::vector<ltl::Proposition>& reads,
@@ -54,6 +55,10 @@ Branching merge_equivalent(const Tableau& tableau, const std::vector<ltl::Propos
   const LiveComponents live = live_components(graph, automaton.acceptance.condition);
   const Components& found = live.components;
   const std::vector<std::uint64_t> verdict = verdicts(automaton, reads.size());
+  Satisfiability satisfiable(tableau.meaning.front().arena(), reads, effort);
+  const auto includes = [&](ltl::Formula larger, ltl::Formula smaller) {
+    return !satisfiable(ltl::nnf(conjunction(smaller, negate(larger))));
+  };
   std::vector<std::uint32_t> image(automaton.states());
   std::iota(image.begin(), image.end(), 0U);
   try {
@@ -64,7 +69,7 @@ Branching merge_equivalent(const Tableau& tableau, const std::vector<ltl::Propos
         if (image[r] != r || found.of[r] == found.of[q] || verdict[q] != verdict[r] || !live.live[r])
           continue;
         const ltl::Formula f = tableau.meaning[q], g = tableau.meaning[r];
-        if (includes(f, g, reads, effort) && includes(g, f, reads, effort)) image[q] = r;
+        if (includes(f, g) && includes(g, f)) image[q] = r;
       }
     }
   } catch (const Effort::Spent& spent) {

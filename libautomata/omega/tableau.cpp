@@ -1,9 +1,11 @@
 #include "libautomata/omega/tableau.hpp"
 
 #include <algorithm>
+#include <optional>
 #include <stdexcept>
 #include <unordered_map>
 
+#include "libautomata/omega/emptiness.hpp"
 #include "libltl/implication.hpp"
 #include "libltl/separate.hpp"
 
@@ -16,17 +18,17 @@ using Node = Mtbdd::Node;
 
 class Construction {
  public:
-  Construction(Formula f, const std::vector<ltl::Proposition>& reads, Effort& effort)
-      : arena_(f.arena()),
+  Construction(ltl::Arena& arena, const std::vector<ltl::Proposition>& reads, Effort& effort)
+      : arena_(arena),
         reads_(reads),
         effort_(effort),
         and_(diagram_.operation()),
-        or_(diagram_.operation()),
-        initial_(f) {}
+        or_(diagram_.operation()) {}
 
-  Tableau run() {
+  // The reachable part.
+  Tableau tableau(Formula f) {
     std::vector<Node> roots;
-    state_of(initial_);
+    state_of(f);
     for (std::size_t i = 0; i < order_.size(); ++i) {  // the order doubles as the queue
       roots.push_back(order_[i]);
       for (std::uint32_t c : leaves(order_[i]))
@@ -45,7 +47,85 @@ class Construction {
     return {std::move(out), std::move(meaning_)};
   }
 
+  bool is_satisfiable(Formula f) {
+    const std::uint32_t start = state_of(f);
+    if (start >= verdict_.size() || verdict_[start] == Verdict::Unknown) decide(start);
+    return verdict_[start] == Verdict::Live;
+  }
+
  private:
+  enum class Verdict : std::uint8_t { Unknown, Dead, Live };
+
+  // Settles a state and what it reaches, up to states that are settled.
+  void decide(std::uint32_t start) {
+    std::vector<std::uint32_t> open{start};
+    std::unordered_map<std::uint32_t, std::uint32_t> number{{start, 0}};
+    std::vector<bool> reaches_live;
+    BranchGraph graph;
+    for (std::uint32_t i = 0; i < open.size(); ++i) {  // open doubles as the queue
+      graph.add_state();
+      reaches_live.push_back(false);
+      const std::uint32_t source = open[i];
+      for (std::size_t b = 0; b < edges_of(source).size(); ++b) {
+        const Branch edge = edges_of(source)[b];
+        if (edge.target < verdict_.size() && verdict_[edge.target] != Verdict::Unknown) {
+          reaches_live[i] = reaches_live[i] || verdict_[edge.target] == Verdict::Live;
+          continue;
+        }
+        const auto [at, fresh] = number.try_emplace(edge.target, static_cast<std::uint32_t>(open.size()));
+        if (fresh) open.push_back(edge.target);
+        graph.add(i, {at->second, edge.marks});
+      }
+    }
+    settle(open, graph, reaches_live);
+  }
+  // Marks are promises here: a component accepts when each is not made on some edge of it.
+  void settle(const std::vector<std::uint32_t>& open, const BranchGraph& graph,
+              std::vector<bool> reaches_live) {
+    verdict_.resize(order_.size(), Verdict::Unknown);
+    const Components found = components(graph);
+    for (std::size_t i = 0; i < found.order.size();) {  // successors first
+      const std::uint32_t c = found.of[found.order[i]];
+      const std::size_t begin = i;
+      Marks made_always = Marks::first(Marks::most);
+      bool live = false, cyclic = false;
+      for (; i < found.order.size() && found.of[found.order[i]] == c; ++i) {
+        live = live || reaches_live[found.order[i]];
+        for (const Branch& b : graph.branches(found.order[i])) {
+          if (found.of[b.target] != c) {
+            live = live || verdict_[open[b.target]] == Verdict::Live;
+          } else {
+            cyclic = true;
+            made_always = made_always & b.marks;
+          }
+        }
+      }
+      live = live || (cyclic && made_always.empty());
+      for (std::size_t j = begin; j < i; ++j)
+        verdict_[open[found.order[j]]] = live ? Verdict::Live : Verdict::Dead;
+    }
+  }
+  // (state, promises), letters forgotten.
+  const std::vector<Branch>& edges_of(std::uint32_t state) {
+    if (state >= edges_.size()) edges_.resize(state + 1);
+    if (edges_[state]) return *edges_[state];
+    std::vector<Branch> out;
+    for (std::uint32_t c : all_leaves(order_[state]))
+      for (std::size_t b = 0; b < choices_[c].size(); ++b) {
+        const Branch branch = choices_[c][b];
+        out.push_back({state_of(arena_.formula(branch.target)), branch.marks});
+      }
+    std::sort(out.begin(), out.end());
+    out.erase(std::unique(out.begin(), out.end()), out.end());
+    edges_[state] = std::move(out);
+    return *edges_[state];
+  }
+  // Distinct ones below a root.
+  std::vector<std::uint32_t> all_leaves(Node root) {
+    visited_.clear();
+    return leaves(root);
+  }
+
   std::uint32_t state_of(Formula f) {
     if (const auto known = number_of_.find(f.id()); known != number_of_.end()) return known->second;
     const Node root = successors(f);
@@ -225,18 +305,29 @@ class Construction {
   std::unordered_map<std::uint64_t, std::uint32_t> products_;
   std::unordered_map<Formula, std::uint32_t> promises_;
   std::unordered_map<Formula, Node> successors_;
-  Formula initial_;
   std::vector<Node> order_;                                     // roots of states
   std::vector<Formula> meaning_;                                // of states
   std::unordered_map<std::uint32_t, std::uint32_t> number_;     // state of a root
   std::unordered_map<std::uint32_t, std::uint32_t> number_of_;  // … of a formula
   std::unordered_map<std::uint32_t, bool> visited_;
+  std::vector<std::optional<std::vector<Branch>>> edges_;  // by state, where they were asked for
+  std::vector<Verdict> verdict_;                           // by state
 };
 
 }  // namespace
 
 Tableau tableau(Formula f, const std::vector<ltl::Proposition>& reads, Effort& effort) {
-  return Construction(f, reads, effort).run();
+  return Construction(f.arena(), reads, effort).tableau(f);
 }
+
+class Satisfiability::Shared : public Construction {
+ public:
+  using Construction::Construction;
+};
+
+Satisfiability::Satisfiability(ltl::Arena& arena, const std::vector<ltl::Proposition>& reads, Effort& effort)
+    : shared_(std::make_unique<Shared>(arena, reads, effort)) {}
+Satisfiability::~Satisfiability() = default;
+bool Satisfiability::operator()(Formula f) { return shared_->is_satisfiable(f); }
 
 }  // namespace waymark::automata

@@ -8,6 +8,7 @@
 // promised in the end: φ U (χ U ψ) and χ U ψ both promise ψ. Mark i says "promise i is not made on this edge".
 // Formulas with one successor diagram are one state.
 #pragma once
+#include <memory>
 #include <vector>
 
 #include "libautomata/effort.hpp"
@@ -24,5 +25,19 @@ struct Tableau {
 // φ in negation normal form, without ↔. reads[v] is the proposition of variable v.
 // Throws what the effort throws; too many promises count as too many states.
 Tableau tableau(ltl::Formula f, const std::vector<ltl::Proposition>& reads, Effort& effort);
+
+// Whether formulas can be satisfied. Their tableaux are one, which grows from question to question: many questions
+// about parts of one formula cost little more than the largest of them.
+class Satisfiability {
+ public:
+  // Formulas of that arena, over these propositions; all three must stay.
+  Satisfiability(ltl::Arena& arena, const std::vector<ltl::Proposition>& reads, Effort& effort);
+  ~Satisfiability();
+  bool operator()(ltl::Formula f);  // in negation normal form, without ↔. Throws what the effort throws
+
+ private:
+  class Shared;
+  std::unique_ptr<Shared> shared_;
+};
 
 }  // namespace waymark::automata
