@@ -75,10 +75,11 @@ class Construction {
     if (!general || general->weak) return general;
     if (general->automaton.states() >= large_states)
       return counted(general->automaton, {.look_ahead = true}, general->reduced);
-    std::optional<Candidate> best = with_marks_on_states(*general);
+    std::optional<Candidate> best;
+    put_marks_on_states(*general, general->automaton.states(), best);
     for (const Candidate& other : routes_)
       if (other.automaton.states() <= 2 * general->automaton.states())
-        best = smallest(std::move(best), with_marks_on_states(other));
+        put_marks_on_states(other, general->automaton.states(), best);
     return best;
   }
 
@@ -95,16 +96,17 @@ class Construction {
     return a;
   }
 
-  std::optional<Candidate> with_marks_on_states(const Candidate& general) {
+  // The smallest of some ways to count levels, until one needs no more states than `enough`.
+  void put_marks_on_states(const Candidate& general, std::size_t enough, std::optional<Candidate>& best) {
     Effort effort(reduction_steps, SIZE_MAX, limits_.stop);
     const auto few = within([&] { return fewest_marks(general.automaton, effort); });
-    std::optional<Candidate> best;
     for (const Branching* from : {&general.automaton, few ? &*few : nullptr})
       for (const LevelRule rule : {LevelRule{false, true, false}, LevelRule{false, false, false},
-                                   LevelRule{true, true, false}, LevelRule{true, false, false}})
+                                   LevelRule{true, true, false}, LevelRule{true, false, false}}) {
+        if (best && best->automaton.states() <= enough) return;
         if (from != nullptr && (!rule.descending || from->acceptance.sets > 1))
           best = smallest(std::move(best), counted(*from, rule, general.reduced));
-    return best;
+      }
   }
   std::optional<Candidate> counted(const Branching& general, const LevelRule& rule, bool is_reduced) {
     Effort effort(reduction_steps, limits_.states, limits_.stop);

@@ -1,12 +1,14 @@
 #include "libautomata/omega/simulation.hpp"
 
 #include <algorithm>
+#include <array>
 #include <map>
 #include <numeric>
 #include <unordered_map>
 
 #include "libautomata/omega/emptiness.hpp"
 #include "libautomata/omega/pair_memo.hpp"
+#include "libltl/random.hpp"
 
 namespace waymark::automata {
 namespace {
@@ -17,13 +19,14 @@ class Simulation {
  public:
   // initial: when given, only this state is above it.
   Simulation(const Branching& automaton, Effort& effort, std::optional<std::uint32_t> initial = {})
-      : automaton_(automaton), effort_(effort), below_(automaton.states() * automaton.states(), true) {
+      : automaton_(automaton), effort_(effort), below_(automaton.states() * automaton.states(), 1) {
     if (initial)
       for (std::uint32_t r = 0; r < automaton.states(); ++r)
-        if (r != *initial) below_[index(*initial, r)] = false;
+        if (r != *initial) below_[index(*initial, r)] = 0;
+    if (automaton.states() >= many_states) look_at_some_letters();
     while (round()) ++rounds_;
   }
-  bool operator()(std::uint32_t q, std::uint32_t r) const { return below_[index(q, r)]; }
+  bool operator()(std::uint32_t q, std::uint32_t r) const { return below_[index(q, r)] != 0; }
 
   // By state: the first state that it simulates and that simulates it.
   std::vector<std::uint32_t> representatives() const {
@@ -43,16 +46,47 @@ class Simulation {
     bool yes = false;
   };
 
+  static constexpr std::size_t many_states = 40;  // from here on most pairs are told apart by single letters
+  static constexpr std::size_t letters = 32;
+
   std::size_t index(std::uint32_t q, std::uint32_t r) const { return q * automaton_.states() + r; }
+
+  // The greatest simulation on a few letters lies above the one on all of them: what it refutes need not be compared.
+  void look_at_some_letters() {
+    ltl::Random random(1);  // fixed; any letters will do
+    std::vector<std::array<std::uint32_t, letters>> choice(automaton_.states());
+    for (std::size_t i = 0; i < letters; ++i) {
+      const std::uint64_t seed = random.below(UINT64_MAX);
+      const auto letter = [&](Mtbdd::Variable v) {
+        return (((seed ^ (v + 1) * 0x9E37'79B9'7F4A'7C15ULL) * 0xBF58'476D'1CE4'E5B9ULL) >> 63U) != 0;
+      };
+      for (std::uint32_t q = 0; q < choice.size(); ++q)
+        choice[q][i] = Mtbdd::payload(automaton_.diagram.evaluate(automaton_.roots[q], letter));
+    }
+    for (bool changed = true; changed;) {
+      changed = false;
+      for (std::uint32_t q = 0; q < choice.size(); ++q) {
+        effort_.step(choice.size());
+        for (std::uint32_t r = 0; r < choice.size(); ++r)
+          for (std::size_t i = 0; i < letters && q != r && below_[index(q, r)] != 0; ++i)
+            if (!covered(choice[q][i], choice[r][i])) {
+              below_[index(q, r)] = 0;
+              changed = true;
+            }
+      }
+    }
+  }
 
   bool round() {
     bool changed = false;
-    for (std::uint32_t q = 0; q < automaton_.states(); ++q)
+    for (std::uint32_t q = 0; q < automaton_.states(); ++q) {
+      effort_.step(automaton_.states() / 16);
       for (std::uint32_t r = 0; r < automaton_.states(); ++r) {
-        if (q == r || !below_[index(q, r)] || compare(automaton_.roots[q], automaton_.roots[r])) continue;
-        below_[index(q, r)] = false;
+        if (q == r || below_[index(q, r)] == 0 || compare(automaton_.roots[q], automaton_.roots[r])) continue;
+        below_[index(q, r)] = 0;
         changed = true;
       }
+    }
     return changed;
   }
   bool compare(Node x, Node y) {
@@ -77,7 +111,7 @@ class Simulation {
     const std::span<const Branch> better = automaton_.choices[d];
     for (const Branch& b : automaton_.choices[c])
       if (std::none_of(better.begin(), better.end(), [&](const Branch& a) {
-            return a.marks.includes(b.marks) && below_[index(b.target, a.target)];
+            return a.marks.includes(b.marks) && below_[index(b.target, a.target)] != 0;
           }))
         return false;
     return true;
@@ -85,7 +119,7 @@ class Simulation {
 
   const Branching& automaton_;
   Effort& effort_;
-  std::vector<bool> below_;
+  std::vector<std::uint8_t> below_;  // [q · states + r]
   PairMemo<Answer> known_;
   std::uint32_t rounds_ = 0;
 };
