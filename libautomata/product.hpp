@@ -14,6 +14,10 @@ namespace waymark::automata {
 
 using Verdict = bool (*)(bool first, bool second);
 
+// A state that is never left and whose acceptance settles the verdict of any pair with it. `first`: of the first
+// automaton of a product.
+std::optional<std::uint32_t> settling_state(const Transitions& automaton, Verdict verdict, bool first);
+
 // Over the same variables. Not minimised; throws what the effort throws.
 Transitions product(const Transitions& a, const Transitions& b, Verdict verdict, Effort& effort);
 
