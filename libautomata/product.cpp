@@ -59,16 +59,19 @@ class PairTable {
 };
 
 // Different pairs of nodes are different functions into pairs of states, so results need no unique table, unless
-// pairs of states are merged: those of which one half settles the verdict for good.
+// pairs of states are merged: those of which one half settles the verdict for good. Over disjoint alphabets they need
+// none even so: where two nodes of the first automaton differ, some letter of the second does not settle the verdict.
 class PairProduct {
  public:
-  PairProduct(const Transitions& a, const Transitions& b, Verdict verdict, Effort& effort)
+  PairProduct(const Transitions& a, const Transitions& b, Verdict verdict, Effort& effort,
+              Alphabets alphabets)
       : first_(a),
         second_(b),
         verdict_(verdict),
         effort_(effort),
         settles_first_(settling_state(a, verdict, true)),
-        settles_second_(settling_state(b, verdict, false)) {}
+        settles_second_(settling_state(b, verdict, false)),
+        merges_(alphabets == Alphabets::Any && (settles_first_ || settles_second_)) {}
 
   Transitions run() && {
     out_.initial = Mtbdd::payload(pair(Mtbdd::terminal(first_.initial), Mtbdd::terminal(second_.initial)));
@@ -101,7 +104,7 @@ class PairProduct {
     const Mtbdd::Variable of_p = a.variable(p), of_q = b.variable(q), top = std::min(of_p, of_q);
     const Node low = pair(of_p == top ? a.low(p) : p, of_q == top ? b.low(q) : q);
     const Node high = pair(of_p == top ? a.high(p) : p, of_q == top ? b.high(q) : q);
-    return merges() ? out_.diagram.make(top, low, high) : out_.diagram.append(top, low, high);
+    return merges_ ? out_.diagram.make(top, low, high) : out_.diagram.append(top, low, high);
   }
 
   Node state(std::uint32_t p, std::uint32_t q) {
@@ -118,14 +121,13 @@ class PairProduct {
     }
     return Mtbdd::terminal(*settled_);
   }
-  bool merges() const { return settles_first_ || settles_second_; }
-
   const Transitions& first_;
   const Transitions& second_;
   Verdict verdict_;
   Effort& effort_;
   std::optional<std::uint32_t> settles_first_, settles_second_;
   std::optional<std::uint32_t> settled_;  // the state of all pairs in which one half settles the verdict
+  bool merges_;                           // two pairs of nodes may be one function
   PairTable made_;
   std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs_;
   Transitions out_;
@@ -176,8 +178,9 @@ std::optional<std::uint32_t> settling_state(const Transitions& automaton, Verdic
   return std::nullopt;
 }
 
-Transitions product(const Transitions& a, const Transitions& b, Verdict verdict, Effort& effort) {
-  return PairProduct(a, b, verdict, effort).run();
+Transitions product(const Transitions& a, const Transitions& b, Verdict verdict, Effort& effort,
+                    Alphabets alphabets) {
+  return PairProduct(a, b, verdict, effort, alphabets).run();
 }
 
 Dfa product(const Dfa& a, const Dfa& b, Verdict verdict) {

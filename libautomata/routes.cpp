@@ -166,7 +166,7 @@ Part disjoint_part(Part& a, Part& b, Verdict verdict, Effort& effort) {
   if (common.reached && is_above(a, b))
     out.automaton = disjoint_product(a.automaton, b.automaton, verdict, effort);
   else
-    out.automaton = product(a.automaton, b.automaton, verdict, effort);
+    out.automaton = product(a.automaton, b.automaton, verdict, effort, Alphabets::Disjoint);
   if (common.told_apart) {
     merge_initial(out.automaton);
     out.at_each_length = common;
@@ -181,13 +181,7 @@ class Translation {
   Translation(const Reads& reads, const RouteLimits& limits, std::size_t& made)
       : reads_(reads), limits_(limits), made_(made) {}
 
-  Transitions run(Formula f) {
-    for (std::size_t purse = first_purse;; purse = purse > SIZE_MAX / 4 ? SIZE_MAX : 4 * purse) {
-      more_steps_may_help_ = false;
-      if (const Known found = attempt(f, purse)) return std::move(found->automaton);
-      if (!more_steps_may_help_) throw Effort::Spent{Effort::Spent::Reason::States};
-    }
-  }
+  Transitions run(Formula f) { return std::move(settle(f)->automaton); }
 
  private:
   static constexpr std::size_t first_purse = 1U << 12U;  // under a millisecond
@@ -203,15 +197,31 @@ class Translation {
     std::size_t most_pairs = 1;     // of states of all operands
   };
 
-  Known attempt(Formula f, std::size_t purse) {
+  // What the result cannot do without: in rounds, until it is there. Throws when no step more would help.
+  Known settle(Formula f) {
+    const bool elsewhere = more_steps_may_help_;
+    for (std::size_t purse = first_purse;; purse = purse > SIZE_MAX / 4 ? SIZE_MAX : 4 * purse) {
+      more_steps_may_help_ = false;
+      if (Known found = attempt(f, purse, true)) {
+        more_steps_may_help_ = elsewhere;
+        return found;
+      }
+      if (!more_steps_may_help_) throw Effort::Spent{Effort::Spent::Reason::States};
+    }
+  }
+
+  // One round. Of what cannot be done without, a route that is the last one has all the steps that it takes.
+  Known attempt(Formula f, std::size_t purse, bool is_needed) {
     Task& task = tasks_[f];
     if (!task.found && !task.direct_is_hopeless) direct(f, task, purse);
-    if (!task.found && compose(f, task, purse)) task.found = std::exchange(task.waiting, {}).front();
+    if (!task.found) open(f, task);
+    if (!task.found && !task.direct_is_hopeless && !task.composable && is_needed) direct(f, task, SIZE_MAX);
+    if (!task.found && task.composable && compose(task, purse, is_needed && task.direct_is_hopeless))
+      task.found = std::exchange(task.waiting, {}).front();
     return task.found;
   }
 
   void direct(Formula f, Task& task, std::size_t purse) {
-    if (task.disjoint) return;
     const auto construct = [&](Effort& effort) {
       Part part{minimize(close(f, reads_, effort), effort), std::vector<bool>(reads_.size(), false), {}};
       for (const ltl::Proposition p : ltl::propositions(f)) part.reads[position(p, reads_)] = true;
@@ -224,18 +234,20 @@ class Translation {
   }
 
   // One automaton in task.waiting, or false.
-  bool compose(Formula f, Task& task, std::size_t purse) {
-    open(f, task);
-    if (!task.composable) return false;
+  bool compose(Task& task, std::size_t purse, bool is_needed) {
     for (; !task.operands.empty(); task.operands.pop_back()) {
-      const Known operand = attempt(task.operands.back(), purse);
+      const Formula next = task.operands.back();
+      const Known operand = is_needed ? settle(next) : attempt(next, purse, false);
       if (!operand) return false;
       const std::size_t states = operand->automaton.roots.size();
       task.most_pairs = task.most_pairs > SIZE_MAX / states ? SIZE_MAX : task.most_pairs * states;
       task.waiting.push_back(operand);
     }
-    while (task.waiting.size() > 1)
-      if (!multiply(task, purse)) return false;
+    while (task.waiting.size() > 1) {
+      if (multiply(task, is_needed ? SIZE_MAX : purse)) continue;
+      if (is_needed) throw Effort::Spent{Effort::Spent::Reason::States};
+      return false;
+    }
     return true;
   }
 
@@ -250,6 +262,7 @@ class Translation {
       std::vector<Formula> groups = disjoint_groups({task.operands, parts->by}, reads_);
       task.disjoint = groups.size() > 1;
       if (task.disjoint) task.operands = std::move(groups);
+      task.direct_is_hopeless = task.direct_is_hopeless || task.disjoint;
     }
     std::reverse(task.operands.begin(), task.operands.end());
   }
