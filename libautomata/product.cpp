@@ -17,16 +17,22 @@ using Node = Mtbdd::Node;
 class PairTable {
  public:
   PairTable() : entries_(64) {}
-  // The result of the pair, `unknown` when it is new; then set() is to follow, after any other calls.
-  Node find(Node p, Node q) {
+  struct Place {
+    std::size_t slot, slots;  // of so many
+    Node result;              // `unknown`: the pair is new, and set() is to follow, after any other calls
+  };
+  Place find(Node p, Node q) {
     if (4 * used_ > 3 * entries_.size()) grow();
-    Entry& entry = entries_[slot(p, q)];
-    if (entry.first == p && entry.second == q) return entry.result;
-    entry = {p, q, unknown};
-    ++used_;
-    return unknown;
+    const std::size_t at = slot(p, q);
+    if (entries_[at].first != p || entries_[at].second != q) {
+      entries_[at] = {p, q, unknown};
+      ++used_;
+    }
+    return {at, entries_.size(), entries_[at].result};
   }
-  void set(Node p, Node q, Node result) { entries_[slot(p, q)].result = result; }
+  void set(const Place& place, Node p, Node q, Node result) {
+    entries_[place.slots == entries_.size() ? place.slot : slot(p, q)].result = result;
+  }
   static constexpr Node unknown{UINT32_MAX};  // the terminal of the largest payload: no state has it
 
  private:
@@ -53,24 +59,25 @@ class PairTable {
 };
 
 // Different pairs of nodes are different functions into pairs of states, so results need no unique table, unless
-// pairs of states are merged: those of which one half settles the verdict for good.
+// pairs of states are merged: those of which one half settles the verdict for good. Over disjoint alphabets they need
+// none even so: where two nodes of the first automaton differ, some letter of the second does not settle the verdict.
 class PairProduct {
  public:
-  PairProduct(const Transitions& a, const Transitions& b, Verdict verdict, Effort& effort)
+  PairProduct(const Transitions& a, const Transitions& b, Verdict verdict, Effort& effort,
+              Alphabets alphabets)
       : first_(a),
         second_(b),
         verdict_(verdict),
         effort_(effort),
-        settles_first_(
-            settling(a, [&](bool accepts) { return verdict(accepts, false) == verdict(accepts, true); })),
-        settles_second_(
-            settling(b, [&](bool accepts) { return verdict(false, accepts) == verdict(true, accepts); })) {}
+        settles_first_(settling_state(a, verdict, true)),
+        settles_second_(settling_state(b, verdict, false)),
+        merges_(alphabets == Alphabets::Any && (settles_first_ || settles_second_)) {}
 
   Transitions run() && {
     out_.initial = Mtbdd::payload(pair(Mtbdd::terminal(first_.initial), Mtbdd::terminal(second_.initial)));
     for (std::size_t i = 0; i < pairs_.size(); ++i) {
       const auto [p, q] = pairs_[i];
-      const Node root = i == settled_ ? Mtbdd::terminal(settled_) : pair(first_.roots[p], second_.roots[q]);
+      const Node root = i == settled_ ? Mtbdd::terminal(*settled_) : pair(first_.roots[p], second_.roots[q]);
       out_.roots.push_back(root);
       out_.accepting.push_back(verdict_(first_.accepting[p], second_.accepting[q]));
     }
@@ -78,26 +85,17 @@ class PairProduct {
   }
 
  private:
-  static constexpr std::uint32_t no_state = UINT32_MAX;
-
-  // The terminal of a state that is never left and whose acceptance settles the verdict; `unknown`: there is none.
-  template <class Settles>
-  static Node settling(const Transitions& automaton, const Settles& settles) {
-    for (std::uint32_t q = 0; q < automaton.roots.size(); ++q)
-      if (automaton.roots[q] == Mtbdd::terminal(q) && settles(automaton.accepting[q]))
-        return automaton.roots[q];
-    return PairTable::unknown;
-  }
+  static bool is(Node n, std::optional<std::uint32_t> q) { return q && n == Mtbdd::terminal(*q); }
 
   Node pair(Node p, Node q) {
     effort_.step();
-    if (p == settles_first_ || q == settles_second_) return settled(p, q);
-    const Node known = made_.find(p, q);
-    if (known != PairTable::unknown) return known;
+    if (is(p, settles_first_) || is(q, settles_second_)) return settled(p, q);
+    const PairTable::Place place = made_.find(p, q);
+    if (place.result != PairTable::unknown) return place.result;
     const Node made = Mtbdd::is_terminal(p) && Mtbdd::is_terminal(q)
                           ? state(Mtbdd::payload(p), Mtbdd::payload(q))
                           : decision(p, q);
-    made_.set(p, q, made);
+    made_.set(place, p, q, made);
     return made;
   }
 
@@ -106,7 +104,7 @@ class PairProduct {
     const Mtbdd::Variable of_p = a.variable(p), of_q = b.variable(q), top = std::min(of_p, of_q);
     const Node low = pair(of_p == top ? a.low(p) : p, of_q == top ? b.low(q) : q);
     const Node high = pair(of_p == top ? a.high(p) : p, of_q == top ? b.high(q) : q);
-    return merges() ? out_.diagram.make(top, low, high) : out_.diagram.append(top, low, high);
+    return merges_ ? out_.diagram.make(top, low, high) : out_.diagram.append(top, low, high);
   }
 
   Node state(std::uint32_t p, std::uint32_t q) {
@@ -116,25 +114,20 @@ class PairProduct {
   }
 
   Node settled(Node p, Node q) {
-    if (settled_ != no_state) return Mtbdd::terminal(settled_);
-    // The other half does not matter.
-    const std::uint32_t first = p == settles_first_ ? Mtbdd::payload(p) : first_.initial;
-    const std::uint32_t second = q == settles_second_ ? Mtbdd::payload(q) : second_.initial;
-    const Node made = state(first, second);
-    settled_ = Mtbdd::payload(made);
-    return made;
+    if (!settled_) {  // the other half does not matter
+      const std::uint32_t first = is(p, settles_first_) ? Mtbdd::payload(p) : first_.initial;
+      const std::uint32_t second = is(q, settles_second_) ? Mtbdd::payload(q) : second_.initial;
+      settled_ = Mtbdd::payload(state(first, second));
+    }
+    return Mtbdd::terminal(*settled_);
   }
-
-  bool merges() const {
-    return settles_first_ != PairTable::unknown || settles_second_ != PairTable::unknown;
-  }
-
   const Transitions& first_;
   const Transitions& second_;
   Verdict verdict_;
   Effort& effort_;
-  Node settles_first_, settles_second_;
-  std::uint32_t settled_ = no_state;  // the state of all pairs in which one half settles the verdict
+  std::optional<std::uint32_t> settles_first_, settles_second_;
+  std::optional<std::uint32_t> settled_;  // the state of all pairs in which one half settles the verdict
+  bool merges_;                           // two pairs of nodes may be one function
   PairTable made_;
   std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs_;
   Transitions out_;
@@ -175,8 +168,19 @@ Transitions over(const Dfa& dfa, const ltl::Vocabulary& vocabulary,
 
 }  // namespace
 
-Transitions product(const Transitions& a, const Transitions& b, Verdict verdict, Effort& effort) {
-  return PairProduct(a, b, verdict, effort).run();
+std::optional<std::uint32_t> settling_state(const Transitions& automaton, Verdict verdict, bool first) {
+  for (std::uint32_t q = 0; q < automaton.roots.size(); ++q) {
+    const bool accepts = automaton.accepting[q];
+    const bool settles = first ? verdict(accepts, false) == verdict(accepts, true)
+                               : verdict(false, accepts) == verdict(true, accepts);
+    if (automaton.roots[q] == Mtbdd::terminal(q) && settles) return q;
+  }
+  return std::nullopt;
+}
+
+Transitions product(const Transitions& a, const Transitions& b, Verdict verdict, Effort& effort,
+                    Alphabets alphabets) {
+  return PairProduct(a, b, verdict, effort, alphabets).run();
 }
 
 Dfa product(const Dfa& a, const Dfa& b, Verdict verdict) {

@@ -14,8 +14,15 @@ namespace waymark::automata {
 
 using Verdict = bool (*)(bool first, bool second);
 
-// Over the same variables. Not minimised; throws what the effort throws.
-Transitions product(const Transitions& a, const Transitions& b, Verdict verdict, Effort& effort);
+// A state that is never left and whose acceptance settles the verdict of any pair with it. `first`: of the first
+// automaton of a product.
+std::optional<std::uint32_t> settling_state(const Transitions& automaton, Verdict verdict, bool first);
+
+// Over the same variables; Disjoint: no variable occurs in both, and a and b are minimal. Not minimised; throws what the
+// effort throws.
+enum class Alphabets : std::uint8_t { Any, Disjoint };
+Transitions product(const Transitions& a, const Transitions& b, Verdict verdict, Effort& effort,
+                    Alphabets alphabets = Alphabets::Any);
 
 // Propositions are matched by name; the vocabulary is a's, then what b adds. verdict(false, false) must be false: the
 // empty word is no word (std::invalid_argument otherwise).

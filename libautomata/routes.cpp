@@ -4,13 +4,15 @@
 #include <memory>
 #include <numeric>
 #include <optional>
+#include <stdexcept>
 #include <unordered_map>
 #include <utility>
 
+#include "libautomata/disjoint.hpp"
 #include "libautomata/minimize.hpp"
 #include "libautomata/product.hpp"
 #include "libautomata/residual.hpp"
-#include "libautomata/told_apart.hpp"
+#include "libltl/fragment.hpp"
 
 namespace waymark::automata {
 namespace {
@@ -56,7 +58,14 @@ Transitions close(Formula f, const Reads& reads, Effort& effort) {
   return out;
 }
 
-// φ as a Boolean function of smaller formulas: verdicts of products, folded over the operands.
+std::size_t position(ltl::Proposition p, const Reads& reads) {
+  return static_cast<std::size_t>(std::lower_bound(reads.begin(), reads.end(), p) - reads.begin());
+}
+
+bool is_propositional(Formula f) { return ltl::fragments(f, ltl::Semantics::Finite).propositional; }
+
+// φ as a Boolean function of smaller formulas: verdicts of products, folded over the operands. Without temporal
+// operators φ is one diagram, and stays whole.
 struct Decomposition {
   std::vector<Formula> operands;
   enum class By : std::uint8_t { Both, Either, One } by;
@@ -65,12 +74,13 @@ std::optional<Decomposition> decompose(Formula f) {
   using By = Decomposition::By;
   const bool negated = f.op() == Op::Not;
   const Formula g = negated ? f[0] : f;
+  if ((g.op() != Op::And && g.op() != Op::Or && g.op() != Op::Iff) || is_propositional(f))
+    return std::nullopt;
   std::vector<Formula> operands(g.operands().begin(), g.operands().end());
   if (g.op() == Op::Iff) {  // φ ↔ ψ = φ ⊕ ¬ψ: the empty word stays out
     if (!negated) operands[1] = ltl::negate(operands[1]);
     return Decomposition{operands, By::One};
   }
-  if (g.op() != Op::And && g.op() != Op::Or) return std::nullopt;
   if (negated)
     for (Formula& operand : operands) operand = ltl::negate(operand);
   return Decomposition{operands, (g.op() == Op::And) != negated ? By::Both : By::Either};
@@ -85,40 +95,47 @@ Verdict verdict_of(Decomposition::By by) {
   throw std::logic_error("a decomposition without a verdict");
 }
 
-// Operands that share propositions, directly or through others, joined to one formula each.
+// Operands that share propositions, directly or through others, joined to one formula each; so are those without
+// temporal operators. In the order of their propositions, for disjoint_product().
 std::vector<Formula> disjoint_groups(const Decomposition& parts, const Reads& reads) {
-  std::vector<std::size_t> group(parts.operands.size()), reader(reads.size(), SIZE_MAX);
+  std::vector<std::size_t> group(parts.operands.size());
+  std::vector<std::size_t> reader(reads.size() + 1, SIZE_MAX);  // by proposition; of no time but the present
   std::iota(group.begin(), group.end(), std::size_t{0});
   const auto find = [&](std::size_t i) {
     while (group[i] != i) i = group[i] = group[group[i]];
     return i;
   };
+  const auto join = [&](std::size_t& first, std::size_t i) {
+    if (first == SIZE_MAX) first = i;
+    const std::size_t one = find(first), other = find(i);
+    group[std::max(one, other)] = std::min(one, other);
+  };
   for (std::size_t i = 0; i < parts.operands.size(); ++i) {
-    for (const ltl::Proposition p : ltl::propositions(parts.operands[i])) {
-      const auto at = std::lower_bound(reads.begin(), reads.end(), p) - reads.begin();
-      std::size_t& first = reader[static_cast<std::size_t>(at)];
-      if (first == SIZE_MAX) first = i;
-      const std::size_t one = find(first), other = find(i);
-      group[std::max(one, other)] = std::min(one, other);
-    }
+    for (const ltl::Proposition p : ltl::propositions(parts.operands[i])) join(reader[position(p, reads)], i);
+    if (is_propositional(parts.operands[i])) join(reader.back(), i);
   }
   std::vector<std::vector<Formula>> members(parts.operands.size());
   for (std::size_t i = 0; i < parts.operands.size(); ++i) members[find(i)].push_back(parts.operands[i]);
-  std::vector<Formula> out;
+  std::vector<std::pair<std::size_t, Formula>> groups;  // with the place of the first proposition
   for (const std::vector<Formula>& some : members) {
     if (some.empty()) continue;
     ltl::Arena& arena = some[0].arena();
-    out.push_back(parts.by == Decomposition::By::Both ? ltl::conjunction(arena, some)
-                                                      : ltl::disjunction(arena, some));
+    const Formula joined =
+        parts.by == Decomposition::By::Both ? ltl::conjunction(arena, some) : ltl::disjunction(arena, some);
+    const Reads asked = ltl::propositions(joined);
+    groups.emplace_back(asked.empty() ? reads.size() : position(asked.front(), reads), joined);
   }
+  std::sort(groups.begin(), groups.end());
+  std::vector<Formula> out;
+  for (const auto& [first, joined] : groups) out.push_back(joined);
   return out;
 }
 
 // A minimal automaton on its way into products.
 struct Part {
   Transitions automaton;
-  std::vector<bool> reads;         // by variable: may depend on it
-  std::optional<bool> told_apart;  // at each length; none: not looked at yet
+  std::vector<bool> reads;                     // by variable: may depend on it
+  std::optional<AtEachLength> at_each_length;  // none: not looked at yet
   std::size_t weight() const { return automaton.roots.size() + automaton.diagram.size(); }
 };
 using Known = std::shared_ptr<Part>;
@@ -129,9 +146,34 @@ bool share(const Part& a, const Part& b) {
   return false;
 }
 
-bool told_apart(Part& part) {
-  if (!part.told_apart) part.told_apart = told_apart_at_each_length(part.automaton);
-  return *part.told_apart;
+// All variables of a stand above those of b.
+bool is_above(const Part& a, const Part& b) {
+  const auto last = std::find(a.reads.rbegin(), a.reads.rend(), true).base();
+  const auto first = std::find(b.reads.begin(), b.reads.end(), true);
+  return last - a.reads.begin() <= first - b.reads.begin();
+}
+
+AtEachLength properties(Part& part) {
+  if (!part.at_each_length) part.at_each_length = at_each_length(part.automaton);
+  return *part.at_each_length;
+}
+
+// Neither shares a proposition with the other one; the verdict is "both" or "either".
+Part disjoint_part(Part& a, Part& b, Verdict verdict, Effort& effort) {
+  Part out;
+  const AtEachLength first = properties(a), second = properties(b);
+  const AtEachLength common{first.told_apart && second.told_apart, first.reached && second.reached};
+  if (common.reached && is_above(a, b))
+    out.automaton = disjoint_product(a.automaton, b.automaton, verdict, effort);
+  else
+    out.automaton = product(a.automaton, b.automaton, verdict, effort, Alphabets::Disjoint);
+  if (common.told_apart) {
+    merge_initial(out.automaton);
+    out.at_each_length = common;
+  } else {
+    out.automaton = minimize(out.automaton, effort);
+  }
+  return out;
 }
 
 class Translation {
@@ -139,13 +181,7 @@ class Translation {
   Translation(const Reads& reads, const RouteLimits& limits, std::size_t& made)
       : reads_(reads), limits_(limits), made_(made) {}
 
-  Transitions run(Formula f) {
-    for (std::size_t purse = first_purse;; purse = purse > SIZE_MAX / 4 ? SIZE_MAX : 4 * purse) {
-      more_steps_may_help_ = false;
-      if (const Known found = attempt(f, purse)) return std::move(found->automaton);
-      if (!more_steps_may_help_) throw Effort::Spent{Effort::Spent::Reason::States};
-    }
-  }
+  Transitions run(Formula f) { return std::move(settle(f)->automaton); }
 
  private:
   static constexpr std::size_t first_purse = 1U << 12U;  // under a millisecond
@@ -161,18 +197,34 @@ class Translation {
     std::size_t most_pairs = 1;     // of states of all operands
   };
 
-  Known attempt(Formula f, std::size_t purse) {
+  // What the result cannot do without: in rounds, until it is there. Throws when no step more would help.
+  Known settle(Formula f) {
+    const bool elsewhere = more_steps_may_help_;
+    for (std::size_t purse = first_purse;; purse = purse > SIZE_MAX / 4 ? SIZE_MAX : 4 * purse) {
+      more_steps_may_help_ = false;
+      if (Known found = attempt(f, purse, true)) {
+        more_steps_may_help_ = elsewhere;
+        return found;
+      }
+      if (!more_steps_may_help_) throw Effort::Spent{Effort::Spent::Reason::States};
+    }
+  }
+
+  // One round. Of what cannot be done without, a route that is the last one has all the steps that it takes.
+  Known attempt(Formula f, std::size_t purse, bool is_needed) {
     Task& task = tasks_[f];
     if (!task.found && !task.direct_is_hopeless) direct(f, task, purse);
-    if (!task.found && compose(f, task, purse)) task.found = std::exchange(task.waiting, {}).front();
+    if (!task.found) open(f, task);
+    if (!task.found && !task.direct_is_hopeless && !task.composable && is_needed) direct(f, task, SIZE_MAX);
+    if (!task.found && task.composable && compose(task, purse, is_needed && task.direct_is_hopeless))
+      task.found = std::exchange(task.waiting, {}).front();
     return task.found;
   }
 
   void direct(Formula f, Task& task, std::size_t purse) {
-    if (task.disjoint) return;
     const auto construct = [&](Effort& effort) {
       Part part{minimize(close(f, reads_, effort), effort), std::vector<bool>(reads_.size(), false), {}};
-      for (const ltl::Proposition p : ltl::propositions(f)) part.reads[position(p)] = true;
+      for (const ltl::Proposition p : ltl::propositions(f)) part.reads[position(p, reads_)] = true;
       return part;
     };
     const Outcome outcome = within(task.composable ? purse / 4 : purse, construct);
@@ -182,18 +234,20 @@ class Translation {
   }
 
   // One automaton in task.waiting, or false.
-  bool compose(Formula f, Task& task, std::size_t purse) {
-    open(f, task);
-    if (!task.composable) return false;
+  bool compose(Task& task, std::size_t purse, bool is_needed) {
     for (; !task.operands.empty(); task.operands.pop_back()) {
-      const Known operand = attempt(task.operands.back(), purse);
+      const Formula next = task.operands.back();
+      const Known operand = is_needed ? settle(next) : attempt(next, purse, false);
       if (!operand) return false;
       const std::size_t states = operand->automaton.roots.size();
       task.most_pairs = task.most_pairs > SIZE_MAX / states ? SIZE_MAX : task.most_pairs * states;
       task.waiting.push_back(operand);
     }
-    while (task.waiting.size() > 1)
-      if (!multiply(task, purse)) return false;
+    while (task.waiting.size() > 1) {
+      if (multiply(task, is_needed ? SIZE_MAX : purse)) continue;
+      if (is_needed) throw Effort::Spent{Effort::Spent::Reason::States};
+      return false;
+    }
     return true;
   }
 
@@ -208,38 +262,63 @@ class Translation {
       std::vector<Formula> groups = disjoint_groups({task.operands, parts->by}, reads_);
       task.disjoint = groups.size() > 1;
       if (task.disjoint) task.operands = std::move(groups);
+      task.direct_is_hopeless = task.direct_is_hopeless || task.disjoint;
     }
     std::reverse(task.operands.begin(), task.operands.end());
   }
 
-  // The smallest one, and the smallest that shares a proposition with it if there is one: their product.
   bool multiply(Task& task, std::size_t purse) {
-    std::vector<Known>& waiting = task.waiting;
-    std::stable_sort(waiting.begin(), waiting.end(),
-                     [](const Known& a, const Known& b) { return a->weight() < b->weight(); });
-    auto second = waiting.begin() + 1;
-    if (!task.disjoint)
-      second =
-          std::find_if(second, waiting.end(), [&](const Known& b) { return share(*waiting.front(), *b); });
-    if (second == waiting.end()) second = waiting.begin() + 1;
-    Part &a = *waiting.front(), &b = **second;
-    const bool minimal = task.by != By::One && !share(a, b) && told_apart(a) && told_apart(b);
+    const auto [first, second] = task.disjoint ? neighbours(task.waiting) : relatives(task.waiting);
+    Part &a = *task.waiting[first], &b = *task.waiting[second];
     const Outcome outcome = within(purse, [&](Effort& effort) {
-      Part part{product(a.automaton, b.automaton, verdict_of(task.by), effort), a.reads, {}};
+      Part part;
+      if (task.disjoint)
+        part = disjoint_part(a, b, verdict_of(task.by), effort);
+      else
+        part.automaton = minimize(product(a.automaton, b.automaton, verdict_of(task.by), effort), effort);
+      part.reads = a.reads;
       for (std::size_t v = 0; v < b.reads.size(); ++v)
         if (b.reads[v]) part.reads[v] = true;
-      if (minimal) {
-        part.automaton.initial = initial_class(part.automaton);
-        part.told_apart = true;
-      } else {
-        part.automaton = minimize(part.automaton, effort);
-      }
       return part;
     });
     if (!outcome.made) return false;
-    waiting.erase(second);
-    waiting.front() = outcome.made;
+    task.waiting[first] = outcome.made;
+    task.waiting.erase(task.waiting.begin() + static_cast<std::ptrdiff_t>(second));
     return true;
+  }
+
+  using Places = std::pair<std::size_t, std::size_t>;  // ascending
+
+  // Two that follow each other, of least weight.
+  static Places neighbours(const std::vector<Known>& waiting) {
+    std::size_t best = 0, least = SIZE_MAX;
+    for (std::size_t i = 0; i + 1 < waiting.size(); ++i) {
+      const std::size_t weight = waiting[i]->weight() + waiting[i + 1]->weight();
+      if (weight >= least) continue;
+      least = weight;
+      best = i;
+    }
+    return {best, best + 1};
+  }
+
+  // The one of least weight, and of those that share a proposition with it, if there are any, the one of least weight.
+  static Places relatives(const std::vector<Known>& waiting) {
+    const auto lighter = [&](std::size_t i, std::size_t j) {
+      return waiting[i]->weight() < waiting[j]->weight();
+    };
+    std::size_t first = 0;
+    for (std::size_t i = 1; i < waiting.size(); ++i)
+      if (lighter(i, first)) first = i;
+    std::optional<std::size_t> second;
+    bool sharing = false;
+    for (std::size_t i = 0; i < waiting.size(); ++i) {
+      if (i == first) continue;
+      const bool shares = share(*waiting[first], *waiting[i]);
+      if (second && (sharing > shares || (sharing == shares && !lighter(i, *second)))) continue;
+      second = i;
+      sharing = shares;
+    }
+    return std::minmax(first, *second);
   }
 
   struct Outcome {
@@ -262,10 +341,6 @@ class Translation {
     }
     outcome.states = effort.states();
     return outcome;
-  }
-
-  std::size_t position(ltl::Proposition p) const {
-    return static_cast<std::size_t>(std::lower_bound(reads_.begin(), reads_.end(), p) - reads_.begin());
   }
 
   const Reads& reads_;

@@ -5,7 +5,7 @@
 // responses the other way round. So both work in rounds, a construction having four times as many steps in each round
 // as in the one before; minimal automata and finished products are kept from round to round. Operands are first
 // grouped by the propositions that they share. Groups read disjoint alphabets, and there the product is as small as it
-// can be, nearly: beyond a first attempt the direct route is not tried, and minimising is left out where told_apart.hpp
+// can be, nearly: beyond a first attempt the direct route is not tried, and minimising is left out where disjoint.hpp
 // proves that it changes nothing. Within a group products are made smallest first, of operands that share a
 // proposition, each minimised. Products of minimal automata: [DF21]; the portfolio and the grouping are ours.
 #pragma once
