@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "libautomata/deterministic/colours.hpp"
-#include "libautomata/deterministic/joint_choices.hpp"
 #include "libautomata/deterministic/one_language.hpp"
+#include "libautomata/joint_choices.hpp"
 #include "libautomata/scc.hpp"
 
 namespace waymark::automata {
