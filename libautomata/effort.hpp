@@ -32,6 +32,10 @@ class Effort {
   void poll() const {
     if (stop_.stop_requested()) throw Spent{Spent::Reason::Stopped};
   }
+  // As much as is left, but no more than so many steps; spending it does not count here.
+  Effort at_most(std::size_t steps) const {
+    return {steps < steps_left_ ? steps : steps_left_, states_left_, stop_};
+  }
   std::size_t steps_left() const { return steps_left_; }
   std::size_t states() const { return states_; }  // made so far
 

@@ -6,8 +6,9 @@
 #include <string>
 #include <utility>
 
-#include "libautomata/deterministic/joint_choices.hpp"
+#include "libautomata/joint_choices.hpp"
 #include "libautomata/omega/emptiness.hpp"
+#include "libautomata/omega/recurrence.hpp"
 
 namespace waymark::automata {
 namespace {
@@ -50,7 +51,9 @@ struct Followed {
   std::vector<Node> roots;  // in the manager of the product that is being made
 
   Followed(const Part& part, std::uint32_t mark)
-      : automaton(rejectable(part.automaton)), late(part.late), first_mark(mark) {
+      : automaton(rejectable(part.late ? started_inside(part.automaton) : part.automaton)),
+        late(part.late),
+        first_mark(mark) {
     const std::uint32_t sets = automaton.acceptance.sets;
     if (mark + sets >= Marks::most) throw Effort::Spent{Effort::Spent::Reason::States};
     BranchGraph graph(automaton);

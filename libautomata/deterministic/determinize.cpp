@@ -4,7 +4,7 @@
 #include <map>
 
 #include "libautomata/deterministic/brace_tree.hpp"
-#include "libautomata/deterministic/joint_choices.hpp"
+#include "libautomata/joint_choices.hpp"
 #include "libautomata/omega/emptiness.hpp"
 #include "libautomata/omega/simulation.hpp"
 

@@ -12,9 +12,13 @@
 #include "libautomata/deterministic/combination.hpp"
 #include "libautomata/deterministic/determinize.hpp"
 #include "libautomata/deterministic/paritise.hpp"
+#include "libautomata/deterministic/split.hpp"
 #include "libautomata/omega/prepare.hpp"
+#include "libautomata/omega/product.hpp"
+#include "libautomata/omega/recurrence.hpp"
+#include "libautomata/omega/scc_filter.hpp"
+#include "libautomata/omega/simulation.hpp"
 #include "libautomata/omega/weak.hpp"
-#include "libltl/fragment.hpp"
 #include "libltl/nnf.hpp"
 #include "libltl/separate.hpp"
 
@@ -25,6 +29,7 @@ using ltl::Formula;
 
 constexpr std::size_t weak_steps = 400'000'000;
 constexpr std::size_t safra_steps = 2'000'000'000;
+constexpr std::size_t window_states = 2'000;
 constexpr std::size_t product_steps = 200'000'000;
 constexpr std::size_t reduction_steps = 100'000'000;
 constexpr std::size_t wait_for = 20;  // times the states that one route needed, while the other one is tried
@@ -35,8 +40,6 @@ struct Candidate {
   std::vector<ltl::Proposition> reads;
   bool reduced = true;
 };
-
-bool is_obligation(Formula f) { return ltl::fragments(f, ltl::Semantics::Infinite).obligation; }
 
 bool smaller(const Candidate& a, const Candidate& b) {
   return std::tuple(a.automaton.states(), count_edges(a.automaton), a.automaton.acceptance.sets) <
@@ -61,42 +64,6 @@ Branching rejected_by(const Branching& automaton) {
   return out;
 }
 
-// φ as positive Boolean combination of formulas, none of which is a junction unless it is an obligation. One that is
-// the negation of another one is not listed again.
-class Split {
- public:
-  explicit Split(Formula f) : over_(tree(f)) {}
-  const std::vector<Formula>& parts() const { return parts_; }
-  const Condition& over() const { return over_; }
-
- private:
-  Condition tree(Formula f) {
-    if (is_obligation(f) || (f.op() != ltl::Op::And && f.op() != ltl::Op::Or)) return literal(f);
-    const bool all = f.op() == ltl::Op::And;
-    std::vector<Formula> obligations, rest;
-    for (Formula g : f.operands()) (is_obligation(g) ? obligations : rest).push_back(g);
-    std::vector<Condition> operands;
-    if (!obligations.empty())
-      operands.push_back(
-          literal(all ? ltl::conjunction(f.arena(), obligations) : ltl::disjunction(f.arena(), obligations)));
-    for (Formula g : rest) operands.push_back(tree(g));
-    return all ? Condition::all_of(std::move(operands)) : Condition::any_of(std::move(operands));
-  }
-  Condition literal(Formula f) {
-    const Formula opposite = ltl::nnf(ltl::negate(f));
-    for (std::uint32_t i = 0; i < parts_.size(); ++i) {
-      if (parts_[i] == f) return Condition::inf(i);
-      if (parts_[i] == opposite) return Condition::fin(i);
-    }
-    if (parts_.size() == Marks::most) throw Effort::Spent{Effort::Spent::Reason::States};
-    parts_.push_back(f);
-    return Condition::inf(static_cast<std::uint32_t>(parts_.size() - 1));
-  }
-
-  std::vector<Formula> parts_;
-  Condition over_;
-};
-
 class Construction {
  public:
   // f simplified, in negation normal form.
@@ -106,8 +73,7 @@ class Construction {
   std::optional<Candidate> parity() {
     if (is_obligation(formula_)) return obligation();
     std::optional<Candidate> best;
-    for (const std::optional<Candidate>* from : {&combined(), &deterministic(false), &deterministic(true)})
-      if (*from) best = smallest(std::move(best), paritised(**from));
+    for (const Candidate& from : deterministic()) best = smallest(std::move(best), paritised(from));
     for (const bool negated : {false, true}) {
       if (best && best->automaton.states() == 1) break;
       std::optional<Candidate> next = determinized(buchi(negated), most(best));
@@ -120,8 +86,7 @@ class Construction {
   // Or an automaton with a deterministic structure and another condition.
   std::optional<Candidate> generic() {
     std::optional<Candidate> best = parity();
-    for (const std::optional<Candidate>* from : {&deterministic(false), &deterministic(true), &combined()})
-      if (*from) best = smallest(std::move(best), *from);
+    for (const Candidate& from : deterministic()) best = smallest(std::move(best), from);
     return best;
   }
 
@@ -162,44 +127,68 @@ class Construction {
     if (limits_.stop.stop_requested()) throw Effort::Spent{Effort::Spent::Reason::Stopped};
     return *known;
   }
-  // The same where it comes out deterministic, with the words of φ.
-  const std::optional<Candidate>& deterministic(bool negated) {
-    std::optional<std::optional<Candidate>>& known = deterministic_[negated ? 1 : 0];
-    if (known) return *known;
-    known.emplace();
-    const std::optional<Candidate>& from = buchi(negated);
-    if (!from || !is_deterministic(from->automaton)) return *known;
-    if (!negated)
-      *known = *from;
-    else if (from->automaton.acceptance.sets > 0)
-      *known = Candidate{trim(rejected_by(from->automaton)), from->reads, from->reduced};
-    return *known;
+  // Deterministic automata of φ with any condition.
+  const std::vector<Candidate>& deterministic() {
+    if (deterministic_) return *deterministic_;
+    deterministic_.emplace();
+    for (const bool negated : {false, true}) {
+      add(recurrent(negated), negated);
+      if (const auto& from = buchi(negated); from && is_deterministic(from->automaton)) add(from, negated);
+    }
+    const std::optional<Split> fine = split(Split::Late::Each), coarse = split(Split::Late::Together);
+    if (fine) add(combined(*fine), false);
+    if (coarse && !(fine && fine->parts() == coarse->parts())) add(combined(*coarse), false);
+    return *deterministic_;
   }
-  // A deterministic automaton with any condition, the first that is found.
+  void add(const std::optional<Candidate>& found, bool negated) {
+    if (!found) return;
+    if (!negated)
+      deterministic_->push_back(*found);
+    else if (found->automaton.acceptance.sets > 0)
+      deterministic_->push_back({trim(rejected_by(found->automaton)), found->reads, found->reduced});
+  }
+  // G F e₁ ∧ G F e₂ ∧ …, every e co-safe, by the letters that each e may look back at.
+  std::optional<Candidate> recurrent(bool negated) const {
+    const std::vector<Formula> parts = recurring_parts(negated ? ltl::nnf(ltl::negate(formula_)) : formula_);
+    if (parts.empty()) return std::nullopt;
+    std::optional<Branching> out = within(weak_steps, window_states, [&](Effort& effort) {
+      std::optional<Branching> product;
+      for (Formula e : parts) {
+        std::optional<Branching> next = recurring(weak_deterministic(e, reads_, effort), effort);
+        if (next) *next = bisimulation_quotient(*next, effort);
+        if (next && product) next = intersection(*product, *next, effort);
+        if (next) product = std::move(next);
+      }
+      return product ? scc_filter(started_inside(*std::move(product)), MarksOn::Edges, effort) : Branching();
+    });
+    if (!out || out->states() == 0) return std::nullopt;
+    return Candidate{*std::move(out), reads_, true};
+  }
+  // A deterministic automaton with any condition, the smallest that comes without determinisation.
   std::optional<Candidate> any() {
     if (is_obligation(formula_)) return obligation();
-    if (deterministic(false)) return deterministic(false);
-    if (deterministic(true)) return deterministic(true);
-    return parity();
+    std::optional<Candidate> best;
+    for (const Candidate& from : deterministic()) best = smallest(std::move(best), from);
+    return best ? best : parity();
+  }
+  std::optional<Split> split(Split::Late late) const {
+    return within(SIZE_MAX, SIZE_MAX, [&](Effort&) { return Split(formula_, late); });
   }
   // The product of deterministic automata of the parts.
-  const std::optional<Candidate>& combined() {
-    if (combined_) return *combined_;
-    combined_.emplace();
-    const Split split(formula_);
-    if (split.parts().size() < 2) return *combined_;
+  std::optional<Candidate> combined(const Split& split) const {
+    if (split.parts().size() < 2) return std::nullopt;
     std::vector<Part> parts;
     bool reduced = true;
     for (Formula g : split.parts()) {
       const std::optional<Candidate> made = Construction(g, limits_).any();
-      if (!made) return *combined_;
+      if (!made) return std::nullopt;
       reduced = reduced && made->reduced;
       parts.push_back({over(made->automaton, made->reads), ltl::purity(g).both()});
     }
     auto product = within(product_steps, limits_.states,
                           [&](Effort& effort) { return combination(parts, split.over(), effort); });
-    if (product) *combined_ = Candidate{trim(*product), reads_, reduced};
-    return *combined_;
+    if (!product) return std::nullopt;
+    return Candidate{trim(*product), reads_, reduced};
   }
   // The same automaton over the variables of φ, of whose propositions it reads some.
   Branching over(const Branching& automaton, const std::vector<ltl::Proposition>& reads) const {
@@ -241,9 +230,8 @@ class Construction {
   const TranslationLimits& limits_;
   Formula formula_;
   std::vector<ltl::Proposition> reads_;
-  // Asked for; there is one. Of φ and of ¬φ.
-  std::array<std::optional<std::optional<Candidate>>, 2> buchi_, deterministic_;
-  std::optional<std::optional<Candidate>> combined_;
+  std::array<std::optional<std::optional<Candidate>>, 2> buchi_;  // of φ and of ¬φ: asked for; there is one
+  std::optional<std::vector<Candidate>> deterministic_;
 };
 
 template <class Make>

@@ -4,13 +4,19 @@
 // to another state of its target's language in a component that comes later: a run is sent on finitely often, and what
 // it meets for ever is met by a run of the original. What only served to find the right component goes away.
 #pragma once
+#include <cstdint>
+#include <vector>
+
 #include "libautomata/effort.hpp"
 #include "libautomata/omega/branching.hpp"
 
 namespace waymark::automata {
 
-// parity(Min, Even, ·) in and out, deterministic; states may be left that nothing reaches. Languages are compared on
-// all pairs of states: one step of effort per pair of nodes.
+// By state: the first state that accepts the same words. Deterministic, complete, parity(Min, Even, ·). All pairs of
+// states are compared: one step of effort per pair of nodes.
+std::vector<std::uint32_t> languages(const Branching& complete, Effort& effort);
+
+// parity(Min, Even, ·) in and out, deterministic; states may be left that nothing reaches.
 Branching one_component_each(const Branching& automaton, Effort& effort);
 
 }  // namespace waymark::automata

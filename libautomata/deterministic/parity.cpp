@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "libautomata/deterministic/colours.hpp"
+#include "libautomata/deterministic/fewer_states.hpp"
 #include "libautomata/deterministic/one_language.hpp"
 #include "libautomata/minimize.hpp"
 #include "libautomata/omega/emptiness.hpp"
@@ -17,6 +18,7 @@
 namespace waymark::automata {
 namespace {
 
+constexpr std::size_t merging_steps = 10'000'000;
 constexpr std::size_t compared_states = 120;  // languages of states are compared pair by pair
 
 using Extreme = Acceptance::Extreme;
@@ -63,6 +65,17 @@ Branching minimal_weak(const Branching& automaton, Effort& effort) {
   weak.accepting = weak_acceptance(complete);
   weak.initial = complete.initial;
   return as_buchi(minimize(weak, effort), {});
+}
+
+// As it is when there is not enough effort to begin.
+Branching merged(const Branching& automaton, const Effort& effort) {
+  Effort some = effort.at_most(merging_steps);
+  try {
+    return with_fewer_states(automaton, some);
+  } catch (const Effort::Spent& spent) {
+    if (spent.reason == Effort::Spent::Reason::Stopped) throw;
+    return automaton;
+  }
 }
 
 // One mark at most on a branch, one branch at most in a choice.
@@ -118,7 +131,9 @@ Branching reduce_parity(const Branching& automaton, Effort& effort) {
     live = canonical(bisimulation_quotient(coloured.automaton, effort));
     if (live.states() <= compared_states && 2 * live.acceptance.sets <= Marks::most)
       live = trim(one_component_each(live, effort));
-    if (live.states() == states) return live;
+    if (live.states() < states) continue;
+    if (live.states() <= compared_states) live = trim(merged(live, effort));
+    if (live.states() == states) return with_fewest_colours(live).automaton;
   }
 }
 

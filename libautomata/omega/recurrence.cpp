@@ -1,6 +1,10 @@
 #include "libautomata/omega/recurrence.hpp"
 
+#include <algorithm>
+#include <map>
+
 #include "libautomata/boolean.hpp"
+#include "libautomata/joint_choices.hpp"
 #include "libautomata/omega/emptiness.hpp"
 #include "libautomata/omega/product.hpp"
 
@@ -46,7 +50,81 @@ std::vector<Node> taken_by_rejected_words(const Pairs& product, std::size_t stat
   return out;
 }
 
+class Windows {
+ public:
+  Windows(const Transitions& cosafe, Effort& effort)
+      : from_(cosafe), effort_(effort), joint_(out_.diagram, effort) {}
+
+  Branching run() {
+    roots_ = out_.diagram.import(
+        from_.diagram, from_.roots, [](std::uint32_t q) { return Mtbdd::terminal(q); },
+        [](Mtbdd::Variable v) { return v; });
+    out_.acceptance = Acceptance::buchi();
+    number({});
+    for (std::size_t i = 0; i < sets_.size(); ++i) {  // the sets double as the queue
+      const std::size_t runs = sets_[i].size() + 1;
+      Node tuples = joint_.extended(JointChoices::empty(), roots_[from_.initial]);
+      for (std::size_t k = 0; k + 1 < runs; ++k) tuples = joint_.extended(tuples, roots_[sets_[i][k]]);
+      out_.roots.push_back(joint_.settled(tuples, [&](std::uint32_t tuple) { return choice(runs, tuple); }));
+    }
+    return std::move(out_);
+  }
+
+ private:
+  std::uint32_t choice(std::size_t runs, std::uint32_t tuple) {
+    std::vector<std::uint32_t> next(runs);
+    joint_.read(tuple, next);
+    const auto done = [&](std::uint32_t q) { return from_.roots[q] == Mtbdd::terminal(q); };
+    const bool good =
+        std::any_of(next.begin(), next.end(), [&](std::uint32_t q) { return done(q) && from_.accepting[q]; });
+    next.erase(std::remove_if(next.begin(), next.end(), done), next.end());
+    std::sort(next.begin(), next.end());
+    next.erase(std::unique(next.begin(), next.end()), next.end());
+    return out_.choices.intern({{number(std::move(next)), good ? Marks::of(0) : Marks()}});
+  }
+  std::uint32_t number(std::vector<std::uint32_t> set) {
+    const auto [at, fresh] = number_.try_emplace(std::move(set), static_cast<std::uint32_t>(sets_.size()));
+    if (fresh) {
+      effort_.state();
+      sets_.push_back(at->first);
+    }
+    return at->second;
+  }
+
+  const Transitions& from_;
+  Effort& effort_;
+  Branching out_;
+  JointChoices joint_;
+  std::vector<Node> roots_;
+  std::map<std::vector<std::uint32_t>, std::uint32_t> number_;
+  std::vector<std::vector<std::uint32_t>> sets_;
+};
+
 }  // namespace
+
+std::optional<Branching> recurring(const Transitions& cosafe, Effort& effort) {
+  if (cosafe.accepting[cosafe.initial] && cosafe.roots[cosafe.initial] == Mtbdd::terminal(cosafe.initial))
+    return std::nullopt;
+  return Windows(cosafe, effort).run();
+}
+
+Branching started_inside(Branching automaton) {
+  const BranchGraph graph(automaton);
+  const Components found = components(graph);
+  std::vector<std::uint32_t> size(found.count, 0);
+  std::vector<bool> left(found.count, false);
+  for (std::uint32_t q = 0; q < graph.size(); ++q) {
+    ++size[found.of[q]];
+    for (std::uint32_t r : graph.successors(q))
+      left[found.of[q]] = left[found.of[q]] || found.of[r] != found.of[q];
+  }
+  std::uint32_t best = 0;
+  for (std::uint32_t c = 0; c < found.count; ++c)
+    if (!left[c] && (left[best] || size[c] < size[best])) best = c;
+  automaton.initial = *std::find_if(found.order.begin(), found.order.end(),
+                                    [&](std::uint32_t q) { return found.of[q] == best; });
+  return automaton;
+}
 
 std::optional<Branching> deterministic_buchi(const Transitions& structure, const Branching& yes,
                                              const Branching& no, Effort& effort) {

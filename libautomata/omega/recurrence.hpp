@@ -16,4 +16,13 @@ namespace waymark::automata {
 std::optional<Branching> deterministic_buchi(const Transitions& structure, const Branching& yes,
                                              const Branching& no, Effort& effort);
 
+// G F e from the minimal weak automaton of e, co-safe: every position starts a run, those that have seen a good prefix
+// go, with a mark, and so do those that cannot. Unlike restarted() (weak.hpp) it forgets nothing when it marks: of an e
+// of depth n it is the last n letters that count, so that automata of several e go in step. One state of effort per
+// set of states. nullopt when e is valid.
+std::optional<Branching> recurring(const Transitions& cosafe, Effort& effort);
+
+// An automaton whose states all accept the same words, started in its smallest component that nothing leaves.
+Branching started_inside(Branching automaton);
+
 }  // namespace waymark::automata

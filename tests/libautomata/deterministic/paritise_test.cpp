@@ -6,12 +6,17 @@
 
 #include "libautomata/deterministic/combination.hpp"
 #include "libautomata/deterministic/ltl_to_parity.hpp"
+#include "libautomata/deterministic/split.hpp"
 #include "libautomata/omega/emptiness.hpp"
 #include "libautomata/omega/hoa.hpp"
 #include "libautomata/omega/operations.hpp"
 #include "libautomata/omega/random_automaton.hpp"
+#include "libautomata/omega/recurrence.hpp"
+#include "libautomata/omega/weak.hpp"
+#include "libltl/nnf.hpp"
 #include "libltl/parse.hpp"
 #include "libltl/print.hpp"
+#include "libltl/semantics.hpp"
 #include "tests/libautomata/omega/referee.hpp"
 #include "tests/support/generate.hpp"
 
@@ -156,6 +161,52 @@ TEST(Combination, IsTheBooleanOneOfTheLanguages) {
   }
 }
 
+// G F e by the letters that e looks back at: as many states as there are pasts that make a difference.
+TEST(Recurring, LooksBackAsFarAsItMust) {
+  const struct {
+    const char* formula;
+    std::size_t states;
+  } table[] = {{"a", 1}, {"a & X b", 2}, {"a & X X b", 4}, {"a U b", 2}, {"a & X(b & X a)", 4}};
+  const auto words = testing::all_lassos({.length = 4, .atoms = 2});
+  for (const auto& row : table) {
+    ltl::Arena arena(testing::letters_vocabulary(2));
+    const ltl::Formula e = ltl::parse(row.formula, arena);
+    Effort effort;
+    const auto made = recurring(weak_deterministic(e, reads, effort), effort);
+    ASSERT_TRUE(made) << row.formula;
+    EXPECT_EQ(made->states(), row.states) << row.formula;
+    const ltl::Formula f = ltl::always(ltl::eventually(e));
+    for (const ltl::Lasso& word : words)
+      ASSERT_EQ(accepts(as_automaton(*made, ab, reads), word), ltl::holds(word, f)) << testing::show(f, word);
+  }
+  ltl::Arena arena(testing::letters_vocabulary(2));
+  Effort effort;
+  EXPECT_FALSE(recurring(weak_deterministic(arena.constant(true), reads, effort), effort));
+}
+
+TEST(Split, ListsNoPartTwice) {
+  const struct {
+    const char* formula;
+    Split::Late late;
+    std::size_t parts;
+    const char* over;
+  } table[] = {
+      {"F G a | F G b", Split::Late::Each, 2, "Inf(0) | Inf(1)"},
+      {"F G a | F G b", Split::Late::Together, 1, "Inf(0)"},
+      {"F(G a | G b)", Split::Late::Each, 2, "Inf(0) | Inf(1)"},
+      {"(G F a & F G b) | (F G !a & G F !b)", Split::Late::Each, 2, "Inf(0) & Inf(1) | Fin(0) & Fin(1)"},
+      {"F a & G b & G F a", Split::Late::Each, 2, "Inf(0) & Inf(1)"},
+      {"X(G F a | F b)", Split::Late::Each, 2, "Inf(0) | Inf(1)"},
+      {"G(a -> F b)", Split::Late::Each, 1, "Inf(0)"},
+  };
+  for (const auto& row : table) {
+    ltl::Arena arena;
+    const Split split(ltl::nnf(ltl::parse(row.formula, arena)), row.late);
+    EXPECT_EQ(split.parts().size(), row.parts) << row.formula;
+    EXPECT_EQ(print(split.over()), row.over) << row.formula;
+  }
+}
+
 ltl::Formula random_boolean(ltl::Random& random, ltl::Arena& arena, int depth) {
   static const char* const parts[] = {"G F a",         "F G b",        "G F(a & X b)",  "F a",
                                       "G b",           "b U a",        "G(a -> F b)",   "F(a & X b)",
@@ -175,7 +226,7 @@ ltl::Formula random_boolean(ltl::Random& random, ltl::Arena& arena, int depth) {
 TEST(LtlToParity, HasTheLanguageOfTheTableauOnBooleanCombinations) {
   constexpr std::uint64_t seed = 75;
   ltl::Random random(seed);
-  for (int i = 0; i < 150; ++i) {
+  for (int i = 0; i < 90; ++i) {
     ltl::Arena arena(testing::letters_vocabulary(3));
     const ltl::Formula f = random_boolean(random, arena, 1 + i % 3);
     const Automaton yes = ltl_to_tgba(f), no = ltl_to_tgba(ltl::negate(f));

@@ -1,0 +1,19 @@
+// States of one language as one state, where colours can be found for what remains.
+//
+// Let every branch to q lead to r, which accepts the same words. What is left is a structure whose states still know
+// what remains to be read, and whether colours can be put on it is decided in the product with the automaton of before:
+// colour 0 goes to the branches that lie on no rejecting cycle; without them, colour 1 to those on no accepting one;
+// and so on. When a round of two finds none there is no such colouring. When there is one, this finds it, and with the
+// fewest colours: the branches of a colour are as many as they can be. Ours; for one round of this on the structure of
+// progression see omega/recurrence.hpp.
+#pragma once
+#include "libautomata/effort.hpp"
+#include "libautomata/omega/branching.hpp"
+
+namespace waymark::automata {
+
+// parity(Min, Even, ·) in and out, deterministic; complete when something was merged. States are tried pair by pair
+// until the effort is spent; what was reached then is returned. Throws Spent when stopped, or before anything is tried.
+Branching with_fewer_states(const Branching& automaton, Effort& effort);
+
+}  // namespace waymark::automata

@@ -1,0 +1,124 @@
+// Merging states of one language: random parity automata keep their language, by emptiness of the differences and on
+// lassos; and the sizes where the number of languages says what there must be.
+#include "libautomata/deterministic/fewer_states.hpp"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "libautomata/deterministic/colours.hpp"
+#include "libautomata/deterministic/one_language.hpp"
+#include "libautomata/deterministic/parity.hpp"
+#include "libautomata/omega/emptiness.hpp"
+#include "libautomata/omega/hoa.hpp"
+#include "libautomata/omega/operations.hpp"
+#include "libautomata/omega/random_automaton.hpp"
+#include "tests/libautomata/omega/referee.hpp"
+#include "tests/support/generate.hpp"
+
+namespace waymark::automata {
+namespace {
+
+const ltl::Vocabulary ab({"a", "b"});
+
+// One mark at most on a branch, of parity(Min, Even, sets).
+Branching random_parity(ltl::Random& random, const RandomAutomaton& options) {
+  Branching out = random_automaton(random, ab, options).transitions();
+  std::vector<std::uint32_t> all;
+  for (std::uint32_t q = 0; q < out.states(); ++q) all.push_back(q);
+  out = rebuild(out, all, [](std::uint32_t, std::span<const Branch> choice) {
+    std::vector<Branch> branches(choice.begin(), choice.end());
+    for (Branch& b : branches)
+      if (!b.marks.empty()) b.marks = Marks::of(b.marks.members().front());
+    return branches;
+  });
+  out.acceptance =
+      Acceptance::parity(Acceptance::Extreme::Min, Acceptance::Parity::Even, out.acceptance.sets);
+  return out;
+}
+
+bool within(const Branching& a, const Branching& b) {
+  const std::vector<ltl::Proposition> reads{{0}, {1}};
+  const Automaton of_a = as_automaton(a, ab, reads), of_b = as_automaton(b, ab, reads);
+  Effort effort;
+  const Automaton outside = complement(*Deterministic::checked(of_b)).automaton();
+  return is_empty(intersection(of_a, outside, effort).transitions());
+}
+
+std::size_t count_languages(const Branching& automaton) {
+  Effort effort;
+  const std::vector<std::uint32_t> all = languages(completed_parity(canonical(automaton)), effort);
+  return std::set<std::uint32_t>(all.begin(), all.end()).size();
+}
+
+TEST(FewerStates, KeepTheLanguageOfRandomAutomata) {
+  constexpr std::uint64_t seed = 91;
+  ltl::Random random(seed);
+  int smaller = 0;
+  for (int i = 0; i < 600; ++i) {
+    const Branching from = random_parity(random, {.states = static_cast<std::uint32_t>(2 + i % 7),
+                                                  .sets = static_cast<std::uint32_t>(1 + i % 4),
+                                                  .branches = 1,
+                                                  .marked = i % 3 == 0 ? 0.5 : 0.2,
+                                                  .empty = i % 4 == 0 ? 0.1 : 0.0,
+                                                  .generic = false});
+    Effort effort;
+    const Branching made = trim(with_fewer_states(from, effort));
+    ASSERT_TRUE(within(made, from)) << "seed " << seed << ", automaton " << i;
+    ASSERT_TRUE(within(from, made)) << "seed " << seed << ", automaton " << i;
+    ASSERT_LE(made.states(), from.states());
+    ASSERT_LE(count_languages(from), made.states() + 1) << "seed " << seed << ", automaton " << i;
+    if (made.states() < trim(from).states()) ++smaller;
+  }
+  EXPECT_GT(smaller, 100);
+}
+
+// Reducing what was reduced changes nothing; states are counted against the words of the original.
+TEST(FewerStates, AreFoundOnceAndForAll) {
+  ltl::Random random(92);
+  const auto words = testing::all_lassos({.length = 3, .atoms = 2});
+  for (int i = 0; i < 60; ++i) {
+    const Branching from =
+        random_parity(random, {.states = 6, .sets = 3, .branches = 1, .empty = 0, .generic = false});
+    Effort effort;
+    const Branching once = reduce_parity(from, effort), twice = reduce_parity(once, effort);
+    ASSERT_EQ(once.states(), twice.states()) << i;
+    const Automaton before = as_automaton(from, ab, {{0}, {1}}), after = as_automaton(once, ab, {{0}, {1}});
+    for (const ltl::Lasso& word : words)
+      ASSERT_EQ(referee::accepts(after, word), referee::accepts(before, word))
+          << i << '\n'
+          << write_hoa(before) << "on " << ltl::show(word, ab);
+  }
+}
+
+// GF a, spread over three states that count how often a was read: one language, one state.
+TEST(FewerStates, OneLanguageThatColoursCanTell) {
+  Branching from;
+  from.acceptance = Acceptance::parity(Acceptance::Extreme::Min, Acceptance::Parity::Even, 2);
+  for (std::uint32_t q = 0; q < 3; ++q) {
+    const Mtbdd::Node stay = Mtbdd::terminal(from.choices.intern({{q, Marks::of(1)}}));
+    const Marks marks = q == 2 ? Marks::of(0) : Marks::of(1);
+    const Mtbdd::Node go = Mtbdd::terminal(from.choices.intern({{(q + 1) % 3, marks}}));
+    from.roots.push_back(from.diagram.make(0, stay, go));
+  }
+  Effort effort;
+  EXPECT_EQ(trim(with_fewer_states(from, effort)).states(), 1U);
+}
+
+// GF a ∧ GF b by turns: one language again, but one state with one colour a branch cannot tell.
+TEST(FewerStates, OneLanguageThatColoursCannotTell) {
+  Branching from;
+  from.acceptance = Acceptance::parity(Acceptance::Extreme::Min, Acceptance::Parity::Even, 2);
+  for (std::uint32_t q = 0; q < 2; ++q) {
+    const Mtbdd::Node stay = Mtbdd::terminal(from.choices.intern({{q, Marks::of(1)}}));
+    const Mtbdd::Node go = Mtbdd::terminal(from.choices.intern({{1 - q, Marks::of(q == 1 ? 0 : 1)}}));
+    from.roots.push_back(from.diagram.make(q, stay, go));
+  }
+  Effort effort;
+  EXPECT_EQ(trim(with_fewer_states(from, effort)).states(), 2U);
+  Effort none(0, SIZE_MAX, {});
+  EXPECT_THROW(with_fewer_states(from, none), Effort::Spent);
+}
+
+}  // namespace
+}  // namespace waymark::automata
