@@ -7,14 +7,18 @@
 #include <memory>
 #include <variant>
 
+#include "libautomata/deterministic/to_parity.hpp"
 #include "libautomata/hoa.hpp"
 #include "libautomata/hoa_claims.hpp"
+#include "libautomata/limit_deterministic/ltl_to_ldba.hpp"
 #include "libautomata/minimize.hpp"
+#include "libautomata/omega/exchange.hpp"
 #include "libautomata/omega/hoa.hpp"
 #include "libautomata/omega/lasso.hpp"
 #include "libautomata/omega/ltl_to_buchi.hpp"
 #include "libautomata/omega/operations.hpp"
 #include "libautomata/omega/reduce.hpp"
+#include "libautomata/omega/without_fin.hpp"
 #include "libautomata/product.hpp"
 #include "libautomata/run.hpp"
 #include "libltl/diagnostic.hpp"
@@ -31,6 +35,7 @@ using Any = std::variant<automata::Dfa, automata::Automaton>;
 
 struct Options {
   std::string file = "-", product, either, difference, equivalent, included, satisfies;
+  std::string kind;  // of automaton to make: tgba, buchi, parity, ldba
   bool complement = false, empty = false, universal = false, minimize = false, reduce = false, strict = false;
   OutputOptions output;
   std::size_t states = 1'000'000;
@@ -63,9 +68,9 @@ Any read_one(const std::string& path, automata::Effort& effort) {
   return understood(automata::parse_hoa(text, source), source, effort);
 }
 
-automata::Deterministic deterministic(const automata::Automaton& automaton, const std::string& what) {
-  if (auto checked = automata::Deterministic::checked(automaton)) return *std::move(checked);
-  throw GaveUp(what + " is nondeterministic; only deterministic automata are complemented");
+// All words that are not accepted; nondeterministic automata are determinised first.
+automata::Automaton complement_of(const automata::Automaton& automaton, automata::Effort& effort) {
+  return automata::complement(automata::determinized(automaton, effort)).automaton();
 }
 
 [[noreturn]] void mixed() {
@@ -74,10 +79,8 @@ automata::Deterministic deterministic(const automata::Automaton& automaton, cons
 
 // All words that are left: those of the second automaton taken away from the first.
 std::optional<ltl::Lasso> word_left(const automata::Automaton& a, const automata::Automaton& b,
-                                    const std::string& what, automata::Effort& effort,
-                                    ltl::Vocabulary& vocabulary) {
-  const automata::Automaton rest =
-      automata::intersection(a, automata::complement(deterministic(b, what)).automaton(), effort);
+                                    automata::Effort& effort, ltl::Vocabulary& vocabulary) {
+  const automata::Automaton rest = automata::intersection(a, complement_of(b, effort), effort);
   vocabulary = rest.vocabulary();
   return automata::find_lasso(rest);
 }
@@ -111,11 +114,11 @@ Reply compare(const automata::Dfa& a, const automata::Dfa& b, const Options& opt
 Reply compare(const automata::Automaton& a, const automata::Automaton& b, const Options& options,
               automata::Effort& effort) {
   ltl::Vocabulary vocabulary;
-  const auto more = word_left(a, b, "the second automaton", effort, vocabulary);
+  const auto more = word_left(a, b, effort, vocabulary);
   if (more || options.equivalent.empty())
     return answer(options.equivalent.empty() ? "included" : "equivalent", "only the first accepts ", more,
                   vocabulary);
-  const auto less = word_left(b, a, "the first automaton", effort, vocabulary);
+  const auto less = word_left(b, a, effort, vocabulary);
   return answer("equivalent", "only the second accepts ", less, vocabulary);
 }
 
@@ -130,6 +133,7 @@ automata::Automaton reduced(const automata::Automaton& automaton, automata::Effo
 }
 
 Any transformed(automata::Dfa dfa, const Options& options, automata::Effort& effort) {
+  if (!options.kind.empty()) throw UsageError("--to " + options.kind + " is about infinite words");
   const auto with = [&](const std::string& path, automata::Verdict verdict) {
     const Any other = read_one(path, effort);
     if (!std::holds_alternative<automata::Dfa>(other)) mixed();
@@ -156,18 +160,25 @@ automata::Automaton united(const automata::Automaton& a, const automata::Automat
   return automata::sum(a, b);
 }
 
+// The kinds that `waymark translate --to` makes, from an automaton instead of a formula.
+automata::Automaton converted(const automata::Automaton& a, const std::string& kind,
+                              automata::Effort& effort) {
+  if (kind == "parity" || kind == "ldba") return automata::to_parity(a, effort).automaton();
+  const automata::Automaton general = automata::as_automaton(
+      automata::reduce(automata::without_fin(a.transitions(), effort), automata::MarksOn::Edges, effort)
+          .automaton,
+      a.vocabulary(), a.reads());
+  return kind == "buchi" ? *automata::make_state_based(general, effort) : general;
+}
+
 Any transformed(automata::Automaton a, const Options& options, automata::Effort& effort, Shown& about) {
-  if (options.complement) a = automata::complement(deterministic(a, "the automaton")).automaton();
+  if (options.complement) a = complement_of(a, effort);
   if (!options.product.empty()) a = automata::intersection(a, other_omega(options.product, effort), effort);
   if (!options.either.empty()) a = united(a, other_omega(options.either, effort), effort);
   if (!options.difference.empty())
-    a = automata::intersection(
-        a,
-        automata::complement(deterministic(other_omega(options.difference, effort), "the second automaton"))
-            .automaton(),
-        effort);
+    a = automata::intersection(a, complement_of(other_omega(options.difference, effort), effort), effort);
   if (options.minimize || options.reduce) a = reduced(a, effort, about);
-  return a;
+  return options.kind.empty() ? a : converted(a, options.kind, effort);
 }
 
 // Do all words that are accepted satisfy the formula? Against the automaton of its negation, which always exists.
@@ -207,7 +218,7 @@ Reply asked_of(const Any& any, const Options& options, automata::Effort& effort)
   const auto& a = std::get<automata::Automaton>(any);
   if (options.empty) return answer("empty", "accepts ", automata::find_lasso(a), a.vocabulary());
   if (options.universal) {
-    const automata::Automaton rest = automata::complement(deterministic(a, "the automaton")).automaton();
+    const automata::Automaton rest = complement_of(a, effort);
     return answer("universal", "rejects ", automata::find_lasso(rest), rest.vocabulary());
   }
   return compare(a, other_omega(options.equivalent.empty() ? options.included : options.equivalent, effort),
@@ -229,6 +240,9 @@ Reply reply_to(automata::HoaAutomaton file, const std::string& source, std::size
   if (!options.satisfies.empty()) return satisfies(any, options, effort, stop);
   if (options.empty || options.universal || !options.equivalent.empty() || !options.included.empty())
     return asked_of(any, options, effort);
+  if (options.kind == "ldba" && std::holds_alternative<automata::Automaton>(any))
+    return show(automata::limit_deterministic(*automata::Dpa::checked(std::get<automata::Automaton>(any))),
+                about, options.output);
   return std::visit([&](const auto& automaton) { return show(automaton, about, options.output); }, any);
 }
 
@@ -277,11 +291,10 @@ Runner setup_automaton(CLI::App& command) {
   const auto file_option = [&](const char* name, std::string& path, const char* help) {
     command.add_option(name, path, help)->type_name("FILE");
   };
-  command.add_flag("--complement", options->complement,
-                   "the words that are rejected; deterministic automata");
+  command.add_flag("--complement", options->complement, "the words that are rejected");
   file_option("--product", options->product, "the words that both accept");
   file_option("--union", options->either, "the words that one of them accepts");
-  file_option("--difference", options->difference, "without the words of that one, which is deterministic");
+  file_option("--difference", options->difference, "without the words of that one");
   command.add_flag("--minimize", options->minimize, "DFAs: the minimal one; others: reduced");
   command.add_flag("--reduce", options->reduce, "smaller, without a promise");
   command.add_flag("--empty", options->empty, "is no word accepted? 10 and a word if one is");
@@ -295,7 +308,16 @@ Runner setup_automaton(CLI::App& command) {
       ->type_name("FORMULA");
   command.add_flag("--strict", options->strict, "a claim of the file that its body contradicts is an error");
   add_output_options(command, options->output);
-  command.add_option("--to", options->output.format, "the same as --format");
+  command
+      .add_option_function<std::string>(
+          "--to",
+          [options](const std::string& what) {
+            const bool is_kind = what == "tgba" || what == "buchi" || what == "parity" || what == "ldba";
+            (is_kind ? options->kind : options->output.format) = what;
+          },
+          "a kind of automaton on infinite words to make of it; or the same as --format")
+      ->check(CLI::IsMember(
+          {"tgba", "buchi", "parity", "ldba", "hoa", "dot", "stats", "json", "tsv", "never", "lbtt", "ba"}));
   command.add_option("--limit-states", options->states, "give up beyond so many states")->type_name("N");
   command.add_option("--limit-seconds", options->seconds, "give up on an automaton after so many seconds")
       ->type_name("SECONDS")

@@ -40,7 +40,7 @@ std::string row(std::size_t line, const std::optional<Size>& size, double second
   std::string out = std::to_string(line) + '\t';
   if (size)
     out += std::to_string(size->states) + '\t' + number(size->edges) + '\t' + std::to_string(size->sets) +
-           (size->deterministic ? "\tyes\t" : "\tno\t");
+           (size->deterministic ? "\t1\t" : "\t0\t");
   else
     out += "-\t-\t-\t-\t";
   out += fixed(seconds, 6) + '\t' + std::string(status) + '\t';

@@ -2,6 +2,7 @@
 
 #include <stdexcept>
 
+#include "libautomata/deterministic/to_parity.hpp"
 #include "libautomata/omega/emptiness.hpp"
 #include "libautomata/omega/lasso.hpp"
 #include "libautomata/omega/operations.hpp"
@@ -16,6 +17,8 @@ namespace {
 
 using automata::Automaton;
 using automata::Dfa;
+
+constexpr std::size_t determinization_steps = 400'000'000;  // some seconds
 
 [[noreturn]] void wrong(ltl::Formula formula, const std::string& what, const std::string& word) {
   throw std::logic_error("the automaton of " + ltl::print(formula) + " is wrong: " + what + ' ' + word);
@@ -47,16 +50,23 @@ void prove(ltl::Formula formula, const Dfa& positive, const Dfa& negative) {
     wrong(formula, "neither it nor its negation accepts", ltl::show(found->word, found->vocabulary));
 }
 
-// Is every word accepted by one of the two? nullopt: not decided, one of them is nondeterministic.
+// Is every word accepted by one of the two? Both are determinised where they are not deterministic; nullopt: that took
+// more than was given to it.
 std::optional<bool> prove_universal(ltl::Formula formula, const Automaton& positive,
-                                    const Automaton& negative, automata::Effort& effort) {
-  const auto a = automata::Deterministic::checked(positive), b = automata::Deterministic::checked(negative);
-  if (!a || !b) return std::nullopt;
-  const Automaton neither = automata::intersection(automata::complement(*a).automaton(),
-                                                   automata::complement(*b).automaton(), effort);
-  if (const auto word = automata::find_lasso(neither))
-    wrong(formula, "neither it nor its negation accepts", ltl::show(*word, neither.vocabulary()));
-  return true;
+                                    const Automaton& negative, const automata::TranslationLimits& limits) {
+  automata::Effort effort(determinization_steps, limits.states, limits.stop);
+  try {
+    const automata::Deterministic a = automata::determinized(positive, effort);
+    const automata::Deterministic b = automata::determinized(negative, effort);
+    const Automaton neither = automata::intersection(automata::complement(a).automaton(),
+                                                     automata::complement(b).automaton(), effort);
+    if (const auto word = automata::find_lasso(neither))
+      wrong(formula, "neither it nor its negation accepts", ltl::show(*word, neither.vocabulary()));
+    return true;
+  } catch (const automata::Effort::Spent& spent) {
+    if (spent.reason == automata::Effort::Spent::Reason::Stopped) throw;
+    return std::nullopt;
+  }
 }
 
 // Random lassos over the propositions of φ, read by the definition.
@@ -91,7 +101,7 @@ Certificate certify_omega(ltl::Formula formula, const Automaton& positive, const
   const Automaton both = automata::intersection(positive, negative, effort);
   if (const auto word = automata::find_lasso(both))
     wrong(formula, "it and its negation accept", ltl::show(*word, both.vocabulary()));
-  if (prove_universal(formula, positive, negative, effort)) return {.proved = true};
+  if (prove_universal(formula, positive, negative, limits)) return {.proved = true};
   return {.words = try_words(formula, positive, negative)};
 }
 

@@ -1,8 +1,8 @@
 // Certificates of translations: the automaton of φ against that of ¬φ, and against the definition.
 //
 // On finite words both are DFAs: that they accept no word together, and every word one of them, is decided. On infinite
-// words that no word is accepted by both is decided; that every word is accepted by one of them is decided where both
-// automata are deterministic, and else tried on words, the definition of ⊨ being the referee.
+// words too, nondeterministic automata being determinised for the second question; where that takes too much the
+// question is tried on words, the definition of ⊨ being the referee.
 #pragma once
 #include <cstddef>
 #include <stop_token>

@@ -18,6 +18,7 @@
 #include "libltl/simplify.hpp"
 #include "tests/libautomata/limit_deterministic/mdp_referee.hpp"
 #include "tests/support/generate.hpp"
+#include "tests/support/sanitizers.hpp"
 
 namespace waymark::automata {
 namespace {
@@ -93,7 +94,7 @@ TEST_P(Guessing, AgreesWithTheDefinitionOnAllSmallPairs) {
 TEST_P(Guessing, WinsInMarkovDecisionProcessesWithTheProbabilityOfTheFormula) {
   constexpr std::uint64_t seed = 10;
   ltl::Random random(seed);
-  for (int i = 0; i < 200; ++i) {
+  for (int i = 0; i < testing::scaled(200); ++i) {
     ltl::Arena arena(testing::letters_vocabulary(2));
     const Formula f = ltl::simplify(
         ltl::random_formula(random, arena, {.size = 4 + random.below(12), .atoms = 2}), ltl::Over::Infinite);
@@ -118,7 +119,7 @@ INSTANTIATE_TEST_SUITE_P(Ways, Guessing,
 TEST(LtlToLdba, AgreesWithTheDefinitionOnRandomPairs) {
   constexpr std::uint64_t seed = 7;
   ltl::Random random(seed);
-  for (int i = 0; i < 300; ++i) {
+  for (int i = 0; i < testing::scaled(300); ++i) {
     ltl::Arena arena(testing::letters_vocabulary(3));
     const Formula f = ltl::random_formula(random, arena, {.size = 6 + random.below(14), .atoms = 3});
     const MdpSafe ldba = ltl_to_ldba(f);
@@ -135,7 +136,7 @@ TEST(LtlToLdba, AgreesWithTheDefinitionOnRandomPairs) {
 TEST(LtlToLdba, HasTheLanguageOfTheTableau) {
   constexpr std::uint64_t seed = 8;
   ltl::Random random(seed);
-  for (int i = 0; i < 150; ++i) {
+  for (int i = 0; i < testing::scaled(150); ++i) {
     ltl::Arena arena(testing::letters_vocabulary(3));
     const Formula f = ltl::random_formula(random, arena, {.size = 8 + random.below(14), .atoms = 3});
     const Automaton ldba = ltl_to_ldba(f).automaton();
@@ -153,7 +154,7 @@ TEST(LtlToLdba, WinsInMarkovDecisionProcessesWithTheProbabilityOfTheFormula) {
   constexpr std::uint64_t seed = 9;
   ltl::Random random(seed);
   int proper = 0;  // neither 0 nor 1
-  for (int i = 0; i < 400; ++i) {
+  for (int i = 0; i < testing::scaled(400); ++i) {
     ltl::Arena arena(testing::letters_vocabulary(2));
     const Formula f = ltl::random_formula(random, arena, {.size = 4 + random.below(12), .atoms = 2});
     const MdpSafe ldba = ltl_to_ldba(f);
@@ -169,7 +170,7 @@ TEST(LtlToLdba, WinsInMarkovDecisionProcessesWithTheProbabilityOfTheFormula) {
       proper += expected > 1e-6 && expected < 1 - 1e-6 ? 1 : 0;
     }
   }
-  EXPECT_GT(proper, 50);  // else nothing was tried
+  EXPECT_GT(proper, testing::scaled(50));  // else nothing was tried
 }
 
 // What the type is for: X a | X !a by a guess at the first letter accepts every word and wins half of the time.

@@ -1,0 +1,23 @@
+// Any acceptance condition to generalised Büchi, by nondeterminism.
+//
+// The condition is a disjunction of clauses "these marks finitely often, those infinitely often". A run first waits in a
+// copy without marks; then it picks a clause and goes on in a copy that lacks the edges which the clause wants to see
+// finitely often, where those wanted infinitely often are counted.
+#pragma once
+#include <vector>
+
+#include "libautomata/effort.hpp"
+#include "libautomata/omega/branching.hpp"
+
+namespace waymark::automata {
+
+struct Clause {
+  Marks finitely, infinitely;
+};
+std::vector<Clause> clauses(
+    const Condition& condition);  // none is implied by another one; exponential in the worst case
+
+// Generalised Büchi as it is; else trimmed. One state of effort per copy of a state.
+Branching without_fin(const Branching& automaton, Effort& effort);
+
+}  // namespace waymark::automata
