@@ -45,11 +45,13 @@ class Construction {
   Construction(Formula f, const TranslationLimits& limits, std::size_t& states)
       : limits_(limits),
         reads_(ltl::propositions(f)),
-        formula_(prepared(f, reads_, limits.stop)),
+        forms_(prepared_forms(f, reads_, limits.stop)),
+        formula_(forms_.separated),
         states_(states) {}
 
   std::optional<Candidate> tgba() {
     std::optional<Candidate> best = direct(formula_);
+    if (best && !best->weak && best->automaton.states() > 2) best = smallest(std::move(best), unseparated());
     if (formula_.op() != ltl::Op::And || (best && best->automaton.states() <= 2)) return best;
     std::vector<Formula> late, obligations, rest;
     for (Formula g : formula_.operands()) {
@@ -121,6 +123,14 @@ class Construction {
     return Candidate{std::move(made.automaton), made.complete && is_reduced};
   }
 
+  // The tableau of the formula in which nothing was pulled out, where that makes a difference.
+  std::optional<Candidate> unseparated() {
+    if (forms_.plain == formula_) return std::nullopt;
+    const auto raw = raw_tableau(forms_.plain, guess_steps, guess_states);
+    if (!raw) return std::nullopt;
+    routes_.push_back(reduced(merged(*raw), MarksOn::Edges));
+    return routes_.back();
+  }
   // The minimal weak automaton or the reduced tableau, whichever is smaller.
   std::optional<Candidate> direct(Formula f) {
     if (ltl::fragments(f, ltl::Semantics::Infinite).obligation) return obligation(f);
@@ -239,6 +249,7 @@ class Construction {
 
   const TranslationLimits& limits_;
   std::vector<ltl::Proposition> reads_;
+  Prepared forms_;
   Formula formula_;
   std::size_t level_steps_ = reduction_steps;
   std::vector<Branching> counted_;  // automata with levels that were reduced already

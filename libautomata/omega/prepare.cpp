@@ -1,5 +1,7 @@
 #include "libautomata/omega/prepare.hpp"
 
+#include <optional>
+
 #include "libautomata/omega/containment.hpp"
 #include "libltl/nnf.hpp"
 #include "libltl/separate.hpp"
@@ -15,15 +17,17 @@ constexpr std::size_t containment_steps = 500'000;
 }  // namespace
 
 // Two rounds because each makes work for the other.
-Formula prepared(Formula f, const std::vector<ltl::Proposition>& reads, const std::stop_token& stop) {
+Prepared prepared_forms(Formula f, const std::vector<ltl::Proposition>& reads, const std::stop_token& stop) {
   Effort effort(containment_steps, SIZE_MAX, stop);
   Containment implies(reads, effort);
+  std::optional<Formula> plain;
   f = ltl::simplify(f, ltl::Over::Infinite);
   for (int round = 0; round < 2; ++round) {
-    f = ltl::simplify(f, ltl::Over::Infinite, [&](Formula g, Formula h) { return implies(g, h); });
-    f = ltl::separate(ltl::nnf(f));
+    f = ltl::nnf(ltl::simplify(f, ltl::Over::Infinite, [&](Formula g, Formula h) { return implies(g, h); }));
+    if (!plain) plain = f;
+    f = ltl::separate(f);
   }
-  return f;
+  return {f, *plain};
 }
 
 }  // namespace waymark::automata

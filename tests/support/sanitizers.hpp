@@ -15,4 +15,7 @@ inline constexpr bool sanitized = false;
 inline constexpr bool sanitized = false;
 #endif
 
+// How often a random test tries: a tenth of it under sanitizers, where everything is slow.
+constexpr int scaled(int n) { return sanitized ? (n + 9) / 10 : n; }
+
 }  // namespace waymark::testing
