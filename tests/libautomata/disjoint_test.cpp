@@ -64,14 +64,19 @@ std::vector<std::size_t> at_length(const Transitions& automaton, int n) {
   return of;
 }
 
+// Of states with different diagrams.
 bool told_apart_at(const Transitions& automaton, int n) {
   const std::vector<std::size_t> of = at_length(automaton, n);
-  std::set<std::size_t> seen;
+  std::map<std::size_t, Mtbdd::Node> seen;
   for (std::uint32_t q = 0; q < of.size(); ++q) {
     if (q == automaton.initial && !comes_back(automaton)) continue;
-    const bool sink = automaton.roots[q] == Mtbdd::terminal(q);
-    if (of[q] < 2 && !(sink && automaton.accepting[q] == (of[q] == 1))) return false;
-    if (!seen.insert(of[q]).second) return false;
+    const Mtbdd::Node root = automaton.roots[q];
+    const auto leads_to_sink = [&](bool accepting) {
+      return Mtbdd::is_terminal(root) && automaton.roots[Mtbdd::payload(root)] == root &&
+             automaton.accepting[Mtbdd::payload(root)] == accepting;
+    };
+    if (of[q] < 2 && !leads_to_sink(of[q] == 1)) return false;
+    if (seen.try_emplace(of[q], root).first->second != root) return false;
   }
   return true;
 }
@@ -118,7 +123,7 @@ TEST(Disjoint, WhatHoldsAtEachLengthHoldsLetterByLetter) {
 
 TEST(Disjoint, ProductsAreMinimalAndThoseOfPairs) {
   ltl::Random random(22);
-  std::size_t copied = 0;
+  std::size_t copied = 0, shared_roots = 0;
   for (int i = 0; i < 1500; ++i) {
     ltl::Arena arena(ltl::Vocabulary({"a", "b", "c", "d"}));
     const bool mixed = random.chance(0.3);  // a, c and b, d
@@ -130,19 +135,23 @@ TEST(Disjoint, ProductsAreMinimalAndThoseOfPairs) {
     for (const Verdict verdict : {both, either}) {
       Effort unlimited;
       const Transitions expected = canonical(minimize(product(a, b, verdict, unlimited), unlimited));
-      Transitions pairs = product(a, b, verdict, unlimited, Alphabets::Disjoint);
+      const bool own_roots = of_a.own_roots && of_b.own_roots;
+      Transitions pairs = product(a, b, verdict, unlimited, own_roots ? Alphabets::Disjoint : Alphabets::Any);
       merge_initial(pairs);
       ASSERT_TRUE(same(canonical(pairs), expected)) << ltl::print(f) << "  and  " << ltl::print(g);
-      if (mixed || !of_a.reached || !of_b.reached) continue;
+      shared_roots += own_roots ? 0 : 1;
+      if (mixed || !own_roots || !of_a.reached || !of_b.reached) continue;
       Transitions copies = disjoint_product(a, b, verdict, unlimited);
       merge_initial(copies);
       ASSERT_TRUE(same(canonical(copies), expected)) << ltl::print(f) << "  and  " << ltl::print(g);
       const AtEachLength again = at_each_length(canonical(copies));
-      ASSERT_TRUE(again.told_apart && again.reached) << ltl::print(f) << "  and  " << ltl::print(g);
+      ASSERT_TRUE(again.told_apart && again.reached && again.own_roots)
+          << ltl::print(f) << "  and  " << ltl::print(g);
       ++copied;
     }
   }
   EXPECT_GT(copied, 100U);
+  EXPECT_GT(shared_roots, 100U);
 }
 
 TEST(Disjoint, TheInitialStateMayBeAnother) {
