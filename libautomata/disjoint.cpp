@@ -83,11 +83,12 @@ bool stay_apart(const Transitions& automaton, const std::vector<std::uint32_t>& 
                      [&](std::uint32_t q) { return seen.insert(image[q].id).second; });
 }
 
-bool told_apart(const Transitions& automaton, const std::vector<std::uint32_t>& states) {
+bool told_apart(const Transitions& automaton, const std::vector<std::uint32_t>& states, Effort& effort) {
   if (!stay_apart(automaton, states)) return false;
   std::vector<std::uint32_t> class_of;
   for (const bool accepting : automaton.accepting) class_of.push_back(accepting ? all : none);
   for (int n = 1; n <= most_lengths; ++n) {
+    effort.step(automaton.diagram.size());
     class_of = longer(automaton, class_of);
     std::unordered_set<std::uint32_t> seen;
     const auto alone = [&](std::uint32_t q) {
@@ -117,12 +118,13 @@ std::vector<bool> after(const Transitions& automaton, const std::vector<bool>& f
   return out;
 }
 
-bool all_reached(const Transitions& automaton, const std::vector<std::uint32_t>& states) {
+bool all_reached(const Transitions& automaton, const std::vector<std::uint32_t>& states, Effort& effort) {
   std::vector<bool> wanted(automaton.roots.size(), false), here = wanted;
   for (const std::uint32_t q : states) wanted[q] = true;
   if (after(automaton, wanted) != wanted) return false;  // then what is reached once is reached from there on
   here[automaton.initial] = true;
   for (int n = 0; n < most_lengths; ++n) {
+    effort.step(automaton.diagram.size());
     here = after(automaton, here);
     if (here == wanted) return true;
   }
@@ -255,10 +257,11 @@ class AllPairs {
 
 }  // namespace
 
-AtEachLength at_each_length(const Transitions& minimal) {
+AtEachLength at_each_length(const Transitions& minimal, Effort& effort) {
   const std::vector<std::uint32_t> later = later_states(minimal, comes_back(minimal));
   const std::vector<std::uint32_t> roots = one_by_root(minimal, later);
-  return {told_apart(minimal, roots), all_reached(minimal, later), roots.size() == later.size()};
+  return {told_apart(minimal, roots, effort), all_reached(minimal, later, effort),
+          roots.size() == later.size()};
 }
 
 Transitions disjoint_product(const Transitions& first, const Transitions& second, Verdict verdict,

@@ -28,8 +28,8 @@ struct AtEachLength {
   bool reached = false;    // all states are
   bool own_roots = false;  // at any length: no two states have the same diagram
 };
-// Of a minimal automaton. O(lengths looked at · diagram).
-AtEachLength at_each_length(const Transitions& minimal);
+// Of a minimal automaton. O(lengths looked at · diagram), a step of effort per node and length; throws what it throws.
+AtEachLength at_each_length(const Transitions& minimal, Effort& effort);
 
 // All variables of `first` stand above those of `second`, and all of the above holds of both. The verdict is "both" or
 // "either". Throws what the effort throws. O(result).

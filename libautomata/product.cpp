@@ -34,6 +34,8 @@ class PairTable {
   void set(const Place& place, Node p, Node q, Node result) {
     entries_[place.slots == entries_.size() ? place.slot : slot(p, q)].result = result;
   }
+  // The pair will be looked for soon.
+  void expect(Node p, Node q) const { __builtin_prefetch(&entries_[first_slot(p, q)], 1); }
   // Terminals of payloads that no state has.
   static constexpr Node unknown{UINT32_MAX}, any{UINT32_MAX - 1};
 
@@ -41,10 +43,13 @@ class PairTable {
   struct Entry {
     Node first = unknown, second = unknown, result = unknown;
   };
-  std::size_t slot(Node p, Node q) const {  // of the pair, or free
+  std::size_t first_slot(Node p, Node q) const {
     std::uint64_t hash = (std::uint64_t{p.id} << 32U | q.id) * 0x9E37'79B9'7F4A'7C15ULL;
     hash = (hash ^ hash >> 32U) * 0xBF58'476D'1CE4'E5B9ULL;
-    std::size_t at = (hash >> 24U) & (entries_.size() - 1);
+    return (hash >> 24U) & (entries_.size() - 1);
+  }
+  std::size_t slot(Node p, Node q) const {  // of the pair, or free
+    std::size_t at = first_slot(p, q);
     const auto other = [&](const Entry& e) { return e.first != unknown && (e.first != p || e.second != q); };
     while (other(entries_[at])) at = (at + 1) & (entries_.size() - 1);
     return at;
@@ -105,8 +110,10 @@ class PairProduct {
   Node decision(Node p, Node q) {
     const Mtbdd &a = first_.diagram, &b = second_.diagram;
     const Mtbdd::Variable of_p = a.variable(p), of_q = b.variable(q), top = std::min(of_p, of_q);
+    const Node high_p = of_p == top ? a.high(p) : p, high_q = of_q == top ? b.high(q) : q;
+    made_.expect(high_p, high_q);
     const Node low = pair(of_p == top ? a.low(p) : p, of_q == top ? b.low(q) : q);
-    const Node high = pair(of_p == top ? a.high(p) : p, of_q == top ? b.high(q) : q);
+    const Node high = pair(high_p, high_q);
     return merges_ ? out_.diagram.make(top, low, high) : out_.diagram.append(top, low, high);
   }
 

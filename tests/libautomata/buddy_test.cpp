@@ -125,8 +125,11 @@ TEST_F(Buddy, TerminalsPartitionTheAssignments) {
     for (std::uint32_t k = 1; k < payloads; ++k) {  // payload k on a random cube, on top of what is there
       Both cube = constant(true);
       for (std::size_t v = 0; v < variables; ++v)
-        if (random.chance(0.3))
-          cube = apply(0, cube, apply(random.chance(0.5) ? 0 : 2, variable(v), variable(v), cube), cube);
+        if (random.chance(0.3)) {
+          const Both positive = variable(v),
+                     literal = apply(random.chance(0.5) ? 0 : 2, positive, positive, cube);
+          cube = apply(0, cube, literal, cube);
+        }
       all = logic_.if_then_else(cube.ours, Mtbdd::terminal(k), all);
       for (std::uint32_t j = 0; j < payloads; ++j)
         of[j] = j == k ? of[j] | cube.theirs : of[j] & !cube.theirs;

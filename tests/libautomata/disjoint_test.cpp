@@ -109,7 +109,8 @@ TEST(Disjoint, WhatHoldsAtEachLengthHoldsLetterByLetter) {
     ltl::Arena arena(ltl::Vocabulary({"a", "b", "c", "d"}));
     const ltl::Formula f = random_over(random, arena, {0}, {1});
     const Transitions automaton = minimal(f);
-    const AtEachLength claimed = at_each_length(automaton);
+    Effort unlimited;
+    const AtEachLength claimed = at_each_length(automaton, unlimited);
     for (int n = far; n < far + 3; ++n) {
       ASSERT_EQ(claimed.told_apart, told_apart_at(automaton, n)) << ltl::print(f) << " at length " << n;
       ASSERT_TRUE(!claimed.reached || reached_at(automaton, n)) << ltl::print(f) << " at length " << n;
@@ -130,10 +131,10 @@ TEST(Disjoint, ProductsAreMinimalAndThoseOfPairs) {
     const ltl::Formula f = random_over(random, arena, {0}, {mixed ? 2U : 1U});
     const ltl::Formula g = random_over(random, arena, {mixed ? 1U : 2U}, {3});
     const Transitions a = minimal(f), b = minimal(g);
-    const AtEachLength of_a = at_each_length(a), of_b = at_each_length(b);
+    Effort unlimited;
+    const AtEachLength of_a = at_each_length(a, unlimited), of_b = at_each_length(b, unlimited);
     if (!of_a.told_apart || !of_b.told_apart) continue;
     for (const Verdict verdict : {both, either}) {
-      Effort unlimited;
       const Transitions expected = canonical(minimize(product(a, b, verdict, unlimited), unlimited));
       const bool own_roots = of_a.own_roots && of_b.own_roots;
       Transitions pairs = product(a, b, verdict, unlimited, own_roots ? Alphabets::Disjoint : Alphabets::Any);
@@ -144,7 +145,7 @@ TEST(Disjoint, ProductsAreMinimalAndThoseOfPairs) {
       Transitions copies = disjoint_product(a, b, verdict, unlimited);
       merge_initial(copies);
       ASSERT_TRUE(same(canonical(copies), expected)) << ltl::print(f) << "  and  " << ltl::print(g);
-      const AtEachLength again = at_each_length(canonical(copies));
+      const AtEachLength again = at_each_length(canonical(copies), unlimited);
       ASSERT_TRUE(again.told_apart && again.reached && again.own_roots)
           << ltl::print(f) << "  and  " << ltl::print(g);
       ++copied;
