@@ -25,42 +25,30 @@ bool comes_back(const Transitions& automaton) {
   return false;
 }
 
-// The classes of the states at one length after the other.
-class Lengths {
- public:
-  explicit Lengths(const Transitions& automaton)
-      : automaton_(automaton), nodes_(automaton.diagram.reachable(automaton.roots)) {
-    for (const bool accepting : automaton.accepting) class_of_.push_back(accepting ? all : none);
-  }
+// The diagrams of the states over classes of states.
+std::vector<Node> over_classes(const Transitions& automaton, const std::vector<std::uint32_t>& class_of,
+                               Mtbdd& images) {
+  return images.import(
+      automaton.diagram, automaton.roots, [&](std::uint32_t q) { return Mtbdd::terminal(class_of[q]); },
+      [](Mtbdd::Variable v) { return v; });
+}
 
-  const std::vector<std::uint32_t>& classes() const { return class_of_; }
+// The classes of the states one letter later: which states accept the same words of one length more.
+std::vector<std::uint32_t> longer(const Transitions& automaton, const std::vector<std::uint32_t>& class_of) {
+  Mtbdd images;
+  std::unordered_map<std::uint32_t, std::uint32_t> names{{Mtbdd::terminal(none).id, none},
+                                                         {Mtbdd::terminal(all).id, all}};
+  std::vector<std::uint32_t> out;
+  for (const Node root : over_classes(automaton, class_of, images))
+    out.push_back(names.try_emplace(root.id, static_cast<std::uint32_t>(names.size())).first->second);
+  return out;
+}
 
-  void longer() {
-    Mtbdd images;
-    std::vector<Node> image(automaton_.diagram.size());
-    const auto of = [&](Node n) {
-      return Mtbdd::is_terminal(n) ? Mtbdd::terminal(class_of_[Mtbdd::payload(n)]) : image[n.id];
-    };
-    for (const Node n : nodes_) {
-      const Node low = of(automaton_.diagram.low(n)), high = of(automaton_.diagram.high(n));
-      image[n.id] = images.make(automaton_.diagram.variable(n), low, high);
-    }
-    std::unordered_map<std::uint32_t, std::uint32_t> names{{Mtbdd::terminal(none).id, none},
-                                                           {Mtbdd::terminal(all).id, all}};
-    std::vector<std::uint32_t> next;
-    for (const Node root : automaton_.roots)
-      next.push_back(names.try_emplace(of(root).id, static_cast<std::uint32_t>(names.size())).first->second);
-    class_of_ = std::move(next);
-  }
-
- private:
-  const Transitions& automaton_;
-  std::vector<Node> nodes_;
-  std::vector<std::uint32_t> class_of_;
-};
-
+// From the first letter on, whatever it is.
 bool accepts_every(const Transitions& automaton, std::uint32_t q, bool word) {
-  return automaton.roots[q] == Mtbdd::terminal(q) && automaton.accepting[q] == word;
+  const Node root = automaton.roots[q];
+  return Mtbdd::is_terminal(root) && automaton.roots[Mtbdd::payload(root)] == root &&
+         automaton.accepting[Mtbdd::payload(root)] == word;
 }
 
 // The states that some word comes to, the empty one aside.
@@ -71,19 +59,42 @@ std::vector<std::uint32_t> later_states(const Transitions& automaton, bool initi
   return out;
 }
 
-bool told_apart(const Transitions& automaton, const std::vector<std::uint32_t>& states) {
-  std::unordered_set<std::uint32_t>
-      roots;  // different ones: classes of one state stay that from length to length
+// One state for each diagram that occurs.
+std::vector<std::uint32_t> one_by_root(const Transitions& automaton,
+                                       const std::vector<std::uint32_t>& states) {
+  std::unordered_set<std::uint32_t> roots;
+  std::vector<std::uint32_t> out;
   for (const std::uint32_t q : states)
-    if (!roots.insert(automaton.roots[q].id).second) return false;
-  Lengths lengths(automaton);
-  for (int n = 0; n < most_lengths; ++n, lengths.longer()) {
+    if (roots.insert(automaton.roots[q].id).second) out.push_back(q);
+  return out;
+}
+
+// Are the diagrams still different when states are known by their diagrams alone? Then states told apart by words of
+// one length are told apart by longer ones.
+bool stay_apart(const Transitions& automaton, const std::vector<std::uint32_t>& states) {
+  std::unordered_map<std::uint32_t, std::uint32_t> names;
+  std::vector<std::uint32_t> class_of;
+  for (const Node root : automaton.roots)
+    class_of.push_back(names.try_emplace(root.id, static_cast<std::uint32_t>(names.size())).first->second);
+  Mtbdd images;
+  const std::vector<Node> image = over_classes(automaton, class_of, images);
+  std::unordered_set<std::uint32_t> seen;
+  return std::all_of(states.begin(), states.end(),
+                     [&](std::uint32_t q) { return seen.insert(image[q].id).second; });
+}
+
+bool told_apart(const Transitions& automaton, const std::vector<std::uint32_t>& states, Effort& effort) {
+  if (!stay_apart(automaton, states)) return false;
+  std::vector<std::uint32_t> class_of;
+  for (const bool accepting : automaton.accepting) class_of.push_back(accepting ? all : none);
+  for (int n = 1; n <= most_lengths; ++n) {
+    effort.step(automaton.diagram.size());
+    class_of = longer(automaton, class_of);
     std::unordered_set<std::uint32_t> seen;
     const auto alone = [&](std::uint32_t q) {
-      const std::uint32_t c = lengths.classes()[q];
-      if (c == none && !accepts_every(automaton, q, false)) return false;
-      if (c == all && !accepts_every(automaton, q, true)) return false;
-      return seen.insert(c).second;
+      if (class_of[q] == none && !accepts_every(automaton, q, false)) return false;
+      if (class_of[q] == all && !accepts_every(automaton, q, true)) return false;
+      return seen.insert(class_of[q]).second;
     };
     if (std::all_of(states.begin(), states.end(), alone)) return true;
   }
@@ -107,12 +118,13 @@ std::vector<bool> after(const Transitions& automaton, const std::vector<bool>& f
   return out;
 }
 
-bool all_reached(const Transitions& automaton, const std::vector<std::uint32_t>& states) {
+bool all_reached(const Transitions& automaton, const std::vector<std::uint32_t>& states, Effort& effort) {
   std::vector<bool> wanted(automaton.roots.size(), false), here = wanted;
   for (const std::uint32_t q : states) wanted[q] = true;
   if (after(automaton, wanted) != wanted) return false;  // then what is reached once is reached from there on
   here[automaton.initial] = true;
   for (int n = 0; n < most_lengths; ++n) {
+    effort.step(automaton.diagram.size());
     here = after(automaton, here);
     if (here == wanted) return true;
   }
@@ -245,9 +257,11 @@ class AllPairs {
 
 }  // namespace
 
-AtEachLength at_each_length(const Transitions& minimal) {
+AtEachLength at_each_length(const Transitions& minimal, Effort& effort) {
   const std::vector<std::uint32_t> later = later_states(minimal, comes_back(minimal));
-  return {told_apart(minimal, later), all_reached(minimal, later)};
+  const std::vector<std::uint32_t> roots = one_by_root(minimal, later);
+  return {told_apart(minimal, roots, effort), all_reached(minimal, later, effort),
+          roots.size() == later.size()};
 }
 
 Transitions disjoint_product(const Transitions& first, const Transitions& second, Verdict verdict,

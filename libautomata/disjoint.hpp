@@ -2,14 +2,16 @@
 //
 // Let L(q, n) be the words of length n that q accepts. Over disjoint alphabets a pair accepts, for "both must accept",
 // the words of L(p, n) and L(q, n) put together letter by letter, and two such products of non-empty sets are equal
-// only when their factors are. So if from some n on the states of either automaton differ in L(·, n), and only the trap
-// has none, then all pairs differ but those with a trap; dually for "either must accept" and the state that accepts
-// everything. Likewise pairs are reached independently: if from some n on all states of either automaton are reached
-// by words of length n, then all pairs are. Both properties carry over to the pairs. An initial state that no word
-// comes back to, told from others by the empty word at most, is left out of both.
+// only when their factors are. So if from some n on states of different diagrams differ in L(·, n), in either
+// automaton, and only the trap has none, then pairs of different diagrams differ, but for those with a trap; dually for
+// "either must accept" and the state that accepts everything. Pairs of the same diagrams differ when their verdicts do.
+// Likewise pairs are reached independently: if from some n on all states of either automaton are reached by words of
+// length n, then all pairs are. All this carries over to the pairs. An initial state that no word comes back to is
+// left out: merge_initial() looks after it.
 //
-// When all pairs are reached and one automaton asks for its propositions before the other one does, the diagrams of the
-// pairs are copies: of the first for each root of the second, of the second for each state of the first.
+// When all pairs are reached, no two states have the same diagram, and one automaton asks for its propositions before
+// the other one does, the diagrams of the pairs are copies: of the first for each root of the second, of the second
+// for each state of the first.
 #pragma once
 #include <cstdint>
 
@@ -22,14 +24,15 @@ namespace waymark::automata {
 // What holds from some length of words on. False also when that takes long to see.
 struct AtEachLength {
   bool told_apart =
-      false;  // no two states accept the same words, only the trap none, only its opposite all of them
-  bool reached = false;  // all states are
+      false;  // states of different diagrams are; only the trap accepts nothing, dually for all words
+  bool reached = false;    // all states are
+  bool own_roots = false;  // at any length: no two states have the same diagram
 };
-// O(lengths looked at · diagram).
-AtEachLength at_each_length(const Transitions& minimal);
+// Of a minimal automaton. O(lengths looked at · diagram), a step of effort per node and length; throws what it throws.
+AtEachLength at_each_length(const Transitions& minimal, Effort& effort);
 
-// All variables of `first` stand above those of `second`, and the states of both are all reached at each length. The
-// verdict is "both" or "either". Throws what the effort throws. O(result).
+// All variables of `first` stand above those of `second`, and all of the above holds of both. The verdict is "both" or
+// "either". Throws what the effort throws. O(result).
 Transitions disjoint_product(const Transitions& first, const Transitions& second, Verdict verdict,
                              Effort& effort);
 

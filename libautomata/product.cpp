@@ -1,6 +1,7 @@
 #include "libautomata/product.hpp"
 
 #include <algorithm>
+#include <array>
 #include <stdexcept>
 #include <utility>
 
@@ -33,16 +34,22 @@ class PairTable {
   void set(const Place& place, Node p, Node q, Node result) {
     entries_[place.slots == entries_.size() ? place.slot : slot(p, q)].result = result;
   }
-  static constexpr Node unknown{UINT32_MAX};  // the terminal of the largest payload: no state has it
+  // The pair will be looked for soon.
+  void expect(Node p, Node q) const { __builtin_prefetch(&entries_[first_slot(p, q)], 1); }
+  // Terminals of payloads that no state has.
+  static constexpr Node unknown{UINT32_MAX}, any{UINT32_MAX - 1};
 
  private:
   struct Entry {
     Node first = unknown, second = unknown, result = unknown;
   };
-  std::size_t slot(Node p, Node q) const {  // of the pair, or free
+  std::size_t first_slot(Node p, Node q) const {
     std::uint64_t hash = (std::uint64_t{p.id} << 32U | q.id) * 0x9E37'79B9'7F4A'7C15ULL;
     hash = (hash ^ hash >> 32U) * 0xBF58'476D'1CE4'E5B9ULL;
-    std::size_t at = (hash >> 24U) & (entries_.size() - 1);
+    return (hash >> 24U) & (entries_.size() - 1);
+  }
+  std::size_t slot(Node p, Node q) const {  // of the pair, or free
+    std::size_t at = first_slot(p, q);
     const auto other = [&](const Entry& e) { return e.first != unknown && (e.first != p || e.second != q); };
     while (other(entries_[at])) at = (at + 1) & (entries_.size() - 1);
     return at;
@@ -58,9 +65,10 @@ class PairTable {
   std::size_t used_ = 0;
 };
 
-// Different pairs of nodes are different functions into pairs of states, so results need no unique table, unless
-// pairs of states are merged: those of which one half settles the verdict for good. Over disjoint alphabets they need
-// none even so: where two nodes of the first automaton differ, some letter of the second does not settle the verdict.
+// Different pairs of nodes are different functions into pairs of states, but pairs of states are merged: those of which
+// one half settles the verdict for good, and those of the same diagrams and verdict. Over disjoint alphabets where no
+// two states have the same diagram the pairs of nodes still differ: where two nodes of the first automaton do, some
+// letter of the second does not settle the verdict. Then the results need no unique table.
 class PairProduct {
  public:
   PairProduct(const Transitions& a, const Transitions& b, Verdict verdict, Effort& effort,
@@ -71,7 +79,7 @@ class PairProduct {
         effort_(effort),
         settles_first_(settling_state(a, verdict, true)),
         settles_second_(settling_state(b, verdict, false)),
-        merges_(alphabets == Alphabets::Any && (settles_first_ || settles_second_)) {}
+        merges_(alphabets == Alphabets::Any) {}
 
   Transitions run() && {
     out_.initial = Mtbdd::payload(pair(Mtbdd::terminal(first_.initial), Mtbdd::terminal(second_.initial)));
@@ -93,7 +101,7 @@ class PairProduct {
     const PairTable::Place place = made_.find(p, q);
     if (place.result != PairTable::unknown) return place.result;
     const Node made = Mtbdd::is_terminal(p) && Mtbdd::is_terminal(q)
-                          ? state(Mtbdd::payload(p), Mtbdd::payload(q))
+                          ? merged(Mtbdd::payload(p), Mtbdd::payload(q))
                           : decision(p, q);
     made_.set(place, p, q, made);
     return made;
@@ -102,9 +110,27 @@ class PairProduct {
   Node decision(Node p, Node q) {
     const Mtbdd &a = first_.diagram, &b = second_.diagram;
     const Mtbdd::Variable of_p = a.variable(p), of_q = b.variable(q), top = std::min(of_p, of_q);
+    const Node high_p = of_p == top ? a.high(p) : p, high_q = of_q == top ? b.high(q) : q;
+    made_.expect(high_p, high_q);
     const Node low = pair(of_p == top ? a.low(p) : p, of_q == top ? b.low(q) : q);
-    const Node high = pair(of_p == top ? a.high(p) : p, of_q == top ? b.high(q) : q);
+    const Node high = pair(high_p, high_q);
     return merges_ ? out_.diagram.make(top, low, high) : out_.diagram.append(top, low, high);
+  }
+
+  Node merged(std::uint32_t p, std::uint32_t q) {
+    if (!merges_) return state(p, q);
+    const bool accepts = verdict_(first_.accepting[p], second_.accepting[q]);
+    Node left = first_.roots[p], right = second_.roots[q];
+    if (is(left, settles_first_) || is(right, settles_second_)) {  // settled from the next letter on
+      if (accepts == verdict_when_settled()) return settled(left, right);
+      left = right = PairTable::any;
+    }
+    PairTable& known = by_roots_[accepts ? 1 : 0];
+    const PairTable::Place place = known.find(left, right);
+    if (place.result != PairTable::unknown) return place.result;
+    const Node made = state(p, q);
+    known.set(place, left, right, made);
+    return made;
   }
 
   Node state(std::uint32_t p, std::uint32_t q) {
@@ -121,6 +147,11 @@ class PairProduct {
     }
     return Mtbdd::terminal(*settled_);
   }
+  bool verdict_when_settled() const {
+    return settles_first_ ? verdict_(first_.accepting[*settles_first_], false)
+                          : verdict_(false, second_.accepting[*settles_second_]);
+  }
+
   const Transitions& first_;
   const Transitions& second_;
   Verdict verdict_;
@@ -129,6 +160,7 @@ class PairProduct {
   std::optional<std::uint32_t> settled_;  // the state of all pairs in which one half settles the verdict
   bool merges_;                           // two pairs of nodes may be one function
   PairTable made_;
+  std::array<PairTable, 2> by_roots_;  // pairs of states by their diagrams, rejecting and accepting ones
   std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs_;
   Transitions out_;
 };

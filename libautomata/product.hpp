@@ -18,8 +18,9 @@ using Verdict = bool (*)(bool first, bool second);
 // automaton of a product.
 std::optional<std::uint32_t> settling_state(const Transitions& automaton, Verdict verdict, bool first);
 
-// Over the same variables; Disjoint: no variable occurs in both, and a and b are minimal. Not minimised; throws what the
-// effort throws.
+// Over the same variables. Pairs that differ in the empty word at most, and not in that, are one state: same diagrams,
+// same verdict. Otherwise not minimised; throws what the effort throws. Disjoint, a promise that saves time: no variable
+// occurs in both, and in either automaton different states that letters lead to have different diagrams.
 enum class Alphabets : std::uint8_t { Any, Disjoint };
 Transitions product(const Transitions& a, const Transitions& b, Verdict verdict, Effort& effort,
                     Alphabets alphabets = Alphabets::Any);

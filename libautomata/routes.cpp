@@ -153,20 +153,23 @@ bool is_above(const Part& a, const Part& b) {
   return last - a.reads.begin() <= first - b.reads.begin();
 }
 
-AtEachLength properties(Part& part) {
-  if (!part.at_each_length) part.at_each_length = at_each_length(part.automaton);
+AtEachLength properties(Part& part, Effort& effort) {
+  if (!part.at_each_length) part.at_each_length = at_each_length(part.automaton, effort);
   return *part.at_each_length;
 }
 
 // Neither shares a proposition with the other one; the verdict is "both" or "either".
 Part disjoint_part(Part& a, Part& b, Verdict verdict, Effort& effort) {
   Part out;
-  const AtEachLength first = properties(a), second = properties(b);
-  const AtEachLength common{first.told_apart && second.told_apart, first.reached && second.reached};
-  if (common.reached && is_above(a, b))
+  const AtEachLength first = properties(a, effort), second = properties(b, effort);
+  const AtEachLength common{first.told_apart && second.told_apart, first.reached && second.reached,
+                            first.own_roots && second.own_roots};
+  if (common.told_apart && common.reached && common.own_roots && is_above(a, b)) {
     out.automaton = disjoint_product(a.automaton, b.automaton, verdict, effort);
-  else
-    out.automaton = product(a.automaton, b.automaton, verdict, effort, Alphabets::Disjoint);
+  } else {
+    const Alphabets alphabets = common.own_roots ? Alphabets::Disjoint : Alphabets::Any;
+    out.automaton = product(a.automaton, b.automaton, verdict, effort, alphabets);
+  }
   if (common.told_apart) {
     merge_initial(out.automaton);
     out.at_each_length = common;

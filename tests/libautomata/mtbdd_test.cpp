@@ -43,6 +43,17 @@ TEST(Mtbdd, EqualFunctionsAreEqualNodes) {
   EXPECT_EQ(diagram.variable(Mtbdd::terminal(3)), Mtbdd::no_variable);
 }
 
+TEST(Mtbdd, AppendedNodesAreFoundByThoseWhoMakeThem) {
+  Mtbdd diagram;
+  std::vector<Node> nodes;
+  for (std::uint32_t i = 0; i < 1000; ++i)
+    nodes.push_back(i % 3 == 0 ? diagram.make(1, Mtbdd::terminal(i), Mtbdd::terminal(i + 1))
+                               : diagram.append(1, Mtbdd::terminal(i), Mtbdd::terminal(i + 1)));
+  for (std::uint32_t i = 0; i < 1000; ++i)
+    ASSERT_EQ(diagram.make(1, Mtbdd::terminal(i), Mtbdd::terminal(i + 1)), nodes[i]);
+  EXPECT_EQ(diagram.size(), 1000U);
+}
+
 TEST(Mtbdd, EvaluatesToTheEntryOfItsTable) {
   std::mt19937_64 engine(1);
   for (Mtbdd::Variable variables = 0; variables <= 6; ++variables) {
