@@ -29,6 +29,7 @@ using ltl::Formula;
 
 constexpr std::size_t weak_steps = 400'000'000;
 constexpr std::size_t safra_steps = 2'000'000'000;
+constexpr std::size_t small_tableau = 300;
 constexpr std::size_t window_states = 2'000;
 constexpr std::size_t product_steps = 200'000'000;
 constexpr std::size_t reduction_steps = 100'000'000;
@@ -73,9 +74,11 @@ class Construction {
   std::optional<Candidate> parity() {
     if (is_obligation(formula_)) return obligation();
     std::optional<Candidate> best;
-    for (const Candidate& from : deterministic()) best = smallest(std::move(best), paritised(from));
+    for (std::size_t i = 0; i < direct_.size() && !minimal(best); ++i)
+      if (const std::optional<Candidate>& from = direct(i))
+        best = smallest(std::move(best), paritised(*from));
     for (const bool negated : {false, true}) {
-      if (best && best->automaton.states() == 1) break;
+      if (minimal(best)) break;
       std::optional<Candidate> next = determinized(buchi(negated), most(best));
       if (next && negated) next = complement(*next);
       best = smallest(std::move(best), std::move(next));
@@ -86,7 +89,8 @@ class Construction {
   // Or an automaton with a deterministic structure and another condition.
   std::optional<Candidate> generic() {
     std::optional<Candidate> best = parity();
-    for (const Candidate& from : deterministic()) best = smallest(std::move(best), from);
+    for (std::size_t i = 0; i < direct_.size() && !minimal(best); ++i)
+      best = smallest(std::move(best), direct(i));
     return best;
   }
 
@@ -116,36 +120,48 @@ class Construction {
     if (!weak) return std::nullopt;
     return Candidate{*std::move(weak), reads_, true};
   }
-  // The generalised Büchi automaton of φ or of ¬φ.
+  // The generalised Büchi automaton of φ or of ¬φ. Not a much larger one than the product of the parts.
   const std::optional<Candidate>& buchi(bool negated) {
     std::optional<std::optional<Candidate>>& known = buchi_[negated ? 1 : 0];
     if (known) return *known;
     known.emplace();
-    auto found = ltl_to_tgba(negated ? ltl::negate(formula_) : formula_, limits_);
+    TranslationLimits limits = limits_;
+    if (const auto& product = direct_[2]; product && *product)
+      limits.states = std::min(limits.states, std::max(small_tableau, 2 * (*product)->automaton.states()));
+    auto found = ltl_to_tgba(negated ? ltl::negate(formula_) : formula_, limits);
     if (auto* made = std::get_if<Translated>(&found))
       *known = Candidate{made->automaton.transitions(), made->automaton.reads(), made->reduced};
     if (limits_.stop.stop_requested()) throw Effort::Spent{Effort::Spent::Reason::Stopped};
     return *known;
   }
-  // Deterministic automata of φ with any condition.
-  const std::vector<Candidate>& deterministic() {
-    if (deterministic_) return *deterministic_;
-    deterministic_.emplace();
-    for (const bool negated : {false, true}) {
-      add(recurrent(negated), negated);
-      if (const auto& from = buchi(negated); from && is_deterministic(from->automaton)) add(from, negated);
-    }
-    const std::optional<Split> fine = split(Split::Late::Each), coarse = split(Split::Late::Together);
-    if (fine) add(combined(*fine), false);
-    if (coarse && !(fine && fine->parts() == coarse->parts())) add(combined(*coarse), false);
-    return *deterministic_;
+  // As many states as there are languages of states: no deterministic automaton has fewer.
+  bool minimal(const std::optional<Candidate>& found) const {
+    if (!found || found->automaton.states() > compared_states) return false;
+    const auto all = within(reduction_steps, SIZE_MAX,
+                            [&](Effort& effort) { return count_languages(found->automaton, effort); });
+    return all && *all == found->automaton.states();
   }
-  void add(const std::optional<Candidate>& found, bool negated) {
-    if (!found) return;
-    if (!negated)
-      deterministic_->push_back(*found);
-    else if (found->automaton.acceptance.sets > 0)
-      deterministic_->push_back({trim(rejected_by(found->automaton)), found->reads, found->reduced});
+  // Deterministic automata of φ with any condition, from routes that may have none.
+  const std::optional<Candidate>& direct(std::size_t i) {
+    if (!direct_[i]) direct_[i].emplace(make_direct(i));
+    return *direct_[i];
+  }
+  std::optional<Candidate> make_direct(std::size_t i) {
+    switch (i) {
+      case 0: return recurrent(false);
+      case 1: return negation(recurrent(true));
+      case 2: return combined(split(Split::Late::Each));
+      case 3: return together_differs() ? combined(split(Split::Late::Together)) : std::nullopt;
+      case 4: return if_deterministic(buchi(false));
+      default: return negation(if_deterministic(buchi(true)));
+    }
+  }
+  static std::optional<Candidate> if_deterministic(const std::optional<Candidate>& found) {
+    return found && is_deterministic(found->automaton) ? found : std::nullopt;
+  }
+  static std::optional<Candidate> negation(const std::optional<Candidate>& found) {
+    if (!found || found->automaton.acceptance.sets == 0) return std::nullopt;
+    return Candidate{trim(rejected_by(found->automaton)), found->reads, found->reduced};
   }
   // G F e₁ ∧ G F e₂ ∧ …, every e co-safe, by the letters that each e may look back at.
   std::optional<Candidate> recurrent(bool negated) const {
@@ -168,25 +184,30 @@ class Construction {
   std::optional<Candidate> any() {
     if (is_obligation(formula_)) return obligation();
     std::optional<Candidate> best;
-    for (const Candidate& from : deterministic()) best = smallest(std::move(best), from);
+    for (std::size_t i = 0; i < direct_.size() && !(best && best->automaton.states() == 1); ++i)
+      best = smallest(std::move(best), direct(i));
     return best ? best : parity();
   }
   std::optional<Split> split(Split::Late late) const {
     return within(SIZE_MAX, SIZE_MAX, [&](Effort&) { return Split(formula_, late); });
   }
+  bool together_differs() const {
+    const std::optional<Split> fine = split(Split::Late::Each), coarse = split(Split::Late::Together);
+    return !fine || (coarse && fine->parts() != coarse->parts());
+  }
   // The product of deterministic automata of the parts.
-  std::optional<Candidate> combined(const Split& split) const {
-    if (split.parts().size() < 2) return std::nullopt;
+  std::optional<Candidate> combined(const std::optional<Split>& split) const {
+    if (!split || split->parts().size() < 2) return std::nullopt;
     std::vector<Part> parts;
     bool reduced = true;
-    for (Formula g : split.parts()) {
+    for (Formula g : split->parts()) {
       const std::optional<Candidate> made = Construction(g, limits_).any();
       if (!made) return std::nullopt;
       reduced = reduced && made->reduced;
       parts.push_back({over(made->automaton, made->reads), ltl::purity(g).both()});
     }
     auto product = within(product_steps, limits_.states,
-                          [&](Effort& effort) { return combination(parts, split.over(), effort); });
+                          [&](Effort& effort) { return combination(parts, split->over(), effort); });
     if (!product) return std::nullopt;
     return Candidate{trim(*product), reads_, reduced};
   }
@@ -231,7 +252,7 @@ class Construction {
   Formula formula_;
   std::vector<ltl::Proposition> reads_;
   std::array<std::optional<std::optional<Candidate>>, 2> buchi_;  // of φ and of ¬φ: asked for; there is one
-  std::optional<std::vector<Candidate>> deterministic_;
+  std::array<std::optional<std::optional<Candidate>>, 6> direct_;  // likewise
 };
 
 template <class Make>

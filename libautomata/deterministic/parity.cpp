@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <set>
 
 #include "libautomata/deterministic/colours.hpp"
 #include "libautomata/deterministic/fewer_states.hpp"
@@ -17,7 +18,6 @@ namespace waymark::automata {
 namespace {
 
 constexpr std::size_t merging_steps = 10'000'000;
-constexpr std::size_t compared_states = 120;  // languages of states are compared pair by pair
 
 using Extreme = Acceptance::Extreme;
 using Parity = Acceptance::Parity;
@@ -132,6 +132,12 @@ Branching reduce_parity(const Branching& automaton, Effort& effort) {
     if (live.states() <= compared_states) live = trim(merged(live, effort));
     if (live.states() == states) return with_fewest_colours(live).automaton;
   }
+}
+
+std::size_t count_languages(const Branching& automaton, Effort& effort) {
+  const std::vector<std::uint32_t> first = languages(completed_parity(automaton), effort);
+  const auto live = static_cast<std::ptrdiff_t>(automaton.states());
+  return std::set<std::uint32_t>(first.begin(), first.begin() + live).size();
 }
 
 Branching complement_parity(const Branching& automaton) {

@@ -27,6 +27,13 @@ Branching trim(const Branching& automaton);
 
 // The functions below take and give deterministic automata with parity(Min, Even, n).
 
+// Up to so many states, languages of states are compared pair by pair.
+constexpr std::size_t compared_states = 120;
+
+// Languages of the states: no deterministic automaton of the same language has fewer live states, whatever its
+// condition. Trimmed in; one step of effort per pair of nodes.
+std::size_t count_languages(const Branching& automaton, Effort& effort);
+
 // Trimmed; as few colours as the components need [CM99, Sec. 4]; states with one signature merged. When every component
 // accepts or rejects as a whole the language is an obligation, and the result is the minimal automaton [Loe01].
 Branching reduce_parity(const Branching& automaton, Effort& effort);
