@@ -114,11 +114,11 @@ class Construction {
     return best ? std::min(limits_.states, wait_for * best->automaton.states()) : limits_.states;
   }
   std::optional<Candidate> obligation() const {
-    auto weak = within(weak_steps, limits_.states, [&](Effort& effort) {
+    const auto weak = within(weak_steps, limits_.states, [&](Effort& effort) {
       return reduce_parity(as_buchi(weak_deterministic(formula_, reads_, effort), {}), effort);
     });
     if (!weak) return std::nullopt;
-    return Candidate{*std::move(weak), reads_, true};
+    return Candidate{weak->automaton, reads_, weak->complete};
   }
   // The generalised Büchi automaton of φ or of ¬φ. Not a much larger one than the product of the parts.
   const std::optional<Candidate>& buchi(bool negated) {
@@ -239,13 +239,10 @@ class Construction {
   std::optional<Candidate> complement(const Candidate& from) const {
     return reduced({complement_parity(from.automaton), from.reads, from.reduced});
   }
-  std::optional<Candidate> reduced(Candidate raw) const {
-    auto out = within(reduction_steps, SIZE_MAX, [&](Effort& e) { return reduce_parity(raw.automaton, e); });
-    if (out)
-      raw.automaton = *std::move(out);
-    else
-      raw.reduced = false;
-    return raw;
+  std::optional<Candidate> reduced(const Candidate& raw) const {
+    Effort effort(reduction_steps, SIZE_MAX, limits_.stop);
+    Reduced out = reduce_parity(raw.automaton, effort);
+    return Candidate{std::move(out.automaton), raw.reads, raw.reduced && out.complete};
   }
 
   const TranslationLimits& limits_;

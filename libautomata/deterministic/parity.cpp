@@ -65,17 +65,6 @@ Branching minimal_weak(const Branching& automaton, Effort& effort) {
   return as_buchi(minimize(weak, effort), {});
 }
 
-// As it is when there is not enough effort to begin.
-Branching merged(const Branching& automaton, const Effort& effort) {
-  Effort some = effort.at_most(merging_steps);
-  try {
-    return with_fewer_states(automaton, some);
-  } catch (const Effort::Spent& spent) {
-    if (spent.reason == Effort::Spent::Reason::Stopped) throw;
-    return automaton;
-  }
-}
-
 // One mark at most on a branch, one branch at most in a choice.
 bool has_single_colours(const Branching& automaton) {
   if (!is_deterministic(automaton)) return false;
@@ -119,19 +108,33 @@ Branching trim(const Branching& automaton) {
   return out;
 }
 
-Branching reduce_parity(const Branching& automaton, Effort& effort) {
-  Branching live = trim(automaton);
-  while (true) {
-    const std::size_t states = live.states();
-    const Recoloured coloured = with_fewest_colours(live);
-    if (coloured.weak) return with_fewest_colours(minimal_weak(coloured.automaton, effort)).automaton;
-    live = canonical(bisimulation_quotient(coloured.automaton, effort));
-    if (live.states() <= compared_states && 2 * live.acceptance.sets <= Marks::most)
-      live = trim(one_component_each(live, effort));
-    if (live.states() < states) continue;
-    if (live.states() <= compared_states) live = trim(merged(live, effort));
-    if (live.states() == states) return with_fewest_colours(live).automaton;
+Reduced reduce_parity(const Branching& automaton, Effort& effort) {
+  Reduced out{trim(automaton), true};
+  Branching& live = out.automaton;
+  try {
+    while (true) {
+      const std::size_t states = live.states();
+      const Recoloured coloured = with_fewest_colours(live);
+      if (coloured.weak)
+        return {with_fewest_colours(minimal_weak(coloured.automaton, effort)).automaton, true};
+      live = canonical(bisimulation_quotient(coloured.automaton, effort));
+      if (live.states() <= compared_states && 2 * live.acceptance.sets <= Marks::most)
+        live = trim(one_component_each(live, effort));
+      if (live.states() < states) continue;
+      if (live.states() <= compared_states) {
+        Effort some = effort.at_most(merging_steps);
+        Reduced merged = with_fewer_states(live, some);
+        live = trim(merged.automaton);
+        out.complete = merged.complete;
+      }
+      if (live.states() == states) break;
+    }
+    live = with_fewest_colours(live).automaton;
+  } catch (const Effort::Spent& spent) {
+    if (spent.reason == Effort::Spent::Reason::Stopped) throw;
+    out.complete = false;
   }
+  return out;
 }
 
 std::size_t count_languages(const Branching& automaton, Effort& effort) {
