@@ -29,10 +29,12 @@ using ltl::Formula;
 
 constexpr std::size_t weak_steps = 400'000'000;
 constexpr std::size_t safra_steps = 2'000'000'000;
+constexpr std::size_t compared_at_last = 400;  // states of the smallest automaton found, languages compared
 constexpr std::size_t small_tableau = 300;
 constexpr std::size_t window_states = 2'000;
 constexpr std::size_t product_steps = 200'000'000;
 constexpr std::size_t reduction_steps = 100'000'000;
+constexpr std::size_t first_try = 1'000;  // states, of φ and of ¬φ in turn, then ten times as many
 constexpr std::size_t wait_for = 20;  // times the states that one route needed, while the other one is tried
 
 // Over variables of its own: reads[v] is the proposition of v.
@@ -71,17 +73,20 @@ class Construction {
   Construction(Formula f, const TranslationLimits& limits)
       : limits_(limits), formula_(f), reads_(ltl::propositions(f)) {}
 
+  // What there is when the caller's patience ends is not reduced.
   std::optional<Candidate> parity() {
     if (is_obligation(formula_)) return obligation();
     std::optional<Candidate> best;
-    for (std::size_t i = 0; i < direct_.size() && !minimal(best); ++i)
-      if (const std::optional<Candidate>& from = direct(i))
-        best = smallest(std::move(best), paritised(*from));
-    for (const bool negated : {false, true}) {
-      if (minimal(best)) break;
-      std::optional<Candidate> next = determinized(buchi(negated), most(best));
-      if (next && negated) next = complement(*next);
-      best = smallest(std::move(best), std::move(next));
+    try {
+      search(best);
+      if (minimal(best))
+        best->reduced = true;
+      else if (best && best->automaton.states() > compared_states &&
+               best->automaton.states() <= compared_at_last)
+        best = smallest(std::move(best), reduced(*best, compared_at_last));
+    } catch (const Effort::Spent&) {  // stopped
+      if (!best) throw;
+      best->reduced = false;
     }
     return best;
   }
@@ -134,6 +139,24 @@ class Construction {
     if (limits_.stop.stop_requested()) throw Effort::Spent{Effort::Spent::Reason::Stopped};
     return *known;
   }
+  // By each route in turn; by determinisation with more and more states, of φ and of ¬φ side by side.
+  void search(std::optional<Candidate>& best) {
+    for (std::size_t i = 0; i < direct_.size() && !minimal(best); ++i)
+      if (const std::optional<Candidate>& from = direct(i)) best = smallest(best, paritised(*from));
+    std::vector<bool> open{false, true};  // negated or not
+    for (std::size_t states = first_try; !open.empty() && !minimal(best); states = next_try(states)) {
+      std::vector<bool> still;
+      for (const bool negated : open) {
+        const std::size_t allowed = std::min(states, most(best));
+        std::optional<Candidate> next = determinized(buchi(negated), allowed);
+        if (!next && buchi(negated) && allowed < most(best)) still.push_back(negated);
+        best = smallest(best, next && negated ? complement(*next) : std::move(next));
+        if (minimal(best)) return;
+      }
+      open = std::move(still);
+    }
+  }
+  static std::size_t next_try(std::size_t states) { return states > SIZE_MAX / 10 ? SIZE_MAX : 10 * states; }
   // As many states as there are languages of states: no deterministic automaton has fewer.
   bool minimal(const std::optional<Candidate>& found) const {
     if (!found || found->automaton.states() > compared_states) return false;
@@ -239,9 +262,9 @@ class Construction {
   std::optional<Candidate> complement(const Candidate& from) const {
     return reduced({complement_parity(from.automaton), from.reads, from.reduced});
   }
-  std::optional<Candidate> reduced(const Candidate& raw) const {
+  std::optional<Candidate> reduced(const Candidate& raw, std::size_t compared = compared_states) const {
     Effort effort(reduction_steps, SIZE_MAX, limits_.stop);
-    Reduced out = reduce_parity(raw.automaton, effort);
+    Reduced out = reduce_parity(raw.automaton, effort, compared);
     return Candidate{std::move(out.automaton), raw.reads, raw.reduced && out.complete};
   }
 

@@ -108,7 +108,7 @@ Branching trim(const Branching& automaton) {
   return out;
 }
 
-Reduced reduce_parity(const Branching& automaton, Effort& effort) {
+Reduced reduce_parity(const Branching& automaton, Effort& effort, std::size_t compared) {
   Reduced out{trim(automaton), true};
   Branching& live = out.automaton;
   try {
@@ -118,10 +118,10 @@ Reduced reduce_parity(const Branching& automaton, Effort& effort) {
       if (coloured.weak)
         return {with_fewest_colours(minimal_weak(coloured.automaton, effort)).automaton, true};
       live = canonical(bisimulation_quotient(coloured.automaton, effort));
-      if (live.states() <= compared_states && 2 * live.acceptance.sets <= Marks::most)
+      if (live.states() <= compared && 2 * live.acceptance.sets <= Marks::most)
         live = trim(one_component_each(live, effort));
       if (live.states() < states) continue;
-      if (live.states() <= compared_states) {
+      if (live.states() <= compared) {
         Effort some = effort.at_most(merging_steps);
         Reduced merged = with_fewer_states(live, some);
         live = trim(merged.automaton);

@@ -28,7 +28,7 @@ Branching trim(const Branching& automaton);
 
 // The functions below take and give deterministic automata with parity(Min, Even, n).
 
-// Up to so many states, languages of states are compared pair by pair.
+// Up to so many states, languages of states are compared pair by pair, unless someone says that it is worth more.
 constexpr std::size_t compared_states = 120;
 
 // Languages of the states: no deterministic automaton of the same language has fewer live states, whatever its
@@ -39,7 +39,7 @@ std::size_t count_languages(const Branching& automaton, Effort& effort);
 // language where fewer_states.hpp finds colours. When every component accepts or rejects as a whole the language is an
 // obligation, and the result is the minimal automaton [Loe01]. Never throws Spent except when stopped: what was
 // reached is returned.
-Reduced reduce_parity(const Branching& automaton, Effort& effort);
+Reduced reduce_parity(const Branching& automaton, Effort& effort, std::size_t compared = compared_states);
 
 // The words that it rejects. Complete, one state more at most.
 Branching complement_parity(const Branching& automaton);
