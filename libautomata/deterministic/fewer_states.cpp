@@ -56,18 +56,26 @@ class Merging {
     }
   }
 
-  // Of the states of one language all but one go, if colours can be found; else as many as can, one by one.
-  std::optional<Branching> run() {
-    bool merged = false;
-    try {
-      for (const Class& one : classes_)
-        for (std::uint32_t q : one.states)
-          for (std::uint32_t r : one.states)
-            if (q != r && image_[q] == q && image_[r] == r && redirected(q, r)) merged = true;
-    } catch (const Effort::Spent& spent) {
-      if (spent.reason == Effort::Spent::Reason::Stopped) throw;
-    }
-    return merged ? std::optional(result()) : std::nullopt;
+  void run() {
+    for (const Class& one : classes_)
+      for (std::uint32_t q : one.states)
+        for (std::uint32_t r : one.states)
+          if (q != r && image_[q] == q && image_[r] == r && redirected(q, r)) merged_ = true;
+  }
+  // The structure, coloured; nullopt when nothing was merged. States that went, and those that nothing reaches, have
+  // no branches.
+  std::optional<Branching> result() const {
+    if (!merged_) return std::nullopt;
+    std::uint32_t sets = 1;
+    for (const auto& of_state : colours_)
+      for (std::uint32_t colour : of_state)
+        if (colour != unset) sets = std::max(sets, colour + 1);
+    Branching out;
+    out.acceptance = Acceptance::parity(Acceptance::Extreme::Min, Acceptance::Parity::Even, sets);
+    out.initial = image_[from_.initial];
+    for (std::uint32_t s = 0; s < from_.states(); ++s)
+      out.roots.push_back(colours_[s].empty() ? Mtbdd::terminal(Choices::none) : coloured(s, sets, out));
+    return out;
   }
 
  private:
@@ -206,31 +214,15 @@ class Merging {
     return out;
   }
 
-  // The structure, coloured. States that went, and those that nothing reaches, have no branches.
-  Branching result() {
-    std::uint32_t sets = 1;
-    for (const auto& of_state : colours_)
-      for (std::uint32_t colour : of_state)
-        if (colour != unset) sets = std::max(sets, colour + 1);
-    Branching out;
-    out.acceptance = Acceptance::parity(Acceptance::Extreme::Min, Acceptance::Parity::Even, sets);
-    out.initial = image_[from_.initial];
-    for (std::uint32_t s = 0; s < from_.states(); ++s) {
-      if (colours_[s].empty()) {
-        out.roots.push_back(Mtbdd::terminal(Choices::none));
-        continue;
-      }
-      const Class& one = classes_[class_of_[s]];
-      const auto leaf = [&](std::uint32_t tuple) {
-        const std::uint32_t t = one.of_tuple.at(tuple);
-        const std::uint32_t target = image_[one.branches[t][position_[s]].target];
-        return Mtbdd::terminal(out.choices.intern({{target, mark_of(colours_[s][t], sets)}}));
-      };
-      const Node letters[] = {one.letters};
-      out.roots.push_back(
-          out.diagram.import(diagram_, letters, leaf, [](Mtbdd::Variable v) { return v; })[0]);
-    }
-    return out;
+  Node coloured(std::uint32_t s, std::uint32_t sets, Branching& out) const {
+    const Class& one = classes_[class_of_[s]];
+    const auto leaf = [&](std::uint32_t tuple) {
+      const std::uint32_t t = one.of_tuple.at(tuple);
+      const std::uint32_t target = image_[one.branches[t][position_[s]].target];
+      return Mtbdd::terminal(out.choices.intern({{target, mark_of(colours_[s][t], sets)}}));
+    };
+    const Node letters[] = {one.letters};
+    return out.diagram.import(diagram_, letters, leaf, [](Mtbdd::Variable v) { return v; })[0];
   }
 
   Branching from_;
@@ -242,13 +234,23 @@ class Merging {
   std::vector<std::uint32_t> class_of_, position_;  // by state
   std::vector<std::uint32_t> image_;                // by state: where branches to it lead
   Colours colours_;
+  bool merged_ = false;
 };
 
 }  // namespace
 
-Branching with_fewer_states(const Branching& automaton, Effort& effort) {
-  std::optional<Branching> made = Merging(completed_parity(automaton), effort).run();
-  return made ? *std::move(made) : automaton;
+Reduced with_fewer_states(const Branching& automaton, Effort& effort) {
+  std::optional<Merging> merging;
+  bool complete = true;
+  try {
+    merging.emplace(completed_parity(automaton), effort);
+    merging->run();
+  } catch (const Effort::Spent& spent) {
+    if (spent.reason == Effort::Spent::Reason::Stopped) throw;
+    complete = false;
+  }
+  std::optional<Branching> made = merging ? merging->result() : std::nullopt;
+  return {made ? *std::move(made) : automaton, complete};
 }
 
 }  // namespace waymark::automata

@@ -8,12 +8,12 @@
 // progression see omega/recurrence.hpp.
 #pragma once
 #include "libautomata/effort.hpp"
-#include "libautomata/omega/branching.hpp"
+#include "libautomata/omega/reduce.hpp"
 
 namespace waymark::automata {
 
-// parity(Min, Even, ·) in and out, deterministic; complete when something was merged. States are tried pair by pair
-// until the effort is spent; what was reached then is returned. Throws Spent when stopped, or before anything is tried.
-Branching with_fewer_states(const Branching& automaton, Effort& effort);
+// parity(Min, Even, ·) in and out, deterministic; complete when something was merged. States are tried pair by pair.
+// Never throws Spent except when stopped: what was reached is returned.
+Reduced with_fewer_states(const Branching& automaton, Effort& effort);
 
 }  // namespace waymark::automata

@@ -29,9 +29,12 @@ using ltl::Formula;
 
 constexpr std::size_t weak_steps = 400'000'000;
 constexpr std::size_t safra_steps = 2'000'000'000;
+constexpr std::size_t compared_at_last = 400;  // states of the smallest automaton found, languages compared
+constexpr std::size_t small_tableau = 300;
 constexpr std::size_t window_states = 2'000;
 constexpr std::size_t product_steps = 200'000'000;
 constexpr std::size_t reduction_steps = 100'000'000;
+constexpr std::size_t first_try = 1'000;  // states, of φ and of ¬φ in turn, then ten times as many
 constexpr std::size_t wait_for = 20;  // times the states that one route needed, while the other one is tried
 
 // Over variables of its own: reads[v] is the proposition of v.
@@ -70,15 +73,20 @@ class Construction {
   Construction(Formula f, const TranslationLimits& limits)
       : limits_(limits), formula_(f), reads_(ltl::propositions(f)) {}
 
+  // What there is when the caller's patience ends is not reduced.
   std::optional<Candidate> parity() {
     if (is_obligation(formula_)) return obligation();
     std::optional<Candidate> best;
-    for (const Candidate& from : deterministic()) best = smallest(std::move(best), paritised(from));
-    for (const bool negated : {false, true}) {
-      if (best && best->automaton.states() == 1) break;
-      std::optional<Candidate> next = determinized(buchi(negated), most(best));
-      if (next && negated) next = complement(*next);
-      best = smallest(std::move(best), std::move(next));
+    try {
+      search(best);
+      if (minimal(best))
+        best->reduced = true;
+      else if (best && best->automaton.states() > compared_states &&
+               best->automaton.states() <= compared_at_last)
+        best = smallest(std::move(best), reduced(*best, compared_at_last));
+    } catch (const Effort::Spent&) {  // stopped
+      if (!best) throw;
+      best->reduced = false;
     }
     return best;
   }
@@ -86,7 +94,8 @@ class Construction {
   // Or an automaton with a deterministic structure and another condition.
   std::optional<Candidate> generic() {
     std::optional<Candidate> best = parity();
-    for (const Candidate& from : deterministic()) best = smallest(std::move(best), from);
+    for (std::size_t i = 0; i < direct_.size() && !minimal(best); ++i)
+      best = smallest(std::move(best), direct(i));
     return best;
   }
 
@@ -110,42 +119,72 @@ class Construction {
     return best ? std::min(limits_.states, wait_for * best->automaton.states()) : limits_.states;
   }
   std::optional<Candidate> obligation() const {
-    auto weak = within(weak_steps, limits_.states, [&](Effort& effort) {
+    const auto weak = within(weak_steps, limits_.states, [&](Effort& effort) {
       return reduce_parity(as_buchi(weak_deterministic(formula_, reads_, effort), {}), effort);
     });
     if (!weak) return std::nullopt;
-    return Candidate{*std::move(weak), reads_, true};
+    return Candidate{weak->automaton, reads_, weak->complete};
   }
-  // The generalised Büchi automaton of φ or of ¬φ.
+  // The generalised Büchi automaton of φ or of ¬φ. Not a much larger one than the product of the parts.
   const std::optional<Candidate>& buchi(bool negated) {
     std::optional<std::optional<Candidate>>& known = buchi_[negated ? 1 : 0];
     if (known) return *known;
     known.emplace();
-    auto found = ltl_to_tgba(negated ? ltl::negate(formula_) : formula_, limits_);
+    TranslationLimits limits = limits_;
+    if (const auto& product = direct_[2]; product && *product)
+      limits.states = std::min(limits.states, std::max(small_tableau, 2 * (*product)->automaton.states()));
+    auto found = ltl_to_tgba(negated ? ltl::negate(formula_) : formula_, limits);
     if (auto* made = std::get_if<Translated>(&found))
       *known = Candidate{made->automaton.transitions(), made->automaton.reads(), made->reduced};
     if (limits_.stop.stop_requested()) throw Effort::Spent{Effort::Spent::Reason::Stopped};
     return *known;
   }
-  // Deterministic automata of φ with any condition.
-  const std::vector<Candidate>& deterministic() {
-    if (deterministic_) return *deterministic_;
-    deterministic_.emplace();
-    for (const bool negated : {false, true}) {
-      add(recurrent(negated), negated);
-      if (const auto& from = buchi(negated); from && is_deterministic(from->automaton)) add(from, negated);
+  // By each route in turn; by determinisation with more and more states, of φ and of ¬φ side by side.
+  void search(std::optional<Candidate>& best) {
+    for (std::size_t i = 0; i < direct_.size() && !minimal(best); ++i)
+      if (const std::optional<Candidate>& from = direct(i)) best = smallest(best, paritised(*from));
+    std::vector<bool> open{false, true};  // negated or not
+    for (std::size_t states = first_try; !open.empty() && !minimal(best); states = next_try(states)) {
+      std::vector<bool> still;
+      for (const bool negated : open) {
+        const std::size_t allowed = std::min(states, most(best));
+        std::optional<Candidate> next = determinized(buchi(negated), allowed);
+        if (!next && buchi(negated) && allowed < most(best)) still.push_back(negated);
+        best = smallest(best, next && negated ? complement(*next) : std::move(next));
+        if (minimal(best)) return;
+      }
+      open = std::move(still);
     }
-    const std::optional<Split> fine = split(Split::Late::Each), coarse = split(Split::Late::Together);
-    if (fine) add(combined(*fine), false);
-    if (coarse && !(fine && fine->parts() == coarse->parts())) add(combined(*coarse), false);
-    return *deterministic_;
   }
-  void add(const std::optional<Candidate>& found, bool negated) {
-    if (!found) return;
-    if (!negated)
-      deterministic_->push_back(*found);
-    else if (found->automaton.acceptance.sets > 0)
-      deterministic_->push_back({trim(rejected_by(found->automaton)), found->reads, found->reduced});
+  static std::size_t next_try(std::size_t states) { return states > SIZE_MAX / 10 ? SIZE_MAX : 10 * states; }
+  // As many states as there are languages of states: no deterministic automaton has fewer.
+  bool minimal(const std::optional<Candidate>& found) const {
+    if (!found || found->automaton.states() > compared_states) return false;
+    const auto all = within(reduction_steps, SIZE_MAX,
+                            [&](Effort& effort) { return count_languages(found->automaton, effort); });
+    return all && *all == found->automaton.states();
+  }
+  // Deterministic automata of φ with any condition, from routes that may have none.
+  const std::optional<Candidate>& direct(std::size_t i) {
+    if (!direct_[i]) direct_[i].emplace(make_direct(i));
+    return *direct_[i];
+  }
+  std::optional<Candidate> make_direct(std::size_t i) {
+    switch (i) {
+      case 0: return recurrent(false);
+      case 1: return negation(recurrent(true));
+      case 2: return combined(split(Split::Late::Each));
+      case 3: return together_differs() ? combined(split(Split::Late::Together)) : std::nullopt;
+      case 4: return if_deterministic(buchi(false));
+      default: return negation(if_deterministic(buchi(true)));
+    }
+  }
+  static std::optional<Candidate> if_deterministic(const std::optional<Candidate>& found) {
+    return found && is_deterministic(found->automaton) ? found : std::nullopt;
+  }
+  static std::optional<Candidate> negation(const std::optional<Candidate>& found) {
+    if (!found || found->automaton.acceptance.sets == 0) return std::nullopt;
+    return Candidate{trim(rejected_by(found->automaton)), found->reads, found->reduced};
   }
   // G F e₁ ∧ G F e₂ ∧ …, every e co-safe, by the letters that each e may look back at.
   std::optional<Candidate> recurrent(bool negated) const {
@@ -168,25 +207,30 @@ class Construction {
   std::optional<Candidate> any() {
     if (is_obligation(formula_)) return obligation();
     std::optional<Candidate> best;
-    for (const Candidate& from : deterministic()) best = smallest(std::move(best), from);
+    for (std::size_t i = 0; i < direct_.size() && !(best && best->automaton.states() == 1); ++i)
+      best = smallest(std::move(best), direct(i));
     return best ? best : parity();
   }
   std::optional<Split> split(Split::Late late) const {
     return within(SIZE_MAX, SIZE_MAX, [&](Effort&) { return Split(formula_, late); });
   }
+  bool together_differs() const {
+    const std::optional<Split> fine = split(Split::Late::Each), coarse = split(Split::Late::Together);
+    return !fine || (coarse && fine->parts() != coarse->parts());
+  }
   // The product of deterministic automata of the parts.
-  std::optional<Candidate> combined(const Split& split) const {
-    if (split.parts().size() < 2) return std::nullopt;
+  std::optional<Candidate> combined(const std::optional<Split>& split) const {
+    if (!split || split->parts().size() < 2) return std::nullopt;
     std::vector<Part> parts;
     bool reduced = true;
-    for (Formula g : split.parts()) {
+    for (Formula g : split->parts()) {
       const std::optional<Candidate> made = Construction(g, limits_).any();
       if (!made) return std::nullopt;
       reduced = reduced && made->reduced;
       parts.push_back({over(made->automaton, made->reads), ltl::purity(g).both()});
     }
     auto product = within(product_steps, limits_.states,
-                          [&](Effort& effort) { return combination(parts, split.over(), effort); });
+                          [&](Effort& effort) { return combination(parts, split->over(), effort); });
     if (!product) return std::nullopt;
     return Candidate{trim(*product), reads_, reduced};
   }
@@ -218,20 +262,17 @@ class Construction {
   std::optional<Candidate> complement(const Candidate& from) const {
     return reduced({complement_parity(from.automaton), from.reads, from.reduced});
   }
-  std::optional<Candidate> reduced(Candidate raw) const {
-    auto out = within(reduction_steps, SIZE_MAX, [&](Effort& e) { return reduce_parity(raw.automaton, e); });
-    if (out)
-      raw.automaton = *std::move(out);
-    else
-      raw.reduced = false;
-    return raw;
+  std::optional<Candidate> reduced(const Candidate& raw, std::size_t compared = compared_states) const {
+    Effort effort(reduction_steps, SIZE_MAX, limits_.stop);
+    Reduced out = reduce_parity(raw.automaton, effort, compared);
+    return Candidate{std::move(out.automaton), raw.reads, raw.reduced && out.complete};
   }
 
   const TranslationLimits& limits_;
   Formula formula_;
   std::vector<ltl::Proposition> reads_;
   std::array<std::optional<std::optional<Candidate>>, 2> buchi_;  // of φ and of ¬φ: asked for; there is one
-  std::optional<std::vector<Candidate>> deterministic_;
+  std::array<std::optional<std::optional<Candidate>>, 6> direct_;  // likewise
 };
 
 template <class Make>

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <set>
 #include <stdexcept>
 #include <utility>
 
@@ -19,7 +20,6 @@ namespace waymark::automata {
 namespace {
 
 constexpr std::size_t merging_steps = 10'000'000;
-constexpr std::size_t compared_states = 120;  // languages of states are compared pair by pair
 
 using Extreme = Acceptance::Extreme;
 using Parity = Acceptance::Parity;
@@ -67,17 +67,6 @@ Branching minimal_weak(const Branching& automaton, Effort& effort) {
   return as_buchi(minimize(weak, effort), {});
 }
 
-// As it is when there is not enough effort to begin.
-Branching merged(const Branching& automaton, const Effort& effort) {
-  Effort some = effort.at_most(merging_steps);
-  try {
-    return with_fewer_states(automaton, some);
-  } catch (const Effort::Spent& spent) {
-    if (spent.reason == Effort::Spent::Reason::Stopped) throw;
-    return automaton;
-  }
-}
-
 // One mark at most on a branch, one branch at most in a choice.
 bool has_single_colours(const Branching& automaton) {
   if (!is_deterministic(automaton)) return false;
@@ -122,19 +111,39 @@ Branching trim(const Branching& automaton) {
   return out;
 }
 
-Branching reduce_parity(const Branching& automaton, Effort& effort) {
-  Branching live = trim(automaton);
-  while (true) {
-    const std::size_t states = live.states();
-    const Recoloured coloured = with_fewest_colours(live);
-    if (coloured.weak) return with_fewest_colours(minimal_weak(coloured.automaton, effort)).automaton;
-    live = canonical(bisimulation_quotient(coloured.automaton, effort));
-    if (live.states() <= compared_states && 2 * live.acceptance.sets <= Marks::most)
-      live = trim(one_component_each(live, effort));
-    if (live.states() < states) continue;
-    if (live.states() <= compared_states) live = trim(merged(live, effort));
-    if (live.states() == states) return with_fewest_colours(live).automaton;
+Reduced reduce_parity(const Branching& automaton, Effort& effort, std::size_t compared) {
+  Reduced out{trim(automaton), true};
+  Branching& live = out.automaton;
+  try {
+    while (true) {
+      const std::size_t states = live.states();
+      const Recoloured coloured = with_fewest_colours(live);
+      if (coloured.weak)
+        return {with_fewest_colours(minimal_weak(coloured.automaton, effort)).automaton, true};
+      live = canonical(bisimulation_quotient(coloured.automaton, effort));
+      if (live.states() <= compared && 2 * live.acceptance.sets <= Marks::most)
+        live = trim(one_component_each(live, effort));
+      if (live.states() < states) continue;
+      if (live.states() <= compared) {
+        Effort some = effort.at_most(merging_steps);
+        Reduced merged = with_fewer_states(live, some);
+        live = trim(merged.automaton);
+        out.complete = merged.complete;
+      }
+      if (live.states() == states) break;
+    }
+    live = with_fewest_colours(live).automaton;
+  } catch (const Effort::Spent& spent) {
+    if (spent.reason == Effort::Spent::Reason::Stopped) throw;
+    out.complete = false;
   }
+  return out;
+}
+
+std::size_t count_languages(const Branching& automaton, Effort& effort) {
+  const std::vector<std::uint32_t> first = languages(completed_parity(automaton), effort);
+  const auto live = static_cast<std::ptrdiff_t>(automaton.states());
+  return std::set<std::uint32_t>(first.begin(), first.begin() + live).size();
 }
 
 Branching complement_parity(const Branching& automaton) {

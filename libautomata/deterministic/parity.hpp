@@ -7,6 +7,7 @@
 
 #include "libautomata/effort.hpp"
 #include "libautomata/omega/automaton.hpp"
+#include "libautomata/omega/reduce.hpp"
 
 namespace waymark::automata {
 
@@ -30,9 +31,18 @@ Branching min_even_parity(const Branching& automaton);
 
 // The functions below take and give deterministic automata with parity(Min, Even, n).
 
-// Trimmed; as few colours as the components need [CM99, Sec. 4]; states with one signature merged. When every component
-// accepts or rejects as a whole the language is an obligation, and the result is the minimal automaton [Loe01].
-Branching reduce_parity(const Branching& automaton, Effort& effort);
+// Up to so many states, languages of states are compared pair by pair, unless someone says that it is worth more.
+constexpr std::size_t compared_states = 120;
+
+// Languages of the states: no deterministic automaton of the same language has fewer live states, whatever its
+// condition. Trimmed in; one step of effort per pair of nodes.
+std::size_t count_languages(const Branching& automaton, Effort& effort);
+
+// Trimmed; as few colours as the components need [CM99, Sec. 4]; states with one signature merged, and those of one
+// language where fewer_states.hpp finds colours. When every component accepts or rejects as a whole the language is an
+// obligation, and the result is the minimal automaton [Loe01]. Never throws Spent except when stopped: what was
+// reached is returned.
+Reduced reduce_parity(const Branching& automaton, Effort& effort, std::size_t compared = compared_states);
 
 // The words that it rejects. Complete, one state more at most.
 Branching complement_parity(const Branching& automaton);

@@ -18,7 +18,8 @@ Branching deterministic_parity(const Branching& automaton, Effort& effort) {
 }  // namespace
 
 Dpa to_parity(const Automaton& automaton, Effort& effort) {
-  const Branching parity = reduce_parity(deterministic_parity(automaton.transitions(), effort), effort);
+  const Branching parity =
+      reduce_parity(deterministic_parity(automaton.transitions(), effort), effort).automaton;
   return *Dpa::checked(as_automaton(plain_parity(parity), automaton.vocabulary(), automaton.reads()));
 }
 
