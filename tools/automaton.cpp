@@ -122,14 +122,21 @@ Reply compare(const automata::Automaton& a, const automata::Automaton& b, const 
   return answer("equivalent", "only the second accepts ", less, vocabulary);
 }
 
+// By components and simulation where marks are only asked for infinitely often; a deterministic automaton also as one
+// with a parity condition, minimal when its language is an obligation. The smaller one.
 automata::Automaton reduced(const automata::Automaton& automaton, automata::Effort& effort, Shown& about) {
-  if (!automaton.acceptance().is_generalized_buchi()) {
-    about.status = "unreduced";
-    return automaton;
+  std::optional<automata::Automaton> best;
+  if (automaton.acceptance().is_generalized_buchi()) {
+    automata::Reduced result = automata::reduce(automaton.transitions(), automata::MarksOn::Edges, effort);
+    if (!result.complete) about.status = "unreduced";
+    best = automata::as_automaton(result.automaton, automaton.vocabulary(), automaton.reads());
   }
-  automata::Reduced result = automata::reduce(automaton.transitions(), automata::MarksOn::Edges, effort);
-  if (!result.complete) about.status = "unreduced";
-  return automata::as_automaton(result.automaton, automaton.vocabulary(), automaton.reads());
+  if (automata::is_deterministic(automaton.transitions())) {
+    const automata::Automaton parity = automata::to_parity(automaton, effort).automaton();
+    if (parity.states() < (best ? best->states() : automaton.states())) best = parity;
+  }
+  if (!best) about.status = "unreduced";
+  return best ? *best : automaton;
 }
 
 Any transformed(automata::Dfa dfa, const Options& options, automata::Effort& effort) {

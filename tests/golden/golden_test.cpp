@@ -1,7 +1,7 @@
 // Transcripts of the command line: command, what it printed (both streams), exit code. A transcript is a text file of
 //
 //   $ waymark translate 'F a' --format stats
-//   1	2	3	1	yes	SECONDS	ok	1
+//   1	2	3	1	1	SECONDS	ok	1
 //   [exit 0]
 //
 // run by sh in this folder, with seconds replaced by a word. To write them anew after a change that was meant:
@@ -40,7 +40,7 @@ std::string without_seconds(std::string text) {
       {std::regex(R"("seconds":\{[^}]*\})"), R"("seconds":{SECONDS})"},
       {std::regex(R"("seconds":[0-9.e+-]+)"), R"("seconds":SECONDS)"},
       {std::regex(R"((\n|^)time  .*)"), "$1time SECONDS"},
-      {std::regex(R"(\t(yes|no|-)\t[0-9]+\.[0-9]+\t)"), "\t$1\tSECONDS\t"},
+      {std::regex(R"(\t([01]|-)\t[0-9]+\.[0-9]+\t)"), "\t$1\tSECONDS\t"},
   }};
   for (const auto& [pattern, word] : rules) text = std::regex_replace(text, pattern, word);
   return text;
