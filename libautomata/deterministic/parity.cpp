@@ -166,7 +166,8 @@ Branching complement_parity(const Branching& automaton) {
 Branching min_even_parity(const Branching& automaton) {
   const auto kind = parity_kind(automaton.acceptance);
   if (!kind) throw std::invalid_argument("not a parity condition");
-  const auto [extreme, parity] = *kind;
+  const Extreme extreme = kind->first;
+  const Parity parity = kind->second;
   if (extreme == Extreme::Min && parity == Parity::Even) return automaton;
   const std::uint32_t sets = automaton.acceptance.sets;
   const std::uint32_t top =  // the colour that 0 becomes when counted from the other end

@@ -12,8 +12,6 @@
 namespace waymark::automata {
 namespace {
 
-constexpr std::uint32_t none = UINT32_MAX;
-
 // What is known of the languages of the states of an automaton and of a pool. Nothing compared: each state is the only
 // one of its kind, and only what a guess says is known.
 class Languages {
