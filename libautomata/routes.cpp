@@ -230,7 +230,7 @@ class Translation {
       for (const ltl::Proposition p : ltl::propositions(f)) part.reads[position(p, reads_)] = true;
       return part;
     };
-    const Outcome outcome = within(task.composable ? purse / 4 : purse, construct);
+    const Outcome outcome = within(task.composable ? purse / 8 : purse, construct);
     task.found = outcome.made;
     const bool beaten = task.composable && task.operands.empty() && outcome.states > task.most_pairs;
     task.direct_is_hopeless = outcome.out_of_states || beaten;
