@@ -284,6 +284,7 @@ class Translation {
         if (b.reads[v]) part.reads[v] = true;
       return part;
     });
+    if (outcome.out_of_states) task.composable = false;  // nor would it be the next time
     if (!outcome.made) return false;
     task.waiting[first] = outcome.made;
     task.waiting.erase(task.waiting.begin() + static_cast<std::ptrdiff_t>(second));
