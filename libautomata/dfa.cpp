@@ -52,15 +52,14 @@ Dfa::Dfa(ltl::Vocabulary vocabulary, std::vector<ltl::Proposition> reads, Mtbdd 
   require(!accepting_[initial_.index], "the initial state of a DFA must reject the empty word");
   for (ltl::Proposition p : reads_)
     require(p.index < vocabulary_.size(), "a DFA reads an unknown proposition");
-  const auto is_state = [&](Mtbdd::Node n) {
-    return !Mtbdd::is_terminal(n) || Mtbdd::payload(n) < roots_.size();
-  };
-  for (Mtbdd::Node root : roots_) require(is_state(root), "a DFA edge leads to no state");
-  for (Mtbdd::Node n : diagram_.reachable(roots_)) {
-    require(is_state(diagram_.low(n)) && is_state(diagram_.high(n)), "a DFA edge leads to no state");
-    require(diagram_.variable(n) < reads_.size(), "a DFA edge asks for a proposition that is not read");
+  const TransitionGraph graph(diagram_, roots_);
+  for (TransitionGraph::Vertex v = 0; v < graph.size(); ++v) {
+    for (const TransitionGraph::Vertex w : graph.successors(v))
+      require(w < graph.size(), "a DFA edge leads to no state");
+    require(graph.is_state(v) || diagram_.variable(graph.node(v)) < reads_.size(),
+            "a DFA edge asks for a proposition that is not read");
   }
-  distance_ = distances(TransitionGraph(diagram_, roots_), accepting_);
+  distance_ = distances(graph, accepting_);
 }
 
 StateId Dfa::next(StateId q, const ltl::Letter& letter) const {

@@ -68,7 +68,7 @@ class Refinement {
 
   // Redoes the images above the renamed states; afterwards dirty_ holds the states whose signature changed.
   void propagate(Effort& effort) {
-    if (images_.size() > 2 * graph_.nodes() + 4096) collect();
+    if (images_.size() > 2 * kept_ + graph_.nodes() / 4 + 256) collect();
     changed_.clear();
     if (renamed_.size() > partition_.class_of.size() / 8)
       pass(effort);
@@ -145,6 +145,7 @@ class Refinement {
         [](Mtbdd::Variable v) { return v; }, Mtbdd::Images::StayApart);
     std::copy(roots.begin(), roots.end(), image_.begin());
     images_ = std::move(fresh);
+    kept_ = images_.size();
   }
 
   Mtbdd::Node image_of(Vertex v) {
@@ -196,6 +197,7 @@ class Refinement {
   std::optional<ReversedGraph> reversed_;  // made when first needed
   Mtbdd images_;
   std::vector<Mtbdd::Node> image_;  // of a vertex: its diagram, or state, over the current classes
+  std::size_t kept_ = 0;            // images when some were last dropped
   Agenda agenda_;                   // node vertices to redo
   std::vector<std::uint32_t> elements_, place_, renamed_, changed_;
   std::vector<Dirty> dirty_;

@@ -230,7 +230,7 @@ class Translation {
       for (const ltl::Proposition p : ltl::propositions(f)) part.reads[position(p, reads_)] = true;
       return part;
     };
-    const Outcome outcome = within(task.composable ? purse / 4 : purse, construct);
+    const Outcome outcome = within(task.composable ? purse / 8 : purse, construct);
     task.found = outcome.made;
     const bool beaten = task.composable && task.operands.empty() && outcome.states > task.most_pairs;
     task.direct_is_hopeless = outcome.out_of_states || beaten;
@@ -284,6 +284,7 @@ class Translation {
         if (b.reads[v]) part.reads[v] = true;
       return part;
     });
+    if (outcome.out_of_states) task.composable = false;  // nor would it be the next time
     if (!outcome.made) return false;
     task.waiting[first] = outcome.made;
     task.waiting.erase(task.waiting.begin() + static_cast<std::ptrdiff_t>(second));

@@ -1,77 +1,49 @@
 #include "libautomata/transitions.hpp"
 
+#include <utility>
+
 namespace waymark::automata {
 namespace {
 
-constexpr std::uint32_t unseen = UINT32_MAX;
-
-struct Numbering {
-  std::vector<std::uint32_t> order;   // old states in their new order
-  std::vector<std::uint32_t> number;  // new number of an old state, `unseen` when unreachable
-};
-
-Numbering breadth_first(const Transitions& automaton) {
-  const Mtbdd& diagram = automaton.diagram;
-  Numbering out{{automaton.initial}, std::vector<std::uint32_t>(automaton.roots.size(), unseen)};
-  out.number[automaton.initial] = 0;
-  std::vector<bool> visited(diagram.size(), false);  // below a visited node every state is numbered already
-  std::vector<Mtbdd::Node> stack;
-  for (std::size_t i = 0; i < out.order.size(); ++i) {  // the order doubles as the queue
-    stack.push_back(automaton.roots[out.order[i]]);
-    while (!stack.empty()) {
-      const Mtbdd::Node n = stack.back();
-      stack.pop_back();
-      if (Mtbdd::is_terminal(n)) {
-        std::uint32_t& number = out.number[Mtbdd::payload(n)];
-        if (number != unseen) continue;
-        number = static_cast<std::uint32_t>(out.order.size());
-        out.order.push_back(Mtbdd::payload(n));
-      } else if (!visited[n.id]) {
-        visited[n.id] = true;
-        stack.push_back(diagram.high(n));
-        stack.push_back(diagram.low(n));
-      }
-    }
-  }
-  return out;
-}
-
-// Copies one root at a time, children first and the low side first: node ids depend on the functions alone. Numbers
-// are one to one, so different nodes stay different.
+// One root after the other, each depth first with the low side first: states get their numbers on the way down, nodes on
+// the way up, so both depend on the functions alone. Numbers are one to one: different nodes stay different.
 class CanonicalCopy {
  public:
-  CanonicalCopy(const Mtbdd& from, const Numbering& numbering, Mtbdd& to)
-      : from_(from), numbering_(numbering), to_(to), image_(from.size()), done_(from.size(), false) {}
+  explicit CanonicalCopy(const Transitions& from)
+      : from_(from), image_(from.diagram.size()), number_(from.roots.size(), unseen) {}
 
-  Mtbdd::Node copy(Mtbdd::Node root) {
-    std::vector<Mtbdd::Node> stack{root};
-    while (!stack.empty()) {
-      const Mtbdd::Node n = stack.back();
-      if (ready(n)) {
-        stack.pop_back();
-      } else if (!ready(from_.low(n))) {
-        stack.push_back(from_.low(n));
-      } else if (!ready(from_.high(n))) {
-        stack.push_back(from_.high(n));
-      } else {
-        image_[n.id] = to_.append(from_.variable(n), image(from_.low(n)), image(from_.high(n)));
-        done_[n.id] = true;
-      }
+  Transitions run() && {
+    state(from_.initial);
+    for (std::size_t i = 0; i < order_.size(); ++i) {  // the order doubles as the queue
+      out_.roots.push_back(copy(from_.roots[order_[i]]));
+      out_.accepting.push_back(from_.accepting[order_[i]]);
     }
-    return image(root);
+    return std::move(out_);
   }
 
  private:
-  bool ready(Mtbdd::Node n) const { return Mtbdd::is_terminal(n) || done_[n.id]; }
-  Mtbdd::Node image(Mtbdd::Node n) const {
-    return Mtbdd::is_terminal(n) ? Mtbdd::terminal(numbering_.number[Mtbdd::payload(n)]) : image_[n.id];
+  static constexpr std::uint32_t unseen = UINT32_MAX;
+
+  Mtbdd::Node state(std::uint32_t q) {
+    if (number_[q] == unseen) {
+      number_[q] = static_cast<std::uint32_t>(order_.size());
+      order_.push_back(q);
+    }
+    return Mtbdd::terminal(number_[q]);
+  }
+  Mtbdd::Node copy(Mtbdd::Node n) {
+    if (Mtbdd::is_terminal(n)) return state(Mtbdd::payload(n));
+    if (!Mtbdd::is_terminal(image_[n.id])) return image_[n.id];
+    const Mtbdd::Node low = copy(from_.diagram.low(n));
+    const Mtbdd::Node high = copy(from_.diagram.high(n));
+    return image_[n.id] = out_.diagram.append(from_.diagram.variable(n), low, high);
   }
 
-  const Mtbdd& from_;
-  const Numbering& numbering_;
-  Mtbdd& to_;
-  std::vector<Mtbdd::Node> image_;
-  std::vector<bool> done_;
+  const Transitions& from_;
+  std::vector<Mtbdd::Node> image_;     // a terminal: not copied yet
+  std::vector<std::uint32_t> number_;  // of a state, `unseen` before it is reached
+  std::vector<std::uint32_t> order_;   // states by number
+  Transitions out_;
 };
 
 }  // namespace
@@ -102,15 +74,6 @@ ReversedGraph::ReversedGraph(const TransitionGraph& graph) : begin_(graph.size()
     for (Vertex w : graph.successors(v)) sources_[fill[w]++] = v;
 }
 
-Transitions canonical(const Transitions& automaton) {
-  const Numbering numbering = breadth_first(automaton);
-  Transitions out;
-  CanonicalCopy copier(automaton.diagram, numbering, out.diagram);
-  for (std::uint32_t q : numbering.order) {
-    out.roots.push_back(copier.copy(automaton.roots[q]));
-    out.accepting.push_back(automaton.accepting[q]);
-  }
-  return out;
-}
+Transitions canonical(const Transitions& automaton) { return CanonicalCopy(automaton).run(); }
 
 }  // namespace waymark::automata

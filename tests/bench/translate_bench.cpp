@@ -64,7 +64,7 @@ void family(benchmark::State& state, std::string (*make)(std::size_t)) {
 BENCHMARK_CAPTURE(family, visit_all, visit_all)->Arg(1)->Arg(2)->Arg(4)->Arg(8)->Arg(12)->Arg(16)->Arg(18);
 BENCHMARK_CAPTURE(family, visit_in_order, visit_in_order)->Arg(2)->Arg(8)->Arg(32)->Arg(128);
 BENCHMARK_CAPTURE(family, delivery, delivery)->Arg(2)->Arg(12)->Arg(48);
-BENCHMARK_CAPTURE(family, responses, responses)->Arg(2)->Arg(8)->Arg(12);
+BENCHMARK_CAPTURE(family, responses, responses)->Arg(2)->Arg(8)->Arg(12)->Arg(16);
 BENCHMARK_CAPTURE(family, visit_and_avoid, visit_and_avoid)->Arg(8)->Arg(16);
 
 double cpu_seconds() {

@@ -89,6 +89,42 @@ TEST(Minimize, RefinementFindsTheCoarsestPartition) {
   }
 }
 
+// A ring with some edges across it: classes split a few states at a time, in many rounds, so that former images are
+// dropped on the way.
+Table ring(ltl::Random& random, std::uint32_t states) {
+  Table out;
+  const std::size_t period = 1 + random.below(states / 4);
+  for (std::uint32_t q = 0; q < states; ++q) {
+    out.next.emplace_back();
+    for (std::uint32_t letter = 0; letter < letters; ++letter)
+      out.next.back()[letter] = (q + 1 + letter / 2) % states;
+    if (random.chance(0.01)) out.next.back()[1] = static_cast<std::uint32_t>(random.below(states));
+    out.accepting.push_back(q % period == 0);
+  }
+  out.accepting.back() = false;
+  return out;
+}
+
+TEST(Minimize, RefinementTakesManyRoundsAndMuchAtATime) {
+  ltl::Random random(15);
+  for (int i = 0; i < 12; ++i) {
+    const auto states = static_cast<std::uint32_t>(200 + random.below(200));
+    const Table table = i % 3 == 0 ? random_table(random, 5 * states, false) : ring(random, states);
+    const Transitions automaton = symbolic(table);
+    const TransitionGraph graph(automaton.diagram, automaton.roots);
+    Effort unlimited;
+    const Partition partition = coarsest_partition(automaton, graph, unlimited);
+    ASSERT_TRUE(same_partition(table, partition)) << "automaton " << i;
+    for (std::uint32_t q = 0; q < states; ++q) {  // and says where each class leads
+      for (std::uint32_t letter = 0; letter < letters; ++letter) {
+        const auto holds = [&](Mtbdd::Variable v) { return ((letter >> v) & 1U) != 0; };
+        const Mtbdd::Node to = partition.diagram.evaluate(partition.roots[partition.class_of[q]], holds);
+        ASSERT_EQ(Mtbdd::payload(to), partition.class_of[table.next[q][letter]]) << "automaton " << i;
+      }
+    }
+  }
+}
+
 TEST(Minimize, OnePassFindsTheCoarsestPartitionOfVeryWeakAutomata) {
   ltl::Random random(12);
   for (int i = 0; i < 5000; ++i) {

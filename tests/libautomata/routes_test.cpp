@@ -88,6 +88,18 @@ TEST(FiniteRoutes, AnImpossibleOperandIsNoticedInTime) {
   EXPECT_EQ(ltlf_to_dfa(ltl::parse(text, arena)).states(), 1U);
 }
 
+// Operands that share a proposition: neither route stays within the limit, and both are tried once only.
+TEST(FiniteRoutes, LimitsEndBothRoutes) {
+  ltl::Arena arena;
+  std::string text = "true";
+  for (int i = 0; i < 12; ++i) text += " & G (z -> F p" + std::to_string(i) + ")";
+  const ltl::Formula f = ltl::parse(text, arena);
+  const auto limited = ltlf_to_dfa(f, {.states = 1000});
+  ASSERT_TRUE(std::holds_alternative<Exhausted>(limited));
+  EXPECT_GT(std::get<Exhausted>(limited).states, 1000U);
+  EXPECT_EQ(std::get<Dfa>(ltlf_to_dfa(f, {.states = 1'000'000})).states(), (1U << 12U) + 1);
+}
+
 TEST(FiniteRoutes, BytesAreTheSameOnEachRun) {
   const std::string text =
       "(F a & G (b -> F c) | G (d -> X a)) & (F e U f) & G (g -> N (h | a)) & (F c <-> F h)";
