@@ -93,9 +93,17 @@ class Construction {
 
   // Or an automaton with a deterministic structure and another condition.
   std::optional<Candidate> generic() {
-    std::optional<Candidate> best = parity();
-    for (std::size_t i = 0; i < direct_.size() && !minimal(best); ++i)
-      best = smallest(std::move(best), direct(i));
+    std::optional<Candidate> best;
+    try {
+      for (std::size_t i = 0; i < direct_.size(); ++i) {
+        best = smallest(best, direct(i));
+        if (best && best->automaton.states() == 1) return best;
+      }
+      best = smallest(best, parity());
+    } catch (const Effort::Spent&) {  // stopped
+      if (!best) throw;
+      best->reduced = false;
+    }
     return best;
   }
 
