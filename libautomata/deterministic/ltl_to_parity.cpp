@@ -28,14 +28,14 @@ namespace {
 using ltl::Formula;
 
 constexpr std::size_t weak_steps = 400'000'000;
+constexpr std::size_t product_steps = 200'000'000;  // of parts, and to make it a parity automaton
 constexpr std::size_t safra_steps = 2'000'000'000;
-constexpr std::size_t compared_at_last = 400;  // states of the smallest automaton found, languages compared
-constexpr std::size_t small_tableau = 300;
-constexpr std::size_t window_states = 2'000;
-constexpr std::size_t product_steps = 200'000'000;
 constexpr std::size_t reduction_steps = 100'000'000;
-constexpr std::size_t first_try = 1'000;  // states, of φ and of ¬φ in turn, then ten times as many
-constexpr std::size_t wait_for = 20;  // times the states that one route needed, while the other one is tried
+constexpr std::size_t window_states = 2'000;   // of G F e₁ ∧ G F e₂ ∧ …
+constexpr std::size_t small_tableau = 300;     // states that any tableau may have
+constexpr std::size_t first_try = 1'000;       // states of determinisation, then ten times as many
+constexpr std::size_t wait_for = 20;           // times the states of the best one so far, of another one
+constexpr std::size_t compared_at_last = 400;  // states of the smallest one found, languages compared
 
 // Over variables of its own: reads[v] is the proposition of v.
 struct Candidate {
