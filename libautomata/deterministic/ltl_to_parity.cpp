@@ -75,8 +75,8 @@ class Construction {
 
   // What there is when the caller's patience ends is not reduced.
   std::optional<Candidate> parity() {
-    if (is_obligation(formula_)) return obligation();
-    std::optional<Candidate> best;
+    std::optional<Candidate> best = obligation();
+    if (best) return best;
     try {
       search(best);
       if (minimal(best))
@@ -93,7 +93,8 @@ class Construction {
 
   // Or an automaton with a deterministic structure and another condition.
   std::optional<Candidate> generic() {
-    std::optional<Candidate> best;
+    std::optional<Candidate> best = obligation();
+    if (best) return best;
     try {
       for (std::size_t i = 0; i < direct_.size(); ++i) {
         best = smallest(best, direct(i));
@@ -127,6 +128,7 @@ class Construction {
     return best ? std::min(limits_.states, wait_for * best->automaton.states()) : limits_.states;
   }
   std::optional<Candidate> obligation() const {
+    if (!is_obligation(formula_)) return std::nullopt;
     const auto weak = within(weak_steps, limits_.states, [&](Effort& effort) {
       return reduce_parity(as_buchi(weak_deterministic(formula_, reads_, effort), {}), effort);
     });
@@ -213,8 +215,8 @@ class Construction {
   }
   // A deterministic automaton with any condition, the smallest that comes without determinisation.
   std::optional<Candidate> any() {
-    if (is_obligation(formula_)) return obligation();
-    std::optional<Candidate> best;
+    std::optional<Candidate> best = obligation();
+    if (best) return best;
     for (std::size_t i = 0; i < direct_.size() && !(best && best->automaton.states() == 1); ++i)
       best = smallest(std::move(best), direct(i));
     return best ? best : parity();
