@@ -28,14 +28,14 @@ namespace {
 using ltl::Formula;
 
 constexpr std::size_t weak_steps = 400'000'000;
+constexpr std::size_t product_steps = 200'000'000;  // of parts, and to make it a parity automaton
 constexpr std::size_t safra_steps = 2'000'000'000;
-constexpr std::size_t compared_at_last = 400;  // states of the smallest automaton found, languages compared
-constexpr std::size_t small_tableau = 300;
-constexpr std::size_t window_states = 2'000;
-constexpr std::size_t product_steps = 200'000'000;
 constexpr std::size_t reduction_steps = 100'000'000;
-constexpr std::size_t first_try = 1'000;  // states, of φ and of ¬φ in turn, then ten times as many
-constexpr std::size_t wait_for = 20;  // times the states that one route needed, while the other one is tried
+constexpr std::size_t window_states = 2'000;   // of G F e₁ ∧ G F e₂ ∧ …
+constexpr std::size_t small_tableau = 300;     // states that any tableau may have
+constexpr std::size_t first_try = 1'000;       // states of determinisation, then ten times as many
+constexpr std::size_t wait_for = 20;           // times the states of the best one so far, of another one
+constexpr std::size_t compared_at_last = 400;  // states of the smallest one found, languages compared
 
 // Over variables of its own: reads[v] is the proposition of v.
 struct Candidate {
@@ -75,8 +75,8 @@ class Construction {
 
   // What there is when the caller's patience ends is not reduced.
   std::optional<Candidate> parity() {
-    if (is_obligation(formula_)) return obligation();
-    std::optional<Candidate> best;
+    std::optional<Candidate> best = obligation();
+    if (best) return best;
     try {
       search(best);
       if (minimal(best))
@@ -93,9 +93,18 @@ class Construction {
 
   // Or an automaton with a deterministic structure and another condition.
   std::optional<Candidate> generic() {
-    std::optional<Candidate> best = parity();
-    for (std::size_t i = 0; i < direct_.size() && !minimal(best); ++i)
-      best = smallest(std::move(best), direct(i));
+    std::optional<Candidate> best = obligation();
+    if (best) return best;
+    try {
+      for (std::size_t i = 0; i < direct_.size(); ++i) {
+        best = smallest(best, direct(i));
+        if (best && best->automaton.states() == 1) return best;
+      }
+      best = smallest(best, parity());
+    } catch (const Effort::Spent&) {  // stopped
+      if (!best) throw;
+      best->reduced = false;
+    }
     return best;
   }
 
@@ -119,6 +128,7 @@ class Construction {
     return best ? std::min(limits_.states, wait_for * best->automaton.states()) : limits_.states;
   }
   std::optional<Candidate> obligation() const {
+    if (!is_obligation(formula_)) return std::nullopt;
     const auto weak = within(weak_steps, limits_.states, [&](Effort& effort) {
       return reduce_parity(as_buchi(weak_deterministic(formula_, reads_, effort), {}), effort);
     });
@@ -205,8 +215,8 @@ class Construction {
   }
   // A deterministic automaton with any condition, the smallest that comes without determinisation.
   std::optional<Candidate> any() {
-    if (is_obligation(formula_)) return obligation();
-    std::optional<Candidate> best;
+    std::optional<Candidate> best = obligation();
+    if (best) return best;
     for (std::size_t i = 0; i < direct_.size() && !(best && best->automaton.states() == 1); ++i)
       best = smallest(std::move(best), direct(i));
     return best ? best : parity();

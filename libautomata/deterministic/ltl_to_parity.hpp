@@ -1,8 +1,9 @@
 // LTL over infinite words → deterministic automata with parity, Rabin or any condition.
 //
-// Obligations by their minimal weak automaton. A Boolean combination also by the product of deterministic automata of
-// its parts, made a parity automaton only then. Else the generalised Büchi automata of φ and of ¬φ, complemented: as
-// they are where they come out deterministic, and determinised. The smallest one stays.
+// Obligations by their minimal weak automaton. For the rest, in this order: conjunctions of G F e and their negations
+// directly; Boolean combinations by the product of deterministic automata of their parts, made a parity automaton only
+// then; the generalised Büchi automata of φ and of ¬φ where they come out deterministic; both determinised. The smallest
+// one stays, and the search ends where one is proved minimal.
 #pragma once
 #include <variant>
 
@@ -13,10 +14,11 @@
 
 namespace waymark::automata {
 
-// Deterministic, trimmed, canonical numbering: same formula, same bytes. Exhausted when both routes met a limit.
+// Deterministic, trimmed, canonical numbering: same formula, same bytes. Exhausted when no route came to an end; when
+// the stop is requested after one did, its automaton is the answer, not reduced.
 std::variant<Translated, Exhausted> ltl_to_parity(ltl::Formula f, const TranslationLimits& limits);
 std::variant<Translated, Exhausted> ltl_to_rabin(ltl::Formula f, const TranslationLimits& limits);
-// Any condition: a deterministic generalised (co-)Büchi automaton where that is smaller.
+// Any condition: generalised (co-)Büchi, or the condition of a product, where that is smaller.
 std::variant<Translated, Exhausted> ltl_to_generic(ltl::Formula f, const TranslationLimits& limits);
 
 // Without limits; std::length_error when a formula is too large for one automaton.

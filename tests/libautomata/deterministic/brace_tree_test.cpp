@@ -8,6 +8,7 @@
 #include "libautomata/omega/operations.hpp"
 #include "libautomata/omega/random_automaton.hpp"
 #include "tests/support/generate.hpp"
+#include "tests/support/sanitizers.hpp"
 
 namespace waymark::automata {
 namespace {
@@ -18,7 +19,7 @@ TEST(Determinize, KeepsTheLanguageOfRandomAutomata) {
   constexpr std::uint64_t seed = 81;
   ltl::Random random(seed);
   const auto words = testing::all_lassos({.length = 6, .atoms = 1});
-  for (int i = 0; i < 600; ++i) {
+  for (int i = 0; i < (testing::sanitized ? 40 : 600); ++i) {
     const RandomAutomaton options{.states = static_cast<std::uint32_t>(2 + i % 3),
                                   .atoms = 1,
                                   .sets = static_cast<std::uint32_t>(i % 3),

@@ -19,6 +19,7 @@
 #include "libltl/semantics.hpp"
 #include "tests/libautomata/omega/referee.hpp"
 #include "tests/support/generate.hpp"
+#include "tests/support/sanitizers.hpp"
 
 namespace waymark::automata {
 namespace {
@@ -226,7 +227,7 @@ ltl::Formula random_boolean(ltl::Random& random, ltl::Arena& arena, int depth) {
 TEST(LtlToParity, HasTheLanguageOfTheTableauOnBooleanCombinations) {
   constexpr std::uint64_t seed = 75;
   ltl::Random random(seed);
-  for (int i = 0; i < 90; ++i) {
+  for (int i = 0; i < (testing::sanitized ? 9 : 90); ++i) {
     ltl::Arena arena(testing::letters_vocabulary(3));
     const ltl::Formula f = random_boolean(random, arena, 1 + i % 3);
     const Automaton yes = ltl_to_tgba(f), no = ltl_to_tgba(ltl::negate(f));
