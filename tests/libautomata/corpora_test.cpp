@@ -2,7 +2,6 @@
 // (facts/README.md). Skipped, loudly, where the sets are missing.
 #include <gtest/gtest.h>
 
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
@@ -11,16 +10,12 @@
 #include "libautomata/ltlf_to_dfa.hpp"
 #include "libautomata/product.hpp"
 #include "libltl/parse.hpp"
+#include "tests/support/benchmark_sets.hpp"
 
 namespace waymark::automata {
 namespace {
 
 namespace fs = std::filesystem;
-
-fs::path shared() {
-  if (const char* place = std::getenv("WAYMARK_SHARED")) return place;
-  return fs::path(__FILE__).parent_path().parent_path().parent_path().parent_path() / "shared";
-}
 
 std::vector<std::string> lines(const fs::path& path) {
   std::ifstream in(path);
@@ -50,7 +45,7 @@ std::vector<std::string> column(const fs::path& path, const std::string& name) {
 class Corpora : public ::testing::TestWithParam<const char*> {};
 
 TEST_P(Corpora, HaveTheMinimalNumberOfStates) {
-  const fs::path folder = shared() / "ltl";
+  const fs::path folder = testing::benchmark_sets();
   const std::string set = GetParam();
   if (!fs::exists(folder / (set + ".ltlf")))
     GTEST_SKIP() << "benchmark formulas not found: " << folder / (set + ".ltlf") << " (set WAYMARK_SHARED)";

@@ -3,57 +3,32 @@
 // loudly, where sets are missing.
 #include <gtest/gtest.h>
 
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
-#include <map>
-#include <sstream>
 
 #include "libautomata/deterministic/ltl_to_parity.hpp"
 #include "libautomata/omega/emptiness.hpp"
 #include "libltl/parse.hpp"
 #include "libltl/random.hpp"
 #include "libltl/semantics.hpp"
+#include "tests/support/benchmark_sets.hpp"
 #include "tests/support/sanitizers.hpp"
 
 namespace waymark::automata {
 namespace {
 
 namespace fs = std::filesystem;
-
-fs::path shared() {
-  if (const char* place = std::getenv("WAYMARK_SHARED")) return place;
-  fs::path root = __FILE__;
-  for (int up = 0; up < 5; ++up) root = root.parent_path();
-  return root / "shared";
-}
-
-// By line: the number in a column, where there is one.
-std::map<std::size_t, std::size_t> column(const fs::path& path, const std::string& name) {
-  std::map<std::size_t, std::size_t> out;
-  std::ifstream in(path);
-  std::string line, cell;
-  std::getline(in, line);
-  std::istringstream head(line);
-  std::size_t at = 0;
-  while (std::getline(head, cell, '\t') && cell != name) ++at;
-  for (std::size_t number = 1; std::getline(in, line); ++number) {
-    std::istringstream row(line);
-    for (std::size_t i = 0; i <= at; ++i) std::getline(row, cell, '\t');
-    if (!cell.empty() && cell.find_first_not_of("0123456789") == std::string::npos)
-      out[number] = std::stoul(cell);
-  }
-  return out;
-}
+using testing::column;
 
 struct Gate {
   const char* set;
   std::size_t states;  // summed over all lines, at most
+  friend void PrintTo(const Gate& gate, std::ostream* out) { *out << gate.set; }
 };
 class ParityCorpora : public ::testing::TestWithParam<Gate> {};
 
 TEST_P(ParityCorpora, AreNoLargerThanTheirPeersLineByLine) {
-  const fs::path folder = shared() / "ltl", path = folder / (std::string(GetParam().set) + ".ltl");
+  const fs::path folder = testing::benchmark_sets(), path = folder / (std::string(GetParam().set) + ".ltl");
   if (!fs::exists(path)) GTEST_SKIP() << "benchmark formulas not found: " << path << " (set WAYMARK_SHARED)";
   const fs::path facts = folder / "facts" / GetParam().set;
   const auto spot = column(facts.string() + ".tsv", "dpa_states");
