@@ -42,6 +42,7 @@ struct Candidate {
   Branching automaton;
   std::vector<ltl::Proposition> reads;
   bool reduced = true;
+  std::optional<bool> minimal = {};  // of a parity automaton, once it has been asked
 };
 
 bool smaller(const Candidate& a, const Candidate& b) {
@@ -168,11 +169,14 @@ class Construction {
   }
   static std::size_t next_try(std::size_t states) { return states > SIZE_MAX / 10 ? SIZE_MAX : 10 * states; }
   // As many states as there are languages of states: no deterministic automaton has fewer.
-  bool minimal(const std::optional<Candidate>& found) const {
+  bool minimal(std::optional<Candidate>& found) const {
     if (!found || found->automaton.states() > compared_states) return false;
-    const auto all = within(reduction_steps, SIZE_MAX,
-                            [&](Effort& effort) { return count_languages(found->automaton, effort); });
-    return all && *all == found->automaton.states();
+    if (!found->minimal) {
+      const auto all = within(reduction_steps, SIZE_MAX,
+                              [&](Effort& effort) { return count_languages(found->automaton, effort); });
+      found->minimal = all && *all == found->automaton.states();
+    }
+    return *found->minimal;
   }
   // Deterministic automata of φ with any condition, from routes that may have none.
   const std::optional<Candidate>& direct(std::size_t i) {
