@@ -4,6 +4,8 @@
 #include <optional>
 #include <stdexcept>
 
+#include "libautomata/deterministic/determinize.hpp"
+#include "libautomata/deterministic/parity.hpp"
 #include "libautomata/omega/degeneralize.hpp"
 #include "libautomata/omega/emptiness.hpp"
 #include "libautomata/omega/fewest_marks.hpp"
@@ -32,7 +34,8 @@ constexpr std::size_t guess_steps = 2'000'000;  // to find out whether a formula
 constexpr std::size_t guess_states = 2'000;
 constexpr std::size_t merge_steps = 500'000;  // to find states of one language
 constexpr std::size_t merge_states = 200;
-constexpr std::size_t large_states = 100;  // from here on, one way to count levels instead of all
+constexpr std::size_t merged_languages = 60;  // states of deterministic automata whose languages are compared
+constexpr std::size_t large_states = 100;     // from here on, one way to count levels instead of all
 
 struct Candidate {
   Branching automaton;
@@ -137,11 +140,28 @@ class Construction {
     const auto raw = raw_tableau(f, tableau_steps, limits_.states);
     if (!raw) return std::nullopt;
     Candidate first = reduced(merged(*raw), MarksOn::Edges);
-    std::optional<Candidate> second = deterministic(f, first.automaton), third = recurring(f);
+    std::optional<Candidate> second = fewer(deterministic(f, first.automaton)), third = fewer(recurring(f));
+    if (is_deterministic(first.automaton)) second = smallest(std::move(second), fewer(first));
     if (f == formula_) routes_ = {first};
     if (f == formula_ && second) routes_.push_back(*second);
     if (f == formula_ && third) routes_.push_back(*third);
     return smallest(smallest(std::move(first), std::move(second)), std::move(third));
+  }
+  // A deterministic Büchi automaton by the means for parity automata, as long as it needs no other colour.
+  std::optional<Candidate> fewer(const std::optional<Candidate>& from) const {
+    if (!from || from->weak || !is_deterministic(from->automaton)) return from;
+    Effort effort(guess_steps, guess_states, limits_.stop);
+    try {
+      const Branching parity = degeneralize_on_edges(from->automaton, effort);
+      Reduced made = reduce_parity(parity, effort, merged_languages);
+      const Acceptance& acceptance = made.automaton.acceptance;
+      const bool is_buchi = acceptance.is_buchi() || acceptance.is_all();
+      if (is_buchi && smaller(made.automaton, from->automaton))
+        return Candidate{made.automaton, made.complete};
+    } catch (const Effort::Spent& spent) {
+      if (spent.reason == Effort::Spent::Reason::Stopped) throw;
+    }
+    return from;
   }
   std::optional<Candidate> obligation(Formula f) {
     std::optional<Candidate> best;
