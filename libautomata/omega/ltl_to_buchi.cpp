@@ -14,6 +14,7 @@
 #include "libautomata/omega/product.hpp"
 #include "libautomata/omega/recurrence.hpp"
 #include "libautomata/omega/reduce.hpp"
+#include "libautomata/omega/simulation.hpp"
 #include "libautomata/omega/suspension.hpp"
 #include "libautomata/omega/tableau.hpp"
 #include "libautomata/omega/weak.hpp"
@@ -143,9 +144,16 @@ class Construction {
     std::optional<Candidate> second = fewer(deterministic(f, first.automaton)), third = fewer(recurring(f));
     if (is_deterministic(first.automaton)) second = smallest(std::move(second), fewer(first));
     if (f == formula_) routes_ = {first};
+    if (f == formula_ && raw->automaton.acceptance.sets > 1 && raw->automaton.states() <= merge_states)
+      routes_.push_back(as_promised(raw->automaton));
     if (f == formula_ && second) routes_.push_back(*second);
     if (f == formula_ && third) routes_.push_back(*third);
     return smallest(smallest(std::move(first), std::move(second)), std::move(third));
+  }
+  // With the marks that the tableau gave: a mark less may cost an accepting copy less.
+  Candidate as_promised(const Branching& raw) const {
+    Effort unlimited;
+    return {bisimulation_quotient(trim(raw), unlimited), true};
   }
   // A deterministic Büchi automaton by the means for parity automata, as long as it needs no other colour.
   std::optional<Candidate> fewer(const std::optional<Candidate>& from) const {
