@@ -36,7 +36,8 @@ constexpr std::size_t guess_states = 2'000;
 constexpr std::size_t merge_steps = 500'000;  // to find states of one language
 constexpr std::size_t merge_states = 200;
 constexpr std::size_t merged_languages = 60;  // states of deterministic automata whose languages are compared
-constexpr std::size_t large_states = 100;     // from here on, one way to count levels instead of all
+constexpr std::size_t hopeful = 2;  // copies that are more than the best by a part of that are not reduced
+constexpr std::size_t large_states = 100;  // from here on, one way to count levels instead of all
 
 struct Candidate {
   Branching automaton;
@@ -80,7 +81,7 @@ class Construction {
     std::optional<Candidate> general = tgba();
     if (!general || general->weak) return general;
     if (general->automaton.states() >= large_states)
-      return counted(general->automaton, {.look_ahead = true}, general->reduced);
+      return counted(general->automaton, {.look_ahead = true}, general->reduced, SIZE_MAX);
     std::optional<Candidate> best;
     put_marks_on_states(*general, general->automaton.states(), best);
     for (const Candidate& other : routes_)
@@ -111,13 +112,17 @@ class Construction {
                                    LevelRule{true, true, false}, LevelRule{true, false, false}}) {
         if (best && best->automaton.states() <= enough) return;
         if (from != nullptr && (!rule.descending || from->acceptance.sets > 1))
-          best = smallest(std::move(best), counted(*from, rule, general.reduced));
+          best = smallest(
+              std::move(best),
+              counted(*from, rule, general.reduced,
+                      best ? best->automaton.states() + best->automaton.states() / hopeful : SIZE_MAX));
       }
   }
-  std::optional<Candidate> counted(const Branching& general, const LevelRule& rule, bool is_reduced) {
+  std::optional<Candidate> counted(const Branching& general, const LevelRule& rule, bool is_reduced,
+                                   std::size_t most) {
     Effort effort(reduction_steps, limits_.states, limits_.stop);
     auto levels = within([&] { return canonical(degeneralize(general, rule, effort)); });
-    if (!levels) return std::nullopt;
+    if (!levels || levels->states() > most) return std::nullopt;
     for (const Branching& before : counted_)
       if (identical(before, *levels)) return std::nullopt;
     counted_.push_back(*levels);
@@ -263,7 +268,7 @@ class Construction {
           scc_filter(tableau(ltl::nnf(ltl::negate(f)), reads_, effort).automaton, MarksOn::Edges, effort);
       const Transitions guess = weak_deterministic(f, reads_, structure, effort);
       const Branching outside = as_buchi(guess, {.complement = true, .trim = false});
-      const Branching inside = as_buchi(guess, {.complement = false, .trim = true});
+      Branching inside = as_buchi(guess, {.complement = false, .trim = true});
       if (is_empty(intersection(automaton, outside, effort)) &&
           is_empty(intersection(inside, negation, effort)))
         return inside;
