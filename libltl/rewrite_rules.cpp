@@ -179,6 +179,35 @@ Result contradiction(Formula f, Implication& implies) {
   return {};
 }
 
+// match:  φ ∨ ((φ′ ∨ ψ) ∧ χ) with φ′ ⇒ φ, φ ∧ ((φ′ ∧ ψ) ∨ χ) with φ ⇒ φ′
+// result: φ ∨ (ψ ∧ χ), φ ∧ (ψ ∨ χ)
+Result settled_beside(Formula f, Implication& implies) {
+  if (!is(f, Op::And) && !is(f, Op::Or)) return {};
+  const Op inner = is(f, Op::And) ? Op::Or : Op::And;
+  const auto junction = [&](Op op, const std::vector<Formula>& parts) {
+    return op == Op::And ? conjunction(f.arena(), parts) : disjunction(f.arena(), parts);
+  };
+  const auto without = [&](std::span<const Formula> all, std::size_t at, Formula instead) {
+    std::vector<Formula> parts(all.begin(), all.end());
+    parts[at] = instead;
+    return parts;
+  };
+  for (std::size_t i = 0; i < f.operands().size(); ++i)
+    for (std::size_t j = 0; is(f[i], inner) && j < f[i].operands().size(); ++j) {
+      if (f[i][j].op() != f.op()) continue;
+      std::vector<Formula> rest;
+      for (Formula x : f[i][j].operands())
+        if (std::none_of(f.operands().begin(), f.operands().end(), [&](Formula g) {
+              return g != f[i] && (is(f, Op::Or) ? implies(x, g) : implies(g, x));
+            }))
+          rest.push_back(x);
+      if (rest.size() == f[i][j].operands().size()) continue;
+      const Formula smaller = junction(inner, without(f[i].operands(), j, junction(f.op(), rest)));
+      return junction(f.op(), without(f.operands(), i, smaller));
+    }
+  return {};
+}
+
 // Joins the first two operands of a junction that `join` can join.
 template <class Join>
 Result join_two(Formula f, Op op, Join join) {
@@ -292,6 +321,7 @@ constexpr RewriteRule rules[] = {
     {"next out of release", next_out_of_release, false, true},
     {"absorbed", absorbed, true, true},
     {"contradiction", contradiction, true, true},
+    {"settled beside", settled_beside, true, true},
     {"factored", factored, true, true},
     {"nexts joined", nexts_joined, true, true},
     {"joined by and", joined_by_and, true, true},

@@ -56,10 +56,9 @@ Any understood(automata::HoaAutomaton file, const std::string& source, automata:
 // Refused claims are an error with --strict, else a warning.
 void check_claims(automata::HoaAutomaton& file, const std::string& source, bool strict) {
   for (const automata::HoaContradiction& c : automata::contradictions(file)) {
-    const ltl::FormatError error(source, c.claim.line, c.claim.column,
-                                 "the claim '" + std::string(c.claim.text) + "' is not true: " + c.reason);
-    if (strict) throw error;
-    complain("warning", error.what());
+    const std::string problem = "the claim '" + std::string(c.claim.text) + "' is not true: " + c.reason;
+    if (strict) throw ltl::FormatError(source, c.claim.line, c.claim.column, problem);
+    complain("warning", ltl::FormatError(source, c.claim.line, c.claim.column, problem).what());
   }
 }
 

@@ -61,6 +61,8 @@ constexpr Row rows[] = {
     {"next outwards", "N a R N b", "N(a R b)"},
     {"next out of release", "X a R X b", "X(a R b)"},
     {"next out of release", "G X a", "X G a"},
+    {"settled beside", "a | ((a | b) & c)", "a | (b & c)"},
+    {"settled beside", "F a & ((F a & b) | c)", "F a & (b | c)"},
     {"absorbed", "a & F a", "a"},
     {"absorbed", "a | F a", "F a"},
     {"absorbed", "b & (a U b) & c", "b & c"},
