@@ -89,6 +89,10 @@ class Mtbdd {
     std::uint32_t tag = 0;  // 0: empty
     std::array<Node, 3> args{};
     Node result{};
+    // Spelled out: the comparison of arrays is a call of memcmp.
+    bool answers(Operation op, const std::array<Node, 3>& key) const {
+      return tag == op.tag && args[0] == key[0] && args[1] == key[1] && args[2] == key[2];
+    }
   };
   Remembered& slot(Operation op, const std::array<Node, 3>& args);
   void grow_cache();
@@ -108,7 +112,7 @@ Mtbdd::Node Mtbdd::apply(Operation op, const std::array<Node, N>& args, Decide& 
   std::array<Node, 3> key{};
   std::copy(args.begin(), args.end(), key.begin());
   const Remembered& before = slot(op, key);
-  if (before.tag == op.tag && before.args == key) return before.result;
+  if (before.answers(op, key)) return before.result;
 
   Variable top = no_variable;
   for (Node n : args) top = std::min(top, variable(n));
