@@ -161,6 +161,17 @@ Reply show_omega(const automata::Automaton& automaton, const std::optional<Guess
   return {ExitCode::Done, out.add("hoa", *hoa).text() + '\n'};
 }
 
+// Jumps as dotted arrows, which HOA cannot have.
+Reply show_jumps(const automata::MdpSafe& ldba, const Shown& about, const OutputOptions& options) {
+  automata::OmegaDotOptions layout{.name = about.unicode_name};
+  for (std::uint32_t q = 0; q < ldba.states(); ++q)
+    for (const automata::StateId target : ldba.jumps(automata::StateId{q}))
+      layout.jumps.emplace_back(q, target.index);
+  const automata::Automaton steps(ldba.vocabulary(), ldba.reads(), ldba.steps());
+  return show_or_refuse(ldba.automaton(), automata::write_dot_within(steps, options.edges, layout), about,
+                        options);
+}
+
 }  // namespace
 
 void add_output_options(CLI::App& command, OutputOptions& options) {
@@ -223,6 +234,7 @@ Reply show(const automata::Automaton& automaton, const Shown& about, const Outpu
 }
 
 Reply show(const automata::MdpSafe& automaton, const Shown& about, const OutputOptions& options) {
+  if (options.format == "dot") return show_jumps(automaton, about, options);
   Guesses guesses;
   if (!automaton.is_deterministic()) guesses.properties.push_back("semi-deterministic");
   std::string parts = "waymark-accepting-part:", jumps = "waymark-jumps:";

@@ -50,6 +50,8 @@ class MdpSafe {
 
   // A nondeterministic Büchi automaton of the same language and numbering, a branch for every jump.
   const Automaton& automaton() const { return branches_; }
+  // What a run does between two jumps: deterministic, same numbering.
+  const Branching& steps() const { return steps_; }
 
  private:
   friend class ProvedConstructions;  // ltl_to_ldba.cpp

@@ -52,6 +52,8 @@ std::optional<std::string> write_dot_within(const Automaton& automaton, std::siz
   out += "  start [shape=none, label=\"\", width=0.05, height=0.05];\n";
   for (std::size_t q = 0; q < automaton.states(); ++q) out += "  " + std::to_string(q) + ";\n";
   out += "  start -> " + std::to_string(automaton.initial().index) + ";\n";
+  for (const auto& [from, to] : options.jumps)
+    out += "  " + std::to_string(from) + " -> " + std::to_string(to) + " [style=dotted];\n";
   for (std::size_t q = 0; q < edges->size(); ++q) {
     const std::vector<BranchEdge>& from = (*edges)[q];
     for (std::size_t i = 0; i < from.size(); ++i) {  // sorted by target: equal ones stand together

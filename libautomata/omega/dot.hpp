@@ -2,8 +2,11 @@
 // short Unicode formulas, every mark a dot in its own colour.
 #pragma once
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "libautomata/omega/automaton.hpp"
 
@@ -11,6 +14,8 @@ namespace waymark::automata {
 
 struct OmegaDotOptions {
   std::string name = {};  // caption under the drawing, none when empty; the acceptance stands behind it
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> jumps =
+      {};  // from, to: dotted arrows without a letter
 };
 
 // nullopt when there are more edges, or a guard has more cubes, than that.
