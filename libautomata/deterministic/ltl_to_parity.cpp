@@ -80,11 +80,13 @@ class Construction {
     if (best) return best;
     try {
       search(best);
-      if (minimal(best))
+      if (minimal(best)) {
         best->reduced = true;
-      else if (best && best->automaton.states() > compared_states &&
-               best->automaton.states() <= compared_at_last)
-        best = smallest(std::move(best), reduced(*best, compared_at_last));
+      } else if (best && best->automaton.states() > compared_states &&
+                 best->automaton.states() <= compared_at_last) {
+        std::optional<Candidate> fewer = reduced(*best, compared_at_last);
+        best = smallest(std::move(best), std::move(fewer));
+      }
     } catch (const Effort::Spent&) {  // stopped
       if (!best) throw;
       best->reduced = false;

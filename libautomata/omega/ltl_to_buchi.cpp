@@ -111,11 +111,11 @@ class Construction {
       for (const LevelRule rule : {LevelRule{false, true, false}, LevelRule{false, false, false},
                                    LevelRule{true, true, false}, LevelRule{true, false, false}}) {
         if (best && best->automaton.states() <= enough) return;
-        if (from != nullptr && (!rule.descending || from->acceptance.sets > 1))
-          best = smallest(
-              std::move(best),
-              counted(*from, rule, general.reduced,
-                      best ? best->automaton.states() + best->automaton.states() / hopeful : SIZE_MAX));
+        if (from == nullptr || (rule.descending && from->acceptance.sets < 2)) continue;
+        const std::size_t most =
+            best ? best->automaton.states() + best->automaton.states() / hopeful : SIZE_MAX;
+        std::optional<Candidate> next = counted(*from, rule, general.reduced, most);
+        best = smallest(std::move(best), std::move(next));
       }
   }
   std::optional<Candidate> counted(const Branching& general, const LevelRule& rule, bool is_reduced,
