@@ -72,7 +72,8 @@ class Hosting {
   }
 
  private:
-  // The classes that the initial part needs, and what is asked of the pool: replaced_ and jumps_ hold requests for now.
+  // The classes that the initial part needs, and what is asked of the pool: replaced_ and jumps_ hold the numbers of
+  // requests, until run() puts the chosen states in their place.
   void explore() {
     std::vector<std::uint32_t> queue;
     const auto meet = [&](std::uint32_t q) {

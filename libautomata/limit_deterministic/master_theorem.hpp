@@ -14,8 +14,8 @@
 
 namespace waymark::automata {
 
-// parity: complete, deterministic, of φ. Adds entries to the pool, with a guess for each state of `parity`. reads[v] is the proposition of
-// variable v of both. nullopt when there are too many choices; throws what the effort throws.
+// parity: complete, deterministic, of φ. Adds entries to the pool, with guesses for each state of `parity`. reads[v] is
+// the proposition of variable v of both. nullopt when there are too many choices; throws what the effort throws.
 std::optional<std::vector<Guess>> guess_by_master_theorem(ltl::Formula f, const Branching& parity,
                                                           const std::vector<ltl::Proposition>& reads,
                                                           Pool& pool, Effort& effort);
