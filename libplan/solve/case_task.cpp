@@ -95,8 +95,8 @@ class TaskSolver {
 
   void formula() {
     Clock clock;
-    ltl::Formula f = ltl::parse(task_.formula, arena_);
-    if (task_.logic == Logic::Ltl) f = ltl::simplify(f, ltl::Semantics::Infinite);
+    const ltl::Formula asked = ltl::parse(task_.formula, arena_);
+    const ltl::Formula f = task_.logic == Logic::Ltl ? ltl::simplify(asked, ltl::Semantics::Infinite) : asked;
     const bool negated = task_.query == Query::MinProbability && !is_finite(f);
     const TaskTable task = table(negated ? ltl::simplify(ltl::negate(f), ltl::Semantics::Infinite) : f);
     answer_.seconds.automaton = clock.lap();
@@ -106,7 +106,7 @@ class TaskSolver {
       throw std::invalid_argument("method search answers rmin, steps and cycle on deterministic models only");
     else
       decide(task, negated, clock);
-    if (answer_.status == Status::Infeasible && options_.explain) explain(f);
+    if (answer_.status == Status::Infeasible && options_.explain) explain(asked);
   }
 
   bool is_cost() const { return task_.query == Query::MinCost || task_.query == Query::MinSteps; }
