@@ -18,6 +18,7 @@
 
 #include "libltl/vocabulary.hpp"
 #include "libltl/word.hpp"
+#include "libplan/model/letters.hpp"
 #include "libplan/world/hallways.hpp"
 #include "libplan/world/labelling.hpp"
 
@@ -31,11 +32,6 @@ std::string_view name(Action action);                               // "FORWARD"
 struct PoseId {
   std::uint32_t index = 0;  // 4 · node + heading / 90
   friend auto operator<=>(const PoseId&, const PoseId&) = default;
-};
-
-struct LetterId {
-  std::uint32_t index = 0;  // position in Map::letters()
-  friend auto operator<=>(const LetterId&, const LetterId&) = default;
 };
 
 class Map {

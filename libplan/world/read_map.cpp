@@ -6,40 +6,41 @@
 #include <algorithm>
 #include <fstream>
 #include <iterator>
-#include <nlohmann/json.hpp>
-#include <set>
+#include <map>
+#include <optional>
 
-#include "libplan/world/json_position.hpp"
+#include "libltl/diagnostic.hpp"
+#include "libplan/world/json_reader.hpp"
 
 namespace waymark::plan {
 namespace {
 
-using nlohmann::json;
+using json = JsonReader::Value;
 
 class MapReader {
  public:
-  MapReader(std::string_view text, std::string_view source) : text_(text), source_(source) {}
+  MapReader(std::string_view text, std::string_view source) : in_(text, source) {}
 
   Map read() {
-    const json document = parse();
-    if (!document.is_object()) fail("", "expected an object with \"name\", \"nodes\" and \"edges\"");
-    check_keys(document, "", {"name", "headings", "objects", "floors", "walls", "nodes", "edges"});
+    const json document = in_.parse();
+    if (!document.is_object()) in_.fail("", "expected an object with \"name\", \"nodes\" and \"edges\"");
+    in_.check_keys(document, "", {"name", "headings", "objects", "floors", "walls", "nodes", "edges"});
     if (document.contains("headings")) check_headings(document["headings"]);
     Hallways hallways;
-    each(document, "nodes", [&](const json& value, const std::string& path) {
-      at(path, [&] { hallways.add_node(node(value, path)); });
+    in_.each(document, "", "nodes", [&](const json& value, const std::string& path) {
+      in_.at(path, [&] { hallways.add_node(node(value, path)); });
     });
-    each(document, "edges", [&](const json& value, const std::string& path) {
+    in_.each(document, "", "edges", [&](const json& value, const std::string& path) {
       Edge next = edge(value, path, hallways);
-      at(path, [&] { hallways.add_edge(std::move(next)); });
+      in_.at(path, [&] { hallways.add_edge(std::move(next)); });
     });
-    if (hallways.nodes().empty()) fail("nodes", "a map needs at least one node");
-    std::string name = document.contains("name") ? string(document["name"], "name") : "";
+    if (hallways.nodes().empty()) in_.fail("nodes", "a map needs at least one node");
+    std::string name = document.contains("name") ? in_.string(document["name"], "name") : "";
     std::vector<std::string> objects = values(document, "objects", objects_);
     std::vector<std::string> floors = values(document, "floors", floors_);
     std::vector<std::string> walls = values(document, "walls", walls_);
     std::optional<Map> map;
-    at("", [&] {
+    in_.at("", [&] {
       map.emplace(std::move(name), std::move(hallways), std::move(objects), std::move(floors),
                   std::move(walls));
     });
@@ -50,78 +51,32 @@ class MapReader {
   // A value used in the map and where it was first used, to name the place of one that the map does not list.
   using Used = std::map<std::string, std::string>;
 
-  [[noreturn]] void fail(const std::string& path, const std::string& message) const {
-    throw format_error(source_, text_, path, message);
-  }
-
-  json parse() const {
-    try {
-      return json::parse(text_.begin(), text_.end());
-    } catch (const json::parse_error& error) {
-      // "[json.exception.parse_error.101] parse error at line 1, column 2: syntax error …": keep what follows the place.
-      const std::string_view what = error.what();
-      const std::size_t colon = what.find(": ");
-      throw format_error_at(
-          source_, text_, error.byte > 0 ? error.byte - 1 : 0,
-          "malformed JSON: " + std::string(what.substr(colon == what.npos ? 0 : colon + 2)));
-    } catch (const json::out_of_range&) {
-      throw ltl::FormatError(source_, 0, 0, "a number of the JSON text is out of range");
-    }
-  }
-
-  // Runs a step that checks geometry; its complaint is reported at the value it was about.
-  template <typename Step>
-  void at(const std::string& path, Step step) const {
-    try {
-      step();
-    } catch (const std::invalid_argument& error) {
-      fail(path, error.what());
-    }
-  }
-
-  void check_keys(const json& object, const std::string& path, const std::vector<std::string>& known) const {
-    const ltl::Vocabulary names(known);
-    for (const auto& [key, value] : object.items()) {
-      if (names.find(key)) continue;
-      const auto meant = names.nearest(key);
-      if (meant && !object.contains(*meant))
-        fail(path, "unknown key \"" + key + "\" (did you mean \"" + *meant + "\"?)");
-    }
-  }
-
   void check_headings(const json& headings) const {
     const json ours = {{"0", {0, -1}}, {"90", {1, 0}}, {"180", {0, 1}}, {"270", {-1, 0}}};
     if (headings != ours)
-      fail("headings",
-           R"(must be {"0": [0,-1], "90": [1,0], "180": [0,1], "270": [-1,0]}: y grows downwards)");
-  }
-
-  template <typename Visit>
-  void each(const json& document, const std::string& key, Visit visit) const {
-    if (!document.contains(key)) fail("", "the key \"" + key + "\" is missing");
-    const json& list = document[key];
-    if (!list.is_array()) fail(key, "expected a list");
-    for (std::size_t i = 0; i < list.size(); ++i) visit(list[i], key + "[" + std::to_string(i) + "]");
+      in_.fail("headings",
+               R"(must be {"0": [0,-1], "90": [1,0], "180": [0,1], "270": [-1,0]}: y grows downwards)");
   }
 
   Node node(const json& value, const std::string& path) {
-    if (!value.is_object()) fail(path, R"(expected a node like {"x": 1, "y": 6})");
-    check_keys(value, path, {"x", "y", "object", "place"});
+    if (!value.is_object()) in_.fail(path, R"(expected a node like {"x": 1, "y": 6})");
+    in_.check_keys(value, path, {"x", "y", "object", "place"});
     Node node;
     for (const char* key : {"x", "y"})
-      if (!value.contains(key)) fail(path, "the key \"" + std::string(key) + "\" is missing");
-    node.x = integer(value["x"], path + ".x");
-    node.y = integer(value["y"], path + ".y");
+      if (!value.contains(key)) in_.fail(path, "the key \"" + std::string(key) + "\" is missing");
+    node.x = in_.integer(value["x"], path + ".x");
+    node.y = in_.integer(value["y"], path + ".y");
     if (value.contains("place") && !value["place"].is_null())
-      node.place = integer(value["place"], path + ".place");
+      node.place = in_.integer(value["place"], path + ".place");
     if (const std::string name = optional_name(value, "object", path, objects_); !name.empty())
       node.object = name;
     return node;
   }
 
   Edge edge(const json& value, const std::string& path, const Hallways& hallways) {
-    if (!value.is_object()) fail(path, R"(expected an edge like {"a": [0,5], "b": [0,6], "floor": "blue"})");
-    check_keys(value, path, {"a", "b", "floor", "wall"});
+    if (!value.is_object())
+      in_.fail(path, R"(expected an edge like {"a": [0,5], "b": [0,6], "floor": "blue"})");
+    in_.check_keys(value, path, {"a", "b", "floor", "wall"});
     Edge edge;
     edge.a = end(value, "a", path, hallways);
     edge.b = end(value, "b", path, hallways);
@@ -132,27 +87,14 @@ class MapReader {
 
   std::uint32_t end(const json& edge, const std::string& key, const std::string& path,
                     const Hallways& hallways) const {
-    if (!edge.contains(key)) fail(path, "the key \"" + key + "\" is missing");
+    if (!edge.contains(key)) in_.fail(path, "the key \"" + key + "\" is missing");
     const std::string here = path + "." + key;
     const json& value = edge[key];
-    if (!value.is_array() || value.size() != 2) fail(here, "expected a place [x,y]");
-    const int x = integer(value[0], here + "[0]"), y = integer(value[1], here + "[1]");
+    if (!value.is_array() || value.size() != 2) in_.fail(here, "expected a place [x,y]");
+    const int x = in_.integer(value[0], here + "[0]"), y = in_.integer(value[1], here + "[1]");
     const auto node = hallways.node_at(x, y);
-    if (!node) fail(here, "there is no node at (" + std::to_string(x) + "," + std::to_string(y) + ")");
+    if (!node) in_.fail(here, "there is no node at (" + std::to_string(x) + "," + std::to_string(y) + ")");
     return *node;
-  }
-
-  int integer(const json& value, const std::string& path) const {
-    if (!value.is_number_integer()) fail(path, "expected a whole number");
-    const bool huge = value.is_number_unsigned() && value.get<std::uint64_t>() > INT32_MAX;
-    const auto number = huge ? INT64_MAX : value.get<std::int64_t>();
-    if (number < INT32_MIN || number > INT32_MAX) fail(path, "the number is too large");
-    return static_cast<int>(number);
-  }
-
-  std::string string(const json& value, const std::string& path) const {
-    if (!value.is_string()) fail(path, "expected a text");
-    return value.get<std::string>();
   }
 
   // The text under `key`, "" when missing or null; remembered in `used`.
@@ -160,8 +102,8 @@ class MapReader {
                             Used& used) const {
     if (!object.contains(key) || object[key].is_null()) return "";
     const std::string here = path + "." + key;
-    std::string name = string(object[key], here);
-    if (name.empty()) fail(here, "expected a name, or null for none");
+    std::string name = in_.string(object[key], here);
+    if (name.empty()) in_.fail(here, "expected a name, or null for none");
     used.try_emplace(name, here);
     return name;
   }
@@ -173,15 +115,15 @@ class MapReader {
       for (const auto& [name, path] : used) listed.push_back(name);
       return listed;
     }
-    each(document, key,
-         [&](const json& value, const std::string& path) { listed.push_back(string(value, path)); });
+    in_.each(document, "", key,
+             [&](const json& value, const std::string& path) { listed.push_back(in_.string(value, path)); });
     for (const auto& [name, path] : used)
       if (std::find(listed.begin(), listed.end(), name) == listed.end())
-        fail(path, "\"" + name + "\" is not among \"" + key + "\"");
+        in_.fail(path, "\"" + name + "\" is not among \"" + key + "\"");
     return listed;
   }
 
-  std::string_view text_, source_;
+  const JsonReader in_;
   Used objects_, floors_, walls_;
 };
 

@@ -1,0 +1,104 @@
+// Grid worlds: cells with four moves that may slip, kept implicit.
+//
+// A state is a cell, y · width + x, y growing downwards; the choices are the moves N E S W, always all four. A move goes
+// forward with the given probability, else to the left, right or back of where it was meant to go; against a wall, off
+// the grid, or against a one-way cell it stays where it is. A one-way cell is entered and left in its direction only.
+// The letter of an outcome is that of the cell it leads into. Three bytes a cell; successors are computed when asked
+// for, so that grids of millions of cells fit.
+#pragma once
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "libplan/model/letters.hpp"
+
+namespace waymark::plan {
+
+enum class Compass : std::uint8_t { North, East, South, West };
+inline constexpr std::array<Compass, 4> all_compass{Compass::North, Compass::East, Compass::South,
+                                                    Compass::West};
+std::string_view name(Compass direction);  // "N", "E", "S", "W"
+
+struct SlipChances {  // where a move goes; in sum 1
+  double forward = 1, left = 0, right = 0, back = 0;
+  friend bool operator==(const SlipChances&, const SlipChances&) = default;
+};
+
+struct GridCell {
+  bool wall = false;
+  std::optional<Compass> one_way = {};
+  ltl::Letter label = {};
+};
+
+class GridWorld {
+ public:
+  static constexpr std::size_t max_cells = std::size_t{1} << 28U;
+  static constexpr std::size_t max_letters = 1U << 16U;
+
+  struct Shape {
+    std::uint32_t width = 0, height = 0;
+    std::array<SlipChances, 4> motion = {};     // by the direction that was meant
+    std::array<double, 4> cost = {1, 1, 1, 1};  // of a move
+  };
+  // Every cell has an index into `palette`: row by row. Throws std::invalid_argument naming the fault: sizes, chances that do
+  // not add up to 1, a start off the grid or in a wall.
+  GridWorld(const Shape& shape, const ltl::Vocabulary& vocabulary, const std::vector<GridCell>& palette,
+            const std::vector<std::uint16_t>& cells, std::uint32_t start);
+
+  std::uint32_t width() const { return shape_.width; }
+  std::uint32_t height() const { return shape_.height; }
+  const Shape& shape() const { return shape_; }
+  bool is_deterministic() const { return deterministic_; }
+  bool is_wall(std::uint32_t cell) const { return wall_[kind_[cell]]; }
+
+  std::size_t states() const { return open_.size(); }
+  std::uint32_t initial() const { return start_; }
+  LetterId initial_letter() const { return letter(start_); }
+  const Letters& letters() const { return letters_; }
+  std::uint32_t choices(std::uint32_t) const { return 4; }
+  double cost(std::uint32_t, std::uint32_t k) const { return shape_.cost[k]; }
+  std::string_view action(std::uint32_t, std::uint32_t k) const { return plan::name(all_compass[k]); }
+  std::string name(std::uint32_t s) const {
+    return std::to_string(s % shape_.width) + ',' + std::to_string(s / shape_.width);
+  }
+  LetterId letter(std::uint32_t cell) const { return kind_letter_[kind_[cell]]; }
+  // Where a move in that direction ends when it does not slip: the cell itself when it is barred.
+  std::uint32_t move(std::uint32_t cell, std::uint32_t direction) const {
+    return ((open_[cell] >> direction) & 1U) != 0 ? cell + step_[direction] : cell;
+  }
+
+  template <class Visit>  // visit(target, letter, probability); a target may come twice
+  void for_each_outcome(std::uint32_t s, std::uint32_t k, Visit&& visit) const {
+    const std::array<double, 4>& chance = chance_[k];  // by turn to the right: forward, right, back, left
+    for (std::uint32_t turn = 0; turn < 4; ++turn) {
+      if (chance[turn] == 0) continue;
+      const std::uint32_t target = move(s, (k + turn) % 4);
+      visit(target, letter(target), chance[turn]);
+    }
+  }
+  template <class Visit>  // visit(source): the cells with an outcome into s, each once
+  void for_each_predecessor(std::uint32_t s, Visit&& visit) const {
+    if ((open_[s] & 15U) != 15U) visit(s);  // some move is barred
+    for (std::uint32_t d = 0; d < 4; ++d)   // from the cell that lies behind a move in direction d
+      if (((open_[s] >> (4 + d)) & 1U) != 0) visit(s - step_[d]);
+  }
+
+ private:
+  void open_moves(const std::vector<GridCell>& palette);
+
+  Shape shape_;
+  bool deterministic_ = true;
+  std::uint32_t start_;
+  std::array<std::uint32_t, 4> step_;            // what a move adds to the number of a cell, modulo 2³²
+  std::array<std::array<double, 4>, 4> chance_;  // by direction meant, by turn to the right
+  Letters letters_;
+  std::vector<std::uint16_t> kind_;    // by cell: its place in the palette
+  std::vector<LetterId> kind_letter_;  // by place in the palette
+  std::vector<bool> wall_;
+  std::vector<std::uint8_t> open_;  // by cell: bit d, a move in direction d leads on; bit 4 + d, one leads in
+};
+
+}  // namespace waymark::plan

@@ -1,0 +1,36 @@
+// The distinct letters of a model, each with a small number: whatever reads letters tabulates by LetterId what it does
+// with each.
+#pragma once
+#include <compare>
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <utility>
+#include <vector>
+
+#include "libltl/vocabulary.hpp"
+#include "libltl/word.hpp"
+
+namespace waymark::plan {
+
+struct LetterId {
+  std::uint32_t index = 0;
+  friend auto operator<=>(const LetterId&, const LetterId&) = default;
+};
+
+class Letters {
+ public:
+  explicit Letters(ltl::Vocabulary vocabulary = {}) : vocabulary_(std::move(vocabulary)) {}
+
+  LetterId intern(const ltl::Letter& letter);
+  const ltl::Vocabulary& vocabulary() const { return vocabulary_; }
+  std::size_t size() const { return letters_.size(); }
+  const ltl::Letter& operator[](LetterId id) const { return letters_[id.index]; }
+
+ private:
+  ltl::Vocabulary vocabulary_;
+  std::vector<ltl::Letter> letters_;
+  std::map<std::vector<ltl::Proposition>, std::uint32_t> index_;
+};
+
+}  // namespace waymark::plan

@@ -1,0 +1,39 @@
+// Planning cases: a labelled map with tasks, in the JSON formats ltlgrid/1 and ltlmap/1 (docs/formats/planning-cases.md).
+#pragma once
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "libplan/model/grid_world.hpp"
+#include "libplan/model/mdp.hpp"
+
+namespace waymark::plan {
+
+struct CaseTask {
+  enum class Query : std::uint8_t {
+    MaxProbability,  // pmax
+    MinProbability,  // pmin
+    MinCost,         // rmin: least expected cost until the prefix is good
+    MinSteps,        // steps: least cost of a finite trace that satisfies the formula
+    MinCycle         // cycle: least cost of a closed walk
+  };
+  enum class Logic : std::uint8_t { Ltl, Ltlf, Pctl, Derived };
+  std::string id, formula;
+  Logic logic = Logic::Ltl;
+  Query query = Query::MaxProbability;
+};
+std::string_view name(CaseTask::Query query);  // "pmax", "pmin", "rmin", "steps", "cycle"
+
+struct PlanningCase {
+  std::string name;
+  std::variant<Mdp, GridWorld> model;
+  std::vector<CaseTask> tasks;
+};
+
+// Throws ltl::FormatError with line and column, naming the value: "rows[3]: expected 50 characters".
+PlanningCase parse_case(std::string_view json, std::string_view source = "");
+PlanningCase read_case(const std::filesystem::path& file);
+
+}  // namespace waymark::plan

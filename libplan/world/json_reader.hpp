@@ -1,0 +1,53 @@
+// Reading JSON documents of one shape: every complaint names the value, its line and its column.
+//
+// For the sources of readers only, since it brings the JSON library along. A path such as "nodes[3].x" says which value
+// is spoken of; where it stands is found when something is wrong with it (json_position.hpp). Keys that are not known
+// are left alone (documents may carry notes of their own) unless one looks like a slip of a known key that is missing.
+#pragma once
+#include <cstdint>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace waymark::plan {
+
+class JsonReader {  // text and source must outlive it
+ public:
+  using Value = nlohmann::json;
+  JsonReader(std::string_view text, std::string_view source) : text_(text), source_(source) {}
+
+  // All throw ltl::FormatError.
+  Value parse() const;
+  [[noreturn]] void fail(const std::string& path, const std::string& message) const;
+  void check_keys(const Value& object, const std::string& path, const std::vector<std::string>& known) const;
+  const Value& member(const Value& object, const std::string& path,
+                      const std::string& key) const;  // must be there
+  int integer(const Value& value, const std::string& path) const;
+  double number(const Value& value, const std::string& path) const;  // finite
+  std::string string(const Value& value, const std::string& path) const;
+
+  template <typename Visit>  // visit(value, path) for every value of the list under `key`
+  void each(const Value& object, const std::string& path, const std::string& key, Visit visit) const {
+    const std::string here = path.empty() ? key : path + "." + key;
+    const Value& list = member(object, path, key);
+    if (!list.is_array()) fail(here, "expected a list");
+    for (std::size_t i = 0; i < list.size(); ++i) visit(list[i], here + "[" + std::to_string(i) + "]");
+  }
+
+  // Runs a step that checks what was read; its complaint is reported at the value it was about.
+  template <typename Step>
+  void at(const std::string& path, Step step) const {
+    try {
+      step();
+    } catch (const std::invalid_argument& error) {
+      fail(path, error.what());
+    }
+  }
+
+ private:
+  std::string_view text_, source_;
+};
+
+}  // namespace waymark::plan
