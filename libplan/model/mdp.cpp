@@ -24,7 +24,7 @@ void Mdp::tabulate_predecessors() {
   for (std::uint32_t s = 0; s < states(); ++s) first_predecessor_[s + 1] += first_predecessor_[s];
   predecessors_.resize(first_predecessor_.back());
   std::vector<std::uint32_t> next(first_predecessor_.begin(), first_predecessor_.end() - 1);
-  for_each_pair([&](std::uint32_t source, State target) { predecessors_[next[target]++] = source; });
+  for_each_pair([&](std::uint32_t source, std::uint32_t target) { predecessors_[next[target]++] = source; });
 }
 
 MdpBuilder::MdpBuilder(ltl::Vocabulary vocabulary) { mdp_.letters_ = Letters(std::move(vocabulary)); }
