@@ -25,14 +25,15 @@ class Perceptron {
   Index outputs() const { return layers_.back().weight.rows; }
   Signals signals(Index batch) const;
 
-  // The outputs, which stay in `signals`. x has as many columns as the signals were made for.
+  // The outputs, which stay in `signals`. x has at most as many columns as the signals were made for; the columns
+  // behind them mean nothing.
   const Matrix& forward(const Parameters& parameters, const ConstView& x, Signals& signals) const;
   // After `forward` of the same x, with ∂outputs in signals.gradients.back(): adds to the gradients of the parameters.
   void backward(Parameters& parameters, const ConstView& x, Signals& signals) const;
   void backward(Parameters& parameters, const ConstView& x, Signals& signals, View dx) const;  // and ∂x
 
  private:
-  void backward_to_first(Parameters& parameters, Signals& signals) const;
+  void backward_to_first(Parameters& parameters, Index n, Signals& signals) const;
   std::vector<Dense> layers_;
 };
 
