@@ -22,7 +22,7 @@ class MotionReader {
     Motion motion;
     for (std::size_t i = 0; i < line.size(); ++i)
       motion.configurations.push_back(configuration(line[i], "motion[" + std::to_string(i) + "]"));
-    motion.radius = number(member(document, "radius"), "radius");
+    motion.robot = robot(document);
     return motion;
   }
 
@@ -41,9 +41,18 @@ class MotionReader {
     }
   }
 
-  const json& member(const json& document, const char* key) const {
+  Robot robot(const json& document) const {
+    if (!document.contains("car")) return Disc{number(member(document, "radius"), "radius")};
+    const json& car = document["car"];
+    const auto part = [&](const char* key) {
+      return number(member(car, key, "car"), std::string("car.") + key);
+    };
+    return Car{.length = part("length"), .width = part("width"), .turning_radius = part("turning_radius")};
+  }
+
+  const json& member(const json& document, const char* key, const char* path = "") const {
     if (!document.is_object() || !document.contains(key))
-      fail("", "expected an object with the key \"" + std::string(key) + "\"");
+      fail(path, "expected an object with the key \"" + std::string(key) + "\"");
     return document[key];
   }
 
