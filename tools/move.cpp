@@ -19,6 +19,7 @@
 #include "tools/shell/process.hpp"
 #include "tools/shell/robot_options.hpp"
 #include "tools/subcommand.hpp"
+#include "tools/tour.hpp"
 
 namespace waymark::tools {
 namespace {
@@ -27,7 +28,7 @@ struct Options {
   TextOptions text;
   NotationOptions notation;
   MapOptions map;
-  std::string start, route, svg;
+  std::string start, route, workspace, svg;
   RobotOptions robot;
   SearchOptions search;
   ShapeOptions shape;
@@ -182,13 +183,18 @@ ExitCode run_move(const Options& options, const Session& session) {
   if (text.arguments.empty() && text.file.empty() && !options.route.empty()) text.arguments = {"true"};
   TextReader texts(text, "formula");
   if (texts.is_batch()) throw UsageError("waymark move takes one formula, as an argument");
+  const Text formula_text = texts.next().value();
+  if (!options.workspace.empty())
+    return run_tour({formula_text, options.notation, options.workspace, options.start, options.robot,
+                     options.search, options.svg, options.json},
+                    session);
   StopWatch watch;
   const plan::Map map = read_map(options.map);
   const plan::Workspace workspace = workspace_of(map, options);
   const double load = watch.lap();
   ltl::Arena arena(map.vocabulary());
   const auto formula =
-      parse_formula(texts.next().value(), arena, parse_options(options.notation, ltl::Unknown::Reject));
+      parse_formula(formula_text, arena, parse_options(options.notation, ltl::Unknown::Reject));
   const automata::Dfa dfa = translate(formula, session.stop);
   const double translating = watch.lap();
   Moved moved{.answer = {.formula = formula, .journey = journey_of(options, map, dfa, formula, session)}};
@@ -216,6 +222,10 @@ Runner setup_move(CLI::App& command) {
   add_map_options(command, options->map);
   add_start_option(command, options->start);
   command.add_option("--route", options->route, "move along this route, not along the plan of the formula")
+      ->type_name("FILE");
+  command
+      .add_option("--workspace", options->workspace,
+                  "move through the polygons of this file, not on a map; --start is then a point of it")
       ->type_name("FILE");
   add_robot_options(command, options->robot);
   add_shape_options(command, options->shape);

@@ -1,6 +1,7 @@
 #include "libplan/motion/read_motion.hpp"
 
 #include <array>
+#include <charconv>
 #include <nlohmann/json.hpp>
 #include <string>
 
@@ -75,6 +76,26 @@ class MotionReader {
 
 Motion parse_motion(std::string_view json, std::string_view source) {
   return MotionReader(json, source).read();
+}
+
+Configuration parse_configuration(std::string_view text) {
+  std::array<double, 3> values{0, 0, 0};
+  const char *at = text.data(), *end = text.data() + text.size();
+  std::size_t count = 0;
+  bool goes_on = true;  // a number must follow
+  while (goes_on && count < values.size()) {
+    const auto [next, error] = std::from_chars(at, end, values.at(count));
+    if (error != std::errc{}) break;
+    ++count;
+    goes_on = next != end && *next == ',';
+    at = goes_on ? next + 1 : next;
+  }
+  const Configuration c{values[0], values[1], values[2]};
+  if (count < 2 || goes_on || at != end || !is_configuration(c))
+    throw ltl::FormatError(
+        "start", 0, 0,
+        "expected x,y or x,y,heading with 0 ≤ heading < 360, not \"" + std::string(text) + '"');
+  return c;
 }
 
 }  // namespace waymark::plan

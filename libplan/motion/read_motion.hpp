@@ -10,4 +10,7 @@ namespace waymark::plan {
 // Throws ltl::FormatError with line and column, naming the value: "motion[3][0]: expected a number".
 Motion parse_motion(std::string_view json, std::string_view source = "");
 
+// "x,y,heading", or "x,y": facing north. Throws ltl::FormatError.
+Configuration parse_configuration(std::string_view text);
+
 }  // namespace waymark::plan
