@@ -13,6 +13,7 @@
 #include "libltl/print.hpp"
 #include "libltl/semantics.hpp"
 #include "libltl/simplify.hpp"
+#include "libltl/trace_check.hpp"
 #include "libplan/solve/drop_conjuncts.hpp"
 #include "libplan/solve/product_search.hpp"
 #include "libplan/solve/tour.hpp"
@@ -124,13 +125,13 @@ class TaskSolver {
     answer_.value = {found->route->cost, found->route->cost};
   }
 
-  // By the definition, not by the automaton: the finite word satisfies f; of a good prefix, the word that stands still
-  // in its last letter does.
+  // By the definition, not by the automaton: the finite word satisfies f, and so, of a co-safe f, does all that begins
+  // with it. Of another good prefix the word that stands still in its last letter is tried.
   void certify(const ChoiceRoute& route, ltl::Formula f) const {
     const ltl::Trace word = word_of(model_, route);
-    const bool holds = task_.logic == Logic::Ltl
-                           ? ltl::holds(ltl::Lasso({word.begin(), word.end()}, {word[word.size() - 1]}), f)
-                           : ltl::holds(word, f);
+    const bool holds = is_finite(f)
+                           ? ltl::TraceCheck(f)(ltl::Columns(word, arena_.vocabulary().size()))
+                           : ltl::holds(ltl::Lasso({word.begin(), word.end()}, {word[word.size() - 1]}), f);
     if (!holds) throw std::logic_error("a route whose word does not satisfy " + ltl::print(f));
   }
 

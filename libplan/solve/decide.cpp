@@ -64,9 +64,10 @@ struct Won {
 template <class Product, class Good>
 StateSet join(const Product& product, const StateSet& from, Strategy& strategy, const Good& good) {
   StateSet joined = from;
-  std::vector<std::uint32_t> queue;
-  for (std::uint32_t i = 0; i < product.states(); ++i)
-    if (from[i]) queue.push_back(i);
+  std::vector<typename Product::Compact> queue;
+  product.for_each_state([&](const auto& s) {
+    if (from[s.index]) queue.push_back(product.compact(s));
+  });
   const auto look_at = [&](const typename Product::State& s) {
     double best = 0;
     for (std::uint32_t k = 0; k < product.choices(s); ++k) {
@@ -84,7 +85,7 @@ StateSet join(const Product& product, const StateSet& from, Strategy& strategy, 
     product.for_each_predecessor(product.state(queue[i]), [&](const auto& source) {
       if (joined[source.index] || !look_at(source)) return;
       joined[source.index] = true;
-      queue.push_back(source.index);
+      queue.push_back(product.compact(source));
     });
   return joined;
 }

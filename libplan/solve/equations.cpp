@@ -4,6 +4,9 @@
 #include <Eigen/SparseLU>
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <queue>
+#include <utility>
 
 namespace waymark::plan {
 
@@ -59,55 +62,91 @@ bool Equations::prove(double tolerance, std::uint64_t sweeps) {
   return false;
 }
 
+// Sweeps for a while; where that does not do, policies by linear solves; where these fail, sweeps to the end.
 std::optional<Equations::Solution> Equations::solve(const IterationLimits& limits) {
   first_choice_.push_back(choices());
   first_term_.push_back(static_cast<std::uint32_t>(unknown_.size()));
   x_.lower.assign(rows(), 0);
   x_.upper.assign(rows(), 0);
-  constexpr std::uint64_t patience = 100;  // sweeps; then factors are cheaper
-  bool factors = limits.linear_solves;
+  if (measure_ == Measure::MinCost) start_from_best_luck();
+  constexpr std::uint64_t patience = 100;  // sweeps
+  bool linear = measure_ != Measure::MinProbability && rows() <= factored;
   for (double fine = limits.tolerance / 16;; fine = fine < 1e-18 ? 0 : fine / 64) {
     const std::uint64_t before = x_.sweeps;
-    if (factors && measure_ != Measure::MinProbability) {
-      if (!iterate_policies(limits)) return std::nullopt;
-    } else {
-      while (++x_.sweeps, raise() > fine) {
-        if (x_.sweeps > limits.sweeps || limits.stop.stop_requested()) return std::nullopt;
-        factors = measure_ == Measure::MaxProbability && x_.sweeps > patience;
-        if (factors) break;
-      }
-      if (factors) continue;
+    bool settled = false;
+    while (!(linear && (limits.linear_solves || x_.sweeps >= patience))) {
+      if (x_.sweeps > limits.sweeps || limits.stop.stop_requested()) return std::nullopt;
+      ++x_.sweeps;
+      settled = raise() <= fine;
+      if (settled) break;
     }
-    if (prove(limits.tolerance, x_.sweeps - before + 64)) return std::move(x_);
+    if (!settled) {
+      if (iterate_policies(limits) && prove(limits.tolerance, most_tries)) return std::move(x_);
+      linear = false;
+      continue;
+    }
+    if (prove(limits.tolerance, x_.sweeps - before + most_tries)) return std::move(x_);
     if (fine == 0) return std::nullopt;
+  }
+}
+
+Equations::Sources Equations::sources() const {
+  Sources out{std::vector<std::uint32_t>(rows() + 1, 0), std::vector<std::uint32_t>(unknown_.size()),
+              std::vector<std::uint32_t>(choices())};
+  for (std::uint32_t i : unknown_) ++out.first[i + 1];
+  for (std::uint32_t i = 0; i < rows(); ++i) out.first[i + 1] += out.first[i];
+  std::vector<std::uint32_t> next(out.first.begin(), out.first.end() - 1);
+  for (std::uint32_t i = 0; i < rows(); ++i)
+    for (std::uint32_t c = first_choice_[i]; c < first_choice_[i + 1]; ++c) {
+      out.row_of[c] = i;
+      for (std::uint32_t t = first_term_[c]; t < first_term_[c + 1]; ++t) out.choice[next[unknown_[t]]++] = c;
+    }
+  return out;
+}
+
+// Costs if every choice came to what one would wish: the least way to anything known. It is no more than the value,
+// and its gradient points the way; from zero, values would rise by no more than a cost a sweep.
+void Equations::start_from_best_luck() {
+  const Sources into = sources();
+  using Entry = std::pair<double, std::uint32_t>;
+  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> heap;
+  x_.lower.assign(rows(), INFINITY);
+  const auto offer = [&](std::uint32_t row, double cost) {
+    if (!(cost < x_.lower[row])) return;
+    x_.lower[row] = cost;
+    heap.push({cost, row});
+  };
+  for (std::uint32_t c = 0; c < choices(); ++c)
+    if (least_known_[c] < INFINITY) offer(into.row_of[c], cost_[c] + least_known_[c]);
+  while (!heap.empty()) {
+    const auto [cost, i] = heap.top();
+    heap.pop();
+    if (cost > x_.lower[i]) continue;
+    for (std::uint32_t n = into.first[i]; n < into.first[i + 1]; ++n)
+      offer(into.row_of[into.choice[n]], cost + cost_[into.choice[n]]);
   }
 }
 
 // Rows that have something to gain at once, then rows with a choice that may lead to one of those, and so on.
 std::vector<std::uint32_t> Equations::progress() const {
   constexpr std::uint32_t none = UINT32_MAX;
-  std::vector<std::uint32_t> policy(rows(), none);
-  std::vector<std::vector<std::uint32_t>> sources(rows());  // (row, choice) as choice
-  std::vector<std::uint32_t> row_of(choices()), open;
+  const Sources into = sources();
+  std::vector<std::uint32_t> policy(rows(), none), open;
   for (std::uint32_t i = 0; i < rows(); ++i)
-    for (std::uint32_t c = first_choice_[i]; c < first_choice_[i + 1]; ++c) {
-      row_of[c] = i;
+    for (std::uint32_t c = first_choice_[i]; c < first_choice_[i + 1] && policy[i] == none; ++c) {
       double leads_on = 0;
-      for (std::uint32_t t = first_term_[c]; t < first_term_[c + 1]; ++t) {
-        sources[unknown_[t]].push_back(c);
-        leads_on += coefficient_[t];
-      }
-      if (policy[i] == none && leads_on < 1 - 1e-12) {
-        policy[i] = c;
-        open.push_back(i);
-      }
+      for (std::uint32_t t = first_term_[c]; t < first_term_[c + 1]; ++t) leads_on += coefficient_[t];
+      if (leads_on >= 1 - 1e-12) continue;
+      policy[i] = c;
+      open.push_back(i);
     }
   for (std::size_t n = 0; n < open.size(); ++n)
-    for (std::uint32_t c : sources[open[n]])
-      if (policy[row_of[c]] == none) {
-        policy[row_of[c]] = c;
-        open.push_back(row_of[c]);
-      }
+    for (std::uint32_t m = into.first[open[n]]; m < into.first[open[n] + 1]; ++m) {
+      const std::uint32_t c = into.choice[m];
+      if (policy[into.row_of[c]] != none) continue;
+      policy[into.row_of[c]] = c;
+      open.push_back(into.row_of[c]);
+    }
   return policy;
 }
 
@@ -122,7 +161,8 @@ std::vector<std::uint32_t> Equations::greedy() const {
   return policy;
 }
 
-// (I − P) x = constant, by sparse LU. False: singular, the policy goes round for ever.
+// (I − P) x = constant, by sparse LU. False: singular, the policy goes round for ever. (BiCGSTAB with incomplete factors,
+// tried for more rows than can be factored, stagnates on large grids and takes longer than sweeps do.)
 bool Equations::evaluate(const std::vector<std::uint32_t>& policy, std::vector<double>& x) const {
   std::vector<Eigen::Triplet<double>> entries;
   Eigen::VectorXd right(rows());
@@ -149,16 +189,17 @@ bool Equations::evaluate(const std::vector<std::uint32_t>& policy, std::vector<d
   return true;
 }
 
-// Lower bounds are the values of a policy that no single change of a choice betters.
+// The values of a policy that no single change of a choice betters, as lower bounds. Greatest probabilities are no less
+// than those of any policy. Least costs are: so what is taken is proved by a sweep that lowers nothing, and is a
+// billionth less where rounding keeps the values themselves from being proved. False: no such policy, or no proof.
 bool Equations::iterate_policies(const IterationLimits& limits) {
-  const bool warm = measure_ == Measure::MaxProbability && x_.sweeps > 0;
-  std::vector<std::uint32_t> policy = warm ? greedy() : progress();
-  std::vector<double> x;
+  std::vector<double> x = x_.lower;
+  std::vector<std::uint32_t> policy = x_.sweeps > 0 ? greedy() : progress();
   for (bool changed = true; changed; ++x_.sweeps) {
     if (limits.stop.stop_requested() || !evaluate(policy, x)) return false;
     changed = false;
     for (std::uint32_t i = 0; i < rows(); ++i) {
-      const double gain = 1e-12 * std::max(x[i], 1e-300);
+      const double gain = 1e-11 * std::max(x[i], 1e-300);
       double held = value(policy[i], x, Below);
       for (std::uint32_t c = first_choice_[i]; c < first_choice_[i + 1]; ++c) {
         const double offered = value(c, x, Below);
@@ -169,7 +210,20 @@ bool Equations::iterate_policies(const IterationLimits& limits) {
       }
     }
   }
-  x_.lower = std::move(x);
+  for (double less : {0.0, 1e-9}) {
+    std::vector<double> candidate = x;
+    for (double& v : candidate) v *= 1 - less;
+    if (measure_ == Measure::MaxProbability || lowers_nothing(candidate)) {
+      x_.lower = std::move(candidate);
+      return true;
+    }
+  }
+  return false;
+}
+
+bool Equations::lowers_nothing(const std::vector<double>& x) const {
+  for (std::uint32_t i = 0; i < rows(); ++i)
+    if (raises(best(i, x, Below), x[i])) return false;
   return true;
 }
 

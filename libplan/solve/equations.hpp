@@ -37,40 +37,55 @@ class Equations {
     unknown_.push_back(unknown);
     coefficient_.push_back(coefficient);
   }
-  void end_choice(double constant_below, double constant_above) {
-    constant_[0].push_back(constant_below);
-    constant_[1].push_back(constant_above);
+  // cost: what the choice costs by itself, part of the constants; least_known: the least value of what is known among
+  // its outcomes, ∞ when there is nothing.
+  struct Constants {
+    double below = 0, above = 0, cost = 0, least_known = 0;
+  };
+  void end_choice(const Constants& constants) {
+    constant_[0].push_back(constants.below);
+    constant_[1].push_back(constants.above);
+    if (measure_ != Measure::MinCost) return;
+    cost_.push_back(constants.cost);
+    least_known_.push_back(constants.least_known);
   }
 
   struct Solution {
     std::vector<double> lower, upper;  // by row
     std::uint64_t sweeps = 0;
   };
-  // Optimistic value iteration [HK20, Alg. 2]; greatest probabilities that are slow to settle, and everything when
-  // limits.linear_solves say so, by policy iteration with sparse LU factors [BT91, Prop. 2], the upper bound proved as
-  // before. nullopt: stopped, out of sweeps, or the bounds do not meet in doubles.
+  // Optimistic value iteration [HK20, Alg. 2]; what is slow to settle, and everything when limits.linear_solves say so,
+  // by policy iteration with sparse linear solves [BT91, Prop. 2], the upper bound proved as before. nullopt: stopped, out of sweeps, or the bounds do not meet in doubles.
   std::optional<Solution> solve(const IterationLimits& limits);
 
  private:
   enum Side : std::uint8_t { Below, Above };
+  static constexpr std::uint32_t factored = 20'000;  // rows up to which LU factors are made
+  static constexpr std::uint64_t most_tries = 64;    // sweeps for a proof, besides as many as went before
   std::uint32_t rows() const { return static_cast<std::uint32_t>(first_choice_.size()) - 1; }
   std::uint32_t choices() const { return static_cast<std::uint32_t>(first_term_.size()); }
   bool better(double a, double b) const { return measure_ == Measure::MaxProbability ? a > b : a < b; }
   double value(std::uint32_t choice, const std::vector<double>& x, Side side) const;
   double best(std::uint32_t row, const std::vector<double>& x, Side side) const;
+  void start_from_best_luck();
   double raise();
   bool close_from_above();
   void guess_above(double tolerance);
   bool prove(double tolerance, std::uint64_t sweeps);
 
+  struct Sources {  // by unknown: the choices that it is an outcome of
+    std::vector<std::uint32_t> first, choice, row_of;
+  };
+  Sources sources() const;
   std::vector<std::uint32_t> progress() const;  // a policy under which every row gets somewhere
   std::vector<std::uint32_t> greedy() const;
   bool evaluate(const std::vector<std::uint32_t>& policy, std::vector<double>& x) const;
   bool iterate_policies(const IterationLimits& limits);
+  bool lowers_nothing(const std::vector<double>& x) const;
 
   Measure measure_;
   std::vector<std::uint32_t> first_choice_, first_term_, unknown_;
-  std::vector<double> coefficient_, constant_[2];
+  std::vector<double> coefficient_, constant_[2], cost_, least_known_;  // the last two for costs only
   Solution x_;
 };
 

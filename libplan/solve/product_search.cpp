@@ -1,6 +1,7 @@
 #include "libplan/solve/product_search.hpp"
 
 #include <algorithm>
+#include <deque>
 #include <queue>
 #include <stdexcept>
 #include <unordered_map>
@@ -108,7 +109,7 @@ class BreadthFirst {
   const TaskTable& task_;
   std::uint64_t places_;
   std::vector<std::uint64_t> seen_;
-  std::vector<Met> met_;
+  std::deque<Met> met_;  // never copied to grow
   std::uint32_t goal_ = nothing;
 };
 

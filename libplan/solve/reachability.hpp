@@ -5,6 +5,7 @@
 // the first question, O(edges · rounds) for the second, where every round but the last removes states. [BK08, Sec. 10.6.1]
 #pragma once
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 namespace waymark::plan {
@@ -15,18 +16,20 @@ using StateSet = std::vector<bool>;
 template <class Product, class Usable>
 StateSet backward(const Product& product, const StateSet& targets, const Usable& usable) {
   StateSet reached = targets;
-  std::vector<std::uint32_t> open;
-  for (std::uint32_t i = 0; i < product.states(); ++i)
-    if (targets[i]) open.push_back(i);
+  std::vector<typename Product::Compact> open;
+  product.for_each_state([&](const auto& s) {
+    if (targets[s.index]) open.push_back(product.compact(s));
+  });
   while (!open.empty()) {
     const auto joined = product.state(open.back());
     open.pop_back();
     product.for_each_predecessor(joined, [&](const auto& source) {
       if (reached[source.index]) return;
-      for (std::uint32_t k = 0; k < product.choices(source); ++k) {
+      const std::uint32_t choices = product.choices(source);
+      for (std::uint32_t k = 0; k < choices; ++k) {
         if (!usable(source, k, reached)) continue;
         reached[source.index] = true;
-        open.push_back(source.index);
+        open.push_back(product.compact(source));
         return;
       }
     });
@@ -60,19 +63,57 @@ StateSet can_reach(const Product& product, const StateSet& targets) {
   });
 }
 
+// No choice leads out of the set: who can reach the targets then cannot but reach them in the end, if he tries.
+template <class Product>
+bool closed(const Product& product, const StateSet& set) {
+  bool out = true;
+  product.for_each_state([&](const auto& s) {
+    if (!out || !set[s.index]) return;
+    for (std::uint32_t k = 0; k < product.choices(s) && out; ++k) out = all_outcomes_in(product, s, k, set);
+  });
+  return out;
+}
+
+// Takes states out of the set that no choice keeps inside, until there are none; targets stay.
+template <class Product>
+void keep_safe(const Product& product, const StateSet& targets, StateSet& set) {
+  std::vector<typename Product::Compact> open;
+  const auto look_at = [&](const auto& s) {
+    if (!set[s.index] || targets[s.index]) return;
+    const std::uint32_t choices = product.choices(s);
+    for (std::uint32_t k = 0; k < choices; ++k)
+      if (all_outcomes_in(product, s, k, set)) return;
+    set[s.index] = false;
+    open.push_back(product.compact(s));
+  };
+  product.for_each_state(look_at);
+  while (!open.empty()) {
+    const auto removed = product.state(open.back());
+    open.pop_back();
+    product.for_each_predecessor(removed, look_at);
+  }
+}
+
 // Some strategy reaches them with probability 1: the greatest set from which they can be reached by choices that never
 // leave the set.
 template <class Product>
 StateSet almost_surely(const Product& product, const StateSet& targets) {
   StateSet inside = can_reach(product, targets);
-  while (true) {
+  while (!closed(product, inside)) {
+    keep_safe(product, targets, inside);
     StateSet next = backward(product, targets, [&](const auto& s, std::uint32_t k, const StateSet& reached) {
-      return inside[s.index] && all_outcomes_in(product, s, k, inside) &&
-             some_outcome_in(product, s, k, reached);
+      if (!inside[s.index]) return false;
+      bool all = true, some = false;
+      product.for_each_outcome(s, k, [&](std::uint32_t t, double, bool) {
+        all = all && t != Product::lost && inside[t];
+        some = some || (all && reached[t]);
+      });
+      return all && some;
     });
-    if (next == inside) return inside;
+    if (next == inside) break;
     inside = std::move(next);
   }
+  return inside;
 }
 
 }  // namespace waymark::plan

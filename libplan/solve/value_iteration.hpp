@@ -232,7 +232,8 @@ class ValueIteration {
   void add_choices(const State& s, Equations& equations) const {
     const std::uint32_t own = row_[s.index], choices = product_.choices(s);
     for (std::uint32_t k = 0; k < choices; ++k) {
-      double below = measure == Measure::MinCost ? product_.cost(s, k) : 0, above = below, stays = 0;
+      const double cost = measure == Measure::MinCost ? product_.cost(s, k) : 0;
+      double below = cost, above = cost, stays = 0, least_known = INFINITY;
       bool counts = true;
       product_.for_each_outcome(s, k, [&](std::uint32_t t, double p, bool) {
         if (t != Product::lost && row_[t] == own) {
@@ -241,6 +242,7 @@ class ValueIteration {
                    (is_probability(measure) || unknowns_.unknown[t] || unknowns_.targets[t])) {
           below += p * values_.lower[t];
           above += p * values_.upper[t];
+          least_known = std::min(least_known, values_.lower[t]);
         } else if (t == Product::lost || row_[t] == no_row) {
           counts = counts && is_probability(measure);
         }
@@ -253,7 +255,7 @@ class ValueIteration {
       product_.for_each_outcome(s, k, [&](std::uint32_t t, double p, bool) {
         if (t != Product::lost && row_[t] != no_row && row_[t] != own) equations.add_term(row_[t], p * scale);
       });
-      equations.end_choice(below * scale, above * scale);
+      equations.end_choice({below * scale, above * scale, cost * scale, least_known});
     }
   }
 
@@ -281,7 +283,7 @@ class ValueIteration {
   const Product& product_;
   const Unknowns& unknowns_;
   const IterationLimits& limits_;
-  static constexpr std::size_t written_out = std::size_t{1} << 17U;  // unknowns
+  static constexpr std::size_t written_out = std::size_t{1} << 20U;  // unknowns
   static constexpr std::uint32_t no_row = UINT32_MAX;
   Values values_;
   std::vector<std::uint32_t> row_;  // by state, of the block at hand
