@@ -33,9 +33,8 @@ constexpr std::size_t reduction_steps = 30'000'000;
 constexpr std::size_t least_steps = 100'000;    // of one attempt, when those before it have spent nearly all
 constexpr std::size_t guess_steps = 2'000'000;  // to find out whether a formula is an obligation
 constexpr std::size_t guess_states = 2'000;
-constexpr std::size_t worth_reducing =
-    8;  // a tableau with more states than so many times a product's is dropped
-constexpr std::size_t few_states = 50;        // … and this many more
+constexpr std::size_t worth_reducing = 3;     // a tableau with more states than so many times a product's
+constexpr std::size_t few_states = 50;        // … and this many more is dropped
 constexpr std::size_t merge_steps = 500'000;  // to find states of one language
 constexpr std::size_t merge_states = 200;
 constexpr std::size_t merged_languages = 60;  // states of deterministic automata whose languages are compared

@@ -69,7 +69,7 @@ class Simulation {
         effort_.step(choice.size());
         for (std::uint32_t r = 0; r < choice.size(); ++r)
           for (std::size_t i = 0; i < letters && q != r && below_[index(q, r)] != 0; ++i)
-            if (!covered(choice[q][i], choice[r][i])) {
+            if (choice[q][i] != choice[r][i] && !covered(choice[q][i], choice[r][i])) {
               below_[index(q, r)] = 0;
               changed = true;
             }
