@@ -33,8 +33,9 @@ constexpr std::size_t reduction_steps = 30'000'000;
 constexpr std::size_t least_steps = 100'000;    // of one attempt, when those before it have spent nearly all
 constexpr std::size_t guess_steps = 2'000'000;  // to find out whether a formula is an obligation
 constexpr std::size_t guess_states = 2'000;
-constexpr std::size_t worth_reducing = 3;     // a tableau with more states than so many times a product's
-constexpr std::size_t few_states = 50;        // … and this many more is dropped
+constexpr std::size_t worth_reducing = 8;     // a tableau with more states than so many times a product's
+constexpr std::size_t few_states = 50;        // … and this many more is dropped,
+constexpr std::size_t many_states = 300;      // … and one with so many that has not fewer than a product
 constexpr std::size_t merge_steps = 500'000;  // to find states of one language
 constexpr std::size_t merge_states = 200;
 constexpr std::size_t merged_languages = 60;  // states of deterministic automata whose languages are compared
@@ -59,7 +60,7 @@ class Construction {
 
   std::optional<Candidate> tgba() {
     std::optional<Candidate> best = products();
-    if (best) most_ = std::min(limits_.states, worth_reducing * best->automaton.states() + few_states);
+    if (best) most_ = worth_trying(best->automaton.states());
     best = smallest(std::move(best), direct(formula_));
     if (best && !best->weak && best->automaton.states() > 2) best = smallest(std::move(best), unseparated());
     return best;
@@ -95,6 +96,10 @@ class Construction {
   static std::vector<Formula> conjuncts(Formula f) {
     if (f.op() != ltl::Op::And) return {f};
     return {f.operands().begin(), f.operands().end()};
+  }
+  // How many states a tableau may have, when a product has so many.
+  std::size_t worth_trying(std::size_t states) const {
+    return std::min({limits_.states, worth_reducing * states + few_states, std::max(states, many_states)});
   }
   // The smaller one of two products.
   std::optional<Candidate> products() {
@@ -171,7 +176,7 @@ class Construction {
   // The tableau of the formula in which nothing was pulled out, where that makes a difference.
   std::optional<Candidate> unseparated() {
     if (forms_.plain == formula_) return std::nullopt;
-    const auto raw = raw_tableau(forms_.plain, guess_steps, guess_states);
+    const auto raw = raw_tableau(forms_.plain, guess_steps, std::min(guess_states, most_));
     if (!raw) return std::nullopt;
     routes_.push_back(reduced(merged(*raw), MarksOn::Edges));
     return routes_.back();

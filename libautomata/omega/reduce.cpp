@@ -18,6 +18,8 @@ std::vector<bool> colours(const Branching& automaton, MarksOn marks) {
   return out;
 }
 
+constexpr std::size_t many_states = 400;  // from here on what merges states most is enough
+
 class Steps {
  public:
   Steps(MarksOn marks, Effort& effort) : marks_(marks), effort_(effort) {}
@@ -28,6 +30,7 @@ class Steps {
     Simulations plain(automaton, effort_);
     if (auto out = smaller(automaton, plain.quotient())) return out;
     if (auto out = smaller(automaton, plain.reverse_quotient(colour))) return out;
+    if (automaton.states() > many_states) return std::nullopt;
     if (auto out = smaller(automaton, plain.without_overtaken())) return out;
     if (marks_ == MarksOn::States) return std::nullopt;
     const std::optional<Branching> freed = with_free_marks(automaton);
