@@ -269,7 +269,7 @@ Transitions disjoint_product(const Transitions& first, const Transitions& second
   return AllPairs(first, second, verdict, effort).run();
 }
 
-void merge_initial(Transitions& product) {
+void merge_initial(Transitions& product, Effort& effort) {
   const std::uint32_t initial = product.initial;
   if (comes_back(product)) return;
   for (std::uint32_t q = 0; q < product.roots.size(); ++q) {
@@ -277,7 +277,7 @@ void merge_initial(Transitions& product) {
         product.accepting[q] != product.accepting[initial])
       continue;
     product.initial = q;
-    product = canonical(product);
+    product = canonical(product, effort);
     return;
   }
 }

@@ -38,6 +38,6 @@ Transitions disjoint_product(const Transitions& first, const Transitions& second
 
 // In a product of two automata that are told apart at each length only the initial state may be equivalent to another
 // one. Then that becomes the initial one.
-void merge_initial(Transitions& product);
+void merge_initial(Transitions& product, Effort& effort);
 
 }  // namespace waymark::automata

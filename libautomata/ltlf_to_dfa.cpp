@@ -17,7 +17,8 @@ std::variant<Dfa, Exhausted> ltlf_to_dfa(Formula f, const TranslationLimits& lim
   Exhausted spent;
   try {
     const Transitions minimal = minimal_automaton(f, reads, {limits.states, limits.stop}, spent.states);
-    return as_dfa(canonical(minimal), f.arena().vocabulary(), reads);
+    Effort effort(SIZE_MAX, SIZE_MAX, limits.stop);
+    return as_dfa(canonical(minimal, effort), f.arena().vocabulary(), reads);
   } catch (const Effort::Spent&) {
     return spent;
   }

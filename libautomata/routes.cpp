@@ -171,7 +171,7 @@ Part disjoint_part(Part& a, Part& b, Verdict verdict, Effort& effort) {
     out.automaton = product(a.automaton, b.automaton, verdict, effort, alphabets);
   }
   if (common.told_apart) {
-    merge_initial(out.automaton);
+    merge_initial(out.automaton, effort);
     out.at_each_length = common;
   } else {
     out.automaton = minimize(out.automaton, effort);

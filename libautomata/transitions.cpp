@@ -9,12 +9,13 @@ namespace {
 // the way up, so both depend on the functions alone. Numbers are one to one: different nodes stay different.
 class CanonicalCopy {
  public:
-  explicit CanonicalCopy(const Transitions& from)
-      : from_(from), image_(from.diagram.size()), number_(from.roots.size(), unseen) {}
+  CanonicalCopy(const Transitions& from, Effort& effort)
+      : from_(from), effort_(effort), image_(from.diagram.size()), number_(from.roots.size(), unseen) {}
 
   Transitions run() && {
     state(from_.initial);
     for (std::size_t i = 0; i < order_.size(); ++i) {  // the order doubles as the queue
+      effort_.step();
       out_.roots.push_back(copy(from_.roots[order_[i]]));
       out_.accepting.push_back(from_.accepting[order_[i]]);
     }
@@ -40,6 +41,7 @@ class CanonicalCopy {
   }
 
   const Transitions& from_;
+  Effort& effort_;
   std::vector<Mtbdd::Node> image_;     // a terminal: not copied yet
   std::vector<std::uint32_t> number_;  // of a state, `unseen` before it is reached
   std::vector<std::uint32_t> order_;   // states by number
@@ -74,6 +76,8 @@ ReversedGraph::ReversedGraph(const TransitionGraph& graph) : begin_(graph.size()
     for (Vertex w : graph.successors(v)) sources_[fill[w]++] = v;
 }
 
-Transitions canonical(const Transitions& automaton) { return CanonicalCopy(automaton).run(); }
+Transitions canonical(const Transitions& automaton, Effort& effort) {
+  return CanonicalCopy(automaton, effort).run();
+}
 
 }  // namespace waymark::automata

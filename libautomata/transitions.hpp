@@ -10,6 +10,7 @@
 #include <span>
 #include <vector>
 
+#include "libautomata/effort.hpp"
 #include "libautomata/mtbdd.hpp"
 
 namespace waymark::automata {
@@ -61,7 +62,11 @@ class ReversedGraph {
 
 // The reachable states, numbered breadth first from the initial state, each state's targets in the order of its
 // diagram (false before true); nodes made afresh in that order, so equal automata over equal variables give equal
-// bytes. The initial state becomes 0. O(size).
-Transitions canonical(const Transitions& automaton);
+// bytes. The initial state becomes 0. O(size), one step of effort per state.
+Transitions canonical(const Transitions& automaton, Effort& effort);
+inline Transitions canonical(const Transitions& automaton) {
+  Effort unlimited;
+  return canonical(automaton, unlimited);
+}
 
 }  // namespace waymark::automata

@@ -14,11 +14,10 @@ Formula Implication::opposite(Formula f) {
 bool Implication::follows(Formula from, Formula to, std::size_t depth) {
   if (from == to || from.op() == Op::False || to.op() == Op::True) return true;
   if (depth == 0) return false;
-  const std::uint64_t key = std::uint64_t{from.id()} << 32U | to.id();
-  if (const auto it = known_.find(key); it != known_.end()) return it->second;
+  if (const bool* known = known_.find(from.id(), to.id())) return *known;
   const bool answer = by_junctions(from, to, depth - 1) || by_temporal(from, to, depth - 1) ||
                       by_expansion(from, to, depth - 1);
-  known_.emplace(key, answer);
+  known_.store(from.id(), to.id(), answer);
   return answer;
 }
 

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "libltl/formula.hpp"
+#include "libltl/pair_memo.hpp"
 
 namespace waymark::ltl {
 
@@ -34,7 +35,7 @@ class Implication {
   bool by_temporal(Formula from, Formula to, std::size_t depth);
   bool by_expansion(Formula from, Formula to, std::size_t depth);
 
-  std::unordered_map<std::uint64_t, bool> known_;  // by both ids
+  PairMemo<bool> known_;  // by both ids
   std::unordered_map<Formula, Formula> opposite_;
   Oracle oracle_;
 };

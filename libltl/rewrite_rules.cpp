@@ -61,14 +61,20 @@ Result constant_right(Formula f, Implication&) {
   return {};
 }
 
-// match:  φ U ψ with ¬ψ ⇒ φ, φ R ψ with φ ⇒ ¬ψ
-// result: F ψ, G ψ
-Result unguarded(Formula f, Implication& implies) {
-  if (is(f, Op::Until) && !is(f[0], Op::True) && implies(implies.opposite(f[1]), f[0]))
-    return eventually(f[1]);
-  if (is(f, Op::Release) && !is(f[0], Op::False) && implies(f[0], implies.opposite(f[1])))
-    return always(f[1]);
-  return {};
+// match:  (φ ∧ χ) U ψ with ¬ψ ⇒ φ, (φ ∨ χ) R ψ with φ ⇒ ¬ψ
+// result: χ U ψ, χ R ψ         (all of them: F ψ, G ψ)
+Result idle_on_the_left(Formula f, Implication& implies) {
+  const bool is_until = is(f, Op::Until),
+             ends = is_until ? is(f[0], Op::True) : is(f, Op::Release) && is(f[0], Op::False);
+  if ((!is_until && !is(f, Op::Release)) || ends) return {};
+  const Op junction = is_until ? Op::And : Op::Or;
+  std::vector<Formula> all{f[0]}, kept;
+  if (is(f[0], junction)) all.assign(f[0].operands().begin(), f[0].operands().end());
+  const Formula opposite = implies.opposite(f[1]);
+  for (Formula g : all)
+    if (is_until ? !implies(opposite, g) : !implies(g, opposite)) kept.push_back(g);
+  if (kept.size() == all.size()) return {};
+  return is_until ? until(conjunction(f.arena(), kept), f[1]) : release(disjunction(f.arena(), kept), f[1]);
 }
 
 // match:  φ U (ψ U χ) with φ ⇒ ψ, φ R (ψ R χ) with ψ ⇒ φ
@@ -310,7 +316,7 @@ constexpr RewriteRule rules[] = {
     {"constant on the right", constant_right, true, true},
     {"until by its right side", until_by_right, true, true},
     {"release by its right side", release_by_right, true, true},
-    {"unguarded", unguarded, true, true},
+    {"idle on the left", idle_on_the_left, true, true},
     {"absorbed on the left", absorbed_on_the_left, true, true},
     {"repeated on the left", repeated_on_the_left, true, true},
     {"guard under eventually", guard_under_eventually, true, true},

@@ -164,6 +164,22 @@ class Separation {
       made.out.push_back(temporal(op, left, join(wide, made.rest)));
       return join(wide, made.out);
     }
+    // match: φ U (φ ∧ e)   result: φ ∧ e
+    if (right.op() == narrow) {
+      const Split made = split(right, narrow, pure);
+      if (!made.out.empty() && join(narrow, made.rest) == left) return right;
+    }
+    // match: φ U ((ψ ∧ q) ∨ χ)   result: ((φ U ψ) ∧ q) ∨ (φ U χ)
+    if (Split made = split(right, wide,
+                           [&](Formula g) {
+                             const Split inner = split(g, narrow, mixed);
+                             return !inner.out.empty() && !inner.rest.empty();
+                           });
+        !made.out.empty() && made.out.size() + made.rest.size() > 1) {
+      for (Formula& g : made.out) g = temporal(op, left, g);
+      if (!made.rest.empty()) made.out.push_back(temporal(op, left, join(wide, made.rest)));
+      return join(wide, made.out);
+    }
     // match: φ U (ψ ∧ q)   result: (φ U ψ) ∧ q
     if (Split made = split(right, narrow, mixed); !made.out.empty() && !made.rest.empty()) {
       made.out.push_back(temporal(op, left, join(narrow, made.rest)));
@@ -181,6 +197,12 @@ class Separation {
     if (free) {
       if (const Formula found = recurring(is_until, right); found != right) return found;
       return distributed(is_until, right);
+    }
+    // match: u U ψ, u U (u ∧ ψ)   result: (u ∨ ψ) ∧ F ψ, u ∧ F ψ
+    if (is_until ? universal(left) : eventual(left)) {
+      const Split made = split(right, narrow, [&](Formula g) { return g == left; });
+      const Formula rest = join(narrow, made.rest), late = is_until ? eventually(rest) : always(rest);
+      return join(narrow, {made.out.empty() ? join(wide, {left, right}) : left, late});
     }
     // match: (φ ∧ q) U ψ   result: ψ ∨ (q ∧ (φ U ψ))
     if (Split made = split(left, narrow, mixed); !made.out.empty()) {

@@ -34,9 +34,9 @@ struct Candidate {
 };
 
 template <class Make>
-auto within(std::size_t steps, const std::stop_token& stop, const Make& make)
+auto within(std::size_t steps, const TranslationLimits& limits, const Make& make)
     -> std::optional<decltype(make(std::declval<Effort&>()))> {
-  Effort effort(steps, SIZE_MAX, stop);
+  Effort effort(steps, limits.states, limits.stop);
   try {
     return make(effort);
   } catch (const Effort::Spent& spent) {
@@ -51,22 +51,25 @@ bool smaller(const LimitDeterministic& a, const LimitDeterministic& b) {
 
 class Construction {
  public:
-  // parity(Min, Even, ·), deterministic.
-  Construction(const Branching& parity, std::stop_token stop)
-      : parity_(completed_parity(parity)), stop_(std::move(stop)), by_colours_(guess_colour(parity_, pool_)) {
+  // parity(Min, Even, ·), deterministic. Throws Spent when the pool has more states than the limit.
+  Construction(const Branching& parity, TranslationLimits limits)
+      : parity_(completed_parity(parity)),
+        limits_(std::move(limits)),
+        by_colours_(guess_colour(parity_, pool_)) {
+    if (too_large()) throw Effort::Spent{Effort::Spent::Reason::States};
     if (parity_.states() <= compared_states) best_ = compared(by_colours_);
     if (!best_) {
-      Effort effort(SIZE_MAX, SIZE_MAX, stop_);
+      Effort effort(SIZE_MAX, SIZE_MAX, limits_.stop);
       best_ = Candidate{hosted(parity_, pool_, by_colours_, false, effort), false};
     }
   }
   // Two more ways where the first one has something to guess: its guesses over a larger pool, and the theorem's.
   void try_the_theorem(ltl::Formula f, const std::vector<ltl::Proposition>& reads) {
     if (!best_->reduced || parity_.states() > compared_states || is_deterministic()) return;
-    auto guesses = within(theorem_steps, stop_, [&](Effort& effort) {
+    auto guesses = within(theorem_steps, limits_, [&](Effort& effort) {
       return guess_by_master_theorem(f, parity_, reads, pool_, effort);
     });
-    if (!guesses || !*guesses) return;
+    if (!guesses || !*guesses || too_large()) return;
     for (const std::vector<Guess>* from : {&by_colours_, &**guesses}) {
       std::optional<Candidate> made = compared(*from);
       if (made && smaller(made->ldba, best_->ldba)) best_ = std::move(made);
@@ -76,11 +79,12 @@ class Construction {
 
  private:
   std::optional<Candidate> compared(const std::vector<Guess>& guesses) const {
-    auto made = within(comparison_steps, stop_,
+    auto made = within(comparison_steps, limits_,
                        [&](Effort& effort) { return hosted(parity_, pool_, guesses, true, effort); });
     if (!made) return std::nullopt;
     return Candidate{*std::move(made), true};
   }
+  bool too_large() const { return pool_.automaton.states() > limits_.states; }
   bool is_deterministic() const {
     for (const auto& jumps : best_->ldba.jumps)
       if (!jumps.empty()) return false;
@@ -88,7 +92,7 @@ class Construction {
   }
 
   Branching parity_;
-  std::stop_token stop_;
+  TranslationLimits limits_;
   Pool pool_;
   std::vector<Guess> by_colours_;
   std::optional<Candidate> best_;
@@ -125,12 +129,12 @@ std::variant<TranslatedForMdps, Exhausted> ltl_to_ldba(ltl::Formula f, const Tra
   const ltl::Formula simple = ltl::simplify(f, ltl::Over::Infinite);
   const std::vector<ltl::Proposition> reads = together(ltl::propositions(simple), parity.automaton.reads());
   try {
-    Construction construction(min_even_parity(over(reads, parity.automaton)), limits.stop);
+    Construction construction(min_even_parity(over(reads, parity.automaton)), limits);
     construction.try_the_theorem(simple, reads);
     Candidate best = std::move(construction).best();
     return TranslatedForMdps{ProvedConstructions::made(std::move(best.ldba), f.arena().vocabulary(), reads),
                              best.reduced && parity.reduced};
-  } catch (const Effort::Spent&) {  // stopped
+  } catch (const Effort::Spent&) {  // stopped, or the pool is too large
     return Exhausted{parity.automaton.states()};
   }
 }
@@ -143,7 +147,7 @@ MdpSafe ltl_to_ldba(ltl::Formula f) {
 
 MdpSafe limit_deterministic(const Dpa& automaton) {
   const Automaton& parity = automaton.automaton();
-  Candidate made = Construction(min_even_parity(parity.transitions()), {}).best();
+  Candidate made = Construction(min_even_parity(parity.transitions()), {.states = SIZE_MAX}).best();
   return ProvedConstructions::made(std::move(made.ldba), parity.vocabulary(), parity.reads());
 }
 

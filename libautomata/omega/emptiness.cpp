@@ -1,5 +1,6 @@
 #include "libautomata/omega/emptiness.hpp"
 
+#include <algorithm>
 #include <utility>
 
 namespace waymark::automata {
@@ -58,21 +59,48 @@ bool component_accepts(const BranchGraph& graph, const std::vector<std::uint32_t
 
 BranchGraph::BranchGraph(const Branching& automaton) {
   ChoiceLists choices(automaton);
-  for (std::uint32_t q = 0; q < automaton.states(); ++q) states_.push_back(choices.branches(q));
+  for (; states_ < automaton.states(); ++states_) {
+    for (std::uint32_t c : choices.of(static_cast<std::uint32_t>(states_))) {
+      const auto choice = automaton.choices[c];
+      branches_.insert(branches_.end(), choice.begin(), choice.end());
+    }
+    const auto first = branches_.begin() + static_cast<std::ptrdiff_t>(begin_.back());
+    std::sort(first, branches_.end());
+    branches_.erase(std::unique(first, branches_.end()), branches_.end());
+    begin_.push_back(branches_.size());
+  }
+}
+
+void BranchGraph::add(std::uint32_t source, Branch branch) {
+  while (begin_.size() < source + std::size_t{2}) begin_.push_back(branches_.size());
+  branches_.insert(branches_.begin() + static_cast<std::ptrdiff_t>(begin_[source + 1]), branch);
+  for (std::size_t q = source + 1; q < begin_.size(); ++q) ++begin_[q];
 }
 
 LiveComponents live_components(const BranchGraph& graph, const Condition& condition) {
   LiveComponents out{components(graph), {}, std::vector<bool>(graph.size(), false)};
   const std::vector<std::uint32_t>& order = out.components.order;
-  for (std::size_t i = 0; i < order.size();) {  // successors first
-    std::vector<std::uint32_t> states;
-    const std::uint32_t name = out.components.of[order[i]];
-    for (; i < order.size() && out.components.of[order[i]] == name; ++i) states.push_back(order[i]);
-    const bool accepting = component_accepts(graph, states, condition);
-    bool live = accepting;
-    for (std::uint32_t q : states)
-      for (const Branch& b : graph.branches(q)) live = live || out.live[b.target];
-    for (std::uint32_t q : states) out.live[q] = live;
+  const std::vector<std::uint32_t>& of = out.components.of;
+  const bool without_fin = condition.fin_marks().empty();  // then the marks of all its branches decide
+  for (std::size_t i = 0; i < order.size();) {             // successors first
+    const std::size_t begin = i;
+    const std::uint32_t name = of[order[i]];
+    bool cyclic = false, live = false;
+    Marks met;
+    for (; i < order.size() && of[order[i]] == name; ++i)
+      for (const Branch& b : graph.branches(order[i])) {
+        live = live || out.live[b.target];
+        if (of[b.target] != name) continue;
+        cyclic = true;
+        met = met | b.marks;
+      }
+    const auto states = [&] {
+      return std::vector<std::uint32_t>(order.begin() + static_cast<std::ptrdiff_t>(begin),
+                                        order.begin() + static_cast<std::ptrdiff_t>(i));
+    };
+    const bool accepting =
+        cyclic && (condition.holds(met) || (!without_fin && component_accepts(graph, states(), condition)));
+    for (std::size_t j = begin; j < i; ++j) out.live[order[j]] = live || accepting;
     out.accepting.push_back(accepting);
   }
   return out;

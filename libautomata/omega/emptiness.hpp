@@ -31,7 +31,7 @@ class BranchGraph {
      private:
       const Branch* at_;
     };
-    explicit Targets(const std::vector<Branch>& branches) : branches_(branches) {}
+    explicit Targets(std::span<const Branch> branches) : branches_(branches) {}
     std::size_t size() const { return branches_.size(); }
     std::uint32_t operator[](std::size_t i) const { return branches_[i].target; }
     Iterator begin() const { return Iterator(branches_.data()); }
@@ -43,14 +43,20 @@ class BranchGraph {
 
   BranchGraph() = default;
   explicit BranchGraph(const Branching& automaton);
-  void add_state() { states_.emplace_back(); }
-  void add(std::uint32_t source, Branch branch) { states_[source].push_back(branch); }
-  std::size_t size() const { return states_.size(); }
-  const std::vector<Branch>& branches(std::uint32_t q) const { return states_[q]; }
-  Targets successors(std::uint32_t q) const { return Targets(states_[q]); }
+  void add_state() { ++states_; }
+  // O(1) as long as sources ascend, else O(size). The spans given out before are not valid any more.
+  void add(std::uint32_t source, Branch branch);
+  std::size_t size() const { return states_; }
+  std::span<const Branch> branches(std::uint32_t q) const {
+    if (q + std::size_t{1} >= begin_.size()) return {};
+    return {branches_.data() + begin_[q], begin_[q + 1] - begin_[q]};
+  }
+  Targets successors(std::uint32_t q) const { return Targets(branches(q)); }
 
  private:
-  std::vector<std::vector<Branch>> states_;
+  std::size_t states_ = 0;
+  std::vector<std::size_t> begin_{0};  // up to the last state that has branches, and the end of that one's
+  std::vector<Branch> branches_;
 };
 
 struct LiveComponents {

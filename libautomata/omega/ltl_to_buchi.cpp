@@ -33,6 +33,9 @@ constexpr std::size_t reduction_steps = 30'000'000;
 constexpr std::size_t least_steps = 100'000;    // of one attempt, when those before it have spent nearly all
 constexpr std::size_t guess_steps = 2'000'000;  // to find out whether a formula is an obligation
 constexpr std::size_t guess_states = 2'000;
+constexpr std::size_t worth_reducing = 8;     // a tableau with more states than so many times a product's
+constexpr std::size_t few_states = 50;        // … and this many more is dropped,
+constexpr std::size_t many_states = 300;      // … and one with so many that has not fewer than a product
 constexpr std::size_t merge_steps = 500'000;  // to find states of one language
 constexpr std::size_t merge_states = 200;
 constexpr std::size_t merged_languages = 60;  // states of deterministic automata whose languages are compared
@@ -52,28 +55,15 @@ class Construction {
         reads_(ltl::propositions(f)),
         forms_(prepared_forms(f, reads_, limits.stop)),
         formula_(forms_.separated),
+        stated_(ltl::nnf(f)),
         states_(states) {}
 
   std::optional<Candidate> tgba() {
-    std::optional<Candidate> best = direct(formula_);
+    std::optional<Candidate> best = products();
+    if (best) most_ = worth_trying(best->automaton.states());
+    best = smallest(std::move(best), direct(formula_));
     if (best && !best->weak && best->automaton.states() > 2) best = smallest(std::move(best), unseparated());
-    if (formula_.op() != ltl::Op::And || (best && best->automaton.states() <= 2)) return best;
-    std::vector<Formula> late, obligations, rest;
-    for (Formula g : formula_.operands()) {
-      const bool obligation = ltl::fragments(g, ltl::Semantics::Infinite).obligation;
-      (ltl::purity(g).both() ? late : obligation ? obligations : rest).push_back(g);
-    }
-    std::optional<Candidate> composed;
-    for (const std::vector<Formula>* part : {&obligations, &rest, &late}) {
-      if (part->empty()) continue;
-      if (part->size() == formula_.operands().size()) return best;
-      std::optional<Candidate> next = direct(conjunction(formula_.arena(), *part));
-      if (!next) return best;
-      composed = composed ? both(*composed, *next, part == &late) : std::move(next);
-      if (!composed) return best;
-    }
-    routes_.push_back(*composed);
-    return smallest(std::move(best), std::move(composed));
+    return best;
   }
 
   // From every automaton that a route gave: the smallest generalised one need not be the best to start from.
@@ -101,6 +91,57 @@ class Construction {
   static std::optional<Candidate> smallest(std::optional<Candidate> a, std::optional<Candidate> b) {
     if (!a || (b && smaller(b->automaton, a->automaton))) return b;
     return a;
+  }
+
+  static std::vector<Formula> conjuncts(Formula f) {
+    if (f.op() != ltl::Op::And) return {f};
+    return {f.operands().begin(), f.operands().end()};
+  }
+  // How many states a tableau may have, when a product has so many.
+  std::size_t worth_trying(std::size_t states) const {
+    return std::min({limits_.states, worth_reducing * states + few_states, std::max(states, many_states)});
+  }
+  // The smaller one of two products.
+  std::optional<Candidate> products() {
+    const std::vector<Formula> joined = conjuncts(formula_);
+    if (joined.size() < 2 && conjuncts(stated_).size() < 2) return std::nullopt;
+    const std::vector<Formula> stated = prepared_operands();
+    std::optional<Candidate> best = composed(joined);
+    if (best) routes_.push_back(*best);
+    if (stated == joined) return best;
+    std::optional<Candidate> other = composed(stated);
+    if (other) routes_.push_back(*other);
+    return smallest(std::move(best), std::move(other));
+  }
+  // The operands of the formula as it was stated, each made ready by itself: what simplification joins may be smaller
+  // as a product of small automata.
+  std::vector<Formula> prepared_operands() const {
+    std::vector<Formula> out;
+    for (Formula g : conjuncts(stated_))
+      for (Formula h : conjuncts(prepared_forms(g, reads_, limits_.stop).separated)) out.push_back(h);
+    std::sort(out.begin(), out.end());
+    out.erase(std::unique(out.begin(), out.end()), out.end());
+    return out;
+  }
+  // The product of the automata of the operands, reduced at every step: one for all obligations, one for each other
+  // operand, what only concerns the far end of the word last.
+  std::optional<Candidate> composed(const std::vector<Formula>& operands) {
+    std::vector<Formula> late, obligations, parts;
+    for (Formula g : operands) {
+      const bool obligation = ltl::fragments(g, ltl::Semantics::Infinite).obligation;
+      (ltl::purity(g).both() ? late : obligation ? obligations : parts).push_back(g);
+    }
+    if (!obligations.empty()) parts.insert(parts.begin(), conjunction(formula_.arena(), obligations));
+    if (!late.empty()) parts.push_back(conjunction(formula_.arena(), late));
+    if (parts.size() < 2) return std::nullopt;
+    std::optional<Candidate> product;
+    for (Formula g : parts) {
+      std::optional<Candidate> next = direct(g);
+      if (!next) return std::nullopt;
+      product = product ? both(*product, *next, ltl::purity(g).both()) : std::move(next);
+      if (!product) return std::nullopt;
+    }
+    return product;
   }
 
   // The smallest of some ways to count levels, until one needs no more states than `enough`.
@@ -135,7 +176,7 @@ class Construction {
   // The tableau of the formula in which nothing was pulled out, where that makes a difference.
   std::optional<Candidate> unseparated() {
     if (forms_.plain == formula_) return std::nullopt;
-    const auto raw = raw_tableau(forms_.plain, guess_steps, guess_states);
+    const auto raw = raw_tableau(forms_.plain, guess_steps, std::min(guess_states, most_));
     if (!raw) return std::nullopt;
     routes_.push_back(reduced(merged(*raw), MarksOn::Edges));
     return routes_.back();
@@ -143,12 +184,12 @@ class Construction {
   // The minimal weak automaton or the reduced tableau, whichever is smaller.
   std::optional<Candidate> direct(Formula f) {
     if (ltl::fragments(f, ltl::Semantics::Infinite).obligation) return obligation(f);
-    const auto raw = raw_tableau(f, tableau_steps, limits_.states);
+    const auto raw = raw_tableau(f, tableau_steps, most_);
     if (!raw) return std::nullopt;
     Candidate first = reduced(merged(*raw), MarksOn::Edges);
     std::optional<Candidate> second = fewer(deterministic(f, first.automaton)), third = fewer(recurring(f));
     if (is_deterministic(first.automaton)) second = smallest(std::move(second), fewer(first));
-    if (f == formula_) routes_ = {first};
+    if (f == formula_) routes_.push_back(first);
     if (f == formula_ && raw->automaton.acceptance.sets > 1 && raw->automaton.states() <= merge_states)
       routes_.push_back(as_promised(raw->automaton));
     if (f == formula_ && second) routes_.push_back(*second);
@@ -284,6 +325,8 @@ class Construction {
   std::vector<ltl::Proposition> reads_;
   Prepared forms_;
   Formula formula_;
+  Formula stated_;                     // before anything was done to it
+  std::size_t most_ = limits_.states;  // states of a tableau that is worth reducing
   std::size_t level_steps_ = reduction_steps;
   std::vector<Branching> counted_;  // automata with levels that were reduced already
   std::vector<Candidate> routes_;   // of the whole formula, where there is a choice

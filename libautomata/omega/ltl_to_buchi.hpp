@@ -1,8 +1,9 @@
 // LTL over infinite words → generalised Büchi automata with marks on edges, and Büchi automata with marks on states.
 //
-// Two routes, the smaller result is kept: the tableau, reduced; and the minimal weak deterministic automaton, when the
+// Three routes, the smallest result is kept: the tableau, reduced; the minimal weak deterministic automaton, when the
 // formula is an obligation by its syntax, or when that automaton turns out to have φ's language (its product with the
-// tableau of ¬φ, and its complement's with that of φ, are empty).
+// tableau of ¬φ, and its complement's with that of φ, are empty); and the product of the automata of a conjunction's
+// operands, reduced at every step, for the operands as they were stated and as rewriting left them.
 #pragma once
 #include <cstddef>
 #include <stop_token>

@@ -94,7 +94,7 @@ Dfa bad_prefixes(const Automaton& trimmed, Effort& effort) {
     subsets.roots.push_back(root);
     subsets.accepting.push_back(false);
   }
-  return as_dfa(canonical(subsets), trimmed.vocabulary(), trimmed.reads());
+  return as_dfa(canonical(subsets, effort), trimmed.vocabulary(), trimmed.reads());
 }
 
 Foresight Monitor::verdict(State q) const {

@@ -1,5 +1,9 @@
 #include "libautomata/omega/reduce.hpp"
 
+#include <array>
+#include <optional>
+#include <vector>
+
 #include "libautomata/omega/simulation.hpp"
 
 namespace waymark::automata {
@@ -14,20 +18,59 @@ std::vector<bool> colours(const Branching& automaton, MarksOn marks) {
   return out;
 }
 
+constexpr std::size_t many_states = 400;  // from here on what merges states most is enough
+
+class Steps {
+ public:
+  Steps(MarksOn marks, Effort& effort) : marks_(marks), effort_(effort) {}
+
+  // What the first step that makes the automaton smaller makes of it.
+  std::optional<Branching> improved(const Branching& automaton) {
+    const std::vector<bool> colour = colours(automaton, marks_);
+    Simulations plain(automaton, effort_);
+    if (auto out = smaller(automaton, plain.quotient())) return out;
+    if (auto out = smaller(automaton, plain.reverse_quotient(colour))) return out;
+    if (automaton.states() > many_states) return std::nullopt;
+    if (auto out = smaller(automaton, plain.without_overtaken())) return out;
+    if (marks_ == MarksOn::States) return std::nullopt;
+    const std::optional<Branching> freed = with_free_marks(automaton);
+    if (!freed) return std::nullopt;
+    Simulations free(*freed, effort_);
+    if (auto out = smaller(automaton, free.reverse_quotient(colour))) return out;
+    return smaller(automaton, free.quotient());
+  }
+
+ private:
+  // States, edges, and branches of choices: a branch may go on some letters and stay on others.
+  static std::array<std::size_t, 3> size(const Branching& a) {
+    ChoiceLists lists(a);
+    std::size_t branches = 0;
+    for (std::uint32_t q = 0; q < a.states(); ++q)
+      for (std::uint32_t c : lists.of(q)) branches += a.choices[c].size();
+    return {a.states(), count_edges(a), branches};
+  }
+  std::optional<Branching> smaller(const Branching& before, const Branching& after) const {
+    const auto most = size(before);
+    if (!(size(after) < most)) return std::nullopt;
+    Branching filtered = scc_filter(after, marks_, effort_);
+    if (!(size(filtered) < most)) return std::nullopt;
+    return filtered;
+  }
+
+  MarksOn marks_;
+  Effort& effort_;
+};
+
 }  // namespace
 
 Reduced reduce(Branching automaton, MarksOn marks, Effort& effort) {
-  const auto filter = [&](const Branching& a) { return scc_filter(a, marks, effort); };
+  Steps steps(marks, effort);
   Effort unlimited;  // trimmed in any case, in linear time
   automaton = scc_filter(automaton, marks, unlimited);
   try {
     automaton = bisimulation_quotient(automaton, effort);
-    while (true) {
-      const auto size = std::pair(automaton.states(), count_edges(automaton));
-      automaton = filter(simulation_quotient(automaton, effort));
-      automaton = filter(reverse_simulation_quotient(automaton, colours(automaton, marks), effort));
-      if (std::pair(automaton.states(), count_edges(automaton)) == size) return {std::move(automaton), true};
-    }
+    while (std::optional<Branching> better = steps.improved(automaton)) automaton = *std::move(better);
+    return {std::move(automaton), true};
   } catch (const Effort::Spent& spent) {
     if (spent.reason == Effort::Spent::Reason::Stopped) throw;
     return {std::move(automaton), false};

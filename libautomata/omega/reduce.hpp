@@ -1,4 +1,5 @@
-// Reduction of generalised Büchi automata: components and simulation in both directions, until nothing changes.
+// Reduction of generalised Büchi automata: components and simulation in both directions, until nothing changes. The
+// cheapest step that helps goes first: states are merged, then branches pruned, then both are tried with other marks.
 #pragma once
 #include "libautomata/effort.hpp"
 #include "libautomata/omega/branching.hpp"

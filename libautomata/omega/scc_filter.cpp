@@ -1,6 +1,7 @@
 #include "libautomata/omega/scc_filter.hpp"
 
 #include <algorithm>
+#include <numeric>
 #include <stdexcept>
 
 #include "libautomata/omega/emptiness.hpp"
@@ -154,6 +155,25 @@ Branching scc_filter(const Branching& automaton, MarksOn marks_on, Effort& effor
   });
   out.initial = number[reached.initial];
   out.acceptance = Acceptance::generalized_buchi(sets);
+  return out;
+}
+
+std::optional<Branching> with_free_marks(const Branching& automaton) {
+  const Components found = components(BranchGraph(automaton));
+  const Marks full = Marks::first(automaton.acceptance.sets);
+  std::vector<std::uint32_t> all(automaton.states());
+  std::iota(all.begin(), all.end(), 0U);
+  bool changed = false;
+  Branching out = rebuild(automaton, all, [&](std::uint32_t source, std::span<const Branch> choice) {
+    std::vector<Branch> branches(choice.begin(), choice.end());
+    for (Branch& b : branches) {
+      if (found.of[source] == found.of[b.target] || b.marks == full) continue;
+      b.marks = full;
+      changed = true;
+    }
+    return branches;
+  });
+  if (!changed) return std::nullopt;
   return out;
 }
 

@@ -5,6 +5,8 @@
 // branches with i are gone); then a set implied by another one is dropped, and the others are numbered afresh, so that
 // there are as many sets as the component that needs most. [BBDLF13, Sec. 3], the saturation is ours.
 #pragma once
+#include <optional>
+
 #include "libautomata/effort.hpp"
 #include "libautomata/omega/branching.hpp"
 
@@ -16,6 +18,10 @@ enum class MarksOn : std::uint8_t { Edges, States };  // States: all branches of
 // without branches. With marks on states sets stay as they are, and a state gets mark i when no cycle through it avoids
 // the states that have it.
 Branching scc_filter(const Branching& automaton, MarksOn marks, Effort& effort);
+
+// All marks on all branches that leave their component: a run takes such ones finitely often. scc_filter takes them off
+// again; in between, states may be equal that were not. nullopt where nothing changes.
+std::optional<Branching> with_free_marks(const Branching& automaton);
 
 // One state without branches.
 Branching nothing_accepted();

@@ -7,7 +7,7 @@
 #include <unordered_map>
 
 #include "libautomata/omega/emptiness.hpp"
-#include "libautomata/omega/pair_memo.hpp"
+#include "libltl/pair_memo.hpp"
 #include "libltl/random.hpp"
 
 namespace waymark::automata {
@@ -69,7 +69,7 @@ class Simulation {
         effort_.step(choice.size());
         for (std::uint32_t r = 0; r < choice.size(); ++r)
           for (std::size_t i = 0; i < letters && q != r && below_[index(q, r)] != 0; ++i)
-            if (!covered(choice[q][i], choice[r][i])) {
+            if (choice[q][i] != choice[r][i] && !covered(choice[q][i], choice[r][i])) {
               below_[index(q, r)] = 0;
               changed = true;
             }
@@ -120,7 +120,7 @@ class Simulation {
   const Branching& automaton_;
   Effort& effort_;
   std::vector<std::uint8_t> below_;  // [q · states + r]
-  PairMemo<Answer> known_;
+  ltl::PairMemo<Answer> known_;
   std::uint32_t rounds_ = 0;
 };
 
@@ -303,12 +303,6 @@ Quotient bisimulation(const Branching& automaton, Effort& effort) {
   }
 }
 
-Branching simulation_quotient(const Branching& automaton, Effort& effort) {
-  const Simulation below(automaton, effort);
-  Branching out = merged(automaton, below);
-  return out.states() == automaton.states() ? pruned(automaton, below) : out;
-}
-
 std::vector<std::vector<bool>> direct_simulation(const Branching& automaton, Effort& effort) {
   const Simulation below(automaton, effort);
   std::vector<std::vector<bool>> out(automaton.states(), std::vector<bool>(automaton.states()));
@@ -317,17 +311,66 @@ std::vector<std::vector<bool>> direct_simulation(const Branching& automaton, Eff
   return out;
 }
 
-Branching reverse_simulation_quotient(const Branching& automaton, const std::vector<bool>& colour,
-                                      Effort& effort) {
-  const Branching reversed = Reversal(automaton, effort).result();
-  const Simulation below(reversed, effort, automaton.initial);
-  std::vector<std::uint32_t> representative(automaton.states());
+struct Simulations::Relations {
+  std::optional<Simulation> forwards, backwards;
+  std::optional<Branching> reversed;
+};
+
+Simulations::Simulations(const Branching& automaton, Effort& effort)
+    : automaton_(automaton), effort_(effort), relations_(std::make_unique<Relations>()) {}
+Simulations::~Simulations() = default;
+
+const Simulations::Relations& Simulations::with_forwards() {
+  if (!relations_->forwards) relations_->forwards.emplace(automaton_, effort_);
+  return *relations_;
+}
+const Simulations::Relations& Simulations::with_backwards() {
+  if (relations_->backwards) return *relations_;
+  relations_->reversed = Reversal(automaton_, effort_).result();
+  relations_->backwards.emplace(*relations_->reversed, effort_, automaton_.initial);
+  return *relations_;
+}
+
+Branching Simulations::quotient() {
+  const Simulation& below = *with_forwards().forwards;
+  Branching out = merged(automaton_, below);
+  return out.states() == automaton_.states() ? pruned(automaton_, below) : out;
+}
+
+Branching Simulations::reverse_quotient(const std::vector<bool>& colour) {
+  const Simulation& below = *with_backwards().backwards;
+  std::vector<std::uint32_t> representative(automaton_.states());
   for (std::uint32_t q = 0; q < representative.size(); ++q) {
     representative[q] = q;
     for (std::uint32_t r = 0; r < q && representative[q] == q; ++r)
       if (colour[q] == colour[r] && below(q, r) && below(r, q)) representative[q] = r;
   }
-  return united(automaton, representative, effort);
+  return united(automaton_, representative, effort_);
+}
+
+Branching Simulations::without_overtaken() {
+  const Simulation &after = *with_forwards().forwards, &before = *with_backwards().backwards;
+  Branching out = automaton_;
+  const Mtbdd::Operation operation = out.diagram.operation();
+  const auto decide = [&](const std::array<Node, 2>& n) -> std::optional<Node> {
+    const Node none = Mtbdd::terminal(Choices::none);
+    effort_.step();
+    if (n[0] == none || n[1] == none) return n[0];
+    if (!Mtbdd::is_terminal(n[0]) || !Mtbdd::is_terminal(n[1])) return std::nullopt;
+    const auto mine = out.choices[Mtbdd::payload(n[0])], theirs = out.choices[Mtbdd::payload(n[1])];
+    std::vector<Branch> kept;
+    for (const Branch& b : mine)
+      if (std::none_of(theirs.begin(), theirs.end(), [&](const Branch& a) {
+            return a.marks.includes(b.marks) && after(b.target, a.target);
+          }))
+        kept.push_back(b);
+    return Mtbdd::terminal(out.choices.intern(std::move(kept)));
+  };
+  for (std::uint32_t p = 0; p < automaton_.states(); ++p)
+    for (std::uint32_t q = 0; q < automaton_.states(); ++q)
+      if (before(p, q) && !before(q, p))
+        out.roots[p] = out.diagram.apply(operation, std::array{out.roots[p], automaton_.roots[q]}, decide);
+  return out;
 }
 
 }  // namespace waymark::automata

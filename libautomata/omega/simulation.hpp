@@ -4,8 +4,9 @@
 // greatest such relation is found by pairwise comparison of diagrams with early exit, repeated until nothing changes;
 // no letter is listed. States that simulate each other are merged ([EWS05] has the proof for direct simulation), a
 // branch goes when its choice has a better one ([EH00] "little brothers"). Reverse simulation is the same on
-// reversed diagrams, the initial state related to itself only [SB00].
+// reversed diagrams, the initial state related to itself only [SB00]. Both together prune more than either [MC13].
 #pragma once
+#include <memory>
 #include <vector>
 
 #include "libautomata/effort.hpp"
@@ -24,13 +25,33 @@ inline Branching bisimulation_quotient(const Branching& automaton, Effort& effor
 }
 
 // Marks are read as "the more the better": generalised Büchi (or any condition without Fin).
-Branching simulation_quotient(const Branching& automaton, Effort& effort);
-
-// [q][r]: r simulates q, marks read as above.
+// [q][r]: r simulates q.
 std::vector<std::vector<bool>> direct_simulation(const Branching& automaton, Effort& effort);
 
-// colour[q]: states of different colours are not merged (those with and without mark, where marks belong to states).
-Branching reverse_simulation_quotient(const Branching& automaton, const std::vector<bool>& colour,
-                                      Effort& effort);
+// What the simulations of one automaton allow. A relation is found when it is first needed, and once.
+class Simulations {
+ public:
+  Simulations(const Branching& automaton, Effort& effort);  // both must stay
+  ~Simulations();
+  // States that simulate each other merged; where there are none, branches pruned.
+  Branching quotient();
+  // The same backwards. colour[q]: states of different colours are not merged (those with and without mark, where marks
+  // belong to states).
+  Branching reverse_quotient(const std::vector<bool>& colour);
+  // Branches (m, s) of p dropped, letter by letter, when a state p′ that is strictly above p in reverse simulation has a
+  // branch (m′, s′) with m ⊆ m′ and s ≤ s′: whatever run comes to p and goes on by the one, another comes to p′ and goes
+  // on by the other. All at once: put right from left to right, a run only ever climbs in reverse simulation at the
+  // leftmost position that changes, so each beginning is put right after finitely many steps.
+  Branching without_overtaken();
+
+ private:
+  struct Relations;
+  const Relations& with_forwards();
+  const Relations& with_backwards();
+
+  const Branching& automaton_;
+  Effort& effort_;
+  std::unique_ptr<Relations> relations_;
+};
 
 }  // namespace waymark::automata

@@ -122,7 +122,7 @@ class Construction {
   }
   // Distinct ones below a root.
   std::vector<std::uint32_t> all_leaves(Node root) {
-    visited_.clear();
+    ++round_;
     return leaves(root);
   }
 
@@ -140,13 +140,18 @@ class Construction {
   }
 
   std::vector<std::uint32_t> leaves(Node root) {
+    node_seen_.resize(diagram_.size(), 0);
+    choice_seen_.resize(choices_.size(), 0);
     std::vector<std::uint32_t> out;
     std::vector<Node> stack{root};
     while (!stack.empty()) {
       const Node n = stack.back();
       stack.pop_back();
-      if (!visited_.emplace(n.id, true).second) continue;  // below it everything is known
-      if (Mtbdd::is_terminal(n)) {
+      const bool terminal = Mtbdd::is_terminal(n);
+      std::uint32_t& seen = terminal ? choice_seen_[Mtbdd::payload(n)] : node_seen_[n.id];
+      if (seen == round_) continue;  // below it everything is known
+      seen = round_;
+      if (terminal) {
         out.push_back(Mtbdd::payload(n));
       } else {
         stack.push_back(diagram_.high(n));
@@ -309,7 +314,8 @@ class Construction {
   std::vector<Formula> meaning_;                                // of states
   std::unordered_map<std::uint32_t, std::uint32_t> number_;     // state of a root
   std::unordered_map<std::uint32_t, std::uint32_t> number_of_;  // … of a formula
-  std::unordered_map<std::uint32_t, bool> visited_;
+  std::uint32_t round_ = 1;
+  std::vector<std::uint32_t> node_seen_, choice_seen_;     // in which round
   std::vector<std::optional<std::vector<Branch>>> edges_;  // by state, where they were asked for
   std::vector<Verdict> verdict_;                           // by state
 };

@@ -138,12 +138,12 @@ TEST(Disjoint, ProductsAreMinimalAndThoseOfPairs) {
       const Transitions expected = canonical(minimize(product(a, b, verdict, unlimited), unlimited));
       const bool own_roots = of_a.own_roots && of_b.own_roots;
       Transitions pairs = product(a, b, verdict, unlimited, own_roots ? Alphabets::Disjoint : Alphabets::Any);
-      merge_initial(pairs);
+      merge_initial(pairs, unlimited);
       ASSERT_TRUE(same(canonical(pairs), expected)) << ltl::print(f) << "  and  " << ltl::print(g);
       shared_roots += own_roots ? 0 : 1;
       if (mixed || !own_roots || !of_a.reached || !of_b.reached) continue;
       Transitions copies = disjoint_product(a, b, verdict, unlimited);
-      merge_initial(copies);
+      merge_initial(copies, unlimited);
       ASSERT_TRUE(same(canonical(copies), expected)) << ltl::print(f) << "  and  " << ltl::print(g);
       const AtEachLength again = at_each_length(canonical(copies), unlimited);
       ASSERT_TRUE(again.told_apart && again.reached && again.own_roots)
@@ -162,7 +162,7 @@ TEST(Disjoint, TheInitialStateMayBeAnother) {
   Effort unlimited;
   Transitions made = disjoint_product(first, second, both, unlimited);
   const std::size_t before = made.roots.size();
-  merge_initial(made);
+  merge_initial(made, unlimited);
   EXPECT_EQ(before, 5U) << "the pairs, and the initial one to which no word comes back";
   EXPECT_EQ(made.roots.size(), 4U) << "which rejects as the pair of satisfied and waiting does";
 }

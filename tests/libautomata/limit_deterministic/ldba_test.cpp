@@ -228,6 +228,10 @@ TEST(LtlToLdba, GivesUpWithinItsLimits) {
   std::stop_source source;
   source.request_stop();
   EXPECT_TRUE(std::holds_alternative<Exhausted>(ltl_to_ldba(f, {.stop = source.get_token()})));
+  const Formula g =
+      ltl::parse("F G(a | X b) | G F(c & X d)", arena);  // one copy for each colour that is guessed
+  EXPECT_TRUE(std::holds_alternative<Translated>(ltl_to_parity(g, {.states = 7})));
+  EXPECT_TRUE(std::holds_alternative<Exhausted>(ltl_to_ldba(g, {.states = 7})));
 }
 
 }  // namespace

@@ -55,12 +55,28 @@ TEST_F(Reductions, BisimulationKeepsTheLanguage) {
 }
 TEST_F(Reductions, SimulationKeepsTheLanguage) {
   keep_the_language([&](const Branching& a) {
-    return simulation_quotient(simulation_quotient(a, effort_), effort_);  // merges, then prunes
+    const Branching merged = Simulations(a, effort_).quotient();
+    return Simulations(merged, effort_).quotient();  // pruned
   });
 }
 TEST_F(Reductions, ReverseSimulationKeepsTheLanguage) {
   keep_the_language([&](const Branching& a) {
-    return reverse_simulation_quotient(a, std::vector<bool>(a.states()), effort_);
+    return Simulations(a, effort_).reverse_quotient(std::vector<bool>(a.states()));
+  });
+}
+TEST_F(Reductions, DroppingWhatIsOvertakenKeepsTheLanguage) {
+  keep_the_language([&](const Branching& a) {
+    const Branching merged = Simulations(a, effort_).quotient();
+    return scc_filter(Simulations(merged, effort_).without_overtaken(), MarksOn::Edges, effort_);
+  });
+}
+TEST_F(Reductions, FreeMarksKeepTheLanguage) {
+  keep_the_language([&](const Branching& a) {
+    const Branching loose = with_free_marks(a).value_or(a);
+    const Branching forwards = Simulations(loose, effort_).quotient();
+    const Branching filtered = scc_filter(forwards, MarksOn::Edges, effort_);
+    const Branching freed = with_free_marks(filtered).value_or(filtered);
+    return Simulations(freed, effort_).reverse_quotient(std::vector<bool>(freed.states()));
   });
 }
 TEST_F(Reductions, ReduceKeepsTheLanguage) {
@@ -81,6 +97,27 @@ TEST_F(Reductions, DegeneralisedAndReducedKeepsTheLanguage) {
     const Branching general = reduce(a, MarksOn::Edges, effort_).automaton;
     return reduce(degeneralize(general, {.look_ahead = true}, effort_), MarksOn::States, effort_).automaton;
   });
+}
+
+Branching from_hoa(const char* text) { return read_omega_hoa(text).transitions(); }
+
+// No run needs to stay in 1: as long as it may, another one can wait in 2 and come over later.
+TEST_F(Reductions, ABranchGoesWhenAnotherRunIsAheadOfItOnBothSides) {
+  const Branching before =
+      from_hoa(R"(HOA: v1 States: 4 Start: 0 AP: 2 "a" "b" acc-name: Buchi Acceptance: 1 Inf(0)
+    --BODY-- State: 0 [0] 2 State: 1 [0&1] 1 {0} [1] 3 State: 2 [0] 2 {0} [0] 1 {0} State: 3 [t] 3 {0} --END--)");
+  const Branching after = Simulations(before, effort_).without_overtaken();
+  EXPECT_EQ(count_edges(before), 6U);
+  EXPECT_EQ(count_edges(after), 5U);  // 1 → 1 is overtaken by 2 → 1
+}
+
+// F(G a ∨ (a ∧ X F b)): the states of G a and X F b are reached by the same beginnings.
+TEST_F(Reductions, AMarkOnABranchThatLeavesItsComponentTellsNothingApart) {
+  const Branching before =
+      from_hoa(R"(HOA: v1 States: 5 Start: 0 AP: 2 "a" "b" acc-name: Buchi Acceptance: 1 Inf(0)
+    --BODY-- State: 0 [t] 0 [0] 1 [0] 2 State: 1 [t] 3 State: 2 [0] 1 [0] 2 {0} State: 3 [!1] 3 [1] 4
+    State: 4 [t] 4 {0} --END--)");
+  EXPECT_EQ(reduce(before, MarksOn::Edges, effort_).automaton.states(), 4U);
 }
 
 }  // namespace

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-namespace waymark::automata {
+namespace waymark::ltl {
 
 // (UINT32_MAX, UINT32_MAX) is no key.
 template <class Value>
@@ -50,4 +50,4 @@ class PairMemo {
   std::size_t used_ = 0;
 };
 
-}  // namespace waymark::automata
+}  // namespace waymark::ltl
