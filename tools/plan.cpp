@@ -8,6 +8,7 @@
 #include "libltl/print.hpp"
 #include "tools/answer.hpp"
 #include "tools/picture.hpp"
+#include "tools/plan_case.hpp"
 #include "tools/shell/batch.hpp"
 #include "tools/shell/options.hpp"
 #include "tools/shell/output.hpp"
@@ -22,6 +23,7 @@ struct Options {
   MapOptions map;
   std::string start, automaton, svg, hoa;
   bool json = false;
+  CaseChoice planning_case;
 };
 
 class Planning {
@@ -78,6 +80,13 @@ class Planning {
 };
 
 ExitCode run_plan(const Options& options, const Session& session) {
+  if (!options.planning_case.file.empty()) {
+    if (!options.text.arguments.empty() || !options.text.file.empty() || !options.automaton.empty())
+      throw UsageError("a planning case brings its own formulas");
+    CaseChoice choice = options.planning_case;
+    choice.json = options.json;
+    return plan_case(choice, session);
+  }
   if (!options.automaton.empty()) {
     if (!options.text.arguments.empty() || !options.text.file.empty())
       throw UsageError("give a formula or --automaton, not both");
@@ -109,6 +118,7 @@ Runner setup_plan(CLI::App& command) {
   command.add_flag("--json", options->json, "one JSON object a line");
   command.add_option("--svg", options->svg, "draw map, route and automaton")->type_name("FILE");
   command.add_option("--hoa", options->hoa, "write the automaton")->type_name("FILE");
+  add_case_options(command, options->planning_case);
   return [options](const Session& session) { return run_plan(*options, session); };
 }
 

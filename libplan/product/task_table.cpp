@@ -1,0 +1,121 @@
+#include "libplan/product/task_table.hpp"
+
+#include <algorithm>
+#include <map>
+#include <optional>
+
+#include "libautomata/scc.hpp"
+
+namespace waymark::plan {
+
+using automata::StateId;
+
+struct TaskTable::Unordered {
+  std::uint32_t initial = lost;
+  std::vector<std::vector<std::uint32_t>> steps, jumps;  // by state; steps by class
+  std::vector<bool> goal;
+};
+
+// The classes of the letters, and of each class a letter over the automaton's vocabulary.
+std::vector<ltl::Letter> TaskTable::classify(const Letters& letters, const ltl::Vocabulary& vocabulary,
+                                             const std::vector<ltl::Proposition>& reads) {
+  std::vector<std::optional<ltl::Proposition>> theirs;
+  for (ltl::Proposition p : reads) theirs.push_back(letters.vocabulary().find(vocabulary.name(p)));
+  std::map<std::vector<ltl::Proposition>, std::uint32_t> seen;
+  std::vector<ltl::Letter> representatives;
+  for (std::uint32_t i = 0; i < letters.size(); ++i) {
+    ltl::Letter ours;
+    for (std::size_t v = 0; v < reads.size(); ++v)
+      if (theirs[v] && letters[LetterId{i}].contains(*theirs[v])) ours.insert(reads[v]);
+    const auto [at, fresh] = seen.try_emplace(ours.members(), static_cast<std::uint32_t>(seen.size()));
+    if (fresh) representatives.push_back(ours);
+    class_.push_back(at->second);
+  }
+  classes_ = static_cast<std::uint32_t>(representatives.size());
+  return representatives;
+}
+
+TaskTable::TaskTable(const automata::Dfa& dfa, const Letters& letters) {
+  const std::vector<ltl::Letter> representatives = classify(letters, dfa.vocabulary(), dfa.reads());
+  Unordered out;
+  out.initial = dfa.is_trap(dfa.initial()) ? lost : dfa.initial().index;
+  out.jumps.resize(dfa.states());
+  for (std::uint32_t q = 0; q < dfa.states(); ++q) {
+    out.goal.push_back(dfa.is_accepting(StateId{q}));
+    std::vector<std::uint32_t>& row = out.steps.emplace_back();
+    for (const ltl::Letter& letter : representatives) {
+      const StateId target = out.goal[q] ? StateId{q} : dfa.next(StateId{q}, letter);
+      row.push_back(dfa.is_trap(target) ? lost : target.index);
+    }
+  }
+  adopt(out);
+}
+
+TaskTable::TaskTable(const automata::MdpSafe& automaton, const Letters& letters) {
+  const std::vector<ltl::Letter> representatives =
+      classify(letters, automaton.vocabulary(), automaton.reads());
+  Unordered out;
+  out.initial = automaton.initial().index;
+  out.goal.assign(automaton.states(), false);
+  for (std::uint32_t q = 0; q < automaton.states(); ++q) {
+    std::vector<std::uint32_t>& row = out.steps.emplace_back();
+    for (const ltl::Letter& letter : representatives) {
+      const auto step = automaton.next(StateId{q}, letter);
+      row.push_back(step ? step->target.index | (step->accepting ? marked : 0) : lost);
+    }
+    std::vector<std::uint32_t>& jumps = out.jumps.emplace_back();
+    for (StateId target : automaton.jumps(StateId{q})) jumps.push_back(target.index);
+  }
+  adopt(out);
+}
+
+TaskTable::Lists TaskTable::lists_of(const std::vector<std::vector<std::uint32_t>>& rows) {
+  Lists out;
+  out.first.push_back(0);
+  for (const auto& row : rows) {
+    out.values.insert(out.values.end(), row.begin(), row.end());
+    out.first.push_back(static_cast<std::uint32_t>(out.values.size()));
+  }
+  return out;
+}
+
+void TaskTable::adopt(const Unordered& unordered) {
+  struct Graph {
+    std::vector<std::vector<std::uint32_t>> targets;
+    std::size_t size() const { return targets.size(); }
+    const std::vector<std::uint32_t>& successors(std::uint32_t q) const { return targets[q]; }
+  };
+  const auto size = static_cast<std::uint32_t>(unordered.steps.size());
+  Graph graph{unordered.jumps};
+  for (std::uint32_t q = 0; q < size; ++q)
+    for (std::uint32_t step : unordered.steps[q])
+      if ((step & lost) != lost) graph.targets[q].push_back(step & lost);
+  const automata::Components found = automata::components(graph);
+  std::vector<std::uint32_t> number(size);
+  for (std::uint32_t i = 0; i < size; ++i) {
+    number[found.order[i]] = i;
+    if (i == 0 || found.of[found.order[i]] != found.of[found.order[i - 1]]) components_.push_back(i);
+  }
+  components_.push_back(size);
+  if (unordered.initial != lost) initial_ = number[unordered.initial];
+  std::vector<std::vector<std::uint32_t>> jumps(size), sources(size), jump_sources(size);
+  for (std::uint32_t i = 0; i < size; ++i) {
+    const std::uint32_t q = found.order[i];
+    goal_.push_back(unordered.goal[q]);
+    for (std::uint32_t step : unordered.steps[q]) {
+      const std::uint32_t target = step & lost;
+      steps_.push_back(target == lost ? lost : number[target] | (step & marked));
+      if (target != lost && (sources[number[target]].empty() || sources[number[target]].back() != i))
+        sources[number[target]].push_back(i);
+    }
+    for (std::uint32_t target : unordered.jumps[q]) {
+      jumps[i].push_back(number[target]);
+      jump_sources[number[target]].push_back(i);
+    }
+  }
+  jumps_ = lists_of(jumps);
+  sources_ = lists_of(sources);
+  jump_sources_ = lists_of(jump_sources);
+}
+
+}  // namespace waymark::plan

@@ -1,0 +1,66 @@
+// The task as one model drives it: the steps of an automaton on the letters that the model can append, flat.
+//
+// Letters that the automaton cannot tell apart form one class. States are renumbered so that strongly connected
+// components stand together and none leads to a higher one: solvers take them in ascending order. States from which
+// nothing is accepted are no states here, a step into one is `lost`. Propositions that the model does not know never hold.
+#pragma once
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "libautomata/dfa.hpp"
+#include "libautomata/limit_deterministic/ldba.hpp"
+#include "libplan/model/letters.hpp"
+
+namespace waymark::plan {
+
+class TaskTable {
+ public:
+  static constexpr std::uint32_t lost = UINT32_MAX >> 1U;
+  struct Step {
+    std::uint32_t target;  // or lost
+    bool marked;           // an accepting edge of a Büchi automaton
+  };
+
+  // A finite task: states that accept are goals, nothing is asked after them. O(states · classes · |reads|).
+  TaskTable(const automata::Dfa& dfa, const Letters& letters);
+  // An infinite task: edges are marked, and a run may jump.
+  TaskTable(const automata::MdpSafe& automaton, const Letters& letters);
+
+  std::uint32_t states() const { return static_cast<std::uint32_t>(goal_.size()); }
+  std::uint32_t initial() const { return initial_; }  // has read nothing; `lost` when nothing is accepted
+  bool is_goal(std::uint32_t q) const { return goal_[q]; }
+  Step next(std::uint32_t q, LetterId letter) const {
+    const std::uint32_t step = steps_[std::size_t{q} * classes_ + class_[letter.index]];
+    return {step & lost, (step & marked) != 0};
+  }
+  std::span<const std::uint32_t> jumps(std::uint32_t q) const { return list(jumps_, q); }
+  // States with a step into q; states with a jump to q.
+  std::span<const std::uint32_t> sources(std::uint32_t q) const { return list(sources_, q); }
+  std::span<const std::uint32_t> jump_sources(std::uint32_t q) const { return list(jump_sources_, q); }
+  // Components are [component(i), component(i + 1)); no step or jump leads to a higher one.
+  const std::vector<std::uint32_t>& components() const { return components_; }
+
+ private:
+  static constexpr std::uint32_t marked = lost + 1;
+  struct Lists {
+    std::vector<std::uint32_t> first, values;
+  };
+  struct Unordered;  // the same before it is renumbered
+  static std::span<const std::uint32_t> list(const Lists& lists, std::uint32_t q) {
+    return {lists.values.data() + lists.first[q], lists.values.data() + lists.first[q + 1]};
+  }
+  std::vector<ltl::Letter> classify(const Letters& letters, const ltl::Vocabulary& vocabulary,
+                                    const std::vector<ltl::Proposition>& reads);
+  void adopt(const Unordered& unordered);
+  static Lists lists_of(const std::vector<std::vector<std::uint32_t>>& rows);
+
+  std::uint32_t initial_ = lost, classes_ = 0;
+  std::vector<std::uint32_t> class_;  // by letter
+  std::vector<std::uint32_t> steps_;  // by state and class: target, and whether it is marked
+  std::vector<bool> goal_;
+  Lists jumps_, sources_, jump_sources_;
+  std::vector<std::uint32_t> components_;
+};
+
+}  // namespace waymark::plan

@@ -1,0 +1,323 @@
+// A strategy must make progress: among choices that are worth the same, one that never arrives must not be taken. So it
+// is read off backwards from the targets: a state joins by a choice that is worth its value and has an outcome that has
+// joined before. What counts as the same worth is made no wider than it takes for every state to join.
+#include "libplan/solve/decide.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "libplan/solve/end_components.hpp"
+#include "libplan/solve/reachability.hpp"
+#include "libplan/solve/value_iteration.hpp"
+
+namespace waymark::plan {
+namespace {
+
+template <class Product>
+StateSet goals(const Product& product) {
+  StateSet out(product.states(), false);
+  product.for_each_state([&](const auto& s) { out[s.index] = product.is_goal(s); });
+  return out;
+}
+
+// Does the choice take a marked edge and stay in its end component?
+template <class Product>
+bool meets_mark(const Product& product, const typename Product::State& s, std::uint32_t k,
+                const EndComponents& components) {
+  bool mark = false;
+  product.for_each_outcome(s, k, [&](std::uint32_t, double, bool marked) { mark = mark || marked; });
+  return mark && stays(product, s, k, components);
+}
+
+// What is won once it is reached: goals, and end components in which a marked edge can be met for ever.
+template <class Product>
+struct Won {
+  explicit Won(const Product& product) : states(goals(product)) {
+    bool any_mark = false;
+    StateSet open(product.states());
+    product.for_each_state([&](const auto& s) {
+      open[s.index] = !states[s.index];
+      for (std::uint32_t k = 0; k < product.choices(s) && !any_mark; ++k)
+        product.for_each_outcome(s, k,
+                                 [&](std::uint32_t, double, bool marked) { any_mark = any_mark || marked; });
+    });
+    components.of.assign(product.states(), EndComponents::none);
+    if (!any_mark) return;
+    components = end_components(product, open, [](const auto&, std::uint32_t) { return true; });
+    std::vector<bool> accepting(components.count, false);
+    product.for_each_state([&](const auto& s) {
+      const std::uint32_t c = components.of[s.index];
+      if (c == EndComponents::none || accepting[c]) return;
+      for (std::uint32_t k = 0; k < product.choices(s); ++k)
+        if (meets_mark(product, s, k, components)) accepting[c] = true;
+    });
+    for (std::uint32_t i = 0; i < product.states(); ++i)
+      if (components.of[i] != EndComponents::none && accepting[components.of[i]]) states[i] = true;
+  }
+  StateSet states;
+  EndComponents components;
+};
+
+// Backwards from `from`, nearest first: a state joins by that choice among the `good` ones which most likely leads to
+// what has joined before it. (Some chance would do for arriving in the end; against the drift it may take for ever.)
+template <class Product, class Good>
+StateSet join(const Product& product, const StateSet& from, Strategy& strategy, const Good& good) {
+  StateSet joined = from;
+  std::vector<std::uint32_t> queue;
+  for (std::uint32_t i = 0; i < product.states(); ++i)
+    if (from[i]) queue.push_back(i);
+  const auto look_at = [&](const typename Product::State& s) {
+    double best = 0;
+    for (std::uint32_t k = 0; k < product.choices(s); ++k) {
+      double nearer = 0;
+      product.for_each_outcome(s, k, [&](std::uint32_t t, double p, bool) {
+        if (t != Product::lost && joined[t]) nearer += p;
+      });
+      if (nearer <= best || !good(s, k)) continue;
+      best = nearer;
+      strategy.choice[s.index] = k;
+    }
+    return best > 0;
+  };
+  for (std::size_t i = 0; i < queue.size(); ++i)
+    product.for_each_predecessor(product.state(queue[i]), [&](const auto& source) {
+      if (joined[source.index] || !look_at(source)) return;
+      joined[source.index] = true;
+      queue.push_back(source.index);
+    });
+  return joined;
+}
+
+// Inside the end components that are won: to a marked edge and through it, again and again.
+template <class Product>
+void play_for_ever(const Product& product, const Won<Product>& won, Strategy& strategy) {
+  StateSet at_mark(product.states(), false);
+  product.for_each_state([&](const auto& s) {
+    if (!won.states[s.index] || product.is_goal(s)) return;
+    for (std::uint32_t k = 0; k < product.choices(s) && !at_mark[s.index]; ++k)
+      if (meets_mark(product, s, k, won.components)) {
+        at_mark[s.index] = true;
+        strategy.choice[s.index] = k;
+      }
+  });
+  join(product, at_mark, strategy, [&](const auto& s, std::uint32_t k) {
+    return won.states[s.index] && stays(product, s, k, won.components);
+  });
+}
+
+template <Measure measure, class Product>
+double worth(const Product& product, const typename Product::State& s, std::uint32_t k,
+             const Unknowns& unknowns, const std::vector<double>& values) {
+  double sum = measure == Measure::MinCost ? product.cost(s, k) : 0;
+  product.for_each_outcome(s, k, [&](std::uint32_t t, double p, bool) {
+    if (t != Product::lost &&
+        (measure == Measure::MaxProbability || unknowns.unknown[t] || unknowns.targets[t]))
+      sum += p * values[t];
+    else if (measure == Measure::MinCost)
+      sum = INFINITY;
+  });
+  return sum;
+}
+
+// The choices of the unknown states: worth their value but for a little slack, and making progress. False: there are
+// states from which no such choice does.
+template <Measure measure, class Product>
+bool choose(const Product& product, const Unknowns& unknowns, const std::vector<double>& values, double slack,
+            Strategy& strategy) {
+  const StateSet joined = join(product, unknowns.targets, strategy, [&](const auto& s, std::uint32_t k) {
+    if (!unknowns.unknown[s.index]) return false;
+    const double value = values[s.index], offered = worth<measure>(product, s, k, unknowns, values);
+    return measure == Measure::MaxProbability ? offered >= value * (1 - slack)
+                                              : offered <= value * (1 + slack);
+  });
+  for (std::uint32_t i = 0; i < product.states(); ++i)
+    if (unknowns.unknown[i] && !joined[i]) return false;
+  return true;
+}
+
+// The choice of least probability, of every unknown state: any that attains it will do.
+template <class Product>
+void choose_least(const Product& product, const Unknowns& unknowns, const std::vector<double>& values,
+                  Strategy& strategy) {
+  product.for_each_state([&](const auto& s) {
+    double best = INFINITY;
+    for (std::uint32_t k = 0; k < product.choices(s); ++k) {
+      const double offered = worth<Measure::MaxProbability>(product, s, k, unknowns, values);
+      if (offered < best) strategy.choice[s.index] = k;
+      best = std::min(best, offered);
+    }
+  });
+}
+
+template <class Product>
+std::uint32_t first_of_best(const Product& product, const std::vector<double>& values, bool least) {
+  std::uint32_t best = product.starts().front();
+  for (std::uint32_t i : product.starts())
+    if (least ? values[i] < values[best] : values[i] > values[best]) best = i;
+  return best;
+}
+
+// Between which unknown states one moves at will (probabilities), or at will and for nothing (costs).
+template <Measure measure, class Product>
+EndComponents merged(const Product& product, const StateSet& unknown) {
+  return end_components(product, unknown, [&](const auto& s, std::uint32_t k) {
+    return measure == Measure::MaxProbability || product.cost(s, k) == 0;
+  });
+}
+
+template <Measure measure, class Product>
+Unknowns unknowns_of(const Product& product, const StateSet& targets) {
+  if (measure == Measure::MinProbability) {
+    Unknowns out{can_reach(product, targets), targets, {}};
+    for (std::uint32_t i = 0; i < product.states(); ++i)
+      if (targets[i]) out.unknown[i] = false;
+    return out;
+  }
+  const StateSet sure = almost_surely(product, targets);
+  Unknowns out;
+  out.targets = measure == Measure::MaxProbability ? sure : targets;
+  out.unknown = measure == Measure::MaxProbability ? can_reach(product, sure) : sure;
+  for (std::uint32_t i = 0; i < product.states(); ++i)
+    if (out.targets[i]) out.unknown[i] = false;
+  out.merged = merged<measure>(product, out.unknown);
+  return out;
+}
+
+// What the strategy is worth, from its start.
+template <Measure measure, class Product>
+std::optional<Bounds> evaluate(const Product& product, const Strategy& strategy, const DecisionLimits& limits,
+                               std::uint64_t sweeps) {
+  const MarkovChain chain(product, strategy);
+  const StateSet won = Won<MarkovChain>(chain).states;
+  const Unknowns unknowns = unknowns_of<measure>(chain, won);
+  if (measure == Measure::MinCost && !unknowns.unknown[0] && !unknowns.targets[0])
+    return Bounds{INFINITY, INFINITY};
+  const auto values =
+      ValueIteration<MarkovChain, measure>(
+          chain, unknowns, {.tolerance = limits.tolerance, .sweeps = sweeps, .stop = limits.stop})
+          .run();
+  if (!values) return std::nullopt;
+  return Bounds{values->lower[0], values->upper[0]};
+}
+
+// Does the strategy deliver what was claimed, up to the tolerance?
+template <Measure measure>
+bool delivers(const Decided& decided, double tolerance) {
+  const Bounds& claimed = decided.value;
+  const Bounds& found = decided.re_evaluated;
+  return measure == Measure::MaxProbability
+             ? found.lower >= claimed.lower - tolerance
+             : found.upper <= claimed.upper + tolerance * std::max(1.0, claimed.upper);
+}
+
+// What a strategy attains bounds the value too.
+template <Measure measure>
+void tighten(Decided& decided) {
+  if (measure == Measure::MaxProbability)
+    decided.value.lower =
+        std::max(decided.value.lower, std::min(decided.re_evaluated.lower, decided.value.upper));
+  else
+    decided.value.upper =
+        std::min(decided.value.upper, std::max(decided.re_evaluated.upper, decided.value.lower));
+}
+
+// The strategy of the unknown states. Slack costs at most so much in every step, but with too little of it the only way
+// on may be one that drift makes endless: so it is a strategy that was evaluated and found good that counts.
+template <Measure measure, class Product>
+bool choose_and_evaluate(const Product& product, const Unknowns& unknowns, const std::vector<double>& values,
+                         const DecisionLimits& limits, Decided& out) {
+  constexpr std::uint64_t sweeps = 20'000;
+  for (double slack : {1e-10, 1e-12, 1e-14, 1e-15, 1e-8, 1e-7, 1e-6, 1e-5}) {
+    if (!choose<measure>(product, unknowns, values, slack, out.strategy)) continue;
+    const auto found = evaluate<measure>(product, out.strategy, limits, sweeps);
+    if (limits.stop.stop_requested()) return false;
+    if (!found) continue;
+    out.re_evaluated = *found;
+    if (!delivers<measure>(out, limits.tolerance)) continue;
+    tighten<measure>(out);
+    return true;
+  }
+  return false;
+}
+
+template <Measure measure, class Product>
+std::optional<Decided> decide(const Product& product, const Won<Product>& won, const DecisionLimits& limits) {
+  const Unknowns unknowns = unknowns_of<measure>(product, won.states);
+  const auto values = ValueIteration<Product, measure>(product, unknowns,
+                                                       {.tolerance = limits.tolerance, .stop = limits.stop})
+                          .run();
+  if (!values) return std::nullopt;
+  Decided out;
+  out.sweeps = values->sweeps;
+  out.strategy.choice.assign(product.states(), Strategy::none);
+  std::vector<double> lower = values->lower;
+  if (measure == Measure::MinCost)
+    for (std::uint32_t i = 0; i < product.states(); ++i)
+      if (!unknowns.unknown[i] && !unknowns.targets[i]) lower[i] = INFINITY;
+  out.strategy.start = first_of_best(product, lower, measure != Measure::MaxProbability);
+  out.value = {lower[out.strategy.start], values->upper[out.strategy.start]};
+  if (measure == Measure::MinCost && std::isinf(lower[out.strategy.start])) {
+    out.value = out.re_evaluated = {INFINITY, INFINITY};
+    return out;
+  }
+  if (measure == Measure::MinProbability) {
+    choose_least(product, unknowns, values->lower, out.strategy);
+    const auto found = evaluate<Measure::MaxProbability>(product, out.strategy, limits, UINT64_MAX);
+    if (!found) return std::nullopt;
+    out.re_evaluated = *found;
+    if (!delivers<measure>(out, limits.tolerance))
+      throw std::logic_error("a strategy that is not worth what was claimed");
+    return out;
+  }
+  play_for_ever(product, won, out.strategy);
+  if (measure == Measure::MaxProbability)  // almost surely: to what is won, never leaving what is sure
+    join(product, won.states, out.strategy, [&](const auto& s, std::uint32_t k) {
+      return unknowns.targets[s.index] && !won.states[s.index] &&
+             all_outcomes_in(product, s, k, unknowns.targets);
+    });
+  if (!choose_and_evaluate<measure>(product, unknowns, values->lower, limits, out)) return std::nullopt;
+  return out;
+}
+
+}  // namespace
+
+template <class Model>
+Chance chance(const ProductMdp<Model>& product) {
+  const StateSet won = Won<ProductMdp<Model>>(product).states;
+  const StateSet sure = almost_surely(product, won), some = can_reach(product, won);
+  const auto any = [&](const StateSet& set) {
+    return std::any_of(product.starts().begin(), product.starts().end(),
+                       [&](std::uint32_t i) { return set[i]; });
+  };
+  return any(sure) ? Chance::Sure : any(some) ? Chance::Some : Chance::None;
+}
+
+template <class Model>
+std::optional<Decided> least_probability(const ProductMdp<Model>& product, const DecisionLimits& limits) {
+  if (product.starts().empty()) return Decided{};
+  return decide<Measure::MinProbability>(product, Won<ProductMdp<Model>>(product), limits);
+}
+
+template <class Model>
+std::optional<Decided> greatest_probability(const ProductMdp<Model>& product, const DecisionLimits& limits) {
+  if (product.starts().empty()) return Decided{};
+  return decide<Measure::MaxProbability>(product, Won<ProductMdp<Model>>(product), limits);
+}
+
+template <class Model>
+std::optional<Decided> least_cost(const ProductMdp<Model>& product, const DecisionLimits& limits) {
+  if (product.starts().empty()) return Decided{{INFINITY, INFINITY}, {}, {INFINITY, INFINITY}, 0};
+  return decide<Measure::MinCost>(product, Won<ProductMdp<Model>>(product), limits);
+}
+
+template Chance chance(const ProductMdp<Mdp>&);
+template Chance chance(const ProductMdp<GridWorld>&);
+template std::optional<Decided> least_probability(const ProductMdp<Mdp>&, const DecisionLimits&);
+template std::optional<Decided> least_probability(const ProductMdp<GridWorld>&, const DecisionLimits&);
+template std::optional<Decided> greatest_probability(const ProductMdp<Mdp>&, const DecisionLimits&);
+template std::optional<Decided> greatest_probability(const ProductMdp<GridWorld>&, const DecisionLimits&);
+template std::optional<Decided> least_cost(const ProductMdp<Mdp>&, const DecisionLimits&);
+template std::optional<Decided> least_cost(const ProductMdp<GridWorld>&, const DecisionLimits&);
+
+}  // namespace waymark::plan

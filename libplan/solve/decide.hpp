@@ -1,0 +1,65 @@
+// The two questions asked of a product: the greatest probability with which a strategy satisfies the task, and the
+// least expected cost until it has. Answers carry proved bounds, the strategy, and what the strategy is worth when it
+// is evaluated as a Markov chain of its own.
+#pragma once
+#include <cstdint>
+#include <optional>
+#include <stop_token>
+
+#include "libplan/model/grid_world.hpp"
+#include "libplan/model/mdp.hpp"
+#include "libplan/product/product_mdp.hpp"
+#include "libplan/solve/markov_chain.hpp"
+
+namespace waymark::plan {
+
+struct Bounds {
+  double lower = 0, upper = 0;
+  double middle() const { return lower == upper ? lower : lower + (upper - lower) / 2; }
+};
+
+struct Decided {
+  Bounds value;
+  Strategy strategy;    // attains the value up to the tolerance
+  Bounds re_evaluated;  // of the strategy, by the Markov chain that it makes of the product
+  std::uint64_t sweeps = 0;
+};
+
+struct DecisionLimits {
+  double tolerance = 1e-6;        // proved: absolute for probabilities, relative for costs
+  bool policy_iteration = false;  // by linear solves from the start
+  std::stop_token stop = {};
+};
+
+// Is Pmax above 0, and is it 1? By the graph alone.
+enum class Chance : std::uint8_t { None, Some, Sure };
+template <class Model>
+Chance chance(const ProductMdp<Model>& product);
+
+// Pmax: the greatest probability of reaching a goal (finite tasks) or of meeting marked edges for ever (infinite ones;
+// that this is the probability of the formula is what MdpSafe stands for). [BK08, Thm. 10.56]
+// nullopt: stopped, bounds that doubles cannot bring together, or no strategy found that is worth the value when it is
+// evaluated.
+template <class Model>
+std::optional<Decided> greatest_probability(const ProductMdp<Model>& product,
+                                            const DecisionLimits& limits = {});
+
+// Pmin: the least probability of reaching a goal of a finite task. Of an infinite one it is 1 − Pmax of the negation.
+template <class Model>
+std::optional<Decided> least_probability(const ProductMdp<Model>& product, const DecisionLimits& limits = {});
+
+// Least expected cost until a goal is reached; infinite (lower = upper = ∞) unless some strategy reaches one almost surely.
+template <class Model>
+std::optional<Decided> least_cost(const ProductMdp<Model>& product, const DecisionLimits& limits = {});
+
+extern template Chance chance(const ProductMdp<Mdp>&);
+extern template Chance chance(const ProductMdp<GridWorld>&);
+extern template std::optional<Decided> greatest_probability(const ProductMdp<Mdp>&, const DecisionLimits&);
+extern template std::optional<Decided> greatest_probability(const ProductMdp<GridWorld>&,
+                                                            const DecisionLimits&);
+extern template std::optional<Decided> least_probability(const ProductMdp<Mdp>&, const DecisionLimits&);
+extern template std::optional<Decided> least_probability(const ProductMdp<GridWorld>&, const DecisionLimits&);
+extern template std::optional<Decided> least_cost(const ProductMdp<Mdp>&, const DecisionLimits&);
+extern template std::optional<Decided> least_cost(const ProductMdp<GridWorld>&, const DecisionLimits&);
+
+}  // namespace waymark::plan

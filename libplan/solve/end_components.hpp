@@ -1,0 +1,132 @@
+// Maximal end components: where a strategy can stay for ever, and move about as it likes. [BK08, Alg. 47]
+//
+// Components of the graph whose edges are the usable choices that stay within one component of the last round, until
+// nothing changes. A state that no usable choice keeps inside belongs to none. O(edges · rounds); 12 bytes a state.
+#pragma once
+#include <algorithm>
+#include <cstdint>
+#include <vector>
+
+#include "libplan/solve/reachability.hpp"
+
+namespace waymark::plan {
+
+struct EndComponents {
+  static constexpr std::uint32_t none = UINT32_MAX;
+  std::vector<std::uint32_t> of;  // by state
+  std::uint32_t count = 0;
+};
+
+// Does the choice stay in the component of its state, whatever comes of it?
+template <class Product>
+bool stays(const Product& product, const typename Product::State& s, std::uint32_t k,
+           const EndComponents& components) {
+  bool all = components.of[s.index] != EndComponents::none;
+  product.for_each_outcome(s, k, [&](std::uint32_t t, double, bool) {
+    all = all && t != Product::lost && components.of[t] == components.of[s.index];
+  });
+  return all;
+}
+
+namespace detail {
+
+// One round: the strongly connected components of the choices that stay. [Tar72], successors of open calls on one stack.
+template <class Product, class Usable>
+class Round {
+ public:
+  Round(const Product& product, const EndComponents& last, const Usable& usable)
+      : product_(product), last_(last), usable_(usable), low_(product.states(), unseen) {
+    next_.of.assign(product.states(), EndComponents::none);
+  }
+
+  EndComponents run() {
+    for (std::uint32_t i = 0; i < product_.states(); ++i)
+      if (last_.of[i] != EndComponents::none && low_[i] == unseen) search(i);
+    return std::move(next_);
+  }
+
+ private:
+  static constexpr std::uint32_t unseen = UINT32_MAX, closed = UINT32_MAX - 1;
+  struct Call {
+    std::uint32_t state, number;
+    std::size_t first;  // its successors are those of pending_ from here on
+    bool moves;         // has a choice that stays
+  };
+
+  void enter(std::uint32_t i) {
+    const auto s = product_.state(i);
+    calls_.push_back({i, visited_, pending_.size(), false});
+    low_[i] = visited_++;
+    open_.push_back(i);
+    for (std::uint32_t k = 0; k < product_.choices(s); ++k) {
+      if (!usable_(s, k) || !stays(product_, s, k, last_)) continue;
+      calls_.back().moves = true;
+      product_.for_each_outcome(s, k, [&](std::uint32_t t, double, bool) { pending_.push_back(t); });
+    }
+  }
+
+  void search(std::uint32_t root) {
+    enter(root);
+    while (!calls_.empty()) {
+      Call& call = calls_.back();
+      if (pending_.size() > call.first) {
+        const std::uint32_t t = pending_.back();
+        pending_.pop_back();
+        if (low_[t] == unseen)
+          enter(t);
+        else if (low_[t] != closed)
+          low_[call.state] = std::min(low_[call.state], low_[t]);
+        continue;
+      }
+      leave();
+    }
+  }
+
+  void leave() {
+    const Call call = calls_.back();
+    calls_.pop_back();
+    const std::uint32_t low = low_[call.state];
+    if (low < call.number) {
+      low_[calls_.back().state] = std::min(low_[calls_.back().state], low);
+      return;
+    }
+    const bool kept = call.moves;  // a component of one state without a choice that stays is none
+    for (std::uint32_t i = EndComponents::none; i != call.state;) {
+      i = open_.back();
+      open_.pop_back();
+      low_[i] = closed;
+      if (kept) next_.of[i] = next_.count;
+    }
+    if (kept) ++next_.count;
+  }
+
+  const Product& product_;
+  const EndComponents& last_;
+  const Usable& usable_;
+  EndComponents next_;
+  std::vector<std::uint32_t> low_, open_, pending_;
+  std::vector<Call> calls_;
+  std::uint32_t visited_ = 0;
+};
+
+}  // namespace detail
+
+// Within a set of states, by choices that are usable(state, choice).
+template <class Product, class Usable>
+EndComponents end_components(const Product& product, const StateSet& within, const Usable& usable) {
+  EndComponents found;
+  found.of.assign(product.states(), EndComponents::none);
+  for (std::uint32_t i = 0; i < product.states(); ++i)
+    if (within[i]) found.of[i] = 0;
+  std::uint32_t members = UINT32_MAX;
+  for (std::uint32_t components = UINT32_MAX;;) {
+    found = detail::Round(product, found, usable).run();
+    const auto still = static_cast<std::uint32_t>(std::count_if(
+        found.of.begin(), found.of.end(), [](std::uint32_t c) { return c != EndComponents::none; }));
+    if (found.count == components && still == members) return found;
+    components = found.count;
+    members = still;
+  }
+}
+
+}  // namespace waymark::plan

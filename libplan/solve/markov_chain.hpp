@@ -1,0 +1,99 @@
+// What a strategy makes of a product: a Markov chain, stored flat, with the public face of ProductMdp, so that the
+// same solvers evaluate a strategy without a word about choices.
+#pragma once
+#include <cstdint>
+#include <vector>
+
+#include "libplan/solve/end_components.hpp"
+
+namespace waymark::plan {
+
+// By state of the product: which choice is made. `none`: a goal, or a state that the strategy never meets.
+struct Strategy {
+  static constexpr std::uint32_t none = UINT32_MAX;
+  std::vector<std::uint32_t> choice;
+  std::uint32_t start = 0;  // in which of the product's starts it begins
+};
+
+class MarkovChain {
+ public:
+  struct State {
+    std::uint32_t index;
+  };
+  using Compact = State;
+  static constexpr std::uint32_t lost = UINT32_MAX;
+
+  // The states that the strategy meets from its start; the product has one. Where it makes no choice the chain stays, at no cost.
+  template <class Product>
+  MarkovChain(const Product& product, const Strategy& strategy) {
+    std::vector<std::uint32_t> number(product.states(), lost);
+    const auto meet = [&](std::uint32_t i) {
+      if (number[i] == lost) {
+        number[i] = static_cast<std::uint32_t>(origin_.size());
+        origin_.push_back(i);
+      }
+      return number[i];
+    };
+    meet(strategy.start);
+    for (std::uint32_t i = 0; i < origin_.size(); ++i) {
+      const auto s = product.state(origin_[i]);
+      const std::uint32_t choice = strategy.choice[s.index];
+      first_.push_back(static_cast<std::uint32_t>(outcomes_.size()));
+      goal_.push_back(product.is_goal(s));
+      cost_.push_back(choice == Strategy::none ? 0 : product.cost(s, choice));
+      if (choice == Strategy::none) {
+        outcomes_.push_back({i, 1, false});
+        continue;
+      }
+      product.for_each_outcome(s, choice, [&](std::uint32_t t, double p, bool marked) {
+        outcomes_.push_back({t == Product::lost ? lost : meet(t), p, marked});
+      });
+    }
+    finish();
+  }
+
+  std::uint32_t states() const { return static_cast<std::uint32_t>(origin_.size()); }
+  std::uint32_t origin(std::uint32_t i) const { return origin_[i]; }  // in the product; 0 is the start
+  State state(std::uint32_t i) const { return {i}; }
+  State state(State s) const { return s; }
+  State compact(State s) const { return s; }
+  bool is_path() const { return outcomes_.size() == origin_.size(); }  // nothing is left to chance
+  double path_cost() const;  // of a path, up to the first goal: it must have one
+  const std::vector<std::uint32_t>& blocks() const { return blocks_; }
+  bool is_goal(State s) const { return goal_[s.index]; }
+  std::uint32_t choices(State) const { return 1; }
+  double cost(State s, std::uint32_t) const { return cost_[s.index]; }
+  template <class Visit>
+  void for_each_state(std::uint32_t first, std::uint32_t last, Visit&& visit) const {
+    for (std::uint32_t i = first; i < last; ++i) visit(State{i});
+  }
+  template <class Visit>
+  void for_each_state(Visit&& visit) const {
+    for_each_state(0, states(), visit);
+  }
+  template <class Visit>
+  void for_each_outcome(State s, std::uint32_t, Visit&& visit) const {
+    for (std::uint32_t o = first_[s.index]; o < first_[s.index + 1]; ++o)
+      visit(outcomes_[o].target, outcomes_[o].probability, outcomes_[o].marked);
+  }
+  template <class Visit>
+  void for_each_predecessor(State s, Visit&& visit) const {
+    for (std::uint32_t i = first_source_[s.index]; i < first_source_[s.index + 1]; ++i)
+      visit(State{sources_[i]});
+  }
+
+ private:
+  struct Outcome {
+    std::uint32_t target;
+    double probability;
+    bool marked;
+  };
+  void finish();
+
+  std::vector<std::uint32_t> origin_, first_, first_source_, sources_, blocks_;
+  std::vector<Outcome> outcomes_;
+  std::vector<double> cost_;
+  std::vector<bool> goal_;
+};
+
+}  // namespace waymark::plan

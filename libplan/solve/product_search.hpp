@@ -1,0 +1,48 @@
+// Least-cost routes of a deterministic model to a goal of a finite task, found forwards without building the product.
+//
+// Breadth first when all costs are equal: twelve bytes a pair that was met, one bit a pair that could be. Otherwise
+// Dijkstra [Dij59] with a heap, thirty-two bytes a pair that was met. Among least-cost routes of breadth-first search
+// the one whose choices come first (docs/conventions.md 4).
+#pragma once
+#include <cstdint>
+#include <optional>
+#include <stop_token>
+#include <variant>
+#include <vector>
+
+#include "libplan/model/grid_world.hpp"
+#include "libplan/model/mdp.hpp"
+#include "libplan/product/task_table.hpp"
+
+namespace waymark::plan {
+
+struct ChoiceRoute {  // places and the choices between them
+  std::vector<std::uint32_t> places, choices;
+  double cost = 0;
+};
+struct SearchEffort {
+  std::uint64_t met = 0, edges = 0;  // pairs of place and task; edges looked at
+};
+struct SearchAnswer {
+  std::optional<ChoiceRoute> route;  // nullopt: proved that there is none
+  SearchEffort effort;
+};
+
+// nullopt: stopped, or more pairs met than the limit. Throws std::invalid_argument for a model that is not deterministic.
+template <class Model>
+std::optional<SearchAnswer> search(const Model& model, const TaskTable& task, std::size_t limit = SIZE_MAX,
+                                   const std::stop_token& stop = {});
+
+// The word of a route: the start's letter, then one for every choice. Throws std::logic_error when a choice does not lead
+// where the route says.
+template <class Model>
+ltl::Trace word_of(const Model& model, const ChoiceRoute& route);
+
+extern template std::optional<SearchAnswer> search(const Mdp&, const TaskTable&, std::size_t,
+                                                   const std::stop_token&);
+extern template std::optional<SearchAnswer> search(const GridWorld&, const TaskTable&, std::size_t,
+                                                   const std::stop_token&);
+extern template ltl::Trace word_of(const Mdp&, const ChoiceRoute&);
+extern template ltl::Trace word_of(const GridWorld&, const ChoiceRoute&);
+
+}  // namespace waymark::plan
