@@ -82,7 +82,11 @@ class Comparing {
     const ltl::Formula formula =
         parse_formula(text, arena, parse_options(options_.notation, ltl::Unknown::Reject));
     const automata::Dfa dfa = translate(formula, session_.stop);
-    const plan::LearningTask task(map_, dfa, formula, starts_, slip_, options_.protocol.discount);
+    const bool gltl = std::any_of(methods_.begin(), methods_.end(), [](const plan::Method& method) {
+      return std::holds_alternative<plan::GltlMethod>(method.how);
+    });
+    const plan::LearningTask task(map_, dfa, formula, starts_,
+                                  {.forward = slip_, .discount = options_.protocol.discount, .gltl = gltl});
     ComparedTask compared{formula, map_.name()};
     describe(compared, task, dfa);
     if (compared.optimum.probability > 0 && !compared.is_over) run_methods(compared, task);
@@ -150,7 +154,14 @@ class Comparing {
   }
 
   void run_methods(ComparedTask& compared, const plan::LearningTask& task) {
-    const std::size_t seeds = options_.protocol.seeds, jobs = methods_.size() * seeds;
+    std::vector<std::size_t> allowed;  // places in methods_
+    for (std::size_t i = 0; i < methods_.size(); ++i) {
+      if (task.allows(methods_[i]))
+        allowed.push_back(i);
+      else
+        complain("note", methods_[i].name + " is left out: it takes one start and few temporal operators");
+    }
+    const std::size_t seeds = options_.protocol.seeds, jobs = allowed.size() * seeds;
     std::vector<plan::LearningCurve> curves(jobs);
     std::vector<double> seconds(jobs);
     ProgressBar bar;
@@ -158,7 +169,7 @@ class Comparing {
         jobs, options_.threads, [&](double fraction, std::string_view what) { bar.show(fraction, what); },
         "learning",
         [&](std::size_t job, const parser::JobProgress& progress) {
-          const plan::Method& method = methods_[job / seeds];
+          const plan::Method& method = methods_[allowed[job / seeds]];
           StopWatch watch;
           curves[job] = task.run(method, training_of(method, job % seeds));
           seconds[job] = watch.lap();
@@ -166,15 +177,19 @@ class Comparing {
         });
     bar.wipe();
     if (session_.stop.stop_requested()) throw Interrupted();
-    for (std::size_t i = 0; i < methods_.size(); ++i) {
-      const std::span<const plan::LearningCurve> own{curves.data() + i * seeds, seeds};
-      std::vector<plan::Verdict> verdicts;
-      for (std::size_t k = 0; k < seeds; ++k)
-        verdicts.push_back(plan::judge(own[k], compared.optimum, seconds[i * seeds + k]));
-      compared.methods.push_back(
-          {methods_[i].name, plan::summarise(verdicts), plan::mean_curve(own, compared.optimum)});
-      verdicts_[i].insert(verdicts_[i].end(), verdicts.begin(), verdicts.end());
-    }
+    for (std::size_t k = 0; k < allowed.size(); ++k)
+      summarise(compared, allowed[k], {curves.data() + k * seeds, seeds},
+                {seconds.data() + k * seeds, seeds});
+  }
+
+  void summarise(ComparedTask& compared, std::size_t method, std::span<const plan::LearningCurve> curves,
+                 std::span<const double> seconds) {
+    std::vector<plan::Verdict> verdicts;
+    for (std::size_t k = 0; k < curves.size(); ++k)
+      verdicts.push_back(plan::judge(curves[k], compared.optimum, seconds[k]));
+    compared.methods.push_back(
+        {methods_[method].name, plan::summarise(verdicts), plan::mean_curve(curves, compared.optimum)});
+    verdicts_[method].insert(verdicts_[method].end(), verdicts.begin(), verdicts.end());
   }
 
   void draw(const ComparedTask& compared) const {
