@@ -31,14 +31,20 @@ struct Options {
   bool json = false;
 };
 
+constexpr std::array<std::string_view, 2> exact_methods{"search", "value-iteration"};
+
+bool is_named(const std::vector<std::string>& names, std::string_view method) {
+  return std::any_of(names.begin(), names.end(),
+                     [&](const std::string& name) { return name == method || name == "all"; });
+}
+
 std::vector<plan::Method> chosen_methods(const std::vector<std::string>& names) {
   std::vector<plan::Method> chosen;
   ltl::Vocabulary known;
+  for (const std::string_view exact : exact_methods) known.add(exact);
   for (const plan::Method& method : plan::learning_methods()) {
     known.add(method.name);
-    const bool named = std::find(names.begin(), names.end(), method.name) != names.end() ||
-                       std::find(names.begin(), names.end(), "all") != names.end();
-    if (names.empty() ? method.by_default : named) chosen.push_back(method);
+    if (names.empty() ? method.by_default : is_named(names, method.name)) chosen.push_back(method);
   }
   for (const std::string& name : names) {
     if (known.find(name) || name == "all") continue;
@@ -89,6 +95,7 @@ class Comparing {
                                   {.forward = slip_, .discount = options_.protocol.discount, .gltl = gltl});
     ComparedTask compared{formula, map_.name()};
     describe(compared, task, dfa);
+    if (compared.optimum.probability > 0) add_exact(compared);
     if (compared.optimum.probability > 0 && !compared.is_over) run_methods(compared, task);
     ++tasks_;
     if (options_.json)
@@ -101,6 +108,8 @@ class Comparing {
 
   void suite() const {
     std::vector<MethodRuns> pooled;
+    for (std::size_t i = 0; i < exact_methods.size(); ++i)
+      if (!exact_seconds_[i].empty()) pooled.push_back(exact(exact_methods[i], exact_seconds_[i]));
     for (std::size_t i = 0; i < methods_.size(); ++i)
       if (!verdicts_[i].empty()) pooled.push_back({methods_[i].name, plan::summarise(verdicts_[i]), {}});
     if (options_.json)
@@ -110,6 +119,25 @@ class Comparing {
   }
 
  private:
+  // What is exact needs no steps and has no spread; its cost is that of the optimum.
+  static MethodRuns exact(std::string_view name, const std::vector<double>& seconds) {
+    plan::Summary summary;
+    summary.success = summary.score = summary.cost_ratio = summary.optimal = {1, 1, 1};
+    summary.runs = seconds.size();
+    summary.seconds = plan::median(seconds);
+    return {std::string(name), summary, {}};
+  }
+
+  void add_exact(ComparedTask& compared) {
+    const auto add = [&](std::size_t i, double seconds) {
+      if (!options_.methods.empty() && !is_named(options_.methods, exact_methods[i])) return;
+      compared.methods.push_back(exact(exact_methods[i], {seconds}));
+      exact_seconds_[i].push_back(seconds);
+    };
+    if (compared.search) add(0, compared.search->seconds);
+    add(1, compared.seconds_of_optimum);
+  }
+
   void describe(ComparedTask& compared, const plan::LearningTask& task, const automata::Dfa& dfa) const {
     for (const plan::PoseId start : starts_) compared.starts.push_back(map_.pose(start));
     compared.automaton_states = dfa.states();
@@ -196,7 +224,7 @@ class Comparing {
     render::CurvePlot plot{ltl::print(compared.formula),
                            "map " + map_.name() + ", " + counted(options_.protocol.seeds, "seed") +
                                ", means with 95 % intervals, optimal cost " +
-                               shortest_text(compared.optimum.cost),
+                               shown_cost(compared.optimum.cost),
                            {}};
     for (const MethodRuns& method : compared.methods) {
       render::Curve curve{method.name, {}};
@@ -213,7 +241,8 @@ class Comparing {
   plan::SlipChances slip_;
   plan::Map map_;
   std::vector<plan::PoseId> starts_;
-  std::vector<std::vector<plan::Verdict>> verdicts_;  // by method, of all tasks
+  std::vector<std::vector<plan::Verdict>> verdicts_;                     // by method, of all tasks
+  std::array<std::vector<double>, exact_methods.size()> exact_seconds_;  // of all tasks
   std::size_t tasks_ = 0;
 };
 
@@ -234,7 +263,8 @@ ExitCode run_compare(const Options& options, const Session& session) {
 }
 
 std::string method_names() {
-  std::string text = "learners, separated by commas; all, or of:";
+  std::string text =
+      "separated by commas; all, or of:\n  search*: exact, where nothing slips\n  value-iteration*: exact";
   for (const plan::Method& method : plan::learning_methods())
     text += "\n  " + method.name + (method.by_default ? "*" : "") + ": " + method.summary;
   return text + "\n  (* when none is named)";

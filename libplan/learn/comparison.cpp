@@ -9,7 +9,7 @@ namespace waymark::plan {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr std::size_t replays = 16;  // of the tabular learners that replay, after every step
+constexpr std::size_t replays = 32;  // of the tabular learners that replay, after every step
 
 // The steps at the first checkpoint where `there` holds.
 template <class Predicate>
