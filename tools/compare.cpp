@@ -2,9 +2,11 @@
 #include <CLI/App.hpp>
 #include <algorithm>
 #include <array>
+#include <ctime>
 #include <iostream>
 #include <memory>
 #include <sstream>
+#include <thread>
 
 #include "libltl/print.hpp"
 #include "libparser/parallel.hpp"
@@ -27,7 +29,7 @@ struct Options {
   std::string start, svg, slip;
   std::vector<std::string> methods;
   Protocol protocol;
-  int threads = 1;
+  int threads = 0;  // one for each core
   bool json = false;
 };
 
@@ -70,6 +72,18 @@ plan::SlipChances slip_of(const std::string& text) {
   if (count < 2 || !in.eof() || !(forward > 0) || *std::min_element(chance.begin(), chance.end()) < 0)
     throw UsageError("--slip takes two or three chances that leave something for going forward");
   return {.forward = forward, .left = chance[0], .right = chance[1], .back = chance[2]};
+}
+
+// Processor time of this thread: what a run takes does not depend on what runs beside it.
+double thread_seconds() {
+  std::timespec now{};
+  ::clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+int threads_of(const Options& options) {
+  if (options.threads > 0) return options.threads;
+  return static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
 }
 
 class Comparing {
@@ -194,13 +208,13 @@ class Comparing {
     std::vector<double> seconds(jobs);
     ProgressBar bar;
     parser::run_jobs(
-        jobs, options_.threads, [&](double fraction, std::string_view what) { bar.show(fraction, what); },
+        jobs, threads_of(options_), [&](double fraction, std::string_view what) { bar.show(fraction, what); },
         "learning",
         [&](std::size_t job, const parser::JobProgress& progress) {
           const plan::Method& method = methods_[allowed[job / seeds]];
-          StopWatch watch;
+          const double begin = thread_seconds();
           curves[job] = task.run(method, training_of(method, job % seeds));
-          seconds[job] = watch.lap();
+          seconds[job] = thread_seconds() - begin;
           progress(1);
         });
     bar.wipe();
@@ -227,6 +241,7 @@ class Comparing {
                                shown_cost(compared.optimum.cost),
                            {}};
     for (const MethodRuns& method : compared.methods) {
+      if (method.curve.empty()) continue;  // exact
       render::Curve curve{method.name, {}};
       for (const plan::CurvePoint& p : method.curve)
         curve.points.push_back({static_cast<double>(p.steps), p.score.value, p.score.low, p.score.high});
@@ -298,9 +313,10 @@ Runner setup_compare(CLI::App& command) {
       ->capture_default_str();
   command.add_option("--slip", options->slip, "chances that FORWARD goes left, right, back instead")
       ->type_name("L,R[,B]");
-  command.add_option("--threads", options->threads, "runs at a time; no influence on what they learn")
-      ->check(CLI::Range(1, 1024))
-      ->capture_default_str();
+  command
+      .add_option("--threads", options->threads,
+                  "runs at a time (else one for each core); no influence on what they learn")
+      ->check(CLI::Range(1, 1024));
   command.add_flag("--json", options->json, "one JSON object a line");
   command.add_option("--svg", options->svg, "draw the learning curves")->type_name("FILE");
   return [options](const Session& session) { return run_compare(*options, session); };
