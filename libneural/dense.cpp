@@ -13,12 +13,12 @@ Dense add_dense(Parameters& parameters, Index inputs, Index outputs, const Unifo
 void forward(const Parameters& parameters, const Dense& layer, const ConstView& x, View y) {
   assert(x.rows() == layer.weight.columns && y.rows() == layer.weight.rows && x.cols() == y.cols());
   y.colwise() = parameters.value(layer.bias).col(0);
-  y.noalias() += parameters.value(layer.weight) * x;
+  add_product(parameters.value(layer.weight), x, y);
 }
 
 void backward(Parameters& parameters, const Dense& layer, const ConstView& x, const ConstView& dy) {
   assert(x.rows() == layer.weight.columns && dy.rows() == layer.weight.rows && x.cols() == dy.cols());
-  parameters.gradient(layer.weight).noalias() += dy * x.transpose();
+  add_product_transposed(dy, x, parameters.gradient(layer.weight));
   parameters.gradient(layer.bias).col(0) += dy.rowwise().sum();
 }
 
@@ -26,11 +26,19 @@ void backward(Parameters& parameters, const Dense& layer, const ConstView& x, co
   assert(dx.rows() == x.rows() && dx.cols() == x.cols());
   backward(parameters, layer, x, dy);
   const Parameters& constant = parameters;
-  dx.noalias() = constant.value(layer.weight).transpose() * dy;
+  dx.setZero();
+  add_transposed_product(constant.value(layer.weight), dy, dx);
 }
 
 void relu(View y) { y = y.cwiseMax(0.0F); }
 
-void relu_backward(const ConstView& y, View dy) { dy.array() = (y.array() > 0.0F).select(dy.array(), 0.0F); }
+void relu_backward(const ConstView& y, View dy) {
+  for (Index j = 0; j < dy.cols();
+       ++j) {  // plain loops: compilers turn them into masks, Eigen's select stays scalar
+    const float* kept = y.data() + j * y.outerStride();
+    float* gradient = dy.data() + j * dy.outerStride();
+    for (Index i = 0; i < dy.rows(); ++i) gradient[i] = kept[i] > 0.0F ? gradient[i] : 0.0F;
+  }
+}
 
 }  // namespace waymark::neural

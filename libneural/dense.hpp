@@ -6,7 +6,7 @@
 // Gradients of parameters are added to what is there, so that several uses of one layer sum up; ∂x is overwritten.
 // Matrices must have their shapes already (asserted): nothing is allocated here.
 #pragma once
-#include "libneural/parameters.hpp"
+#include "libneural/multiply.hpp"
 
 namespace waymark::neural {
 
@@ -15,9 +15,6 @@ struct Dense {
 };
 
 Dense add_dense(Parameters& parameters, Index inputs, Index outputs, const Uniform& uniform);
-
-using ConstView = Eigen::Ref<const Matrix, 0, Eigen::OuterStride<>>;
-using View = Eigen::Ref<Matrix, 0, Eigen::OuterStride<>>;
 
 void forward(const Parameters& parameters, const Dense& layer, const ConstView& x, View y);
 void backward(Parameters& parameters, const Dense& layer, const ConstView& x, const ConstView& dy);  // no ∂x

@@ -2,9 +2,11 @@
 #include <CLI/App.hpp>
 #include <algorithm>
 #include <array>
+#include <ctime>
 #include <iostream>
 #include <memory>
 #include <sstream>
+#include <thread>
 
 #include "libltl/print.hpp"
 #include "libparser/parallel.hpp"
@@ -27,18 +29,24 @@ struct Options {
   std::string start, svg, slip;
   std::vector<std::string> methods;
   Protocol protocol;
-  int threads = 1;
+  int threads = 0;  // one for each core
   bool json = false;
 };
+
+constexpr std::array<std::string_view, 2> exact_methods{"search", "value-iteration"};
+
+bool is_named(const std::vector<std::string>& names, std::string_view method) {
+  return std::any_of(names.begin(), names.end(),
+                     [&](const std::string& name) { return name == method || name == "all"; });
+}
 
 std::vector<plan::Method> chosen_methods(const std::vector<std::string>& names) {
   std::vector<plan::Method> chosen;
   ltl::Vocabulary known;
+  for (const std::string_view exact : exact_methods) known.add(exact);
   for (const plan::Method& method : plan::learning_methods()) {
     known.add(method.name);
-    const bool named = std::find(names.begin(), names.end(), method.name) != names.end() ||
-                       std::find(names.begin(), names.end(), "all") != names.end();
-    if (names.empty() ? method.by_default : named) chosen.push_back(method);
+    if (names.empty() ? method.by_default : is_named(names, method.name)) chosen.push_back(method);
   }
   for (const std::string& name : names) {
     if (known.find(name) || name == "all") continue;
@@ -66,6 +74,18 @@ plan::SlipChances slip_of(const std::string& text) {
   return {.forward = forward, .left = chance[0], .right = chance[1], .back = chance[2]};
 }
 
+// Processor time of this thread: what a run takes does not depend on what runs beside it.
+double thread_seconds() {
+  std::timespec now{};
+  ::clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+int threads_of(const Options& options) {
+  if (options.threads > 0) return options.threads;
+  return static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+}
+
 class Comparing {
  public:
   Comparing(const Options& options, const Session& session)
@@ -82,9 +102,14 @@ class Comparing {
     const ltl::Formula formula =
         parse_formula(text, arena, parse_options(options_.notation, ltl::Unknown::Reject));
     const automata::Dfa dfa = translate(formula, session_.stop);
-    const plan::LearningTask task(map_, dfa, formula, starts_, slip_, options_.protocol.discount);
+    const bool gltl = std::any_of(methods_.begin(), methods_.end(), [](const plan::Method& method) {
+      return std::holds_alternative<plan::GltlMethod>(method.how);
+    });
+    const plan::LearningTask task(map_, dfa, formula, starts_,
+                                  {.forward = slip_, .discount = options_.protocol.discount, .gltl = gltl});
     ComparedTask compared{formula, map_.name()};
     describe(compared, task, dfa);
+    if (compared.optimum.probability > 0) add_exact(compared);
     if (compared.optimum.probability > 0 && !compared.is_over) run_methods(compared, task);
     ++tasks_;
     if (options_.json)
@@ -97,6 +122,8 @@ class Comparing {
 
   void suite() const {
     std::vector<MethodRuns> pooled;
+    for (std::size_t i = 0; i < exact_methods.size(); ++i)
+      if (!exact_seconds_[i].empty()) pooled.push_back(exact(exact_methods[i], exact_seconds_[i]));
     for (std::size_t i = 0; i < methods_.size(); ++i)
       if (!verdicts_[i].empty()) pooled.push_back({methods_[i].name, plan::summarise(verdicts_[i]), {}});
     if (options_.json)
@@ -106,6 +133,25 @@ class Comparing {
   }
 
  private:
+  // What is exact needs no steps and has no spread; its cost is that of the optimum.
+  static MethodRuns exact(std::string_view name, const std::vector<double>& seconds) {
+    plan::Summary summary;
+    summary.success = summary.score = summary.cost_ratio = summary.optimal = {1, 1, 1};
+    summary.runs = seconds.size();
+    summary.seconds = plan::median(seconds);
+    return {std::string(name), summary, {}};
+  }
+
+  void add_exact(ComparedTask& compared) {
+    const auto add = [&](std::size_t i, double seconds) {
+      if (!options_.methods.empty() && !is_named(options_.methods, exact_methods[i])) return;
+      compared.methods.push_back(exact(exact_methods[i], {seconds}));
+      exact_seconds_[i].push_back(seconds);
+    };
+    if (compared.search) add(0, compared.search->seconds);
+    add(1, compared.seconds_of_optimum);
+  }
+
   void describe(ComparedTask& compared, const plan::LearningTask& task, const automata::Dfa& dfa) const {
     for (const plan::PoseId start : starts_) compared.starts.push_back(map_.pose(start));
     compared.automaton_states = dfa.states();
@@ -150,40 +196,52 @@ class Comparing {
   }
 
   void run_methods(ComparedTask& compared, const plan::LearningTask& task) {
-    const std::size_t seeds = options_.protocol.seeds, jobs = methods_.size() * seeds;
+    std::vector<std::size_t> allowed;  // places in methods_
+    for (std::size_t i = 0; i < methods_.size(); ++i) {
+      if (task.allows(methods_[i]))
+        allowed.push_back(i);
+      else
+        complain("note", methods_[i].name + " is left out: it takes one start and few temporal operators");
+    }
+    const std::size_t seeds = options_.protocol.seeds, jobs = allowed.size() * seeds;
     std::vector<plan::LearningCurve> curves(jobs);
     std::vector<double> seconds(jobs);
     ProgressBar bar;
     parser::run_jobs(
-        jobs, options_.threads, [&](double fraction, std::string_view what) { bar.show(fraction, what); },
+        jobs, threads_of(options_), [&](double fraction, std::string_view what) { bar.show(fraction, what); },
         "learning",
         [&](std::size_t job, const parser::JobProgress& progress) {
-          const plan::Method& method = methods_[job / seeds];
-          StopWatch watch;
+          const plan::Method& method = methods_[allowed[job / seeds]];
+          const double begin = thread_seconds();
           curves[job] = task.run(method, training_of(method, job % seeds));
-          seconds[job] = watch.lap();
+          seconds[job] = thread_seconds() - begin;
           progress(1);
         });
     bar.wipe();
     if (session_.stop.stop_requested()) throw Interrupted();
-    for (std::size_t i = 0; i < methods_.size(); ++i) {
-      const std::span<const plan::LearningCurve> own{curves.data() + i * seeds, seeds};
-      std::vector<plan::Verdict> verdicts;
-      for (std::size_t k = 0; k < seeds; ++k)
-        verdicts.push_back(plan::judge(own[k], compared.optimum, seconds[i * seeds + k]));
-      compared.methods.push_back(
-          {methods_[i].name, plan::summarise(verdicts), plan::mean_curve(own, compared.optimum)});
-      verdicts_[i].insert(verdicts_[i].end(), verdicts.begin(), verdicts.end());
-    }
+    for (std::size_t k = 0; k < allowed.size(); ++k)
+      summarise(compared, allowed[k], {curves.data() + k * seeds, seeds},
+                {seconds.data() + k * seeds, seeds});
+  }
+
+  void summarise(ComparedTask& compared, std::size_t method, std::span<const plan::LearningCurve> curves,
+                 std::span<const double> seconds) {
+    std::vector<plan::Verdict> verdicts;
+    for (std::size_t k = 0; k < curves.size(); ++k)
+      verdicts.push_back(plan::judge(curves[k], compared.optimum, seconds[k]));
+    compared.methods.push_back(
+        {methods_[method].name, plan::summarise(verdicts), plan::mean_curve(curves, compared.optimum)});
+    verdicts_[method].insert(verdicts_[method].end(), verdicts.begin(), verdicts.end());
   }
 
   void draw(const ComparedTask& compared) const {
     render::CurvePlot plot{ltl::print(compared.formula),
                            "map " + map_.name() + ", " + counted(options_.protocol.seeds, "seed") +
                                ", means with 95 % intervals, optimal cost " +
-                               shortest_text(compared.optimum.cost),
+                               shown_cost(compared.optimum.cost),
                            {}};
     for (const MethodRuns& method : compared.methods) {
+      if (method.curve.empty()) continue;  // exact
       render::Curve curve{method.name, {}};
       for (const plan::CurvePoint& p : method.curve)
         curve.points.push_back({static_cast<double>(p.steps), p.score.value, p.score.low, p.score.high});
@@ -198,7 +256,8 @@ class Comparing {
   plan::SlipChances slip_;
   plan::Map map_;
   std::vector<plan::PoseId> starts_;
-  std::vector<std::vector<plan::Verdict>> verdicts_;  // by method, of all tasks
+  std::vector<std::vector<plan::Verdict>> verdicts_;                     // by method, of all tasks
+  std::array<std::vector<double>, exact_methods.size()> exact_seconds_;  // of all tasks
   std::size_t tasks_ = 0;
 };
 
@@ -219,7 +278,8 @@ ExitCode run_compare(const Options& options, const Session& session) {
 }
 
 std::string method_names() {
-  std::string text = "learners, separated by commas; all, or of:";
+  std::string text =
+      "separated by commas; all, or of:\n  search*: exact, where nothing slips\n  value-iteration*: exact";
   for (const plan::Method& method : plan::learning_methods())
     text += "\n  " + method.name + (method.by_default ? "*" : "") + ": " + method.summary;
   return text + "\n  (* when none is named)";
@@ -253,9 +313,10 @@ Runner setup_compare(CLI::App& command) {
       ->capture_default_str();
   command.add_option("--slip", options->slip, "chances that FORWARD goes left, right, back instead")
       ->type_name("L,R[,B]");
-  command.add_option("--threads", options->threads, "runs at a time; no influence on what they learn")
-      ->check(CLI::Range(1, 1024))
-      ->capture_default_str();
+  command
+      .add_option("--threads", options->threads,
+                  "runs at a time (else one for each core); no influence on what they learn")
+      ->check(CLI::Range(1, 1024));
   command.add_flag("--json", options->json, "one JSON object a line");
   command.add_option("--svg", options->svg, "draw the learning curves")->type_name("FILE");
   return [options](const Session& session) { return run_compare(*options, session); };

@@ -73,7 +73,7 @@ void print_protocol(std::ostream& out, const Protocol& protocol) {
 }
 
 std::string shown(const plan::PolicyValue& optimum) {
-  std::string text = "cost " + shortest_text(optimum.cost);
+  std::string text = "cost " + shown_cost(optimum.cost);
   if (optimum.probability < 1 - 1e-12)
     text += " where it succeeds, probability " + fixed(optimum.probability, 6);
   return text;
@@ -81,7 +81,7 @@ std::string shown(const plan::PolicyValue& optimum) {
 
 }  // namespace
 
-std::string shortest_text(double value) { return Json(value).text(); }
+std::string shown_cost(double cost) { return cost == std::round(cost) ? fixed(cost, 0) : fixed(cost, 4); }
 
 JsonObject json_of(const ComparedTask& task, const Protocol& protocol) {
   JsonArray starts, methods;
@@ -121,13 +121,10 @@ void print(std::ostream& out, const Terminal& terminal, const ComparedTask& task
   out << "best     " << shown(task.optimum) << " by value iteration in "
       << fixed(1000 * task.seconds_of_optimum, 2) << " ms";
   if (task.search)
-    out << "; cost " << shortest_text(task.search->cost) << " by search in "
+    out << "; cost " << shown_cost(task.search->cost) << " by search in "
         << fixed(1000 * task.search->seconds, 2) << " ms";
   out << '\n';
-  if (task.is_over) {
-    out << "         the task is satisfied where it begins: nothing to learn\n\n";
-    return;
-  }
+  if (task.is_over) out << "         the task is satisfied where it begins: nothing to learn\n";
   print_protocol(out, protocol);
   print_table(out, task.methods);
   out << '\n';

@@ -43,7 +43,7 @@ struct Protocol {  // what all runs of a comparison share
 JsonObject json_of(const ComparedTask& task, const Protocol& protocol);
 void print(std::ostream& out, const Terminal& terminal, const ComparedTask& task, const Protocol& protocol);
 
-std::string shortest_text(double value);  // "7", "7.25"
+std::string shown_cost(double cost);  // "7", "7.2500"
 
 // Of a suite: the runs of all its tasks together.
 JsonObject json_of_suite(const std::vector<MethodRuns>& methods, std::size_t tasks, const Protocol& protocol);

@@ -9,7 +9,7 @@ namespace waymark::plan {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr std::size_t replays = 16;  // of the tabular learners that replay, after every step
+constexpr std::size_t replays = 32;  // of the tabular learners that replay, after every step
 
 // The steps at the first checkpoint where `there` holds.
 template <class Predicate>
@@ -32,6 +32,10 @@ std::vector<Method> learning_methods() {
        QLearning{.shaped = true}, false},
       {"lpopl", "one value function for each progressed formula, sub-tasks easiest first",
        QLearning{.counterfactual = true, .curriculum = true, .replays = replays}},
+      {"hierarchical", "an option for each proposition, and a controller that chooses among them",
+       Hierarchical{}},
+      {"gltl", "`counterfactual` rewarded by geometric LTL: operators expire",
+       GltlMethod{{.counterfactual = true, .replays = replays}}, false},
       {"dqn-objects", "deep Q-learning on distances from the pose to objects", DqnMethod{{}, Sight::Objects}},
       {"dqn-landmarks", "the same, to floors and paintings too", DqnMethod{{}, Sight::Landmarks}},
       {"dqn-literal", "the same, distances from the place whatever the heading",
@@ -44,18 +48,38 @@ std::vector<Method> learning_methods() {
 }
 
 LearningTask::LearningTask(const Map& map, const automata::Dfa& dfa, ltl::Formula formula,
-                           std::span<const PoseId> starts, const SlipChances& forward, double discount)
-    : product_(tabulate(map, dfa, starts, forward)), trees_(trees_of(product_.task, formula)) {
+                           std::span<const PoseId> starts, const LearningTaskOptions& options)
+    : product_(tabulate(map, dfa, starts, options.forward)), trees_(trees_of(product_.task, formula)) {
   const auto begin = std::chrono::steady_clock::now();
-  optimum_ = plan::optimum(product_, {.discount = discount});
+  optimum_ = plan::optimum(product_, {.discount = options.discount});
   seconds_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   for (const Sight sight : {Sight::Objects, Sight::Landmarks, Sight::Literal})
     observations_[static_cast<std::size_t>(sight)] = observe(map, sight);
+  if (!options.gltl || starts.size() > 1) return;
+  const Mdp model = mdp_of(map, starts[0], options.forward);
+  const auto table = gltl_tasks(formula, model.letters());
+  if (!table) return;
+  gltl_ = compose(model, *table);
+  judged_ = compose(model, without_expiry(*table));
+}
+
+bool LearningTask::allows(const Method& method) const {
+  return !std::holds_alternative<GltlMethod>(method.how) || gltl_.has_value();
 }
 
 LearningCurve LearningTask::run(const Method& method, const Training& training) const {
   if (const auto* q_learning = std::get_if<QLearning>(&method.how))
     return learn(product_, *q_learning, training).curve;
+  if (const auto* hierarchical = std::get_if<Hierarchical>(&method.how))
+    return learn(product_, *hierarchical, training);
+  if (const auto* rewarded = std::get_if<GltlMethod>(&method.how)) {
+    Training undiscounted = training;  // expiry is the discount
+    undiscounted.discount = 1;
+    undiscounted.judge = [&](const ActionTable& policy) {
+      return value_of(*judged_, policy, training.discount);
+    };
+    return learn(*gltl_, rewarded->q_learning, undiscounted).curve;
+  }
   const auto& [dqn, sight, trees] = std::get<DqnMethod>(method.how);
   return learn(product_, {&seen(sight), trees ? &trees_ : nullptr}, dqn, training);
 }

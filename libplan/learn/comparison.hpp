@@ -15,6 +15,8 @@
 #include <vector>
 
 #include "libplan/learn/dqn.hpp"
+#include "libplan/learn/gltl.hpp"
+#include "libplan/learn/hierarchical.hpp"
 #include "libplan/learn/observations.hpp"
 #include "libplan/learn/optimum.hpp"
 #include "libplan/learn/q_learning.hpp"
@@ -28,24 +30,35 @@ struct DqnMethod {
   bool trees = false;  // else the task is one-hot
 };
 
+struct GltlMethod {  // rewarded by GLTL, judged by φ itself, as progression reads it on infinite words
+  QLearning q_learning;
+};
+
 struct Method {
   std::string name, summary;
-  std::variant<QLearning, DqnMethod> how;
+  std::variant<QLearning, Hierarchical, DqnMethod, GltlMethod> how;
   bool by_default = true;
 };
 
 // The table of learners: the one list of them.
 std::vector<Method> learning_methods();
 
+struct LearningTaskOptions {
+  SlipChances forward = {};
+  double discount = 0.9;
+  bool gltl = false;  // prepare for GltlMethod; one start only
+};
+
 // One task on one map, made once and only read by the runs: any number of threads.
 class LearningTask {
  public:
   LearningTask(const Map& map, const automata::Dfa& dfa, ltl::Formula formula, std::span<const PoseId> starts,
-               const SlipChances& forward, double discount);
+               const LearningTaskOptions& options = {});
 
   const TabularProduct& product() const { return product_; }
   const Optimum& optimum() const { return optimum_; }
   double seconds_of_optimum() const { return seconds_; }
+  bool allows(const Method& method) const;  // GLTL is for formulas with few temporal operators
   LearningCurve run(const Method& method, const Training& training) const;
 
  private:
@@ -55,7 +68,8 @@ class LearningTask {
   TabularProduct product_;
   Optimum optimum_;
   double seconds_ = 0;
-  std::array<Observations, 3> observations_;  // by Sight
+  std::array<Observations, 3> observations_;     // by Sight
+  std::optional<TabularProduct> gltl_, judged_;  // with expiry, and the same states without
   TaskTrees trees_;
 };
 

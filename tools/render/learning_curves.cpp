@@ -9,7 +9,7 @@
 namespace waymark::render {
 namespace {
 
-constexpr double width = 860, height = 460, left = 58, right = 210, top = 74, bottom = 52;
+constexpr double width = 860, height = 470, left = 58, right = 210, top = 90, bottom = 52;
 // Colours that people with any kind of colour vision tell apart (Okabe and Ito), then the same dashed.
 constexpr std::array<std::string_view, 8> colours{"#0072b2", "#d55e00", "#009e73", "#cc79a7",
                                                   "#e69f00", "#56b4e9", "#5c5c5c", "#a08c00"};

@@ -54,7 +54,7 @@ TEST(Comparison, EveryMethodRunsOnATask) {
   ltl::Arena arena(map.vocabulary());
   const ltl::Formula phi = ltl::parse("F (sofa & X F blue)", arena);
   const PoseId start{0};
-  const LearningTask task(map, automata::ltlf_to_dfa(phi), phi, {&start, 1}, {}, 0.9);
+  const LearningTask task(map, automata::ltlf_to_dfa(phi), phi, {&start, 1}, {.gltl = true});
   std::set<std::string> names;
   for (const Method& method : learning_methods()) {
     EXPECT_TRUE(names.insert(method.name).second) << method.name << " stands twice in the table";
@@ -71,7 +71,7 @@ TEST(Comparison, CounterfactualAndShapedLearnersAreOptimalWithinTwoThousandSteps
   ltl::Arena arena(map.vocabulary());
   const ltl::Formula phi = ltl::parse("F (easel & X F (sofa & X F hatrack))", arena);
   const PoseId start = pose_at(map, 1, 9, 0);
-  const LearningTask task(map, automata::ltlf_to_dfa(phi), phi, {&start, 1}, {}, 0.9);
+  const LearningTask task(map, automata::ltlf_to_dfa(phi), phi, {&start, 1});
   for (const Method& method : learning_methods()) {
     if (method.name != "counterfactual" && method.name != "shaped") continue;
     std::vector<double> steps;

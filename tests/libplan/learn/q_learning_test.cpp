@@ -57,7 +57,8 @@ TEST(QLearning, ShapingMovesValuesByThePotentialAndLeavesTheBestPolicy) {
   const TabularProduct product = task_on(plus(), "F (sofa & X F chair)", PoseId{3});
   const Training training{
       .steps = 60'000, .interval = 60'000, .horizon = 50, .explore = 1, .explore_last = 1};
-  const QTable plain = learn(product, {}, training), shaped = learn(product, {.shaped = true}, training);
+  const QTable plain = learn(product, {.counterfactual = true}, training),
+               shaped = learn(product, {.counterfactual = true, .shaped = true}, training);
   const std::vector<double> phi = potential(product.task, training.discount);
   std::size_t compared = 0;
   for (std::uint32_t state = 0; state < product.states(); ++state) {
