@@ -29,7 +29,9 @@ using State = ob::SE2StateSpace::StateType;
 using Control = oc::RealVectorControlSpace::ControlType;
 
 constexpr double quarter_turn = 90, degree = 3.14159265358979323846 / 180;
-constexpr double turn_step = 15;  // degrees that a disc turns in one step, at most
+constexpr double turn_step = 15,
+                 bend_step = 6;   // degrees that a disc turns in a step in place, and as it goes
+constexpr double backing = -0.6;  // below that a car goes backwards and a disc turns in place
 constexpr unsigned int most_steps = 12;
 constexpr double explore_seconds = 0.02;  // along one lead, before another one is computed
 
@@ -44,15 +46,18 @@ void set(ob::State* state, const Configuration& c) {
   pose.setYaw(turn_between(quarter_turn, c.heading) * degree);
 }
 
-// One step. Controls run from −1 to 1: the speed (a disc only goes ahead), and the steering: the curvature of a car, the
-// rate at which a disc turns.
-Configuration stepped(const ExplorationProblem& problem, const Configuration& from, double speed,
-                      double steering) {
+// One step. Both controls are drawn from −1 … 1. Cubed, the second says how sharply to turn, more often little than much:
+// a car or a disc bends its way. The first is the speed; for a fifth of it a car backs up, and a disc turns in place.
+Configuration stepped(const ExplorationProblem& problem, const Configuration& from, double first,
+                      double second) {
+  const double steering = second * second * second, speed = std::max(0.2, (first + 1) / 2);
   if (const auto* car = std::get_if<Car>(&problem.robot)) {
-    const double way = problem.step * speed;
+    const double way = problem.step * (first < backing ? -1 : speed);
     return Piece::driving(from, way, way * steering / car->turning_radius / degree).at(1);
   }
-  const double turn = turn_step * steering, way = problem.step * (speed + 1) / 2;
+  const bool in_place = first < backing;
+  const double turn = in_place ? turn_step * second : bend_step * steering,
+               way = in_place ? 0 : problem.step * speed;
   const Point towards = ahead_of(from.heading + turn / 2);
   return {from.x + way * towards.x, from.y + way * towards.y, normalized(from.heading + turn)};
 }

@@ -82,7 +82,7 @@ TEST(Tour, BothWaysGiveCertifiedToursOrProveThereIsNone) {
       ltl::Arena arena(terrain.vocabulary());
       const ltl::Formula phi = ltl::parse(task.formula, arena);
       const automata::Dfa dfa = automata::ltlf_to_dfa(phi);
-      const TourOutcome along = realize(dfa, terrain, start, {.iterations = 500, .robot = robot});
+      const TourOutcome along = realize(dfa, terrain, start, {.iterations = 200, .robot = robot});
       const Explored explored = explore(dfa, terrain, start, {.seconds = 20, .robot = robot});
       EXPECT_EQ(std::holds_alternative<Motion>(along), task.feasible) << task.formula << " " << robot.index();
       EXPECT_EQ(std::holds_alternative<NoRun>(along), !task.feasible) << task.formula << " " << robot.index();
