@@ -19,6 +19,7 @@
 #include <limits>
 #include <memory>
 #include <set>
+#include <stdexcept>
 
 namespace waymark::plan {
 namespace {
@@ -43,7 +44,7 @@ Configuration configuration_of(const ob::State* state) {
 void set(ob::State* state, const Configuration& c) {
   auto& pose = *state->as<State>();
   pose.setXY(c.x, c.y);
-  pose.setYaw(turn_between(quarter_turn, c.heading) * degree);
+  pose.setYaw(-turn_between(c.heading, quarter_turn) * degree);  // −π ≤ yaw < π, or no start is taken
 }
 
 // One step. Both controls are drawn from −1 … 1. Cubed, the second says how sharply to turn, more often little than much:
@@ -216,6 +217,10 @@ std::vector<Configuration> explore(const ExplorationProblem& problem, double sec
   ob::ScopedState<ob::SE2StateSpace> start(space);
   set(start.get(), problem.start);
   definition->addLowerStartState(start.get());
+  const ob::State* first = definition->getStartState(0);
+  if (!product_space->satisfiesBounds(first) ||
+      !product_space->isValid(first))  // OMPL would follow a null pointer
+    throw std::logic_error("explore: the start is no state of the product");
   oc::LTLPlanner planner(product_space, product, explore_seconds);
   planner.setProblemDefinition(definition);
   planner.solve(ob::timedPlannerTerminationCondition(seconds));

@@ -49,7 +49,7 @@ void set(ob::State* state, Point p) {
 void set(ob::State* state, const Configuration& c) {
   auto& pose = *state->as<CarState>();
   pose.setXY(c.x, c.y);
-  pose.setYaw(turn_between(quarter_turn, c.heading) * degree);
+  pose.setYaw(-turn_between(c.heading, quarter_turn) * degree);  // −π ≤ yaw < π, or no start is taken
 }
 
 // The space of a car, of which the problem says what part is sampled.

@@ -25,6 +25,38 @@ foreach(robot IN ITEMS point disc car)
   run(0 "${solved}" "^$" ${move} "X (moved & X moved)" --robot ${robot})
 endforeach()
 run(10 "\"status\":\"infeasible\",\"reason\":\"" "^$" ${move} "F sofa & G !sofa")
+foreach(robot IN ITEMS point disc car)
+  run(0 "${solved}" "^$" ${move} "X (moved & X moved)" --robot ${robot} --planner ltl)
+  run(10 "\"status\":\"infeasible\",\"reason\":\"" "^$" ${move} "F sofa & G !sofa" --robot ${robot} --planner ltl)
+endforeach()
+run(0 "${solved}" "^$" ${move} "X (moved & X moved)" --sampler bitstar)
+
+# Along a route that is given, with a formula or without.
+file(WRITE ${SCRATCH}/given.txt "19,16,270 FORWARD FORWARD")
+set(along ${WAYMARK} move --map jelly --json --route ${SCRATCH}/given.txt)
+run(0 "\"formula\":\"true\".*${solved}" "^$" ${along})
+run(0 "${solved}" "^$" ${along} "F sofa" --robot car)
+run(10 "\"reason\":\"the route given does not satisfy the formula\"" "^$" ${along} "F lamp")
+
+# The picture moves: the robot along its way, its heading, the trail, and a light on every state of the automaton.
+run(0 "" "^$" ${move} "X (moved & X moved)" --robot car --svg ${SCRATCH}/move.svg)
+file(READ ${SCRATCH}/move.svg picture)
+foreach(part IN ITEMS "type=\"translate\"" "type=\"rotate\"" "stroke-dashoffset" "attributeName=\"opacity\" calcMode=\"discrete\"")
+  if(NOT picture MATCHES "${part}")
+    message(SEND_ERROR "${SCRATCH}/move.svg has no ${part}")
+  endif()
+endforeach()
+
+# Through polygons.
+set(tour ${WAYMARK} move --workspace ${CMAKE_CURRENT_LIST_DIR}/../../../data/workspaces/office.json --start 0.8,5.2,0 --json)
+set(toured "\"status\":\"solved\",\"word\":\\[\\[\"dock\"\\],\\[\\],\\[\"kitchen\"\\]\\],\"motion\":\\[\\[0.8,5.2,0\\],.*\"certified\":true")
+foreach(planner IN ITEMS route ltl)
+  run(0 "${toured}" "^$" ${tour} "F kitchen" --radius 0.2 --planner ${planner})
+  run(10 "\"status\":\"infeasible\",\"reason\":\"" "^$" ${tour} "X kitchen" --planner ${planner})
+endforeach()
+run(0 "" "^$" ${tour} "F kitchen" --svg ${SCRATCH}/tour.svg)
+run(21 "^$" "^error: start: the robot does not fit there\n$" ${tour} "F kitchen" --radius 2)
+run(21 "^$" "the map|attic|unknown" ${tour} "F attic")
 run(11 "\"status\":\"exhausted\".*\"certified\":false" "^error: no way found from [^\n]*\n$"
     ${move} "X (moved & X moved)" --furniture 0.15 --iterations 50)
 run(20 "^$" "^error: a robot of that size[^\n]*\n$" ${move} "F sofa" --robot car --car-width 0.5)
