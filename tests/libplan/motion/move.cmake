@@ -48,15 +48,16 @@ foreach(part IN ITEMS "type=\"translate\"" "type=\"rotate\"" "stroke-dashoffset"
 endforeach()
 
 # Through polygons.
-set(tour ${WAYMARK} move --workspace ${CMAKE_CURRENT_LIST_DIR}/../../../data/workspaces/office.json --start 0.8,5.2,0 --json)
+set(tour ${WAYMARK} move --workspace ${CMAKE_CURRENT_LIST_DIR}/../../../data/workspaces/office.json --json)
 set(toured "\"status\":\"solved\",\"word\":\\[\\[\"dock\"\\],\\[\\],\\[\"kitchen\"\\]\\],\"motion\":\\[\\[0.8,5.2,0\\],.*\"certified\":true")
 foreach(planner IN ITEMS route ltl)
-  run(0 "${toured}" "^$" ${tour} "F kitchen" --radius 0.2 --planner ${planner})
-  run(10 "\"status\":\"infeasible\",\"reason\":\"" "^$" ${tour} "X kitchen" --planner ${planner})
+  run(0 "${toured}" "^$" ${tour} --start 0.8,5.2,0 "F kitchen" --radius 0.2 --planner ${planner})
+  run(10 "\"status\":\"infeasible\",\"reason\":\"" "^$" ${tour} --start 0.8,5.2,0 "X kitchen" --planner ${planner})
 endforeach()
-run(0 "" "^$" ${tour} "F kitchen" --svg ${SCRATCH}/tour.svg)
-run(21 "^$" "^error: start: the robot does not fit there\n$" ${tour} "F kitchen" --radius 2)
-run(21 "^$" "the map|attic|unknown" ${tour} "F attic")
+run(0 "" "^$" ${tour} --start 0.8,5.2,0 "F kitchen" --svg ${SCRATCH}/tour.svg)
+run(21 "^$" "^error: the robot does not fit at 0.8,5.2,0\n$" ${tour} --start 0.8,5.2,0 "F kitchen" --radius 2)
+run(21 "^$" "^error: unknown proposition 'attic'" ${tour} --start 0.8,5.2,0 "F attic")
+run(21 "^$" "^error: expected x,y or x,y,heading[^\n]*\n$" ${tour} "F kitchen" --start 1,2,)
 run(11 "\"status\":\"exhausted\".*\"certified\":false" "^error: no way found from [^\n]*\n$"
     ${move} "X (moved & X moved)" --furniture 0.15 --iterations 50)
 run(20 "^$" "^error: a robot of that size[^\n]*\n$" ${move} "F sofa" --robot car --car-width 0.5)
