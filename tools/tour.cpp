@@ -135,7 +135,7 @@ ExitCode run_tour(const TourRequest& request, const Session& session) {
   const plan::TerrainCells cells(terrain);
   const auto first = cells.at(position(start));
   if (!first || !admits(terrain, start, robot_of(request.robot)))
-    throw ltl::FormatError("--start", 0, 0, "the robot does not fit there");
+    throw ltl::FormatError("", 0, 0, "the robot does not fit at " + request.start);
   const double load = watch.lap();
   ltl::Arena arena(terrain.vocabulary());
   const ltl::Formula formula =

@@ -9,7 +9,8 @@
 namespace waymark::plan {
 namespace {
 
-constexpr double longest_try = 10;  // seconds; a tree that grew into a corner is given up for another one
+// Most trees that lead to a solution do so in less than a second, others never: so the first tries are short.
+constexpr double first_try = 1, longer = 1.3;  // seconds; every further try so much longer
 
 // Symbols, which are regions too: pose p is p, the hallway e with heading 90 h is 4 · (nodes + e) + h.
 class Symbols {
@@ -124,11 +125,12 @@ Explored try_exploring(const ExplorationProblem& problem, const Exploration& how
   if (!has_run(problem)) return NoRun{};
   using Clock = std::chrono::steady_clock;
   const auto begin = Clock::now();
-  for (std::uint32_t attempt = 0;; ++attempt) {
+  double share = first_try;
+  for (std::uint32_t attempt = 0;; ++attempt, share *= longer) {
     const double left = how.seconds - std::chrono::duration<double>(Clock::now() - begin).count();
     if (left <= 0) return OutOfTime{how.seconds};
     const auto seed = static_cast<std::uint32_t>(how.seed) + attempt;
-    Motion motion{explore(problem, std::min(left, longest_try), seed), how.robot};
+    Motion motion{explore(problem, std::min(left, share), seed), how.robot};
     if (!motion.configurations.empty() && is_done(motion)) return motion;
   }
 }

@@ -19,6 +19,7 @@
 #include <limits>
 #include <memory>
 #include <set>
+#include <stdexcept>
 
 namespace waymark::plan {
 namespace {
@@ -29,7 +30,9 @@ using State = ob::SE2StateSpace::StateType;
 using Control = oc::RealVectorControlSpace::ControlType;
 
 constexpr double quarter_turn = 90, degree = 3.14159265358979323846 / 180;
-constexpr double turn_step = 15;  // degrees that a disc turns in one step, at most
+constexpr double turn_step = 15,
+                 bend_step = 6;   // degrees that a disc turns in a step in place, and as it goes
+constexpr double backing = -0.6;  // below that a car goes backwards and a disc turns in place
 constexpr unsigned int most_steps = 12;
 constexpr double explore_seconds = 0.02;  // along one lead, before another one is computed
 
@@ -41,18 +44,21 @@ Configuration configuration_of(const ob::State* state) {
 void set(ob::State* state, const Configuration& c) {
   auto& pose = *state->as<State>();
   pose.setXY(c.x, c.y);
-  pose.setYaw(turn_between(quarter_turn, c.heading) * degree);
+  pose.setYaw(-turn_between(c.heading, quarter_turn) * degree);  // −π ≤ yaw < π, or no start is taken
 }
 
-// One step. Controls run from −1 to 1: the speed (a disc only goes ahead), and the steering: the curvature of a car, the
-// rate at which a disc turns.
-Configuration stepped(const ExplorationProblem& problem, const Configuration& from, double speed,
-                      double steering) {
+// One step. Both controls are drawn from −1 … 1. Cubed, the second says how sharply to turn, more often little than much:
+// a car or a disc bends its way. The first is the speed; for a fifth of it a car backs up, and a disc turns in place.
+Configuration stepped(const ExplorationProblem& problem, const Configuration& from, double first,
+                      double second) {
+  const double steering = second * second * second, speed = std::max(0.2, (first + 1) / 2);
   if (const auto* car = std::get_if<Car>(&problem.robot)) {
-    const double way = problem.step * speed;
+    const double way = problem.step * (first < backing ? -1 : speed);
     return Piece::driving(from, way, way * steering / car->turning_radius / degree).at(1);
   }
-  const double turn = turn_step * steering, way = problem.step * (speed + 1) / 2;
+  const bool in_place = first < backing;
+  const double turn = in_place ? turn_step * second : bend_step * steering,
+               way = in_place ? 0 : problem.step * speed;
   const Point towards = ahead_of(from.heading + turn / 2);
   return {from.x + way * towards.x, from.y + way * towards.y, normalized(from.heading + turn)};
 }
@@ -211,6 +217,10 @@ std::vector<Configuration> explore(const ExplorationProblem& problem, double sec
   ob::ScopedState<ob::SE2StateSpace> start(space);
   set(start.get(), problem.start);
   definition->addLowerStartState(start.get());
+  const ob::State* first = definition->getStartState(0);
+  if (!product_space->satisfiesBounds(first) ||
+      !product_space->isValid(first))  // OMPL would follow a null pointer
+    throw std::logic_error("explore: the start is no state of the product");
   oc::LTLPlanner planner(product_space, product, explore_seconds);
   planner.setProblemDefinition(definition);
   planner.solve(ob::timedPlannerTerminationCondition(seconds));

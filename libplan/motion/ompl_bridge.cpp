@@ -9,7 +9,6 @@
 #include <ompl/base/spaces/RealVectorStateSpace.h>
 #include <ompl/base/spaces/ReedsSheppStateSpace.h>
 #include <ompl/base/terminationconditions/IterationTerminationCondition.h>
-#include <ompl/datastructures/NearestNeighborsLinear.h>
 #include <ompl/geometric/PathGeometric.h>
 #include <ompl/geometric/planners/informedtrees/BITstar.h>
 #include <ompl/geometric/planners/rrt/InformedRRTstar.h>
@@ -50,7 +49,7 @@ void set(ob::State* state, Point p) {
 void set(ob::State* state, const Configuration& c) {
   auto& pose = *state->as<CarState>();
   pose.setXY(c.x, c.y);
-  pose.setYaw(turn_between(quarter_turn, c.heading) * degree);
+  pose.setYaw(-turn_between(c.heading, quarter_turn) * degree);  // −π ≤ yaw < π, or no start is taken
 }
 
 // The space of a car, of which the problem says what part is sampled.
@@ -122,9 +121,7 @@ class RrtStar : public og::InformedRRTstar {
 
 ob::PlannerPtr planner_for(Sampler sampler, const ob::SpaceInformationPtr& space) {
   if (sampler == Sampler::BitStar) return std::make_shared<og::BITstar>(space);
-  const auto planner = std::make_shared<RrtStar>(space);
-  planner->setNearestNeighbors<ompl::NearestNeighborsLinear>();
-  return planner;
+  return std::make_shared<RrtStar>(space);
 }
 
 ob::RealVectorBounds bounds(Point low, Point high) {

@@ -11,6 +11,7 @@ namespace waymark::plan {
 namespace {
 
 constexpr double margin = 1e-6;            // more room than is certified, so that rounding decides nothing
+constexpr std::size_t most_goals = 10;     // that a car's leg is sampled towards
 constexpr double steps_across = 200;       // of propagation, from corner to corner of the terrain
 constexpr std::size_t most_attempts = 25;  // runs through the cells that are tried
 
@@ -19,6 +20,27 @@ void check_start(const Terrain& terrain, const TerrainCells& cells, const Config
   if (!is_possible(robot)) throw std::invalid_argument("a robot has no such size");
   if (!cells.at(position(start)) || !admits(terrain, start, robot))
     throw std::invalid_argument("the robot does not fit where it starts");
+}
+
+// Passages too narrow for the body, as far as a few points of each show: runs through them are not worth a try.
+std::vector<PassageId> narrow_passages(const Terrain& terrain, const TerrainCells& cells,
+                                       const Robot& robot) {
+  constexpr int points = 16;
+  const auto* car = std::get_if<Car>(&robot);
+  const double radius = car != nullptr ? car->width / 2 : std::get<Disc>(robot).radius;
+  std::vector<PassageId> narrow;
+  for (std::uint32_t from = 0; from < cells.cells().size(); ++from)
+    for (const Passage& passage : cells.cells()[from].passages) {
+      bool is_wide = false;
+      for (int k = 0; k <= points && !is_wide; ++k) {
+        const double t = 1.0 * k / points;
+        const Point p{passage.a.x + t * (passage.b.x - passage.a.x),
+                      passage.a.y + t * (passage.b.y - passage.a.y)};
+        is_wide = terrain.admits(p, p, radius);
+      }
+      if (!is_wide) narrow.push_back({from, passage.to});
+    }
+  return narrow;
 }
 
 struct Leg {
@@ -119,8 +141,10 @@ class TourMaker {
                      [](const auto& a, const auto& b) { return a.first < b.first; });
     for (const auto& [unused, line] : drives)
       if (reads(line, {leg.now, leg.next})) return line;
-    return sample_drive({terrain_.low(), terrain_.high(), 0, 180, car_->turning_radius, is_free, from, goals},
-                        effort);
+    std::vector<Configuration> spread;  // every goal costs the sampler a drive for every state it considers
+    for (std::size_t i = 0; i < most_goals; ++i) spread.push_back(goals[i * goals.size() / most_goals]);
+    return sample_drive(
+        {terrain_.low(), terrain_.high(), 0, 180, car_->turning_radius, is_free, from, spread}, effort);
   }
 
   const Terrain& terrain_;
@@ -179,10 +203,12 @@ TourOutcome realize(const automata::Dfa& dfa, const Terrain& terrain, const Conf
   const TerrainCells cells(terrain);
   check_start(terrain, cells, start, sampling.robot);
   const TourMaker maker(terrain, cells, sampling);
-  std::vector<PassageId> blocked;
-  while (blocked.size() < most_attempts) {
-    const auto run = plan_tour(dfa, cells, cells.at(position(start)).value(), blocked);
-    if (!run) return blocked.empty() ? TourOutcome(NoRun{}) : TourOutcome(NotFound{blocked.size()});
+  const std::uint32_t first = cells.at(position(start)).value();
+  if (!plan_tour(dfa, cells, first)) return NoRun{};
+  std::vector<PassageId> blocked = narrow_passages(terrain, cells, sampling.robot);
+  for (std::size_t attempt = 0; attempt < most_attempts; ++attempt) {
+    const auto run = plan_tour(dfa, cells, first, blocked);
+    if (!run) return NotFound{attempt};
     Line line{start};
     std::size_t done = 0;
     const std::vector<Leg> legs = legs_of(*run, cells);
@@ -191,7 +217,7 @@ TourOutcome realize(const automata::Dfa& dfa, const Terrain& terrain, const Conf
     for (std::size_t i = 1; i < run->size(); ++i)
       if ((*run)[i].by == legs[done].by) blocked.push_back({(*run)[i - 1].cell, (*run)[i].cell});
   }
-  return NotFound{blocked.size()};
+  return NotFound{most_attempts};
 }
 
 Explored explore(const automata::Dfa& dfa, const Terrain& terrain, const Configuration& start,
@@ -215,10 +241,17 @@ Explored explore(const automata::Dfa& dfa, const Terrain& terrain, const Configu
                              how.robot,
                              start};
   for (const TerrainCell& cell : cells.cells()) {
-    Region region{cell.letter, cell.area, {}};
-    for (const Passage& passage : cell.passages) region.neighbours.push_back(static_cast<int>(passage.to));
-    problem.regions.push_back(std::move(region));
+    problem.regions.push_back({cell.letter, cell.area, {}});
+    for (const Passage& passage : cell.passages)
+      problem.regions.back().neighbours.push_back(static_cast<int>(passage.to));
   }
+  if (!has_run(problem)) return NoRun{};
+  for (const PassageId& passage : narrow_passages(terrain, cells, how.robot)) {
+    auto& neighbours = problem.regions[passage.from].neighbours;
+    neighbours.erase(std::remove(neighbours.begin(), neighbours.end(), static_cast<int>(passage.to)),
+                     neighbours.end());
+  }
+  if (!has_run(problem)) return OutOfTime{0};
   return try_exploring(problem, how, [&](const Motion& motion) { return is_accepted(motion, terrain, dfa); });
 }
 

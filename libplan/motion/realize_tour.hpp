@@ -3,7 +3,8 @@
 // By a route first: the shortest run through the cells (tour.hpp); every stretch of it on which one letter is read is a
 // leg, which ends a little behind the passage to the next letter. A leg goes straight, or by the shortest drive of a car,
 // where that is free and reads no other letter; otherwise it is sampled (ompl_bridge.hpp) where its two letters are
-// read, and shortened. Where a leg is not found its last passage is blocked and the search begins anew.
+// read, and shortened. Where a leg is not found its last passage is blocked and the search begins anew; passages too
+// narrow for the body are blocked from the start.
 // By exploration: OMPL's LTLPlanner on the cells (ltl_bridge.hpp); a symbol is a letter.
 // A disc keeps the heading that it starts with.
 #pragma once
@@ -13,8 +14,8 @@
 
 namespace waymark::plan {
 
-struct NotFound {  // nothing proved
-  std::size_t attempts = 0;
+struct NotFound {            // nothing proved
+  std::size_t attempts = 0;  // runs through the cells
 };
 using TourOutcome = std::variant<Motion, NoRun, NotFound>;
 

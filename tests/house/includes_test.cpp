@@ -90,7 +90,7 @@ struct Heavy {
 };
 
 std::vector<Heavy> heavy_headers() {
-  return {{"OMPL", std::regex("ompl/.*"), 1},
+  return {{"OMPL", std::regex("ompl/.*"), 2},
           {"Graphviz", std::regex("(graphviz/)?(gvc|cgraph)\\.h"), 1},
           {"an HTTP server", std::regex("(.*/)?httplib\\.h"), 1},
           {"a Boost.Graph algorithm",

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <string>
 
 #include "tools/render/playback.hpp"
@@ -83,6 +84,20 @@ void draw_robot(Svg& svg, const Scale& scale, const plan::Robot& robot, const Pl
   svg.close("g");
 }
 
+// A lit copy of the outline of the state's node, under it; nothing where the automaton is drawn without that state.
+void add_light(std::string& drawing, std::uint32_t state, const std::string& animation) {
+  constexpr std::string_view unfilled = "fill=\"none\"";
+  const auto title = drawing.find("<title>" + std::to_string(state) + "</title>");
+  const auto node = title == std::string::npos ? title : drawing.find("<ellipse", title);
+  const auto end = node == std::string::npos ? node : drawing.find("/>", node);
+  if (end == std::string::npos) return;
+  std::string light = drawing.substr(node, end - node);
+  const auto fill = light.find(unfilled);
+  if (fill == std::string::npos) return;
+  light.replace(fill, unfilled.size(), "fill=\"" + std::string(lit) + "\" opacity=\"0\"");
+  drawing.insert(node, light + "><animate " + animation + "/></ellipse>\n");
+}
+
 }  // namespace
 
 void draw_motion(Svg& svg, const Scale& scale, const plan::Motion& motion) {
@@ -102,22 +117,17 @@ void draw_motion(Svg& svg, const Scale& scale, const plan::Motion& motion) {
 
 void light_up(Drawing& automaton, const plan::Motion& motion, const std::vector<Visit>& visits) {
   const Playback playback(motion);
+  std::map<std::uint32_t, std::vector<Playback::Span>> lights;
   for (std::size_t i = 0; i < visits.size(); ++i) {
-    const double to = i + 1 < visits.size() ? visits[i + 1].time : playback.frames().back().time + 1;
-    if (to <= visits[i].time) continue;
-    const auto title = automaton.content.find("<title>" + std::to_string(visits[i].state) + "</title>");
-    const auto node = automaton.content.find("<ellipse", title);
-    const auto end = automaton.content.find("/>", node);
-    if (title == std::string::npos || node == std::string::npos || end == std::string::npos) continue;
-    const std::string copy = automaton.content.substr(node, end - node);
-    const auto fill = copy.find("fill=\"none\"");
-    if (fill == std::string::npos) continue;
-    std::string light = copy;
-    light.replace(fill, 11, "fill=\"" + std::string(lit) + "\" opacity=\"0\"");
-    automaton.content.insert(node, light + "><animate " +
-                                       playback.switched("opacity", visits[i].time, to, "0.8", "0") +
-                                       "/></ellipse>\n");
+    const double to = i + 1 < visits.size() ? visits[i + 1].time : playback.frames().back().time;
+    std::vector<Playback::Span>& spans = lights[visits[i].state];
+    if (!spans.empty() && spans.back().to == visits[i].time)
+      spans.back().to = to;
+    else
+      spans.push_back({visits[i].time, to});
   }
+  for (const auto& [state, spans] : lights)
+    add_light(automaton.content, state, playback.switched("opacity", spans, "0.8", "0"));
 }
 
 }  // namespace waymark::render

@@ -59,17 +59,15 @@ std::string Playback::moving(const std::string& name,
          times + "1\" " + timing();
 }
 
-std::string Playback::switched(const std::string& name, double from, double to, const std::string& on,
+std::string Playback::switched(const std::string& name, const std::vector<Span>& spans, const std::string& on,
                                const std::string& off) const {
-  const double begin = share(from), end = to >= frames_.back().time ? 1 : share(to);
-  std::string values = on, times = "0";
-  if (begin > 0) {
-    values = off + ';' + on;
-    times += ';' + key_time(begin);
-  }
-  if (end < 1) {
+  std::string values = off, times = "0";
+  for (const Span& span : spans) {
+    values += ';' + on;
+    times += ';' + key_time(share(span.from));
+    if (span.to >= frames_.back().time) break;
     values += ';' + off;
-    times += ';' + key_time(end);
+    times += ';' + key_time(share(span.to));
   }
   return "attributeName=\"" + name + "\" calcMode=\"discrete\" values=\"" + values + "\" keyTimes=\"" +
          times + "\" " + timing();

@@ -28,8 +28,12 @@ class Playback {
 
   // `attributeName="name" values="…" keyTimes="…" dur="…" repeatCount="indefinite"`, one value a frame.
   std::string moving(const std::string& name, const std::function<std::string(const Frame&)>& value) const;
-  // The same for a value that is there from `from` to `to`, times of the motion, and another one before and after.
-  std::string switched(const std::string& name, double from, double to, const std::string& on,
+  // The same for an attribute that is `on` during some spans, ascending and apart, and `off` in between.
+  struct Span {
+    double from = 0,
+           to = 0;  // times of the motion; a span that reaches its end stays on while the robot rests
+  };
+  std::string switched(const std::string& name, const std::vector<Span>& spans, const std::string& on,
                        const std::string& off) const;
 
  private:

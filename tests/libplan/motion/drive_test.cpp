@@ -116,6 +116,20 @@ TEST(Drive, TheSameSeedGivesTheSameBytes) {
   EXPECT_EQ(driven(there, workspace, sampling), driven(there, workspace, sampling));
 }
 
+TEST(Drive, SamplesWithEveryHeading) {
+  const Car car{.turning_radius = 0.1};
+  for (const int heading : {0, 90, 180, 270}) {
+    const DriveProblem problem{.low = {-1, -1},
+                               .high = {1, 1},
+                               .turning_radius = car.turning_radius,
+                               .is_free = [](const Line&) { return true; },
+                               .start = {0, 0, 1.0 * heading},
+                               .goals = {{0.5, 0.5, 1.0 * heading}}};
+    for (const Sampler sampler : {Sampler::InformedRrtStar, Sampler::BitStar})
+      EXPECT_GE(sample_drive(problem, {.sampler = sampler, .iterations = 50}).size(), 2U) << heading;
+  }
+}
+
 TEST(Drive, RefusesACarThatFitsNowhere) {
   const Map map = past_a_sofa();
   const Workspace workspace(map);

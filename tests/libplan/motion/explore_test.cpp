@@ -29,6 +29,15 @@ TEST(Explore, FindsMotionsOfDiscsAndCars) {
           << formula << " " << robot.index();
 }
 
+TEST(Explore, StartsWithEveryHeading) {
+  const Map map = square();
+  const Workspace workspace(map);
+  for (const int heading : {0, 90, 180, 270})
+    EXPECT_TRUE(
+        std::holds_alternative<Motion>(explored("F sofa", workspace, pose_at(map, 0, 0, heading), Disc{})))
+        << heading;
+}
+
 TEST(Explore, AnUnsolvableTaskIsNoRunAndNoCrash) {
   const Map map = square();
   const Workspace workspace(map);
