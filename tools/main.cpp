@@ -36,6 +36,7 @@ constexpr std::array rows{
     Row{"plan", "formula or automaton, and a map → a certified route of least cost", setup_plan},
     Row{"check", "does this trajectory satisfy this formula?", setup_check},
     Row{"move", "formula and a map → a certified motion of a robot with a body", setup_move},
+    Row{"compare", "exact search, value iteration and learners on one task, side by side", setup_compare},
     Row{"train", "corpus → model", setup_train},
     Row{"evaluate", "corpus → accuracy, leaving one map out", setup_evaluate},
     Row{"draw", "map, with or without a route → picture", setup_draw},

@@ -1,20 +1,25 @@
 // waymark move: a formula and a map → a certified motion of a robot with a body.
 //
-// The route comes from the corridor, the motion from the helper waymark-motion, the certificate from here: the word
-// of the motion's own geometry ⊨ φ, whatever the helper did.
+// The route comes from the corridor (or from a file, or is left to OMPL's LTLPlanner), the motion from the helper
+// waymark-motion, the certificate from here: the word of the motion's own geometry ⊨ φ, whatever the helper did.
 #include <CLI/App.hpp>
 #include <iostream>
 #include <memory>
 
+#include "libautomata/dot.hpp"
 #include "libltl/print.hpp"
+#include "libltl/semantics.hpp"
 #include "libplan/motion/read_motion.hpp"
 #include "tools/answer.hpp"
+#include "tools/render/motion_picture.hpp"
 #include "tools/render/page.hpp"
 #include "tools/shell/data_directory.hpp"
 #include "tools/shell/options.hpp"
 #include "tools/shell/output.hpp"
 #include "tools/shell/process.hpp"
+#include "tools/shell/robot_options.hpp"
 #include "tools/subcommand.hpp"
+#include "tools/tour.hpp"
 
 namespace waymark::tools {
 namespace {
@@ -23,25 +28,23 @@ struct Options {
   TextOptions text;
   NotationOptions notation;
   MapOptions map;
-  std::string start, svg, robot = "disc";
-  double radius = 0.05;
-  plan::WorkspaceShape shape;
-  std::size_t iterations = 1'000;
-  std::uint64_t seed = 1;
+  std::string start, route, workspace, svg;
+  RobotOptions robot;
+  SearchOptions search;
+  ShapeOptions shape;
   bool json = false;
 };
 
-double radius_of(const Options& options) {
-  if (options.robot == "car")
-    throw UsageError("--robot car is not there yet: a car cannot turn in place; there are point and disc");
-  return options.robot == "point" ? 0 : options.radius;
+bool is_wide(const plan::Robot& robot, double hallway) {
+  const auto* disc = std::get_if<plan::Disc>(&robot);
+  return disc != nullptr ? !(disc->radius < hallway / 2) : !(std::get<plan::Car>(robot).width < hallway);
 }
 
 plan::Workspace workspace_of(const plan::Map& map, const Options& options) {
   try {
-    plan::Workspace workspace(map, options.shape);
-    if (!(radius_of(options) < workspace.width() / 2))
-      throw UsageError("a robot of that radius is wider than the hallways");
+    plan::Workspace workspace(map, {options.shape.width, options.shape.furniture});
+    if (is_wide(robot_of(options.robot), workspace.width()))
+      throw UsageError("a robot of that size is wider than the hallways");
     return workspace;
   } catch (const std::invalid_argument& error) {
     throw UsageError(error.what());
@@ -49,16 +52,15 @@ plan::Workspace workspace_of(const plan::Map& map, const Options& options) {
 }
 
 // The answer of waymark-motion; its messages, if any, are on standard error already.
-Finished sample(const Options& options, const plan::Route& route, const plan::Map& map) {
+Finished sample(const Options& options, const plan::Route& route, ltl::Formula formula,
+                const plan::Map& map) {
   const auto program = helper("waymark-motion");
   if (program.empty()) throw UsageError("the helper waymark-motion, which links OMPL, is not installed");
-  const auto text = [](double value) { return Json(value).text(); };
-  return run_helper(program,
-                    {"--map", options.map.map, "--data", data_directory(options.map.data).string(), "--width",
-                     text(options.shape.width), "--furniture", text(options.shape.furniture), "--radius",
-                     text(radius_of(options)), "--iterations", std::to_string(options.iterations), "--seed",
-                     std::to_string(options.seed)},
-                    show(route, map) + '\n');
+  std::vector<std::string> arguments = arguments_of(options.robot, options.search, options.shape);
+  arguments.insert(arguments.end(),
+                   {"--map", options.map.map, "--data", data_directory(options.map.data).string(),
+                    "--formula", ltl::print(formula)});
+  return run_helper(program, arguments, show(route, map) + '\n');
 }
 
 struct Moved {
@@ -66,13 +68,6 @@ struct Moved {
   std::optional<plan::CertifiedMotion> motion = {};  // absent: no route, or none found along it
   double sample = 0, certify = 0;                    // seconds
 };
-
-JsonArray json_of(const plan::Motion& motion) {
-  JsonArray line;
-  for (const plan::Configuration& c : motion.configurations)
-    line.add(JsonArray().add(c.x).add(c.y).add(c.heading));
-  return line;
-}
 
 JsonArray json_of(const plan::Route& route, const plan::Map& map) {
   JsonArray poses;
@@ -87,11 +82,13 @@ JsonObject json_of(const Moved& moved, const Options& options, const plan::Map& 
   const Journey& journey = moved.answer.journey;
   JsonObject json;
   json.add("formula", ltl::print(*moved.answer.formula)).add("map", map.name());
-  json.add("robot", options.robot).add("radius", radius_of(options));
+  json.add("robot", options.robot.robot);
+  add_robot(json, robot_of(options.robot));
+  json.add("planner", options.search.planner);
   if (moved.motion)
     json.add("status", "solved")
         .add("route", json_of(moved.motion->route().route(), map))
-        .add("motion", json_of(moved.motion->motion()))
+        .add("motion", line_of(moved.motion->motion()))
         .add("length", plan::length(moved.motion->motion()))
         .add("certified", true);
   else if (const plan::Route* route = route_of(journey))
@@ -109,18 +106,34 @@ JsonObject json_of(const Moved& moved, const Options& options, const plan::Map& 
                                  .add("total", s.total() + moved.certify + moved.sample));
 }
 
-std::string in_words(const Options& options) {
-  return options.robot == "point" ? "a point" : "a disc of radius " + fixed(options.radius, 2);
+// The states of the automaton while the motion goes on: after the letter of the start, then after every action.
+std::vector<render::Visit> visits_of(const plan::CertifiedMotion& motion, const automata::Dfa& dfa,
+                                     const plan::Map& map) {
+  std::vector<render::Visit> visits;
+  automata::StateId q = dfa.initial();
+  for (const ltl::Letter& letter : word_of(motion.route().route(), map)) {
+    q = dfa.next(q, letter);
+    visits.push_back({q.index, visits.empty() ? 0 : motion.times()[visits.size() - 1]});
+  }
+  return visits;
 }
 
-void draw(const Moved& moved, const Options& options, const plan::Map& map) {
+void draw(const Moved& moved, const Options& options, const plan::Map& map, const automata::Dfa& dfa) {
   render::Page page{.map = &map};
   page.formula = ltl::print(*moved.answer.formula, ltl::Style::Unicode);
   page.caption = "map " + map.name();
+  automata::DotOptions look;
+  look.trap = automata::DotOptions::Trap::Omit;
+  page.automaton = render::lay_out(automata::write_dot(dfa, look));
+  const AutomatonSize size = size_of(dfa);
+  page.automaton_caption = counted(size.states, "state") + ", " + counted(size.edges, "edge");
+  if (!page.automaton)
+    complain("note", "waymark-layout is not installed: the automaton is left out of the picture");
   if (moved.motion) {
     page.motion = moved.motion->motion();
-    page.caption += ", motion of " + in_words(options) + ", length " + fixed(plan::length(*page.motion), 2) +
-                    ", certified";
+    page.caption += ", motion of " + in_words(page.motion->robot) + ", length " +
+                    fixed(plan::length(*page.motion), 2) + ", certified";
+    if (page.automaton) render::light_up(*page.automaton, *page.motion, visits_of(*moved.motion, dfa, map));
   }
   write_file(options.svg, render::draw_page(page));
 }
@@ -129,7 +142,7 @@ void print(const Moved& moved, const Options& options, const Session& session, c
   print(std::cout, session.out, moved.answer, map);
   const std::string label = session.out.paint(Paint::Bold, "motion       ");
   if (moved.motion)
-    std::cout << label << "of " << in_words(options) << ", "
+    std::cout << label << "of " << in_words(robot_of(options.robot)) << ", "
               << counted(moved.motion->motion().configurations.size(), "configuration") << ", length "
               << fixed(plan::length(moved.motion->motion()), 2) << ", "
               << session.out.paint(Paint::Green, "certified") << " by definition, sampled in "
@@ -140,7 +153,7 @@ void print(const Moved& moved, const Options& options, const Session& session, c
 ExitCode move_along(const plan::Route& route, const Options& options, const plan::Workspace& workspace,
                     ltl::Formula formula, Moved& moved) {
   StopWatch watch;
-  const Finished finished = sample(options, route, workspace.map());
+  const Finished finished = sample(options, route, formula, workspace.map());
   moved.sample = watch.lap();
   const auto code = static_cast<ExitCode>(finished.exit_code);
   if (code == ExitCode::Done)
@@ -149,20 +162,42 @@ ExitCode move_along(const plan::Route& route, const Options& options, const plan
   return code;
 }
 
+// The route of the corridor, or the one given, which must satisfy the formula.
+Journey journey_of(const Options& options, const plan::Map& map, const automata::Dfa& dfa,
+                   ltl::Formula formula, const Session& session) {
+  if (options.route.empty()) return travel(map, dfa, formula, start_poses(options.start, map), session.stop);
+  StopWatch watch;
+  Journey journey{size_of(dfa), 0, 0, plan::Infeasible{}, {}};
+  const plan::Route route =
+      priced(plan::parse_trajectory(read_file(options.route), map, source_name(options.route)), map);
+  if (ltl::holds(word_for(formula, route, map), formula))
+    journey.destination = certify(route, map, formula);
+  else
+    journey.destination = plan::Infeasible{"the route given does not satisfy the formula"};
+  journey.seconds.certify = watch.lap();
+  return journey;
+}
+
 ExitCode run_move(const Options& options, const Session& session) {
-  TextReader texts(options.text, "formula");
+  TextOptions text = options.text;
+  if (text.arguments.empty() && text.file.empty() && !options.route.empty()) text.arguments = {"true"};
+  TextReader texts(text, "formula");
   if (texts.is_batch()) throw UsageError("waymark move takes one formula, as an argument");
+  const Text formula_text = texts.next().value();
+  if (!options.workspace.empty())
+    return run_tour({formula_text, options.notation, options.workspace, options.start, options.robot,
+                     options.search, options.svg, options.json},
+                    session);
   StopWatch watch;
   const plan::Map map = read_map(options.map);
   const plan::Workspace workspace = workspace_of(map, options);
-  const auto starts = start_poses(options.start, map);
   const double load = watch.lap();
   ltl::Arena arena(map.vocabulary());
   const auto formula =
-      parse_formula(texts.next().value(), arena, parse_options(options.notation, ltl::Unknown::Reject));
+      parse_formula(formula_text, arena, parse_options(options.notation, ltl::Unknown::Reject));
   const automata::Dfa dfa = translate(formula, session.stop);
   const double translating = watch.lap();
-  Moved moved{.answer = {.formula = formula, .journey = travel(map, dfa, formula, starts, session.stop)}};
+  Moved moved{.answer = {.formula = formula, .journey = journey_of(options, map, dfa, formula, session)}};
   moved.answer.journey.seconds.load = load;
   moved.answer.journey.seconds.translate = translating;
   const plan::Route* route = route_of(moved.answer.journey);
@@ -174,7 +209,7 @@ ExitCode run_move(const Options& options, const Session& session) {
     std::cout << json_of(moved, options, map).text() << '\n';
   else
     print(moved, options, session, map);
-  if (!options.svg.empty()) draw(moved, options, map);
+  if (!options.svg.empty()) draw(moved, options, map, dfa);
   return code;
 }
 
@@ -186,20 +221,15 @@ Runner setup_move(CLI::App& command) {
   add_notation_options(command, options->notation);
   add_map_options(command, options->map);
   add_start_option(command, options->start);
-  command.add_option("--robot", options->robot, "what moves")
-      ->check(CLI::IsMember({"point", "disc", "car"}))
-      ->capture_default_str();
-  command.add_option("--radius", options->radius, "of the disc, where neighbouring places are 1 apart")
-      ->check(CLI::NonNegativeNumber)
-      ->capture_default_str();
-  command.add_option("--width", options->shape.width, "of hallways")->capture_default_str();
-  command.add_option("--furniture", options->shape.furniture, "radius of every piece; 0: none")
-      ->capture_default_str();
-  command.add_option("--iterations", options->iterations, "of sampling, for each leg that needs it")
-      ->check(CLI::Range(std::size_t{1}, std::size_t{10'000'000}))
-      ->capture_default_str();
-  command.add_option("--seed", options->seed, "of the sampling; the same seed gives the same motion")
-      ->capture_default_str();
+  command.add_option("--route", options->route, "move along this route, not along the plan of the formula")
+      ->type_name("FILE");
+  command
+      .add_option("--workspace", options->workspace,
+                  "move through the polygons of this file, not on a map; --start is then a point of it")
+      ->type_name("FILE");
+  add_robot_options(command, options->robot);
+  add_shape_options(command, options->shape);
+  add_search_options(command, options->search);
   command.add_flag("--json", options->json, "one JSON object");
   command.add_option("--svg", options->svg, "draw the motion on the map")->type_name("FILE");
   return [options](const Session& session) { return run_move(*options, session); };

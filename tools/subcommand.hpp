@@ -28,6 +28,7 @@ Runner setup_automaton(CLI::App& command);
 Runner setup_compose(CLI::App& command);
 Runner setup_plan(CLI::App& command);
 Runner setup_check(CLI::App& command);
+Runner setup_compare(CLI::App& command);
 Runner setup_train(CLI::App& command);
 Runner setup_evaluate(CLI::App& command);
 Runner setup_move(CLI::App& command);

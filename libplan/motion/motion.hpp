@@ -1,11 +1,12 @@
 // Motions: what the robot does in continuous space, the route that can be read off it, and the proof that this route
 // does what was asked.
 //
-// A motion is a line of configurations. Between two of them the robot moves straight and turns the short way, both at
-// constant rates. Its route is read off the geometry alone: FORWARD happens where the centre of the robot enters the
-// cell of another node, a turn where its heading comes nearer to the next quarter than to the last one; turning so
-// far between two places, or entering a place other than the one ahead, is no step of any route. Leaving a cell and
-// coming back to it without having entered another is no event.
+// A motion is a line of configurations, joined by the pieces that the robot can do (piece.hpp). Its route is read off
+// the geometry alone: FORWARD happens where the centre of the robot enters the cell of another node, a turn where its
+// heading comes nearer to the next quarter than to the last one; turning so far between two places, or entering a place
+// other than the one ahead, is no step of any route. Leaving a cell and coming back to it without having entered
+// another is no event. So a car, which cannot turn in place, turns by driving: its turn happens where its heading
+// passes the diagonal, and must do so inside the cell; it may back into a hallway meanwhile, but not into a place.
 #pragma once
 #include <cstddef>
 #include <string>
@@ -19,27 +20,29 @@
 
 namespace waymark::plan {
 
-struct Configuration {
-  double x = 0, y = 0;
-  double heading = 0;  // degrees clockwise from north, 0 ≤ heading < 360
-  friend bool operator==(const Configuration&, const Configuration&) = default;
-};
-inline Point position(const Configuration& c) { return {c.x, c.y}; }
-// Degrees to turn from one heading to the other the short way, clockwise positive: in (−180, 180].
-double turn_between(double from, double to);
-
 struct Motion {
   std::vector<Configuration> configurations;
-  double radius = 0;  // of the robot, a disc; 0: a point
+  Robot robot;
   friend bool operator==(const Motion&, const Motion&) = default;
 };
-double length(const Motion& motion);  // of the line that the centre draws, in units of the map
+double length(const Motion& motion);            // of the line that the centre draws, in units of the map
+int quarter_of(double heading);                 // the nearest one, 0 … 3; 0 is north
+bool is_configuration(const Configuration& c);  // finite, 0 ≤ heading < 360
+// The parts of the motion, one configuration less than it has: at each, a piece of less than half a turn. Throws
+// std::invalid_argument where the robot has none (piece_between).
+std::vector<Piece> pieces_of(const Motion& motion);
 
 struct NoRoute {         // the motion is no motion along any route
   std::size_t step = 0;  // the fault lies on the way to this configuration
   std::string reason;
 };
+struct TimedRoute {
+  Trajectory route;
+  // By action: when it happens. Between the configurations i and i + 1 the time runs from i to i + 1.
+  std::vector<double> times;
+};
 // The route of the motion: poses and actions. O(|motion|) cells and walls.
+std::variant<TimedRoute, NoRoute> timed_route_of(const Motion& motion, const Workspace& workspace);
 std::variant<Trajectory, NoRoute> route_of(const Motion& motion, const Workspace& workspace);
 
 // A motion that was checked: it keeps off walls and furniture, and the word of its route ⊨ φ.
@@ -48,13 +51,15 @@ class CertifiedMotion {
  public:
   const Motion& motion() const { return motion_; }
   const CertifiedRoute& route() const { return route_; }  // read off the motion, not the one it was made from
+  const std::vector<double>& times() const { return times_; }  // of the actions, as in TimedRoute
 
  private:
   friend CertifiedMotion certify(Motion motion, const Workspace& workspace, ltl::Formula f);
-  CertifiedMotion(Motion motion, CertifiedRoute route)
-      : motion_(std::move(motion)), route_(std::move(route)) {}
+  CertifiedMotion(Motion motion, CertifiedRoute route, std::vector<double> times)
+      : motion_(std::move(motion)), route_(std::move(route)), times_(std::move(times)) {}
   Motion motion_;
   CertifiedRoute route_;
+  std::vector<double> times_;
 };
 
 // Throws std::logic_error (we are wrong) naming the configuration or the formula when the check fails.

@@ -1,28 +1,51 @@
-// The one door to OMPL [SMK12]: a short way from a point to one of several others, found by sampling.
+// The door to OMPL's geometric planners [SMK12]: short ways found by sampling, for points and for cars.
 //
-// Informed RRT* [GSB14] in a rectangle, for a set number of iterations. OMPL seeds its generators from one
-// process-wide sequence; here every generator that is used gets a seed of its own, so that equal arguments give equal
-// bytes whatever the process did before. For that the informed subset is sampled by rejection, which takes a little
-// longer than OMPL's direct way and draws from the same distribution.
+// Informed RRT* [GSB14] or BIT* [GSB15], for a set number of iterations. OMPL seeds its generators from one process-wide
+// sequence; it is begun anew for every search, so that equal arguments give equal bytes whatever the process did
+// before. The informed subset is sampled by rejection, which serves both spaces and draws from the same distribution as
+// OMPL's direct way. Everything here silences OMPL's messages for the whole process.
 #pragma once
 #include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <vector>
 
-#include "libplan/motion/workspace.hpp"
+#include "libplan/motion/piece.hpp"
 
 namespace waymark::plan {
 
-struct SamplingProblem {
+enum class Sampler : std::uint8_t { InformedRrtStar, BitStar };
+
+struct Effort {
+  Sampler sampler = Sampler::InformedRrtStar;
+  std::size_t iterations = 1'000;  // of RRT*: samples; of BIT*: edges taken from its queue, and batches
+  std::uint32_t seed = 1;
+};
+
+struct PathProblem {
   Point low, high;                            // opposite corners of the rectangle
   std::function<bool(Point, Point)> is_free;  // may one move straight from one point to the other, and back?
   Point start;
   std::vector<Point> goals;
 };
-
 // The points of the path, start and goal included; empty when none was found. O(iterations²), calls of is_free
-// O(iterations · log iterations). Silences OMPL's messages for the whole process.
-std::vector<Point> sample_path(const SamplingProblem& problem, std::size_t iterations, std::uint32_t seed);
+// O(iterations · log iterations).
+std::vector<Point> sample_path(const PathProblem& problem, const Effort& effort);
+
+using Line = std::vector<Configuration>;  // each leads to the next by an arc of at most an eighth of a circle
+
+// The shortest way of a car that drives forwards and backwards [RS90], both ends included.
+Line shortest_drive(const Configuration& from, const Configuration& to, double turning_radius);
+
+struct DriveProblem {
+  Point low, high;  // the positions that are sampled
+  double heading = 0,
+         aside = 180;  // the headings that are: this one, and up to so many degrees to both sides
+  double turning_radius = 1;
+  std::function<bool(const Line&)> is_free;
+  Configuration start;
+  std::vector<Configuration> goals;
+};
+Line sample_drive(const DriveProblem& problem, const Effort& effort);  // empty when none was found
 
 }  // namespace waymark::plan

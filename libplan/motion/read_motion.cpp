@@ -1,6 +1,7 @@
 #include "libplan/motion/read_motion.hpp"
 
 #include <array>
+#include <charconv>
 #include <nlohmann/json.hpp>
 #include <string>
 
@@ -22,7 +23,7 @@ class MotionReader {
     Motion motion;
     for (std::size_t i = 0; i < line.size(); ++i)
       motion.configurations.push_back(configuration(line[i], "motion[" + std::to_string(i) + "]"));
-    motion.radius = number(member(document, "radius"), "radius");
+    motion.robot = robot(document);
     return motion;
   }
 
@@ -41,9 +42,18 @@ class MotionReader {
     }
   }
 
-  const json& member(const json& document, const char* key) const {
+  Robot robot(const json& document) const {
+    if (!document.contains("car")) return Disc{number(member(document, "radius"), "radius")};
+    const json& car = document["car"];
+    const auto part = [&](const char* key) {
+      return number(member(car, key, "car"), std::string("car.") + key);
+    };
+    return Car{.length = part("length"), .width = part("width"), .turning_radius = part("turning_radius")};
+  }
+
+  const json& member(const json& document, const char* key, const char* path = "") const {
     if (!document.is_object() || !document.contains(key))
-      fail("", "expected an object with the key \"" + std::string(key) + "\"");
+      fail(path, "expected an object with the key \"" + std::string(key) + "\"");
     return document[key];
   }
 
@@ -66,6 +76,26 @@ class MotionReader {
 
 Motion parse_motion(std::string_view json, std::string_view source) {
   return MotionReader(json, source).read();
+}
+
+Configuration parse_configuration(std::string_view text) {
+  std::array<double, 3> values{0, 0, 0};
+  const char *at = text.data(), *end = text.data() + text.size();
+  std::size_t count = 0;
+  bool goes_on = true;  // a number must follow
+  while (goes_on && count < values.size()) {
+    const auto [next, error] = std::from_chars(at, end, values.at(count));
+    if (error != std::errc{}) break;
+    ++count;
+    goes_on = next != end && *next == ',';
+    at = goes_on ? next + 1 : next;
+  }
+  const Configuration c{values[0], values[1], values[2]};
+  if (count < 2 || goes_on || at != end || !is_configuration(c))
+    throw ltl::FormatError(
+        "start", 0, 0,
+        "expected x,y or x,y,heading with 0 ≤ heading < 360, not \"" + std::string(text) + '"');
+  return c;
 }
 
 }  // namespace waymark::plan

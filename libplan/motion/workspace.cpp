@@ -11,31 +11,7 @@ namespace {
 constexpr std::array<Point, 4> directions{Point{0, -1}, Point{1, 0}, Point{0, 1},
                                           Point{-1, 0}};  // heading / 90
 
-// Twice the area of the triangle abc, positive when it is walked clockwise on the page.
-double orientation(Point a, Point b, Point c) {
-  return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
-}
-
-bool cross(Point a, Point b, Point c,
-           Point d) {  // properly: each segment has its ends on both sides of the other
-  return orientation(a, b, c) * orientation(a, b, d) < 0 && orientation(c, d, a) * orientation(c, d, b) < 0;
-}
-
 }  // namespace
-
-double distance(Point a, Point b) { return std::hypot(a.x - b.x, a.y - b.y); }
-
-double distance(Point p, Point a, Point b) {
-  const double dx = b.x - a.x, dy = b.y - a.y, square = dx * dx + dy * dy;
-  if (square == 0) return distance(p, a);
-  const double t = std::clamp(((p.x - a.x) * dx + (p.y - a.y) * dy) / square, 0.0, 1.0);
-  return distance(p, {a.x + t * dx, a.y + t * dy});
-}
-
-double distance(Point a, Point b, Point c, Point d) {
-  if (cross(a, b, c, d)) return 0;
-  return std::min({distance(a, c, d), distance(b, c, d), distance(c, a, b), distance(d, a, b)});
-}
 
 Workspace::Workspace(const Map& map, const WorkspaceShape& shape) : map_(&map), shape_(shape) {
   if (!(shape.width > 0 && shape.width < 1))
@@ -86,10 +62,13 @@ std::optional<Cell> Workspace::cell_at(Point p) const {
   return Cell{Cell::Kind::Edge, static_cast<std::uint32_t>(edge - map_->edges().data())};
 }
 
+bool Workspace::is_furnished(std::uint32_t node) const {
+  return shape_.furniture > 0 && map_->nodes()[node].object.has_value();
+}
+
 bool Workspace::keeps_off(std::uint32_t node, Point a, Point b, double radius) const {
-  const bool furnished = shape_.furniture > 0 && map_->nodes()[node].object;
   const double gap = distance(centre(node), a, b) - shape_.furniture;
-  if (furnished && (gap < radius || gap <= 0)) return false;
+  if (is_furnished(node) && (gap < radius || gap <= 0)) return false;
   return std::none_of(walls_[node].begin(), walls_[node].end(), [&](const Wall& wall) {
     const double d = distance(a, b, wall.a, wall.b);
     return d < radius || d <= 0;
@@ -113,6 +92,27 @@ bool Workspace::admits(Point a, Point b, double radius) const {
     }
   }
   return true;
+}
+
+// Every wall is one of the nodes at its two ends, so those around the box, widened by `most`, have all that count.
+double Workspace::clearance(const Box& box, double most) const {
+  const auto [left, right] = std::minmax({box[0].x, box[1].x, box[2].x, box[3].x});
+  const auto [top, bottom] = std::minmax({box[0].y, box[1].y, box[2].y, box[3].y});
+  const Point middle{(box[0].x + box[2].x) / 2, (box[0].y + box[2].y) / 2};
+  const double radius = distance(middle, box[0]);
+  const auto nearest = [](double value) { return static_cast<int>(std::lround(value)); };
+  double least = most;
+  for (int x = nearest(left - most); x <= nearest(right + most); ++x)
+    for (int y = nearest(top - most); y <= nearest(bottom + most); ++y) {
+      const auto node = map_->hallways().node_at(x, y);
+      if (!node) continue;
+      if (is_furnished(*node))
+        least = std::min(least, std::max(0.0, gap(box, centre(*node)) - shape_.furniture));
+      for (const Wall& wall : walls_[*node])
+        if (distance(middle, wall.a, wall.b) - radius < least)
+          least = std::min(least, gap(box, wall.a, wall.b));
+    }
+  return least;
 }
 
 std::vector<Point> Workspace::stands(std::uint32_t node, double radius) const {

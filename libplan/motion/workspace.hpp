@@ -10,17 +10,10 @@
 #include <optional>
 #include <vector>
 
+#include "libplan/motion/free_space.hpp"
 #include "libplan/world/map.hpp"
 
 namespace waymark::plan {
-
-struct Point {
-  double x = 0, y = 0;
-  friend bool operator==(const Point&, const Point&) = default;
-};
-double distance(Point a, Point b);
-double distance(Point p, Point a, Point b);           // from p to the segment ab
-double distance(Point a, Point b, Point c, Point d);  // between the segments ab and cd
 
 struct WorkspaceShape {
   double width = 0.4;       // of hallways, 0 < width < 1
@@ -34,7 +27,7 @@ struct Cell {  // of the free space
   friend bool operator==(const Cell&, const Cell&) = default;
 };
 
-class Workspace {
+class Workspace : public FreeSpace {
  public:
   // The map must outlive the workspace. Throws std::invalid_argument on a shape out of bounds.
   explicit Workspace(const Map& map, const WorkspaceShape& shape = {});
@@ -47,10 +40,10 @@ class Workspace {
   // O(log nodes).
   std::optional<Cell> cell_at(Point p) const;
 
-  // Whether a disc of that radius fits into the free space at p, or all the way from a to b. Exact up to rounding;
-  // a point (radius 0) keeps off walls and furniture too. O(distance of a and b · log nodes).
   bool admits(Point p, double radius) const { return admits(p, p, radius); }
-  bool admits(Point a, Point b, double radius) const;
+  bool admits(Point a, Point b, double radius) const override;  // O(distance of a and b · log nodes)
+  bool contains(Point p) const override { return cell_at(p).has_value(); }
+  double clearance(const Box& box, double most) const override;  // O(1), most < 1
 
   // Where a disc can stand in the cell of a node: its centre, or a few points around the furniture there. Empty: no
   // such point is known.
@@ -61,6 +54,7 @@ class Workspace {
     Point a, b;
   };
   std::vector<Wall> walls_around(std::uint32_t node) const;
+  bool is_furnished(std::uint32_t node) const;
   bool keeps_off(std::uint32_t node, Point a, Point b, double radius) const;
 
   const Map* map_;

@@ -5,16 +5,13 @@
 #include <stdexcept>
 #include <variant>
 
-#include "libautomata/limit_deterministic/ltl_to_ldba.hpp"
-#include "libautomata/ltlf_to_dfa.hpp"
-#include "libautomata/omega/monitor.hpp"
-#include "libltl/fragment.hpp"
 #include "libltl/parse.hpp"
 #include "libltl/print.hpp"
 #include "libltl/semantics.hpp"
 #include "libltl/simplify.hpp"
 #include "libplan/solve/drop_conjuncts.hpp"
 #include "libplan/solve/product_search.hpp"
+#include "libplan/solve/task_automaton.hpp"
 #include "libplan/solve/tour.hpp"
 
 namespace waymark::plan {
@@ -61,31 +58,12 @@ class TaskSolver {
   }
 
  private:
-  // The automaton that answers the query: finite where goals say it all, limit-deterministic otherwise.
-  bool is_finite(ltl::Formula f) const {
-    return task_.logic != Logic::Ltl || ltl::fragments(f, ltl::Semantics::Infinite).cosafety;
-  }
-  automata::TranslationLimits limits() const {
-    return {.states = options_.states / 100 + 1, .stop = options_.stop};
-  }
-  template <class Result>
-  static auto& done(Result& result) {
-    if (std::holds_alternative<automata::Exhausted>(result)) throw Spent{"no automaton within the limits"};
-    return std::get<0>(result);
-  }
+  bool is_finite(ltl::Formula f) const { return is_finite_task(f, task_.logic); }
   TaskTable table(ltl::Formula f) {
-    if (task_.query == Query::MinCost && task_.logic == Logic::Ltl &&
-        !(is_finite(f) && ltl::fragments(f, ltl::Semantics::Infinite).next_free)) {
-      auto monitor =
-          automata::ltl_to_monitor(f, limits());  // what is asked for is a good prefix, whatever f is
-      return sized(done(monitor).good());
-    }
-    if (is_finite(f)) {
-      auto dfa = automata::ltlf_to_dfa(f, limits());
-      return sized(done(dfa));
-    }
-    auto ldba = automata::ltl_to_ldba(f, limits());
-    return sized(done(ldba).automaton);
+    const auto automaton = task_automaton(f, task_.logic, task_.query,
+                                          {.states = options_.states / 100 + 1, .stop = options_.stop});
+    if (!automaton) throw Spent{"no automaton within the limits"};
+    return std::visit([&](const auto& found) { return sized(found); }, *automaton);
   }
   template <class Automaton>
   TaskTable sized(const Automaton& automaton) {
@@ -95,8 +73,8 @@ class TaskSolver {
 
   void formula() {
     Clock clock;
-    ltl::Formula f = ltl::parse(task_.formula, arena_);
-    if (task_.logic == Logic::Ltl) f = ltl::simplify(f, ltl::Semantics::Infinite);
+    const ltl::Formula asked = ltl::parse(task_.formula, arena_);
+    const ltl::Formula f = task_.logic == Logic::Ltl ? ltl::simplify(asked, ltl::Semantics::Infinite) : asked;
     const bool negated = task_.query == Query::MinProbability && !is_finite(f);
     const TaskTable task = table(negated ? ltl::simplify(ltl::negate(f), ltl::Semantics::Infinite) : f);
     answer_.seconds.automaton = clock.lap();
@@ -106,7 +84,7 @@ class TaskSolver {
       throw std::invalid_argument("method search answers rmin, steps and cycle on deterministic models only");
     else
       decide(task, negated, clock);
-    if (answer_.status == Status::Infeasible && options_.explain) explain(f);
+    if (answer_.status == Status::Infeasible && options_.explain) explain(asked);
   }
 
   bool is_cost() const { return task_.query == Query::MinCost || task_.query == Query::MinSteps; }

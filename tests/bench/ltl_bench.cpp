@@ -18,6 +18,7 @@
 
 #include "libautomata/omega/ltl_to_buchi.hpp"
 #include "libltl/parse.hpp"
+#include "tests/support/places.hpp"
 
 namespace waymark::automata {
 namespace {
@@ -112,9 +113,7 @@ void set(benchmark::State& state, Translate run, const std::string& kind, const 
 const bool registered = [] {
   const char* seconds = std::getenv("WAYMARK_LIMIT_SECONDS");
   const double limit = seconds != nullptr ? std::atof(seconds) : 8;
-  const char* place = std::getenv("WAYMARK_SHARED");
-  const fs::path source = fs::path(__FILE__).parent_path().parent_path().parent_path();
-  const fs::path folder = (place != nullptr ? fs::path(place) : source.parent_path() / "shared") / "ltl";
+  const fs::path folder = testing::shared() / "ltl";
   std::vector<fs::path> files;
   if (fs::is_directory(folder))
     for (const auto& entry : fs::directory_iterator(folder))

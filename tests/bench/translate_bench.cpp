@@ -18,6 +18,7 @@
 #include "libautomata/guard.hpp"
 #include "libautomata/ltlf_to_dfa.hpp"
 #include "libltl/parse.hpp"
+#include "tests/support/places.hpp"
 
 namespace waymark::automata {
 namespace {
@@ -138,11 +139,7 @@ void set(benchmark::State& state, const fs::path& path, const fs::path& facts_pa
   }
 }
 
-fs::path shared_formulas() {
-  const char* place = std::getenv("WAYMARK_SHARED");
-  if (place != nullptr) return fs::path(place) / "ltl";
-  return fs::path(__FILE__).parent_path().parent_path().parent_path().parent_path() / "shared" / "ltl";
-}
+fs::path shared_formulas() { return testing::shared() / "ltl"; }
 
 const bool registered = [] {
   const char* seconds = std::getenv("WAYMARK_LIMIT_SECONDS");

@@ -10,6 +10,7 @@
 #include "libautomata/ltlf_to_dfa.hpp"
 #include "libautomata/product.hpp"
 #include "libltl/parse.hpp"
+#include "tests/support/places.hpp"
 
 namespace waymark::automata {
 namespace {
@@ -47,8 +48,7 @@ TEST(WriteHoa, IsStableAndStatesItsConvention) {
 }
 
 TEST(WriteHoa, IsWhatTheDocumentShows) {
-  const auto root = std::filesystem::path(__FILE__).parent_path().parent_path().parent_path();
-  std::ifstream in(root / "docs" / "formats" / "hoa.md");
+  std::ifstream in(testing::source_root() / "docs" / "formats" / "hoa.md");
   const std::string document{std::istreambuf_iterator<char>(in), {}};
   const std::string shown = "```\n" + write_hoa(translate("F (a & b)"), {.name = "F (a & b)"}) + "```";
   EXPECT_NE(document.find(shown), std::string::npos) << "docs/formats/hoa.md does not show\n" << shown;

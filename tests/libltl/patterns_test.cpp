@@ -15,16 +15,12 @@
 #include "libltl/random.hpp"
 #include "libltl/semantics.hpp"
 #include "tests/support/generate.hpp"
+#include "tests/support/places.hpp"
 
 namespace waymark::ltl {
 namespace {
 
 namespace fs = std::filesystem;
-
-fs::path shared() {
-  if (const char* place = std::getenv("WAYMARK_SHARED")) return place;
-  return fs::path(__FILE__).parent_path().parent_path().parent_path().parent_path() / "shared";
-}
 
 // By odd number of the catalogue: which parameter p0, p1, … of the collected formula is.
 constexpr const char* parameters_of_line[] = {"p",    "qp",    "qrp",  "rp",    "qrp",  "p",     "qp",
@@ -33,7 +29,7 @@ constexpr const char* parameters_of_line[] = {"p",    "qp",    "qrp",  "rp",    
                                               "qstp", "qsrtp", "rpst", "qrpst", "pszt", "qpszt", "qprszt"};
 
 TEST(Patterns, AgreeWithTheCollectedFormulas) {
-  const fs::path file = shared() / "ltl" / "ltl_dwyer.ltl";
+  const fs::path file = testing::shared() / "ltl" / "ltl_dwyer.ltl";
   if (!fs::exists(file)) GTEST_SKIP() << "benchmark formulas not found: " << file << " (set WAYMARK_SHARED)";
   std::ifstream in(file);
   const std::vector<Pattern> patterns = property_patterns();

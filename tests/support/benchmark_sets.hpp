@@ -1,21 +1,16 @@
-// The open benchmark sets and what the peers answer on them: in ../shared/ltl beside the repository, or where
-// WAYMARK_SHARED says. Tests that need them are skipped, loudly, where they are missing.
+// The open benchmark sets and what the peers answer on them.
 #pragma once
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <map>
 #include <sstream>
 #include <string>
 
+#include "tests/support/places.hpp"
+
 namespace waymark::testing {
 
-inline std::filesystem::path benchmark_sets() {
-  if (const char* place = std::getenv("WAYMARK_SHARED")) return std::filesystem::path(place) / "ltl";
-  std::filesystem::path root = __FILE__;
-  for (int up = 0; up < 4; ++up) root = root.parent_path();
-  return root / "shared" / "ltl";
-}
+inline std::filesystem::path benchmark_sets() { return shared() / "ltl"; }
 
 // By line of the set: the number in a column of a tab-separated file with headings, where there is one.
 inline std::map<std::size_t, std::size_t> column(const std::filesystem::path& path, const std::string& name) {

@@ -14,16 +14,6 @@ namespace {
 constexpr double border = 28, gutter = 34, least_panel = 400, greatest_panel = 620;
 constexpr double instruction_size = 21, formula_size = 16, caption_size = 13;
 
-// Some of the operators of mathematics are missing from common fonts: U, R, W, M are shown as plain letters.
-std::string drawable(std::string formula) {
-  constexpr std::pair<std::string_view, std::string_view> plain[]{
-      {"𝒰", "U"}, {"ℛ", "R"}, {"𝒲", "W"}, {"ℳ", "M"}};
-  for (const auto& [script, letter] : plain)
-    for (auto found = formula.find(script); found != std::string::npos; found = formula.find(script, found))
-      formula.replace(found, script.size(), letter);
-  return formula;
-}
-
 struct Line {
   std::string text;
   double size;
@@ -93,6 +83,24 @@ void draw_panel(Svg& svg, const Page& page, const Panel& panel, Point corner) {
 
 }  // namespace
 
+std::string drawable(std::string formula) {
+  constexpr std::pair<std::string_view, std::string_view> plain[]{
+      {"𝒰", "U"}, {"ℛ", "R"}, {"𝒲", "W"}, {"ℳ", "M"}};
+  for (const auto& [script, letter] : plain)
+    for (auto found = formula.find(script); found != std::string::npos; found = formula.find(script, found))
+      formula.replace(found, script.size(), letter);
+  return formula;
+}
+
+void open_document(Svg& svg, double width, double height) {
+  svg.raw("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n");
+  svg.open("svg",
+           "xmlns=\"http://www.w3.org/2000/svg\" xmlns:xlink=\"http://www.w3.org/1999/xlink\" width=\"" +
+               number(width) + "\" height=\"" + number(height) + "\" viewBox=\"0 0 " + number(width) + ' ' +
+               number(height) + "\" font-family=\"" + std::string(font_family) + '"');
+  svg.rectangle({0, 0}, width, height, R"(fill="#fff")");
+}
+
 std::string draw_page(const Page& page) {
   PlanView view(*page.map);
   const Panel panel = panel_of(page, view.height());
@@ -102,20 +110,15 @@ std::string draw_page(const Page& page) {
   const double height = top + std::max(view.height(), panel.height()) + border;
 
   Svg svg;
-  svg.raw("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n");
-  svg.open("svg",
-           "xmlns=\"http://www.w3.org/2000/svg\" xmlns:xlink=\"http://www.w3.org/1999/xlink\" width=\"" +
-               number(width) + "\" height=\"" + number(height) + "\" viewBox=\"0 0 " + number(width) + ' ' +
-               number(height) + "\" font-family=\"" + std::string(font_family) + '"');
+  open_document(svg, width, height);
   svg.open("defs");
   define_floors(svg, page.map->floors());
   svg.close("defs");
-  svg.rectangle({0, 0}, width, height, R"(fill="#fff")");
   draw_title(svg, lines);
   svg.open("g", translated({border, top}));
   draw_map(svg, view);
   if (page.route) draw_route(svg, view, *page.route);
-  if (page.motion) draw_motion(svg, view, *page.motion);
+  if (page.motion) draw_motion(svg, {view.centre(0.0, 0.0), PlanView::cell}, *page.motion);
   draw_place_numbers(svg, view);
   svg.close("g");
   draw_panel(svg, page, panel, {border + view.width() + gutter, top + 4});

@@ -23,4 +23,9 @@ struct Page {
 // A complete SVG document.
 std::string draw_page(const Page& page);
 
+// For pages of other kinds: the root element on a white ground, to be closed by the caller; and a formula with U, R, W,
+// M as plain letters, for some of the operators of mathematics are missing from common fonts.
+void open_document(Svg& svg, double width, double height);
+std::string drawable(std::string formula);
+
 }  // namespace waymark::render

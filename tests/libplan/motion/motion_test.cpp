@@ -16,7 +16,7 @@ static_assert(!std::is_constructible_v<CertifiedMotion, Motion, CertifiedRoute>,
 
 // From centre to centre, turning in place: what a route looks like without a body.
 Motion along_centres(const Trajectory& route, const Map& map, double radius) {
-  Motion motion{{}, radius};
+  Motion motion{{}, Disc{radius}};
   for (PoseId id : route.poses) {
     const Pose pose = map.pose(id);
     motion.configurations.push_back({1.0 * pose.x, 1.0 * pose.y, 1.0 * pose.heading});
@@ -64,7 +64,8 @@ TEST(Motion, ReadsTheRouteOffTheGeometry) {
        {{0, 0, 90}, {1, 0, 90}, {1, 0, 180}, {1, 1, 180}},
        "0,0,90 FORWARD RIGHT FORWARD"},
   };
-  for (const auto& row : table) EXPECT_EQ(route_text({row.line, 0.05}, workspace), row.route) << row.what;
+  for (const auto& row : table)
+    EXPECT_EQ(route_text({row.line, Disc{0.05}}, workspace), row.route) << row.what;
 }
 
 TEST(Motion, NamesWhatIsNoRoute) {
@@ -90,7 +91,7 @@ TEST(Motion, NamesWhatIsNoRoute) {
       {{{0, 0, 90}, {1, 0, 180}}, "1: the robot turns between two places"},
       {{{0, 0, 0}, {0, 0, 180}}, "1: half a turn at once: left or right?"},
   };
-  for (const auto& row : table) EXPECT_EQ(route_text({row.line, 0.05}, workspace), row.fault);
+  for (const auto& row : table) EXPECT_EQ(route_text({row.line, Disc{0.05}}, workspace), row.fault);
 }
 
 void for_each_route(const Map& map, std::size_t most_actions,
@@ -124,14 +125,14 @@ TEST(Motion, EveryRouteReadsBack) {
 }
 
 TEST(Motion, LengthIsThatOfTheLine) {
-  EXPECT_DOUBLE_EQ(length({{{0, 0, 0}, {3, 4, 0}, {3, 4, 90}, {4, 4, 90}}, 0}), 6);
-  EXPECT_DOUBLE_EQ(length({{{0, 0, 0}}, 0}), 0);
+  EXPECT_DOUBLE_EQ(length({{{0, 0, 0}, {3, 4, 0}, {3, 4, 90}, {4, 4, 90}}, Disc{0}}), 6);
+  EXPECT_DOUBLE_EQ(length({{{0, 0, 0}}, Disc{0}}), 0);
 }
 
 TEST(CertifiedMotion, IsOneWhoseWordSatisfiesTheFormula) {
   const Map map = square();
   const Workspace workspace(map, {.width = 0.4, .furniture = 0});
-  const Motion motion{{{0, 0, 90}, {1, 0, 90}, {1, 0, 180}, {1, 1, 180}}, 0.05};
+  const Motion motion{{{0, 0, 90}, {1, 0, 90}, {1, 0, 180}, {1, 1, 180}}, Disc{0.05}};
   ltl::Arena arena(map.vocabulary());
   const auto phi = ltl::parse("place_1 & X(moved & X(turned_right & X(sofa & moved)))", arena);
   const CertifiedMotion certified = certify(motion, workspace, phi);
@@ -144,7 +145,7 @@ TEST(CertifiedMotion, RefusesWhatDoesNotSatisfyTheFormulaOrIsNoRoute) {
   const Map map = square();
   const Workspace workspace(map);
   ltl::Arena arena(map.vocabulary());
-  const Motion stays{{{0, 0, 90}}, 0.05}, sideways{{{0, 0, 0}, {1, 0, 0}}, 0.05};
+  const Motion stays{{{0, 0, 90}}, Disc{0.05}}, sideways{{{0, 0, 0}, {1, 0, 0}}, Disc{0.05}};
   EXPECT_NO_THROW(certify(stays, workspace, ltl::parse("place_1", arena)));
   EXPECT_THROW(certify(stays, workspace, ltl::parse("F sofa", arena)), std::logic_error);
   EXPECT_THROW(certify(sideways, workspace, ltl::parse("true", arena)), std::logic_error);

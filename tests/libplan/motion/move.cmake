@@ -21,14 +21,14 @@ endfunction()
 
 set(move ${WAYMARK} move --map jelly --start 19,16,270 --json)
 set(solved "\"status\":\"solved\".*\"route\":\\[\\[19,16,270\\],.*\"motion\":\\[\\[.*\"certified\":true")
-foreach(robot IN ITEMS point disc)
+foreach(robot IN ITEMS point disc car)
   run(0 "${solved}" "^$" ${move} "X (moved & X moved)" --robot ${robot})
 endforeach()
 run(10 "\"status\":\"infeasible\",\"reason\":\"" "^$" ${move} "F sofa & G !sofa")
 run(11 "\"status\":\"exhausted\".*\"certified\":false" "^error: no way found from [^\n]*\n$"
     ${move} "X (moved & X moved)" --furniture 0.15 --iterations 50)
-run(20 "^$" "^error: --robot car is not there yet[^\n]*\n$" ${move} "F sofa" --robot car)
-run(20 "^$" "^error: a robot of that radius[^\n]*\n$" ${move} "F sofa" --radius 0.2)
+run(20 "^$" "^error: a robot of that size[^\n]*\n$" ${move} "F sofa" --robot car --car-width 0.5)
+run(20 "^$" "^error: a robot of that size[^\n]*\n$" ${move} "F sofa" --radius 0.2)
 run(20 "^$" "^error: the width of hallways[^\n]*\n$" ${move} "F sofa" --width 1)
 run(21 "^$" "^error: the robot does not fit[^\n]*\n$" ${WAYMARK} move --map jelly --start 18,16,0 sofa --radius 0.199)
 

@@ -8,9 +8,9 @@ namespace waymark::plan {
 namespace {
 
 TEST(ReadMotion, ReadsConfigurationsAndRadius) {
-  const Motion expected{{{0.1, 0, 90}, {1, -2.5e-3, 359.5}}, 0.05};
+  const Motion expected{{{0.1, 0, 90}, {1, -2.5e-3, 359.5}}, Disc{0.05}};
   EXPECT_EQ(parse_motion(R"({"map":"l","motion":[[0.1,0,90],[1,-2.5e-3,359.5]],"radius":0.05})"), expected);
-  EXPECT_EQ(parse_motion(R"({"motion":[],"radius":0})"), Motion{});
+  EXPECT_EQ(parse_motion(R"({"motion":[],"radius":0})"), (Motion{{}, Disc{0}}));
 }
 
 TEST(ReadMotion, NamesWhatIsWrongAndWhere) {

@@ -32,7 +32,7 @@ Motion realized(const Trajectory& route, const Workspace& workspace, const Sampl
     ADD_FAILURE() << label << " at " << fault->step << ": " << fault->reason << "\n" << show_line(motion);
   else
     EXPECT_EQ(std::get<Trajectory>(read), route) << label << "\n" << show_line(motion);
-  EXPECT_DOUBLE_EQ(motion.radius, sampling.radius);
+  EXPECT_EQ(motion.robot, sampling.robot);
   return motion;
 }
 
@@ -81,7 +81,7 @@ TEST(Realize, RandomRoutesOfTheShippedMaps) {
     for (double radius : {0.0, 0.05})
       for (std::uint64_t i = 0; i < 5; ++i)
         realized(random_route(map, 12, random), workspace,
-                 {.iterations = 1'000, .seed = i, .radius = radius});
+                 {.iterations = 1'000, .seed = i, .robot = Disc{radius}});
   }
 }
 
@@ -89,14 +89,15 @@ TEST(Realize, AStraightLegWithoutFurnitureIsAStraightLine) {
   const Map map = hallway(4);
   const Workspace workspace(map);
   const Motion motion = realized(route("0,0,90 F F F", map), workspace, {});
-  EXPECT_EQ(motion, (Motion{{{0, 0, 90}, {3, 0, 90}}, 0.05}));
+  EXPECT_EQ(motion, (Motion{{{0, 0, 90}, {3, 0, 90}}, Disc{0.05}}));
 }
 
 TEST(Realize, TurnsAreInPlace) {
   const Map map = hallway(4);
   const Workspace workspace(map);
   const Motion motion = realized(route("0,0,0 R F L L F", map), workspace, {});
-  EXPECT_EQ(motion, (Motion{{{0, 0, 0}, {0, 0, 90}, {1, 0, 90}, {1, 0, 0}, {1, 0, 270}, {0, 0, 270}}, 0.05}));
+  EXPECT_EQ(motion,
+            (Motion{{{0, 0, 0}, {0, 0, 90}, {1, 0, 90}, {1, 0, 0}, {1, 0, 270}, {0, 0, 270}}, Disc{0.05}}));
 }
 
 TEST(Realize, DrivesRoundFurnitureAlmostAsShortAsCanBe) {
@@ -124,13 +125,13 @@ TEST(Realize, TheSameSeedGivesTheSameBytesAndAnotherSeedAnotherPath) {
 TEST(Realize, SaysWhichLegItDidNotFind) {
   const Map map = past_a_sofa();
   const Workspace blocked(map, {.width = 0.4, .furniture = 0.15});  // 0.05 on either side
-  const auto outcome = realize(route("0,0,90 F F", map), blocked, {.iterations = 200, .radius = 0.05});
+  const auto outcome = realize(route("0,0,90 F F", map), blocked, {.iterations = 200, .robot = Disc{0.05}});
   ASSERT_TRUE(std::holds_alternative<Unreached>(outcome));
   const auto& unreached = std::get<Unreached>(outcome);
   EXPECT_EQ(map.pose(unreached.from), (Pose{0, 0, 90}));
   EXPECT_EQ(map.pose(unreached.to), (Pose{2, 0, 90}));
   EXPECT_EQ(unreached.iterations, 200U);
-  EXPECT_NO_THROW(realized(route("0,0,90 F F", map), blocked, {.iterations = 2'000, .radius = 0.01}));
+  EXPECT_NO_THROW(realized(route("0,0,90 F F", map), blocked, {.iterations = 2'000, .robot = Disc{0.01}}));
 }
 
 TEST(Realize, RefusesARobotThatFitsNowhere) {
@@ -138,8 +139,8 @@ TEST(Realize, RefusesARobotThatFitsNowhere) {
   const Workspace workspace(map);
   const Trajectory stay = route("0,0,90", map);
   for (double radius : {0.2, 1.0, -0.1, std::nan("")})
-    EXPECT_THROW(realize(stay, workspace, {.radius = radius}), std::invalid_argument) << radius;
-  EXPECT_THROW(realize(route("1,0,90", map), workspace, {.radius = 0.19}), std::invalid_argument);
+    EXPECT_THROW(realize(stay, workspace, {.robot = Disc{radius}}), std::invalid_argument) << radius;
+  EXPECT_THROW(realize(route("1,0,90", map), workspace, {.robot = Disc{0.19}}), std::invalid_argument);
 }
 
 }  // namespace

@@ -1,0 +1,25 @@
+// Adam: gradient steps scaled by running means of the gradient and of its square, both corrected for starting at zero.
+//
+//   m ← β₁ m + (1 − β₁) g    v ← β₂ v + (1 − β₂) g²    θ ← θ − rate · (m / (1 − β₁ᵗ)) / (√(v / (1 − β₂ᵗ)) + ε)
+// Source: [KB15, Alg. 1]. The two corrections are folded into the rate and ε, as its Section 2 says one may.
+#pragma once
+#include "libneural/parameters.hpp"
+
+namespace waymark::neural {
+
+struct AdamOptions {
+  double rate = 1e-4, beta1 = 0.9, beta2 = 0.999, epsilon = 1e-8;
+};
+
+class Adam {
+ public:
+  Adam(const Parameters& parameters, const AdamOptions& options = {});
+  void step(Parameters& parameters);  // reads the gradients, changes the values, then clears the gradients
+
+ private:
+  AdamOptions options_;
+  Vector mean_, square_;
+  double power1_ = 1, power2_ = 1;  // β₁ᵗ, β₂ᵗ
+};
+
+}  // namespace waymark::neural

@@ -1,0 +1,23 @@
+#include "libneural/parameters.hpp"
+
+#include <cmath>
+
+namespace waymark::neural {
+
+Block Parameters::add(Index rows, Index columns) {
+  const Block block{values_.size(), rows, columns};
+  const Index grown = values_.size() + rows * columns;
+  values_.conservativeResizeLike(Vector::Zero(grown));
+  gradients_.conservativeResizeLike(Vector::Zero(grown));
+  return block;
+}
+
+Block Parameters::add_for_relu(Index rows, Index columns, Index inputs, const Uniform& uniform) {
+  const Block block = add(rows, columns);
+  const double bound = std::sqrt(6.0 / static_cast<double>(inputs));
+  for (Index i = 0; i < rows * columns; ++i)
+    values_[block.offset + i] = static_cast<float>(bound * (2 * uniform() - 1));
+  return block;
+}
+
+}  // namespace waymark::neural

@@ -1,0 +1,116 @@
+#include "libplan/learn/comparison.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <limits>
+
+namespace waymark::plan {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr std::size_t replays = 16;  // of the tabular learners that replay, after every step
+
+// The steps at the first checkpoint where `there` holds.
+template <class Predicate>
+double first_at(const LearningCurve& curve, Predicate&& there) {
+  const auto found = std::find_if(curve.checkpoints.begin(), curve.checkpoints.end(),
+                                  [&](const Checkpoint& c) { return there(c.value); });
+  return found == curve.checkpoints.end() ? infinity : static_cast<double>(found->steps);
+}
+
+}  // namespace
+
+std::vector<Method> learning_methods() {
+  return {
+      {"q-learning", "Q-learning in tables", QLearning{}},
+      {"counterfactual", "Q-learning; every experience updates all states of the automaton",
+       QLearning{.counterfactual = true, .replays = replays}},
+      {"shaped", "the same, shaped by the automaton's distance to acceptance",
+       QLearning{.counterfactual = true, .shaped = true, .replays = replays}},
+      {"shaped-only", "Q-learning shaped by the automaton's distance to acceptance",
+       QLearning{.shaped = true}, false},
+      {"lpopl", "one value function for each progressed formula, sub-tasks easiest first",
+       QLearning{.counterfactual = true, .curriculum = true, .replays = replays}},
+      {"dqn-objects", "deep Q-learning on distances from the pose to objects", DqnMethod{{}, Sight::Objects}},
+      {"dqn-landmarks", "the same, to floors and paintings too", DqnMethod{{}, Sight::Landmarks}},
+      {"dqn-literal", "the same, distances from the place whatever the heading",
+       DqnMethod{{}, Sight::Literal}},
+      {"dqn-double", "dqn-landmarks with double Q", DqnMethod{{.double_q = true}}, false},
+      {"dqn-prioritised", "dqn-landmarks with prioritised replay", DqnMethod{{.prioritised = true}}, false},
+      {"dqn-trees", "dqn-landmarks that reads the progressed formula", DqnMethod{{}, Sight::Landmarks, true},
+       false},
+  };
+}
+
+LearningTask::LearningTask(const Map& map, const automata::Dfa& dfa, ltl::Formula formula,
+                           std::span<const PoseId> starts, const SlipChances& forward, double discount)
+    : product_(tabulate(map, dfa, starts, forward)), trees_(trees_of(product_.task, formula)) {
+  const auto begin = std::chrono::steady_clock::now();
+  optimum_ = plan::optimum(product_, {.discount = discount});
+  seconds_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  for (const Sight sight : {Sight::Objects, Sight::Landmarks, Sight::Literal})
+    observations_[static_cast<std::size_t>(sight)] = observe(map, sight);
+}
+
+LearningCurve LearningTask::run(const Method& method, const Training& training) const {
+  if (const auto* q_learning = std::get_if<QLearning>(&method.how))
+    return learn(product_, *q_learning, training).curve;
+  const auto& [dqn, sight, trees] = std::get<DqnMethod>(method.how);
+  return learn(product_, {&seen(sight), trees ? &trees_ : nullptr}, dqn, training);
+}
+
+double success(const PolicyValue& value, const PolicyValue& optimum) {
+  return optimum.probability > 0 ? std::min(1.0, value.probability / optimum.probability) : 0;
+}
+
+double score(const PolicyValue& value, const PolicyValue& optimum) {
+  if (value.probability == 0) return 0;
+  const double cheaper = value.cost > 0 ? std::min(1.0, optimum.cost / value.cost) : 1;
+  return success(value, optimum) * cheaper;
+}
+
+Verdict judge(const LearningCurve& curve, const PolicyValue& optimum, double seconds) {
+  const PolicyValue& last = curve.checkpoints.back().value;
+  Verdict verdict{success(last, optimum), score(last, optimum)};
+  verdict.cost_ratio = optimum.cost > 0 ? last.cost / optimum.cost : 1;
+  verdict.to_90 = first_at(curve, [&](const PolicyValue& v) { return score(v, optimum) >= 0.9; });
+  verdict.to_optimum =
+      first_at(curve, [&](const PolicyValue& v) { return v.value >= optimum.value * (1 - 1e-9); });
+  verdict.updates = static_cast<double>(curve.updates);
+  verdict.seconds = seconds;
+  return verdict;
+}
+
+Summary summarise(std::span<const Verdict> verdicts) {
+  const auto all = [&](double Verdict::*member) {
+    std::vector<double> values;
+    for (const Verdict& verdict : verdicts) values.push_back(verdict.*member);
+    return values;
+  };
+  Summary summary;
+  summary.runs = verdicts.size();
+  summary.success = bootstrap_mean(all(&Verdict::success));
+  summary.score = bootstrap_mean(all(&Verdict::score));
+  summary.cost_ratio = bootstrap_median(all(&Verdict::cost_ratio));
+  summary.to_90 = bootstrap_median(all(&Verdict::to_90));
+  summary.to_optimum = bootstrap_median(all(&Verdict::to_optimum));
+  const auto came = std::count_if(verdicts.begin(), verdicts.end(),
+                                  [](const Verdict& v) { return v.to_optimum < infinity; });
+  summary.optimal = rate(static_cast<std::size_t>(came), verdicts.size());
+  summary.updates = median(all(&Verdict::updates));
+  summary.seconds = median(all(&Verdict::seconds));
+  return summary;
+}
+
+std::vector<CurvePoint> mean_curve(std::span<const LearningCurve> curves, const PolicyValue& optimum) {
+  std::vector<CurvePoint> points;
+  for (std::size_t i = 0; i < curves[0].checkpoints.size(); ++i) {
+    std::vector<double> scores;
+    for (const LearningCurve& curve : curves) scores.push_back(score(curve.checkpoints.at(i).value, optimum));
+    points.push_back({curves[0].checkpoints[i].steps, bootstrap_mean(scores)});
+  }
+  return points;
+}
+
+}  // namespace waymark::plan

@@ -1,0 +1,87 @@
+// The methods side by side on one task: what each is called, how a run of it goes, what many runs come to.
+//
+// A policy is judged by its exact value (markov_chain.hpp) against the optimum's:
+//   success   its probability of acceptance, over the greatest there is for the discounted optimum
+//   score     success · (cost of the optimum / cost of the policy given acceptance), in [0, 1]: 1 is a best route
+// A run is at 90 % from the first checkpoint on whose score is at least 0.9, and at the optimum from the first on whose
+// discounted value is that of the optimum within 10⁻⁹. Of many runs: estimates with 95 % intervals (statistics.hpp).
+#pragma once
+#include <array>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "libplan/learn/dqn.hpp"
+#include "libplan/learn/observations.hpp"
+#include "libplan/learn/optimum.hpp"
+#include "libplan/learn/q_learning.hpp"
+#include "libplan/learn/statistics.hpp"
+
+namespace waymark::plan {
+
+struct DqnMethod {
+  Dqn dqn;
+  Sight sight = Sight::Landmarks;
+  bool trees = false;  // else the task is one-hot
+};
+
+struct Method {
+  std::string name, summary;
+  std::variant<QLearning, DqnMethod> how;
+  bool by_default = true;
+};
+
+// The table of learners: the one list of them.
+std::vector<Method> learning_methods();
+
+// One task on one map, made once and only read by the runs: any number of threads.
+class LearningTask {
+ public:
+  LearningTask(const Map& map, const automata::Dfa& dfa, ltl::Formula formula, std::span<const PoseId> starts,
+               const SlipChances& forward, double discount);
+
+  const TabularProduct& product() const { return product_; }
+  const Optimum& optimum() const { return optimum_; }
+  double seconds_of_optimum() const { return seconds_; }
+  LearningCurve run(const Method& method, const Training& training) const;
+
+ private:
+  const neural::Matrix& seen(Sight sight) const {
+    return observations_[static_cast<std::size_t>(sight)].by_position;
+  }
+  TabularProduct product_;
+  Optimum optimum_;
+  double seconds_ = 0;
+  std::array<Observations, 3> observations_;  // by Sight
+  TaskTrees trees_;
+};
+
+double success(const PolicyValue& value, const PolicyValue& optimum);
+double score(const PolicyValue& value, const PolicyValue& optimum);
+
+struct Verdict {                                  // of one run
+  double success = 0, score = 0, cost_ratio = 0;  // of the last checkpoint; cost / cost of the optimum
+  double to_90 = 0, to_optimum = 0;  // environment steps, infinite where the run never came there
+  double updates = 0, seconds = 0;   // checkpoints included
+};
+Verdict judge(const LearningCurve& curve, const PolicyValue& optimum, double seconds);
+
+struct Summary {
+  Estimate success, score;                 // means
+  Estimate cost_ratio, to_90, to_optimum;  // medians, infinite where too few runs came there
+  Estimate optimal;                        // rate of the runs that came to the optimum
+  double updates = 0, seconds = 0;         // medians
+  std::size_t runs = 0;
+};
+Summary summarise(std::span<const Verdict> verdicts);  // at least one
+
+struct CurvePoint {
+  std::size_t steps = 0;
+  Estimate score;  // mean over the runs
+};
+std::vector<CurvePoint> mean_curve(std::span<const LearningCurve> curves, const PolicyValue& optimum);
+
+}  // namespace waymark::plan

@@ -1,0 +1,47 @@
+// What a policy is worth, exactly: the Markov chain that it leaves of the product, solved as linear systems.
+//
+//   probability   of acceptance                          x = P x + (P to accepting states)
+//   cost          expected until acceptance, given it     y = P y + c ∘ x,  cost = y / x
+//   value         E γ^(T−1), T the actions to acceptance  v = γ P v + (P to accepting states): what the learners maximise
+// over the states from which acceptance is reachable, where the matrices are regular; all means over the starts.
+// Source: [BK08, Sec. 10.1.1]. Chains in which every state has one successor are walked instead.
+#pragma once
+#include <cstdint>
+#include <vector>
+
+#include "libplan/learn/tabular_product.hpp"
+
+namespace waymark::plan {
+
+struct MarkovChain {
+  struct Outcome {
+    std::uint32_t target = 0;
+    double probability = 1;
+  };
+  std::vector<std::uint32_t> first{0};  // by state: where its outcomes begin; one more for the end
+  std::vector<Outcome> outcomes;        // none: the state is left no more
+  std::vector<double> cost;             // of the step out of a state
+  std::vector<Ending> ending;
+  std::vector<MarkovChain::Outcome> starts;
+
+  std::size_t states() const { return ending.size(); }
+};
+
+struct PolicyValue {
+  double probability = 0;
+  double cost = 0;  // infinite when the probability is 0
+  double value = 0;
+};
+
+PolicyValue value_of(const MarkovChain& chain, double discount);
+
+inline constexpr std::uint8_t no_action = UINT8_MAX;
+using ActionTable = std::vector<std::uint8_t>;  // by state of a TabularProduct
+
+// The part of the product that the policy reaches.
+MarkovChain chain_of(const TabularProduct& product, const ActionTable& policy);
+inline PolicyValue value_of(const TabularProduct& product, const ActionTable& policy, double discount) {
+  return value_of(chain_of(product, policy), discount);
+}
+
+}  // namespace waymark::plan

@@ -1,0 +1,26 @@
+// The best that a learner can come to: value iteration on the discounted return that all of them maximise.
+//
+//   V(s) = max over a of Σ Pr(s′ | s, a) · (1 if s′ accepts, 0 if it is a trap, γ V(s′) otherwise)      [SB18, Sec. 4.4]
+// On a deterministic model that is γ^(n−1) for the fewest actions n, so the best policy is a route of least cost where
+// every action costs the same. Below, with γ < 1, the sweeps are a contraction: they end when no value is further than
+// `tolerance` from V.
+#pragma once
+#include "libplan/learn/markov_chain.hpp"
+
+namespace waymark::plan {
+
+struct Optimum {
+  ActionTable policy;  // the first best action of each state; no_action where nothing is to be gained
+  PolicyValue value;   // of that policy, from the linear systems
+  std::size_t sweeps = 0;
+};
+
+struct OptimumOptions {
+  double discount = 0.9;
+  double tolerance = 1e-12;
+  std::size_t sweeps = 1'000'000;  // a limit, for a discount of 1
+};
+
+Optimum optimum(const TabularProduct& product, const OptimumOptions& options = {});
+
+}  // namespace waymark::plan

@@ -1,0 +1,71 @@
+// The product that learners step in: a model and a task, every pair of position and task a state, in flat arrays.
+//
+//   state = position · tasks + task          choice = position · actions + action
+// Positions are the states of the model. The product is not cut down to what is reachable: counterfactual updates ask
+// what an experience would have meant to a task that the learner was not in. An action is offered in a state of the
+// model or it is not; one that is not offered (FORWARD into a wall) cannot be taken, and costs nothing.
+// The label of the start is read (conventions.md 1): a start is a state after its first letter.
+#pragma once
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "libplan/learn/task_table.hpp"
+#include "libplan/model/grid_world.hpp"
+#include "libplan/model/map_mdp.hpp"
+#include "libplan/model/mdp.hpp"
+
+namespace waymark::plan {
+
+struct TabularProduct {
+  static constexpr std::size_t max_states = std::size_t{1} << 28U;
+  struct Outcome {
+    std::uint32_t position = 0, letter = 0;
+    double up_to = 1;  // the probability of this outcome and of those before it; 1 for the last
+  };
+  struct Start {
+    std::uint32_t state = 0;
+    double probability = 1;
+  };
+
+  TaskTable task;
+  std::uint32_t positions = 0, actions = 0;
+  std::vector<std::string> names;  // by action, in the order that breaks ties
+  std::vector<std::uint32_t>
+      first;  // by choice: where its outcomes begin; equal to the next where it is not offered
+  std::vector<Outcome> outcomes;
+  std::vector<double> cost;   // by choice
+  std::vector<Start> starts;  // in sum 1
+
+  std::size_t states() const { return std::size_t{positions} * task.tasks; }
+  std::uint32_t position_of(std::uint32_t state) const { return state / task.tasks; }
+  std::uint32_t task_of(std::uint32_t state) const { return state % task.tasks; }
+  std::uint32_t state(std::uint32_t position, std::uint32_t q) const { return position * task.tasks + q; }
+  Ending ending(std::uint32_t state) const { return task.ending[task_of(state)]; }
+  bool is_offered(std::uint32_t position, std::uint32_t action) const {
+    const std::size_t choice = std::size_t{position} * actions + action;
+    return first[choice] != first[choice + 1];
+  }
+  std::span<const Outcome> outcomes_of(std::uint32_t position, std::uint32_t action) const {
+    const std::size_t choice = std::size_t{position} * actions + action;
+    return {outcomes.data() + first[choice], outcomes.data() + first[choice + 1]};
+  }
+  bool is_deterministic() const;  // every choice has one outcome, and there is one start
+  bool is_over() const;           // at every start: there is nothing to learn
+};
+
+// Throws std::length_error when there are more than max_states pairs, std::invalid_argument on a state of the model
+// without choices.
+TabularProduct compose(const Mdp& model, TaskTable task);
+TabularProduct compose(const GridWorld& model, TaskTable task);
+// Throws ltl::FormatError as task_table.hpp says. `starts`: each one equally likely (the mean over unknown headings, conventions.md 8); forward: chances to slip.
+TabularProduct tabulate(const Map& map, const automata::Dfa& dfa, std::span<const PoseId> starts,
+                        const SlipChances& forward = {});
+inline TabularProduct tabulate(const Map& map, const automata::Dfa& dfa, PoseId start,
+                               const SlipChances& forward = {}) {
+  return tabulate(map, dfa, {&start, 1}, forward);
+}
+
+}  // namespace waymark::plan

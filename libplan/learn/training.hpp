@@ -1,0 +1,46 @@
+// What all learners are told and what they all report.
+//
+// A learner takes `steps` steps in the environment. Every `interval` steps it is interrupted, and the policy that it
+// would follow now, without exploring, is solved exactly: learning curves carry values, not averages of a few episodes.
+// Exploration is ε-greedy: ε falls in a straight line from `explore` to `explore_last` over the first
+// `explore_steps` steps.
+#pragma once
+#include <cstddef>
+#include <cstdint>
+#include <stop_token>
+#include <vector>
+
+#include "libltl/random.hpp"
+#include "libplan/learn/markov_chain.hpp"
+
+namespace waymark::plan {
+
+struct Training {
+  std::size_t steps = 20'000;
+  std::size_t interval = 100;
+  std::size_t horizon = 500;  // steps of an episode before it is cut
+  double discount = 0.9;
+  double explore = 0.1, explore_last = 0.1;
+  std::size_t explore_steps = 0;
+  std::uint64_t seed = 1;
+  std::stop_token stop = {};  // looked at in every interval; the curve then ends early
+
+  double epsilon(std::size_t step) const {
+    if (step >= explore_steps) return explore_last;
+    return explore +
+           (explore_last - explore) * static_cast<double>(step) / static_cast<double>(explore_steps);
+  }
+};
+
+struct Checkpoint {
+  std::size_t steps = 0;
+  PolicyValue value;
+};
+
+struct LearningCurve {
+  std::vector<Checkpoint> checkpoints;  // the first before the first step, the last after the last one
+  std::size_t updates = 0;              // of single values, or of the network
+  std::size_t episodes = 0;
+};
+
+}  // namespace waymark::plan

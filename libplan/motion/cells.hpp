@@ -1,0 +1,52 @@
+// The trapezoids of a terrain: its free space cut into cells in each of which one letter is read [BCKO08, Sec. 6.1].
+//
+// Vertical lines through every corner and every crossing of edges cut the terrain into slabs in which no two edges
+// cross; in a slab, the edges bound trapezoids. A motion whose centre does not go through a corner goes from cell to
+// cell through passages, pieces of common border of positive length: so a word that no run through the cells has is the
+// word of no motion.
+#pragma once
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "libplan/motion/terrain.hpp"
+
+namespace waymark::plan {
+
+struct Passage {
+  std::uint32_t to = 0;
+  Point a, b;  // the common border
+};
+
+struct TerrainCell {
+  std::array<Point, 4> corners;  // one after the other; two may coincide
+  Point centre;                  // inside
+  double area = 0;
+  std::uint32_t letter = 0;  // in TerrainCells::letters
+  std::vector<Passage> passages;
+};
+
+class TerrainCells {
+ public:
+  explicit TerrainCells(const Terrain& terrain);  // O((edges + crossings) · edges · regions)
+  const std::vector<TerrainCell>& cells() const { return cells_; }
+  const std::vector<ltl::Letter>& letters() const { return letters_; }  // that some cell has, each once
+  std::optional<std::uint32_t> at(Point p) const;                       // nullopt: not free
+  const ltl::Letter& letter_of(std::uint32_t cell) const { return letters_[cells_[cell].letter]; }
+
+ private:
+  struct Slab {
+    double left = 0, right = 0;
+    std::uint32_t first = 0, last = 0;  // its cells, top to bottom: first … last − 1
+  };
+  void add_slab(const Terrain& terrain, const std::vector<Terrain::Edge>& edges, double left, double right);
+  void add_cell(const Terrain& terrain, const std::array<Point, 4>& corners);
+  void join(std::uint32_t a, std::uint32_t b, Point from, Point to);
+  void join_slabs(const Slab& left, const Slab& right);
+
+  std::vector<TerrainCell> cells_;
+  std::vector<ltl::Letter> letters_;
+  std::vector<Slab> slabs_;
+};
+
+}  // namespace waymark::plan

@@ -1,0 +1,39 @@
+// Formula → motion in one search: OMPL's LTLPlanner on the product of our automaton with the cells of the workspace.
+//
+// No route comes first. A symbol (ltl_bridge.hpp) is a pose, or a hallway with a heading; a state of the automaton is a
+// state of 𝒜_φ and the pose last entered, so a symbol that stands for an action of the map moves 𝒜_φ by the letter of
+// that action, and everything that is no event moves nothing: X counts actions, as on the map. Symbols that no action
+// leads to end the run. The letter of the start pose is read before the search begins.
+// The motion may be a disc's or a car's; it is far from shortest.
+#pragma once
+#include <cstdint>
+#include <functional>
+#include <variant>
+
+#include "libautomata/dfa.hpp"
+#include "libplan/motion/ltl_bridge.hpp"
+#include "libplan/motion/motion.hpp"
+
+namespace waymark::plan {
+
+struct Exploration {
+  double seconds = 30;  // of the clock: equal seeds need not give equal motions
+  std::uint64_t seed = 1;
+  Robot robot = Disc{};
+};
+
+struct NoRun {};  // proved: no run of the product accepts
+struct OutOfTime {
+  double seconds = 0;
+};
+using Explored = std::variant<Motion, NoRun, OutOfTime>;
+
+// A motion from the cell of that pose whose word the automaton accepts. Throws std::invalid_argument when the robot does
+// not fit where it starts.
+Explored explore(const automata::Dfa& dfa, const Workspace& workspace, PoseId start, const Exploration& how);
+
+// Tries OMPL on the problem until `is_done` says that the line is a solution or the time is over.
+Explored try_exploring(const ExplorationProblem& problem, const Exploration& how,
+                       const std::function<bool(const Motion&)>& is_done);
+
+}  // namespace waymark::plan

@@ -1,0 +1,59 @@
+// Tours: motions through a terrain, the words they have, and the proof that a word does what was asked.
+//
+// The word of a tour is the letter of its start followed by the letter of every change: letters are sets of regions that
+// contain the centre of the robot, and one is read when it differs from the last. Letters that hold for an instant only
+// are not read. A centre that goes through a corner where regions end or meet would have a word by rounding: that is no
+// tour. So X says what the next change brings, and how long the robot stays anywhere says nothing.
+#pragma once
+#include <variant>
+#include <vector>
+
+#include "libautomata/dfa.hpp"
+#include "libltl/formula.hpp"
+#include "libplan/motion/cells.hpp"
+#include "libplan/motion/motion.hpp"
+
+namespace waymark::plan {
+
+struct TimedWord {
+  std::vector<ltl::Letter> letters;  // over the vocabulary of the terrain
+  std::vector<double> times;         // when each is first read, as in TimedRoute; the first at 0
+};
+struct NoTour {
+  std::size_t step = 0;  // the fault lies on the way to this configuration
+  std::string reason;
+};
+std::variant<TimedWord, NoTour> word_of(const Motion& motion, const Terrain& terrain);
+
+// A motion that was checked: it keeps off walls, and its word ⊨ φ. The only way to get one is certify.
+class CertifiedTour {
+ public:
+  const Motion& motion() const { return motion_; }
+  const TimedWord& word() const { return word_; }
+
+ private:
+  friend CertifiedTour certify(Motion motion, const Terrain& terrain, ltl::Formula f);
+  CertifiedTour(Motion motion, TimedWord word) : motion_(std::move(motion)), word_(std::move(word)) {}
+  Motion motion_;
+  TimedWord word_;
+};
+
+// Throws std::logic_error (we are wrong) naming the configuration or the formula when the check fails. The formula must
+// be of an arena over the vocabulary of the terrain.
+CertifiedTour certify(Motion motion, const Terrain& terrain, ltl::Formula f);
+
+struct CellStep {
+  std::uint32_t cell = 0;
+  const Passage* by = nullptr;  // into the cell; nullptr: the start
+};
+struct PassageId {
+  std::uint32_t from = 0, to = 0;
+  friend auto operator<=>(const PassageId&, const PassageId&) = default;
+};
+// The run of 𝒜_φ through the cells that is shortest from the centre of a passage to that of the next, without going
+// through those that are blocked. nullopt: there is none; with none blocked, that no tour of any robot satisfies φ.
+std::optional<std::vector<CellStep>> plan_tour(const automata::Dfa& dfa, const TerrainCells& cells,
+                                               std::uint32_t start,
+                                               const std::vector<PassageId>& blocked = {});
+
+}  // namespace waymark::plan

@@ -1,0 +1,140 @@
+// Planning cases: the values of the open ones, readers' complaints, reasons.
+#include "libplan/solve/case_task.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <fstream>
+#include <optional>
+#include <sstream>
+
+#include "libltl/diagnostic.hpp"
+#include "tests/support/places.hpp"
+#include "tests/support/sanitizers.hpp"
+
+namespace waymark::plan {
+namespace {
+
+// A corridor of five cells, hazard in the middle of the upper row.
+constexpr const char* small_case = R"({"format": "ltlgrid/1", "name": "small", "width": 5, "height": 2,
+  "rows": ["..x.a", "s...b"], "legend": {"x": {"props": ["x"]}, "a": {"props": ["a"]}, "b": {"props": ["b"]}, "s": {}},
+  "start": {"x": 0, "y": 1}, "motion": {"forward": 0.8, "left": 0.1, "right": 0.1, "back": 0}})";
+
+CaseAnswer ask(const std::string& formula, CaseTask::Query query,
+               CaseTask::Logic logic = CaseTask::Logic::Ltl) {
+  return answer(parse_case(small_case), {.id = "", .formula = formula, .logic = logic, .query = query});
+}
+
+TEST(CaseTask, LeastAndGreatestProbabilitiesAreComplements) {
+  for (const char* formula : {"F a", "!x U a", "G F b", "F G !x", "F<=7 a", "G(a -> F b)"}) {
+    const CaseAnswer most = ask(std::string("!(") + formula + ")", CaseTask::Query::MaxProbability);
+    const CaseAnswer least = ask(formula, CaseTask::Query::MinProbability);
+    ASSERT_NE(least.status, CaseAnswer::Status::Exhausted) << formula;
+    EXPECT_NEAR(least.value.middle(), 1 - most.value.middle(), 1e-6) << formula;
+  }
+}
+
+TEST(CaseTask, SaysWhichConjunctsAreInTheWay) {
+  const CaseAnswer answer = ask("F a & G !a & F b", CaseTask::Query::MaxProbability);
+  EXPECT_EQ(answer.status, CaseAnswer::Status::Infeasible);
+  EXPECT_EQ(answer.dropped.size(), 1U);
+  EXPECT_NE(answer.reason.find("together"), std::string::npos) << answer.reason;
+  const CaseAnswer unseen = ask("F nowhere", CaseTask::Query::MinCost);
+  EXPECT_EQ(unseen.status, CaseAnswer::Status::Infeasible);
+  EXPECT_NE(unseen.reason.find("never seen from the start: nowhere"), std::string::npos) << unseen.reason;
+}
+
+TEST(CaseTask, MethodsAgree) {
+  const PlanningCase planning_case = parse_case(small_case);
+  for (const char* formula : {"F a", "F a & F b", "!x U b"}) {
+    const CaseTask task{
+        .id = "", .formula = formula, .logic = CaseTask::Logic::Ltl, .query = CaseTask::Query::MinCost};
+    const CaseAnswer sweeps = answer(planning_case, task, {.method = CaseMethod::ValueIteration});
+    const CaseAnswer solves = answer(planning_case, task, {.method = CaseMethod::PolicyIteration});
+    EXPECT_EQ(sweeps.status, solves.status) << formula;
+    if (sweeps.status == CaseAnswer::Status::Solved) {
+      EXPECT_NEAR(sweeps.value.middle(), solves.value.middle(), 1e-5) << formula;
+    }
+  }
+}
+
+TEST(ReadCase, SaysWhatIsWrongAndWhere) {
+  const struct {
+    const char* json;
+    const char* complaint;
+  } table[] = {
+      {"{", "malformed JSON"},
+      {R"({"format": "other"})", "expected \"ltlgrid/1\" or \"ltlmap/1\""},
+      {R"({"format": "ltlgrid/1", "width": 2, "height": 1, "rows": ["."], "start": {"x": 0, "y": 0}})",
+       "rows[0]: expected 2 characters"},
+      {R"({"format": "ltlgrid/1", "width": 1, "height": 1, "rows": ["?"], "start": {"x": 0, "y": 0}})",
+       "the glyph '?' is not in the legend"},
+      {R"({"format": "ltlgrid/1", "width": 1, "height": 1, "rows": ["."], "start": {"x": 1, "y": 0}})",
+       "the start is off the grid"},
+      {R"({"format": "ltlgrid/1", "width": 1, "height": 1, "rows": ["."], "start": {"x": 0, "y": 0},
+           "motion": {"forward": 0.5}})",
+       "do not add up to 1"},
+      {R"({"format": "ltlmap/1", "nodes": [{"id": 3}], "edges": [{"from": 3, "to": 4, "dir": "N"}],
+           "start": {"node": 3, "heading": "N"}})",
+       "edges[0].to: there is no node with that id"},
+  };
+  for (const auto& [json, complaint] : table) {
+    try {
+      parse_case(json, "case.json");
+      ADD_FAILURE() << json << " was read";
+    } catch (const ltl::FormatError& error) {
+      EXPECT_NE(std::string(error.what()).find(complaint), std::string::npos) << error.what();
+    }
+  }
+}
+
+TEST(ReadCase, OneWayCellsAreEnteredAndLeftOneWayOnly) {
+  const PlanningCase planning_case = parse_case(R"({"format": "ltlgrid/1", "width": 3, "height": 2,
+    "rows": ["a>b", "..."], "legend": {"a": {"props": ["a"]}, "b": {"props": ["b"]}, ">": {"oneway": "E"}},
+    "start": {"x": 2, "y": 0}})");
+  const auto cost = [&](const char* formula) {
+    return answer(planning_case, {.id = "",
+                                  .formula = formula,
+                                  .logic = CaseTask::Logic::Ltl,
+                                  .query = CaseTask::Query::MinCost})
+        .value.lower;
+  };
+  EXPECT_EQ(cost("F a"), 4);         // round by the lower row
+  EXPECT_EQ(cost("F(a & F b)"), 6);  // and straight back
+}
+
+// ../shared/plan/values.tsv, line by line.
+TEST(CaseTask, ReproducesTheValuesOfTheOpenCases) {
+  const auto folder = waymark::testing::shared() / "plan";
+  std::ifstream in(folder / "values.tsv");
+  if (!in) GTEST_SKIP() << "no " << folder / "values.tsv";
+  std::string line, last;
+  std::getline(in, line);
+  std::optional<PlanningCase> planning_case;
+  int checked = 0;
+  while (std::getline(in, line)) {
+    std::istringstream row(line);
+    std::string name, id, query, lower, upper;
+    row >> name >> id >> query >> lower >> upper;
+    if (name != last) planning_case = read_case(folder / "cases" / (name + ".json"));
+    last = name;
+    const bool noisy = name.find("-p") != std::string::npos;
+    if (noisy && waymark::testing::sanitized) continue;  // minutes there; the same code runs on the others
+    for (const CaseTask& task : planning_case->tasks) {
+      if (task.id != id) continue;
+      const CaseAnswer found = answer(*planning_case, task);
+      ASSERT_NE(found.status, CaseAnswer::Status::Exhausted) << line;
+      const double lo = std::stod(lower), hi = std::stod(upper);
+      const bool is_cost = query == "rmin" || query == "steps" || query == "cycle";
+      const double room = !is_cost ? 1e-6 : noisy ? 1e-6 * lo : 0;
+      EXPECT_TRUE(std::isinf(lo) ? std::isinf(found.value.lower)
+                                 : found.value.middle() >= lo - room && found.value.middle() <= hi + room)
+          << line << ": " << found.value.lower << " to " << found.value.upper;
+      ++checked;
+    }
+  }
+  EXPECT_GT(checked, 0);
+}
+
+}  // namespace
+}  // namespace waymark::plan

@@ -1,0 +1,172 @@
+// Values and strategies, against sweeps without refinement on products written out state by state.
+#include "libplan/solve/decide.hpp"
+
+#include <gtest/gtest.h>
+
+#include "libautomata/deterministic/ltl_to_parity.hpp"
+#include "libautomata/limit_deterministic/ltl_to_ldba.hpp"
+#include "libautomata/ltlf_to_dfa.hpp"
+#include "libltl/parse.hpp"
+#include "libltl/print.hpp"
+#include "tests/libautomata/limit_deterministic/mdp_referee.hpp"
+#include "tests/libplan/solve/random_models.hpp"
+#include "tests/support/sanitizers.hpp"
+
+namespace waymark::plan {
+namespace {
+
+using testing::Plainly;
+using waymark::testing::scaled;
+
+constexpr double tolerance = 1e-6;
+
+// A process with labels on states, as the referee of the automata's tests has it.
+Mdp mdp_of(const automata::referee::World& world) {
+  MdpBuilder builder(testing::vocabulary_ab());
+  for (const auto& actions : world.actions) {
+    builder.add_state();
+    for (const auto& moves : actions) {
+      builder.add_choice("go");
+      for (const auto& move : moves)
+        builder.add_outcome(move.target, builder.letter(world.label[move.target]), move.probability);
+    }
+  }
+  const LetterId first = builder.letter(world.label[0]);
+  return std::move(builder).build(0, first);
+}
+
+void expect_bounds(const Decided& decided, double expected, double room, const std::string& what) {
+  EXPECT_LE(decided.value.lower, expected + 1e-9) << what;
+  EXPECT_GE(decided.value.upper, expected - 1e-9) << what;
+  EXPECT_LE(decided.value.upper - decided.value.lower, room) << what;
+  EXPECT_NEAR(decided.re_evaluated.middle(), expected, 2 * room) << what;
+}
+
+TEST(Decide, GreatestProbabilitiesOfFormulasAgreeWithTheReferee) {
+  constexpr std::uint64_t seed = 5;
+  ltl::Random random(seed);
+  int proper = 0;
+  for (int i = 0; i < scaled(300); ++i) {
+    ltl::Arena arena(testing::vocabulary_ab());
+    const ltl::Formula f = ltl::random_formula(random, arena, {.size = 3 + random.below(8), .atoms = 2});
+    const automata::Dpa dpa = automata::ltl_to_dpa(f);
+    const automata::MdpSafe ldba = automata::ltl_to_ldba(f);
+    for (int j = 0; j < 4; ++j) {
+      const auto world =
+          automata::referee::random_world(random, 2 + static_cast<std::uint32_t>(random.below(4)),
+                                          {ltl::Proposition{0}, ltl::Proposition{1}});
+      const double expected = automata::referee::greatest_probability(world, dpa);
+      const Mdp mdp = mdp_of(world);
+      const TaskTable task(ldba, mdp.letters());
+      const auto product = ProductMdp<Mdp>::explore(mdp, task);
+      for (bool policies : {false, true}) {
+        const auto decided =
+            greatest_probability(*product, {.tolerance = tolerance, .policy_iteration = policies});
+        ASSERT_TRUE(decided);
+        expect_bounds(*decided, expected, tolerance,
+                      ltl::print(f) + " on\n" + testing::show(mdp) + "seed " + std::to_string(seed));
+        ASSERT_FALSE(HasFailure());
+      }
+      proper += expected > 1e-6 && expected < 1 - 1e-6 ? 1 : 0;
+    }
+  }
+  EXPECT_GT(proper, scaled(20));  // else nothing was tried
+}
+
+struct FiniteTask {
+  FiniteTask(ltl::Random& random, const testing::RandomModel& shape)
+      : arena(testing::vocabulary_ab()),
+        formula(ltl::random_formula(random, arena, {.size = 5 + random.below(10), .atoms = 2})),
+        dfa(automata::ltlf_to_dfa(formula)),
+        mdp(testing::random_model(random, shape)),
+        task(dfa, mdp.letters()),
+        product(ProductMdp<Mdp>::explore(mdp, task)) {}
+  std::string show() const { return ltl::print(formula) + " on\n" + testing::show(mdp); }
+  ltl::Arena arena;
+  ltl::Formula formula;
+  automata::Dfa dfa;
+  Mdp mdp;
+  TaskTable task;
+  std::optional<ProductMdp<Mdp>> product;
+};
+
+TEST(Decide, ProbabilitiesOfFiniteTasksAgreeWithPlainSweeps) {
+  ltl::Random random(6);
+  int proper = 0;
+  for (int i = 0; i < scaled(400); ++i) {
+    const FiniteTask t(random, {.states = 3 + static_cast<std::uint32_t>(random.below(4))});
+    const double greatest = Plainly(t.mdp, t.dfa).probability(Plainly::Best::Greatest);
+    const double least = Plainly(t.mdp, t.dfa).probability(Plainly::Best::Least);
+    const auto most = greatest_probability(*t.product), fewest = least_probability(*t.product);
+    ASSERT_TRUE(most && fewest) << t.show();
+    if (!t.product->starts().empty()) {
+      expect_bounds(*most, greatest, tolerance, t.show());
+      expect_bounds(*fewest, least, tolerance, t.show());
+    }
+    EXPECT_EQ(most->value.upper == 0, greatest < 1e-9) << t.show();
+    ASSERT_FALSE(HasFailure());
+    proper += greatest > 1e-6 && least < 1 - 1e-6 && (greatest < 1 - 1e-6 || least > 1e-6) ? 1 : 0;
+  }
+  EXPECT_GT(proper, scaled(20));
+}
+
+TEST(Decide, LeastCostsAgreeWithPlainSweeps) {
+  ltl::Random random(7);
+  int proper = 0;
+  for (int i = 0; i < scaled(150); ++i) {
+    const bool unit = random.below(2) == 0;
+    const FiniteTask t(random,
+                       {.states = 2 + static_cast<std::uint32_t>(random.below(3)), .unit_costs = unit});
+    if (!unit) {  // costs of zero let plain sweeps from below stop too low where one can go round for nothing
+      bool free = false;
+      for (std::uint32_t s = 0; s < t.mdp.states(); ++s)
+        for (std::uint32_t k = 0; k < t.mdp.choices(s); ++k) free = free || t.mdp.cost(s, k) == 0;
+      if (free) continue;
+    }
+    const double expected = Plainly(t.mdp, t.dfa).cost();
+    for (bool policies : {false, true}) {
+      const auto decided = least_cost(*t.product, {.tolerance = tolerance, .policy_iteration = policies});
+      ASSERT_TRUE(decided) << t.show();
+      if (std::isinf(expected)) {
+        EXPECT_TRUE(std::isinf(decided->value.lower)) << t.show();
+      } else {
+        expect_bounds(*decided, expected, tolerance * std::max(1.0, expected), t.show());
+        proper += expected > 0 ? 1 : 0;
+      }
+      ASSERT_FALSE(HasFailure());
+    }
+  }
+  EXPECT_GT(proper, scaled(30));
+}
+
+// A free circle beside the way: values from below would stay at zero for ever.
+TEST(Decide, GoingRoundForNothingIsNoProgress) {
+  MdpBuilder builder(testing::vocabulary_ab());
+  const LetterId nothing = builder.letter({}), there = builder.letter({ltl::Proposition{0}});
+  builder.add_state();
+  builder.add_choice("round", 0);
+  builder.add_outcome(1, nothing);
+  builder.add_choice("pay", 5);
+  builder.add_outcome(2, there);
+  builder.add_state();
+  builder.add_choice("round", 0);
+  builder.add_outcome(0, nothing);
+  builder.add_state();
+  builder.add_choice("stay", 1);
+  builder.add_outcome(2, there);
+  const Mdp mdp = std::move(builder).build(0, nothing);
+  ltl::Arena arena(testing::vocabulary_ab());
+  const automata::Dfa dfa = automata::ltlf_to_dfa(ltl::parse("F a", arena));
+  const TaskTable task(dfa, mdp.letters());
+  const auto product = ProductMdp<Mdp>::explore(mdp, task);
+  for (bool policies : {false, true}) {
+    const auto decided = least_cost(*product, {.policy_iteration = policies});
+    ASSERT_TRUE(decided);
+    EXPECT_NEAR(decided->value.lower, 5, 1e-5);
+    EXPECT_EQ(decided->re_evaluated.upper, 5);
+    EXPECT_EQ(decided->strategy.choice[decided->strategy.start], 1U);
+  }
+}
+
+}  // namespace
+}  // namespace waymark::plan

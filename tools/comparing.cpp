@@ -1,0 +1,152 @@
+#include "tools/comparing.hpp"
+
+#include <cmath>
+#include <iomanip>
+#include <iostream>
+
+#include "libltl/print.hpp"
+#include "tools/answer.hpp"
+
+namespace waymark::tools {
+namespace {
+
+Json json_of(const plan::Estimate& estimate) {
+  return JsonObject().add("estimate", estimate.value).add("low", estimate.low).add("high", estimate.high);
+}
+
+JsonObject json_of(const MethodRuns& method) {
+  const plan::Summary& s = method.summary;
+  JsonObject json;
+  json.add("method", method.name)
+      .add("runs", s.runs)
+      .add("success", json_of(s.success))
+      .add("score", json_of(s.score))
+      .add("cost_ratio", json_of(s.cost_ratio))
+      .add("steps_to_90", json_of(s.to_90))
+      .add("steps_to_optimum", json_of(s.to_optimum))
+      .add("optimal", json_of(s.optimal))
+      .add("updates", s.updates)
+      .add("seconds", s.seconds);
+  if (method.curve.empty()) return json;
+  JsonArray curve;
+  for (const plan::CurvePoint& p : method.curve)
+    curve.add(JsonArray().add(p.steps).add(p.score.value).add(p.score.low).add(p.score.high));
+  return json.add("curve", curve);
+}
+
+JsonObject& add(JsonObject& json, const Protocol& protocol) {
+  return json.add("seeds", protocol.seeds)
+      .add("steps", protocol.steps)
+      .add("interval", protocol.interval)
+      .add("horizon", protocol.horizon)
+      .add("discount", protocol.discount);
+}
+
+// "1080", or "-" for what was never reached.
+std::string whole(double value) { return std::isinf(value) ? "-" : fixed(value, 0); }
+
+std::string with_interval(const plan::Estimate& e, std::string (*shown)(double)) {
+  return shown(e.value) + " [" + shown(e.low) + ", " + shown(e.high) + "]";
+}
+
+void print_table(std::ostream& out, const std::vector<MethodRuns>& methods) {
+  const auto cell = [&](const std::string& text, int width) { out << std::setw(width) << text; };
+  const auto two = [](double v) { return std::isinf(v) ? std::string("-") : fixed(v, 2); };
+  out << std::left << std::setw(17) << "method" << std::right;
+  cell("success", 19), cell("cost/best", 19), cell("steps to 90 %", 22), cell("steps to best", 22);
+  cell("best in", 9), cell("seconds", 9);
+  out << '\n';
+  for (const MethodRuns& method : methods) {
+    const plan::Summary& s = method.summary;
+    out << std::left << std::setw(17) << method.name << std::right;
+    cell(with_interval(s.success, two), 19), cell(with_interval(s.cost_ratio, two), 19);
+    cell(with_interval(s.to_90, whole), 22), cell(with_interval(s.to_optimum, whole), 22);
+    cell(fixed(100 * s.optimal.value, 0) + " %", 9), cell(fixed(s.seconds, 3), 9);
+    out << '\n';
+  }
+}
+
+void print_protocol(std::ostream& out, const Protocol& protocol) {
+  out << counted(protocol.seeds, "seed") << ", " << protocol.steps
+      << " environment steps each; 95 % intervals in brackets;"
+      << " -: not reached\n\n";
+}
+
+std::string shown(const plan::PolicyValue& optimum) {
+  std::string text = "cost " + shortest_text(optimum.cost);
+  if (optimum.probability < 1 - 1e-12)
+    text += " where it succeeds, probability " + fixed(optimum.probability, 6);
+  return text;
+}
+
+}  // namespace
+
+std::string shortest_text(double value) { return Json(value).text(); }
+
+JsonObject json_of(const ComparedTask& task, const Protocol& protocol) {
+  JsonArray starts, methods;
+  for (const plan::Pose& pose : task.starts)
+    starts.add(JsonArray().add(pose.x).add(pose.y).add(pose.heading));
+  for (const MethodRuns& method : task.methods) methods.add(json_of(method));
+  JsonObject json;
+  json.add("formula", ltl::print(task.formula))
+      .add("map", task.map)
+      .add("starts", starts)
+      .add("automaton_states", task.automaton_states)
+      .add("product_states", task.product_states)
+      .add("status", task.optimum.probability > 0 ? "solved" : "infeasible");
+  add(json, protocol);
+  JsonObject optimum;
+  optimum.add("probability", task.optimum.probability)
+      .add("cost", task.optimum.cost)
+      .add("value", task.optimum.value)
+      .add("sweeps", task.sweeps)
+      .add("seconds", task.seconds_of_optimum);
+  json.add("value_iteration", optimum);
+  json.add("search",
+           task.search
+               ? Json(JsonObject().add("cost", task.search->cost).add("seconds", task.search->seconds))
+               : Json());
+  return json.add("methods", methods);
+}
+
+void print(std::ostream& out, const Terminal& terminal, const ComparedTask& task, const Protocol& protocol) {
+  out << "formula  " << shown(task.formula, terminal) << "\nproduct  "
+      << counted(task.product_states, "state") << ": map " << task.map << " and "
+      << counted(task.automaton_states, "state") << " of the automaton\n";
+  if (task.optimum.probability == 0) {
+    out << "best     none: " << terminal.paint(Paint::Red, "no policy satisfies the task") << "\n\n";
+    return;
+  }
+  out << "best     " << shown(task.optimum) << " by value iteration in "
+      << fixed(1000 * task.seconds_of_optimum, 2) << " ms";
+  if (task.search)
+    out << "; cost " << shortest_text(task.search->cost) << " by search in "
+        << fixed(1000 * task.search->seconds, 2) << " ms";
+  out << '\n';
+  if (task.is_over) {
+    out << "         the task is satisfied where it begins: nothing to learn\n\n";
+    return;
+  }
+  print_protocol(out, protocol);
+  print_table(out, task.methods);
+  out << '\n';
+}
+
+JsonObject json_of_suite(const std::vector<MethodRuns>& methods, std::size_t tasks,
+                         const Protocol& protocol) {
+  JsonArray all;
+  for (const MethodRuns& method : methods) all.add(json_of(method));
+  JsonObject json;
+  json.add("suite", true).add("tasks", tasks);
+  return add(json, protocol).add("methods", all);
+}
+
+void print_suite(std::ostream& out, const std::vector<MethodRuns>& methods, std::size_t tasks,
+                 const Protocol& protocol) {
+  out << "suite    the runs of " << counted(tasks, "task") << " together\n";
+  print_protocol(out, protocol);
+  print_table(out, methods);
+}
+
+}  // namespace waymark::tools

@@ -1,0 +1,20 @@
+// One page: the task as its title, the terrain with the motion in it, the automaton beside it.
+#pragma once
+#include <optional>
+#include <string>
+
+#include "libplan/motion/terrain.hpp"
+#include "tools/render/motion_picture.hpp"
+
+namespace waymark::render {
+
+struct TerrainPage {
+  const plan::Terrain* terrain = nullptr;
+  std::string formula = {};  // in Unicode notation
+  std::string caption = {};  // one line of facts
+  std::optional<plan::Motion> motion = {};
+  std::optional<Drawing> automaton = {};
+};
+std::string draw_page(const TerrainPage& page);  // a complete SVG document
+
+}  // namespace waymark::render

@@ -1,0 +1,159 @@
+#include "tools/tour.hpp"
+
+#include <iostream>
+#include <optional>
+
+#include "libautomata/dot.hpp"
+#include "libltl/print.hpp"
+#include "libplan/motion/read_motion.hpp"
+#include "libplan/motion/read_terrain.hpp"
+#include "libplan/motion/tour.hpp"
+#include "tools/answer.hpp"
+#include "tools/render/terrain_picture.hpp"
+#include "tools/shell/data_directory.hpp"
+#include "tools/shell/output.hpp"
+#include "tools/shell/process.hpp"
+
+namespace waymark::tools {
+namespace {
+
+struct TourAnswer {
+  ltl::Formula formula;
+  std::string reason = {};                                            // of an infeasible task
+  std::optional<plan::CertifiedTour> tour = {};                       // absent: infeasible, or none was found
+  double load = 0, translate = 0, plan = 0, sample = 0, certify = 0;  // seconds
+};
+
+JsonArray json_of(const ltl::Letter& letter, const ltl::Vocabulary& names) {
+  JsonArray out;
+  for (const ltl::Proposition p : letter.members()) out.add(names.name(p));
+  return out;
+}
+
+JsonObject json_of(const TourAnswer& answer, const TourRequest& request, const plan::Terrain& terrain) {
+  JsonObject json;
+  json.add("formula", ltl::print(answer.formula)).add("workspace", terrain.name());
+  json.add("robot", request.robot.robot);
+  add_robot(json, robot_of(request.robot));
+  json.add("planner", request.search.planner);
+  if (answer.tour) {
+    JsonArray word;
+    for (const ltl::Letter& letter : answer.tour->word().letters)
+      word.add(json_of(letter, terrain.vocabulary()));
+    json.add("status", "solved")
+        .add("word", word)
+        .add("motion", line_of(answer.tour->motion()))
+        .add("length", plan::length(answer.tour->motion()))
+        .add("certified", true);
+  } else if (answer.reason.empty()) {
+    json.add("status", "exhausted").add("certified", false);
+  } else {
+    json.add("status", "infeasible").add("reason", answer.reason);
+  }
+  return json.add("seconds", JsonObject()
+                                 .add("load", answer.load)
+                                 .add("translate", answer.translate)
+                                 .add("plan", answer.plan)
+                                 .add("sample", answer.sample)
+                                 .add("certify", answer.certify)
+                                 .add("total", answer.load + answer.translate + answer.plan + answer.sample +
+                                                   answer.certify));
+}
+
+void print(const TourAnswer& answer, const TourRequest& request, const plan::Terrain& terrain,
+           const Terminal& terminal) {
+  const auto label = [&](const std::string& text) {
+    return terminal.paint(Paint::Bold, text + std::string(13 - text.size(), ' '));
+  };
+  std::cout << label("formula") << terminal.paint(Paint::Blue, shown(answer.formula, terminal)) << '\n';
+  if (!answer.reason.empty()) std::cout << label("motion") << "none: " << answer.reason << '\n';
+  if (!answer.tour) return;
+  std::cout << label("word") << ltl::show(ltl::Trace(answer.tour->word().letters), terrain.vocabulary())
+            << '\n'
+            << label("motion") << "of " << in_words(robot_of(request.robot)) << ", "
+            << counted(answer.tour->motion().configurations.size(), "configuration") << ", length "
+            << fixed(plan::length(answer.tour->motion()), 2) << ", "
+            << terminal.paint(Paint::Green, "certified") << " by definition, sampled in "
+            << fixed(1000 * answer.sample, 1) << " ms\n";
+}
+
+void draw(const TourAnswer& answer, const TourRequest& request, const plan::Terrain& terrain,
+          const automata::Dfa& dfa) {
+  render::TerrainPage page{.terrain = &terrain};
+  page.formula = ltl::print(answer.formula, ltl::Style::Unicode);
+  page.caption = terrain.name();
+  automata::DotOptions look;
+  look.trap = automata::DotOptions::Trap::Omit;
+  page.automaton = render::lay_out(automata::write_dot(dfa, look));
+  if (!page.automaton)
+    complain("note", "waymark-layout is not installed: the automaton is left out of the picture");
+  if (answer.tour) {
+    page.motion = answer.tour->motion();
+    page.caption += ", motion of " + in_words(page.motion->robot) + ", length " +
+                    fixed(plan::length(*page.motion), 2) + ", certified";
+    std::vector<render::Visit> visits;
+    automata::StateId q = dfa.initial();
+    const plan::TimedWord& word = answer.tour->word();
+    for (std::size_t i = 0; i < word.letters.size(); ++i) {
+      q = dfa.next(q, word.letters[i]);
+      visits.push_back({q.index, word.times[i]});
+    }
+    if (page.automaton) render::light_up(*page.automaton, *page.motion, visits);
+  }
+  write_file(request.svg, render::draw_page(page));
+}
+
+Finished sample(const TourRequest& request, ltl::Formula formula) {
+  const auto program = helper("waymark-motion");
+  if (program.empty()) throw UsageError("the helper waymark-motion, which links OMPL, is not installed");
+  std::vector<std::string> arguments = arguments_of(request.robot, request.search, ShapeOptions{});
+  arguments.insert(arguments.end(), {"--workspace", request.workspace, "--start", request.start, "--formula",
+                                     ltl::print(formula)});
+  return run_helper(program, arguments, "");
+}
+
+// Fills in the tour, if it is found; the verdict of the helper.
+ExitCode find_tour(const TourRequest& request, const plan::Terrain& terrain, TourAnswer& answer) {
+  StopWatch watch;
+  const Finished finished = sample(request, answer.formula);
+  answer.sample = watch.lap();
+  const auto code = static_cast<ExitCode>(finished.exit_code);
+  if (code == ExitCode::Done)
+    answer.tour =
+        plan::certify(plan::parse_motion(finished.output, "waymark-motion"), terrain, answer.formula);
+  answer.certify = watch.lap();
+  return code;
+}
+
+}  // namespace
+
+ExitCode run_tour(const TourRequest& request, const Session& session) {
+  StopWatch watch;
+  const plan::Terrain terrain =
+      plan::parse_terrain(read_file(request.workspace), source_name(request.workspace));
+  const plan::Configuration start = plan::parse_configuration(request.start);
+  const plan::TerrainCells cells(terrain);
+  const auto first = cells.at(position(start));
+  if (!first || !admits(terrain, start, robot_of(request.robot)))
+    throw ltl::FormatError("--start", 0, 0, "the robot does not fit there");
+  const double load = watch.lap();
+  ltl::Arena arena(terrain.vocabulary());
+  const ltl::Formula formula =
+      parse_formula(request.formula, arena, parse_options(request.notation, ltl::Unknown::Reject));
+  const automata::Dfa dfa = translate(formula, session.stop);
+  TourAnswer answer{.formula = formula, .load = load};
+  answer.translate = watch.lap();
+  if (!plan::plan_tour(dfa, cells, *first))
+    answer.reason = "no way through the free space has a word that satisfies it";
+  answer.plan = watch.lap();
+  const ExitCode code = answer.reason.empty() ? find_tour(request, terrain, answer) : ExitCode::No;
+  if (code != ExitCode::Done && code != ExitCode::No && code != ExitCode::GaveUp) return code;
+  if (request.json)
+    std::cout << json_of(answer, request, terrain).text() << '\n';
+  else
+    print(answer, request, terrain, session.out);
+  if (!request.svg.empty()) draw(answer, request, terrain, dfa);
+  return code;
+}
+
+}  // namespace waymark::tools
