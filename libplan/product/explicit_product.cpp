@@ -1,6 +1,8 @@
 #include "libplan/product/explicit_product.hpp"
 
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace waymark::plan {
 namespace {
@@ -22,7 +24,7 @@ class Unfolding {
   explicit Unfolding(const ProductMdp<Model>& product)
       : product_(product), goal_(vocabulary_.add("goal")), marked_(vocabulary_.add("marked")) {}
 
-  ExplicitProduct run() {
+  StateLabelled run() {
     MdpBuilder builder(vocabulary_);
     name_place(values_.variables, product_.model());
     values_.variables.emplace_back("task");
@@ -42,11 +44,7 @@ class Unfolding {
       }
     }
     const LetterId first = builder.letter(initial < goals_.size() ? letter(initial, false) : ltl::Letter{});
-    goals_.resize(builder_states_);
-    std::optional<std::uint32_t> lost_state;
-    if (needs_lost_ || starts.empty()) lost_state = lost();
-    return {std::move(builder).build(initial, first), std::move(values_), starts, lost_state,
-            std::move(goals_)};
+    return with_labels_on_states(std::move(builder).build(initial, first), values_);
   }
 
  private:
@@ -62,7 +60,6 @@ class Unfolding {
 
   std::uint32_t add_apart(MdpBuilder& builder, const char* name, std::int32_t value) {
     for (std::size_t v = 0; v < values_.variables.size(); ++v) values_.values.push_back(value);
-    ++builder_states_;
     return builder.add_state(name);
   }
 
@@ -73,8 +70,7 @@ class Unfolding {
 
   void add(MdpBuilder& builder, const State& s) {
     const Model& model = product_.model();
-    builder.add_state('(' + model.name(s.place) + ") · " + std::to_string(s.task));
-    ++builder_states_;
+    builder.add_state(model.name(s.place) + " · " + std::to_string(s.task));
     add_place(values_.values, model, s.place);
     values_.values.push_back(static_cast<std::int32_t>(s.task));
     if (product_.choices(s) == 0) return stay(builder, s.index, letter(s.index, false));
@@ -96,13 +92,12 @@ class Unfolding {
   ltl::Proposition goal_, marked_;
   StateValues values_;
   std::vector<bool> goals_;
-  std::size_t builder_states_ = 0;
   bool needs_lost_ = false;
 };
 
 }  // namespace
 
-ExplicitProduct explicit_product(const ProductMdp<Mdp>& product) { return Unfolding(product).run(); }
-ExplicitProduct explicit_product(const ProductMdp<GridWorld>& product) { return Unfolding(product).run(); }
+StateLabelled explicit_product(const ProductMdp<Mdp>& product) { return Unfolding(product).run(); }
+StateLabelled explicit_product(const ProductMdp<GridWorld>& product) { return Unfolding(product).run(); }
 
 }  // namespace waymark::plan

@@ -4,8 +4,8 @@
 #include <variant>
 
 #include "libautomata/dfa.hpp"
-#include "libautomata/ltlf_to_dfa.hpp"
 #include "libautomata/limit_deterministic/ldba.hpp"
+#include "libautomata/ltlf_to_dfa.hpp"
 #include "libltl/formula.hpp"
 #include "libplan/model/read_case.hpp"
 
