@@ -1,12 +1,16 @@
-// waymark compose: formula or automaton, and a map → their product, its sizes or its graph.
+// waymark compose: formula or automaton, and a map or any model → their product, its sizes or its graph.
 #include <CLI/App.hpp>
 #include <iostream>
 #include <memory>
 
 #include "libautomata/hoa.hpp"
 #include "libltl/print.hpp"
+#include "libltl/simplify.hpp"
+#include "libplan/model/map_mdp.hpp"
+#include "libplan/model/read_model.hpp"
 #include "libplan/product/compose.hpp"
 #include "tools/answer.hpp"
+#include "tools/compose_model.hpp"
 #include "tools/shell/batch.hpp"
 #include "tools/shell/options.hpp"
 #include "tools/subcommand.hpp"
@@ -18,7 +22,9 @@ struct Options {
   TextOptions text;
   NotationOptions notation;
   MapOptions map;
-  std::string start, automaton, format = "text";
+  std::string start, automaton, file, task;
+  bool model_only = false;
+  GraphOutput output;
 };
 
 struct Counts {
@@ -76,9 +82,9 @@ void print_dot(const plan::Product& product) {
 
 void answer(const plan::Product& product, std::optional<ltl::Formula> formula, const Options& options,
             const Session& session) {
-  if (options.format == "json")
+  if (options.output.format == "json")
     std::cout << json_of(product, formula).text() << '\n';
-  else if (options.format == "dot")
+  else if (options.output.format == "dot")
     print_dot(product);
   else
     print_text(product, formula, session.out);
@@ -91,9 +97,94 @@ plan::Product composed(const plan::Map& map, const automata::Dfa& dfa, std::span
   return std::move(*product);
 }
 
+// ---- any model: what solvers work on
+
+bool gives_formula(const Options& options) {
+  return !options.text.arguments.empty() || !options.text.file.empty();
+}
+
+// Of a map a model, of a file what it holds.
+plan::PlanningCase model_of(const Options& options) {
+  if (!options.file.empty()) return plan::read_model(options.file, options.start);
+  const plan::Map map = read_map(options.map);
+  const auto starts = start_poses(options.start, map);
+  if (starts.size() > 1) throw UsageError("a model starts in one pose: give --start with a heading");
+  return {map.name(), plan::mdp_of(map, starts[0]), {}};
+}
+
+ltl::Arena arena_of(const plan::PlanningCase& model) {
+  return std::visit([](const auto& m) { return ltl::Arena(m.letters().vocabulary()); }, model.model);
+}
+
+void compose_task(const plan::PlanningCase& model, const plan::CaseTask& task, const Options& options,
+                  const Session& session) {
+  ltl::Arena arena = arena_of(model);
+  ltl::Formula f = ltl::parse(task.formula, arena);
+  if (task.logic == plan::CaseTask::Logic::Ltl) f = ltl::simplify(f, ltl::Semantics::Infinite);
+  if (task.query == plan::CaseTask::Query::MinProbability && !plan::is_finite_task(f, task.logic))
+    f = ltl::simplify(ltl::negate(f), ltl::Semantics::Infinite);
+  const auto automaton = plan::task_automaton(f, task.logic, task.query, {.stop = session.stop});
+  if (!automaton) throw GaveUp("no automaton of task " + task.id);
+  write_product(model, *automaton, {task.id, ltl::print(f)}, options.output, session.stop);
+}
+
+// The tasks of the file that were asked for and have an automaton: a tour has none.
+ExitCode compose_tasks(const plan::PlanningCase& model, const Options& options, const Session& session) {
+  std::vector<const plan::CaseTask*> chosen;
+  for (const plan::CaseTask& task : model.tasks)
+    if ((options.task.empty() || options.task == task.id) && task.query != plan::CaseTask::Query::MinCycle)
+      chosen.push_back(&task);
+  if (chosen.empty())
+    throw UsageError(options.file + " has no " +
+                     (options.task.empty() ? "tasks" : "task '" + options.task + "'") +
+                     " with an automaton; give a formula, or --model-only");
+  const bool one = options.output.format == "prism" || options.output.format == "explicit";
+  if (one && chosen.size() > 1) throw UsageError("one product at a time in this format: choose by --task");
+  for (const plan::CaseTask* task : chosen) compose_task(model, *task, options, session);
+  return ExitCode::Done;
+}
+
+ExitCode compose_any(const Options& options, const Session& session) {
+  const plan::PlanningCase model = model_of(options);
+  if (options.model_only) {
+    if (gives_formula(options) || !options.automaton.empty())
+      throw UsageError("--model-only goes without a formula or automaton");
+    write_model(model, options.output);
+    return ExitCode::Done;
+  }
+  if (!options.automaton.empty()) {
+    const plan::TaskAutomaton dfa =
+        automata::read_hoa(read_file(options.automaton), source_name(options.automaton));
+    write_product(model, dfa, {}, options.output, session.stop);
+    return ExitCode::Done;
+  }
+  if (!options.file.empty() && !gives_formula(options)) return compose_tasks(model, options, session);
+  TextReader texts(options.text, "formula");
+  if (texts.is_batch() && !options.output.out.empty()) throw UsageError("--out is for a single formula");
+  return answer_each(
+      texts, session.stop,
+      [&](const Text& text) {
+        ltl::Arena arena = arena_of(model);
+        const ltl::Formula formula =
+            parse_formula(text, arena, parse_options(options.notation, ltl::Unknown::Reject));
+        const plan::TaskAutomaton dfa = translate(formula, session.stop);
+        write_product(model, dfa, {"", ltl::print(formula)}, options.output, session.stop);
+        return ExitCode::Done;
+      },
+      [&](const Text& text, const std::string& message) {
+        if (options.output.format == "json") std::cout << json_error(text.line, message).text() << '\n';
+      });
+}
+
 ExitCode run_compose(const Options& options, const Session& session) {
-  const bool given = !options.text.arguments.empty() || !options.text.file.empty();
-  if (!options.automaton.empty() && given) throw UsageError("give a formula or --automaton, not both");
+  if (!options.automaton.empty() && gives_formula(options))
+    throw UsageError("give a formula or --automaton, not both");
+  if (!options.output.out.empty() && options.output.format != "prism" && options.output.format != "explicit")
+    throw UsageError("--out goes with --format prism and --format explicit");
+  if (!options.task.empty() && options.file.empty()) throw UsageError("--task goes with --case");
+  if (!options.file.empty() || options.model_only || options.output.graph ||
+      options.output.format == "prism" || options.output.format == "explicit")
+    return compose_any(options, session);
   const plan::Map map = read_map(options.map);
   const auto starts = start_poses(options.start, map);
   if (!options.automaton.empty()) {
@@ -114,7 +205,7 @@ ExitCode run_compose(const Options& options, const Session& session) {
         return ExitCode::Done;
       },
       [&](const Text& text, const std::string& message) {
-        if (options.format == "json") std::cout << json_error(text.line, message).text() << '\n';
+        if (options.output.format == "json") std::cout << json_error(text.line, message).text() << '\n';
       });
 }
 
@@ -130,11 +221,27 @@ Runner setup_compose(CLI::App& command) {
   add_notation_options(command, options->notation);
   add_map_options(command, options->map);
   add_start_option(command, options->start);
-  command.add_option("--format", options->format, "sizes for people, sizes as JSON, or the graph")
-      ->check(CLI::IsMember({"text", "json", "dot"}))
+  command
+      .add_option("--case,--model", options->file,
+                  "another model instead of a map: a planning case with its tasks, a street graph (JSON), or "
+                  "PRISM's FILE.nm or FILE.tra")
+      ->type_name("FILE");
+  command.add_option("--task", options->task, "with --case: this task only")->type_name("ID");
+  command.add_flag("--model-only", options->model_only, "the map or model itself, without a task");
+  command
+      .add_option(
+          "--format", options->output.format,
+          "sizes for people, sizes as JSON, or the graph: for Graphviz, in PRISM's language, as PRISM's "
+          "explicit files")
+      ->check(CLI::IsMember({"text", "json", "dot", "prism", "explicit"}))
       ->capture_default_str();
+  command.add_flag("--graph", options->output.graph, "with --format json: states and choices as well");
+  command
+      .add_option("--out", options->output.out,
+                  "write PREFIX.nm (prism), or PREFIX.tra, .sta, .lab and .srew or .trew (explicit)")
+      ->type_name("PREFIX");
   command.add_flag_callback(
-      "--json", [options] { options->format = "json"; }, "the same as --format json");
+      "--json", [options] { options->output.format = "json"; }, "the same as --format json");
   return [options](const Session& session) { return run_compose(*options, session); };
 }
 

@@ -87,6 +87,12 @@ ExitCode run_plan(const Options& options, const Session& session) {
     choice.json = options.json;
     return plan_case(choice, session);
   }
+  if (!options.planning_case.model.empty()) {
+    if (!options.automaton.empty()) throw UsageError("--model takes formulas, not --automaton");
+    CaseChoice choice = options.planning_case;
+    choice.json = options.json;
+    return plan_model(choice, options.text, options.start, session);
+  }
   if (!options.automaton.empty()) {
     if (!options.text.arguments.empty() || !options.text.file.empty())
       throw UsageError("give a formula or --automaton, not both");

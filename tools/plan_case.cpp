@@ -8,7 +8,9 @@
 #include <stdexcept>
 
 #include "libltl/diagnostic.hpp"
+#include "libplan/model/read_model.hpp"
 #include "libplan/solve/case_task.hpp"
+#include "tools/shell/batch.hpp"
 #include "tools/shell/deadline.hpp"
 #include "tools/shell/json.hpp"
 #include "tools/shell/output.hpp"
@@ -92,25 +94,44 @@ void print(const plan::CaseTask& task, const CaseAnswer& answer) {
   std::cout << '\n';
 }
 
-// One task; what is wrong with its formula or query is reported like any other bad line.
+// Throws as plan::answer.
 ExitCode answer_task(const plan::PlanningCase& planning_case, const plan::CaseTask& task,
                      const CaseChoice& choice, const Session& session) {
   const Deadline deadline(choice.limit_seconds, session.stop);
+  const CaseAnswer answer = plan::answer(
+      planning_case, task,
+      {.method = method_of(choice.method), .tolerance = choice.tolerance, .stop = deadline.token()});
+  if (choice.json)
+    std::cout << json_of(planning_case, task, answer).text() << '\n';
+  else
+    print(task, answer);
+  return exit_code(answer.status);
+}
+
+// What is wrong with the formula or query of a task is reported like any other bad line.
+ExitCode try_task(const plan::PlanningCase& planning_case, const plan::CaseTask& task,
+                  const CaseChoice& choice, const Session& session) {
   try {
-    const CaseAnswer answer = plan::answer(
-        planning_case, task,
-        {.method = method_of(choice.method), .tolerance = choice.tolerance, .stop = deadline.token()});
-    if (choice.json)
-      std::cout << json_of(planning_case, task, answer).text() << '\n';
-    else
-      print(task, answer);
-    return exit_code(answer.status);
+    return answer_task(planning_case, task, choice, session);
   } catch (const ltl::SyntaxError& error) {
     complain("error", "task " + task.id + ": " + error.what());
   } catch (const std::invalid_argument& error) {
     complain("error", "task " + task.id + ": " + error.what());
   }
   return ExitCode::BadInput;
+}
+
+plan::CaseTask task_of(const Text& text, const CaseChoice& choice) {
+  using Query = plan::CaseTask::Query;
+  using Logic = plan::CaseTask::Logic;
+  plan::CaseTask task{.id = text.source.empty() ? "formula" : "line " + std::to_string(text.line),
+                      .formula = text.text};
+  task.query = choice.query == "pmax"   ? Query::MaxProbability
+               : choice.query == "pmin" ? Query::MinProbability
+               : choice.query == "rmin" ? Query::MinCost
+                                        : Query::MinSteps;
+  task.logic = task.query == Query::MinSteps ? Logic::Ltlf : Logic::Ltl;
+  return task;
 }
 
 }  // namespace
@@ -120,6 +141,19 @@ void add_case_options(CLI::App& command, CaseChoice& choice) {
       .add_option("--case", choice.file,
                   "a planning case (ltlgrid/1 or ltlmap/1) instead of a formula and a map")
       ->type_name("FILE");
+  command
+      .add_option(
+          "--model", choice.model,
+          "a formula's value on another model than a map: PRISM's FILE.nm or FILE.tra, a street graph or "
+          "planning case (JSON)")
+      ->type_name("FILE");
+  command
+      .add_option(
+          "--query", choice.query,
+          "with --model: greatest or least probability, least expected cost until the formula is sure to "
+          "hold; steps: least cost of a finite word")
+      ->check(CLI::IsMember({"pmax", "pmin", "rmin", "steps"}))
+      ->capture_default_str();
   command.add_option("--task", choice.task, "with --case: this task only")->type_name("ID");
   command
       .add_option("--method", choice.method, "with --case: how it is solved; best picks by model and query")
@@ -142,13 +176,37 @@ ExitCode plan_case(const CaseChoice& choice, const Session& session) {
     if (!choice.task.empty() && task.id != choice.task) continue;
     if (session.stop.stop_requested()) throw Interrupted();
     any = true;
-    worst = std::max(worst, answer_task(planning_case, task, choice, session));
+    worst = std::max(worst, try_task(planning_case, task, choice, session));
     std::cout.flush();
   }
   if (!any)
     throw UsageError(choice.task.empty() ? choice.file + " has no tasks"
                                          : choice.file + " has no task '" + choice.task + "'");
   return worst;
+}
+
+ExitCode plan_model(const CaseChoice& choice, const TextOptions& formulas, const std::string& start,
+                    const Session& session) {
+  const plan::PlanningCase model = plan::read_model(choice.model, start);
+  TextReader texts(formulas, "formula");
+  return answer_each(
+      texts, session.stop,
+      [&](const Text& text) {
+        try {
+          return answer_task(model, task_of(text, choice), choice, session);
+        } catch (const std::invalid_argument& error) {
+          throw UsageError(error.what());  // a method that does not answer the query
+        } catch (const ltl::SyntaxError& error) {
+          if (text.source.empty()) throw;
+          throw error.in(text.source, text.line);
+        }
+      },
+      [&](const Text& text, const std::string& message) {
+        if (choice.json)
+          std::cout
+              << JsonObject().add("line", text.line).add("status", "error").add("message", message).text()
+              << '\n';
+      });
 }
 
 }  // namespace waymark::tools

@@ -1,19 +1,25 @@
-// waymark plan --case: every task of a planning case → its value between proved bounds.
+// waymark plan --case and --model: every task of a planning case, or formulas on a model of any kind → values between
+// proved bounds.
 #pragma once
 #include <string>
 
 #include "tools/shell/exit_code.hpp"
+#include "tools/shell/input.hpp"
 #include "tools/subcommand.hpp"
 
 namespace waymark::tools {
 
 struct CaseChoice {
   std::string file, task, method = "best";
+  std::string model, query = "pmax";  // --model
   double tolerance = 1e-6;
   double limit_seconds = 0;  // of each task; 0: none
   bool json = false;
 };
 void add_case_options(CLI::App& command, CaseChoice& choice);
 ExitCode plan_case(const CaseChoice& choice, const Session& session);
+// `start`: of street graphs.
+ExitCode plan_model(const CaseChoice& choice, const TextOptions& formulas, const std::string& start,
+                    const Session& session);
 
 }  // namespace waymark::tools

@@ -5,10 +5,6 @@
 #include <stdexcept>
 #include <variant>
 
-#include "libautomata/limit_deterministic/ltl_to_ldba.hpp"
-#include "libautomata/ltlf_to_dfa.hpp"
-#include "libautomata/omega/monitor.hpp"
-#include "libltl/fragment.hpp"
 #include "libltl/parse.hpp"
 #include "libltl/print.hpp"
 #include "libltl/semantics.hpp"
@@ -16,6 +12,7 @@
 #include "libltl/trace_check.hpp"
 #include "libplan/solve/drop_conjuncts.hpp"
 #include "libplan/solve/product_search.hpp"
+#include "libplan/solve/task_automaton.hpp"
 #include "libplan/solve/tour.hpp"
 
 namespace waymark::plan {
@@ -62,31 +59,12 @@ class TaskSolver {
   }
 
  private:
-  // The automaton that answers the query: finite where goals say it all, limit-deterministic otherwise.
-  bool is_finite(ltl::Formula f) const {
-    return task_.logic != Logic::Ltl || ltl::fragments(f, ltl::Semantics::Infinite).cosafety;
-  }
-  automata::TranslationLimits limits() const {
-    return {.states = options_.states / 100 + 1, .stop = options_.stop};
-  }
-  template <class Result>
-  static auto& done(Result& result) {
-    if (std::holds_alternative<automata::Exhausted>(result)) throw Spent{"no automaton within the limits"};
-    return std::get<0>(result);
-  }
+  bool is_finite(ltl::Formula f) const { return is_finite_task(f, task_.logic); }
   TaskTable table(ltl::Formula f) {
-    if (task_.query == Query::MinCost && task_.logic == Logic::Ltl &&
-        !(is_finite(f) && ltl::fragments(f, ltl::Semantics::Infinite).next_free)) {
-      auto monitor =
-          automata::ltl_to_monitor(f, limits());  // what is asked for is a good prefix, whatever f is
-      return sized(done(monitor).good());
-    }
-    if (is_finite(f)) {
-      auto dfa = automata::ltlf_to_dfa(f, limits());
-      return sized(done(dfa));
-    }
-    auto ldba = automata::ltl_to_ldba(f, limits());
-    return sized(done(ldba).automaton);
+    const auto automaton = task_automaton(f, task_.logic, task_.query,
+                                          {.states = options_.states / 100 + 1, .stop = options_.stop});
+    if (!automaton) throw Spent{"no automaton within the limits"};
+    return std::visit([&](const auto& found) { return sized(found); }, *automaton);
   }
   template <class Automaton>
   TaskTable sized(const Automaton& automaton) {

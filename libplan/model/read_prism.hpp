@@ -1,0 +1,19 @@
+// Models in the language of PRISM [KNP11], as far as grid worlds are written in it (docs/formats/prism.md).
+//
+// An mdp of one module; constants, formulas, labels, rewards; bounded whole numbers and truth values; guarded commands
+// with probabilistic updates. Labels become propositions, rewards become costs: the structure named "cost" or "steps",
+// else the first; 1 a choice when there is none. A state in which no command is enabled gets a choice that stays, "stay",
+// as in PRISM.
+#pragma once
+#include <cstddef>
+#include <string_view>
+
+#include "libplan/model/mdp.hpp"
+
+namespace waymark::plan {
+
+// States are numbered breadth first, in the order of commands and updates. Throws ltl::SyntaxError with the place, also
+// for what PRISM has and this reader has not, and for more states than the limit.
+Mdp parse_prism(std::string_view text, std::string_view source = "", std::size_t limit = 50'000'000);
+
+}  // namespace waymark::plan

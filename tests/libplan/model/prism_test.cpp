@@ -1,0 +1,148 @@
+// Models written for PRISM and read again; the planning cases in PRISM's language against those in JSON.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
+#include "libplan/model/read_case.hpp"
+#include "libplan/model/read_prism.hpp"
+#include "libplan/model/read_prism_explicit.hpp"
+#include "libplan/model/write_prism.hpp"
+#include "libplan/product/explicit_product.hpp"
+#include "libplan/solve/case_task.hpp"
+#include "tests/libplan/model/models.hpp"
+
+namespace waymark::plan {
+namespace {
+
+namespace fs = std::filesystem;
+using test::difference;
+
+PrismFiles files(const PrismExplicit& written) {
+  PrismFiles out{written.transitions, written.labels, written.states};
+  (written.rewards_on_states ? out.state_rewards : out.transition_rewards) = written.rewards;
+  return out;
+}
+
+std::vector<CaseTask> probing_tasks() {
+  using Query = CaseTask::Query;
+  using Logic = CaseTask::Logic;
+  return {{"reach", "F b", Logic::Ltl, Query::MaxProbability},
+          {"late", "X X a", Logic::Ltl, Query::MaxProbability},
+          {"avoid", "!a U b", Logic::Ltl, Query::MinProbability},
+          {"patrol", "(G F a) & (G F b)", Logic::Ltl, Query::MaxProbability},
+          {"cost", "F (b & X a)", Logic::Ltl, Query::MinCost}};
+}
+
+// The same proved values, up to the tolerance of both.
+void expect_same_values(const PlanningCase& one, const PlanningCase& other,
+                        const std::vector<CaseTask>& tasks, const std::string& model) {
+  for (const CaseTask& task : tasks) {
+    const CaseOptions options{.tolerance = 1e-8, .explain = false};
+    const CaseAnswer a = answer(one, task, options), b = answer(other, task, options);
+    ASSERT_EQ(a.status, b.status) << task.formula << " on\n" << model;
+    if (a.value.lower == b.value.lower) continue;  // infinite costs too
+    EXPECT_NEAR(a.value.middle(), b.value.middle(), 1e-7 * std::max(1.0, a.value.middle()))
+        << task.formula << " on\n"
+        << model;
+  }
+}
+
+TEST(Prism, ReadsWhatItWroteOfRandomModels) {
+  std::mt19937 random(1);
+  for (int i = 0; i < 200; ++i) {
+    const Mdp mdp = test::random_mdp(random);
+    const StateLabelled labelled = with_labels_on_states(mdp);
+    const std::string text = write_prism(labelled);
+    EXPECT_EQ(difference(parse_prism(text), labelled.mdp), "") << text;
+    const PrismExplicit written = write_prism_explicit(labelled);
+    EXPECT_EQ(difference(parse_prism_explicit(files(written)), labelled.mdp), "")
+        << written.transitions << written.labels << written.rewards;
+  }
+}
+
+TEST(Prism, ReadsWhatItWroteOfRandomGrids) {
+  std::mt19937 random(2);
+  for (int i = 0; i < 300; ++i) {
+    const GridWorld grid = test::random_grid(random);
+    const std::string text = write_prism(grid);
+    EXPECT_EQ(difference(parse_prism(text), with_labels_on_states(grid).mdp), "") << text;
+  }
+}
+
+TEST(Prism, KeepsTheValues) {
+  std::mt19937 random(3);
+  for (int i = 0; i < 40; ++i) {
+    Mdp mdp = test::random_mdp(random);
+    bool runs_end = false;  // a state without choices ends runs with us, and stays in PRISM
+    for (std::uint32_t s = 0; s < mdp.states(); ++s) runs_end = runs_end || mdp.choices(s) == 0;
+    if (runs_end) continue;
+    const std::string text = write_prism(with_labels_on_states(mdp));
+    expect_same_values({"", std::move(mdp), {}}, {"", parse_prism(text), {}}, probing_tasks(), text);
+  }
+  for (int i = 0; i < 40; ++i) {
+    GridWorld grid = test::random_grid(random);
+    const std::string text = write_prism(grid);
+    const PrismFiles explicit_files = files(write_prism_explicit(with_labels_on_states(grid)));
+    const PlanningCase one{"", std::move(grid), {}};
+    expect_same_values(one, {"", parse_prism(text), {}}, probing_tasks(), text);
+    expect_same_values(one, {"", parse_prism_explicit(explicit_files), {}}, probing_tasks(), text);
+  }
+}
+
+TEST(Prism, SplitsAStateByTheLetterThatEntersIt) {
+  MdpBuilder builder(ltl::Vocabulary({"a", "the easel", "F"}));
+  const LetterId none = builder.letter({}), a = builder.letter({ltl::Proposition{0}}),
+                 easel = builder.letter({ltl::Proposition{1}, ltl::Proposition{2}});
+  builder.add_state();
+  builder.add_choice("E", 2);
+  builder.add_outcome(1, a, 0.25);
+  builder.add_outcome(1, easel, 0.75);
+  builder.add_state();
+  const PrismExplicit written =
+      write_prism_explicit(with_labels_on_states(std::move(builder).build(0, none)));
+  EXPECT_EQ(written.transitions, "3 3 4\n0 0 1 0.25 E_\n0 0 2 0.75 E_\n1 0 1 1 stay\n2 0 2 1 stay\n");
+  EXPECT_EQ(written.states, "(s,letter)\n0:(0,0)\n1:(1,1)\n2:(1,2)\n");
+  EXPECT_EQ(written.labels,
+            "0=\"init\" 1=\"deadlock\" 2=\"a\" 3=\"the_easel\" 4=\"F_\"\n0: 0\n1: 2\n2: 3 4\n");
+  EXPECT_EQ(written.rewards, "3 1\n0 2\n");
+  EXPECT_TRUE(written.rewards_on_states);
+}
+
+// ---- the cases that come with values
+
+fs::path cases() {
+  const char* shared = std::getenv("WAYMARK_SHARED");
+  return (shared != nullptr ? fs::path(shared) : fs::path("../shared")) / "plan" / "cases";
+}
+
+std::string contents(const fs::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+TEST(Prism, GivesTheValuesOfTheCases) {
+  if (!fs::exists(cases())) GTEST_SKIP() << "no planning cases at " << cases();
+  std::size_t models = 0;
+  for (const auto& entry : fs::directory_iterator(cases())) {
+    if (entry.path().extension() != ".nm") continue;
+    ++models;
+    const PlanningCase json = read_case(fs::path(entry.path()).replace_extension(".json"));
+    const PlanningCase prism{json.name, parse_prism(contents(entry.path()), entry.path().string()), {}};
+    for (const CaseTask& task : json.tasks) {
+      const CaseOptions options{.explain = false};
+      const CaseAnswer a = answer(json, task, options), b = answer(prism, task, options);
+      EXPECT_EQ(a.status, b.status) << json.name << ' ' << task.id;
+      if (a.value.lower == b.value.lower && a.value.upper == b.value.upper) continue;
+      EXPECT_NEAR(a.value.middle(), b.value.middle(), 2e-6 * std::max(1.0, a.value.middle()))
+          << json.name << ' ' << task.id;
+    }
+  }
+  EXPECT_GT(models, 0U);
+}
+
+}  // namespace
+}  // namespace waymark::plan

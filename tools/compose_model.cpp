@@ -1,0 +1,175 @@
+#include "tools/compose_model.hpp"
+
+#include <iostream>
+#include <variant>
+
+#include "libplan/model/write_prism.hpp"
+#include "libplan/product/explicit_product.hpp"
+#include "tools/answer.hpp"
+#include "tools/shell/exit_code.hpp"
+#include "tools/shell/json.hpp"
+#include "tools/shell/output.hpp"
+
+namespace waymark::tools {
+namespace {
+
+using plan::StateLabelled;
+
+Json letter_of(const StateLabelled& model, std::uint32_t s) {
+  const plan::Letters& letters = model.mdp.letters();
+  JsonArray out;
+  for (ltl::Proposition p : letters[model.letter[s]].members()) out.add(letters.vocabulary().name(p));
+  return out;
+}
+
+Json graph_of(const StateLabelled& model) {
+  JsonArray states, choices;
+  for (std::uint32_t s = 0; s < model.mdp.states(); ++s) {
+    states.add(JsonObject().add("name", model.mdp.name(s)).add("letter", letter_of(model, s)));
+    for (std::uint32_t k = 0; k < model.mdp.choices(s); ++k) {
+      JsonArray outcomes;
+      for (const plan::MdpOutcome& o : model.mdp.outcomes(s, k))
+        outcomes.add(JsonObject().add("to", o.target).add("probability", o.probability));
+      choices.add(JsonObject()
+                      .add("from", s)
+                      .add("action", model.mdp.action(s, k))
+                      .add("cost", model.mdp.cost(s, k))
+                      .add("outcomes", outcomes));
+    }
+  }
+  return JsonObject().add("initial", model.mdp.initial()).add("states", states).add("choices", choices);
+}
+
+std::string quoted(const std::string& text) { return Json(text).text(); }
+
+void print_dot(const StateLabelled& model) {
+  std::cout << "digraph model {\n  node [shape=box, style=rounded, fontname=\"Helvetica\", fontsize=11];\n"
+            << "  edge [fontname=\"Helvetica\", fontsize=10];\n  start [shape=point]; start -> 0;\n";
+  for (std::uint32_t s = 0; s < model.mdp.states(); ++s) {
+    const plan::Letters& letters = model.mdp.letters();
+    std::cout << "  " << s << " [label="
+              << quoted(model.mdp.name(s) + ' ' + ltl::show(letters[model.letter[s]], letters.vocabulary()))
+              << "];\n";
+    for (std::uint32_t k = 0; k < model.mdp.choices(s); ++k) {
+      const std::string action = quoted(std::string(model.mdp.action(s, k)));
+      const auto outcomes = model.mdp.outcomes(s, k);
+      if (outcomes.size() == 1) {
+        std::cout << "  " << s << " -> " << outcomes[0].target << " [label=" << action << "];\n";
+        continue;
+      }
+      const std::string drawn = 'c' + std::to_string(s) + '_' + std::to_string(k);
+      std::cout << "  " << drawn << " [shape=point]; " << s << " -> " << drawn << " [label=" << action
+                << ", dir=none];\n";
+      for (const plan::MdpOutcome& o : outcomes)
+        std::cout << "  " << drawn << " -> " << o.target << " [label=\"" << Json(o.probability).text()
+                  << "\"];\n";
+    }
+  }
+  std::cout << "}\n";
+}
+
+void write_explicit(const StateLabelled& model, const std::string& prefix) {
+  if (prefix.empty()) throw UsageError("--format explicit is several files: give their prefix by --out");
+  const plan::PrismExplicit files = plan::write_prism_explicit(model);
+  write_file(prefix + ".tra", files.transitions);
+  write_file(prefix + ".sta", files.states);
+  write_file(prefix + ".lab", files.labels);
+  write_file(prefix + (files.rewards_on_states ? ".srew" : ".trew"), files.rewards);
+}
+
+void write_language(const std::string& text, const std::string& prefix) {
+  write_file(prefix.empty() ? "-" : prefix + ".nm", text);
+}
+
+// Everything but text and JSON, which differ between models and products.
+void write_graph(const StateLabelled& model, const GraphOutput& output) {
+  if (output.format == "dot") print_dot(model);
+  if (output.format == "explicit") write_explicit(model, output.out);
+  if (output.format == "prism") write_language(plan::write_prism(model), output.out);
+}
+
+JsonObject sizes_of(const StateLabelled& model) {
+  return JsonObject()
+      .add("states", model.mdp.states())
+      .add("choices", model.mdp.choices())
+      .add("outcomes", model.mdp.outcomes());
+}
+
+class ProductWriter {
+ public:
+  ProductWriter(const plan::PlanningCase& planning_case, const ProductTitle& title, const GraphOutput& output,
+                const std::stop_token& stop)
+      : case_(planning_case), title_(title), output_(output), stop_(stop) {}
+
+  template <class Model, class Automaton>
+  void write(const Model& model, const Automaton& automaton) const {
+    const plan::TaskTable table(automaton, model.letters());
+    const auto product = plan::ProductMdp<Model>::explore(model, table, SIZE_MAX, stop_);
+    if (!product) throw Interrupted();
+    std::size_t goals = 0;
+    product->for_each_state([&](const auto& s) { goals += product->is_goal(s) ? 1 : 0; });
+    const bool sizes = output_.format == "text" || (output_.format == "json" && !output_.graph);
+    if (output_.format == "text") return print(automaton.states(), *product, goals);
+    JsonObject json;
+    json.add("formula", title_.formula.empty() ? Json() : Json(title_.formula));
+    if (!title_.task.empty()) json.add("task", title_.task);
+    json.add("map", case_.name)
+        .add("automaton", JsonObject().add("states", automaton.states()))
+        .add("product", JsonObject()
+                            .add("states", product->states())
+                            .add("edges", product->edges())
+                            .add("starts", product->starts().size())
+                            .add("goals", goals));
+    if (!sizes) {
+      const StateLabelled labelled = plan::explicit_product(*product);
+      if (output_.format != "json") return write_graph(labelled, output_);
+      json.add("graph", graph_of(labelled));
+    }
+    std::cout << json.text() << '\n';
+  }
+
+ private:
+  template <class Product>
+  void print(std::size_t automaton_states, const Product& product, std::size_t goals) const {
+    if (!title_.task.empty()) std::cout << "task       " << title_.task << '\n';
+    if (!title_.formula.empty()) std::cout << "formula    " << title_.formula << '\n';
+    std::cout << "automaton  " << counted(automaton_states, "state") << '\n'
+              << "product    " << counted(product.states(), "state") << " (" << counted(goals, "goal")
+              << "), " << counted(product.edges(), "edge") << ", with " << case_.name << '\n';
+  }
+
+  const plan::PlanningCase& case_;
+  const ProductTitle& title_;
+  const GraphOutput& output_;
+  const std::stop_token& stop_;
+};
+
+}  // namespace
+
+void write_model(const plan::PlanningCase& model, const GraphOutput& output) {
+  if (const auto* grid = std::get_if<plan::GridWorld>(&model.model);
+      grid != nullptr && output.format == "prism")
+    return write_language(plan::write_prism(*grid), output.out);
+  const StateLabelled labelled =
+      std::visit([](const auto& m) { return plan::with_labels_on_states(m); }, model.model);
+  if (output.format == "json") {
+    JsonObject json;
+    json.add("map", model.name).add("model", sizes_of(labelled));
+    if (output.graph) json.add("graph", graph_of(labelled));
+    std::cout << json.text() << '\n';
+  } else if (output.format == "text") {
+    std::cout << "model      " << counted(labelled.mdp.states(), "state") << ", "
+              << counted(labelled.mdp.choices(), "choice") << ", "
+              << counted(labelled.mdp.outcomes(), "outcome") << ": " << model.name << '\n';
+  } else {
+    write_graph(labelled, output);
+  }
+}
+
+void write_product(const plan::PlanningCase& model, const plan::TaskAutomaton& automaton,
+                   const ProductTitle& title, const GraphOutput& output, const std::stop_token& stop) {
+  const ProductWriter writer(model, title, output, stop);
+  std::visit([&](const auto& m, const auto& a) { writer.write(m, a); }, model.model, automaton);
+}
+
+}  // namespace waymark::tools

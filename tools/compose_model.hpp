@@ -1,0 +1,25 @@
+// waymark compose of any model: what is written of the model alone, or of its product with a task.
+#pragma once
+#include <stop_token>
+#include <string>
+
+#include "libplan/solve/task_automaton.hpp"
+
+namespace waymark::tools {
+
+struct GraphOutput {
+  std::string format = "text";  // text, json, dot, prism, explicit
+  std::string out;              // a prefix of files
+  bool graph = false;           // json: not only the sizes
+};
+
+void write_model(const plan::PlanningCase& model, const GraphOutput& output);
+
+// `task` and `formula` are shown beside the sizes when they are not empty. Throws Interrupted.
+struct ProductTitle {
+  std::string task, formula;
+};
+void write_product(const plan::PlanningCase& model, const plan::TaskAutomaton& automaton,
+                   const ProductTitle& title, const GraphOutput& output, const std::stop_token& stop);
+
+}  // namespace waymark::tools
