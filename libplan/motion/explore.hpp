@@ -22,9 +22,9 @@ struct Exploration {
   Robot robot = Disc{};
 };
 
-struct NoRun {};  // proved: no run of the product accepts
-struct OutOfTime {
-  double seconds = 0;
+struct NoRun {};       // proved: no run of the product accepts
+struct OutOfTime {     // nothing proved
+  double seconds = 0;  // 0: no way looks wide enough for the robot, and none was tried
 };
 using Explored = std::variant<Motion, NoRun, OutOfTime>;
 
