@@ -120,6 +120,12 @@ bool is_accepted(const Motion& motion, const Workspace& workspace, const automat
 
 }  // namespace
 
+SymbolAutomaton task_over_symbols(const automata::Dfa& dfa, const Workspace& workspace, PoseId start) {
+  const Symbols symbols(workspace);
+  const Map& map = workspace.map();
+  return TaskMaker(dfa, map, symbols).make(start, dfa.next(dfa.initial(), map.label(start)));
+}
+
 Explored try_exploring(const ExplorationProblem& problem, const Exploration& how,
                        const std::function<bool(const Motion&)>& is_done) {
   if (!has_run(problem)) return NoRun{};
@@ -143,7 +149,7 @@ Explored explore(const automata::Dfa& dfa, const Workspace& workspace, PoseId st
   if (dfa.is_accepting(q)) return Motion{{first}, how.robot};
   if (dfa.is_trap(q)) return NoRun{};
   const Symbols symbols(workspace);
-  ExplorationProblem problem{TaskMaker(dfa, map, symbols).make(start, q),
+  ExplorationProblem problem{task_over_symbols(dfa, workspace, start),
                              symbols.regions(),
                              [&](const Configuration& c) { return symbols.of(c); },
                              [&](const Configuration& from, const Configuration& to) {

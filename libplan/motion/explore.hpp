@@ -22,15 +22,19 @@ struct Exploration {
   Robot robot = Disc{};
 };
 
-struct NoRun {};  // proved: no run of the product accepts
-struct OutOfTime {
-  double seconds = 0;
+struct NoRun {};       // proved: no run of the product accepts
+struct OutOfTime {     // nothing proved
+  double seconds = 0;  // 0: no way looks wide enough for the robot, and none was tried
 };
 using Explored = std::variant<Motion, NoRun, OutOfTime>;
 
 // A motion from the cell of that pose whose word the automaton accepts. Throws std::invalid_argument when the robot does
 // not fit where it starts.
 Explored explore(const automata::Dfa& dfa, const Workspace& workspace, PoseId start, const Exploration& how);
+
+// What OMPL is told of the task: pose p is the symbol p, the hallway e with heading 90 h is 4 · (nodes + e) + h. Its start
+// is the state after the letter of the start pose, and may accept.
+SymbolAutomaton task_over_symbols(const automata::Dfa& dfa, const Workspace& workspace, PoseId start);
 
 // Tries OMPL on the problem until `is_done` says that the line is a solution or the time is over.
 Explored try_exploring(const ExplorationProblem& problem, const Exploration& how,

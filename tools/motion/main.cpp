@@ -70,15 +70,15 @@ ExitCode follow(const plan::Trajectory& route, const plan::Workspace& workspace,
   return ExitCode::GaveUp;
 }
 
-ExitCode out_of_time(const Options& options) {
-  complain("error", "no motion found in " + fixed(options.search.seconds, 1) +
-                        " seconds: allow more, or --planner route");
-  return ExitCode::GaveUp;
-}
-
-ExitCode answer(const plan::Explored& outcome, const Options& options) {
+ExitCode answer(const plan::Explored& outcome) {
   if (const auto* motion = std::get_if<plan::Motion>(&outcome)) return answer(*motion);
-  return std::holds_alternative<plan::NoRun>(outcome) ? ExitCode::No : out_of_time(options);
+  if (std::holds_alternative<plan::NoRun>(outcome)) return ExitCode::No;
+  const double seconds = std::get<plan::OutOfTime>(outcome).seconds;
+  complain("error",
+           seconds > 0
+               ? "no motion found in " + fixed(seconds, 1) + " seconds: allow more, or --planner route"
+               : std::string("no motion found: the ways that would do look too narrow for the robot"));
+  return ExitCode::GaveUp;
 }
 
 ExitCode tour(const Options& options) {
@@ -88,7 +88,7 @@ ExitCode tour(const Options& options) {
   ltl::Arena arena(terrain.vocabulary());
   const automata::Dfa dfa = automaton_of(options, arena);
   if (options.search.planner == "ltl")
-    return answer(plan::explore(dfa, terrain, start, exploration_of(options)), options);
+    return answer(plan::explore(dfa, terrain, start, exploration_of(options)));
   const plan::TourOutcome outcome = plan::realize(dfa, terrain, start, sampling_of(options));
   if (const auto* motion = std::get_if<plan::Motion>(&outcome)) return answer(*motion);
   if (std::holds_alternative<plan::NoRun>(outcome)) return ExitCode::No;
@@ -105,8 +105,7 @@ ExitCode run(const Options& options) {
   if (options.search.planner == "route") return follow(route, workspace, options);
   ltl::Arena arena(map.vocabulary());
   return answer(
-      plan::explore(automaton_of(options, arena), workspace, route.poses.front(), exploration_of(options)),
-      options);
+      plan::explore(automaton_of(options, arena), workspace, route.poses.front(), exploration_of(options)));
 }
 
 ExitCode parse_and_run(int argc, char** argv) {

@@ -2,6 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <functional>
+#include <optional>
+
 #include "libautomata/ltlf_to_dfa.hpp"
 #include "libltl/parse.hpp"
 #include "tests/libplan/maps.hpp"
@@ -17,6 +21,64 @@ Explored explored(const std::string& formula, const Workspace& workspace, PoseId
   const auto* motion = std::get_if<Motion>(&outcome);
   if (motion != nullptr) certify(*motion, workspace, phi);
   return outcome;
+}
+
+void for_each_route(const Map& map, std::size_t most_actions, Trajectory so_far,
+                    const std::function<void(const Trajectory&)>& use) {
+  use(so_far);
+  if (so_far.actions.size() == most_actions) return;
+  for (const Action action : all_actions)
+    if (const auto next = map.successor(so_far.poses.back(), action)) {
+      Trajectory longer = so_far;
+      longer.poses.push_back(*next);
+      longer.actions.push_back(action);
+      for_each_route(map, most_actions, std::move(longer), use);
+    }
+}
+
+// The state after reading the symbol for a few steps; nullopt: the run ends. At most one guard may hold.
+std::optional<std::uint32_t> read(const SymbolAutomaton& task, std::uint32_t state, std::uint32_t symbol) {
+  for (int step = 0; step < 3; ++step) {
+    const auto& row = task.transitions[state];
+    const auto holds = [&](const SymbolAutomaton::Transition& t) { return t.symbol == symbol; };
+    EXPECT_LE(std::count_if(row.begin(), row.end(), holds), 1);
+    const auto found = std::find_if(row.begin(), row.end(), holds);
+    if (found == row.end()) return std::nullopt;
+    state = found->target;
+  }
+  return state;
+}
+
+// Route by route, each symbol read for several steps: what OMPL is told agrees with the automaton, X and events included.
+TEST(Explore, SymbolsSayWhatTheWordSays) {
+  const Map map = square();
+  const Workspace workspace(map);
+  std::size_t accepted = 0;
+  for (const char* formula : {"F sofa", "X moved", "X X X turned_left", "F(sofa & X(turned_right & X moved))",
+                              "G !sofa", "place_1 & X !place_1", "moved U turned_left", "N N false"}) {
+    ltl::Arena arena(map.vocabulary());
+    const automata::Dfa dfa = automata::ltlf_to_dfa(ltl::parse(formula, arena));
+    for (const PoseId start : {pose_at(map, 0, 0, 90), pose_at(map, 1, 1, 0)}) {
+      const SymbolAutomaton task = task_over_symbols(dfa, workspace, start);
+      for_each_route(map, 5, Trajectory{{start}, {}}, [&](const Trajectory& route) {
+        std::optional<std::uint32_t> state = task.start;
+        for (std::size_t i = 0; i < route.actions.size() && state; ++i) {
+          const PoseId from = route.poses[i], to = route.poses[i + 1];
+          if (route.actions[i] == Action::Forward) {
+            const Edge* hallway = map.hallway(map.node_of(from), map.pose(from).heading);
+            const auto edge = static_cast<std::uint32_t>(hallway - map.edges().data());
+            const auto nodes = static_cast<std::uint32_t>(map.nodes().size());
+            state = read(task, *state, 4 * (nodes + edge) + from.index % 4);
+          }
+          if (state) state = read(task, *state, to.index);
+        }
+        const bool says = state && task.accepting[*state];
+        EXPECT_EQ(says, automata::accepts(dfa, word_of(route, map))) << formula << " on " << show(route, map);
+        if (says) ++accepted;
+      });
+    }
+  }
+  EXPECT_GT(accepted, 300U);
 }
 
 TEST(Explore, FindsMotionsOfDiscsAndCars) {

@@ -86,7 +86,7 @@ TEST(Tour, BothWaysGiveCertifiedToursOrProveThereIsNone) {
       const TourOutcome along = realize(dfa, terrain, start, {.iterations = 200, .robot = robot});
       EXPECT_EQ(std::holds_alternative<Motion>(along), task.feasible) << task.formula << " " << robot.index();
       EXPECT_EQ(std::holds_alternative<NoRun>(along), !task.feasible) << task.formula << " " << robot.index();
-      const Explored by_tree = explore(dfa, terrain, start, {.seconds = 2, .robot = robot});
+      const Explored by_tree = explore(dfa, terrain, start, {.seconds = 1, .robot = robot});
       EXPECT_EQ(std::holds_alternative<NoRun>(by_tree), !task.feasible)
           << task.formula << " " << robot.index();
       if (const auto* motion = std::get_if<Motion>(&along)) certify(*motion, terrain, phi);
@@ -119,6 +119,9 @@ TEST(Tour, ARobotTooWideForTheDoorProvesNothing) {
   const automata::Dfa dfa = automata::ltlf_to_dfa(ltl::parse("F right", arena));
   const TourOutcome outcome = realize(dfa, terrain, {1, 1, 90}, {.iterations = 100, .robot = Disc{0.7}});
   EXPECT_TRUE(std::holds_alternative<NotFound>(outcome));
+  const Explored explored = explore(dfa, terrain, {1, 1, 90}, {.robot = Disc{0.7}});
+  ASSERT_TRUE(std::holds_alternative<OutOfTime>(explored));
+  EXPECT_EQ(std::get<OutOfTime>(explored).seconds, 0);
 }
 
 TEST(Tour, CertifyRefusesAnotherWord) {
