@@ -6,7 +6,8 @@ get_property(libraries GLOBAL PROPERTY WAYMARK_LIBRARIES)
 install(TARGETS ${libraries} EXPORT waymark ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
 get_property(folders GLOBAL PROPERTY WAYMARK_FOLDERS)
 list(REMOVE_DUPLICATES folders)
-install(DIRECTORY ${folders} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/waymark FILES_MATCHING PATTERN "*.hpp")
+install(DIRECTORY ${folders} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/waymark FILES_MATCHING PATTERN "*.hpp"
+  PATTERN "json_reader.hpp" EXCLUDE)  # of readers only: it brings the JSON library along
 
 install(TARGETS waymark RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 install(TARGETS waymark-layout RUNTIME DESTINATION ${CMAKE_INSTALL_LIBEXECDIR}/waymark)

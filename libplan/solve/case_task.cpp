@@ -62,7 +62,7 @@ class TaskSolver {
   bool is_finite(ltl::Formula f) const { return is_finite_task(f, task_.logic); }
   TaskTable table(ltl::Formula f) {
     const auto automaton = task_automaton(f, task_.logic, task_.query,
-                                          {.states = options_.states / 100 + 1, .stop = options_.stop});
+                                          {.states = options_.states / 1000 + 1, .stop = options_.stop});
     if (!automaton) throw Spent{"no automaton within the limits"};
     return std::visit([&](const auto& found) { return sized(found); }, *automaton);
   }
@@ -76,16 +76,51 @@ class TaskSolver {
     Clock clock;
     const ltl::Formula asked = ltl::parse(task_.formula, arena_);
     const ltl::Formula f = task_.logic == Logic::Ltl ? ltl::simplify(asked, ltl::Semantics::Infinite) : asked;
+    if (const auto landmarks = visits(f); landmarks && by_search() && model_.states() >= worth_compressing)
+      return visit(*landmarks);
     const bool negated = task_.query == Query::MinProbability && !is_finite(f);
     const TaskTable task = table(negated ? ltl::simplify(ltl::negate(f), ltl::Semantics::Infinite) : f);
     answer_.seconds.automaton = clock.lap();
-    if (is_cost() && model_.is_deterministic() && options_.method <= CaseMethod::Search)
+    if (by_search())
       find_route(task, f, clock);
     else if (options_.method == CaseMethod::Search)
       throw std::invalid_argument("method search answers rmin, steps and cycle on deterministic models only");
     else
       decide(task, negated, clock);
     if (answer_.status == Status::Infeasible && options_.explain) explain(asked);
+  }
+
+  bool by_search() const {
+    return is_cost() && model_.is_deterministic() && options_.method <= CaseMethod::Search;
+  }
+
+  // F p & F q & …, of several propositions and nothing else: landmarks to be seen in any order.
+  std::optional<std::vector<std::string>> visits(ltl::Formula f) const {
+    if (f.op() != ltl::Op::And || f.operands().size() > most_landmarks) return std::nullopt;
+    std::vector<std::string> out;
+    for (ltl::Formula g : f.operands()) {
+      if (g.op() != ltl::Op::Until || g[0].op() != ltl::Op::True || g[1].op() != ltl::Op::Atom)
+        return std::nullopt;
+      out.push_back(arena_.vocabulary().name(g[1].proposition()));
+    }
+    return out;
+  }
+
+  // By landmark compression: no product, two to the power of the landmarks times their places.
+  void visit(const std::vector<std::string>& landmarks) {
+    Clock clock;
+    const auto found = shortest_tour(model_, landmarks, false, options_.stop);
+    answer_.seconds.solve = clock.lap();
+    if (!found) throw Spent{"stopped"};
+    answer_.method = CaseMethod::Search;
+    if (const auto* none = std::get_if<NoTour>(&*found)) {
+      infeasible(INFINITY);
+      answer_.reason = none->reason;
+      return;
+    }
+    const double cost = std::get<Tour>(*found).cost;
+    answer_.status = Status::Solved;
+    answer_.value = {cost, cost};
   }
 
   bool is_cost() const { return task_.query == Query::MinCost || task_.query == Query::MinSteps; }
@@ -197,6 +232,9 @@ class TaskSolver {
     answer_.status = Status::Solved;
     answer_.value = {cost, cost};
   }
+
+  static constexpr std::size_t worth_compressing =
+      100'000;  // states; smaller products are searched as they are
 
   const Model& model_;
   const CaseTask& task_;

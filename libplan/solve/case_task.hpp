@@ -22,8 +22,8 @@ std::string_view name(CaseMethod method);  // "search", "vi", "pi"
 struct CaseOptions {
   CaseMethod method = CaseMethod::Best;
   double tolerance = 1e-6;
-  std::size_t states = 100'000'000;  // of the product; of the automaton a hundredth
-  bool explain = true;               // find the reason of what is infeasible
+  std::size_t states = 1'000'000'000;  // of the product; of the automaton a thousandth
+  bool explain = true;                 // find the reason of what is infeasible
   std::stop_token stop = {};
 };
 

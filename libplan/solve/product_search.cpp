@@ -12,21 +12,6 @@ namespace {
 constexpr std::uint32_t nothing = UINT32_MAX;
 constexpr std::uint64_t polling_interval = 1U << 16U;
 
-template <class Model>
-bool uniform_cost(const Model& model) {
-  double cost = -1;
-  for (std::uint32_t s = 0; s < model.states(); ++s)
-    for (std::uint32_t k = 0; k < model.choices(s); ++k) {
-      if (cost < 0) cost = model.cost(s, k);
-      if (model.cost(s, k) != cost) return false;
-    }
-  return true;
-}
-bool uniform_cost(const GridWorld& grid) {
-  const auto& cost = grid.shape().cost;
-  return std::all_of(cost.begin(), cost.end(), [&](double c) { return c == cost[0]; });
-}
-
 struct Target {
   std::uint32_t place = 0;
   LetterId letter;
@@ -182,6 +167,17 @@ class Dijkstra {
 }  // namespace
 
 template <class Model>
+std::optional<double> uniform_cost(const Model& model) {
+  std::optional<double> cost;
+  for (std::uint32_t s = 0; s < model.states(); ++s)
+    for (std::uint32_t k = 0; k < model.choices(s); ++k) {
+      if (!cost) cost = model.cost(s, k);
+      if (model.cost(s, k) != *cost) return std::nullopt;
+    }
+  return cost;
+}
+
+template <class Model>
 std::optional<SearchAnswer> search(const Model& model, const TaskTable& task, std::size_t limit,
                                    const std::stop_token& stop) {
   if (!model.is_deterministic())
@@ -205,6 +201,8 @@ ltl::Trace word_of(const Model& model, const ChoiceRoute& route) {
   return ltl::Trace(std::move(letters));
 }
 
+template std::optional<double> uniform_cost(const Mdp&);
+template std::optional<double> uniform_cost(const GridWorld&);
 template std::optional<SearchAnswer> search(const Mdp&, const TaskTable&, std::size_t,
                                             const std::stop_token&);
 template std::optional<SearchAnswer> search(const GridWorld&, const TaskTable&, std::size_t,

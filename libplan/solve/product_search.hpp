@@ -16,6 +16,10 @@
 
 namespace waymark::plan {
 
+// The cost that all choices of the model have; nullopt: they differ, or there are none.
+template <class Model>
+std::optional<double> uniform_cost(const Model& model);
+
 struct ChoiceRoute {  // places and the choices between them
   std::vector<std::uint32_t> places, choices;
   double cost = 0;
@@ -38,6 +42,8 @@ std::optional<SearchAnswer> search(const Model& model, const TaskTable& task, st
 template <class Model>
 ltl::Trace word_of(const Model& model, const ChoiceRoute& route);
 
+extern template std::optional<double> uniform_cost(const Mdp&);
+extern template std::optional<double> uniform_cost(const GridWorld&);
 extern template std::optional<SearchAnswer> search(const Mdp&, const TaskTable&, std::size_t,
                                                    const std::stop_token&);
 extern template std::optional<SearchAnswer> search(const GridWorld&, const TaskTable&, std::size_t,

@@ -2,8 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <queue>
 #include <stdexcept>
+
+#include "libplan/solve/product_search.hpp"
 
 namespace waymark::plan {
 namespace {
@@ -105,31 +108,60 @@ class Tours {
     std::vector<std::uint32_t> stop_of(model_.states(), none);
     for (std::uint32_t i = 1; i < stops_.size(); ++i) stop_of[stops_[i].place] = i;
     distance_.assign(stops_.size(), std::vector<double>(stops_.size(), unreached));
-    std::vector<double> cost;
+    const std::optional<double> uniform = uniform_cost(model_);
     for (std::size_t i = 0; i < stops_.size(); ++i) {
       if (stop_.stop_requested()) return false;
-      cost.assign(model_.states(), unreached);
-      using Entry = std::pair<double, std::uint32_t>;
-      std::priority_queue<Entry, std::vector<Entry>, std::greater<>> heap;
-      const auto relax = [&](std::uint32_t t, double c) {
-        if (stop_of[t] != none)
-          distance_[i][stop_of[t]] = std::min(distance_[i][stop_of[t]], c);  // also back to itself
-        if (c >= cost[t]) return;
-        cost[t] = c;
-        heap.push({c, t});
+      const auto arrive = [&](std::uint32_t t, double cost) {
+        if (stop_of[t] != none) distance_[i][stop_of[t]] = std::min(distance_[i][stop_of[t]], cost);
       };
-      cost[stops_[i].place] = 0;
-      heap.push({0, stops_[i].place});
-      while (!heap.empty()) {
-        const auto [c, s] = heap.top();
-        heap.pop();
-        if (c > cost[s]) continue;
-        for (std::uint32_t k = 0; k < model_.choices(s); ++k)
-          model_.for_each_outcome(
-              s, k, [&](std::uint32_t t, LetterId, double) { relax(t, c + model_.cost(s, k)); });
-      }
+      if (uniform)
+        breadth_first(stops_[i].place, *uniform, arrive);
+      else
+        dijkstra(stops_[i].place, arrive);
     }
     return true;
+  }
+
+  // Both call arrive(place, cost) for every step, also one back to where they began; least costs come first.
+  template <class Arrive>
+  void breadth_first(std::uint32_t from, double step, const Arrive& arrive) const {
+    std::vector<bool> met(model_.states(), false);
+    std::vector<std::uint32_t> layer{from}, next;
+    met[from] = true;
+    for (double cost = step; !layer.empty(); cost += step) {
+      next.clear();
+      for (std::uint32_t s : layer)
+        for (std::uint32_t k = 0; k < model_.choices(s); ++k)
+          model_.for_each_outcome(s, k, [&](std::uint32_t t, LetterId, double) {
+            arrive(t, cost);
+            if (met[t]) return;
+            met[t] = true;
+            next.push_back(t);
+          });
+      layer.swap(next);
+    }
+  }
+
+  template <class Arrive>
+  void dijkstra(std::uint32_t from, const Arrive& arrive) const {
+    using Entry = std::pair<double, std::uint32_t>;
+    std::priority_queue<Entry, std::vector<Entry>, std::greater<>> heap;
+    std::vector<double> cost(model_.states(), unreached);
+    cost[from] = 0;
+    heap.push({0, from});
+    while (!heap.empty()) {
+      const auto [c, s] = heap.top();
+      heap.pop();
+      if (c > cost[s]) continue;
+      for (std::uint32_t k = 0; k < model_.choices(s); ++k)
+        model_.for_each_outcome(s, k, [&](std::uint32_t t, LetterId, double) {
+          const double there = c + model_.cost(s, k);
+          arrive(t, there);
+          if (there >= cost[t]) return;
+          cost[t] = there;
+          heap.push({there, t});
+        });
+    }
   }
 
   // From one stop, where `visited` are visited already, over all landmarks, and back when closed. [HK62]

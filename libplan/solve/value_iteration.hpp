@@ -18,18 +18,10 @@
 #include <stop_token>
 #include <vector>
 
-#include "libplan/solve/end_components.hpp"
 #include "libplan/solve/equations.hpp"
+#include "libplan/solve/unknowns.hpp"
 
 namespace waymark::plan {
-
-// The unknowns of one question. For probabilities, states that are neither unknown nor targets have value 0; for costs
-// only choices that never leave `unknown` ∪ `targets` count. Nothing is merged for least probabilities: there staying for
-// ever is worth 0.
-struct Unknowns {
-  StateSet unknown, targets;
-  EndComponents merged;  // among the unknown ones
-};
 
 struct Values {
   std::vector<double> lower, upper;  // by state; of targets 1 (probability) or 0 (cost)
@@ -40,7 +32,7 @@ template <class Product, Measure measure>
 class ValueIteration {
  public:
   ValueIteration(const Product& product, const Unknowns& unknowns, const IterationLimits& limits)
-      : product_(product), unknowns_(unknowns), limits_(limits) {}
+      : product_(product), unknowns_(unknowns), limits_(limits), merged_(product, unknowns) {}
 
   std::optional<Values> run() {  // nullopt: stopped, out of sweeps, or the bounds do not meet in doubles
     const double target_value = is_probability(measure) ? 1 : 0;
@@ -48,7 +40,6 @@ class ValueIteration {
     for (std::uint32_t i = 0; i < product_.states(); ++i)
       if (unknowns_.targets[i]) values_.lower[i] = target_value;
     values_.upper = values_.lower;
-    list_members();
     const std::vector<std::uint32_t>& blocks = product_.blocks();
     for (std::size_t b = 0; b + 1 < blocks.size(); ++b)
       if (!solve_block(blocks[b], blocks[b + 1])) return std::nullopt;
@@ -61,30 +52,17 @@ class ValueIteration {
   static bool better(double a, double b) { return measure == Measure::MaxProbability ? a > b : a < b; }
   static constexpr double worst() { return measure == Measure::MaxProbability ? 0 : INFINITY; }
 
-  void list_members() {
-    const EndComponents& merged = unknowns_.merged;
-    members_.resize(merged.count);
-    if (merged.count == 0) return;
-    product_.for_each_state([&](const State& s) {
-      if (merged.of[s.index] != EndComponents::none)
-        members_[merged.of[s.index]].push_back(product_.compact(s));
-    });
-  }
-
-  std::uint32_t component(std::uint32_t i) const {
-    return unknowns_.merged.count == 0 ? EndComponents::none : unknowns_.merged.of[i];
-  }
-
   // The best choice of one state, given the values.
   double best_of(const State& s, const std::vector<double>& values) const {
-    const std::uint32_t own = component(s.index);
+    const std::uint32_t own = merged_.component(s.index);
     double best = worst();
     const std::uint32_t choices = product_.choices(s);
     for (std::uint32_t k = 0; k < choices; ++k) {
       double sum = measure == Measure::MinCost ? product_.cost(s, k) : 0, stays = 0;
       bool counts = true;
       product_.for_each_outcome(s, k, [&](std::uint32_t t, double p, bool) {
-        if (t == s.index || (t != Product::lost && own != EndComponents::none && component(t) == own)) {
+        if (t == s.index ||
+            (t != Product::lost && own != EndComponents::none && merged_.component(t) == own)) {
           stays += p;
         } else if (t != Product::lost &&
                    (is_probability(measure) || unknowns_.unknown[t] || unknowns_.targets[t])) {
@@ -104,57 +82,14 @@ class ValueIteration {
   }
 
   double best_of_all(const State& s, const std::vector<double>& values) const {
-    const std::uint32_t own = component(s.index);
+    const std::uint32_t own = merged_.component(s.index);
     if (own == EndComponents::none) return best_of(s, values);
     double best = worst();
-    for (const Compact& member : members_[own]) {
+    for (const Compact& member : merged_.members(own)) {
       const double value = best_of(product_.state(member), values);
       if (better(value, best)) best = value;
     }
     return best;
-  }
-
-  void set(const State& s, std::vector<double>& values, double value) const {
-    const std::uint32_t own = component(s.index);
-    if (own == EndComponents::none) {
-      values[s.index] = value;
-      return;
-    }
-    for (const Compact& member : members_[own]) values[product_.state(member).index] = value;
-  }
-
-  // The unknowns of the block, those next to what is solved first; of merged ones the first that is met.
-  std::vector<Compact> in_order(std::uint32_t first, std::uint32_t last) const {
-    std::vector<Compact> order;
-    std::vector<bool> seen(last - first, false);
-    std::vector<bool> met(members_.size(), false);
-    std::vector<Compact> queue;
-    const auto meet = [&](const State& s) {
-      if (seen[s.index - first]) return;
-      seen[s.index - first] = true;
-      queue.push_back(product_.compact(s));
-    };
-    product_.for_each_state(first, last, [&](const State& s) {
-      if (!unknowns_.unknown[s.index]) return;
-      bool near = false;
-      for (std::uint32_t k = 0; k < product_.choices(s) && !near; ++k)
-        product_.for_each_outcome(s, k, [&](std::uint32_t t, double, bool) {
-          near =
-              near || (t != Product::lost && (unknowns_.targets[t] || (unknowns_.unknown[t] && t < first)));
-        });
-      if (near) meet(s);
-    });
-    for (std::size_t i = 0; i < queue.size(); ++i) {
-      const State s = product_.state(queue[i]);
-      if (const std::uint32_t own = component(s.index); own == EndComponents::none || !met[own]) {
-        if (own != EndComponents::none) met[own] = true;
-        order.push_back(queue[i]);
-      }
-      product_.for_each_predecessor(s, [&](const State& source) {
-        if (source.index >= first && source.index < last && unknowns_.unknown[source.index]) meet(source);
-      });
-    }
-    return order;
   }
 
   // The greatest change: absolute for probabilities, relative for costs.
@@ -165,7 +100,7 @@ class ValueIteration {
       const double old = values_.lower[s.index], value = std::max(old, best_of_all(s, values_.lower));
       if (value == old) continue;
       change = std::max(change, is_probability(measure) ? value - old : (value - old) / value);
-      set(s, values_.lower, value);
+      merged_.set(s, values_.lower, value);
     }
     return change;
   }
@@ -175,7 +110,7 @@ class ValueIteration {
     for (const Compact& c : order) {
       const State s = product_.state(c);
       const double lower = values_.lower[s.index];
-      set(s, values_.upper, is_probability(measure) ? std::min(1.0, lower + gap) : lower * (1 + gap));
+      merged_.set(s, values_.upper, is_probability(measure) ? std::min(1.0, lower + gap) : lower * (1 + gap));
     }
   }
 
@@ -186,13 +121,13 @@ class ValueIteration {
       const State s = product_.state(c);
       const double old = values_.upper[s.index], value = best_of_all(s, values_.upper);
       inductive = inductive && (!raises(old, value) || (is_probability(measure) && old == 1));
-      if (value < old) set(s, values_.upper, value);
+      if (value < old) merged_.set(s, values_.upper, value);
     }
     return inductive;
   }
 
   bool solve_block(std::uint32_t first, std::uint32_t last) {
-    const std::vector<Compact> order = in_order(first, last);
+    const std::vector<Compact> order = merged_.in_order(first, last);
     if (order.empty()) return true;
     return order.size() <= written_out ? solve_equations(order) : sweep(order);
   }
@@ -205,17 +140,17 @@ class ValueIteration {
     for (const Compact& c : order) {
       equations.add_row();
       const State s = product_.state(c);
-      if (const std::uint32_t own = component(s.index); own == EndComponents::none)
+      if (const std::uint32_t own = merged_.component(s.index); own == EndComponents::none)
         add_choices(s, equations);
       else
-        for (const Compact& member : members_[own]) add_choices(product_.state(member), equations);
+        for (const Compact& member : merged_.members(own)) add_choices(product_.state(member), equations);
     }
     const auto solution = equations.solve(limits_);
     if (!solution) return false;
     for (std::uint32_t i = 0; i < order.size(); ++i) {
       const State s = product_.state(order[i]);
-      set(s, values_.lower, solution->lower[i]);
-      set(s, values_.upper, solution->upper[i]);
+      merged_.set(s, values_.lower, solution->lower[i]);
+      merged_.set(s, values_.upper, solution->upper[i]);
       number(s, no_row);
     }
     values_.sweeps += solution->sweeps;
@@ -223,10 +158,10 @@ class ValueIteration {
   }
 
   void number(const State& s, std::uint32_t row) {
-    if (const std::uint32_t own = component(s.index); own == EndComponents::none)
+    if (const std::uint32_t own = merged_.component(s.index); own == EndComponents::none)
       row_[s.index] = row;
     else
-      for (const Compact& member : members_[own]) row_[product_.state(member).index] = row;
+      for (const Compact& member : merged_.members(own)) row_[product_.state(member).index] = row;
   }
 
   void add_choices(const State& s, Equations& equations) const {
@@ -283,11 +218,11 @@ class ValueIteration {
   const Product& product_;
   const Unknowns& unknowns_;
   const IterationLimits& limits_;
+  const MergedUnknowns<Product> merged_;
   static constexpr std::size_t written_out = std::size_t{1} << 20U;  // unknowns
   static constexpr std::uint32_t no_row = UINT32_MAX;
   Values values_;
   std::vector<std::uint32_t> row_;  // by state, of the block at hand
-  std::vector<std::vector<Compact>> members_;
 };
 
 }  // namespace waymark::plan

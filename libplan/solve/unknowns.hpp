@@ -1,0 +1,89 @@
+// What a question about values does not know yet, and in which order it is best found out.
+#pragma once
+#include <cstdint>
+#include <vector>
+
+#include "libplan/solve/end_components.hpp"
+
+namespace waymark::plan {
+
+// The unknowns of one question. For probabilities, states that are neither unknown nor targets have value 0; for costs
+// only choices that never leave `unknown` ∪ `targets` count. Nothing is merged for least probabilities: there staying for
+// ever is worth 0.
+struct Unknowns {
+  StateSet unknown, targets;
+  EndComponents merged;  // among the unknown ones
+};
+
+// The merged ones together.
+template <class Product>
+class MergedUnknowns {
+ public:
+  using State = typename Product::State;
+  using Compact = typename Product::Compact;
+
+  MergedUnknowns(const Product& product, const Unknowns& unknowns)
+      : product_(product), unknowns_(unknowns), members_(unknowns.merged.count) {
+    if (unknowns.merged.count == 0) return;
+    product.for_each_state([&](const State& s) {
+      if (component(s.index) != EndComponents::none)
+        members_[component(s.index)].push_back(product.compact(s));
+    });
+  }
+
+  std::uint32_t component(std::uint32_t i) const {
+    return unknowns_.merged.count == 0 ? EndComponents::none : unknowns_.merged.of[i];
+  }
+  const std::vector<Compact>& members(std::uint32_t component) const { return members_[component]; }
+
+  // The value of a state, and of those merged with it.
+  void set(const State& s, std::vector<double>& values, double value) const {
+    const std::uint32_t own = component(s.index);
+    if (own == EndComponents::none) {
+      values[s.index] = value;
+      return;
+    }
+    for (const Compact& member : members_[own]) values[product_.state(member).index] = value;
+  }
+
+  // The unknowns of the block, those next to what is solved first; of merged ones the first that is met.
+  std::vector<Compact> in_order(std::uint32_t first, std::uint32_t last) const {
+    std::vector<Compact> order;
+    std::vector<bool> seen(last - first, false);
+    std::vector<bool> met(members_.size(), false);
+    std::vector<Compact> queue;
+    const auto meet = [&](const State& s) {
+      if (seen[s.index - first]) return;
+      seen[s.index - first] = true;
+      queue.push_back(product_.compact(s));
+    };
+    product_.for_each_state(first, last, [&](const State& s) {
+      if (!unknowns_.unknown[s.index]) return;
+      bool near = false;
+      for (std::uint32_t k = 0; k < product_.choices(s) && !near; ++k)
+        product_.for_each_outcome(s, k, [&](std::uint32_t t, double, bool) {
+          near =
+              near || (t != Product::lost && (unknowns_.targets[t] || (unknowns_.unknown[t] && t < first)));
+        });
+      if (near) meet(s);
+    });
+    for (std::size_t i = 0; i < queue.size(); ++i) {
+      const State s = product_.state(queue[i]);
+      if (const std::uint32_t own = component(s.index); own == EndComponents::none || !met[own]) {
+        if (own != EndComponents::none) met[own] = true;
+        order.push_back(queue[i]);
+      }
+      product_.for_each_predecessor(s, [&](const State& source) {
+        if (source.index >= first && source.index < last && unknowns_.unknown[source.index]) meet(source);
+      });
+    }
+    return order;
+  }
+
+ private:
+  const Product& product_;
+  const Unknowns& unknowns_;
+  std::vector<std::vector<Compact>> members_;
+};
+
+}  // namespace waymark::plan
