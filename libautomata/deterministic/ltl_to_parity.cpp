@@ -13,6 +13,7 @@
 #include "libautomata/deterministic/determinize.hpp"
 #include "libautomata/deterministic/paritise.hpp"
 #include "libautomata/deterministic/split.hpp"
+#include "libautomata/omega/operations.hpp"
 #include "libautomata/omega/prepare.hpp"
 #include "libautomata/omega/product.hpp"
 #include "libautomata/omega/recurrence.hpp"
@@ -243,25 +244,12 @@ class Construction {
       const std::optional<Candidate> made = Construction(g, limits_).any();
       if (!made) return std::nullopt;
       reduced = reduced && made->reduced;
-      parts.push_back({over(made->automaton, made->reads), ltl::purity(g).both()});
+      parts.push_back({renamed(made->automaton, made->reads, reads_), ltl::purity(g).both()});
     }
     auto product = within(product_steps, limits_.states,
                           [&](Effort& effort) { return combination(parts, split->over(), effort); });
     if (!product) return std::nullopt;
     return Candidate{trim(*product), reads_, reduced};
-  }
-  // The same automaton over the variables of φ, of whose propositions it reads some.
-  Branching over(const Branching& automaton, const std::vector<ltl::Proposition>& reads) const {
-    Branching out = automaton;
-    Mtbdd diagram;
-    out.roots = diagram.import(
-        automaton.diagram, automaton.roots, [](std::uint32_t c) { return Mtbdd::terminal(c); },
-        [&](Mtbdd::Variable v) {
-          const auto at = std::lower_bound(reads_.begin(), reads_.end(), reads[v]);
-          return static_cast<Mtbdd::Variable>(at - reads_.begin());
-        });
-    out.diagram = std::move(diagram);
-    return out;
   }
   std::optional<Candidate> paritised(const Candidate& from) const {
     auto made = within(product_steps, limits_.states, [&](Effort& e) { return paritise(from.automaton, e); });

@@ -9,6 +9,7 @@
 #include "libautomata/deterministic/ltl_to_parity.hpp"
 #include "libautomata/limit_deterministic/guess_colour.hpp"
 #include "libautomata/limit_deterministic/master_theorem.hpp"
+#include "libautomata/omega/operations.hpp"
 #include "libltl/simplify.hpp"
 
 namespace waymark::automata {
@@ -106,20 +107,6 @@ std::vector<ltl::Proposition> together(std::vector<ltl::Proposition> a,
   return a;
 }
 
-// The transitions with the positions in `reads` as variables.
-Branching over(const std::vector<ltl::Proposition>& reads, const Automaton& automaton) {
-  Branching out = automaton.transitions();
-  Mtbdd diagram;
-  out.roots = diagram.import(
-      automaton.diagram(), out.roots, [](std::uint32_t choice) { return Mtbdd::terminal(choice); },
-      [&](Mtbdd::Variable v) {
-        const auto at = std::lower_bound(reads.begin(), reads.end(), automaton.reads()[v]);
-        return static_cast<Mtbdd::Variable>(at - reads.begin());
-      });
-  out.diagram = std::move(diagram);
-  return out;
-}
-
 }  // namespace
 
 std::variant<TranslatedForMdps, Exhausted> ltl_to_ldba(ltl::Formula f, const TranslationLimits& limits) {
@@ -129,7 +116,9 @@ std::variant<TranslatedForMdps, Exhausted> ltl_to_ldba(ltl::Formula f, const Tra
   const ltl::Formula simple = ltl::simplify(f, ltl::Over::Infinite);
   const std::vector<ltl::Proposition> reads = together(ltl::propositions(simple), parity.automaton.reads());
   try {
-    Construction construction(min_even_parity(over(reads, parity.automaton)), limits);
+    const Automaton& from = parity.automaton;
+    const Branching transitions = renamed(from.transitions(), from.reads(), reads);
+    Construction construction(min_even_parity(transitions), limits);
     construction.try_the_theorem(simple, reads);
     Candidate best = std::move(construction).best();
     return TranslatedForMdps{ProvedConstructions::made(std::move(best.ldba), f.arena().vocabulary(), reads),

@@ -175,4 +175,18 @@ Automaton sum(const Automaton& a, const Automaton& b) {
   return as_automaton(out, both.vocabulary, both.reads);
 }
 
+Branching renamed(const Branching& automaton, const std::vector<ltl::Proposition>& from,
+                  const std::vector<ltl::Proposition>& to) {
+  Branching out;
+  out.choices = automaton.choices;
+  out.initial = automaton.initial;
+  out.acceptance = automaton.acceptance;
+  out.roots = out.diagram.import(
+      automaton.diagram, automaton.roots, [](std::uint32_t choice) { return Mtbdd::terminal(choice); },
+      [&](Mtbdd::Variable v) {
+        return static_cast<Mtbdd::Variable>(std::lower_bound(to.begin(), to.end(), from[v]) - to.begin());
+      });
+  return out;
+}
+
 }  // namespace waymark::automata

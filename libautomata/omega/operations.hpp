@@ -31,4 +31,9 @@ Automaton sum(const Automaton& a, const Automaton& b);
 Deterministic either(const Deterministic& a, const Deterministic& b, Effort& effort);
 Deterministic complement(const Deterministic& a);  // complete; at most one state and one set more
 
+// An automaton whose variables are positions in `from`, over the positions in `to`. Both ascend, and `to` has all that
+// the automaton asks for.
+Branching renamed(const Branching& automaton, const std::vector<ltl::Proposition>& from,
+                  const std::vector<ltl::Proposition>& to);
+
 }  // namespace waymark::automata
