@@ -24,6 +24,7 @@ JsonObject json_of(const MethodRuns& method) {
       .add("cost_ratio", json_of(s.cost_ratio))
       .add("steps_to_90", json_of(s.to_90))
       .add("steps_to_optimum", json_of(s.to_optimum))
+      .add("steps_to_stay", json_of(s.to_stay))
       .add("optimal", json_of(s.optimal))
       .add("updates", s.updates)
       .add("seconds", s.seconds);

@@ -11,12 +11,25 @@ namespace {
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr std::size_t replays = 32;  // of the tabular learners that replay, after every step
 
-// The steps at the first checkpoint where `there` holds.
+// The steps at the first checkpoint where `there` holds, after some learning.
 template <class Predicate>
 double first_at(const LearningCurve& curve, Predicate&& there) {
-  const auto found = std::find_if(curve.checkpoints.begin(), curve.checkpoints.end(),
-                                  [&](const Checkpoint& c) { return there(c.value); });
-  return found == curve.checkpoints.end() ? infinity : static_cast<double>(found->steps);
+  for (const Checkpoint& checkpoint : curve.checkpoints)
+    if (checkpoint.steps > 0 && there(checkpoint.value)) return static_cast<double>(checkpoint.steps);
+  return infinity;
+}
+
+// The steps at the checkpoint from which on `there` holds at all of them.
+template <class Predicate>
+double always_from(const LearningCurve& curve, Predicate&& there) {
+  double from = infinity;
+  for (const Checkpoint& checkpoint : curve.checkpoints) {
+    if (!there(checkpoint.value))
+      from = infinity;
+    else if (checkpoint.steps > 0 && from == infinity)
+      from = static_cast<double>(checkpoint.steps);
+  }
+  return from;
 }
 
 }  // namespace
@@ -99,8 +112,9 @@ Verdict judge(const LearningCurve& curve, const PolicyValue& optimum, double sec
   Verdict verdict{success(last, optimum), score(last, optimum)};
   verdict.cost_ratio = optimum.cost > 0 ? last.cost / optimum.cost : 1;
   verdict.to_90 = first_at(curve, [&](const PolicyValue& v) { return score(v, optimum) >= 0.9; });
-  verdict.to_optimum =
-      first_at(curve, [&](const PolicyValue& v) { return v.value >= optimum.value * (1 - 1e-9); });
+  const auto is_optimal = [&](const PolicyValue& v) { return v.value >= optimum.value * (1 - 1e-9); };
+  verdict.to_optimum = first_at(curve, is_optimal);
+  verdict.to_stay = always_from(curve, is_optimal);
   verdict.updates = static_cast<double>(curve.updates);
   verdict.seconds = seconds;
   return verdict;
@@ -119,6 +133,7 @@ Summary summarise(std::span<const Verdict> verdicts) {
   summary.cost_ratio = bootstrap_median(all(&Verdict::cost_ratio));
   summary.to_90 = bootstrap_median(all(&Verdict::to_90));
   summary.to_optimum = bootstrap_median(all(&Verdict::to_optimum));
+  summary.to_stay = bootstrap_median(all(&Verdict::to_stay));
   const auto came = std::count_if(verdicts.begin(), verdicts.end(),
                                   [](const Verdict& v) { return v.to_optimum < infinity; });
   summary.optimal = rate(static_cast<std::size_t>(came), verdicts.size());

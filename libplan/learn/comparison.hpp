@@ -3,8 +3,9 @@
 // A policy is judged by its exact value (markov_chain.hpp) against the optimum's:
 //   success   its probability of acceptance, over the greatest there is for the discounted optimum
 //   score     success · (cost of the optimum / cost of the policy given acceptance), in [0, 1]: 1 is a best route
-// A run is at 90 % from the first checkpoint on whose score is at least 0.9, and at the optimum from the first on whose
-// discounted value is that of the optimum within 10⁻⁹. Of many runs: estimates with 95 % intervals (statistics.hpp).
+// A run comes to 90 % at the first checkpoint whose score is at least 0.9, and to the optimum at the first whose
+// discounted value is that of the optimum within 10⁻⁹; it stays there from the checkpoint on after which none is worse.
+// The checkpoint before the first step does not count: nothing has been learnt there. Of many runs: estimates with 95 % intervals (statistics.hpp).
 #pragma once
 #include <array>
 #include <optional>
@@ -78,16 +79,17 @@ double score(const PolicyValue& value, const PolicyValue& optimum);
 
 struct Verdict {                                  // of one run
   double success = 0, score = 0, cost_ratio = 0;  // of the last checkpoint; cost / cost of the optimum
-  double to_90 = 0, to_optimum = 0;  // environment steps, infinite where the run never came there
-  double updates = 0, seconds = 0;   // checkpoints included
+  double to_90 = 0, to_optimum = 0,
+         to_stay = 0;               // environment steps, infinite where the run never came there
+  double updates = 0, seconds = 0;  // checkpoints included
 };
 Verdict judge(const LearningCurve& curve, const PolicyValue& optimum, double seconds);
 
 struct Summary {
-  Estimate success, score;                 // means
-  Estimate cost_ratio, to_90, to_optimum;  // medians, infinite where too few runs came there
-  Estimate optimal;                        // rate of the runs that came to the optimum
-  double updates = 0, seconds = 0;         // medians
+  Estimate success, score;                          // means
+  Estimate cost_ratio, to_90, to_optimum, to_stay;  // medians, infinite where too few runs came there
+  Estimate optimal;                                 // rate of the runs that came to the optimum
+  double updates = 0, seconds = 0;                  // medians
   std::size_t runs = 0;
 };
 Summary summarise(std::span<const Verdict> verdicts);  // at least one

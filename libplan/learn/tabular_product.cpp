@@ -93,7 +93,6 @@ TabularProduct compose_model(const Model& model, TaskTable task) {
 }  // namespace
 
 bool TabularProduct::is_deterministic() const {
-  if (starts.size() > 1) return false;
   for (std::size_t choice = 0; choice + 1 < first.size(); ++choice)
     if (first[choice + 1] - first[choice] > 1) return false;
   return true;

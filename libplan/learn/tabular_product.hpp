@@ -52,7 +52,7 @@ struct TabularProduct {
     const std::size_t choice = std::size_t{position} * actions + action;
     return {outcomes.data() + first[choice], outcomes.data() + first[choice + 1]};
   }
-  bool is_deterministic() const;  // every choice has one outcome, and there is one start
+  bool is_deterministic() const;  // every choice has one outcome
   bool is_over() const;           // at every start: there is nothing to learn
 };
 

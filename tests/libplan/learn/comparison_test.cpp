@@ -35,7 +35,11 @@ TEST(Comparison, StepsAreThoseOfTheFirstCheckpointThatIsThere) {
   EXPECT_EQ(verdict.to_optimum, 400);
   EXPECT_EQ(verdict.cost_ratio, 1.1);
   EXPECT_EQ(verdict.success, 1);
+  EXPECT_EQ(verdict.to_stay, infinity);
+  EXPECT_EQ(judge(curve_of({best, best, lost, best, best}), best, 2).to_stay, 300);
   EXPECT_EQ(judge(curve_of({lost}), best, 2).to_90, infinity);
+  EXPECT_EQ(judge(curve_of({best, lost, best}), best, 2).to_optimum,
+            200);  // luck before the first step is no learning
 }
 
 TEST(Comparison, SummariesCountRunsThatNeverCameThere) {
