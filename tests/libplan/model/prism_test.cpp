@@ -141,7 +141,7 @@ void expect_same_value_on_the_product(const Model& model, const std::string& for
 
 TEST(Prism, HasTheValueOfTheTaskOnTheProduct) {
   std::mt19937 random(4);
-  for (int i = 0; i < 40; ++i)
+  for (int i = 0; i < 15; ++i)
     for (const char* formula :
          {"F (a & X b)", "!a U b", "(G F a) & (G F b)", "F G a", "G !a", "(F G a) | (G F b)"}) {
       expect_same_value_on_the_product(test::random_mdp(random), formula);
