@@ -40,6 +40,7 @@ constexpr std::array rows{
     Row{"train", "corpus → model", setup_train},
     Row{"evaluate", "corpus → accuracy, leaving one map out", setup_evaluate},
     Row{"draw", "map, with or without a route → picture", setup_draw},
+    Row{"generate", "random maps to plan on", setup_generate},
     Row{"patterns", "specification patterns by name → formula", setup_patterns},
     Row{"random", "random formulas", setup_random},
     Row{"version", "version, build, and what it was built with", setup_version},

@@ -32,6 +32,7 @@ Runner setup_compare(CLI::App& command);
 Runner setup_train(CLI::App& command);
 Runner setup_evaluate(CLI::App& command);
 Runner setup_move(CLI::App& command);
+Runner setup_generate(CLI::App& command);
 Runner setup_draw(CLI::App& command);
 Runner setup_patterns(CLI::App& command);
 Runner setup_random(CLI::App& command);

@@ -2,18 +2,20 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 
+#include "libltl/parse.hpp"
 #include "libplan/model/read_case.hpp"
 #include "libplan/model/read_prism.hpp"
 #include "libplan/model/read_prism_explicit.hpp"
 #include "libplan/model/write_prism.hpp"
 #include "libplan/product/explicit_product.hpp"
 #include "libplan/solve/case_task.hpp"
+#include "libplan/solve/task_automaton.hpp"
 #include "tests/libplan/model/models.hpp"
+#include "tests/support/places.hpp"
 
 namespace waymark::plan {
 namespace {
@@ -112,12 +114,44 @@ TEST(Prism, SplitsAStateByTheLetterThatEntersIt) {
   EXPECT_TRUE(written.rewards_on_states);
 }
 
+// Pmax of the task is Pmax of reaching a goal, or of meeting marks for ever, on the product written out.
+template <class Model>
+void expect_same_value_on_the_product(const Model& model, const std::string& formula) {
+  ltl::Arena arena(model.letters().vocabulary());
+  const auto automaton =
+      task_automaton(ltl::parse(formula, arena), CaseTask::Logic::Ltl, CaseTask::Query::MaxProbability, {});
+  ASSERT_TRUE(automaton);
+  const bool finite = std::holds_alternative<automata::Dfa>(*automaton);
+  const StateLabelled product = std::visit(
+      [&](const auto& a) {
+        const TaskTable table(a, model.letters());
+        return explicit_product(*ProductMdp<Model>::explore(model, table));
+      },
+      *automaton);
+  const std::string text = write_prism(product);
+  const CaseTask task{"", formula, CaseTask::Logic::Ltl, CaseTask::Query::MaxProbability};
+  const CaseTask reach{"", finite ? "F goal" : "G F marked", CaseTask::Logic::Ltl,
+                       CaseTask::Query::MaxProbability};
+  const CaseOptions options{.tolerance = 1e-8, .explain = false};
+  EXPECT_NEAR(answer({"", model, {}}, task, options).value.middle(),
+              answer({"", parse_prism(text), {}}, reach, options).value.middle(), 1e-7)
+      << formula << " on\n"
+      << text;
+}
+
+TEST(Prism, HasTheValueOfTheTaskOnTheProduct) {
+  std::mt19937 random(4);
+  for (int i = 0; i < 15; ++i)
+    for (const char* formula :
+         {"F (a & X b)", "!a U b", "(G F a) & (G F b)", "F G a", "G !a", "(F G a) | (G F b)"}) {
+      expect_same_value_on_the_product(test::random_mdp(random), formula);
+      expect_same_value_on_the_product(test::random_grid(random), formula);
+    }
+}
+
 // ---- the cases that come with values
 
-fs::path cases() {
-  const char* shared = std::getenv("WAYMARK_SHARED");
-  return (shared != nullptr ? fs::path(shared) : fs::path("../shared")) / "plan" / "cases";
-}
+fs::path cases() { return waymark::testing::shared() / "plan" / "cases"; }
 
 std::string contents(const fs::path& file) {
   std::ifstream in(file, std::ios::binary);

@@ -1,0 +1,19 @@
+// Random hallway maps in our map format (docs/formats/maps-and-routes.md): a spanning tree of a grid of places, drawn
+// depth first, and every third of the segments that are left, so that every place can be reached in more than one way
+// now and then. Observables are those of the maps that come with waymark.
+#pragma once
+#include <cstdint>
+#include <string>
+
+namespace waymark::plan {
+
+struct HallwayRecipe {
+  std::uint32_t width = 8, height = 6;  // places
+  std::uint32_t objects = 6;            // pieces of furniture, each in a place of its own
+  std::uint64_t seed = 1;
+};
+
+// The JSON text. Throws std::invalid_argument: fewer than two or more than 10,000 places, more objects than places.
+std::string generate_hallways(const HallwayRecipe& recipe);
+
+}  // namespace waymark::plan

@@ -1,0 +1,63 @@
+// waymark generate map: random maps to plan on, ltlgrid/1 or our map format, on standard output.
+#include <CLI/App.hpp>
+#include <iostream>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "libplan/model/generate_grid.hpp"
+#include "libplan/world/generate_hallways.hpp"
+#include "tools/subcommand.hpp"
+
+namespace waymark::tools {
+namespace {
+
+struct Options {
+  std::string kind = "rooms";
+  plan::GridRecipe recipe;
+};
+
+ExitCode run_generate(const Options& options) {
+  const plan::GridRecipe& recipe = options.recipe;
+  try {
+    if (options.kind == "hallway") {
+      if (recipe.tasks || recipe.noise != 0) throw UsageError("hallways come without --tasks and --noise");
+      std::cout << plan::generate_hallways(
+          {.width = recipe.width, .height = recipe.height, .objects = recipe.landmarks, .seed = recipe.seed});
+      return ExitCode::Done;
+    }
+    plan::write_case(std::cout, plan::generate_grid(recipe));
+  } catch (const std::invalid_argument& error) {
+    throw UsageError(error.what());
+  }
+  return ExitCode::Done;
+}
+
+void add_map_recipe(CLI::App& command, Options& options) {
+  std::vector<std::string> kinds{"hallway"};
+  for (plan::GridKind kind : plan::all_grid_kinds) kinds.emplace_back(plan::name(kind));
+  command.add_option("--kind", options.kind, "what it looks like")
+      ->check(CLI::IsMember(kinds))
+      ->capture_default_str();
+  command.add_option("--width", options.recipe.width, "cells from west to east")->capture_default_str();
+  command.add_option("--height", options.recipe.height, "cells from north to south")->capture_default_str();
+  command.add_option("--landmarks", options.recipe.landmarks, "a, b, …; objects of hallways")
+      ->capture_default_str();
+  command
+      .add_option("--noise", options.recipe.noise, "chance to slip, to each side; back as well among hazards")
+      ->capture_default_str();
+  command.add_option("--seed", options.recipe.seed, "the same seed, the same map")->capture_default_str();
+  command.add_flag("--tasks", options.recipe.tasks, "with tasks about the landmarks");
+}
+
+}  // namespace
+
+Runner setup_generate(CLI::App& command) {
+  const auto options = std::make_shared<Options>();
+  command.require_subcommand(1);
+  add_map_recipe(*command.add_subcommand("map", "a map with landmarks"), *options);
+  return [options](const Session&) { return run_generate(*options); };
+}
+
+}  // namespace waymark::tools
