@@ -1,6 +1,6 @@
 // The methods side by side on one task: what each is called, how a run of it goes, what many runs come to.
 //
-// A policy is judged by its exact value (markov_chain.hpp) against the optimum's:
+// A policy is judged by its exact value (policy_value.hpp) against the optimum's:
 //   success   its probability of acceptance, over the greatest there is for the discounted optimum
 //   score     success · (cost of the optimum / cost of the policy given acceptance), in [0, 1]: 1 is a best route
 // A run comes to 90 % at the first checkpoint whose score is at least 0.9, and to the optimum at the first whose

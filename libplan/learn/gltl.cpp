@@ -102,8 +102,8 @@ class Progression {
 };
 
 // Fewest letters to acceptance, backwards from it.
-std::vector<std::uint32_t> distances(const TaskTable& table) {
-  std::vector<std::uint32_t> distance(table.tasks, TaskTable::unreachable);
+std::vector<std::uint32_t> distances(const TaskRows& table) {
+  std::vector<std::uint32_t> distance(table.tasks, TaskRows::unreachable);
   for (std::uint32_t q = 0; q < table.tasks; ++q)
     if (table.ending[q] == Ending::Accepting) distance[q] = 0;
   for (bool changed = true; changed;) {
@@ -111,7 +111,7 @@ std::vector<std::uint32_t> distances(const TaskTable& table) {
     for (std::uint32_t q = 0; q < table.tasks; ++q)
       for (std::uint32_t letter = 0; letter < table.letters; ++letter) {
         const std::uint32_t next = distance[table.after(q, letter)];
-        if (next == TaskTable::unreachable || next + 1 >= distance[q]) continue;
+        if (next == TaskRows::unreachable || next + 1 >= distance[q]) continue;
         distance[q] = next + 1;
         changed = true;
       }
@@ -121,13 +121,13 @@ std::vector<std::uint32_t> distances(const TaskTable& table) {
 
 }  // namespace
 
-std::optional<TaskTable> gltl_tasks(ltl::Formula phi, const Letters& letters, const Gltl& options) {
+std::optional<TaskRows> gltl_tasks(ltl::Formula phi, const Letters& letters, const Gltl& options) {
   const ltl::Formula f = ltl::nnf(phi);
   const LetterClasses classes(letters, f.arena().vocabulary(), ltl::propositions(f));
   const Progression progression(f);
   if (!progression.fits(options)) return std::nullopt;
   const std::uint64_t patterns = std::uint64_t{1} << progression.coins();
-  TaskTable table;
+  TaskRows table;
   table.letters = static_cast<std::uint32_t>(classes.carried.size() * patterns);
   table.vocabulary = f.arena().vocabulary();
   for (const ltl::Letter& letter : classes.carried)
@@ -161,10 +161,10 @@ std::optional<TaskTable> gltl_tasks(ltl::Formula phi, const Letters& letters, co
   return table;
 }
 
-TaskTable without_expiry(TaskTable table) {
+TaskRows without_expiry(TaskRows table) {
   for (auto& readings : table.readings) {
-    const TaskTable::Reading all_kept{readings.back().letter,
-                                      1};  // the last pattern: every coin has its bit set
+    const TaskRows::Reading all_kept{readings.back().letter,
+                                     1};  // the last pattern: every coin has its bit set
     readings.assign(1, all_kept);
   }
   return table;

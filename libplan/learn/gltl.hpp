@@ -11,7 +11,7 @@
 #include <optional>
 
 #include "libltl/formula.hpp"
-#include "libplan/learn/task_table.hpp"
+#include "libplan/learn/task_rows.hpp"
 
 namespace waymark::plan {
 
@@ -22,9 +22,9 @@ struct Gltl {
 };
 
 // nullopt beyond a limit. Throws ltl::FormatError naming a proposition that the model lacks.
-std::optional<TaskTable> gltl_tasks(ltl::Formula phi, const Letters& letters, const Gltl& options = {});
+std::optional<TaskRows> gltl_tasks(ltl::Formula phi, const Letters& letters, const Gltl& options = {});
 
 // The same states where nothing ever expires: what a policy learnt under expiry is worth in earnest.
-TaskTable without_expiry(TaskTable table);
+TaskRows without_expiry(TaskRows table);
 
 }  // namespace waymark::plan

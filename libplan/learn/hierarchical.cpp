@@ -15,7 +15,7 @@ constexpr double not_offered = -std::numeric_limits<double>::infinity();
 
 // By option and letter: does the option end with it? One for each proposition that some letter carries; where the task
 // reads none, a single one that ends with every letter.
-std::vector<std::vector<bool>> options_of(const TaskTable& task) {
+std::vector<std::vector<bool>> options_of(const TaskRows& task) {
   std::vector<std::vector<bool>> options;
   for (std::uint32_t p = 0; p < task.vocabulary.size(); ++p) {
     std::vector<bool> ends;
@@ -132,8 +132,8 @@ class Learner {
   }
 
   // The chain over (state, option) that greedy choices on both levels leave.
-  MarkovChain chain() const {
-    MarkovChain chain;
+  PolicyChain chain() const {
+    PolicyChain chain;
     std::unordered_map<std::uint64_t, std::uint32_t> number;
     std::vector<std::pair<std::uint32_t, std::uint32_t>> met;  // state, option
     const auto meet = [&](std::uint32_t state, std::uint32_t option) {

@@ -5,7 +5,7 @@
 // every action costs the same. Below, with γ < 1, the sweeps are a contraction: they end when no value is further than
 // `tolerance` from V.
 #pragma once
-#include "libplan/learn/markov_chain.hpp"
+#include "libplan/learn/policy_value.hpp"
 
 namespace waymark::plan {
 

@@ -184,7 +184,7 @@ ActionTable greedy(const TabularProduct& product, const std::vector<double>& val
   return policy;
 }
 
-std::vector<double> potential(const TaskTable& task, double discount) {
+std::vector<double> potential(const TaskRows& task, double discount) {
   std::vector<double> phi;
   for (std::uint32_t q = 0; q < task.tasks; ++q)
     phi.push_back(task.ending[q] == Ending::Open ? std::pow(discount, task.distance[q] - 1) : 0);

@@ -42,6 +42,6 @@ QTable learn(const TabularProduct& product, const QLearning& method, const Train
 ActionTable greedy(const TabularProduct& product, const std::vector<double>& values);
 
 // Φ by task, as above.
-std::vector<double> potential(const TaskTable& task, double discount);
+std::vector<double> potential(const TaskRows& task, double discount);
 
 }  // namespace waymark::plan

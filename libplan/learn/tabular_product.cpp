@@ -54,7 +54,7 @@ template <class Model>
 void add_choice(TabularProduct& product, const Model& model, std::uint32_t s, std::uint32_t k) {
   std::map<std::pair<std::uint32_t, std::uint32_t>, double> merged;  // (target, letter) → probability
   model.for_each_outcome(s, k, [&](std::uint32_t target, LetterId letter, double probability) {
-    for (const TaskTable::Reading& reading : product.task.readings[letter.index])
+    for (const TaskRows::Reading& reading : product.task.readings[letter.index])
       merged[{target, reading.letter}] += probability * reading.probability;
   });
   double sum = 0;
@@ -65,7 +65,7 @@ void add_choice(TabularProduct& product, const Model& model, std::uint32_t s, st
 }
 
 template <class Model>
-TabularProduct compose_model(const Model& model, TaskTable task) {
+TabularProduct compose_model(const Model& model, TaskRows task) {
   if (model.states() * task.tasks > TabularProduct::max_states)
     throw std::length_error("the product is too large to be learnt in tables");
   TabularProduct product;
@@ -83,7 +83,7 @@ TabularProduct compose_model(const Model& model, TaskTable task) {
     }
   }
   product.first.push_back(static_cast<std::uint32_t>(product.outcomes.size()));
-  for (const TaskTable::Reading& reading : product.task.readings[model.initial_letter().index])
+  for (const TaskRows::Reading& reading : product.task.readings[model.initial_letter().index])
     product.starts.push_back(
         {product.state(model.initial(), product.task.after(product.task.initial, reading.letter)),
          reading.probability});
@@ -103,8 +103,8 @@ bool TabularProduct::is_over() const {
                      [&](const Start& start) { return ending(start.state) != Ending::Open; });
 }
 
-TabularProduct compose(const Mdp& model, TaskTable task) { return compose_model(model, std::move(task)); }
-TabularProduct compose(const GridWorld& model, TaskTable task) {
+TabularProduct compose(const Mdp& model, TaskRows task) { return compose_model(model, std::move(task)); }
+TabularProduct compose(const GridWorld& model, TaskRows task) {
   return compose_model(model, std::move(task));
 }
 

@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-#include "libplan/learn/task_table.hpp"
+#include "libplan/learn/task_rows.hpp"
 #include "libplan/model/grid_world.hpp"
 #include "libplan/model/map_mdp.hpp"
 #include "libplan/model/mdp.hpp"
@@ -30,7 +30,7 @@ struct TabularProduct {
     double probability = 1;
   };
 
-  TaskTable task;
+  TaskRows task;
   std::uint32_t positions = 0, actions = 0;
   std::vector<std::string> names;  // by action, in the order that breaks ties
   std::vector<std::uint32_t>
@@ -58,9 +58,9 @@ struct TabularProduct {
 
 // Throws std::length_error when there are more than max_states pairs, std::invalid_argument on a state of the model
 // without choices.
-TabularProduct compose(const Mdp& model, TaskTable task);
-TabularProduct compose(const GridWorld& model, TaskTable task);
-// Throws ltl::FormatError as task_table.hpp says. `starts`: each one equally likely (the mean over unknown headings, conventions.md 8); forward: chances to slip.
+TabularProduct compose(const Mdp& model, TaskRows task);
+TabularProduct compose(const GridWorld& model, TaskRows task);
+// Throws ltl::FormatError as task_rows.hpp says. `starts`: each one equally likely (the mean over unknown headings, conventions.md 8); forward: chances to slip.
 TabularProduct tabulate(const Map& map, const automata::Dfa& dfa, std::span<const PoseId> starts,
                         const SlipChances& forward = {});
 inline TabularProduct tabulate(const Map& map, const automata::Dfa& dfa, PoseId start,

@@ -65,7 +65,7 @@ class Trees {
 
 }  // namespace
 
-std::vector<std::optional<ltl::Formula>> formulas_of(const TaskTable& table, ltl::Formula phi) {
+std::vector<std::optional<ltl::Formula>> formulas_of(const TaskRows& table, ltl::Formula phi) {
   std::vector<std::optional<ltl::Formula>> formula(table.tasks);
   formula[table.initial] = phi;
   std::vector<std::uint32_t> queue{table.initial};
@@ -80,7 +80,7 @@ std::vector<std::optional<ltl::Formula>> formulas_of(const TaskTable& table, ltl
   return formula;
 }
 
-TaskTrees trees_of(const TaskTable& table, ltl::Formula phi) {
+TaskTrees trees_of(const TaskRows& table, ltl::Formula phi) {
   Trees trees(phi);
   for (const auto& formula : formulas_of(table, phi))
     trees.out.root.push_back(trees.node_of(formula.value_or(phi.arena().constant(false))));

@@ -8,7 +8,7 @@
 
 #include "libltl/formula.hpp"
 #include "libneural/recursive_encoder.hpp"
-#include "libplan/learn/task_table.hpp"
+#include "libplan/learn/task_rows.hpp"
 
 namespace waymark::plan {
 
@@ -19,8 +19,8 @@ struct TaskTrees {
 };
 
 // By task: its formula; nullopt where no word leads. The table is that of φ's automaton.
-std::vector<std::optional<ltl::Formula>> formulas_of(const TaskTable& table, ltl::Formula phi);
+std::vector<std::optional<ltl::Formula>> formulas_of(const TaskRows& table, ltl::Formula phi);
 
-TaskTrees trees_of(const TaskTable& table, ltl::Formula phi);
+TaskTrees trees_of(const TaskRows& table, ltl::Formula phi);
 
 }  // namespace waymark::plan

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "libltl/random.hpp"
-#include "libplan/learn/markov_chain.hpp"
+#include "libplan/learn/policy_value.hpp"
 
 namespace waymark::plan {
 

@@ -11,9 +11,9 @@
 #include "libltl/simplify.hpp"
 #include "libltl/trace_check.hpp"
 #include "libplan/solve/drop_conjuncts.hpp"
+#include "libplan/solve/landmark_tour.hpp"
 #include "libplan/solve/product_search.hpp"
 #include "libplan/solve/task_automaton.hpp"
-#include "libplan/solve/tour.hpp"
 
 namespace waymark::plan {
 namespace {
@@ -113,12 +113,12 @@ class TaskSolver {
     answer_.seconds.solve = clock.lap();
     if (!found) throw Spent{"stopped"};
     answer_.method = CaseMethod::Search;
-    if (const auto* none = std::get_if<NoTour>(&*found)) {
+    if (const auto* none = std::get_if<NoLandmarkTour>(&*found)) {
       infeasible(INFINITY);
       answer_.reason = none->reason;
       return;
     }
-    const double cost = std::get<Tour>(*found).cost;
+    const double cost = std::get<LandmarkTour>(*found).cost;
     answer_.status = Status::Solved;
     answer_.value = {cost, cost};
   }
@@ -223,12 +223,12 @@ class TaskSolver {
     answer_.seconds.solve = clock.lap();
     if (!found) throw Spent{"stopped"};
     answer_.method = CaseMethod::Search;
-    if (const auto* none = std::get_if<NoTour>(&*found)) {
+    if (const auto* none = std::get_if<NoLandmarkTour>(&*found)) {
       infeasible(INFINITY);
       answer_.reason = none->reason;
       return;
     }
-    const double cost = std::get<Tour>(*found).cost;
+    const double cost = std::get<LandmarkTour>(*found).cost;
     answer_.status = Status::Solved;
     answer_.value = {cost, cost};
   }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <fstream>
+#include <map>
 #include <regex>
 #include <set>
 
@@ -27,6 +28,24 @@ TEST(Files, AreNamedAfterWhatTheyHold) {
   for (const SourceFile& file : files("hpp cpp txt md"))
     for (const auto& part : std::filesystem::path(file.path))
       EXPECT_FALSE(vague.contains(part.stem().string())) << file.path;
+}
+
+// Two types of one name in one namespace are one type to the linker. (Types inside others, and in unnamed namespaces of
+// sources, are not seen: they begin with white space, or are not in headers.)
+TEST(Files, NameEveryTypeOnce) {
+  const std::regex type("(?:class|struct|enum class) ([A-Z][A-Za-z0-9]*)(?: final)?(?: :[^;]*)?(?: \\{.*)?");
+  std::map<std::string, std::string> seen;
+  for (const SourceFile& file : files("hpp")) {
+    if (!file.path.starts_with("lib")) continue;
+    std::string space;
+    for (const std::string& line : file.lines) {
+      if (line.rfind("namespace ", 0) == 0) space = line.substr(0, line.find('{'));
+      std::smatch match;
+      if (!std::regex_match(line, match, type) || line.find('{') == std::string::npos) continue;
+      const auto [at, fresh] = seen.try_emplace(space + match.str(1), file.path);
+      EXPECT_TRUE(fresh) << match.str(1) << " in " << at->second << " and " << file.path;
+    }
+  }
 }
 
 TEST(Files, AreFinished) {

@@ -18,7 +18,7 @@ struct Task {
   Task(const Map& map, const std::string& text, PoseId start, double keep) {
     ltl::Arena arena(map.vocabulary());
     const Mdp model = mdp_of(map, start);
-    const TaskTable table = gltl_tasks(ltl::parse(text, arena), model.letters(), {.keep = keep}).value();
+    const TaskRows table = gltl_tasks(ltl::parse(text, arena), model.letters(), {.keep = keep}).value();
     expiring = compose(model, table);
     lasting = compose(model, without_expiry(table));
   }

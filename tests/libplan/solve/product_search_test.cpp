@@ -9,7 +9,7 @@
 #include "libautomata/ltlf_to_dfa.hpp"
 #include "libltl/print.hpp"
 #include "libltl/semantics.hpp"
-#include "libplan/solve/tour.hpp"
+#include "libplan/solve/landmark_tour.hpp"
 #include "tests/libplan/solve/random_models.hpp"
 #include "tests/support/sanitizers.hpp"
 
@@ -118,7 +118,7 @@ double tour_by_enumeration(const GridWorld& grid, bool closed) {
   return best;
 }
 
-TEST(Tour, ShortestWalksAgreeWithEnumeration) {
+TEST(LandmarkTour, ShortestWalksAgreeWithEnumeration) {
   ltl::Random random(10);
   int found = 0;
   for (int i = 0; i < scaled(300); ++i) {
@@ -127,7 +127,7 @@ TEST(Tour, ShortestWalksAgreeWithEnumeration) {
       const double expected = tour_by_enumeration(grid, closed);
       const auto answer = shortest_tour(grid, {"a", "b", "c"}, closed);
       ASSERT_TRUE(answer);
-      if (const Tour* tour = std::get_if<Tour>(&*answer)) {
+      if (const LandmarkTour* tour = std::get_if<LandmarkTour>(&*answer)) {
         EXPECT_EQ(tour->cost, expected) << "grid " << i << (closed ? " closed" : " open");
         ++found;
       } else {

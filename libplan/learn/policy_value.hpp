@@ -13,7 +13,7 @@
 
 namespace waymark::plan {
 
-struct MarkovChain {
+struct PolicyChain {
   struct Outcome {
     std::uint32_t target = 0;
     double probability = 1;
@@ -22,7 +22,7 @@ struct MarkovChain {
   std::vector<Outcome> outcomes;        // none: the state is left no more
   std::vector<double> cost;             // of the step out of a state
   std::vector<Ending> ending;
-  std::vector<MarkovChain::Outcome> starts;
+  std::vector<PolicyChain::Outcome> starts;
 
   std::size_t states() const { return ending.size(); }
 };
@@ -33,13 +33,13 @@ struct PolicyValue {
   double value = 0;
 };
 
-PolicyValue value_of(const MarkovChain& chain, double discount);
+PolicyValue value_of(const PolicyChain& chain, double discount);
 
 inline constexpr std::uint8_t no_action = UINT8_MAX;
 using ActionTable = std::vector<std::uint8_t>;  // by state of a TabularProduct
 
 // The part of the product that the policy reaches.
-MarkovChain chain_of(const TabularProduct& product, const ActionTable& policy);
+PolicyChain chain_of(const TabularProduct& product, const ActionTable& policy);
 inline PolicyValue value_of(const TabularProduct& product, const ActionTable& policy, double discount) {
   return value_of(chain_of(product, policy), discount);
 }

@@ -1,4 +1,4 @@
-#include "libplan/learn/task_table.hpp"
+#include "libplan/learn/task_rows.hpp"
 
 #include <map>
 #include <optional>
@@ -36,9 +36,9 @@ LetterClasses::LetterClasses(const Letters& letters, const ltl::Vocabulary& task
   }
 }
 
-TaskTable tabulate(const automata::Dfa& dfa, const Letters& letters) {
+TaskRows tabulate(const automata::Dfa& dfa, const Letters& letters) {
   LetterClasses classes(letters, dfa.vocabulary(), dfa.reads());
-  TaskTable table;
+  TaskRows table;
   table.tasks = static_cast<std::uint32_t>(dfa.states());
   table.letters = static_cast<std::uint32_t>(classes.carried.size());
   table.initial = dfa.initial().index;

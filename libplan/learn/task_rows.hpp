@@ -14,7 +14,7 @@ namespace waymark::plan {
 
 enum class Ending : std::uint8_t { Open, Accepting, Trap };
 
-struct TaskTable {
+struct TaskRows {
   static constexpr std::uint32_t unreachable = UINT32_MAX;
   struct Reading {  // how a letter of the model is read
     std::uint32_t letter = 0;
@@ -44,6 +44,6 @@ struct LetterClasses {
   std::vector<ltl::Letter> carried;  // by class
 };
 
-TaskTable tabulate(const automata::Dfa& dfa, const Letters& letters);
+TaskRows tabulate(const automata::Dfa& dfa, const Letters& letters);
 
 }  // namespace waymark::plan

@@ -1,4 +1,4 @@
-#include "libplan/learn/markov_chain.hpp"
+#include "libplan/learn/policy_value.hpp"
 
 #include <Eigen/SparseCore>
 #include <Eigen/SparseLU>
@@ -11,14 +11,14 @@
 namespace waymark::plan {
 namespace {
 
-bool is_path(const MarkovChain& chain) {
+bool is_path(const PolicyChain& chain) {
   for (std::size_t s = 0; s < chain.states(); ++s)
     if (chain.first[s + 1] - chain.first[s] > 1) return false;
   return true;
 }
 
 // {probability, probability · cost, value} of one start.
-Eigen::Vector3d walk(const MarkovChain& chain, std::uint32_t s, double discount) {
+Eigen::Vector3d walk(const PolicyChain& chain, std::uint32_t s, double discount) {
   double cost = 0, value = 1 / discount;
   for (std::size_t steps = 0; steps <= chain.states(); ++steps) {
     if (chain.ending[s] == Ending::Accepting) return {1, cost, steps == 0 ? 1 : value};
@@ -31,7 +31,7 @@ Eigen::Vector3d walk(const MarkovChain& chain, std::uint32_t s, double discount)
 }
 
 // By state: can an accepting state be reached?
-std::vector<bool> hopeful(const MarkovChain& chain) {
+std::vector<bool> hopeful(const PolicyChain& chain) {
   std::vector<std::vector<std::uint32_t>> sources(chain.states());
   std::vector<std::uint32_t> todo;
   std::vector<bool> reaches(chain.states(), false);
@@ -62,7 +62,7 @@ struct System {
   Eigen::VectorXd cost;
 };
 
-System system_of(const MarkovChain& chain) {
+System system_of(const PolicyChain& chain) {
   System system;
   const std::vector<bool> reaches = hopeful(chain);
   Eigen::Index rows = 0;
@@ -103,7 +103,7 @@ class Solver {
   Eigen::SparseLU<Eigen::SparseMatrix<double>> lu_;
 };
 
-Eigen::Vector3d solve(const MarkovChain& chain, double discount) {
+Eigen::Vector3d solve(const PolicyChain& chain, double discount) {
   const System system = system_of(chain);
   Eigen::VectorXd probability, cost, value;
   if (system.accepting.size() > 0) {
@@ -123,7 +123,7 @@ Eigen::Vector3d solve(const MarkovChain& chain, double discount) {
 
 }  // namespace
 
-PolicyValue value_of(const MarkovChain& chain, double discount) {
+PolicyValue value_of(const PolicyChain& chain, double discount) {
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
   if (is_path(chain)) {
     for (const auto& [s, weight] : chain.starts) sum += weight * walk(chain, s, discount);
@@ -133,8 +133,8 @@ PolicyValue value_of(const MarkovChain& chain, double discount) {
   return {sum[0], sum[0] > 0 ? sum[1] / sum[0] : std::numeric_limits<double>::infinity(), sum[2]};
 }
 
-MarkovChain chain_of(const TabularProduct& product, const ActionTable& policy) {
-  MarkovChain chain;
+PolicyChain chain_of(const TabularProduct& product, const ActionTable& policy) {
+  PolicyChain chain;
   std::unordered_map<std::uint32_t, std::uint32_t> number;
   std::vector<std::uint32_t> met;
   const auto meet = [&](std::uint32_t state) {

@@ -1,4 +1,4 @@
-#include "libplan/solve/tour.hpp"
+#include "libplan/solve/landmark_tour.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -27,14 +27,14 @@ class Tours {
           if (model.letters()[LetterId{l}].contains(*p)) mask_[l] |= 1U << i;
   }
 
-  std::optional<std::variant<Tour, NoTour>> run(bool closed) {
+  std::optional<std::variant<LandmarkTour, NoLandmarkTour>> run(bool closed) {
     find_stops();
     const std::uint32_t all = (1U << names_.size()) - 1;
     std::uint32_t seen = mask_[model_.initial_letter().index];
     for (const Stop& stop : stops_) seen |= stop.mask;
-    if (seen != all) return NoTour{missing(all & ~seen)};
+    if (seen != all) return NoLandmarkTour{missing(all & ~seen)};
     if (!find_distances()) return std::nullopt;
-    std::optional<Tour> best;
+    std::optional<LandmarkTour> best;
     if (!closed) {
       best = cheapest(0, mask_[model_.initial_letter().index], false);
     } else {
@@ -46,7 +46,7 @@ class Tours {
         if (tour && (!best || tour->cost < best->cost)) best = tour;
       }
     }
-    if (!best) return NoTour{"no walk passes all of them: there is no way on from one, or none back"};
+    if (!best) return NoLandmarkTour{"no walk passes all of them: there is no way on from one, or none back"};
     return *best;
   }
 
@@ -165,7 +165,7 @@ class Tours {
   }
 
   // From one stop, where `visited` are visited already, over all landmarks, and back when closed. [HK62]
-  std::optional<Tour> cheapest(std::size_t from, std::uint32_t visited, bool closed) const {
+  std::optional<LandmarkTour> cheapest(std::size_t from, std::uint32_t visited, bool closed) const {
     const std::size_t n = stops_.size(), masks = std::size_t{1} << names_.size();
     const auto all = static_cast<std::uint32_t>(masks - 1);
     std::vector<double> cost(masks * n, unreached);
@@ -191,7 +191,7 @@ class Tours {
       }
     }
     if (best == unreached) return std::nullopt;
-    Tour tour{best, {}};
+    LandmarkTour tour{best, {}};
     if (closed) tour.stops.push_back(stops_[from].place);
     const std::size_t first = std::size_t{visited} * n + from;
     for (std::size_t at = last; at != first; at = before[at]) tour.stops.push_back(stops_[at % n].place);
@@ -211,16 +211,14 @@ class Tours {
 }  // namespace
 
 template <class Model>
-std::optional<std::variant<Tour, NoTour>> shortest_tour(const Model& model,
-                                                        const std::vector<std::string>& landmarks,
-                                                        bool closed, const std::stop_token& stop) {
+std::optional<std::variant<LandmarkTour, NoLandmarkTour>> shortest_tour(
+    const Model& model, const std::vector<std::string>& landmarks, bool closed, const std::stop_token& stop) {
   return Tours<Model>(model, landmarks, stop).run(closed);
 }
 
-template std::optional<std::variant<Tour, NoTour>> shortest_tour(const Mdp&, const std::vector<std::string>&,
-                                                                 bool, const std::stop_token&);
-template std::optional<std::variant<Tour, NoTour>> shortest_tour(const GridWorld&,
-                                                                 const std::vector<std::string>&, bool,
-                                                                 const std::stop_token&);
+template std::optional<std::variant<LandmarkTour, NoLandmarkTour>> shortest_tour(
+    const Mdp&, const std::vector<std::string>&, bool, const std::stop_token&);
+template std::optional<std::variant<LandmarkTour, NoLandmarkTour>> shortest_tour(
+    const GridWorld&, const std::vector<std::string>&, bool, const std::stop_token&);
 
 }  // namespace waymark::plan

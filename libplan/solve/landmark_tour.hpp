@@ -17,11 +17,11 @@
 
 namespace waymark::plan {
 
-struct Tour {
+struct LandmarkTour {
   double cost = 0;
   std::vector<std::uint32_t> stops;  // places, in order; of a closed walk the last is the first again
 };
-struct NoTour {  // proved
+struct NoLandmarkTour {  // proved
   std::string reason;
 };
 constexpr std::size_t most_landmarks = 20;
@@ -30,15 +30,13 @@ constexpr std::size_t most_landmarks = 20;
 // start, whose own letter counts, until all have been visited. nullopt: stopped. Throws std::invalid_argument for a model that is not
 // deterministic, for more than most_landmarks, and for a landmark whose place shows it on one way in but not on another.
 template <class Model>
-std::optional<std::variant<Tour, NoTour>> shortest_tour(const Model& model,
-                                                        const std::vector<std::string>& landmarks,
-                                                        bool closed, const std::stop_token& stop = {});
+std::optional<std::variant<LandmarkTour, NoLandmarkTour>> shortest_tour(
+    const Model& model, const std::vector<std::string>& landmarks, bool closed,
+    const std::stop_token& stop = {});
 
-extern template std::optional<std::variant<Tour, NoTour>> shortest_tour(const Mdp&,
-                                                                        const std::vector<std::string>&, bool,
-                                                                        const std::stop_token&);
-extern template std::optional<std::variant<Tour, NoTour>> shortest_tour(const GridWorld&,
-                                                                        const std::vector<std::string>&, bool,
-                                                                        const std::stop_token&);
+extern template std::optional<std::variant<LandmarkTour, NoLandmarkTour>> shortest_tour(
+    const Mdp&, const std::vector<std::string>&, bool, const std::stop_token&);
+extern template std::optional<std::variant<LandmarkTour, NoLandmarkTour>> shortest_tour(
+    const GridWorld&, const std::vector<std::string>&, bool, const std::stop_token&);
 
 }  // namespace waymark::plan

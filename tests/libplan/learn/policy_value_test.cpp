@@ -1,5 +1,5 @@
 // Values of policies: against chains solved by hand, against rollouts, and the optimum against every policy.
-#include "libplan/learn/markov_chain.hpp"
+#include "libplan/learn/policy_value.hpp"
 
 #include <gtest/gtest.h>
 
@@ -14,7 +14,7 @@ namespace waymark::plan {
 namespace {
 
 // 0 stays with 1/2, else to 1 (accepting, 3/8) or 2 (trap, 1/8); each step costs 2.
-MarkovChain coin() {
+PolicyChain coin() {
   return {{0, 3, 3, 3},
           {{0, 0.5}, {1, 0.375}, {2, 0.125}},
           {2, 0, 0},
@@ -22,23 +22,23 @@ MarkovChain coin() {
           {{0, 1}}};
 }
 
-TEST(MarkovChain, SolvedByHand) {
+TEST(PolicyValue, SolvedByHand) {
   const PolicyValue value = value_of(coin(), 0.9);
   EXPECT_NEAR(value.probability, 0.75, 1e-12);
   EXPECT_NEAR(value.cost, 4, 1e-12);                         // two steps in the mean, however it ends
   EXPECT_NEAR(value.value, 0.375 / (1 - 0.9 * 0.5), 1e-12);  // v = 3/8 + γ v / 2
 }
 
-TEST(MarkovChain, StartsAreAveraged) {
-  MarkovChain chain = coin();
+TEST(PolicyValue, StartsAreAveraged) {
+  PolicyChain chain = coin();
   chain.starts = {{0, 0.5}, {1, 0.25}, {2, 0.25}};
   const PolicyValue value = value_of(chain, 0.9);
   EXPECT_NEAR(value.probability, 0.5 * 0.75 + 0.25, 1e-12);
   EXPECT_NEAR(value.cost, 0.5 * 0.75 * 4 / 0.625, 1e-12);
 }
 
-TEST(MarkovChain, PathsAndCircles) {
-  MarkovChain path{
+TEST(PolicyValue, PathsAndCircles) {
+  PolicyChain path{
       {0, 1, 2, 2}, {{1, 1}, {2, 1}}, {1, 5, 0}, {Ending::Open, Ending::Open, Ending::Accepting}, {{0, 1}}};
   const PolicyValue value = value_of(path, 0.5);
   EXPECT_EQ(value.probability, 1);
@@ -49,7 +49,7 @@ TEST(MarkovChain, PathsAndCircles) {
   EXPECT_TRUE(std::isinf(value_of(path, 0.5).cost));
 }
 
-TEST(MarkovChain, AgreesWithRollouts) {
+TEST(PolicyValue, AgreesWithRollouts) {
   const Map map = plus();
   const TabularProduct product =
       task_on(map, "F (sofa & X F chair) & G !place_1", pose_at(map, 1, 2, 0), slippery);
