@@ -19,7 +19,9 @@ struct Options {
 };
 
 ExitCode run_generate(const Options& options) {
-  const plan::GridRecipe& recipe = options.recipe;
+  plan::GridRecipe recipe = options.recipe;
+  for (plan::GridKind kind : plan::all_grid_kinds)
+    if (plan::name(kind) == options.kind) recipe.kind = kind;
   try {
     if (options.kind == "hallway") {
       if (recipe.tasks || recipe.noise != 0) throw UsageError("hallways come without --tasks and --noise");
