@@ -193,10 +193,7 @@ std::vector<CaseTask> tasks(const GridRecipe& recipe, const std::vector<std::str
   out.push_back({"seq", sequence, Logic::Ltl, Query::MinCost});
   out.push_back({"cover", joined(landmarks, "F ", " & "), Logic::Ltl, Query::MinCost});
   out.push_back({"patrol", joined(landmarks, "G F ", " & "), Logic::Ltl, Query::MaxProbability});
-  if (has_hazards(recipe.kind)) {
-    out.push_back({"avoidseq", careful, Logic::Ltl, Query::MaxProbability});
-    out.push_back({"risk", "F x", Logic::Ltl, Query::MinProbability});
-  }
+  if (has_hazards(recipe.kind)) out.push_back({"avoidseq", careful, Logic::Ltl, Query::MaxProbability});
   if (recipe.noise == 0) {
     std::string names;
     for (const std::string& landmark : landmarks) names += (names.empty() ? "" : ",") + landmark;
