@@ -150,7 +150,8 @@ class Tours {
     cost[from] = 0;
     heap.push({0, from});
     while (!heap.empty()) {
-      const auto [c, s] = heap.top();
+      const double c = heap.top().first;
+      const std::uint32_t s = heap.top().second;
       heap.pop();
       if (c > cost[s]) continue;
       for (std::uint32_t k = 0; k < model_.choices(s); ++k)
