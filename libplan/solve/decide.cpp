@@ -167,14 +167,31 @@ EndComponents merged(const Product& product, const StateSet& unknown) {
   });
 }
 
+// Least probabilities are 1 where no strategy has a chance of staying for ever away from the targets, nor of being lost.
+// By the graph, since sweeps would take as long as a strategy can put off what must come.
+template <class Product>
+Unknowns unknowns_of_least(const Product& product, const StateSet& targets) {
+  StateSet away(product.states());
+  product.for_each_state([&](const auto& s) { away[s.index] = !targets[s.index]; });
+  const EndComponents stays = end_components(product, away, [](const auto&, std::uint32_t) { return true; });
+  product.for_each_state([&](const auto& s) {
+    bool out = stays.of[s.index] != EndComponents::none;
+    for (std::uint32_t k = 0; k < product.choices(s) && !out; ++k)
+      product.for_each_outcome(s, k, [&](std::uint32_t t, double, bool) { out = out || t == Product::lost; });
+    away[s.index] = out;
+  });
+  const StateSet escapes = can_reach(product, away), reaches = can_reach(product, targets);
+  Unknowns unknowns{reaches, targets, {}};
+  for (std::uint32_t i = 0; i < product.states(); ++i) {
+    if (!escapes[i]) unknowns.targets[i] = true;
+    if (unknowns.targets[i]) unknowns.unknown[i] = false;
+  }
+  return unknowns;
+}
+
 template <Measure measure, class Product>
 Unknowns unknowns_of(const Product& product, const StateSet& targets) {
-  if (measure == Measure::MinProbability) {
-    Unknowns out{can_reach(product, targets), targets, {}};
-    for (std::uint32_t i = 0; i < product.states(); ++i)
-      if (targets[i]) out.unknown[i] = false;
-    return out;
-  }
+  if (measure == Measure::MinProbability) return unknowns_of_least(product, targets);
   const StateSet sure = almost_surely(product, targets);
   Unknowns out;
   out.targets = measure == Measure::MaxProbability ? sure : targets;

@@ -34,6 +34,18 @@ TEST(CaseTask, LeastAndGreatestProbabilitiesAreComplements) {
   }
 }
 
+// Noise in all directions: a hazard can be put off for ages, not avoided.
+TEST(CaseTask, WhatCanOnlyBePutOffIsCertain) {
+  const PlanningCase noisy = parse_case(R"({"format": "ltlgrid/1", "width": 30, "height": 1,
+    "rows": ["s............................x"], "legend": {"s": {}, "x": {"props": ["x"]}}, "start": {"x": 0, "y": 0},
+    "motion": {"forward": 0.85, "left": 0.05, "right": 0.05, "back": 0.05}})");
+  const CaseAnswer least = answer(
+      noisy,
+      {.id = "", .formula = "F x", .logic = CaseTask::Logic::Ltl, .query = CaseTask::Query::MinProbability});
+  EXPECT_EQ(least.status, CaseAnswer::Status::Solved);
+  EXPECT_EQ(least.value.lower, 1);
+}
+
 TEST(CaseTask, SaysWhichConjunctsAreInTheWay) {
   const CaseAnswer answer = ask("F a & G !a & F b", CaseTask::Query::MaxProbability);
   EXPECT_EQ(answer.status, CaseAnswer::Status::Infeasible);
