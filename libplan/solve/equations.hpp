@@ -63,7 +63,7 @@ class Equations {
   static constexpr std::uint32_t factored = 20'000;  // rows up to which LU factors are made
   static constexpr std::uint64_t most_tries = 64;    // sweeps for a proof, besides as many as went before
   std::uint32_t rows() const { return static_cast<std::uint32_t>(first_choice_.size()) - 1; }
-  std::uint32_t choices() const { return static_cast<std::uint32_t>(first_term_.size()); }
+  std::uint32_t choices() const { return static_cast<std::uint32_t>(constant_[Below].size()); }
   bool better(double a, double b) const { return measure_ == Measure::MaxProbability ? a > b : a < b; }
   double value(std::uint32_t choice, const std::vector<double>& x, Side side) const;
   double best(std::uint32_t row, const std::vector<double>& x, Side side) const;

@@ -70,7 +70,7 @@ TEST(Decide, GreatestProbabilitiesOfFormulasAgreeWithTheReferee) {
       proper += expected > 1e-6 && expected < 1 - 1e-6 ? 1 : 0;
     }
   }
-  EXPECT_GT(proper, scaled(20));  // else nothing was tried
+  EXPECT_GT(proper, waymark::testing::sanitized ? 0 : 20);  // else nothing was tried
 }
 
 struct FiniteTask {
@@ -107,7 +107,7 @@ TEST(Decide, ProbabilitiesOfFiniteTasksAgreeWithPlainSweeps) {
     ASSERT_FALSE(HasFailure());
     proper += greatest > 1e-6 && least < 1 - 1e-6 && (greatest < 1 - 1e-6 || least > 1e-6) ? 1 : 0;
   }
-  EXPECT_GT(proper, scaled(20));
+  EXPECT_GT(proper, waymark::testing::sanitized ? 0 : 20);
 }
 
 TEST(Decide, LeastCostsAgreeWithPlainSweeps) {
@@ -136,7 +136,7 @@ TEST(Decide, LeastCostsAgreeWithPlainSweeps) {
       ASSERT_FALSE(HasFailure());
     }
   }
-  EXPECT_GT(proper, scaled(30));
+  EXPECT_GT(proper, waymark::testing::sanitized ? 0 : 30);
 }
 
 // A free circle beside the way: values from below would stay at zero for ever.
