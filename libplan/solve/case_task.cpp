@@ -77,7 +77,7 @@ class TaskSolver {
     const ltl::Formula asked = ltl::parse(task_.formula, arena_);
     const ltl::Formula f = task_.logic == Logic::Ltl ? ltl::simplify(asked, ltl::Semantics::Infinite) : asked;
     if (const auto landmarks = visits(f); landmarks && by_search() && model_.states() >= worth_compressing)
-      return visit(*landmarks);
+      return visit(*landmarks, false);
     const bool negated = task_.query == Query::MinProbability && !is_finite(f);
     const TaskTable task = table(negated ? ltl::simplify(ltl::negate(f), ltl::Semantics::Infinite) : f);
     answer_.seconds.automaton = clock.lap();
@@ -107,9 +107,9 @@ class TaskSolver {
   }
 
   // By landmark compression: no product, two to the power of the landmarks times their places.
-  void visit(const std::vector<std::string>& landmarks) {
+  void visit(const std::vector<std::string>& landmarks, bool closed) {
     Clock clock;
-    const auto found = shortest_tour(model_, landmarks, false, options_.stop);
+    const auto found = shortest_tour(model_, landmarks, closed, options_.stop);
     answer_.seconds.solve = clock.lap();
     if (!found) throw Spent{"stopped"};
     answer_.method = CaseMethod::Search;
@@ -218,19 +218,7 @@ class TaskSolver {
       else
         landmarks.back() += c;
     }
-    Clock clock;
-    const auto found = shortest_tour(model_, landmarks, true, options_.stop);
-    answer_.seconds.solve = clock.lap();
-    if (!found) throw Spent{"stopped"};
-    answer_.method = CaseMethod::Search;
-    if (const auto* none = std::get_if<NoLandmarkTour>(&*found)) {
-      infeasible(INFINITY);
-      answer_.reason = none->reason;
-      return;
-    }
-    const double cost = std::get<LandmarkTour>(*found).cost;
-    answer_.status = Status::Solved;
-    answer_.value = {cost, cost};
+    visit(landmarks, true);
   }
 
   static constexpr std::size_t worth_compressing =
