@@ -49,6 +49,7 @@ Examples make_examples(const Corpus& corpus, std::span<const Executor> executors
                                     gold_route(sentence, executors[m].map(), convention),
                                     nullptr});
       examples.paragraph.push_back(i);
+      examples.ids.push_back(sentence.id);
     }
   }
   return examples;

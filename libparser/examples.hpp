@@ -22,6 +22,7 @@ struct Example {
 struct Examples {
   std::vector<Example> sentences;
   std::vector<std::size_t> paragraph;  // of each sentence: index in the corpus
+  std::vector<std::string> ids;        // of each sentence
 };
 
 struct Stopped {};  // thrown by long work when a stop was requested

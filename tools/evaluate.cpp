@@ -16,8 +16,9 @@ namespace {
 using parser::Percent;
 
 struct Options {
-  std::string corpus, test_corpus, model = "linear", data;
-  parser::TrainOptions train;
+  std::string corpus, test_corpus, data, predictions, convention = "both";
+  TrainingOptions training;
+  std::size_t ensemble = 1;
   bool leave_one_map_out = false, json = false;
 };
 
@@ -25,13 +26,18 @@ Json json_of(const parser::ConventionScores& scores) {
   return JsonObject().add("absolute", scores.absolute.value()).add("relative", scores.relative.value());
 }
 
+Json json_of(const parser::PathScores& path) {
+  return JsonObject()
+      .add("precision", path.precision.value())
+      .add("recall", path.recall.value())
+      .add("accuracy", path.accuracy.value());
+}
+
 JsonObject& add(JsonObject& json, const parser::Scores& scores) {
   return json.add("sentence", json_of(scores.sentence))
       .add("paragraph", json_of(scores.paragraph))
-      .add("path", JsonObject()
-                       .add("precision", scores.path_precision.value())
-                       .add("recall", scores.path_recall.value())
-                       .add("accuracy", scores.path_accuracy.value()))
+      .add("path", json_of(scores.path))
+      .add("paragraph_path", json_of(scores.paragraph_path))
       .add("n", JsonObject()
                     .add("sentences", scores.sentence.absolute.total)
                     .add("paragraphs", scores.paragraph.absolute.total)
@@ -45,7 +51,16 @@ Json json_of(const parser::Evaluation& evaluation) {
     folds.add(map, add(fold, scores));
   }
   json.add("folds", folds);
-  return add(json, evaluation.all).add("seconds", evaluation.seconds);
+  add(json, evaluation.all);
+  if (!evaluation.singles.empty()) {
+    JsonArray singles;
+    for (const parser::Scores& scores : evaluation.singles) {
+      JsonObject single;
+      singles.add(add(single, scores));
+    }
+    json.add("singles", singles);
+  }
+  return json.add("seconds", evaluation.seconds);
 }
 
 void print_row(const std::string& name, const parser::Scores& scores) {
@@ -55,7 +70,7 @@ void print_row(const std::string& name, const parser::Scores& scores) {
   std::cout << std::left << std::setw(10) << name << std::right;
   cell(scores.sentence.absolute), cell(scores.sentence.relative);
   cell(scores.paragraph.absolute), cell(scores.paragraph.relative);
-  cell(scores.path_precision), cell(scores.path_recall), cell(scores.path_accuracy);
+  cell(scores.path.precision), cell(scores.path.recall), cell(scores.path.accuracy);
   std::cout << std::setw(11) << scores.sentence.absolute.total << std::setw(12)
             << scores.paragraph.absolute.total << '\n';
 }
@@ -69,6 +84,8 @@ void print_table(const parser::Evaluation& evaluation) {
                "paragraphs\n";
   for (const auto& [map, scores] : evaluation.folds) print_row(map, scores);
   print_row("all", evaluation.all);
+  for (std::size_t i = 0; i < evaluation.singles.size(); ++i)
+    print_row("single " + std::to_string(i + 1), evaluation.singles[i]);
   std::cout << "\nunsegmented paragraphs skipped: " << evaluation.all.skipped_paragraphs << "; "
             << fixed(evaluation.seconds, 1) << " s of training and testing\n";
 }
@@ -80,7 +97,10 @@ ExitCode run_evaluate(const Options& options, const Session& session) {
   std::optional<parser::Corpus> test;
   if (!options.test_corpus.empty()) test = parser::read_sail_corpus(options.test_corpus);
   parser::EvaluateOptions evaluate;
-  evaluate.train = options.train;
+  evaluate.train = options.training.settled();
+  evaluate.ensemble = options.ensemble;
+  evaluate.absolute = options.convention != "relative";
+  evaluate.relative = options.convention != "absolute";
   evaluate.train.stop = session.stop;
   ProgressBar bar;
   evaluate.train.progress = [&](double fraction, std::string_view what) { bar.show(fraction, what); };
@@ -113,9 +133,17 @@ Runner setup_evaluate(CLI::App& command) {
       ->type_name("DIR");
   command.add_flag("--leave-one-map-out", options->leave_one_map_out,
                    "train on all maps but one, test on that one, for each map");
-  add_model_kind_option(command, options->model);
   add_data_option(command, options->data);
-  add_training_options(command, options->train);
+  add_training_options(command, options->training);
+  command.add_option("--convention", options->convention, "what an unknown start heading counts as")
+      ->check(CLI::IsMember({"absolute", "relative", "both"}))
+      ->capture_default_str();
+  command.add_option("--ensemble", options->ensemble, "systems of seeds N, N + 1, … that vote")
+      ->type_name("COUNT")
+      ->check(CLI::Range(1, 100))
+      ->capture_default_str();
+  command.add_option("--predictions", options->predictions, "write what was answered to every sentence, as JSON Lines")
+      ->type_name("FILE");
   command.add_flag("--json", options->json, "one JSON object");
   return [options](const Session& session) { return run_evaluate(*options, session); };
 }
