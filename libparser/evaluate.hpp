@@ -67,6 +67,7 @@ struct Evaluation {
 struct EvaluateOptions {
   TrainOptions train = {};                // its convention is ignored: both are trained and reported
   bool absolute = true, relative = true;  // which conventions to run
+  bool actions = false;                   // the baseline without formulas instead of what `train` says
   std::size_t ensemble = 1;               // systems of seeds train.seed, train.seed + 1, …
 };
 

@@ -25,6 +25,10 @@ struct Examples {
   std::vector<std::string> ids;        // of each sentence
 };
 
+// The words of the sentences that occur twice: from one occurrence there is nothing to learn. With both sides, for
+// mirror images.
+WordTable words_met_twice(std::span<const Example* const> examples);
+
 struct Stopped {};  // thrown by long work when a stop was requested
 
 // Sentences of the paragraphs that lie on one of the executors' maps.

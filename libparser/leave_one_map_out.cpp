@@ -8,6 +8,7 @@
 #include "libparser/evaluate.hpp"
 #include "libparser/examples.hpp"
 #include "libparser/learn_chooser.hpp"
+#include "libparser/neural/action_network.hpp"
 
 namespace waymark::parser {
 namespace {
@@ -65,11 +66,12 @@ class Experiment {
   void prepare(Convention convention) {
     auto& examples = examples_[static_cast<std::size_t>(convention)];
     examples = make_examples(train_, executors_, convention).sentences;
-    find_programs(examples, executors_, PostfixGrammar(maps_.front().vocabulary()), options_.train.threads,
-                  [&](double) {
-                    if (options_.train.progress) options_.train.progress(0, "searching for programs");
-                    return !options_.train.stop.stop_requested();
-                  });
+    if (!options_.actions)
+      find_programs(examples, executors_, PostfixGrammar(maps_.front().vocabulary()), options_.train.threads,
+                    [&](double) {
+                      if (options_.train.progress) options_.train.progress(0, "searching for programs");
+                      return !options_.train.stop.stop_requested();
+                    });
     for (std::size_t left_out = 0; left_out < maps_.size(); ++left_out) {
       const bool tested = std::any_of(test_.paragraphs.begin(), test_.paragraphs.end(),
                                       [&](const Paragraph& p) { return p.map == maps_[left_out].name(); });
@@ -77,7 +79,8 @@ class Experiment {
       for (std::size_t m = 0; m < maps_.size(); ++m)
         if (m != left_out && !on(convention, {m}).empty()) lessons.push_back(m);
       if (!tested || lessons.empty()) continue;
-      for (std::size_t member = 0; lessons.size() > 1 && member < options_.ensemble; ++member) {
+      for (std::size_t member = 0; lessons.size() > 1 && !options_.actions && member < options_.ensemble;
+           ++member) {
         readers_[{member, convention, lessons}];
         if (!options_.train.chooser) continue;
         for (std::size_t m : lessons) readers_[{member, convention, without(lessons, m)}];
@@ -122,6 +125,14 @@ class Experiment {
   }
 
   void finish(Fold& fold, const JobProgress& progress) {
+    if (options_.actions) {
+      const auto follower =
+          learn_actions(on(fold.convention, fold.lessons), executors_, options_for(fold.convention, 0),
+                        [&](double f) { progress(0.9 * f); });
+      fold.scores = evaluate(*follower, test_, maps_[fold.map], fold.convention, &fold.predictions,
+                             options_.train.stop);
+      return;
+    }
     std::vector<Grounder> members;
     for (std::size_t member = 0; member < options_.ensemble; ++member) {
       const TrainOptions options = options_for(fold.convention, member);

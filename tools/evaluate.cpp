@@ -99,6 +99,7 @@ ExitCode run_evaluate(const Options& options, const Session& session) {
   parser::EvaluateOptions evaluate;
   evaluate.train = options.training.settled();
   evaluate.ensemble = options.ensemble;
+  evaluate.actions = options.training.model == "actions";
   evaluate.absolute = options.convention != "relative";
   evaluate.relative = options.convention != "absolute";
   evaluate.train.stop = session.stop;
@@ -134,7 +135,7 @@ Runner setup_evaluate(CLI::App& command) {
   command.add_flag("--leave-one-map-out", options->leave_one_map_out,
                    "train on all maps but one, test on that one, for each map");
   add_data_option(command, options->data);
-  add_training_options(command, options->training);
+  add_training_options(command, options->training, {"linear", "encoder-decoder", "actions"});
   command.add_option("--convention", options->convention, "what an unknown start heading counts as")
       ->check(CLI::IsMember({"absolute", "relative", "both"}))
       ->capture_default_str();
@@ -142,7 +143,9 @@ Runner setup_evaluate(CLI::App& command) {
       ->type_name("COUNT")
       ->check(CLI::Range(1, 100))
       ->capture_default_str();
-  command.add_option("--predictions", options->predictions, "write what was answered to every sentence, as JSON Lines")
+  command
+      .add_option("--predictions", options->predictions,
+                  "write what was answered to every sentence, as JSON Lines")
       ->type_name("FILE");
   command.add_flag("--json", options->json, "one JSON object");
   return [options](const Session& session) { return run_evaluate(*options, session); };

@@ -33,8 +33,9 @@ ExitCode run_train(const Options& options, const Session& session) {
   train.progress = [&](double fraction, std::string_view what) { bar.show(fraction, what); };
   std::string bytes;
   try {
-    bytes = parser::serialize_within(parser::linear_model_of(parser::train(corpus, maps_of(corpus, options.data), train)),
-                                     parser::most_bytes);
+    bytes = parser::serialize_within(
+        parser::linear_model_of(parser::train(corpus, maps_of(corpus, options.data), train)),
+        parser::most_bytes);
   } catch (const parser::Stopped&) {
     throw Interrupted();
   }
@@ -75,7 +76,7 @@ Runner setup_train(CLI::App& command) {
   command.add_option("--out", options->out, "the model file; written whole or not at all")
       ->type_name("FILE")
       ->required();
-  add_training_options(command, options->training);
+  add_training_options(command, options->training, {"linear", "encoder-decoder"});
   command.add_option("--convention", options->convention, "what an unknown start heading counts as")
       ->check(CLI::IsMember({"absolute", "relative"}))
       ->capture_default_str();

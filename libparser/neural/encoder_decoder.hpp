@@ -11,10 +11,9 @@
 #include <string>
 #include <vector>
 
-#include "libneural/attention_decoder.hpp"
-#include "libneural/lstm.hpp"
 #include "libparser/features.hpp"
 #include "libparser/neural/network_options.hpp"
+#include "libparser/neural/sentence_encoder.hpp"
 #include "libparser/neural/typed_postfix.hpp"
 
 namespace waymark::parser {
@@ -28,12 +27,6 @@ struct NetworkSentence {
 
 // A history: the last K symbols, the latest first; `symbols` stands for none.
 using History = std::vector<Symbol>;
-
-// What a pass in training leaves out at random; nothing otherwise.
-struct Dropout {
-  double signals = 0, words = 0;  // of embeddings and h; of words, read as unknown
-  neural::Uniform uniform = {};
-};
 
 class EncoderDecoder {
  public:
@@ -67,19 +60,12 @@ class EncoderDecoder {
     }  // by sentence: [words × choices]
 
    private:
-    void drop(neural::Matrix& signals, neural::Matrix& mask, const Dropout& dropout) const;
-    neural::AttentionDecoder::Sequences sequences() const;
-
     const EncoderDecoder* network_ = nullptr;
     const neural::Parameters* parameters_ = nullptr;
-    std::vector<std::size_t> order_;       // sentences, the longest first
-    std::vector<Index> columns_of_words_;  // element by element, sentence by sentence: its packed column
-    std::vector<std::uint32_t> words_;     // by packed column
-    neural::Packing packing_{std::span<const Index>{}};
-    std::vector<Index> h_begin_, begin_;
+    SentenceEncoder::Pass encoder_;
+    std::vector<Index> begin_;
     std::vector<History> histories_;
-    neural::Matrix embedded_, embedded_mask_, h_, h_mask_, e_, marks_, x_, dx_, dembedded_;
-    neural::BidirectionalLstm::Signals encoder_;
+    neural::Matrix marks_, x_, dx_;
     neural::AttentionDecoder::Signals decoder_;
   };
 
@@ -88,8 +74,8 @@ class EncoderDecoder {
   WordTable words_;
   NetworkOptions options_;
   neural::Parameters parameters_;
-  neural::Block word_, phi_;
-  neural::BidirectionalLstm encoder_;
+  neural::Block phi_;
+  SentenceEncoder encoder_;
   neural::AttentionDecoder decoder_;
 };
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <thread>
 
 #include "libneural/adam.hpp"
@@ -54,7 +53,7 @@ class Learner {
         frame_(executors.front().map().vocabulary()),
         images_(mirror_images(frame_.vocabulary())),
         place_numbers_(place_numbers(frame_.vocabulary())),
-        network_(TypedPostfix(frame_.grammar(), frame_.columns()), words_of(examples), how_.sizes,
+        network_(TypedPostfix(frame_.grammar(), frame_.columns()), words_met_twice(examples), how_.sizes,
                  [this] { return random_.unit(); }),
         adam_(network_.parameters(), {.rate = how_.rate}) {
     for (std::size_t s = 0; s < shards; ++s) shards_.emplace_back(network_, executors, options, s);
@@ -98,17 +97,6 @@ class Learner {
     Feedback feedback;
     EncoderDecoder::Pass pass;
   };
-
-  // Words met twice: from one alone there is nothing to learn. Both sides are there for mirror images.
-  static WordTable words_of(std::span<const Example* const> examples) {
-    std::map<std::string, int> counts;
-    WordTable words;
-    for (const char* side : {"left", "right"}) words.add(side);
-    for (const Example* example : examples)
-      for (const std::string& word : example->input.tokens)
-        if (++counts[word] == 2) words.add(word);
-    return words;
-  }
 
   bool explores(int epoch) const {
     return how_.search == ProgramSearch::Beam ||

@@ -27,8 +27,8 @@ parser::Grounder read_model(const ModelOptions& options, const std::string& data
 namespace {
 
 template <class Value>
-void add_choice(CLI::App& command, const std::string& name, Value& value, const std::map<std::string, Value>& choices,
-                const std::string& help) {
+void add_choice(CLI::App& command, const std::string& name, Value& value,
+                const std::map<std::string, Value>& choices, const std::string& help) {
   std::vector<std::string> names;
   for (const auto& [choice, meaning] : choices) names.push_back(choice);
   command
@@ -41,7 +41,8 @@ void add_choice(CLI::App& command, const std::string& name, Value& value, const 
 void add_network_options(CLI::App& command, parser::NetworkTraining& network) {
   using namespace parser;
   const std::string group = "Encoder-decoder";
-  const auto number = [&](const std::string& name, auto& value, const std::string& help, const CLI::Validator& range) {
+  const auto number = [&](const std::string& name, auto& value, const std::string& help,
+                          const CLI::Validator& range) {
     command.add_option(name, value, help)->type_name("N")->check(range)->capture_default_str()->group(group);
   };
   add_choice<Objective>(command, "--objective", network.objective,
@@ -54,13 +55,18 @@ void add_network_options(CLI::App& command, parser::NetworkTraining& network) {
                             {"progression", FeedbackKind::Progression},
                             {"discriminating", FeedbackKind::Discriminating}},
                            "what is rewarded: plan (the default), progression, discriminating");
-  add_choice<ProgramSearch>(command, "--search", network.search,
-                            {{"consistent", ProgramSearch::Consistent}, {"beam", ProgramSearch::Beam}},
-                            "where programs come from: consistent (the default), or the randomised beam alone");
+  add_choice<ProgramSearch>(
+      command, "--search", network.search,
+      {{"consistent", ProgramSearch::Consistent}, {"beam", ProgramSearch::Beam}},
+      "where programs come from: consistent (the default), or the randomised beam alone");
   number("--rate", network.rate, "learning rate of Adam", CLI::PositiveNumber);
   number("--epsilon", network.epsilon, "of the randomised beam", CLI::Range(0.0, 1.0));
   number("--train-beam", network.beam, "places of the randomised beam", CLI::Range(1, 1000));
   number("--beta", network.beta, "of the meritocratic objective", CLI::Range(0.0, 1.0));
+  number("--least", network.least,
+         "consistent programs of less prior weight, compared with the best, are left out",
+         CLI::Range(0.0, 1.0));
+  number("--batch", network.batch, "sentences a step", CLI::Range(1, 10000));
   number("--dropout", network.dropout, "share of signals left out in training", CLI::Range(0.0, 0.9));
   number("--word-size", network.sizes.word, "of embeddings of words", CLI::Range(1, 1000));
   number("--width", network.sizes.width, "of each LSTM", CLI::Range(1, 1000));
@@ -71,11 +77,12 @@ void add_network_options(CLI::App& command, parser::NetworkTraining& network) {
 
 }  // namespace
 
-void add_training_options(CLI::App& command, TrainingOptions& options) {
+void add_training_options(CLI::App& command, TrainingOptions& options,
+                          const std::vector<std::string>& models) {
   parser::TrainOptions& train = options.train;
-  command.add_option("--model", options.model, "kind of reader: linear or encoder-decoder")
+  command.add_option("--model", options.model, "what is learned")
       ->type_name("KIND")
-      ->check(CLI::IsMember({"linear", "encoder-decoder"}))
+      ->check(CLI::IsMember(models))
       ->capture_default_str();
   command.add_option("--seed", train.seed, "same seed, same machine, same bytes")
       ->type_name("N")
@@ -92,8 +99,9 @@ void add_training_options(CLI::App& command, TrainingOptions& options) {
       ->capture_default_str();
   command.add_flag("--chooser,!--no-chooser", train.chooser,
                    "a chooser on the map decides between the ends that readings lead to (on)");
-  command.add_flag("--plain", options.plain,
-                   "as the paper has it: no lexicon, no prior on wording, no mirror images, every route alike");
+  command.add_flag(
+      "--plain", options.plain,
+      "as the paper has it: no lexicon, no prior on wording, no mirror images, every route alike");
   add_network_options(command, train.network);
 }
 

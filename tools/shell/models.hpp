@@ -29,7 +29,8 @@ struct TrainingOptions {
   bool plain = false;
   parser::TrainOptions settled() const;  // with what depends on several of them
 };
-void add_training_options(CLI::App& command, TrainingOptions& options);
+void add_training_options(CLI::App& command, TrainingOptions& options,
+                          const std::vector<std::string>& models);
 
 // Those that came with the corpus, else those that come with waymark.
 std::vector<plan::Map> maps_of(const parser::Corpus& corpus, const std::string& data);
