@@ -41,8 +41,11 @@ AttentionDecoder::AttentionDecoder(Parameters& parameters, const Sizes& sizes, c
 
 void AttentionDecoder::forward(const Parameters& parameters, const Sequences& in, const ConstView& x,
                                Signals& s) const {
-  const Index n = x.cols(), w = sizes_.width;
-  assert(x.rows() == sizes_.inputs && in.begin.back() == n && in.h_begin.back() == in.h->cols());
+  const Index n = in.begin.back(), w = sizes_.width;
+  assert(x.rows() == sizes_.inputs && static_cast<Index>(in.said.size()) == n &&
+         in.h_begin.back() == in.h->cols());
+  s.from_x.setZero(w, x.cols());
+  add_product(parameters.value(from_x_), x, s.from_x);
   Matrix said(w, in.e->cols());
   said.colwise() = parameters.value(bias_).col(0);
   add_product(parameters.value(from_e_), *in.e, said);
@@ -51,9 +54,9 @@ void AttentionDecoder::forward(const Parameters& parameters, const Sequences& in
   s.q_and_c.resize(w + sizes_.encoded, n);
   auto q = s.q_and_c.topRows(w);
   for (std::size_t i = 0; i + 1 < in.begin.size(); ++i)
-    q.middleCols(in.begin[i], size(in.begin, i)).colwise() = said.col(static_cast<Index>(i));
-  add_product(parameters.value(from_x_), x, q);
-  q = q.cwiseMax(0.0F);
+    for (Index j = in.begin[i]; j < in.begin[i + 1]; ++j)
+      q.col(j) = (said.col(static_cast<Index>(i)) + s.from_x.col(in.said[static_cast<std::size_t>(j)]))
+                     .cwiseMax(0.0F);
   s.weights.resize(in.begin.size() - 1);
   s.q_and_c.bottomRows(sizes_.encoded).setZero();
   for (std::size_t i = 0; i + 1 < in.begin.size(); ++i) {
@@ -80,7 +83,7 @@ void AttentionDecoder::forward(const Parameters& parameters, const Sequences& in
 void AttentionDecoder::backward(Parameters& parameters, const Sequences& in, const ConstView& x, Signals& s,
                                 View dx) const {
   const Parameters& constant = parameters;
-  const Index n = x.cols(), w = sizes_.width, encoded = sizes_.encoded;
+  const Index n = in.begin.back(), w = sizes_.width, encoded = sizes_.encoded;
   assert(s.dscores.cols() == n && s.dscores.rows() == sizes_.symbols);
   s.dq_and_c.setZero(w + encoded, n);
   if (in.marks != nullptr) {
@@ -127,9 +130,11 @@ void AttentionDecoder::backward(Parameters& parameters, const Sequences& in, con
   add_product_transposed(dsaid, *in.e, parameters.gradient(from_e_));
   s.de.setZero(encoded, in.e->cols());
   add_transposed_product(constant.value(from_e_), dsaid, s.de);
-  add_product_transposed(dq, x, parameters.gradient(from_x_));
+  s.from_x.setZero();  // ∂ from here on
+  for (Index j = 0; j < n; ++j) s.from_x.col(in.said[static_cast<std::size_t>(j)]) += dq.col(j);
+  add_product_transposed(s.from_x, x, parameters.gradient(from_x_));
   dx.setZero();
-  add_transposed_product(constant.value(from_x_), dq, dx);
+  add_transposed_product(constant.value(from_x_), s.from_x, dx);
 }
 
 }  // namespace waymark::neural

@@ -28,8 +28,10 @@ class AttentionDecoder {
     const Matrix* e = nullptr;       // [encoded × sequences]
     const Matrix* marks = nullptr;   // m [symbols × sequences], or none
     std::span<const Index> begin;    // by sequence, and the end: its choices
+    std::span<const Index> said;     // by choice: its column of x; many choices share one
   };
   struct Signals {                // of one pass, and of the pass back through it
+    Matrix from_x;                // W_x x
     Matrix keys;                  // W_a h
     Matrix q_and_c;               // [width + encoded × choices]
     Matrix y;                     // W_s [q; c]

@@ -1,13 +1,16 @@
 // waymark evaluate: corpus → accuracy, leaving one map out.
 #include <CLI/App.hpp>
+#include <algorithm>
 #include <iomanip>
 #include <iostream>
 #include <memory>
 
+#include "libltl/print.hpp"
 #include "libparser/evaluate.hpp"
 #include "libparser/sail_corpus.hpp"
 #include "tools/shell/models.hpp"
 #include "tools/shell/options.hpp"
+#include "tools/shell/output.hpp"
 #include "tools/subcommand.hpp"
 
 namespace waymark::tools {
@@ -63,6 +66,33 @@ Json json_of(const parser::Evaluation& evaluation) {
   return json.add("seconds", evaluation.seconds);
 }
 
+// One object a line, so that anyone can score the answers again.
+void write_predictions(const std::string& file, const parser::Evaluation& evaluation,
+                       std::span<const plan::Map> maps) {
+  std::string lines;
+  for (const parser::Prediction& prediction : evaluation.predictions) {
+    const plan::Map& map = *std::find_if(maps.begin(), maps.end(),
+                                         [&](const plan::Map& m) { return m.name() == prediction.map; });
+    ltl::Arena arena(map.vocabulary());
+    const auto pose = [&](plan::PoseId p) {
+      const plan::Pose at = map.pose(p);
+      return JsonArray().add(at.x).add(at.y).add(at.heading);
+    };
+    JsonObject line;
+    line.add("id", prediction.id)
+        .add("map", prediction.map)
+        .add("convention", std::string(parser::name(prediction.convention)))
+        .add("start", pose(prediction.start));
+    if (!prediction.answer.program.empty())
+      line.add("formula", ltl::print(parser::formula_of(prediction.answer.program, arena)));
+    line.add("probability", prediction.answer.probability)
+        .add("end", pose(prediction.answer.end))
+        .add("gold_end", pose(prediction.gold_end));
+    lines += line.text() + '\n';
+  }
+  write_file(file, lines);
+}
+
 void print_row(const std::string& name, const parser::Scores& scores) {
   const auto cell = [](const Percent& percent) {
     std::cout << std::setw(10) << (percent.total == 0 ? "-" : fixed(percent.value(), 2));
@@ -105,14 +135,15 @@ ExitCode run_evaluate(const Options& options, const Session& session) {
   evaluate.train.stop = session.stop;
   ProgressBar bar;
   evaluate.train.progress = [&](double fraction, std::string_view what) { bar.show(fraction, what); };
+  const std::vector<plan::Map> maps = maps_of(corpus, options.data);
   std::optional<parser::Evaluation> evaluation;
   try {
-    evaluation = parser::evaluate_leave_one_map_out(corpus, test ? &*test : nullptr,
-                                                    maps_of(corpus, options.data), evaluate);
+    evaluation = parser::evaluate_leave_one_map_out(corpus, test ? &*test : nullptr, maps, evaluate);
   } catch (const parser::Stopped&) {
     throw Interrupted();
   }
   bar.wipe();
+  if (!options.predictions.empty()) write_predictions(options.predictions, *evaluation, maps);
   if (options.json)
     std::cout << json_of(*evaluation).text() << '\n';
   else

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 
 #include "libltl/random.hpp"
 #include "libneural/adam.hpp"
@@ -60,7 +61,7 @@ class ActionNetwork {
   struct Pass {
     SentenceEncoder::Pass encoder;
     neural::AttentionDecoder::Signals decoder;
-    std::vector<Index> begin;
+    std::vector<Index> begin, said;
     Matrix x, dx;
     std::vector<std::vector<Index>> rows;  // by choice: columns of seen_
   };
@@ -75,6 +76,8 @@ class ActionNetwork {
     const Index size = options_.symbol;
     pass.x.setZero((options_.history + 1) * size, static_cast<Index>(moments.size()));
     pass.rows.assign(moments.size(), {});
+    pass.said.resize(moments.size());
+    std::iota(pass.said.begin(), pass.said.end(), Index{0});
     std::size_t sentence = 0;
     for (std::size_t c = 0; c < moments.size(); ++c) {
       while (static_cast<Index>(c) >= pass.begin[sentence + 1]) ++sentence;
@@ -87,7 +90,8 @@ class ActionNetwork {
           pass.rows[c].push_back(seen[sentence].images[p]);
       for (Index p : pass.rows[c]) column.tail(size) += parameters.value(seen_).col(p);
     }
-    decoder_.forward(parameters, pass.encoder.sequences(pass.begin, nullptr), pass.x, pass.decoder);
+    decoder_.forward(parameters, pass.encoder.sequences(pass.begin, pass.said, nullptr), pass.x,
+                     pass.decoder);
     return pass.decoder.scores;
   }
 
@@ -95,7 +99,8 @@ class ActionNetwork {
     const Index size = options_.symbol;
     pass.decoder.dscores = dscores;
     pass.dx.resize(pass.x.rows(), pass.x.cols());
-    decoder_.backward(parameters, pass.encoder.sequences(pass.begin, nullptr), pass.x, pass.decoder, pass.dx);
+    decoder_.backward(parameters, pass.encoder.sequences(pass.begin, pass.said, nullptr), pass.x,
+                      pass.decoder, pass.dx);
     for (std::size_t c = 0; c < moments.size(); ++c) {
       const auto column = pass.dx.col(static_cast<Index>(c));
       for (Index k = 0; k < options_.history; ++k)

@@ -74,16 +74,23 @@ void EncoderDecoder::Pass::encode(const EncoderDecoder& network, const neural::P
 
 const Matrix& EncoderDecoder::Pass::decode(std::span<const Index> begin, std::span<const History> histories) {
   begin_.assign(begin.begin(), begin.end());
-  histories_.assign(histories.begin(), histories.end());
+  said_.clear();
+  index_.clear();
+  histories_.clear();
+  for (const History& history : histories) {
+    const auto [it, is_new] = index_.try_emplace(history, static_cast<Index>(histories_.size()));
+    if (is_new) histories_.push_back(&it->first);
+    said_.push_back(it->second);
+  }
   const Index size = network_->options_.symbol;
   const auto phi = parameters_->value(network_->phi_);
-  x_.resize(size * network_->options_.history, static_cast<Index>(histories.size()));
+  x_.resize(size * network_->options_.history, static_cast<Index>(histories_.size()));
   for (Index c = 0; c < x_.cols(); ++c)
     for (Index k = 0; k < network_->options_.history; ++k)
       x_.col(c).segment(k * size, size) =
-          phi.col(histories[static_cast<std::size_t>(c)][static_cast<std::size_t>(k)]);
+          phi.col((*histories_[static_cast<std::size_t>(c)])[static_cast<std::size_t>(k)]);
   const neural::Matrix* const marks = network_->options_.lexicon ? &marks_ : nullptr;
-  network_->decoder_.forward(*parameters_, encoder_.sequences(begin_, marks), x_, decoder_);
+  network_->decoder_.forward(*parameters_, encoder_.sequences(begin_, said_, marks), x_, decoder_);
   return decoder_.scores;
 }
 
@@ -92,12 +99,12 @@ void EncoderDecoder::Pass::backward(neural::Parameters& parameters, const Matrix
   decoder_.dscores = dscores;
   dx_.resize(x_.rows(), x_.cols());
   const neural::Matrix* const marks = network_->options_.lexicon ? &marks_ : nullptr;
-  network_->decoder_.backward(parameters, encoder_.sequences(begin_, marks), x_, decoder_, dx_);
+  network_->decoder_.backward(parameters, encoder_.sequences(begin_, said_, marks), x_, decoder_, dx_);
   const Index size = network_->options_.symbol;
   auto dphi = parameters.gradient(network_->phi_);
   for (Index c = 0; c < dx_.cols(); ++c)
     for (Index k = 0; k < network_->options_.history; ++k)
-      dphi.col(histories_[static_cast<std::size_t>(c)][static_cast<std::size_t>(k)]) +=
+      dphi.col((*histories_[static_cast<std::size_t>(c)])[static_cast<std::size_t>(k)]) +=
           dx_.col(c).segment(k * size, size);
   encoder_.backward(parameters, decoder_.dh, decoder_.de);
 }

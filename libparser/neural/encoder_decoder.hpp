@@ -6,7 +6,7 @@
 // typed_postfix.hpp; what a sentence mentions by the lexicon is marked, when `lexicon` is set. One pass takes a batch
 // of sentences with any number of choices each, so a trie of formulas costs one pass.
 #pragma once
-#include <array>
+#include <map>
 #include <span>
 #include <string>
 #include <vector>
@@ -63,8 +63,9 @@ class EncoderDecoder {
     const EncoderDecoder* network_ = nullptr;
     const neural::Parameters* parameters_ = nullptr;
     SentenceEncoder::Pass encoder_;
-    std::vector<Index> begin_;
-    std::vector<History> histories_;
+    std::vector<Index> begin_, said_;
+    std::vector<const History*> histories_;  // each once
+    std::map<History, Index> index_;
     neural::Matrix marks_, x_, dx_;
     neural::AttentionDecoder::Signals decoder_;
   };

@@ -28,7 +28,7 @@ enum class ProgramSearch : std::uint8_t {
 
 struct NetworkTraining {
   NetworkOptions sizes = {};
-  int epochs = 10;
+  int epochs = 4;
   std::size_t batch = 16;  // sentences
   double rate = 3e-3;      // Adam, falling linearly to nothing
   double dropout = 0.25, word_dropout = 0.05;

@@ -78,9 +78,9 @@ std::vector<Candidate> best_programs(const EncoderDecoder& network, const Networ
     const neural::Index begin[] = {0, static_cast<neural::Index>(batch.size())};
     const neural::Matrix& scores = pass.decode(begin, histories);
     for (std::size_t i = 0; i < batch.size(); ++i) {
-      log_softmax(scores, static_cast<neural::Index>(i), masks.of(prefixes[batch[i]].state),
-                  sentence.forbidden, log_p.data());
-      for (Symbol v = 0; v < log_p.size(); ++v) {
+      const ChoiceMask& mask = masks.of(prefixes[batch[i]].state);
+      log_softmax(scores, static_cast<neural::Index>(i), mask, sentence.forbidden, log_p.data());
+      for (const Symbol v : mask.allowed) {
         if (!(prefixes[batch[i]].log_probability + log_p[v] > least)) continue;
         prefixes.push_back(extended(prefixes[batch[i]], v, log_p[v], masks));
         open.push({prefixes.back().log_probability, prefixes.size() - 1});
@@ -133,9 +133,10 @@ std::vector<std::vector<Candidate>> randomised_beam(const EncoderDecoder& networ
       std::vector<Continuation> all;
       for (std::size_t i = 0; i < beams[s].size(); ++i) {
         const Prefix& prefix = beams[s][i];
-        log_softmax(scores, begin[s] + static_cast<neural::Index>(i), masks.of(prefix.state),
-                    sentences[s]->forbidden, log_p.data());
-        for (Symbol v = 0; v < log_p.size(); ++v)
+        const ChoiceMask& mask = masks.of(prefix.state);
+        log_softmax(scores, begin[s] + static_cast<neural::Index>(i), mask, sentences[s]->forbidden,
+                    log_p.data());
+        for (const Symbol v : mask.allowed)
           if (log_p[v] > -INFINITY) all.push_back({i, v, log_p[v], prefix.log_probability + log_p[v]});
       }
       std::vector<Prefix> next;

@@ -33,9 +33,9 @@ class SentenceEncoder {
     void backward(neural::Parameters& parameters, neural::Matrix& dh, const neural::Matrix& de);
 
     // What a decoder looks at: [width × words], sentence by sentence; [width × sentences].
-    neural::AttentionDecoder::Sequences sequences(std::span<const Index> begin,
+    neural::AttentionDecoder::Sequences sequences(std::span<const Index> begin, std::span<const Index> said,
                                                   const neural::Matrix* marks) const {
-      return {&h_, h_begin_, &e_, marks, begin};
+      return {&h_, h_begin_, &e_, marks, begin, said};
     }
 
    private:

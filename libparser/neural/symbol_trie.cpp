@@ -15,22 +15,25 @@ const ChoiceMask& ChoiceMasks::of(const TypedState& state) {
                             std::uint64_t{p.turns} << 3U | std::uint64_t{p.oriented} << 2U |
                             std::uint64_t{p.stayed} << 1U | std::uint64_t{p.ended};
   const auto [it, is_new] = made_.try_emplace(key);
-  if (is_new) it->second = {symbols_->allowed(state), symbols_->forced(state)};
+  if (is_new) {
+    const std::vector<bool> allowed = symbols_->allowed(state);
+    for (Symbol v = 0; v < allowed.size(); ++v)
+      if (allowed[v]) it->second.allowed.push_back(v);
+    it->second.forced = symbols_->forced(state);
+  }
   return it->second;
 }
 
 void log_softmax(const neural::ConstView& scores, Index column, const ChoiceMask& mask,
                  const std::vector<bool>& forbidden, float* log_p) {
   float highest = -INFINITY, total = 0;
-  const auto n = static_cast<std::size_t>(scores.rows());
-  for (std::size_t v = 0; v < n; ++v) {
-    log_p[v] = mask.allowed[v] && !forbidden[v] ? scores(static_cast<Index>(v), column) : -INFINITY;
+  for (const Symbol v : mask.allowed) {
+    log_p[v] = forbidden[v] ? -INFINITY : scores(v, column);
     highest = std::max(highest, log_p[v]);
   }
-  for (std::size_t v = 0; v < n; ++v)
-    if (log_p[v] != -INFINITY) total += std::exp(log_p[v] - highest);
+  for (const Symbol v : mask.allowed) total += std::exp(log_p[v] - highest);
   const float logarithm = highest + std::log(total);
-  for (std::size_t v = 0; v < n; ++v) log_p[v] -= logarithm;
+  for (const Symbol v : mask.allowed) log_p[v] -= logarithm;
 }
 
 bool SymbolTrie::add(const Program& program, double weight, ChoiceMasks& masks, const History& first) {
@@ -100,7 +103,8 @@ void SymbolTrie::backpropagate(const Likelihoods& likelihoods, std::span<const f
     };
     for (const Child& child : nodes_[n].children) below[n] += part(child);
     const float* const log_p = likelihoods.symbols.data() + n * width;
-    for (std::size_t v = 0; v < width; ++v) column(static_cast<Index>(v)) = -below[n] * std::exp(log_p[v]);
+    column.setZero();
+    for (const Symbol v : nodes_[n].mask->allowed) column(v) = -below[n] * std::exp(log_p[v]);
     for (const Child& child : nodes_[n].children) column(child.symbol) += part(child);
   }
 }

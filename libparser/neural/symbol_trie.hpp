@@ -15,7 +15,7 @@ namespace waymark::parser {
 
 // What may follow a prefix.
 struct ChoiceMask {
-  std::vector<bool> allowed;     // by symbol
+  std::vector<Symbol> allowed;
   std::optional<Symbol> forced;  // the only one, when there is just one
 };
 
@@ -31,7 +31,7 @@ class ChoiceMasks {
   std::unordered_map<std::uint64_t, ChoiceMask> made_;  // by the state
 };
 
-// log p over the allowed symbols of a column of scores; −∞ elsewhere. log_p: [symbols]
+// log p of the allowed symbols, from a column of scores; other entries are left alone. log_p: [symbols]
 void log_softmax(const neural::ConstView& scores, neural::Index column, const ChoiceMask& mask,
                  const std::vector<bool>& forbidden, float* log_p);
 
