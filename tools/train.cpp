@@ -3,7 +3,6 @@
 #include <iostream>
 #include <memory>
 
-#include "libparser/beam.hpp"
 #include "libparser/learn.hpp"
 #include "libparser/sail_corpus.hpp"
 #include "libparser/weights_file.hpp"
@@ -33,9 +32,8 @@ ExitCode run_train(const Options& options, const Session& session) {
   train.progress = [&](double fraction, std::string_view what) { bar.show(fraction, what); };
   std::string bytes;
   try {
-    bytes = parser::serialize_within(
-        parser::linear_model_of(parser::train(corpus, maps_of(corpus, options.data), train)),
-        parser::most_bytes);
+    bytes = parser::serialize_within(parser::train(corpus, maps_of(corpus, options.data), train),
+                                     parser::most_bytes);
   } catch (const parser::Stopped&) {
     throw Interrupted();
   }

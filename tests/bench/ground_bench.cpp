@@ -31,7 +31,7 @@ struct Workload {
       }
   }
   plan::Map map = plan::read_map("grid", data);
-  LinearModel model = load_linear_model(data + "/models/linear.waymark");
+  Grounder model = load_grounder(data + "/models/linear.waymark");
   std::vector<std::string> texts;
   std::vector<plan::PoseId> starts;
 };
@@ -42,7 +42,7 @@ const Workload& workload() {
 }
 
 void load(benchmark::State& state) {
-  for (auto _ : state) benchmark::DoNotOptimize(load_linear_model(data + "/models/linear.waymark"));
+  for (auto _ : state) benchmark::DoNotOptimize(load_grounder(data + "/models/linear.waymark"));
 }
 BENCHMARK(load)->Unit(benchmark::kMillisecond);
 
@@ -50,10 +50,7 @@ void read(benchmark::State& state) {
   const Workload& w = workload();
   std::size_t i = 0;
   for (auto _ : state) {
-    const SentenceFeatures features =
-        sentence_features({tokenize(w.texts[i++ % w.texts.size()]), false}, w.model.words);
-    Scorer scorer(w.model, features);
-    benchmark::DoNotOptimize(best_programs(scorer, w.model.grammar(), 64));
+    benchmark::DoNotOptimize(w.model.reader->read({tokenize(w.texts[i++ % w.texts.size()]), false}, 64));
   }
   state.SetItemsProcessed(state.iterations());
 }

@@ -29,8 +29,8 @@ std::string sealed(std::string body) {
 
 void read(std::string_view bytes) {
   try {
-    const std::string written = parser::serialize(parser::parse_linear_model(bytes));
-    if (parser::serialize(parser::parse_linear_model(written)) != written) std::abort();
+    const std::string written = parser::serialize(parser::parse_grounder(bytes));
+    if (parser::serialize(parser::parse_grounder(written)) != written) std::abort();
   } catch (const ltl::FormatError&) {
   }
 }

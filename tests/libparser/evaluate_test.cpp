@@ -26,7 +26,8 @@ TEST(Evaluate, CountsSentencesParagraphsAndNodesByHand) {
                        {"b", "grid", "", {turn}},
                        {"c", "grid", "", {}},
                        {"d", "l", "", {walk}}};
-  const Scores s = evaluate(GroundingFollower({grounder_of(std::move(model))}, {}), corpus, grid, Convention::Absolute);
+  const Scores s =
+      evaluate(GroundingFollower({grounder_of(std::move(model))}, {}), corpus, grid, Convention::Absolute);
   EXPECT_EQ(s.sentence.absolute.hits, 1U);
   EXPECT_EQ(s.sentence.absolute.total, 3U);
   EXPECT_EQ(s.sentence.relative.total, 0U);

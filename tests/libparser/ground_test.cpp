@@ -14,9 +14,9 @@ namespace {
 // With the shipped model, on sentences of our own.
 class Ground : public testing::Test {
  protected:
-  static const LinearModel& model() {
-    static const LinearModel shipped =
-        load_linear_model(std::filesystem::path(WAYMARK_SOURCE_DIR) / "data" / "models" / "linear.waymark");
+  static const Grounder& model() {
+    static const Grounder shipped =
+        load_grounder(std::filesystem::path(WAYMARK_SOURCE_DIR) / "data" / "models" / "linear.waymark");
     return shipped;
   }
 

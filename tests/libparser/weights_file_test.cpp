@@ -85,11 +85,11 @@ TEST(WeightsFile, IsWrittenWholeOrNotAtAll) {
   const auto directory =
       std::filesystem::temp_directory_path() / ("waymark_weights_" + std::to_string(getpid()));
   std::filesystem::create_directories(directory);
-  save(some_model(), directory / "a.waymark");
-  EXPECT_EQ(serialize(load_linear_model(directory / "a.waymark")), serialize(some_model()));
+  save(grounder_of(some_model()), directory / "a.waymark");
+  EXPECT_EQ(serialize(load_grounder(directory / "a.waymark")), serialize(some_model()));
   EXPECT_EQ(std::distance(std::filesystem::directory_iterator(directory), {}), 1);
-  EXPECT_THROW(save(some_model(), directory / "missing" / "a.waymark"), ltl::FormatError);
-  EXPECT_THROW(load_linear_model(directory / "b.waymark"), ltl::FormatError);
+  EXPECT_THROW(save(grounder_of(some_model()), directory / "missing" / "a.waymark"), ltl::FormatError);
+  EXPECT_THROW(load_grounder(directory / "b.waymark"), ltl::FormatError);
   std::filesystem::remove_all(directory);
 }
 

@@ -21,7 +21,7 @@ void add_model_options(CLI::App& command, ModelOptions& options) {
 parser::Grounder read_model(const ModelOptions& options, const std::string& data) {
   const std::string file =
       options.file.empty() ? (data_directory(data) / "models" / "linear.waymark").string() : options.file;
-  return parser::grounder_of(parser::parse_linear_model(read_file(file), file));
+  return parser::parse_grounder(read_file(file), file);
 }
 
 namespace {
