@@ -15,7 +15,7 @@ namespace {
 
 using Node = Mtbdd::Node;
 
-constexpr std::size_t few_kinds = 128;
+constexpr std::size_t few_kinds = 512;
 
 // Each branch of the one has a better one among the others, as far as is known.
 bool is_covered(std::span<const Branch> branches, std::span<const Branch> better, const StatePairs& below) {
@@ -58,8 +58,13 @@ class OnKinds {
     return changed;
   }
   bool is_below(std::span<const std::uint32_t> q, std::span<const std::uint32_t> r) {
+    const auto fails_on = [&](std::size_t kind) { return q[kind] != r[kind] && !covered(q[kind], r[kind]); };
+    if (fails_on(telling_)) return false;
     for (std::size_t kind = 0; kind < q.size(); ++kind)
-      if (q[kind] != r[kind] && !covered(q[kind], r[kind])) return false;
+      if (fails_on(kind)) {
+        telling_ = kind;
+        return false;
+      }
     return true;
   }
   bool covered(std::uint32_t c, std::uint32_t d) {
@@ -74,6 +79,7 @@ class OnKinds {
   StatePairs& below_;
   Effort& effort_;
   std::size_t choices_;
+  std::size_t telling_ = 0;    // a kind that has just told two states apart is looked at first
   std::vector<Answer> known_;  // [c · choices + d]: is c covered by d?
 };
 
