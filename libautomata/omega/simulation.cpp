@@ -45,6 +45,12 @@ std::vector<Branch> unique(std::vector<Branch> branches) {
   return branches;
 }
 
+bool is_identity(const std::vector<std::uint32_t>& representative) {
+  for (std::uint32_t q = 0; q < representative.size(); ++q)
+    if (representative[q] != q) return false;
+  return true;
+}
+
 // Classes numbered by first member; `kept` holds the representatives.
 struct Merging {
   std::vector<std::uint32_t> kept, number;  // number: new state of an old one
@@ -62,8 +68,8 @@ Merging merging(const std::vector<std::uint32_t>& representative) {
   return out;
 }
 
-Branching merged(const Branching& automaton, const StatePairs& below) {
-  const std::vector<std::uint32_t> representative = representatives(below);
+Branching merged(const Branching& automaton, const StatePairs& below,
+                 const std::vector<std::uint32_t>& representative) {
   const Merging merge = merging(representative);
   Branching out = rebuild(automaton, merge.kept, [&](std::uint32_t, std::span<const Branch> choice) {
     std::vector<Branch> branches(choice.begin(), choice.end());
@@ -144,6 +150,7 @@ Quotient bisimulation(const Branching& automaton, Effort& effort) {
       representative[q] = first[at->second];
     }
     class_of = std::move(next);
+    if (names.size() == automaton.states()) return {automaton, std::move(representative)};
     if (names.size() == classes) {
       Merging merge = merging(representative);
       Branching out = rebuild(automaton, merge.kept, [&](std::uint32_t, std::span<const Branch> choice) {
@@ -185,8 +192,8 @@ const Simulations::Relations& Simulations::with_backwards() {
 
 Branching Simulations::quotient() {
   const StatePairs& below = *with_forwards().forwards;
-  Branching out = merged(automaton_, below);
-  return out.states() == automaton_.states() ? pruned(automaton_, below) : out;
+  const std::vector<std::uint32_t> representative = representatives(below);
+  return is_identity(representative) ? pruned(automaton_, below) : merged(automaton_, below, representative);
 }
 
 Branching Simulations::reverse_quotient(const std::vector<bool>& colour) {
@@ -197,7 +204,7 @@ Branching Simulations::reverse_quotient(const std::vector<bool>& colour) {
     for (std::uint32_t r = 0; r < q && representative[q] == q; ++r)
       if (colour[q] == colour[r] && below(q, r) && below(r, q)) representative[q] = r;
   }
-  return united(automaton_, representative, effort_);
+  return is_identity(representative) ? automaton_ : united(automaton_, representative, effort_);
 }
 
 Branching Simulations::without_overtaken() {
