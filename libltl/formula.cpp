@@ -5,7 +5,6 @@
 #include <limits>
 #include <memory_resource>
 #include <unordered_map>
-#include <unordered_set>
 
 namespace waymark::ltl {
 
@@ -203,15 +202,19 @@ Formula always_within(std::size_t k, Formula f) {
 }
 
 std::vector<Formula> subformulas(Formula f) {
-  std::vector<Formula> out, stack{f};
-  std::unordered_set<Formula> seen{f};
-  while (!stack.empty()) {
-    out.push_back(stack.back());
-    stack.pop_back();
-    for (Formula operand : out.back().operands())
-      if (seen.insert(operand).second) stack.push_back(operand);
+  std::vector<Formula> out, heap{f};  // the largest id first: operands have smaller ones
+  while (!heap.empty()) {
+    std::pop_heap(heap.begin(), heap.end());
+    const Formula g = heap.back();
+    heap.pop_back();
+    if (!out.empty() && out.back() == g) continue;
+    out.push_back(g);
+    for (Formula operand : g.operands()) {
+      heap.push_back(operand);
+      std::push_heap(heap.begin(), heap.end());
+    }
   }
-  std::sort(out.begin(), out.end());  // operands have smaller ids
+  std::reverse(out.begin(), out.end());
   return out;
 }
 

@@ -1,7 +1,8 @@
 #include "libltl/nnf.hpp"
 
-#include <unordered_map>
 #include <vector>
+
+#include "libltl/by_subformula.hpp"
 
 namespace waymark::ltl {
 namespace {
@@ -46,14 +47,13 @@ Both normal_forms(Formula f, const std::vector<Both>& operands, bool expand) {
 }
 
 Formula transform(Formula f, bool expand) {
-  std::unordered_map<Formula, Both> image;
   std::vector<Both> operands;
-  for (Formula g : subformulas(f)) {
+  const auto both = [&](Formula g, const BySubformula<Both>& known) {
     operands.clear();
-    for (Formula operand : g.operands()) operands.push_back(image.at(operand));
-    image.emplace(g, normal_forms(g, operands, expand));
-  }
-  return image.at(f).yes;
+    for (Formula operand : g.operands()) operands.push_back(known.at(operand));
+    return normal_forms(g, operands, expand);
+  };
+  return BySubformula<Both>(f, both).top().yes;
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <unordered_map>
 #include <vector>
 
+#include "libltl/by_subformula.hpp"
 #include "libltl/nnf.hpp"
 
 namespace waymark::ltl {
@@ -19,19 +20,20 @@ class Separation {
   explicit Separation(Arena& arena) : arena_(arena) {}
 
   Purity purity(Formula f) {
+    if (const auto known = known_.find(f); known != known_.end()) return known->second;
     for (Formula g : subformulas(f))
       if (!known_.contains(g)) known_.emplace(g, compute(g));
     return known_.at(f);
   }
 
   Formula pass(Formula f) {
-    std::unordered_map<Formula, Formula> image;
-    for (Formula g : subformulas(f)) {
-      std::vector<Formula> operands;
+    std::vector<Formula> operands;
+    const auto rewritten = [&](Formula g, const BySubformula<Formula>& image) {
+      operands.clear();
       for (Formula operand : g.operands()) operands.push_back(image.at(operand));
-      image.emplace(g, rewrite(g, operands));
-    }
-    return image.at(f);
+      return rewrite(g, operands);
+    };
+    return BySubformula<Formula>(f, rewritten).top();
   }
 
  private:

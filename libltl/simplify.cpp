@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "libltl/by_subformula.hpp"
 #include "libltl/nnf.hpp"
 #include "libltl/progress.hpp"
 #include "libltl/rewrite_rules.hpp"
@@ -54,20 +55,22 @@ class Simplifier {
   Formula pass(Formula f) {
     const bool careful = over_ == Over::Rest;
     const std::unordered_set<Formula> top = careful ? top_layer(f) : std::unordered_set<Formula>{};
-    std::unordered_map<Formula, Formula> inner, outer;
+    std::unordered_map<Formula, Formula> outer;
     std::vector<Formula> operands;
-    for (Formula g : subformulas(f)) {
+    const auto rewritten = [&](Formula g, const BySubformula<Formula>& inner) {
       operands.clear();
       for (Formula operand : g.operands()) operands.push_back(inner.at(operand));
-      inner.emplace(g, rewrite(rebuild(g, operands), false));
-      if (!top.contains(g)) continue;
+      const Formula image = rewrite(rebuild(g, operands), false);
+      if (!top.contains(g)) return image;
       if (is_boolean(g.op())) {
         operands.clear();
         for (Formula operand : g.operands()) operands.push_back(outer.at(operand));
       }
       outer.emplace(g, rewrite(rebuild(g, operands), true));
-    }
-    return careful ? outer.at(f) : inner.at(f);
+      return image;
+    };
+    const BySubformula<Formula> inner(f, rewritten);
+    return careful ? outer.at(f) : inner.top();
   }
 
  private:

@@ -34,7 +34,7 @@ class Unmarked {
 
 }  // namespace
 
-Branching fewest_marks(const Branching& automaton, Effort& effort) {
+std::optional<Branching> fewest_marks(const Branching& automaton, Effort& effort) {
   const BranchGraph graph(automaton);
   std::map<std::pair<std::uint32_t, Branch>, Marks> lost;
   for (std::uint32_t mark = 0; mark < automaton.acceptance.sets; ++mark) {
@@ -50,6 +50,7 @@ Branching fewest_marks(const Branching& automaton, Effort& effort) {
         all = all | Marks::of(mark);
       }
   }
+  if (lost.empty()) return std::nullopt;
   std::vector<std::uint32_t> kept(automaton.states());
   std::iota(kept.begin(), kept.end(), 0U);
   return rebuild(automaton, kept, [&](std::uint32_t source, std::span<const Branch> choice) {

@@ -33,9 +33,11 @@ constexpr std::size_t reduction_steps = 30'000'000;
 constexpr std::size_t least_steps = 100'000;    // of one attempt, when those before it have spent nearly all
 constexpr std::size_t guess_steps = 2'000'000;  // to find out whether a formula is an obligation
 constexpr std::size_t guess_states = 2'000;
-constexpr std::size_t worth_reducing = 8;     // a tableau with more states than so many times a product's
-constexpr std::size_t few_states = 50;        // … and this many more is dropped,
-constexpr std::size_t many_states = 300;      // … and one with so many that has not fewer than a product
+constexpr std::size_t worth_reducing = 8;  // a tableau with more states than so many times a product's
+constexpr std::size_t few_states = 50;     // … and this many more is dropped,
+constexpr std::size_t many_states = 300;   // … and one with so many that has not fewer than a product
+constexpr std::size_t worth_again = 3;     // a second tableau has at most so many times the best one's states
+constexpr std::size_t few_again = 8;       // … and this many more
 constexpr std::size_t merge_steps = 500'000;  // to find states of one language
 constexpr std::size_t merge_states = 200;
 constexpr std::size_t merged_languages = 60;  // states of deterministic automata whose languages are compared
@@ -62,7 +64,8 @@ class Construction {
     std::optional<Candidate> best = products();
     if (best) most_ = worth_trying(best->automaton.states());
     best = smallest(std::move(best), direct(formula_));
-    if (best && !best->weak && best->automaton.states() > 2) best = smallest(std::move(best), unseparated());
+    if (best && !best->weak && best->automaton.states() > 2)
+      best = smallest(std::move(best), unseparated(best->automaton));
     return best;
   }
 
@@ -147,7 +150,7 @@ class Construction {
   // The smallest of some ways to count levels, until one needs no more states than `enough`.
   void put_marks_on_states(const Candidate& general, std::size_t enough, std::optional<Candidate>& best) {
     Effort effort(reduction_steps, SIZE_MAX, limits_.stop);
-    const auto few = within([&] { return fewest_marks(general.automaton, effort); });
+    const auto few = within([&] { return fewest_marks(general.automaton, effort); }).value_or(std::nullopt);
     for (const Branching* from : {&general.automaton, few ? &*few : nullptr})
       for (const LevelRule rule : {LevelRule{false, true, false}, LevelRule{false, false, false},
                                    LevelRule{true, true, false}, LevelRule{true, false, false}}) {
@@ -174,9 +177,10 @@ class Construction {
   }
 
   // The tableau of the formula in which nothing was pulled out, where that makes a difference.
-  std::optional<Candidate> unseparated() {
+  std::optional<Candidate> unseparated(const Branching& best) {
     if (forms_.plain == formula_) return std::nullopt;
-    const auto raw = raw_tableau(forms_.plain, guess_steps, std::min(guess_states, most_));
+    const auto raw = raw_tableau(forms_.plain, guess_steps,
+                                 std::min({guess_states, most_, worth_again * best.states() + few_again}));
     if (!raw) return std::nullopt;
     routes_.push_back(reduced(merged(*raw), MarksOn::Edges));
     return routes_.back();
@@ -221,6 +225,8 @@ class Construction {
     std::optional<Candidate> best;
     if (auto weak = trimmed_weak(f, tableau_steps, limits_.states))
       best = Candidate{*std::move(weak), true, true};
+    // What has an automaton of one state has a minimal deterministic one of one state, if it is an obligation.
+    if (best && best->automaton.states() <= 2) return best;
     const std::size_t most = best ? std::min(guess_states, 4 * best->automaton.states()) : limits_.states;
     if (const auto raw = raw_tableau(f, best ? guess_steps : tableau_steps, most))
       best = smallest(std::move(best), reduced(merged(*raw), MarksOn::Edges));

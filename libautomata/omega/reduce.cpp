@@ -1,5 +1,6 @@
 #include "libautomata/omega/reduce.hpp"
 
+#include <algorithm>
 #include <array>
 #include <optional>
 #include <vector>
@@ -27,30 +28,37 @@ class Steps {
   // What the first step that makes the automaton smaller makes of it.
   std::optional<Branching> improved(const Branching& automaton) {
     const std::vector<bool> colour = colours(automaton, marks_);
+    const Size most = size(automaton);
     Simulations plain(automaton, effort_);
-    if (auto out = smaller(automaton, plain.quotient())) return out;
-    if (auto out = smaller(automaton, plain.reverse_quotient(colour))) return out;
+    if (auto out = smaller(most, plain.quotient())) return out;
+    if (auto out = smaller(most, plain.reverse_quotient(colour))) return out;
     if (automaton.states() > many_states) return std::nullopt;
-    if (auto out = smaller(automaton, plain.without_overtaken())) return out;
+    if (auto out = smaller(most, plain.without_overtaken())) return out;
     if (marks_ == MarksOn::States) return std::nullopt;
     const std::optional<Branching> freed = with_free_marks(automaton);
     if (!freed) return std::nullopt;
     Simulations free(*freed, effort_);
-    if (auto out = smaller(automaton, free.reverse_quotient(colour))) return out;
-    return smaller(automaton, free.quotient());
+    if (auto out = smaller(most, free.reverse_quotient(colour))) return out;
+    return smaller(most, free.quotient());
   }
 
  private:
   // States, edges, and branches of choices: a branch may go on some letters and stay on others.
-  static std::array<std::size_t, 3> size(const Branching& a) {
+  using Size = std::array<std::size_t, 3>;
+  static Size size(const Branching& a) {
     ChoiceLists lists(a);
-    std::size_t branches = 0;
-    for (std::uint32_t q = 0; q < a.states(); ++q)
-      for (std::uint32_t c : lists.of(q)) branches += a.choices[c].size();
-    return {a.states(), count_edges(a), branches};
+    std::size_t edges = 0, branches = 0;
+    std::vector<Branch> all;
+    for (std::uint32_t q = 0; q < a.states(); ++q) {
+      all.clear();
+      for (std::uint32_t c : lists.of(q)) all.insert(all.end(), a.choices[c].begin(), a.choices[c].end());
+      branches += all.size();
+      std::sort(all.begin(), all.end());
+      edges += static_cast<std::size_t>(std::unique(all.begin(), all.end()) - all.begin());
+    }
+    return {a.states(), edges, branches};
   }
-  std::optional<Branching> smaller(const Branching& before, const Branching& after) const {
-    const auto most = size(before);
+  std::optional<Branching> smaller(const Size& most, const Branching& after) const {
     if (!(size(after) < most)) return std::nullopt;
     Branching filtered = scc_filter(after, marks_, effort_);
     if (!(size(filtered) < most)) return std::nullopt;

@@ -1,10 +1,8 @@
-// Simulation between the states of an automaton, and what it allows to merge and to drop.
+// What the simulations between the states of an automaton allow to merge and to drop.
 //
-// q ≤ r: whatever letter is read, each branch (m, s) of q has a branch (m′, s′) of r with m ⊆ m′ and s ≤ s′. The
-// greatest such relation is found by pairwise comparison of diagrams with early exit, repeated until nothing changes;
-// no letter is listed. States that simulate each other are merged ([EWS05] has the proof for direct simulation), a
-// branch goes when its choice has a better one ([EH00] "little brothers"). Reverse simulation is the same on
-// reversed diagrams, the initial state related to itself only [SB00]. Both together prune more than either [MC13].
+// States that simulate each other are merged ([EWS05] has the proof for direct simulation), a branch goes when its
+// choice has a better one ([EH00] "little brothers"). The same holds backwards. Both together prune more than either
+// [MC13]. How the relations are found: greatest_simulation.hpp.
 #pragma once
 #include <memory>
 #include <vector>

@@ -7,6 +7,7 @@
 
 #include "libautomata/omega/emptiness.hpp"
 #include "libltl/implication.hpp"
+#include "libltl/pair_memo.hpp"
 #include "libltl/separate.hpp"
 
 namespace waymark::automata {
@@ -127,16 +128,18 @@ class Construction {
   }
 
   std::uint32_t state_of(Formula f) {
-    if (const auto known = number_of_.find(f.id()); known != number_of_.end()) return known->second;
+    if (const std::uint32_t* known = number_of_.find(f.id(), 0)) return *known;
     const Node root = successors(f);
-    const auto [at, fresh] = number_.try_emplace(root.id, static_cast<std::uint32_t>(order_.size()));
-    if (fresh) {
+    const std::uint32_t* before = number_.find(root.id, 0);
+    const auto number = before != nullptr ? *before : static_cast<std::uint32_t>(order_.size());
+    if (before == nullptr) {
       effort_.state();
       order_.push_back(root);
       meaning_.push_back(f);
+      number_.store(root.id, 0, number);
     }
-    number_of_.emplace(f.id(), at->second);
-    return at->second;
+    number_of_.store(f.id(), 0, number);
+    return number;
   }
 
   std::vector<std::uint32_t> leaves(Node root) {
@@ -162,9 +165,9 @@ class Construction {
   }
 
   Node successors(Formula f) {
-    if (const auto known = successors_.find(f); known != successors_.end()) return known->second;
+    if (const Node* known = successors_.find(f.id(), 0)) return *known;
     const Node root = expand(f);
-    successors_.emplace(f, root);
+    successors_.store(f.id(), 0, root);
     return root;
   }
 
@@ -263,8 +266,7 @@ class Construction {
   }
 
   std::uint32_t product(std::uint32_t f, std::uint32_t g) {
-    const auto [at, fresh] = products_.try_emplace(std::uint64_t{f} << 32U | g, 0);
-    if (!fresh) return at->second;
+    if (const std::uint32_t* known = products_.find(f, g)) return *known;
     std::vector<Branch> all;
     for (const Branch& a : choices_[f])
       for (const Branch& b : choices_[g]) {
@@ -272,7 +274,9 @@ class Construction {
         const Formula next = conjunction(arena_.formula(a.target), arena_.formula(b.target));
         if (next.op() != Op::False) all.push_back({next.id(), a.marks | b.marks});
       }
-    return at->second = antichain(std::move(all));
+    const std::uint32_t made = antichain(std::move(all));
+    products_.store(f, g, made);
+    return made;
   }
   std::uint32_t sum(std::uint32_t f, std::uint32_t g) {
     std::vector<Branch> all(choices_[f].begin(), choices_[f].end());
@@ -307,13 +311,13 @@ class Construction {
   Mtbdd diagram_;    // terminals are choices
   Choices choices_;  // branches: target is the id of a formula, marks are promises
   Mtbdd::Operation and_, or_;
-  std::unordered_map<std::uint64_t, std::uint32_t> products_;
+  ltl::PairMemo<std::uint32_t> products_;  // of two choices
   std::unordered_map<Formula, std::uint32_t> promises_;
-  std::unordered_map<Formula, Node> successors_;
-  std::vector<Node> order_;                                     // roots of states
-  std::vector<Formula> meaning_;                                // of states
-  std::unordered_map<std::uint32_t, std::uint32_t> number_;     // state of a root
-  std::unordered_map<std::uint32_t, std::uint32_t> number_of_;  // … of a formula
+  ltl::PairMemo<Node> successors_;          // of (formula, 0)
+  std::vector<Node> order_;                 // roots of states
+  std::vector<Formula> meaning_;            // of states
+  ltl::PairMemo<std::uint32_t> number_;     // state of (root, 0)
+  ltl::PairMemo<std::uint32_t> number_of_;  // … of (formula, 0)
   std::uint32_t round_ = 1;
   std::vector<std::uint32_t> node_seen_, choice_seen_;     // in which round
   std::vector<std::optional<std::vector<Branch>>> edges_;  // by state, where they were asked for
