@@ -1,10 +1,10 @@
 #include "libplan/product/task_table.hpp"
 
 #include <algorithm>
-#include <map>
-#include <optional>
+#include <utility>
 
 #include "libautomata/scc.hpp"
+#include "libplan/product/letter_classes.hpp"
 
 namespace waymark::plan {
 
@@ -16,23 +16,12 @@ struct TaskTable::Unordered {
   std::vector<bool> goal;
 };
 
-// The classes of the letters, and of each class a letter over the automaton's vocabulary.
 std::vector<ltl::Letter> TaskTable::classify(const Letters& letters, const ltl::Vocabulary& vocabulary,
                                              const std::vector<ltl::Proposition>& reads) {
-  std::vector<std::optional<ltl::Proposition>> theirs;
-  for (ltl::Proposition p : reads) theirs.push_back(letters.vocabulary().find(vocabulary.name(p)));
-  std::map<std::vector<ltl::Proposition>, std::uint32_t> seen;
-  std::vector<ltl::Letter> representatives;
-  for (std::uint32_t i = 0; i < letters.size(); ++i) {
-    ltl::Letter ours;
-    for (std::size_t v = 0; v < reads.size(); ++v)
-      if (theirs[v] && letters[LetterId{i}].contains(*theirs[v])) ours.insert(reads[v]);
-    const auto [at, fresh] = seen.try_emplace(ours.members(), static_cast<std::uint32_t>(seen.size()));
-    if (fresh) representatives.push_back(ours);
-    class_.push_back(at->second);
-  }
-  classes_ = static_cast<std::uint32_t>(representatives.size());
-  return representatives;
+  LetterClasses classes = letter_classes(letters, vocabulary, reads);
+  class_ = std::move(classes.of);
+  classes_ = static_cast<std::uint32_t>(classes.representatives.size());
+  return std::move(classes.representatives);
 }
 
 TaskTable::TaskTable(const automata::Dfa& dfa, const Letters& letters) {

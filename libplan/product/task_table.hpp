@@ -50,6 +50,7 @@ class TaskTable {
   static std::span<const std::uint32_t> list(const Lists& lists, std::uint32_t q) {
     return {lists.values.data() + lists.first[q], lists.values.data() + lists.first[q + 1]};
   }
+  // A letter over the automaton's vocabulary for every class.
   std::vector<ltl::Letter> classify(const Letters& letters, const ltl::Vocabulary& vocabulary,
                                     const std::vector<ltl::Proposition>& reads);
   void adopt(const Unordered& unordered);
