@@ -16,4 +16,8 @@ struct LetterClasses {
 LetterClasses letter_classes(const Letters& letters, const ltl::Vocabulary& vocabulary,
                              const std::vector<ltl::Proposition>& reads);
 
+// Letters over one vocabulary as an automaton over another one reads them.
+std::vector<ltl::Letter> as_read(const std::vector<ltl::Letter>& letters, const ltl::Vocabulary& from,
+                                 const ltl::Vocabulary& to, const std::vector<ltl::Proposition>& reads);
+
 }  // namespace waymark::plan

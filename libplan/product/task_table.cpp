@@ -86,6 +86,7 @@ void TaskTable::adopt(const Unordered& unordered) {
     if (i == 0 || found.of[found.order[i]] != found.of[found.order[i - 1]]) components_.push_back(i);
   }
   components_.push_back(size);
+  origin_ = found.order;
   if (unordered.initial != lost) initial_ = number[unordered.initial];
   std::vector<std::vector<std::uint32_t>> jumps(size), sources(size), jump_sources(size);
   for (std::uint32_t i = 0; i < size; ++i) {

@@ -5,9 +5,11 @@
 #include <queue>
 #include <stdexcept>
 
+#include "libautomata/omega/emptiness.hpp"
 #include "libltl/print.hpp"
 #include "libltl/semantics.hpp"
 #include "libplan/product/buchi_product.hpp"
+#include "libplan/product/letter_classes.hpp"
 #include "libplan/solve/least_cycle.hpp"
 #include "libplan/solve/mean_cycle.hpp"
 
@@ -130,10 +132,19 @@ ChoiceRoute route_of(const BuchiProduct& product, std::uint32_t from,
   return out;
 }
 
+struct LassoLetters {
+  std::vector<ltl::Letter> prefix, cycle;
+};
+// The letter that the cycle ends with is that of its closing step: the place may carry another one the first time.
 template <class Model>
-std::vector<ltl::Letter> letters_of(const Model& model, const ChoiceRoute& route) {
-  const ltl::Trace word = word_of(model, route);
-  return {word.begin(), word.end()};
+LassoLetters letters_of(const Model& model, const LassoRoute& route) {
+  if (route.prefix.places.front() != model.initial())
+    throw std::logic_error("a lasso that does not begin at the start");
+  if (route.cycle.choices.empty() || route.cycle.places.front() != route.cycle.places.back() ||
+      route.cycle.places.front() != route.prefix.places.back())
+    throw std::logic_error("a lasso that does not close");
+  const ltl::Trace prefix = word_of(model, route.prefix), cycle = word_of(model, route.cycle);
+  return {{prefix.begin(), prefix.end()}, {cycle.begin() + 1, cycle.end()}};
 }
 
 }  // namespace
@@ -168,24 +179,28 @@ std::optional<LassoAnswer> least_lasso(const Model& model, const automata::Autom
   }
 }
 
-// The letter that the cycle ends with is that of its closing step: the place may carry another one the first time.
 template <class Model>
 ltl::Lasso word_of(const Model& model, const LassoRoute& route) {
-  if (route.cycle.choices.empty() || route.cycle.places.front() != route.cycle.places.back() ||
-      route.cycle.places.front() != route.prefix.places.back())
-    throw std::logic_error("a lasso that does not close");
-  std::vector<ltl::Letter> cycle = letters_of(model, route.cycle);
-  cycle.erase(cycle.begin());
-  return ltl::Lasso(letters_of(model, route.prefix), std::move(cycle));
+  const LassoLetters word = letters_of(model, route);
+  return ltl::Lasso(word.prefix, word.cycle);
 }
 
 template <class Model>
 CertifiedLasso certify(LassoRoute route, const Model& model, ltl::Formula f) {
-  if (route.prefix.places.front() != model.initial())
-    throw std::logic_error("a lasso that does not begin at the start");
   if (!ltl::holds(word_of(model, route), f))
     throw std::logic_error("a lasso whose word does not satisfy " + ltl::print(f));
-  return CertifiedLasso(std::move(route));
+  return CertifiedLasso(std::move(route), true);
+}
+
+template <class Model>
+CertifiedLasso certify(LassoRoute route, const Model& model, const automata::Automaton& automaton) {
+  const LassoLetters word = letters_of(model, route);
+  const auto read = [&](const std::vector<ltl::Letter>& letters) {
+    return as_read(letters, model.letters().vocabulary(), automaton.vocabulary(), automaton.reads());
+  };
+  if (!automata::accepts(automaton, ltl::Lasso(read(word.prefix), read(word.cycle))))
+    throw std::logic_error("a lasso whose word the automaton does not accept");
+  return CertifiedLasso(std::move(route), false);
 }
 
 template std::optional<LassoAnswer> least_lasso(const Mdp&, const automata::Automaton&, LassoOrder,
@@ -196,5 +211,7 @@ template ltl::Lasso word_of(const Mdp&, const LassoRoute&);
 template ltl::Lasso word_of(const GridWorld&, const LassoRoute&);
 template CertifiedLasso certify(LassoRoute, const Mdp&, ltl::Formula);
 template CertifiedLasso certify(LassoRoute, const GridWorld&, ltl::Formula);
+template CertifiedLasso certify(LassoRoute, const Mdp&, const automata::Automaton&);
+template CertifiedLasso certify(LassoRoute, const GridWorld&, const automata::Automaton&);
 
 }  // namespace waymark::plan

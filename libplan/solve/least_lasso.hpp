@@ -46,21 +46,29 @@ std::optional<LassoAnswer> least_lasso(const Model& model, const automata::Autom
 template <class Model>
 ltl::Lasso word_of(const Model& model, const LassoRoute& route);
 
-// A lasso that was checked: its steps are steps of the model, its cycle closes, its word ⊨ φ by definition. The only way
-// to get one is certify; what prints or draws a lasso takes this type.
+// A lasso that was checked: its steps are steps of the model, its cycle closes, its word ⊨ φ by definition, or is
+// accepted by an automaton that is taken at its word. The only way to get one is certify; what prints or draws a lasso
+// takes this type.
 class CertifiedLasso {
  public:
   const LassoRoute& route() const { return route_; }
+  bool by_definition() const { return by_definition_; }
 
  private:
   template <class Model>
   friend CertifiedLasso certify(LassoRoute route, const Model& model, ltl::Formula f);
-  explicit CertifiedLasso(LassoRoute route) : route_(std::move(route)) {}
+  template <class Model>
+  friend CertifiedLasso certify(LassoRoute route, const Model& model, const automata::Automaton& automaton);
+  CertifiedLasso(LassoRoute route, bool by_definition)
+      : route_(std::move(route)), by_definition_(by_definition) {}
   LassoRoute route_;
+  bool by_definition_;
 };
-// Throws std::logic_error (we are wrong). O(|DAG| · |route|²).
+// Throw std::logic_error (we are wrong). O(|DAG| · |route|²) and O(|route| · branches).
 template <class Model>
 CertifiedLasso certify(LassoRoute route, const Model& model, ltl::Formula f);
+template <class Model>
+CertifiedLasso certify(LassoRoute route, const Model& model, const automata::Automaton& automaton);
 
 extern template std::optional<LassoAnswer> least_lasso(const Mdp&, const automata::Automaton&, LassoOrder,
                                                        std::size_t, const std::stop_token&);
@@ -70,5 +78,7 @@ extern template ltl::Lasso word_of(const Mdp&, const LassoRoute&);
 extern template ltl::Lasso word_of(const GridWorld&, const LassoRoute&);
 extern template CertifiedLasso certify(LassoRoute, const Mdp&, ltl::Formula);
 extern template CertifiedLasso certify(LassoRoute, const GridWorld&, ltl::Formula);
+extern template CertifiedLasso certify(LassoRoute, const Mdp&, const automata::Automaton&);
+extern template CertifiedLasso certify(LassoRoute, const GridWorld&, const automata::Automaton&);
 
 }  // namespace waymark::plan
