@@ -116,13 +116,13 @@ std::optional<std::size_t> Lexer::number() {
   return value;
 }
 
-// An operator was read; what may follow it directly: [!] or [w] after a next, a bound after F and G.
+// An operator was read; what may follow it directly: [!] or [w] after a next, a bound after F, G and U.
 Token Lexer::operation(Symbol symbol, std::size_t begin) {
   Token token{
       .kind = Token::Kind::Operator, .where = {begin, at_}, .symbol = symbol, .bound = {}, .name = {}};
   if (symbol == Symbol::Next) {
     if (take("[w]") || (!take("[!]") && dialect_ == Dialect::Spot)) token.symbol = Symbol::WeakNext;
-  } else if (symbol == Symbol::Eventually || symbol == Symbol::Always) {
+  } else if (symbol == Symbol::Eventually || symbol == Symbol::Always || symbol == Symbol::Until) {
     const std::size_t end = at_;
     skip_space();
     const bool bracket = take("[<=") || take("[≤") || take("[0:");
@@ -153,6 +153,7 @@ Token Lexer::word() {
   at_ = end;
   Token token{.kind = Token::Kind::Name, .where = {begin, end}, .bound = {}, .name = std::string(word)};
   if (const auto symbol = operator_word(word, notation_)) {
+    if (*symbol == Symbol::Until) return operation(*symbol, begin);
     token.kind = Token::Kind::Operator;
     token.symbol = *symbol;
   } else if (const auto value = constant_word(word, notation_)) {
@@ -188,7 +189,7 @@ void Lexer::fail_on_character() const {
   const Span where{at_, end};
   const std::string shown(text_.substr(at_, end - at_));
   if (is_digit(text_[at_]))
-    fail(where, "expected a formula; numbers other than 0 and 1 must follow F<= or G<=");
+    fail(where, "expected a formula; numbers other than 0 and 1 must follow F<=, G<= or U<=");
   fail(where, "'" + shown + "' starts no part of a formula (names with such characters go in double quotes)");
 }
 

@@ -21,7 +21,7 @@ struct Token {
   Kind kind = Kind::End;
   Span where;
   Symbol symbol = Symbol::Not;       // of an Operator
-  std::optional<std::size_t> bound;  // k of F<=k and G<=k
+  std::optional<std::size_t> bound;  // k of F<=k, G<=k and U<=k
   bool value = false;                // of a Constant
   std::string name;                  // of a Name, quotes and escapes removed
 };

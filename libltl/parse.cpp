@@ -16,6 +16,13 @@
 namespace waymark::ltl {
 namespace {
 
+// φ U<=k ψ = ψ ∨ (φ ∧ X(ψ ∨ (φ ∧ X …))), k strong nexts.
+Formula until_within(std::size_t k, Formula left, Formula right) {
+  Formula out = right;
+  for (std::size_t i = 0; i < k; ++i) out = disjunction(right, conjunction(left, next(out)));
+  return out;
+}
+
 class Builder {
  public:
   Builder(std::string_view text, Arena& arena, Unknown unknown)
@@ -128,12 +135,14 @@ void Builder::apply(const Token& token) {
     const std::size_t depth = left.depth + 1;
     return join(Op::Or, {{negate(close(std::move(left)))}, Op::Atom, depth}, std::move(right), token);
   }
-  const std::size_t depth = std::max(left.depth, right.depth) + 1;
+  const std::size_t depth = std::max(left.depth, right.depth) + (token.bound ? 3 * *token.bound : 1);
+  check(depth, token);
   const Formula a = close(std::move(left)), b = close(std::move(right));
   switch (token.symbol) {
     case Symbol::ExclusiveOr: return push(exclusive_or(a, b), depth, token);
     case Symbol::Iff: return push(iff(a, b), depth, token);
-    case Symbol::Until: return push(until(a, b), depth, token);
+    case Symbol::Until:
+      return push(token.bound ? until_within(*token.bound, a, b) : until(a, b), depth, token);
     case Symbol::Release: return push(release(a, b), depth, token);
     case Symbol::WeakUntil: return push(weak_until(a, b), depth + 1, token);
     case Symbol::StrongRelease: return push(strong_release(a, b), depth + 1, token);

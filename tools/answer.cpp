@@ -19,15 +19,6 @@ JsonObject json_of(const Seconds& seconds, bool grounded) {
       .add("total", seconds.total());
 }
 
-JsonArray json_of(const plan::Route& route, const plan::Map& map) {
-  JsonArray poses;
-  for (const plan::PoseId id : route.poses) {
-    const plan::Pose pose = map.pose(id);
-    poses.add(JsonArray().add(pose.x).add(pose.y).add(pose.heading));
-  }
-  return poses;
-}
-
 std::string place(const plan::Pose& pose) {
   return '(' + std::to_string(pose.x) + ',' + std::to_string(pose.y) + ')';
 }
@@ -44,24 +35,36 @@ std::string in_words(plan::Action action, plan::PoseId from, plan::PoseId to, co
   return words;
 }
 
-void print_route(std::ostream& out, const Terminal& terminal, const plan::Route& route,
-                 const plan::Map& map) {
-  const plan::Pose start = map.pose(route.poses.front());
-  out << "    " << terminal.paint(Paint::Dim, "start") << " at " << place(start) << " facing "
-      << heading_name(start.heading) << '\n';
-  for (std::size_t i = 0; i < route.actions.size(); ++i)
-    out << std::setw(5) << i + 1 << "  "
-        << in_words(route.actions[i], route.poses[i], route.poses[i + 1], map) << '\n';
-}
-
 // What the certificate rests on.
 std::string certifier(const Journey& journey) {
   return std::holds_alternative<plan::CertifiedRoute>(journey.destination) ? "definition" : "automaton";
 }
 
+}  // namespace
+
 std::string milliseconds(double seconds) { return fixed(1000 * seconds, 2) + " ms"; }
 
-}  // namespace
+JsonArray json_of(const plan::Trajectory& trajectory, const plan::Map& map) {
+  JsonArray poses;
+  for (const plan::PoseId id : trajectory.poses) {
+    const plan::Pose pose = map.pose(id);
+    poses.add(JsonArray().add(pose.x).add(pose.y).add(pose.heading));
+  }
+  return poses;
+}
+
+void print_start(std::ostream& out, const Terminal& terminal, plan::PoseId start, const plan::Map& map) {
+  const plan::Pose pose = map.pose(start);
+  out << "    " << terminal.paint(Paint::Dim, "start") << " at " << place(pose) << " facing "
+      << heading_name(pose.heading) << '\n';
+}
+
+void print_steps(std::ostream& out, const plan::Trajectory& trajectory, const plan::Map& map,
+                 std::size_t first) {
+  for (std::size_t i = 0; i < trajectory.actions.size(); ++i)
+    out << std::setw(5) << first + i << "  "
+        << in_words(trajectory.actions[i], trajectory.poses[i], trajectory.poses[i + 1], map) << '\n';
+}
 
 std::string heading_name(int heading) {
   switch (heading) {
@@ -133,7 +136,8 @@ void print(std::ostream& out, const Terminal& terminal, const Answer& answer, co
   if (const plan::Route* route = route_of(journey)) {
     out << label("route") << counted(route->actions.size(), "action") << ", cost " << Json(route->cost).text()
         << ", " << terminal.paint(Paint::Green, "certified") << " by " << certifier(journey) << '\n';
-    print_route(out, terminal, *route, map);
+    print_start(out, terminal, route->poses.front(), map);
+    print_steps(out, *route, map);
   } else {
     out << label("route") << "none: " << std::get<plan::Infeasible>(journey.destination).reason << '\n';
   }

@@ -153,9 +153,12 @@ ExitCode compose_any(const Options& options, const Session& session) {
     return ExitCode::Done;
   }
   if (!options.automaton.empty()) {
-    const plan::TaskAutomaton dfa =
-        automata::read_hoa(read_file(options.automaton), source_name(options.automaton));
-    write_product(model, dfa, {}, options.output, session.stop);
+    const plan::GivenAutomaton given =
+        plan::read_given_automaton(read_file(options.automaton), source_name(options.automaton));
+    const auto automaton =
+        plan::task_automaton(given, plan::CaseTask::Query::MaxProbability, {.stop = session.stop});
+    if (!automaton) throw GaveUp("no automaton for decision processes within the limits");
+    write_product(model, *automaton, {}, options.output, session.stop);
     return ExitCode::Done;
   }
   if (!options.file.empty() && !gives_formula(options)) return compose_tasks(model, options, session);

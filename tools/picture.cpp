@@ -1,6 +1,7 @@
 #include "tools/picture.hpp"
 
 #include "libautomata/dot.hpp"
+#include "libautomata/omega/dot.hpp"
 #include "libltl/print.hpp"
 #include "tools/answer.hpp"
 #include "tools/render/page.hpp"
@@ -16,6 +17,7 @@ std::string caption(const Picture& picture) {
   text += ", from (" + std::to_string(start.x) + ',' + std::to_string(start.y) + ") facing " +
           heading_name(start.heading);
   text += ", " + counted(picture.route->actions.size(), "action");
+  if (picture.for_ever > 0) text += ", the last " + std::to_string(picture.for_ever) + " for ever";
   return picture.certified ? text + ", certified" : text;
 }
 
@@ -33,9 +35,17 @@ void draw(const Picture& picture, const std::string& path) {
     page.automaton = render::lay_out(automata::write_dot(*picture.dfa, look));
     const AutomatonSize size = size_of(*picture.dfa);
     page.automaton_caption = counted(size.states, "state") + ", " + counted(size.edges, "edge");
-    if (!page.automaton)
-      complain("note", "waymark-layout is not installed: the automaton is left out of the picture");
   }
+  if (picture.omega != nullptr) {
+    constexpr std::size_t most_edges = 1000;  // more cannot be read
+    if (const auto dot = automata::write_dot_within(*picture.omega, most_edges))
+      page.automaton = render::lay_out(*dot);
+    page.automaton_caption = counted(picture.omega->states(), "state") + ", " +
+                             counted(automata::count_edges(picture.omega->transitions()), "edge");
+  }
+  if ((picture.dfa != nullptr || picture.omega != nullptr) && !page.automaton)
+    complain("note",
+             "the automaton is left out of the picture: it is too large, or waymark-layout is not installed");
   write_file(path, render::draw_page(page));
 }
 

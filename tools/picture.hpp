@@ -4,6 +4,7 @@
 #include <string>
 
 #include "libautomata/dfa.hpp"
+#include "libautomata/omega/automaton.hpp"
 #include "libltl/formula.hpp"
 #include "libplan/world/trajectory.hpp"
 
@@ -11,11 +12,13 @@ namespace waymark::tools {
 
 struct Picture {
   const plan::Map* map = nullptr;
-  const automata::Dfa* dfa = nullptr;  // may be absent
+  const automata::Dfa* dfa = nullptr;          // may be absent
+  const automata::Automaton* omega = nullptr;  // the same of a task over infinite words
   std::string instruction = {};
   std::optional<ltl::Formula> formula = {};
   std::optional<plan::Trajectory> route = {};
-  bool certified = false;  // the route satisfies the task; otherwise it is only a trajectory of the map
+  std::size_t for_ever = 0;  // so many actions at the end of the route are done again and again
+  bool certified = false;    // the route satisfies the task; otherwise it is only a trajectory of the map
 };
 
 // Writes the SVG to `path`. Without the helper waymark-layout the automaton is left out, and standard error says so.

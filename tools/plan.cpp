@@ -9,6 +9,7 @@
 #include "tools/answer.hpp"
 #include "tools/picture.hpp"
 #include "tools/plan_case.hpp"
+#include "tools/plan_walk.hpp"
 #include "tools/shell/batch.hpp"
 #include "tools/shell/options.hpp"
 #include "tools/shell/output.hpp"
@@ -21,10 +22,12 @@ struct Options {
   TextOptions text;
   NotationOptions notation;
   MapOptions map;
-  std::string start, automaton, svg, hoa;
+  std::string start, automaton, svg, hoa, semantics = "finite";
   bool json = false;
   CaseChoice planning_case;
 };
+
+bool is_infinite(const Options& options) { return options.semantics == "infinite"; }
 
 class Planning {
  public:
@@ -41,17 +44,31 @@ class Planning {
     ltl::Arena arena(map_.vocabulary());
     const ltl::Formula formula =
         parse_formula(text, arena, parse_options(options_.notation, ltl::Unknown::Reject));
+    if (is_infinite(options_)) return plan_lasso(task(formula, nullptr), walk_options(), session_);
     const automata::Dfa dfa = translate(formula, session_.stop);
+    if (options_.planning_case.top > 1)
+      return plan_routes(task(formula, nullptr), dfa, walk_options(), session_);
     return answer(dfa, formula, watch.lap());
   }
 
   ExitCode of_automaton(const std::string& file) {
     StopWatch watch;
-    const automata::Dfa dfa = automata::read_hoa(read_file(file), source_name(file));
-    return answer(dfa, std::nullopt, watch.lap());
+    const plan::GivenAutomaton given = plan::read_given_automaton(read_file(file), source_name(file));
+    const auto* dfa = std::get_if<automata::Dfa>(&given);
+    if (dfa == nullptr || is_infinite(options_))
+      return plan_lasso(task(std::nullopt, &given), walk_options(), session_);
+    if (options_.planning_case.top > 1)
+      return plan_routes(task(std::nullopt, nullptr), *dfa, walk_options(), session_);
+    return answer(*dfa, std::nullopt, watch.lap());
   }
 
  private:
+  WalkTask task(std::optional<ltl::Formula> formula, const plan::GivenAutomaton* given) const {
+    return {map_, starts_, formula, given};
+  }
+  WalkOptions walk_options() const {
+    return {options_.planning_case.order, options_.svg, options_.planning_case.top, options_.json, load_};
+  }
   ExitCode answer(const automata::Dfa& dfa, std::optional<ltl::Formula> formula, double translating) {
     Answer answer{.formula = formula, .journey = travel(map_, dfa, formula, starts_, session_.stop)};
     answer.journey.seconds.load = load_;
@@ -79,25 +96,37 @@ class Planning {
   double load_;
 };
 
+bool gives_formula(const Options& options) {
+  return !options.text.arguments.empty() || !options.text.file.empty();
+}
+
+// What goes with one way of planning only.
+void check(const Options& options) {
+  const CaseChoice& choice = options.planning_case;
+  const bool map = choice.file.empty() && choice.model.empty();
+  if (!map && (is_infinite(options) || !options.svg.empty() || !options.hoa.empty()))
+    throw UsageError("--semantics, --svg and --hoa are for plans on a map");
+  if (map && !choice.strategy.empty()) throw UsageError("--strategy goes with --case and --model");
+  if (map && choice.top > 1 && (is_infinite(options) || !options.svg.empty() || !options.hoa.empty()))
+    throw UsageError("--top is for routes, without --svg, --hoa and --semantics infinite");
+  if (is_infinite(options) && !options.hoa.empty())
+    throw UsageError("--hoa is for finite words; waymark translate writes automata on infinite ones");
+  if (!options.automaton.empty() && gives_formula(options))
+    throw UsageError("give a formula or --automaton, not both");
+}
+
 ExitCode run_plan(const Options& options, const Session& session) {
-  if (!options.planning_case.file.empty()) {
-    if (!options.text.arguments.empty() || !options.text.file.empty() || !options.automaton.empty())
-      throw UsageError("a planning case brings its own formulas");
-    CaseChoice choice = options.planning_case;
-    choice.json = options.json;
+  check(options);
+  CaseChoice choice = options.planning_case;
+  choice.json = options.json;
+  choice.automaton = options.automaton;
+  if (!choice.file.empty()) {
+    if (gives_formula(options) || !options.automaton.empty())
+      throw UsageError("a planning case brings its own formulas; --model takes others");
     return plan_case(choice, session);
   }
-  if (!options.planning_case.model.empty()) {
-    if (!options.automaton.empty()) throw UsageError("--model takes formulas, not --automaton");
-    CaseChoice choice = options.planning_case;
-    choice.json = options.json;
-    return plan_model(choice, options.text, options.start, session);
-  }
-  if (!options.automaton.empty()) {
-    if (!options.text.arguments.empty() || !options.text.file.empty())
-      throw UsageError("give a formula or --automaton, not both");
-    return Planning(options, session).of_automaton(options.automaton);
-  }
+  if (!choice.model.empty()) return plan_model(choice, options.text, options.start, session);
+  if (!options.automaton.empty()) return Planning(options, session).of_automaton(options.automaton);
   TextReader texts(options.text, "formula");
   if (texts.is_batch() && (!options.svg.empty() || !options.hoa.empty()))
     throw UsageError("--svg and --hoa are for a single formula given as an argument");
@@ -124,6 +153,12 @@ Runner setup_plan(CLI::App& command) {
   command.add_flag("--json", options->json, "one JSON object a line");
   command.add_option("--svg", options->svg, "draw map, route and automaton")->type_name("FILE");
   command.add_option("--hoa", options->hoa, "write the automaton")->type_name("FILE");
+  command
+      .add_option(
+          "--semantics", options->semantics,
+          "on a map: a route to where the formula holds, or a lasso, a route without end that it holds on")
+      ->check(CLI::IsMember({"finite", "infinite"}))
+      ->capture_default_str();
   add_case_options(command, options->planning_case);
   return [options](const Session& session) { return run_plan(*options, session); };
 }

@@ -10,9 +10,11 @@
 #include "libltl/diagnostic.hpp"
 #include "libplan/model/read_model.hpp"
 #include "libplan/solve/case_task.hpp"
+#include "tools/automaton_output.hpp"
 #include "tools/shell/batch.hpp"
 #include "tools/shell/deadline.hpp"
 #include "tools/shell/json.hpp"
+#include "tools/shell/options.hpp"
 #include "tools/shell/output.hpp"
 
 namespace waymark::tools {
@@ -26,6 +28,11 @@ plan::CaseMethod method_of(const std::string& name) {
   if (name == "vi") return plan::CaseMethod::ValueIteration;
   if (name == "pi") return plan::CaseMethod::PolicyIteration;
   return plan::CaseMethod::Best;
+}
+
+plan::LassoOrder order_of(const std::string& name) {
+  if (name == "cycle") return plan::LassoOrder::Cycle;
+  return name == "mean" ? plan::LassoOrder::Mean : plan::LassoOrder::Prefix;
 }
 
 std::string_view name(Status status) {
@@ -52,6 +59,13 @@ double peak_mib() {  // of the process so far
   return static_cast<double>(usage.ru_maxrss) / 1024;
 }
 
+JsonObject json_of(const plan::NamedRoute& route) {
+  JsonArray places, actions;
+  for (const std::string& place : route.places) places.add(place);
+  for (const std::string& action : route.actions) actions.add(action);
+  return JsonObject().add("places", places).add("actions", actions).add("cost", route.cost);
+}
+
 JsonObject json_of(const plan::PlanningCase& planning_case, const plan::CaseTask& task,
                    const CaseAnswer& answer) {
   const bool valued = answer.status != Status::Exhausted;
@@ -71,6 +85,15 @@ JsonObject json_of(const plan::PlanningCase& planning_case, const plan::CaseTask
                           .add("solve", answer.seconds.solve))
       .add("peak_mib", peak_mib())
       .add("status", name(answer.status));
+  if (answer.lasso)
+    out.add("prefix", json_of(answer.lasso->prefix))
+        .add("cycle", json_of(answer.lasso->cycle))
+        .add("rounds", answer.lasso->rounds);
+  if (!answer.routes.empty()) {
+    JsonArray routes;
+    for (const plan::NamedRoute& route : answer.routes) routes.add(json_of(route));
+    out.add("routes", routes);
+  }
   if (!answer.reason.empty()) out.add("reason", answer.reason);
   if (!answer.dropped.empty()) {
     JsonArray dropped;
@@ -92,44 +115,112 @@ void print(const plan::CaseTask& task, const CaseAnswer& answer) {
   for (std::size_t i = 0; i < answer.dropped.size(); ++i)
     std::cout << (i == 0 ? "; possible without " : " and ") << answer.dropped[i];
   std::cout << '\n';
+  const auto walk = [](const std::string& label, const plan::NamedRoute& route) {
+    std::cout << "  " << label << ", cost " << route.cost << ": " << route.places.front();
+    for (std::size_t i = 0; i < route.actions.size(); ++i)
+      std::cout << ' ' << route.actions[i] << ' ' << route.places[i + 1];
+    std::cout << '\n';
+  };
+  for (std::size_t i = 0; i < answer.routes.size(); ++i)
+    walk("route " + std::to_string(i + 1), answer.routes[i]);
+  if (!answer.lasso) return;
+  walk("prefix", answer.lasso->prefix);
+  walk(answer.lasso->rounds == 1 ? "cycle" : "cycle of " + std::to_string(answer.lasso->rounds) + " rounds",
+       answer.lasso->cycle);
 }
 
-// Throws as plan::answer.
-ExitCode answer_task(const plan::PlanningCase& planning_case, const plan::CaseTask& task,
-                     const CaseChoice& choice, const Session& session) {
-  const Deadline deadline(choice.limit_seconds, session.stop);
-  const CaseAnswer answer = plan::answer(
-      planning_case, task,
-      {.method = method_of(choice.method), .tolerance = choice.tolerance, .stop = deadline.token()});
-  if (choice.json)
-    std::cout << json_of(planning_case, task, answer).text() << '\n';
-  else
-    print(task, answer);
-  return exit_code(answer.status);
-}
-
-// What is wrong with the formula or query of a task is reported like any other bad line.
-ExitCode try_task(const plan::PlanningCase& planning_case, const plan::CaseTask& task,
-                  const CaseChoice& choice, const Session& session) {
-  try {
-    return answer_task(planning_case, task, choice, session);
-  } catch (const ltl::SyntaxError& error) {
-    complain("error", "task " + task.id + ": " + error.what());
-  } catch (const std::invalid_argument& error) {
-    complain("error", "task " + task.id + ": " + error.what());
+// One object that says what the strategy is worth and which automaton it follows, then one for every state that it meets.
+std::string written(const plan::PlanningCase& planning_case, const plan::CaseTask& task,
+                    const CaseAnswer& answer) {
+  const CaseAnswer::Written& strategy = *answer.strategy;
+  const std::string hoa =
+      std::visit([&](const auto& a) { return show(a, {.name = task.formula}, {.one_line = true}).text; },
+                 strategy.automaton);
+  std::string out = JsonObject()
+                        .add("case", planning_case.name)
+                        .add("task", task.id)
+                        .add("query", plan::name(task.query))
+                        .add("formula", task.formula.empty() ? Json() : Json(task.formula))
+                        .add("lower", answer.value.lower)
+                        .add("upper", answer.value.upper)
+                        .add("re_evaluated", JsonObject()
+                                                 .add("lower", strategy.re_evaluated.lower)
+                                                 .add("upper", strategy.re_evaluated.upper))
+                        .add("decisions", strategy.decisions.size())
+                        .add("automaton", hoa)
+                        .text() +
+                    '\n';
+  for (const plan::Decision& decision : strategy.decisions) {
+    JsonObject line;
+    line.add("state", decision.place).add("task", decision.task);
+    if (decision.jump == plan::Decision::no_jump)
+      line.add("action", decision.action);
+    else
+      line.add("jump", decision.jump);
+    out += line.text() + '\n';
   }
-  return ExitCode::BadInput;
+  return out;
 }
+
+class TaskAnswers {
+ public:
+  TaskAnswers(const plan::PlanningCase& planning_case, const CaseChoice& choice, const Session& session)
+      : case_(planning_case), choice_(choice), session_(session) {}
+
+  // Throws as plan::answer.
+  ExitCode answer(const plan::CaseTask& task, const plan::GivenAutomaton* given = nullptr) {
+    const Deadline deadline(choice_.limit_seconds, session_.stop);
+    const plan::CaseOptions options{.method = method_of(choice_.method),
+                                    .tolerance = choice_.tolerance,
+                                    .discount = choice_.discount,
+                                    .order = order_of(choice_.order),
+                                    .top = choice_.top,
+                                    .strategy = !choice_.strategy.empty(),
+                                    .stop = deadline.token()};
+    const CaseAnswer answer =
+        given != nullptr ? plan::answer(case_, task, *given, options) : plan::answer(case_, task, options);
+    if (choice_.json)
+      std::cout << json_of(case_, task, answer).text() << '\n';
+    else
+      print(task, answer);
+    if (answer.strategy) strategies_ += written(case_, task, answer);
+    return exit_code(answer.status);
+  }
+
+  // What is wrong with the formula or query of a task is reported like any other bad line.
+  ExitCode try_task(const plan::CaseTask& task) {
+    try {
+      return answer(task);
+    } catch (const ltl::SyntaxError& error) {
+      complain("error", "task " + task.id + ": " + error.what());
+    } catch (const std::invalid_argument& error) {
+      complain("error", "task " + task.id + ": " + error.what());
+    }
+    return ExitCode::BadInput;
+  }
+
+  void write_strategies() const {
+    if (!choice_.strategy.empty()) write_file(choice_.strategy, strategies_);
+  }
+
+ private:
+  const plan::PlanningCase& case_;
+  const CaseChoice& choice_;
+  const Session& session_;
+  std::string strategies_;
+};
 
 plan::CaseTask task_of(const Text& text, const CaseChoice& choice) {
   using Query = plan::CaseTask::Query;
   using Logic = plan::CaseTask::Logic;
   plan::CaseTask task{.id = text.source.empty() ? "formula" : "line " + std::to_string(text.line),
                       .formula = text.text};
-  task.query = choice.query == "pmax"   ? Query::MaxProbability
-               : choice.query == "pmin" ? Query::MinProbability
-               : choice.query == "rmin" ? Query::MinCost
-                                        : Query::MinSteps;
+  task.query = choice.query == "pmax"         ? Query::MaxProbability
+               : choice.query == "pmin"       ? Query::MinProbability
+               : choice.query == "rmin"       ? Query::MinCost
+               : choice.query == "lasso"      ? Query::LeastLasso
+               : choice.query == "discounted" ? Query::Discounted
+                                              : Query::MinSteps;
   task.logic = task.query == Query::MinSteps ? Logic::Ltlf : Logic::Ltl;
   return task;
 }
@@ -151,9 +242,29 @@ void add_case_options(CLI::App& command, CaseChoice& choice) {
       .add_option(
           "--query", choice.query,
           "with --model: greatest or least probability, least expected cost until the formula is sure to "
-          "hold; steps: least cost of a finite word")
-      ->check(CLI::IsMember({"pmax", "pmin", "rmin", "steps"}))
+          "hold; steps: least cost of a finite word; lasso: a walk without end; discounted: greatest "
+          "expected "
+          "reward")
+      ->check(CLI::IsMember({"pmax", "pmin", "rmin", "steps", "lasso", "discounted"}))
       ->capture_default_str();
+  command.add_option("--discount", choice.discount, "of query discounted, for every action after the first")
+      ->check(CLI::Range(0.0, 1.0))
+      ->capture_default_str();
+  command
+      .add_option("--order", choice.order,
+                  "of lassos: least prefix, then cycle; least cycle, then prefix; least mean cost a round of "
+                  "the cycle, then prefix")
+      ->check(CLI::IsMember({"prefix", "cycle", "mean"}))
+      ->capture_default_str();
+  command.add_option("--top", choice.top, "the K cheapest routes")
+      ->type_name("K")
+      ->check(CLI::Range(1, 100'000))
+      ->capture_default_str();
+  command
+      .add_option("--strategy", choice.strategy,
+                  "with --case and --model: write what to do in every state that is met, JSON lines; - is "
+                  "standard output")
+      ->type_name("FILE");
   command.add_option("--task", choice.task, "with --case: this task only")->type_name("ID");
   command
       .add_option("--method", choice.method, "with --case: how it is solved; best picks by model and query")
@@ -170,43 +281,57 @@ void add_case_options(CLI::App& command, CaseChoice& choice) {
 
 ExitCode plan_case(const CaseChoice& choice, const Session& session) {
   const plan::PlanningCase planning_case = plan::read_case(choice.file);
+  TaskAnswers answers(planning_case, choice, session);
   ExitCode worst = ExitCode::Done;
   bool any = false;
   for (const plan::CaseTask& task : planning_case.tasks) {
     if (!choice.task.empty() && task.id != choice.task) continue;
     if (session.stop.stop_requested()) throw Interrupted();
     any = true;
-    worst = std::max(worst, try_task(planning_case, task, choice, session));
+    worst = std::max(worst, answers.try_task(task));
     std::cout.flush();
   }
   if (!any)
     throw UsageError(choice.task.empty() ? choice.file + " has no tasks"
                                          : choice.file + " has no task '" + choice.task + "'");
+  answers.write_strategies();
   return worst;
 }
 
 ExitCode plan_model(const CaseChoice& choice, const TextOptions& formulas, const std::string& start,
                     const Session& session) {
   const plan::PlanningCase model = plan::read_model(choice.model, start);
-  TextReader texts(formulas, "formula");
-  return answer_each(
-      texts, session.stop,
-      [&](const Text& text) {
-        try {
-          return answer_task(model, task_of(text, choice), choice, session);
-        } catch (const std::invalid_argument& error) {
-          throw UsageError(error.what());  // a method that does not answer the query
-        } catch (const ltl::SyntaxError& error) {
-          if (text.source.empty()) throw;
-          throw error.in(text.source, text.line);
-        }
-      },
-      [&](const Text& text, const std::string& message) {
-        if (choice.json)
-          std::cout
-              << JsonObject().add("line", text.line).add("status", "error").add("message", message).text()
-              << '\n';
-      });
+  TaskAnswers answers(model, choice, session);
+  const auto answered = [&](const plan::CaseTask& task, const plan::GivenAutomaton* given) {
+    try {
+      return answers.answer(task, given);
+    } catch (const std::invalid_argument& error) {
+      throw UsageError(error.what());  // a method that does not answer the query
+    }
+  };
+  ExitCode code = ExitCode::Done;
+  if (!choice.automaton.empty()) {
+    const plan::GivenAutomaton given =
+        plan::read_given_automaton(read_file(choice.automaton), source_name(choice.automaton));
+    code = answered(task_of({.text = "", .source = ""}, choice), &given);
+  } else {
+    TextReader texts(formulas, "formula");
+    code = answer_each(
+        texts, session.stop,
+        [&](const Text& text) {
+          try {
+            return answered(task_of(text, choice), nullptr);
+          } catch (const ltl::SyntaxError& error) {
+            if (text.source.empty()) throw;
+            throw error.in(text.source, text.line);
+          }
+        },
+        [&](const Text& text, const std::string& message) {
+          if (choice.json) std::cout << json_error(text.line, message).text() << '\n';
+        });
+  }
+  answers.write_strategies();
+  return code;
 }
 
 }  // namespace waymark::tools

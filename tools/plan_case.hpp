@@ -11,7 +11,11 @@ namespace waymark::tools {
 
 struct CaseChoice {
   std::string file, task, method = "best";
-  std::string model, query = "pmax";  // --model
+  std::string model, query = "pmax", automaton;  // --model
+  std::string strategy;                          // a file for it; empty: none
+  std::string order = "prefix";                  // of lassos
+  std::size_t top = 1;
+  double discount = 0.9;
   double tolerance = 1e-6;
   double limit_seconds = 0;  // of each task; 0: none
   bool json = false;

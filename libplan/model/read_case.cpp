@@ -18,11 +18,13 @@ using Value = JsonReader::Value;
 template <typename Enum, std::size_t N>
 using Names = std::array<std::pair<std::string_view, Enum>, N>;
 
-constexpr Names<CaseTask::Query, 5> queries{{{"pmax", CaseTask::Query::MaxProbability},
+constexpr Names<CaseTask::Query, 7> queries{{{"pmax", CaseTask::Query::MaxProbability},
                                              {"pmin", CaseTask::Query::MinProbability},
                                              {"rmin", CaseTask::Query::MinCost},
                                              {"steps", CaseTask::Query::MinSteps},
-                                             {"cycle", CaseTask::Query::MinCycle}}};
+                                             {"cycle", CaseTask::Query::MinCycle},
+                                             {"lasso", CaseTask::Query::LeastLasso},
+                                             {"discounted", CaseTask::Query::Discounted}}};
 constexpr Names<CaseTask::Logic, 4> logics{{{"ltl", CaseTask::Logic::Ltl},
                                             {"ltlf", CaseTask::Logic::Ltlf},
                                             {"pctl", CaseTask::Logic::Pctl},

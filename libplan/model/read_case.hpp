@@ -17,14 +17,16 @@ struct CaseTask {
     MinProbability,  // pmin
     MinCost,         // rmin: least expected cost until the prefix is good
     MinSteps,        // steps: least cost of a finite trace that satisfies the formula
-    MinCycle         // cycle: least cost of a closed walk
+    MinCycle,        // cycle: least cost of a closed walk
+    LeastLasso,      // lasso: a walk without end that satisfies the formula, of least cost in some order
+    Discounted       // discounted: greatest expected γ^(T−1), T the actions until the prefix is good
   };
   enum class Logic : std::uint8_t { Ltl, Ltlf, Pctl, Derived };
   std::string id, formula;
   Logic logic = Logic::Ltl;
   Query query = Query::MaxProbability;
 };
-std::string_view name(CaseTask::Query query);  // "pmax", "pmin", "rmin", "steps", "cycle"
+std::string_view name(CaseTask::Query query);  // "pmax", "pmin", "rmin", "steps", "cycle", …
 
 struct PlanningCase {
   std::string name;

@@ -1,10 +1,10 @@
 #include "libplan/product/task_table.hpp"
 
 #include <algorithm>
-#include <map>
-#include <optional>
+#include <utility>
 
 #include "libautomata/scc.hpp"
+#include "libplan/product/letter_classes.hpp"
 
 namespace waymark::plan {
 
@@ -16,23 +16,12 @@ struct TaskTable::Unordered {
   std::vector<bool> goal;
 };
 
-// The classes of the letters, and of each class a letter over the automaton's vocabulary.
 std::vector<ltl::Letter> TaskTable::classify(const Letters& letters, const ltl::Vocabulary& vocabulary,
                                              const std::vector<ltl::Proposition>& reads) {
-  std::vector<std::optional<ltl::Proposition>> theirs;
-  for (ltl::Proposition p : reads) theirs.push_back(letters.vocabulary().find(vocabulary.name(p)));
-  std::map<std::vector<ltl::Proposition>, std::uint32_t> seen;
-  std::vector<ltl::Letter> representatives;
-  for (std::uint32_t i = 0; i < letters.size(); ++i) {
-    ltl::Letter ours;
-    for (std::size_t v = 0; v < reads.size(); ++v)
-      if (theirs[v] && letters[LetterId{i}].contains(*theirs[v])) ours.insert(reads[v]);
-    const auto [at, fresh] = seen.try_emplace(ours.members(), static_cast<std::uint32_t>(seen.size()));
-    if (fresh) representatives.push_back(ours);
-    class_.push_back(at->second);
-  }
-  classes_ = static_cast<std::uint32_t>(representatives.size());
-  return representatives;
+  LetterClasses classes = letter_classes(letters, vocabulary, reads);
+  class_ = std::move(classes.of);
+  classes_ = static_cast<std::uint32_t>(classes.representatives.size());
+  return std::move(classes.representatives);
 }
 
 TaskTable::TaskTable(const automata::Dfa& dfa, const Letters& letters) {
@@ -97,6 +86,7 @@ void TaskTable::adopt(const Unordered& unordered) {
     if (i == 0 || found.of[found.order[i]] != found.of[found.order[i - 1]]) components_.push_back(i);
   }
   components_.push_back(size);
+  origin_ = found.order;
   if (unordered.initial != lost) initial_ = number[unordered.initial];
   std::vector<std::vector<std::uint32_t>> jumps(size), sources(size), jump_sources(size);
   for (std::uint32_t i = 0; i < size; ++i) {

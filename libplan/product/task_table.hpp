@@ -30,6 +30,7 @@ class TaskTable {
   std::uint32_t states() const { return static_cast<std::uint32_t>(goal_.size()); }
   std::uint32_t initial() const { return initial_; }  // has read nothing; `lost` when nothing is accepted
   bool is_goal(std::uint32_t q) const { return goal_[q]; }
+  std::uint32_t origin(std::uint32_t q) const { return origin_[q]; }  // as the automaton numbers it
   Step next(std::uint32_t q, LetterId letter) const {
     const std::uint32_t step = steps_[std::size_t{q} * classes_ + class_[letter.index]];
     return {step & lost, (step & marked) != 0};
@@ -50,6 +51,7 @@ class TaskTable {
   static std::span<const std::uint32_t> list(const Lists& lists, std::uint32_t q) {
     return {lists.values.data() + lists.first[q], lists.values.data() + lists.first[q + 1]};
   }
+  // A letter over the automaton's vocabulary for every class.
   std::vector<ltl::Letter> classify(const Letters& letters, const ltl::Vocabulary& vocabulary,
                                     const std::vector<ltl::Proposition>& reads);
   void adopt(const Unordered& unordered);
@@ -59,6 +61,7 @@ class TaskTable {
   std::vector<std::uint32_t> class_;  // by letter
   std::vector<std::uint32_t> steps_;  // by state and class: target, and whether it is marked
   std::vector<bool> goal_;
+  std::vector<std::uint32_t> origin_;
   Lists jumps_, sources_, jump_sources_;
   std::vector<std::uint32_t> components_;
 };

@@ -5,15 +5,18 @@
 #include <stdexcept>
 #include <variant>
 
+#include "libautomata/dfa.hpp"
 #include "libltl/parse.hpp"
 #include "libltl/print.hpp"
 #include "libltl/semantics.hpp"
 #include "libltl/simplify.hpp"
 #include "libltl/trace_check.hpp"
+#include "libplan/product/letter_classes.hpp"
+#include "libplan/solve/discounted.hpp"
 #include "libplan/solve/drop_conjuncts.hpp"
 #include "libplan/solve/landmark_tour.hpp"
+#include "libplan/solve/least_routes.hpp"
 #include "libplan/solve/product_search.hpp"
-#include "libplan/solve/task_automaton.hpp"
 
 namespace waymark::plan {
 namespace {
@@ -42,13 +45,17 @@ class Clock {
 template <class Model>
 class TaskSolver {
  public:
-  TaskSolver(const Model& model, const CaseTask& task, const CaseOptions& options)
-      : model_(model), task_(task), options_(options), arena_(model.letters().vocabulary()) {}
+  TaskSolver(const Model& model, const CaseTask& task, const GivenAutomaton* given,
+             const CaseOptions& options)
+      : model_(model), task_(task), given_(given), options_(options), arena_(model.letters().vocabulary()) {}
 
   CaseAnswer answer() {
     try {
+      check_options();
       if (task_.query == Query::MinCycle)
         tour();
+      else if (given_ != nullptr)
+        automaton();
       else
         formula();
     } catch (const Spent& spent) {
@@ -59,35 +66,67 @@ class TaskSolver {
   }
 
  private:
+  void check_options() const {
+    if (options_.top > 1 && !by_search())
+      throw std::invalid_argument("several routes are found by method search, for rmin and steps");
+    if (options_.strategy && (task_.query == Query::LeastLasso || task_.query == Query::MinCycle))
+      throw std::invalid_argument("a lasso or cycle is a walk, it has no strategy");
+    if (options_.method == CaseMethod::Search && !by_search() && task_.query != Query::LeastLasso &&
+        task_.query != Query::MinCycle)
+      throw std::invalid_argument(
+          "method search answers rmin, steps, cycle and lasso, on deterministic models only");
+  }
   bool is_finite(ltl::Formula f) const { return is_finite_task(f, task_.logic); }
-  TaskTable table(ltl::Formula f) {
-    const auto automaton = task_automaton(f, task_.logic, task_.query,
-                                          {.states = options_.states / 1000 + 1, .stop = options_.stop});
-    if (!automaton) throw Spent{"no automaton within the limits"};
-    return std::visit([&](const auto& found) { return sized(found); }, *automaton);
+  automata::TranslationLimits limits() const {
+    return {.states = options_.states / 1000 + 1, .stop = options_.stop};
   }
   template <class Automaton>
-  TaskTable sized(const Automaton& automaton) {
-    answer_.automaton_states = automaton.states();
-    return TaskTable(automaton, model_.letters());
+  static Automaton made(std::optional<Automaton> automaton) {
+    if (!automaton) throw Spent{"no automaton within the limits"};
+    return std::move(*automaton);
+  }
+  TaskTable table_of(const TaskAutomaton& automaton) const {
+    return std::visit([&](const auto& found) { return TaskTable(found, model_.letters()); }, automaton);
   }
 
   void formula() {
     Clock clock;
     const ltl::Formula asked = ltl::parse(task_.formula, arena_);
     const ltl::Formula f = task_.logic == Logic::Ltl ? ltl::simplify(asked, ltl::Semantics::Infinite) : asked;
-    if (const auto landmarks = visits(f); landmarks && by_search() && model_.states() >= worth_compressing)
+    if (task_.query == Query::LeastLasso) {
+      if (task_.logic != Logic::Ltl) throw std::invalid_argument("query lasso is about infinite words");
+      return lasso(made(lasso_automaton(f, limits())), f, clock);
+    }
+    if (const auto landmarks = visits(f); landmarks && by_search() && options_.top == 1 &&
+                                          !options_.strategy && model_.states() >= worth_compressing)
       return visit(*landmarks, false);
     const bool negated = task_.query == Query::MinProbability && !is_finite(f);
-    const TaskTable task = table(negated ? ltl::simplify(ltl::negate(f), ltl::Semantics::Infinite) : f);
+    solve(made(task_automaton(negated ? ltl::simplify(ltl::negate(f), ltl::Semantics::Infinite) : f,
+                              task_.logic, task_.query, limits())),
+          f, negated, clock);
+    if (answer_.status == Status::Infeasible && options_.explain) explain(asked);
+  }
+
+  void automaton() {
+    Clock clock;
+    if (task_.query == Query::LeastLasso)
+      return lasso(made(lasso_automaton(*given_, limits())), std::nullopt, clock);
+    const bool negated =
+        task_.query == Query::MinProbability && !std::holds_alternative<automata::Dfa>(*given_);
+    solve(made(task_automaton(*given_, task_.query, limits())), std::nullopt, negated, clock);
+    if (answer_.status == Status::Infeasible)
+      answer_.reason = is_cost() ? "no strategy is sure to be accepted by the automaton"
+                                 : "no strategy has a chance to be accepted by the automaton";
+  }
+
+  void solve(const TaskAutomaton& automaton, std::optional<ltl::Formula> f, bool negated, Clock& clock) {
+    answer_.automaton_states = std::visit([](const auto& a) { return a.states(); }, automaton);
+    const TaskTable task = table_of(automaton);
     answer_.seconds.automaton = clock.lap();
     if (by_search())
-      find_route(task, f, clock);
-    else if (options_.method == CaseMethod::Search)
-      throw std::invalid_argument("method search answers rmin, steps and cycle on deterministic models only");
+      find_routes(task, automaton, f, clock);
     else
-      decide(task, negated, clock);
-    if (answer_.status == Status::Infeasible && options_.explain) explain(asked);
+      decide(task, automaton, negated, clock);
   }
 
   bool by_search() const {
@@ -125,50 +164,112 @@ class TaskSolver {
 
   bool is_cost() const { return task_.query == Query::MinCost || task_.query == Query::MinSteps; }
 
-  void find_route(const TaskTable& task, ltl::Formula f, Clock& clock) {
-    const auto found = search(model_, task, options_.states, options_.stop);
+  void find_routes(const TaskTable& task, const TaskAutomaton& automaton, std::optional<ltl::Formula> f,
+                   Clock& clock) {
+    std::vector<ChoiceRoute> routes;
+    SearchEffort effort;
+    if (options_.top > 1) {
+      auto found = least_routes(model_, task, options_.top, options_.states, options_.stop);
+      if (!found) throw Spent{"the search met its limit"};
+      routes = std::move(found->routes);
+      effort = found->effort;
+    } else {
+      auto found = search(model_, task, options_.states, options_.stop);
+      if (!found) throw Spent{"the search met its limit"};
+      if (found->route) routes.push_back(std::move(*found->route));
+      effort = found->effort;
+    }
     answer_.seconds.solve = clock.lap();
-    if (!found) throw Spent{"the search met its limit"};
     answer_.method = CaseMethod::Search;
-    answer_.product_states = found->effort.met;
-    answer_.product_edges = found->effort.edges;
-    if (!found->route) return infeasible(INFINITY);
-    certify(*found->route, f);
+    answer_.product_states = effort.met;
+    answer_.product_edges = effort.edges;
+    if (routes.empty()) return infeasible(INFINITY);
+    for (const ChoiceRoute& route : routes) {
+      certify_route(route, automaton, f);
+      if (options_.top > 1) answer_.routes.push_back(named(model_, route));
+    }
     answer_.status = Status::Solved;
-    answer_.value = {found->route->cost, found->route->cost};
+    answer_.value = {routes[0].cost, routes[0].cost};
+    if (options_.strategy) answer_.strategy = {automaton, decisions(model_, task, routes[0]), answer_.value};
   }
 
   // By the definition, not by the automaton: the finite word satisfies f, and so, of a co-safe f, does all that begins
-  // with it. Of another good prefix the word that stands still in its last letter is tried.
-  void certify(const ChoiceRoute& route, ltl::Formula f) const {
+  // with it. Of another good prefix the word that stands still in its last letter is tried. Without a formula by a run
+  // of the automaton.
+  void certify_route(const ChoiceRoute& route, const TaskAutomaton& automaton,
+                     std::optional<ltl::Formula> f) const {
     const ltl::Trace word = word_of(model_, route);
-    const bool holds = is_finite(f)
-                           ? ltl::TraceCheck(f)(ltl::Columns(word, arena_.vocabulary().size()))
-                           : ltl::holds(ltl::Lasso({word.begin(), word.end()}, {word[word.size() - 1]}), f);
-    if (!holds) throw std::logic_error("a route whose word does not satisfy " + ltl::print(f));
+    const std::vector<ltl::Letter> letters(word.begin(), word.end());
+    if (!f) {
+      const auto& dfa = std::get<automata::Dfa>(automaton);
+      const ltl::Trace read(as_read(letters, arena_.vocabulary(), dfa.vocabulary(), dfa.reads()));
+      if (!automata::accepts(dfa, read)) throw std::logic_error("a route that the automaton does not accept");
+      return;
+    }
+    const bool holds = is_finite(*f) ? ltl::TraceCheck(*f)(ltl::Columns(word, arena_.vocabulary().size()))
+                                     : ltl::holds(ltl::Lasso(letters, {letters.back()}), *f);
+    if (!holds) throw std::logic_error("a route whose word does not satisfy " + ltl::print(*f));
   }
 
-  void decide(const TaskTable& task, bool negated, Clock& clock) {
+  void lasso(const automata::Automaton& automaton, std::optional<ltl::Formula> f, Clock& clock) {
+    if (options_.method > CaseMethod::Search)
+      throw std::invalid_argument("query lasso is answered by method search");
+    answer_.automaton_states = automaton.states();
+    answer_.seconds.automaton = clock.lap();
+    auto found = least_lasso(model_, automaton, options_.order, options_.states, options_.stop);
+    answer_.seconds.solve = clock.lap();
+    if (!found) throw Spent{"the search for a lasso met its limit"};
+    answer_.method = CaseMethod::Search;
+    answer_.product_states = found->effort.met;
+    answer_.product_edges = found->effort.edges;
+    if (!found->route) {
+      infeasible(INFINITY);
+      answer_.reason = "no walk without end satisfies the task";
+      return;
+    }
+    const CertifiedLasso certified = f ? certify(std::move(*found->route), model_, *f)
+                                       : certify(std::move(*found->route), model_, automaton);
+    const LassoRoute& route = certified.route();
+    answer_.lasso = {named(model_, route.prefix), named(model_, route.cycle), route.rounds};
+    answer_.status = Status::Solved;
+    const double value = options_.order == LassoOrder::Prefix  ? route.prefix.cost
+                         : options_.order == LassoOrder::Cycle ? route.cycle.cost
+                                                               : route.mean();
+    answer_.value = {value, value};
+  }
+
+  std::optional<Decided> decided(const ProductMdp<Model>& product, bool negated) const {
+    const DecisionLimits limits{.tolerance = options_.tolerance,
+                                .policy_iteration = options_.method == CaseMethod::PolicyIteration,
+                                .stop = options_.stop};
+    if (is_cost()) return least_cost(product, limits);
+    if (task_.query == Query::Discounted) return greatest_discounted(product, options_.discount, limits);
+    return task_.query == Query::MaxProbability || negated ? greatest_probability(product, limits)
+                                                           : least_probability(product, limits);
+  }
+
+  void decide(const TaskTable& task, const TaskAutomaton& automaton, bool negated, Clock& clock) {
     const auto product = ProductMdp<Model>::explore(model_, task, options_.states, options_.stop);
     answer_.seconds.product = clock.lap();
     if (!product) throw Spent{"the product met its limit"};
     answer_.product_states = product->states();
     answer_.product_edges = product->edges();
-    const bool policies = options_.method == CaseMethod::PolicyIteration;
-    answer_.method = policies ? CaseMethod::PolicyIteration : CaseMethod::ValueIteration;
-    const DecisionLimits limits{
-        .tolerance = options_.tolerance, .policy_iteration = policies, .stop = options_.stop};
-    const auto decided = is_cost() ? least_cost(*product, limits)
-                         : task_.query == Query::MaxProbability || negated
-                             ? greatest_probability(*product, limits)
-                             : least_probability(*product, limits);
+    if (task_.query == Query::Discounted && options_.method == CaseMethod::PolicyIteration)
+      throw std::invalid_argument("query discounted is answered by method vi");
+    answer_.method = options_.method == CaseMethod::PolicyIteration ? CaseMethod::PolicyIteration
+                                                                    : CaseMethod::ValueIteration;
+    const auto found = decided(*product, negated);
     answer_.seconds.solve = clock.lap();
-    if (!decided) throw Spent{"the bounds did not meet within the limits"};
+    if (!found) throw Spent{"the bounds did not meet within the limits"};
     answer_.status = Status::Solved;
-    answer_.value = negated ? Bounds{1 - decided->value.upper, 1 - decided->value.lower} : decided->value;
+    const auto told = [&](const Bounds& b) { return negated ? Bounds{1 - b.upper, 1 - b.lower} : b; };
+    answer_.value = told(found->value);
     if (is_cost() && answer_.value.lower == INFINITY) infeasible(INFINITY);
-    if (task_.query == Query::MaxProbability && answer_.value.upper == 0) infeasible(0);
+    if (is_reward() && answer_.value.upper == 0) infeasible(0);
+    if (options_.strategy && answer_.status == Status::Solved && !product->starts().empty())
+      answer_.strategy = {automaton, decisions(*product, found->strategy), told(found->re_evaluated)};
   }
+  bool is_reward() const { return task_.query == Query::MaxProbability || task_.query == Query::Discounted; }
 
   void infeasible(double value) {
     answer_.status = Status::Infeasible;
@@ -177,15 +278,13 @@ class TaskSolver {
 
   void explain(ltl::Formula f) {
     const auto possible = [&](ltl::Formula part) {
-      const TaskTable task = table(part);
+      const TaskTable task = table_of(made(task_automaton(part, task_.logic, task_.query, limits())));
       const auto product = ProductMdp<Model>::explore(model_, task, options_.states, options_.stop);
       if (!product) throw Spent{"the product met its limit"};
       const Chance found = product->starts().empty() ? Chance::None : chance(*product);
       return is_cost() ? found == Chance::Sure : found != Chance::None;
     };
-    const std::size_t automaton_states = answer_.automaton_states;
     const Violation violation = fewest_dropped(f, possible);
-    answer_.automaton_states = automaton_states;
     answer_.reason = reason(violation);
     for (ltl::Formula part : violation.dropped) answer_.dropped.push_back(ltl::print(part));
   }
@@ -226,10 +325,20 @@ class TaskSolver {
 
   const Model& model_;
   const CaseTask& task_;
+  const GivenAutomaton* given_;  // may be absent
   const CaseOptions& options_;
   ltl::Arena arena_;
   CaseAnswer answer_;
 };
+
+CaseAnswer solve(const PlanningCase& planning_case, const CaseTask& task, const GivenAutomaton* given,
+                 const CaseOptions& options) {
+  return std::visit(
+      [&](const auto& model) {
+        return TaskSolver<std::decay_t<decltype(model)>>(model, task, given, options).answer();
+      },
+      planning_case.model);
+}
 
 }  // namespace
 
@@ -244,11 +353,12 @@ std::string_view name(CaseMethod method) {
 }
 
 CaseAnswer answer(const PlanningCase& planning_case, const CaseTask& task, const CaseOptions& options) {
-  return std::visit(
-      [&](const auto& model) {
-        return TaskSolver<std::decay_t<decltype(model)>>(model, task, options).answer();
-      },
-      planning_case.model);
+  return solve(planning_case, task, nullptr, options);
+}
+
+CaseAnswer answer(const PlanningCase& planning_case, const CaseTask& task, const GivenAutomaton& given,
+                  const CaseOptions& options) {
+  return solve(planning_case, task, &given, options);
 }
 
 }  // namespace waymark::plan

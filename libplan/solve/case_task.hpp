@@ -1,4 +1,4 @@
-// One task of a planning case: formula → automaton → product → value between proved bounds, or why there is none.
+// One task on any model: formula or automaton → product → value between proved bounds, or why there is none.
 #pragma once
 #include <cstdint>
 #include <optional>
@@ -8,6 +8,9 @@
 
 #include "libplan/model/read_case.hpp"
 #include "libplan/solve/decide.hpp"
+#include "libplan/solve/least_lasso.hpp"
+#include "libplan/solve/task_automaton.hpp"
+#include "libplan/solve/written_strategy.hpp"
 
 namespace waymark::plan {
 
@@ -22,8 +25,12 @@ std::string_view name(CaseMethod method);  // "search", "vi", "pi"
 struct CaseOptions {
   CaseMethod method = CaseMethod::Best;
   double tolerance = 1e-6;
-  std::size_t states = 1'000'000'000;  // of the product; of the automaton a thousandth
-  bool explain = true;                 // find the reason of what is infeasible
+  std::size_t states = 1'000'000'000;     // of the product; of the automaton a thousandth
+  bool explain = true;                    // find the reason of what is infeasible
+  double discount = 0.9;                  // of query discounted
+  LassoOrder order = LassoOrder::Prefix;  // of query lasso
+  std::size_t top = 1;                    // routes of a search
+  bool strategy = false;                  // write it down
   std::stop_token stop = {};
 };
 
@@ -39,10 +46,27 @@ struct CaseAnswer {
   std::string reason;  // of Infeasible and Exhausted
   std::vector<std::string>
       dropped;  // infeasible conjunctions: the fewest conjuncts without which the rest can be met
+  std::vector<NamedRoute> routes;  // of a search when several were asked for, cheapest first
+  struct Lasso {
+    NamedRoute prefix, cycle;  // the cycle begins and ends where the prefix ends
+    std::uint64_t rounds = 1;
+  };
+  std::optional<Lasso> lasso;  // certified
+  struct Written {
+    TaskAutomaton automaton;
+    std::vector<Decision> decisions;
+    Bounds
+        re_evaluated;  // as a Markov chain; for pmin of an infinite task of the negation's probability, taken from 1
+  };
+  std::optional<Written> strategy;
 };
 
-// Throws ltl::SyntaxError for a formula that cannot be read, std::invalid_argument for a query that its logic does not
-// have (a cycle of anything but patrol:a,b,…) or a method that does not answer it.
+// The value of a lasso is what its order puts first. Throws ltl::SyntaxError for a formula that cannot be read,
+// std::invalid_argument for a query that its logic does not have (a cycle of anything but patrol:a,b,…), a method that
+// does not answer it, or an option that goes with other queries.
 CaseAnswer answer(const PlanningCase& planning_case, const CaseTask& task, const CaseOptions& options = {});
+// The same of an automaton in the place of the formula; the logic is that of its words.
+CaseAnswer answer(const PlanningCase& planning_case, const CaseTask& task, const GivenAutomaton& given,
+                  const CaseOptions& options = {});
 
 }  // namespace waymark::plan

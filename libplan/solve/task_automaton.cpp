@@ -1,15 +1,52 @@
 #include "libplan/solve/task_automaton.hpp"
 
+#include <stdexcept>
+
+#include "libautomata/deterministic/parity.hpp"
+#include "libautomata/deterministic/to_parity.hpp"
+#include "libautomata/hoa.hpp"
 #include "libautomata/limit_deterministic/ltl_to_ldba.hpp"
+#include "libautomata/omega/hoa.hpp"
+#include "libautomata/omega/ltl_to_buchi.hpp"
 #include "libautomata/omega/monitor.hpp"
+#include "libautomata/omega/without_fin.hpp"
 #include "libltl/fragment.hpp"
 
 namespace waymark::plan {
 namespace {
 
+using Query = CaseTask::Query;
+using automata::Automaton;
+using automata::Effort;
+
 template <class Result>
 auto* found(Result& result) {
   return std::get_if<0>(&result);
+}
+
+bool asks_for_prefix(Query query) { return query == Query::MinCost || query == Query::Discounted; }
+
+// Runs a construction that may run out of effort.
+template <class Construct>
+auto within(const automata::TranslationLimits& limits, const Construct& construct)
+    -> std::optional<decltype(construct(std::declval<Effort&>()))> {
+  try {
+    Effort effort(SIZE_MAX, limits.states, limits.stop);
+    return construct(effort);
+  } catch (const Effort::Spent&) {
+    return std::nullopt;
+  }
+}
+
+Automaton complement_of(const Automaton& automaton, Effort& effort) {
+  return automata::complement(automata::determinized(automaton, effort)).automaton();
+}
+
+// The finite words of which every continuation is accepted.
+automata::Dfa good_prefixes(const Automaton& automaton, Effort& effort) {
+  const Automaton rest = complement_of(automaton, effort);
+  return automata::bad_prefixes(
+      automata::as_automaton(automata::trim(rest.transitions()), rest.vocabulary(), rest.reads()), effort);
 }
 
 }  // namespace
@@ -21,7 +58,7 @@ bool is_finite_task(ltl::Formula f, CaseTask::Logic logic) {
 std::optional<TaskAutomaton> task_automaton(ltl::Formula f, CaseTask::Logic logic, CaseTask::Query query,
                                             const automata::TranslationLimits& limits) {
   const bool finite = is_finite_task(f, logic);
-  if (query == CaseTask::Query::MinCost && logic == CaseTask::Logic::Ltl &&
+  if (asks_for_prefix(query) && logic == CaseTask::Logic::Ltl &&
       !(finite && ltl::fragments(f, ltl::Semantics::Infinite).next_free)) {
     auto monitor = automata::ltl_to_monitor(f, limits);
     if (auto* done = found(monitor)) return done->good();
@@ -33,6 +70,45 @@ std::optional<TaskAutomaton> task_automaton(ltl::Formula f, CaseTask::Logic logi
     if (auto* done = found(ldba)) return std::move(done->automaton);
   }
   return std::nullopt;
+}
+
+GivenAutomaton read_given_automaton(std::string_view hoa, std::string_view source) {
+  automata::HoaAutomaton file = automata::parse_hoa(hoa, source);
+  for (const automata::HoaToken& property : file.properties)
+    if (property.text == "finite-words") return automata::to_dfa(std::move(file), source);
+  Effort effort;
+  return automata::to_automaton(std::move(file), source, effort);
+}
+
+std::optional<TaskAutomaton> task_automaton(const GivenAutomaton& given, Query query,
+                                            const automata::TranslationLimits& limits) {
+  if (const auto* dfa = std::get_if<automata::Dfa>(&given)) return *dfa;
+  if (query == Query::MinSteps)
+    throw std::invalid_argument("query steps is about finite words, the automaton about infinite ones");
+  const Automaton& automaton = std::get<Automaton>(given);
+  if (asks_for_prefix(query))
+    return within(limits, [&](Effort& effort) -> TaskAutomaton { return good_prefixes(automaton, effort); });
+  return within(limits, [&](Effort& effort) -> TaskAutomaton {
+    return automata::limit_deterministic(automata::to_parity(
+        query == Query::MinProbability ? complement_of(automaton, effort) : automaton, effort));
+  });
+}
+
+std::optional<Automaton> lasso_automaton(ltl::Formula f, const automata::TranslationLimits& limits) {
+  auto made = automata::ltl_to_tgba(f, limits);
+  if (auto* done = found(made)) return std::move(done->automaton);
+  return std::nullopt;
+}
+
+std::optional<Automaton> lasso_automaton(const GivenAutomaton& given,
+                                         const automata::TranslationLimits& limits) {
+  const auto* automaton = std::get_if<Automaton>(&given);
+  if (automaton == nullptr)
+    throw std::invalid_argument("a lasso is an infinite word, the automaton is about finite ones");
+  return within(limits, [&](Effort& effort) {
+    return automata::as_automaton(automata::without_fin(automaton->transitions(), effort),
+                                  automaton->vocabulary(), automaton->reads());
+  });
 }
 
 }  // namespace waymark::plan

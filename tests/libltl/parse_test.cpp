@@ -95,6 +95,9 @@ TEST(Parse, BoundedOperatorsAreSpelledOut) {
   const Pair table[] = {
       {"F<=0 a", "a"},
       {"F<=2 a", "a | X(a | X a)"},
+      {"a U<=2 b", "b | a & X(b | a & X b)"},
+      {"a U[0:1] b U<=0 c", "a U<=1 c"},
+      {"a U<=1 b & c", "(b | a & X b) & c"},
       {"G<=2 a", "a & N(a & N a)"},
   };
   for (const Pair& pair : table) expect_equal(pair);
@@ -157,7 +160,7 @@ TEST(Parse, ErrorsNameWhatWasExpectedAndWhere) {
       {"a (b)", "expected an operator or the end of the formula before '('", 3},
       {"(a) !b", "expected an operator or the end of the formula before '!'", 5},
       {"a & é", "'é' starts no part of a formula (names with such characters go in double quotes)", 5},
-      {"a & 12", "expected a formula; numbers other than 0 and 1 must follow F<= or G<=", 5},
+      {"a & 12", "expected a formula; numbers other than 0 and 1 must follow F<=, G<= or U<=", 5},
       {"F<= a", "expected a number of steps", 5},
       {"F[0:3 a", "expected ']' after the number of steps", 7},
       {"F \"sofa", "expected a closing '\"' for this one", 3},

@@ -83,6 +83,20 @@ class Plainly {
     return x[start()];
   }
 
+  // Greatest E γ^(T−1), T the choices until the task is done; 1 where it is at the start.
+  double discounted(double discount) const {
+    std::vector<double> x(mdp_.states() * dfa_.states(), 0);
+    for (int sweep = 0; sweep < 1500; ++sweep) {
+      const std::vector<double> last = x;
+      for (std::uint32_t s = 0; s < mdp_.states(); ++s)
+        for (std::uint32_t q = 0; q < dfa_.states(); ++q)
+          if (!dfa_.is_accepting(automata::StateId{q})) x[at(s, q)] = discounted_step(s, q, last, discount);
+    }
+    const bool done =
+        dfa_.is_accepting(automata::StateId{static_cast<std::uint32_t>(start() % dfa_.states())});
+    return done ? 1 : x[start()];
+  }
+
   // ∞ unless the greatest probability is 1; sweeps keep to choices after which it still is.
   double cost() const {
     std::vector<bool> sure(mdp_.states() * dfa_.states());
@@ -135,6 +149,20 @@ class Plainly {
       out = best == Best::Greatest ? std::max(out, sum) : std::min(out, sum);
     }
     return out;
+  }
+
+  double discounted_step(std::uint32_t s, std::uint32_t q, const std::vector<double>& x,
+                         double discount) const {
+    double best = 0;
+    for (std::uint32_t k = 0; k < mdp_.choices(s); ++k) {
+      double sum = 0;
+      mdp_.for_each_outcome(s, k, [&](std::uint32_t t, LetterId letter, double p) {
+        const std::uint32_t to = next(q, letter);
+        sum += p * (dfa_.is_accepting(automata::StateId{to}) ? 1 : discount * x[at(t, to)]);
+      });
+      best = std::max(best, sum);
+    }
+    return best;
   }
 
   const Mdp& mdp_;

@@ -1,0 +1,133 @@
+// Tasks given as automata are worth what their formulas are, deterministic or not; discounted rewards by plain sweeps.
+#include "libplan/solve/task_automaton.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "libautomata/deterministic/ltl_to_parity.hpp"
+#include "libautomata/hoa.hpp"
+#include "libautomata/ltlf_to_dfa.hpp"
+#include "libautomata/omega/hoa.hpp"
+#include "libautomata/omega/ltl_to_buchi.hpp"
+#include "libltl/print.hpp"
+#include "libplan/solve/case_task.hpp"
+#include "libplan/solve/discounted.hpp"
+#include "tests/libplan/solve/random_models.hpp"
+#include "tests/support/sanitizers.hpp"
+
+namespace waymark::plan {
+namespace {
+
+using waymark::testing::scaled;
+using Query = CaseTask::Query;
+
+// The formula's automata as files: nondeterministic with any marks, and deterministic parity.
+std::vector<std::string> files_of(ltl::Formula f) {
+  return {automata::write_hoa(automata::ltl_to_tgba(f)),
+          automata::write_hoa(automata::ltl_to_dpa(f).automaton())};
+}
+
+void expect_same(const CaseAnswer& one, const CaseAnswer& other, const std::string& where) {
+  ASSERT_NE(one.status, CaseAnswer::Status::Exhausted) << where;
+  EXPECT_EQ(one.status, other.status) << where;
+  if (std::isinf(one.value.middle()))
+    EXPECT_EQ(one.value.middle(), other.value.middle()) << where;
+  else
+    EXPECT_NEAR(one.value.middle(), other.value.middle(), 4e-6 * std::max(1.0, one.value.middle())) << where;
+}
+
+TEST(GivenAutomaton, IsWorthWhatItsFormulaIs) {
+  ltl::Random random(41);
+  int nondeterministic = 0;
+  for (int i = 0; i < scaled(60); ++i) {
+    ltl::Arena arena(testing::vocabulary_ab());
+    const ltl::Formula f = ltl::random_formula(random, arena, {.size = 3 + random.below(8), .atoms = 2});
+    const PlanningCase model{"", testing::random_model(random, {.states = 4}), {}};
+    nondeterministic += automata::is_deterministic(automata::ltl_to_tgba(f).transitions()) ? 0 : 1;
+    for (Query query : {Query::MaxProbability, Query::MinProbability, Query::MinCost, Query::Discounted}) {
+      const CaseTask task{.id = "", .formula = ltl::print(f), .logic = CaseTask::Logic::Ltl, .query = query};
+      const CaseOptions options{.explain = false};
+      const CaseAnswer expected = answer(model, task, options);
+      for (const std::string& file : files_of(f))
+        expect_same(expected, answer(model, task, read_given_automaton(file), options),
+                    ltl::print(f) + ", " + std::string(name(query)) + "\n" + file + "on\n" +
+                        testing::show(std::get<Mdp>(model.model)));
+    }
+  }
+  EXPECT_GT(nondeterministic, scaled(10));
+}
+
+TEST(GivenAutomaton, LassosAreThoseOfItsFormula) {
+  ltl::Random random(42);
+  int found = 0;
+  for (int i = 0; i < scaled(60); ++i) {
+    ltl::Arena arena(testing::vocabulary_ab());
+    const ltl::Formula f = ltl::random_formula(random, arena, {.size = 3 + random.below(8), .atoms = 2});
+    const PlanningCase model{"", testing::random_model(random, {.states = 4, .deterministic = true}), {}};
+    const CaseTask task{.id = "", .formula = ltl::print(f), .query = Query::LeastLasso};
+    const CaseAnswer expected = answer(model, task);
+    for (const std::string& file : files_of(f)) {
+      const CaseAnswer got = answer(model, task, read_given_automaton(file));
+      EXPECT_EQ(got.status, expected.status) << ltl::print(f) << "\n" << file;
+    }
+    found += expected.status == CaseAnswer::Status::Solved ? 1 : 0;
+  }
+  EXPECT_GT(found, scaled(20));
+}
+
+TEST(GivenAutomaton, FiniteWordsGoTheSameWay) {
+  ltl::Random random(43);
+  for (int i = 0; i < scaled(60); ++i) {
+    ltl::Arena arena(testing::vocabulary_ab());
+    const ltl::Formula f = ltl::random_formula(random, arena, {.size = 3 + random.below(8), .atoms = 2});
+    const PlanningCase model{
+        "", testing::random_model(random, {.states = 4, .deterministic = random.below(2) == 0}), {}};
+    const CaseTask task{
+        .id = "", .formula = ltl::print(f), .logic = CaseTask::Logic::Ltlf, .query = Query::MinSteps};
+    const GivenAutomaton given = read_given_automaton(automata::write_hoa(automata::ltlf_to_dfa(f)));
+    expect_same(answer(model, task, CaseOptions{.explain = false}), answer(model, task, given),
+                ltl::print(f) + " on\n" + testing::show(std::get<Mdp>(model.model)));
+  }
+}
+
+TEST(GivenAutomaton, SaysWhatItCannotAnswer) {
+  ltl::Arena arena(testing::vocabulary_ab());
+  ltl::Random random(44);
+  const PlanningCase model{"", testing::random_model(random, {.deterministic = true}), {}};
+  const ltl::Formula f = ltl::eventually(arena.atom("a"));
+  const GivenAutomaton infinite = automata::ltl_to_tgba(f), finite = automata::ltlf_to_dfa(f);
+  EXPECT_THROW(answer(model, {.id = "", .formula = "", .query = Query::MinSteps}, infinite),
+               std::invalid_argument);
+  EXPECT_THROW(answer(model, {.id = "", .formula = "", .query = Query::LeastLasso}, finite),
+               std::invalid_argument);
+}
+
+TEST(Discounted, AgreesWithPlainSweeps) {
+  ltl::Random random(45);
+  int some = 0;
+  for (int i = 0; i < scaled(200); ++i) {
+    ltl::Arena arena(testing::vocabulary_ab());
+    const ltl::Formula f = ltl::random_formula(random, arena, {.size = 3 + random.below(7), .atoms = 2});
+    const Mdp mdp = testing::random_model(random, {.states = 4});
+    const automata::Dfa dfa = automata::ltlf_to_dfa(f);
+    const double discount = 0.1 * static_cast<double>(1 + random.below(9));
+    const TaskTable task(dfa, mdp.letters());
+    const auto product = ProductMdp<Mdp>::explore(mdp, task);
+    const auto found = greatest_discounted(*product, discount);
+    ASSERT_TRUE(found);
+    const double expected = testing::Plainly(mdp, dfa).discounted(discount);
+    const std::string where = ltl::print(f) + " on\n" + testing::show(mdp);
+    EXPECT_LE(found->value.lower, expected + 1e-12) << where;
+    EXPECT_GE(found->value.upper, expected - 1e-12) << where;
+    EXPECT_LE(found->value.upper - found->value.lower, 1e-6) << where;
+    EXPECT_NEAR(found->re_evaluated.middle(), expected, 2e-6) << where;
+    some += expected > 0 && expected < 1 ? 1 : 0;
+  }
+  EXPECT_GT(some, scaled(30));
+}
+
+}  // namespace
+}  // namespace waymark::plan

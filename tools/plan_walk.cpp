@@ -1,0 +1,255 @@
+#include "tools/plan_walk.hpp"
+
+#include <algorithm>
+#include <iostream>
+
+#include "libltl/print.hpp"
+#include "libplan/model/map_mdp.hpp"
+#include "libplan/solve/certify.hpp"
+#include "libplan/solve/least_lasso.hpp"
+#include "libplan/solve/least_routes.hpp"
+#include "tools/answer.hpp"
+#include "tools/picture.hpp"
+
+namespace waymark::tools {
+namespace {
+
+plan::LassoOrder order_of(const std::string& name) {
+  return name == "cycle"  ? plan::LassoOrder::Cycle
+         : name == "mean" ? plan::LassoOrder::Mean
+                          : plan::LassoOrder::Prefix;
+}
+
+std::pair<double, double> rank(const plan::LassoRoute& route, plan::LassoOrder order) {
+  switch (order) {
+    case plan::LassoOrder::Prefix: return {route.prefix.cost, route.cycle.cost};
+    case plan::LassoOrder::Cycle: return {route.cycle.cost, route.prefix.cost};
+    case plan::LassoOrder::Mean: break;
+  }
+  return {route.mean(), route.prefix.cost};
+}
+
+// States of a map's model are its poses, choices are named after their actions.
+plan::Route on_map(const plan::Map& map, const plan::Mdp& mdp, const plan::ChoiceRoute& route) {
+  plan::Route out;
+  for (std::uint32_t place : route.places) out.poses.push_back(plan::PoseId{place});
+  for (std::size_t i = 0; i < route.choices.size(); ++i)
+    out.actions.push_back(*plan::parse_action(mdp.action(route.places[i], route.choices[i])));
+  return plan::priced(std::move(out), map);
+}
+
+std::string label(const Terminal& terminal, const std::string& text) {
+  return terminal.paint(Paint::Bold, text + std::string(13 - text.size(), ' '));
+}
+
+std::string poses_of(std::span<const plan::PoseId> starts, const plan::Map& map) {
+  std::string out;
+  for (const plan::PoseId start : starts) out += (out.empty() ? "" : ", ") + plan::show(map.pose(start));
+  return out;
+}
+
+struct FoundLasso {
+  std::optional<plan::CertifiedLasso> lasso;
+  plan::Route prefix, cycle;
+  plan::SearchEffort effort;  // of all starts
+  double translating = 0, solving = 0;
+};
+
+class LassoPlanning {
+ public:
+  LassoPlanning(const WalkTask& task, const WalkOptions& options, const Session& session)
+      : task_(task), options_(options), session_(session), automaton_(translated()) {}
+
+  ExitCode run() {
+    for (ltl::Proposition p : automaton_.reads())
+      if (!task_.map.vocabulary().find(automaton_.vocabulary().name(p)))
+        throw plan::unknown_proposition(task_.map, automaton_.vocabulary().name(p));
+    for (const plan::PoseId start : task_.starts) search(start);
+    found_.solving = watch_.lap();
+    if (options_.json)
+      std::cout << json().text() << '\n';
+    else
+      print();
+    if (!options_.svg.empty()) draw_lasso();
+    return found_.lasso ? ExitCode::Done : ExitCode::No;
+  }
+
+ private:
+  automata::Automaton translated() {
+    const automata::TranslationLimits limits{.stop = session_.stop};
+    auto made = task_.formula ? plan::lasso_automaton(*task_.formula, limits)
+                              : plan::lasso_automaton(*task_.given, limits);
+    found_.translating = watch_.lap();
+    if (made) return std::move(*made);
+    if (session_.stop.stop_requested()) throw Interrupted();
+    throw GaveUp("no automaton within the limits");
+  }
+
+  void search(plan::PoseId start) {
+    const plan::LassoOrder order = order_of(options_.order);
+    const plan::Mdp mdp = plan::mdp_of(task_.map, start);
+    auto answer = plan::least_lasso(mdp, automaton_, order, 100'000'000, session_.stop);
+    if (!answer && session_.stop.stop_requested()) throw Interrupted();
+    if (!answer) throw GaveUp("the search for a lasso met its limit");
+    found_.effort.met += answer->effort.met;
+    found_.effort.edges += answer->effort.edges;
+    if (!answer->route) return;
+    if (found_.lasso && !(rank(*answer->route, order) < rank(found_.lasso->route(), order))) return;
+    found_.lasso = task_.formula ? plan::certify(std::move(*answer->route), mdp, *task_.formula)
+                                 : plan::certify(std::move(*answer->route), mdp, automaton_);
+    found_.prefix = on_map(task_.map, mdp, found_.lasso->route().prefix);
+    found_.cycle = on_map(task_.map, mdp, found_.lasso->route().cycle);
+  }
+
+  std::string reason() const {
+    return "no walk without end from " + poses_of(task_.starts, task_.map) + " satisfies the " +
+           (task_.formula ? "formula" : "automaton");
+  }
+  std::string certifier() const { return found_.lasso->by_definition() ? "definition" : "automaton"; }
+
+  JsonObject json() const {
+    JsonObject out;
+    out.add("formula", task_.formula ? Json(ltl::print(*task_.formula)) : Json())
+        .add("map", task_.map.name())
+        .add("semantics", "infinite")
+        .add("order", options_.order)
+        .add("automaton", JsonObject()
+                              .add("states", automaton_.states())
+                              .add("edges", automata::count_edges(automaton_.transitions()))
+                              .add("sets", automaton_.acceptance().sets)
+                              .add("propositions", automaton_.reads().size()))
+        .add("product", JsonObject().add("states", found_.effort.met).add("edges", found_.effort.edges));
+    if (found_.lasso)
+      out.add("status", "solved")
+          .add("prefix", json_of(found_.prefix, task_.map))
+          .add("cycle", json_of(found_.cycle, task_.map))
+          .add("prefix_cost", found_.prefix.cost)
+          .add("cycle_cost", found_.cycle.cost)
+          .add("rounds", found_.lasso->route().rounds)
+          .add("mean_cost", found_.lasso->route().mean())
+          .add("certified", true)
+          .add("certified_by", certifier());
+    else
+      out.add("status", "infeasible").add("reason", reason());
+    return out.add("seconds", JsonObject()
+                                  .add("load", options_.load)
+                                  .add("translate", found_.translating)
+                                  .add("solve", found_.solving)
+                                  .add("total", options_.load + found_.translating + found_.solving));
+  }
+
+  void print() const {
+    const Terminal& terminal = session_.out;
+    std::ostream& out = std::cout;
+    if (task_.formula)
+      out << label(terminal, "formula") << terminal.paint(Paint::Blue, shown(*task_.formula, terminal))
+          << '\n';
+    out << label(terminal, "automaton") << counted(automaton_.states(), "state") << ", "
+        << counted(automata::count_edges(automaton_.transitions()), "edge") << ", over infinite words\n"
+        << label(terminal, "product") << counted(found_.effort.met, "state") << ", "
+        << counted(found_.effort.edges, "edge") << ", with the map " << task_.map.name() << '\n';
+    if (found_.lasso) {
+      out << label(terminal, "prefix") << counted(found_.prefix.actions.size(), "action") << ", cost "
+          << Json(found_.prefix.cost).text() << '\n';
+      print_start(out, terminal, found_.prefix.poses.front(), task_.map);
+      print_steps(out, found_.prefix, task_.map);
+      out << label(terminal, "cycle") << counted(found_.cycle.actions.size(), "action") << ", cost "
+          << Json(found_.cycle.cost).text();
+      if (const std::uint64_t rounds = found_.lasso->route().rounds; rounds > 1)
+        out << ", " << rounds << " rounds";
+      out << ", for ever, " << terminal.paint(Paint::Green, "certified") << " by " << certifier() << '\n';
+      print_steps(out, found_.cycle, task_.map, found_.prefix.actions.size() + 1);
+    } else {
+      out << label(terminal, "route") << "none: " << reason() << '\n';
+    }
+    out << label(terminal, "time") << "load " << milliseconds(options_.load) << ", translate "
+        << milliseconds(found_.translating) << ", solve " << milliseconds(found_.solving) << '\n';
+  }
+
+  void draw_lasso() const {
+    Picture picture{.map = &task_.map, .omega = &automaton_, .formula = task_.formula};
+    if (found_.lasso) {
+      plan::Trajectory walk = found_.prefix;
+      walk.poses.insert(walk.poses.end(), found_.cycle.poses.begin() + 1, found_.cycle.poses.end());
+      walk.actions.insert(walk.actions.end(), found_.cycle.actions.begin(), found_.cycle.actions.end());
+      picture.route = walk;
+      picture.for_ever = found_.cycle.actions.size();
+      picture.certified = true;
+    }
+    draw(picture, options_.svg);
+  }
+
+  const WalkTask& task_;
+  const WalkOptions& options_;
+  const Session& session_;
+  StopWatch watch_;
+  FoundLasso found_;
+  const automata::Automaton automaton_;
+};
+
+// Certified by the definition, or by the automaton where there is no formula.
+plan::Route certified(plan::Route route, const WalkTask& task, const automata::Dfa& dfa) {
+  if (task.formula) return plan::certify(std::move(route), task.map, *task.formula).route();
+  return plan::certify_acceptance(std::move(route), task.map, dfa).route();
+}
+
+std::vector<plan::Route> cheapest(const WalkTask& task, const automata::Dfa& dfa, std::size_t most,
+                                  const Session& session) {
+  std::vector<plan::Route> routes;
+  for (const plan::PoseId start : task.starts) {
+    const plan::Mdp mdp = plan::mdp_of(task.map, start);
+    const auto answer =
+        plan::least_routes(mdp, plan::TaskTable(dfa, mdp.letters()), most, 100'000'000, session.stop);
+    if (!answer && session.stop.stop_requested()) throw Interrupted();
+    if (!answer) throw GaveUp("the search for routes met its limit");
+    for (const plan::ChoiceRoute& route : answer->routes)
+      routes.push_back(certified(on_map(task.map, mdp, route), task, dfa));
+  }
+  std::stable_sort(routes.begin(), routes.end(),
+                   [](const plan::Route& a, const plan::Route& b) { return a.cost < b.cost; });
+  if (routes.size() > most) routes.resize(most);
+  return routes;
+}
+
+}  // namespace
+
+ExitCode plan_lasso(const WalkTask& task, const WalkOptions& options, const Session& session) {
+  try {
+    return LassoPlanning(task, options, session).run();
+  } catch (const std::invalid_argument& error) {
+    throw UsageError(error.what());
+  }
+}
+
+ExitCode plan_routes(const WalkTask& task, const automata::Dfa& dfa, const WalkOptions& options,
+                     const Session& session) {
+  const std::vector<plan::Route> routes = cheapest(task, dfa, options.top, session);
+  const std::string by = task.formula ? "definition" : "automaton";
+  if (options.json) {
+    JsonArray list;
+    for (const plan::Route& route : routes)
+      list.add(JsonObject().add("route", json_of(route, task.map)).add("cost", route.cost));
+    JsonObject json;
+    json.add("formula", task.formula ? Json(ltl::print(*task.formula)) : Json())
+        .add("map", task.map.name())
+        .add("status", routes.empty() ? "infeasible" : "solved")
+        .add("routes", list);
+    if (!routes.empty()) json.add("certified", true).add("certified_by", by);
+    std::cout << json.text() << '\n';
+  } else {
+    if (task.formula)
+      std::cout << label(session.out, "formula")
+                << session.out.paint(Paint::Blue, shown(*task.formula, session.out)) << '\n';
+    if (routes.empty()) std::cout << label(session.out, "route") << "none\n";
+    for (std::size_t i = 0; i < routes.size(); ++i) {
+      std::cout << label(session.out, "route " + std::to_string(i + 1))
+                << counted(routes[i].actions.size(), "action") << ", cost " << Json(routes[i].cost).text()
+                << ", " << session.out.paint(Paint::Green, "certified") << " by " << by << '\n';
+      print_start(std::cout, session.out, routes[i].poses.front(), task.map);
+      print_steps(std::cout, routes[i], task.map);
+    }
+  }
+  return routes.empty() ? ExitCode::No : ExitCode::Done;
+}
+
+}  // namespace waymark::tools

@@ -1,0 +1,39 @@
+// waymark plan on a map beyond one route of a finite task: the K cheapest routes, and lassos of tasks over infinite words.
+#pragma once
+#include <optional>
+#include <span>
+#include <string>
+
+#include "libltl/formula.hpp"
+#include "libplan/solve/task_automaton.hpp"
+#include "libplan/world/map.hpp"
+#include "tools/shell/exit_code.hpp"
+#include "tools/shell/json.hpp"
+#include "tools/subcommand.hpp"
+
+namespace waymark::tools {
+
+struct WalkOptions {
+  std::string order = "prefix", svg;  // of lassos
+  std::size_t top = 1;
+  bool json = false;
+  double load = 0;  // seconds that reading the map took
+};
+
+// The task on the map: the formula, or the automaton where there is none.
+struct WalkTask {
+  const plan::Map& map;
+  std::span<const plan::PoseId> starts;
+  std::optional<ltl::Formula> formula;
+  const plan::GivenAutomaton* given = nullptr;
+};
+
+// The certified lasso that comes first in the order; of several starts the first whose lasso does. Throws Interrupted,
+// UsageError for an automaton about finite words.
+ExitCode plan_lasso(const WalkTask& task, const WalkOptions& options, const Session& session);
+
+// The cheapest routes of a DFA, certified, of all starts together.
+ExitCode plan_routes(const WalkTask& task, const automata::Dfa& dfa, const WalkOptions& options,
+                     const Session& session);
+
+}  // namespace waymark::tools
