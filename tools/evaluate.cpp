@@ -6,8 +6,10 @@
 
 #include "libparser/evaluate.hpp"
 #include "libparser/sail_corpus.hpp"
+#include "libparser/streets/street_corpus.hpp"
 #include "tools/shell/models.hpp"
 #include "tools/shell/options.hpp"
+#include "tools/streets.hpp"
 #include "tools/subcommand.hpp"
 
 namespace waymark::tools {
@@ -16,9 +18,9 @@ namespace {
 using parser::Percent;
 
 struct Options {
-  std::string corpus, test_corpus, model = "linear", data;
+  std::string corpus, test_corpus, predictions, model = "linear", data;
   parser::TrainOptions train;
-  bool leave_one_map_out = false, json = false;
+  bool leave_one_map_out = false, train_all = false, json = false;
 };
 
 Json json_of(const parser::ConventionScores& scores) {
@@ -73,7 +75,18 @@ void print_table(const parser::Evaluation& evaluation) {
             << fixed(evaluation.seconds, 1) << " s of training and testing\n";
 }
 
+ExitCode run_on_streets(const Options& options, const Session& session) {
+  if (options.leave_one_map_out == options.train_all)
+    throw UsageError("say what is held out: --leave-one-map-out, or --train-all with --test-corpus");
+  if (options.train_all && options.test_corpus.empty()) throw UsageError("--train-all asks for --test-corpus");
+  StreetExperiment experiment{options.corpus, options.test_corpus, options.predictions, options.train_all,
+                              options.json, options.train.threads, {}};
+  experiment.options.seed = options.train.seed;
+  return evaluate_streets(experiment, session);
+}
+
 ExitCode run_evaluate(const Options& options, const Session& session) {
+  if (streets::is_street_corpus(options.corpus)) return run_on_streets(options, session);
   if (!options.leave_one_map_out)
     throw UsageError("say what is held out: --leave-one-map-out is the only experiment there is so far");
   const parser::Corpus corpus = parser::read_sail_corpus(options.corpus);
@@ -113,6 +126,9 @@ Runner setup_evaluate(CLI::App& command) {
       ->type_name("DIR");
   command.add_flag("--leave-one-map-out", options->leave_one_map_out,
                    "train on all maps but one, test on that one, for each map");
+  command.add_flag("--train-all", options->train_all, "train on every map, test on those of --test-corpus");
+  command.add_option("--predictions", options->predictions, "write every answer there, one JSON object a line")
+      ->type_name("FILE");
   add_model_kind_option(command, options->model);
   add_data_option(command, options->data);
   add_training_options(command, options->train);
