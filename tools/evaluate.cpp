@@ -78,9 +78,15 @@ void print_table(const parser::Evaluation& evaluation) {
 ExitCode run_on_streets(const Options& options, const Session& session) {
   if (options.leave_one_map_out == options.train_all)
     throw UsageError("say what is held out: --leave-one-map-out, or --train-all with --test-corpus");
-  if (options.train_all && options.test_corpus.empty()) throw UsageError("--train-all asks for --test-corpus");
-  StreetExperiment experiment{options.corpus, options.test_corpus, options.predictions, options.train_all,
-                              options.json, options.train.threads, {}};
+  if (options.train_all && options.test_corpus.empty())
+    throw UsageError("--train-all asks for --test-corpus");
+  StreetExperiment experiment{options.corpus,
+                              options.test_corpus,
+                              options.predictions,
+                              options.train_all,
+                              options.json,
+                              options.train.threads,
+                              {}};
   experiment.options.seed = options.train.seed;
   return evaluate_streets(experiment, session);
 }
@@ -127,7 +133,8 @@ Runner setup_evaluate(CLI::App& command) {
   command.add_flag("--leave-one-map-out", options->leave_one_map_out,
                    "train on all maps but one, test on that one, for each map");
   command.add_flag("--train-all", options->train_all, "train on every map, test on those of --test-corpus");
-  command.add_option("--predictions", options->predictions, "write every answer there, one JSON object a line")
+  command
+      .add_option("--predictions", options->predictions, "write every answer there, one JSON object a line")
       ->type_name("FILE");
   add_model_kind_option(command, options->model);
   add_data_option(command, options->data);

@@ -66,7 +66,8 @@ void print_table(const StreetEvaluation& evaluation, double seconds) {
   std::cout << "per cent, all instructions\n\n"
             << "left out          exact path        goal       floor      supply  instructions\n";
   const auto row = [](const std::string& name, const StreetScores& s) {
-    print_row(name, {s.exact_path.value(), s.goal.value(), s.floor.value(), s.supply.value()}, s.exact_path.total);
+    print_row(name, {s.exact_path.value(), s.goal.value(), s.floor.value(), s.supply.value()},
+              s.exact_path.total);
   };
   for (const auto& [map, scores] : evaluation.by_map) row(map, scores);
   row("all", evaluation.all);
@@ -89,7 +90,8 @@ ExitCode evaluate_streets(const StreetExperiment& experiment, const Session& ses
   const auto evaluation =
       streets::evaluate_streets(corpus, test, experiment.train_all, experiment.threads, options);
   if (!evaluation) throw Interrupted();
-  if (!experiment.predictions.empty()) write_file(experiment.predictions, prediction_lines(test, *evaluation));
+  if (!experiment.predictions.empty())
+    write_file(experiment.predictions, prediction_lines(test, *evaluation));
   const double seconds = watch.lap();
   if (!experiment.json) {
     print_table(*evaluation, seconds);

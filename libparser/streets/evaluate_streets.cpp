@@ -20,7 +20,8 @@ void test(Fold& fold, const StreetModel& model, const StreetCorpus& corpus) {
   for (const StreetInstruction& instruction : corpus.instructions) {
     if (instruction.map != fold.map) continue;
     const auto found = reader.candidates(instruction.tokens, instruction.start);
-    StreetPrediction prediction{&instruction, found.mentions, reader.read(model, instruction.tokens, instruction.start)};
+    StreetPrediction prediction{&instruction, found.mentions,
+                                reader.read(model, instruction.tokens, instruction.start)};
     StreetScores one{{0, 1}, {0, 1}, {0, 1}, {0, 1}};
     if (!prediction.readings.empty()) {
       const StreetRoute& route = prediction.readings.front().route.landmarks;
@@ -28,7 +29,8 @@ void test(Fold& fold, const StreetModel& model, const StreetCorpus& corpus) {
       one.goal.hits = route.back() == instruction.path.back() ? 1 : 0;
       one.floor.hits = found.routes.front().landmarks == instruction.path ? 1 : 0;
     }
-    for (const CandidateRoute& route : found.routes) one.supply.hits |= route.landmarks == instruction.path ? 1U : 0U;
+    for (const CandidateRoute& route : found.routes)
+      one.supply.hits |= route.landmarks == instruction.path ? 1U : 0U;
     fold.scores += one;
     if (prediction.readings.size() > readings_kept) prediction.readings.resize(readings_kept);
     fold.predictions.push_back(std::move(prediction));
@@ -40,7 +42,8 @@ std::vector<const StreetInstruction*> training_part(const StreetCorpus& train, c
   std::vector<const StreetInstruction*> part;
   for (const StreetInstruction& instruction : train.instructions)
     if (train_all || train.maps[instruction.map].name != left_out) part.push_back(&instruction);
-  if (part.empty()) throw std::invalid_argument("nothing is left to train on when " + left_out + " is left out");
+  if (part.empty())
+    throw std::invalid_argument("nothing is left to train on when " + left_out + " is left out");
   return part;
 }
 
@@ -77,7 +80,8 @@ std::optional<StreetEvaluation> evaluate_streets(const StreetCorpus& train, cons
     evaluation.all += fold.scores;
     evaluation.mean_exact_path += fold.scores.exact_path.value() / static_cast<double>(folds.size());
     evaluation.mean_goal += fold.scores.goal.value() / static_cast<double>(folds.size());
-    for (StreetPrediction& prediction : fold.predictions) evaluation.predictions.push_back(std::move(prediction));
+    for (StreetPrediction& prediction : fold.predictions)
+      evaluation.predictions.push_back(std::move(prediction));
   }
   return evaluation;
 }

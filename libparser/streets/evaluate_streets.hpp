@@ -27,15 +27,16 @@ struct StreetPrediction {  // of one instruction
 
 struct StreetEvaluation {
   std::map<std::string, StreetScores> by_map;
-  StreetScores all;                             // weighted by instructions
-  double mean_exact_path = 0, mean_goal = 0;    // over maps, in percent
-  std::vector<StreetPrediction> predictions;    // in the order of maps, then of the test corpus; readings cut to 3
+  StreetScores all;                           // weighted by instructions
+  double mean_exact_path = 0, mean_goal = 0;  // over maps, in percent
+  std::vector<StreetPrediction>
+      predictions;  // in the order of maps, then of the test corpus; readings cut to 3
 };
 
 // One map left out: trained on the other maps of `train`, tested on the instructions of `test` about this one. A map of
 // `test` that `train` does not have is tested with everything in `train`; with `train_all` every map of `test` is.
 // Empty when a stop was requested. Throws std::invalid_argument when a fold has nothing to train on.
-std::optional<StreetEvaluation> evaluate_streets(const StreetCorpus& train, const StreetCorpus& test, bool train_all,
-                                                 int threads, const StreetOptions& options);
+std::optional<StreetEvaluation> evaluate_streets(const StreetCorpus& train, const StreetCorpus& test,
+                                                 bool train_all, int threads, const StreetOptions& options);
 
 }  // namespace waymark::streets

@@ -1,6 +1,7 @@
 #include "libparser/streets/learn_streets.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <numeric>
 #include <random>
@@ -8,7 +9,10 @@
 namespace waymark::streets {
 namespace {
 
+constexpr int least_cities = 3;
+
 struct Example {
+  std::size_t map;
   std::vector<RouteFeatures> routes;
   std::size_t gold;
 };
@@ -16,8 +20,11 @@ struct Example {
 class Learner {
  public:
   Learner(StreetModel& model, const StreetOptions& options)
-      : weights_(model.weights), rate_(static_cast<float>(options.rate)), decay_(static_cast<float>(options.decay)),
-        squares_(weights_.size(), 0.0F), gradient_(weights_.size(), 0.0F) {}
+      : weights_(model.weights),
+        rate_(static_cast<float>(options.rate)),
+        decay_(static_cast<float>(options.decay)),
+        squares_(weights_.size(), 0.0F),
+        gradient_(weights_.size(), 0.0F) {}
 
   void update(const Example& example) {
     scores_.assign(example.routes.size(), 0.0F);
@@ -67,11 +74,26 @@ std::vector<Example> examples(std::span<const StreetInstruction* const> instruct
     auto found = reader->candidates(instruction->tokens, instruction->start);
     for (std::size_t i = 0; i < found.routes.size(); ++i)
       if (found.routes[i].landmarks == instruction->path) {
-        out.push_back({std::move(found.features), i});
+        out.push_back({instruction->map, std::move(found.features), i});
         break;
       }
   }
   return out;
+}
+
+// Features that were met in one or two cities only are about those: they are left out.
+void keep_what_is_shared(std::vector<Example>& examples) {
+  std::vector<std::uint64_t> cities(std::size_t{1} << feature_bits, 0);
+  for (const Example& example : examples)
+    for (const RouteFeatures& features : example.routes)
+      for (const WeighedFeature& f : features) cities[f.index] |= std::uint64_t{1} << (example.map % 64);
+  std::uint64_t all = 0;
+  for (const Example& example : examples) all |= std::uint64_t{1} << (example.map % 64);
+  const int least = std::min(least_cities, std::popcount(all));
+  const auto alone = [&](const WeighedFeature& f) { return std::popcount(cities[f.index]) < least; };
+  for (Example& example : examples)
+    for (RouteFeatures& features : example.routes)
+      features.erase(std::remove_if(features.begin(), features.end(), alone), features.end());
 }
 
 }  // namespace
@@ -81,7 +103,8 @@ std::optional<StreetModel> learn_streets(std::span<const StreetInstruction* cons
   StreetModel model;
   model.limits = options.limits;
   model.common = common_words(instructions, maps);
-  const std::vector<Example> all = examples(instructions, maps, model, options.stop);
+  std::vector<Example> all = examples(instructions, maps, model, options.stop);
+  keep_what_is_shared(all);
   std::vector<std::size_t> order(all.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::mt19937_64 random(options.seed);

@@ -7,11 +7,14 @@
 namespace waymark::streets {
 namespace {
 
-constexpr std::size_t spare_words = 2;      // of a stretch, beyond those of the longest name
-constexpr std::size_t most_name_words = 6;  // whose subsequences are all parts; longer names keep their stretches only
-constexpr double frequent = 0.004;          // share of the texts of a city
-constexpr float missing_letter = 0.1F;      // what a letter of the name that was left out costs
-constexpr float rival = 2.5F;               // letters by which a name may fit worse and still be kept
+constexpr std::size_t spare_words = 2;  // of a stretch, beyond those of the longest name
+constexpr std::size_t most_name_words =
+    6;  // whose subsequences are all parts; longer names keep their stretches only
+constexpr double frequent = 0.004;      // share of the texts of a city
+constexpr float missing_letter = 0.1F;  // what a letter of the name that was left out costs
+constexpr float rival = 2.5F;           // letters by which a name may fit worse and still be kept
+
+constexpr float one_more = 1.5F;  // letters that a mention costs, so that names are not torn apart
 
 std::size_t slips_allowed(std::size_t letters) { return letters < 4 ? 0 : letters / 4; }
 
@@ -54,6 +57,9 @@ std::string letters_of(std::string_view word) {
       out += static_cast<char>(c);
     }
   }
+  if (out == "street") out = "st";
+  if (out == "avenue") out = "ave";
+  if (out == "road") out = "rd";
   return out;
 }
 
@@ -64,7 +70,8 @@ std::size_t slips(std::string_view a, std::string_view b) {
     now[0] = i;
     for (std::size_t j = 1; j <= b.size(); ++j) {
       now[j] = std::min({last[j] + 1, now[j - 1] + 1, last[j - 1] + (a[i - 1] == b[j - 1] ? 0U : 1U)});
-      if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1]) now[j] = std::min(now[j], before[j - 2] + 1);
+      if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1])
+        now[j] = std::min(now[j], before[j - 2] + 1);
     }
     std::swap(before, last);
     std::swap(last, now);
@@ -72,7 +79,8 @@ std::size_t slips(std::string_view a, std::string_view b) {
   return last[b.size()];
 }
 
-CommonWords common_words(std::span<const StreetInstruction* const> instructions, const std::vector<StreetMap>& maps) {
+CommonWords common_words(std::span<const StreetInstruction* const> instructions,
+                         const std::vector<StreetMap>& maps) {
   std::vector<std::set<std::string>> named(maps.size());
   for (std::size_t m = 0; m < maps.size(); ++m)
     for (const Landmark& landmark : maps[m].landmarks)
@@ -116,10 +124,12 @@ void MentionFinder::add_parts(LandmarkIndex landmark, const std::vector<std::str
     if (part.letters.size() > 1 || part.letters == name) parts_.push_back(std::move(part));
   };
   if (n <= most_name_words) {
-    for (unsigned subset = 1; subset < 1U << n; ++subset) add([&](std::size_t i) { return (subset >> i & 1U) != 0; });
+    for (unsigned subset = 1; subset < 1U << n; ++subset)
+      add([&](std::size_t i) { return (subset >> i & 1U) != 0; });
   } else {
     for (std::size_t begin = 0; begin < n; ++begin)
-      for (std::size_t end = begin + 1; end <= n; ++end) add([&](std::size_t i) { return begin <= i && i < end; });
+      for (std::size_t end = begin + 1; end <= n; ++end)
+        add([&](std::size_t i) { return begin <= i && i < end; });
   }
 }
 
@@ -138,13 +148,15 @@ const std::vector<NameFit>& MentionFinder::fits(const std::string& letters, bool
     const std::size_t off = slips(letters, part.letters);
     if (off > allowed) continue;
     const auto size = static_cast<float>(part.letters.size()), whole = static_cast<float>(part.name_letters);
-    const NameFit fit{part.landmark, size - 2 * static_cast<float>(off) - missing_letter * (whole - size), size / whole};
+    const NameFit fit{part.landmark, size - 2 * static_cast<float>(off) - missing_letter * (whole - size),
+                      size / whole};
     const auto [old, first] = best.try_emplace(part.landmark, fit);
     if (!first && fit.letters > old->second.letters) old->second = fit;
   }
   for (const auto& [landmark, fit] : best)
     if (fit.letters > 0) found.push_back(fit);
-  std::stable_sort(found.begin(), found.end(), [](const NameFit& a, const NameFit& b) { return a.letters > b.letters; });
+  std::stable_sort(found.begin(), found.end(),
+                   [](const NameFit& a, const NameFit& b) { return a.letters > b.letters; });
   while (found.size() > 1 && found.back().letters < found.front().letters - rival) found.pop_back();
   return found;
 }
@@ -168,8 +180,9 @@ std::vector<Mention> MentionFinder::find(const std::vector<std::string>& tokens)
       common = common && common_.contains(letters[begin]);
       if (letters[begin].empty()) continue;
       const auto& found = fits(stretch, common);
-      if (!found.empty() && steps[begin].letters + found.front().letters > steps[end].letters)
-        steps[end] = {steps[begin].letters + found.front().letters, end - begin};
+      if (found.empty()) continue;
+      const float sum = steps[begin].letters + found.front().letters - one_more;
+      if (sum > steps[end].letters) steps[end] = {sum, end - begin};
     }
   }
   std::vector<Mention> mentions;

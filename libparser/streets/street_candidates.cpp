@@ -6,8 +6,10 @@ namespace waymark::streets {
 namespace {
 
 // Settings of the rough count: it only has to keep the right route among many.
-constexpr double own_landmark = 2.5;  // letters by which a name may fit worse if its landmark lies on the route
-constexpr double unnamed = 1.0, elsewhere = 1.0, backwards = 0.6, skipped = 0.15, wrong_goal = 0.8, by_rank = 0.06;
+constexpr double own_landmark =
+    2.5;  // letters by which a name may fit worse if its landmark lies on the route
+constexpr double unnamed = 1.0, elsewhere = 1.0, backwards = 0.6, skipped = 0.15, wrong_goal = 0.8,
+                 by_rank = 0.06;
 
 double rough_score(const CandidateRoute& route, const std::vector<PlacedMention>& mentions) {
   std::vector<bool> named(route.landmarks.size(), false);
@@ -50,7 +52,8 @@ std::vector<PlacedMention> place(const std::vector<Mention>& mentions, const Str
 }
 
 std::vector<CandidateRoute> candidate_routes(const StreetMap& map, RouteTable& routes, LandmarkIndex start,
-                                             const std::vector<Mention>& mentions, const CandidateLimits& limits) {
+                                             const std::vector<Mention>& mentions,
+                                             const CandidateLimits& limits) {
   struct Scored {
     double score;
     LandmarkIndex goal;
@@ -66,7 +69,8 @@ std::vector<CandidateRoute> candidate_routes(const StreetMap& map, RouteTable& r
     }
   }
   const std::size_t kept = std::min(limits.candidates, scored.size());
-  std::stable_sort(scored.begin(), scored.end(), [](const Scored& a, const Scored& b) { return a.score > b.score; });
+  std::stable_sort(scored.begin(), scored.end(),
+                   [](const Scored& a, const Scored& b) { return a.score > b.score; });
   std::vector<CandidateRoute> out;
   for (std::size_t i = 0; i < kept; ++i) {
     const auto& ranked = routes.routes(start, scored[i].goal);

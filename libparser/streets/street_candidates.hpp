@@ -23,9 +23,9 @@ struct CandidateRoute {
 };
 
 struct PlacedMention {
-  LandmarkIndex landmark = 0;           // as this candidate has it read
+  LandmarkIndex landmark = 0;          // as this candidate has it read
   std::uint32_t position = off_route;  // on the route
-  float letters = 0, complete = 0;      // of the name that was fitted
+  float letters = 0, complete = 0;     // of the name that was fitted
 };
 
 // Each mention as the landmark that fits best, the route's own landmarks preferred.
@@ -38,6 +38,7 @@ struct CandidateLimits {
 
 // Best first by the rough count.
 std::vector<CandidateRoute> candidate_routes(const StreetMap& map, RouteTable& routes, LandmarkIndex start,
-                                             const std::vector<Mention>& mentions, const CandidateLimits& limits = {});
+                                             const std::vector<Mention>& mentions,
+                                             const CandidateLimits& limits = {});
 
 }  // namespace waymark::streets

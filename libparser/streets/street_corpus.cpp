@@ -32,7 +32,8 @@ struct Line {  // of the instruction file, while it is read
   }
   LandmarkIndex landmark(const json& value, const std::string& path, const StreetMap& map) const {
     constexpr int limit = 1'000'000'000;
-    if (!value.is_number_integer() || value < -limit || value > limit) fail(path, "expected the id of a landmark");
+    if (!value.is_number_integer() || value < -limit || value > limit)
+      fail(path, "expected the id of a landmark");
     const auto at = map.find(value.get<int>());
     if (!at) fail(path, "there is no landmark with that id on " + map.name);
     return *at;
@@ -42,8 +43,8 @@ struct Line {  // of the instruction file, while it is read
 std::vector<std::string> read_tokens(const Line& line, const json& object, const std::string& text) {
   const auto tokens = object.find("tokens");
   if (tokens == object.end()) return parser::tokenize(text);
-  const bool texts = tokens->is_array() && std::all_of(tokens->begin(), tokens->end(),
-                                                       [](const json& t) { return t.is_string(); });
+  const bool texts = tokens->is_array() &&
+                     std::all_of(tokens->begin(), tokens->end(), [](const json& t) { return t.is_string(); });
   if (!texts) line.fail("tokens", "expected a list of words");
   return tokens->get<std::vector<std::string>>();
 }
@@ -55,7 +56,8 @@ StreetRoute read_path(const Line& line, const json& object, const StreetMap& map
   for (std::size_t i = 0; i < list.size(); ++i) {
     const std::string at = "path[" + std::to_string(i) + "]";
     path.push_back(line.landmark(list[i], at, map));
-    if (i > 0 && !map.length(path[i - 1], path[i])) line.fail(at, "no way leads there from the landmark before");
+    if (i > 0 && !map.length(path[i - 1], path[i]))
+      line.fail(at, "no way leads there from the landmark before");
   }
   return path;
 }
@@ -87,7 +89,8 @@ StreetInstruction read_instruction(const Line& line, const std::vector<StreetMap
 
 }  // namespace
 
-std::vector<StreetInstruction> parse_street_instructions(std::string_view json_lines, const std::vector<StreetMap>& maps,
+std::vector<StreetInstruction> parse_street_instructions(std::string_view json_lines,
+                                                         const std::vector<StreetMap>& maps,
                                                          std::string_view source) {
   std::vector<StreetInstruction> instructions;
   parser::each_line(json_lines, [&](std::string_view text, std::size_t number) {

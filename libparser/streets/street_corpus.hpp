@@ -30,7 +30,8 @@ bool is_street_corpus(const std::filesystem::path& directory);
 // directory/instructions.jsonl and directory/maps/*.json. Throws ltl::FormatError with file, line and key.
 StreetCorpus read_street_corpus(const std::filesystem::path& directory);
 // The lines alone, about these maps.
-std::vector<StreetInstruction> parse_street_instructions(std::string_view json_lines, const std::vector<StreetMap>& maps,
+std::vector<StreetInstruction> parse_street_instructions(std::string_view json_lines,
+                                                         const std::vector<StreetMap>& maps,
                                                          std::string_view source = "");
 
 }  // namespace waymark::streets

@@ -11,8 +11,39 @@ namespace waymark::streets {
 namespace {
 
 enum class Kind : std::uint8_t {
-  Bias, Move, MoveWord, MoveGap, MoveMove, Beside, BesideWord, Silent, SilentRival, SilentCount, Unnamed, Rank, RankAll,
-  Detour, Legs, Goal, GoalWord, StartWord, Angle, AngleFirst, Fit, Rival, Coverage, Order, FirstMention, Turns
+  Bias,
+  Move,
+  MoveWord,
+  MoveGap,
+  MoveMove,
+  Beside,
+  BesideWord,
+  Silent,
+  SilentRival,
+  SilentCount,
+  Unnamed,
+  Rank,
+  RankAll,
+  Detour,
+  Legs,
+  Goal,
+  GoalWord,
+  StartWord,
+  Angle,
+  AngleFirst,
+  Fit,
+  Rival,
+  Coverage,
+  Order,
+  FirstMention,
+  Turns,
+  Confused,
+  Exact,
+  Cue,
+  CoarseWord,
+  CoarsePair,
+  Reading,
+  PassedBy
 };
 
 std::uint64_t mix(std::uint64_t hash, std::uint64_t value) {
@@ -37,11 +68,21 @@ unsigned bin(double value, std::initializer_list<double> thresholds) {
 class Writer {
  public:
   Writer(const StreetMap& map, double unit, const std::vector<std::string>& tokens,
-         const std::vector<Mention>& mentions, const CandidateRoute& route)
-      : map_(map), unit_(unit), tokens_(tokens), mentions_(mentions), route_(route),
-        nodes_(route.landmarks), placed_(place(mentions, route.landmarks)), named_(nodes_.size(), 0) {
+         const std::vector<Mention>& mentions, const std::vector<MentionCue>& cues,
+         const CandidateRoute& route)
+      : map_(map),
+        unit_(unit),
+        tokens_(tokens),
+        mentions_(mentions),
+        cues_(cues),
+        route_(route),
+        nodes_(route.landmarks),
+        placed_(place(mentions, route.landmarks)),
+        named_(nodes_.size(), 0) {
     for (const PlacedMention& m : placed_)
       if (m.position != off_route) ++named_[m.position];
+    as_read();
+    take_for_neighbours();
   }
 
   RouteFeatures write() {
@@ -57,8 +98,11 @@ class Writer {
   void add(Kind kind, double value, Parts... parts) {
     std::uint64_t hash = static_cast<std::uint64_t>(kind) + 1;
     ((hash = mix(hash, static_cast<std::uint64_t>(parts))), ...);
-    out_.push_back({static_cast<std::uint32_t>(hash & ((1U << feature_bits) - 1)), static_cast<float>(value)});
+    out_.push_back(
+        {static_cast<std::uint32_t>(hash & ((1U << feature_bits) - 1)), static_cast<float>(value)});
   }
+
+  static constexpr double most_apart = 0.5;  // mean ways
 
   double angle(LandmarkIndex a, LandmarkIndex b) const {
     const Landmark &from = map_.landmarks[a], &to = map_.landmarks[b];
@@ -86,6 +130,63 @@ class Writer {
     return best;
   }
 
+  // Which readings of the text are the route, or leave out a few of its landmarks?
+  void as_read() {
+    for (const streets::Reading& reading : readings(nodes_[0], placed_, cues_)) {
+      std::size_t at = 0;
+      for (const LandmarkIndex node : nodes_)
+        at += at < reading.landmarks.size() && reading.landmarks[at] == node;
+      if (at < reading.landmarks.size()) continue;
+      const std::size_t silent = nodes_.size() - at;
+      const bool to_goal = reading.landmarks.back() == nodes_.back();
+      add(Kind::Reading, 1, reading.followed, std::min<std::size_t>(silent, 3), to_goal);
+      if (silent > 0) continue;
+      for (std::size_t m = 0; m < placed_.size(); ++m)
+        if (cues_[m].cue == Cue::Past || cues_[m].cue == Cue::Not) {
+          const bool on = placed_[m].position != off_route;
+          add(Kind::PassedBy, 1, on, cues_[m].cue,
+              on ? 0 : 1 + bin(beside(placed_[m].landmark), {0.02, 0.05, 0.1, 0.2, 0.4}));
+          if (on) add(Kind::PassedBy, 1, 9, cues_[m].cue, passed_straight(placed_[m].position));
+        }
+    }
+  }
+
+  // How far a landmark on the route is from the straight line between its neighbours there.
+  unsigned passed_straight(std::uint32_t p) const {
+    if (p == 0 || p + 1 >= nodes_.size()) return 99;
+    const double extra = map_.distance(nodes_[p - 1], nodes_[p]) + map_.distance(nodes_[p], nodes_[p + 1]) -
+                         map_.distance(nodes_[p - 1], nodes_[p + 1]);
+    return bin(extra / unit_, {0.002, 0.01, 0.05, 0.2});
+  }
+
+  // A landmark off the route that stands beside one on it, unnamed and in the right place of the order, was taken for it.
+  void take_for_neighbours() {
+    std::uint32_t least = 0;
+    for (std::size_t m = 0; m < placed_.size(); ++m) {
+      if (placed_[m].position != off_route) {
+        least = placed_[m].position;
+        continue;
+      }
+      auto most = static_cast<std::uint32_t>(nodes_.size() - 1);
+      for (std::size_t next = m + 1; next < placed_.size(); ++next)
+        if (placed_[next].position != off_route) {
+          most = std::max(placed_[next].position, least);
+          break;
+        }
+      double nearest = most_apart;
+      std::uint32_t at = off_route;
+      for (std::uint32_t p = least; p <= most; ++p) {
+        const double apart = map_.distance(placed_[m].landmark, nodes_[p]) / unit_;
+        if (named_[p] == 0 && apart < nearest) nearest = apart, at = p;
+      }
+      if (at == off_route) continue;
+      const unsigned role = at == 0 ? 0 : at + 1 == nodes_.size() ? 2 : 1;
+      add(Kind::Confused, 1, role, bin(nearest, {0.05, 0.1, 0.15, 0.2, 0.3}));
+      placed_[m].position = least = at;
+      ++named_[at];
+    }
+  }
+
   // How the route moves between two places of it; `between`: are the landmarks jumped over named elsewhere?
   unsigned move(std::uint32_t from, std::uint32_t to) const {
     if (to == off_route) return 1;
@@ -103,7 +204,7 @@ class Writer {
 
   void moves() {
     std::uint32_t from = 0;
-    unsigned before = 0;
+    unsigned before = 0, last_coarse = 9;
     std::size_t begin = 0;
     for (std::size_t m = 0; m < placed_.size(); ++m) {
       const PlacedMention& here = placed_[m];
@@ -111,9 +212,19 @@ class Writer {
       const unsigned how = move(from, here.position) * 2 + (goal ? 1U : 0U) + (m == 0 ? 100U : 0U);
       add(Kind::Move, 1, how);
       add(Kind::MoveMove, 1, how, before);
+      if (m == 0)
+        add(Kind::FirstMention, 1, how,
+            bin(map_.distance(here.landmark, nodes_[0]) / unit_, {0.001, 0.1, 0.2, 0.3, 0.5}),
+            mentions_[0].begin > 0 ? hash_of(tokens_[0]) : 0);
       words_between(how, begin, mentions_[m].begin);
-      if (here.position == off_route) off(here, begin, mentions_[m].begin);
-      else directions(from, here.position, begin, mentions_[m].begin);
+      const unsigned roughly = coarse(m == 0 ? 0 : placed_[m - 1].position, here.position);
+      cues_between(roughly + (m == 0 ? 10U : 0U), goal, begin, mentions_[m].begin);
+      add(Kind::CoarsePair, 1, roughly, last_coarse);
+      last_coarse = roughly;
+      if (here.position == off_route)
+        off(here, begin, mentions_[m].begin);
+      else
+        directions(from, here.position, begin, mentions_[m].begin);
       before = how;
       if (here.position != off_route) from = here.position;
       begin = mentions_[m].end;
@@ -125,6 +236,30 @@ class Writer {
       if (seen.insert(hash_of(tokens_[i])).second) add(Kind::GoalWord, 1, how, hash_of(tokens_[i]));
   }
 
+  unsigned coarse(std::uint32_t from, std::uint32_t to) const {
+    if (to == off_route) return 0;
+    if (from == off_route) return 1;
+    if (to == from) return 2;
+    if (to == from + 1) return 3;
+    return to > from ? 4 : 5;
+  }
+
+  void cues_between(unsigned how, bool goal, std::size_t begin, std::size_t end) {
+    unsigned cues = 0;
+    for (std::size_t i = begin; i < end; ++i) {
+      add(Kind::CoarseWord, 1, how, hash_of(tokens_[i]));
+      cues |= 1U << static_cast<unsigned>(cue_of(tokens_[i]));
+    }
+    for (unsigned kind = 1; kind <= 10; ++kind)
+      if ((cues >> kind & 1U) != 0) add(Kind::Cue, 1, how, kind, goal);
+    // The last cue word before the landmark says most.
+    for (std::size_t i = end; i-- > begin;)
+      if (const unsigned kind = static_cast<unsigned>(cue_of(tokens_[i])); kind != 0) {
+        add(Kind::Cue, 1, how, 100 + kind, goal);
+        break;
+      }
+  }
+
   void words_between(unsigned how, std::size_t begin, std::size_t end) {
     std::set<std::uint64_t> seen;
     std::uint64_t gap = 0;
@@ -134,14 +269,17 @@ class Writer {
       if (seen.insert(word).second) add(Kind::MoveWord, 1, how, word);
     }
     add(Kind::MoveGap, 1, how, gap);
-    if (end > begin) add(Kind::StartWord, 1, how, hash_of(tokens_[end - 1]), end - begin > 1 ? hash_of(tokens_[end - 2]) : 0);
+    if (end > begin)
+      add(Kind::StartWord, 1, how, hash_of(tokens_[end - 1]),
+          end - begin > 1 ? hash_of(tokens_[end - 2]) : 0);
   }
 
   void off(const PlacedMention& here, std::size_t begin, std::size_t end) {
     const double away = beside(here.landmark);
     const unsigned how_far = bin(away, {0.03, 0.08, 0.15, 0.25, 0.4, 0.7});
     const std::uint32_t nearest = nearest_on_route(here.landmark);
-    const unsigned apart = bin(map_.distance(here.landmark, nodes_[nearest]) / unit_, {0.05, 0.1, 0.2, 0.3, 0.5, 0.8});
+    const unsigned apart =
+        bin(map_.distance(here.landmark, nodes_[nearest]) / unit_, {0.05, 0.1, 0.2, 0.3, 0.5, 0.8});
     const unsigned role = nearest == 0 ? 0 : nearest + 1 == nodes_.size() ? 2 : 1;
     add(Kind::Beside, 1, how_far);
     add(Kind::Beside, 1, 100, apart, role, named_[nearest] > 0);
@@ -171,7 +309,8 @@ class Writer {
       const double extra = goal ? d(i - 1, i) : d(i - 1, i) + d(i, i + 1) - d(i - 1, i + 1);
       const unsigned out_of_way = bin(extra / unit_, {0.005, 0.02, 0.05, 0.1, 0.2, 0.4, 0.8});
       const unsigned beside_last = bin(d(i - 1, i) / unit_, {0.05, 0.1, 0.2, 0.4, 0.8});
-      const bool on_rival = std::find(route_.rival.begin(), route_.rival.end(), nodes_[i]) != route_.rival.end();
+      const bool on_rival =
+          std::find(route_.rival.begin(), route_.rival.end(), nodes_[i]) != route_.rival.end();
       add(Kind::Silent, 1, goal, out_of_way);
       add(Kind::Silent, 1, goal, 100 + beside_last);
       add(Kind::SilentRival, 1, goal, on_rival);
@@ -192,7 +331,22 @@ class Writer {
     const double ratio = route_.shortest > 0 ? route_.length / route_.shortest : 1;
     add(Kind::Detour, 1, bin(ratio, {1.000001, 1.01, 1.03, 1.1, 1.2, 1.5, 2, 3}), all);
     add(Kind::Legs, 1, std::min<std::size_t>(nodes_.size(), 9));
-    add(Kind::Legs, 1, 20 + bin(static_cast<double>(nodes_.size()) - 1 - static_cast<double>(placed_.size()), {-3, -2, -1, 0, 1, 2, 3}));
+    add(Kind::Legs, 1,
+        20 + bin(static_cast<double>(nodes_.size()) - 1 - static_cast<double>(placed_.size()),
+                 {-3, -2, -1, 0, 1, 2, 3}));
+  }
+
+  // 2: what is named, one after the other, is the route; 1: in another order, or with something silent; 0: neither.
+  unsigned agreement() const {
+    StreetRoute said{nodes_[0]};
+    for (const PlacedMention& m : placed_)
+      if (m.landmark != said.back()) said.push_back(m.landmark);
+    if (said == nodes_) return 2;
+    std::sort(said.begin(), said.end());
+    said.erase(std::unique(said.begin(), said.end()), said.end());
+    StreetRoute route = nodes_;
+    std::sort(route.begin(), route.end());
+    return said == route ? 1 : 0;
   }
 
   void coverage() {
@@ -202,6 +356,7 @@ class Writer {
       (m.position == off_route ? off : on).insert(m.landmark);
       if (m.position != off_route) complete += m.complete;
     }
+    add(Kind::Exact, 1, agreement(), off.empty());
     add(Kind::Coverage, static_cast<double>(on.size()), 0);
     add(Kind::Coverage, static_cast<double>(off.size()), 1);
     add(Kind::Coverage, 1, 2, std::min<std::size_t>(off.size(), 3));
@@ -210,7 +365,8 @@ class Writer {
     // What is named tells the route from its rival.
     std::size_t here = 0, there = 0;
     for (const PlacedMention& m : placed_) {
-      const bool rival = std::find(route_.rival.begin(), route_.rival.end(), m.landmark) != route_.rival.end();
+      const bool rival =
+          std::find(route_.rival.begin(), route_.rival.end(), m.landmark) != route_.rival.end();
       here += m.position != off_route && !rival ? 1U : 0U;
       there += m.position == off_route && rival ? 1U : 0U;
     }
@@ -222,6 +378,7 @@ class Writer {
   double unit_;
   const std::vector<std::string>& tokens_;
   const std::vector<Mention>& mentions_;
+  const std::vector<MentionCue>& cues_;
   const CandidateRoute& route_;
   const StreetRoute& nodes_;
   std::vector<PlacedMention> placed_;
@@ -232,8 +389,9 @@ class Writer {
 }  // namespace
 
 RouteFeatures street_features(const StreetMap& map, double unit, const std::vector<std::string>& tokens,
-                              const std::vector<Mention>& mentions, const CandidateRoute& route) {
-  return Writer(map, unit, tokens, mentions, route).write();
+                              const std::vector<Mention>& mentions, const std::vector<MentionCue>& cues,
+                              const CandidateRoute& route) {
+  return Writer(map, unit, tokens, mentions, cues, route).write();
 }
 
 }  // namespace waymark::streets

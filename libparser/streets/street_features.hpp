@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "libparser/streets/street_candidates.hpp"
+#include "libparser/streets/street_readings.hpp"
 
 namespace waymark::streets {
 
@@ -21,6 +21,7 @@ struct WeighedFeature {
 using RouteFeatures = std::vector<WeighedFeature>;  // in no order; one may stand more than once
 
 RouteFeatures street_features(const StreetMap& map, double unit, const std::vector<std::string>& tokens,
-                              const std::vector<Mention>& mentions, const CandidateRoute& route);
+                              const std::vector<Mention>& mentions, const std::vector<MentionCue>& cues,
+                              const CandidateRoute& route);
 
 }  // namespace waymark::streets

@@ -82,8 +82,8 @@ std::optional<LandmarkIndex> StreetMap::find(int id) const {
 }
 
 std::optional<double> StreetMap::length(LandmarkIndex a, LandmarkIndex b) const {
-  const auto at =
-      std::lower_bound(ways[a].begin(), ways[a].end(), b, [](const Way& w, LandmarkIndex i) { return w.to < i; });
+  const auto at = std::lower_bound(ways[a].begin(), ways[a].end(), b,
+                                   [](const Way& w, LandmarkIndex i) { return w.to < i; });
   if (at == ways[a].end() || at->to != b) return std::nullopt;
   return at->length;
 }
@@ -100,7 +100,9 @@ double StreetMap::mean_way() const {
   return sum > 0 ? sum / static_cast<double>(count) : 1;
 }
 
-StreetMap parse_street_map(std::string_view json, std::string_view source) { return Reader(json, source).read(); }
+StreetMap parse_street_map(std::string_view json, std::string_view source) {
+  return Reader(json, source).read();
+}
 
 StreetMap read_street_map(const std::filesystem::path& file) {
   return parse_street_map(parser::read_corpus_file(file), file.string());

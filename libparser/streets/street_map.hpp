@@ -13,7 +13,7 @@
 
 namespace waymark::streets {
 
-using LandmarkIndex = std::uint32_t;        // position in StreetMap::landmarks
+using LandmarkIndex = std::uint32_t;             // position in StreetMap::landmarks
 using StreetRoute = std::vector<LandmarkIndex>;  // start first
 
 struct Landmark {
