@@ -57,7 +57,7 @@ struct Prediction {
 };
 
 struct Evaluation {
-  std::map<std::string, Scores> folds;  // by the name of the map left out
+  std::map<std::string, Scores> folds;  // by the name of the map tested on
   Scores all;                           // weighted by counts
   std::vector<Scores> singles;          // of an ensemble: all folds of each member
   std::vector<Prediction> predictions;
@@ -75,6 +75,10 @@ struct EvaluateOptions {
 // Throws std::invalid_argument when fewer than two maps have paragraphs; Stopped when a stop was requested.
 Evaluation evaluate_leave_one_map_out(const Corpus& train, const Corpus* test,
                                       std::span<const plan::Map> maps, const EvaluateOptions& options = {});
+
+// Trains on all of one corpus and tests on another, map by map; an ensemble votes. Throws as `train` does.
+Evaluation evaluate_train_all(const Corpus& train, std::span<const plan::Map> maps, const Corpus& test,
+                              std::span<const plan::Map> test_maps, const EvaluateOptions& options = {});
 
 // Scores of one follower, under the convention it is asked about, on the paragraphs of the corpus that lie on this map.
 // Predictions are added when they are wanted. Throws Stopped when a stop was requested.

@@ -2,11 +2,10 @@
 
 #include <algorithm>
 #include <cstdlib>
-#include <fstream>
 #include <nlohmann/json.hpp>
-#include <sstream>
 
 #include "libltl/diagnostic.hpp"
+#include "libparser/corpus_file.hpp"
 #include "libparser/token.hpp"
 #include "libplan/world/json_position.hpp"
 #include "libplan/world/read_map.hpp"
@@ -121,38 +120,19 @@ Paragraph read_paragraph(const Line& line) {
   return paragraph;
 }
 
-std::string read_file(const std::filesystem::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  std::ostringstream bytes;
-  bytes << in.rdbuf();
-  if (!in || !bytes) throw ltl::FormatError(file.string(), 0, 0, "cannot be read");
-  return std::move(bytes).str();
-}
-
-std::uint64_t fnv1a(std::string_view bytes) {
-  std::uint64_t hash = 0xCBF29CE484222325ULL;
-  for (char c : bytes) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001B3ULL;
-  return hash;
-}
-
 }  // namespace
 
 std::vector<Paragraph> parse_sail_corpus(std::string_view json_lines, std::string_view source) {
   std::vector<Paragraph> paragraphs;
-  std::size_t number = 1;
-  for (std::size_t begin = 0; begin < json_lines.size(); ++number) {
-    const std::size_t end = std::min(json_lines.find('\n', begin), json_lines.size());
-    const Line line{source, json_lines.substr(begin, end - begin), number};
-    if (line.text.find_first_not_of(" \t\r") != std::string_view::npos)
-      paragraphs.push_back(read_paragraph(line));
-    begin = end + 1;
-  }
+  each_line(json_lines, [&](std::string_view text, std::size_t number) {
+    paragraphs.push_back(read_paragraph(Line{source, text, number}));
+  });
   return paragraphs;
 }
 
 Corpus read_sail_corpus(const std::filesystem::path& directory) {
   const std::filesystem::path file = directory / "instructions.jsonl";
-  const std::string bytes = read_file(file);
+  const std::string bytes = read_corpus_file(file);
   Corpus corpus{parse_sail_corpus(bytes, file.string()), {}, fnv1a(bytes)};
   std::vector<std::filesystem::path> maps;
   if (std::filesystem::is_directory(directory / "maps"))

@@ -8,9 +8,11 @@
 #include "libltl/print.hpp"
 #include "libparser/evaluate.hpp"
 #include "libparser/sail_corpus.hpp"
+#include "libparser/streets/street_corpus.hpp"
 #include "tools/shell/models.hpp"
 #include "tools/shell/options.hpp"
 #include "tools/shell/output.hpp"
+#include "tools/streets.hpp"
 #include "tools/subcommand.hpp"
 
 namespace waymark::tools {
@@ -22,7 +24,7 @@ struct Options {
   std::string corpus, test_corpus, data, predictions, convention = "both";
   TrainingOptions training;
   std::size_t ensemble = 1;
-  bool leave_one_map_out = false, json = false;
+  bool leave_one_map_out = false, train_all = false, json = false;
 };
 
 Json json_of(const parser::ConventionScores& scores) {
@@ -120,9 +122,29 @@ void print_table(const parser::Evaluation& evaluation) {
             << fixed(evaluation.seconds, 1) << " s of training and testing\n";
 }
 
+void check_what_is_held_out(const Options& options) {
+  if (options.leave_one_map_out == options.train_all)
+    throw UsageError("say what is held out: --leave-one-map-out, or --train-all with --test-corpus");
+  if (options.train_all && options.test_corpus.empty())
+    throw UsageError("--train-all asks for --test-corpus");
+}
+
+ExitCode run_on_streets(const Options& options, const Session& session) {
+  check_what_is_held_out(options);
+  StreetExperiment experiment{options.corpus,
+                              options.test_corpus,
+                              options.predictions,
+                              options.train_all,
+                              options.json,
+                              options.training.train.threads,
+                              {}};
+  experiment.options.seed = options.training.train.seed;
+  return evaluate_streets(experiment, session);
+}
+
 ExitCode run_evaluate(const Options& options, const Session& session) {
-  if (!options.leave_one_map_out)
-    throw UsageError("say what is held out: --leave-one-map-out is the only experiment there is so far");
+  if (streets::is_street_corpus(options.corpus)) return run_on_streets(options, session);
+  check_what_is_held_out(options);
   const parser::Corpus corpus = parser::read_sail_corpus(options.corpus);
   std::optional<parser::Corpus> test;
   if (!options.test_corpus.empty()) test = parser::read_sail_corpus(options.test_corpus);
@@ -136,14 +158,17 @@ ExitCode run_evaluate(const Options& options, const Session& session) {
   ProgressBar bar;
   evaluate.train.progress = [&](double fraction, std::string_view what) { bar.show(fraction, what); };
   const std::vector<plan::Map> maps = maps_of(corpus, options.data);
+  const std::vector<plan::Map> test_maps = options.train_all ? maps_of(*test, options.data) : maps;
   std::optional<parser::Evaluation> evaluation;
   try {
-    evaluation = parser::evaluate_leave_one_map_out(corpus, test ? &*test : nullptr, maps, evaluate);
+    evaluation = options.train_all
+                     ? parser::evaluate_train_all(corpus, maps, *test, test_maps, evaluate)
+                     : parser::evaluate_leave_one_map_out(corpus, test ? &*test : nullptr, maps, evaluate);
   } catch (const parser::Stopped&) {
     throw Interrupted();
   }
   bar.wipe();
-  if (!options.predictions.empty()) write_predictions(options.predictions, *evaluation, maps);
+  if (!options.predictions.empty()) write_predictions(options.predictions, *evaluation, test_maps);
   if (options.json)
     std::cout << json_of(*evaluation).text() << '\n';
   else
@@ -165,6 +190,7 @@ Runner setup_evaluate(CLI::App& command) {
       ->type_name("DIR");
   command.add_flag("--leave-one-map-out", options->leave_one_map_out,
                    "train on all maps but one, test on that one, for each map");
+  command.add_flag("--train-all", options->train_all, "train on every map, test on those of --test-corpus");
   add_data_option(command, options->data);
   add_training_options(command, options->training, {"linear", "encoder-decoder", "actions"});
   command.add_option("--convention", options->convention, "what an unknown start heading counts as")

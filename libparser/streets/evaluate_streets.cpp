@@ -1,0 +1,89 @@
+#include "libparser/streets/evaluate_streets.hpp"
+
+#include <stdexcept>
+
+#include "libparser/parallel.hpp"
+
+namespace waymark::streets {
+namespace {
+
+constexpr std::size_t readings_kept = 3;
+
+struct Fold {
+  std::size_t map;  // of the test corpus
+  StreetScores scores;
+  std::vector<StreetPrediction> predictions;
+};
+
+void test(Fold& fold, const StreetModel& model, const StreetCorpus& corpus) {
+  StreetReader reader(corpus.maps[fold.map], model.common, model.limits);
+  for (const StreetInstruction& instruction : corpus.instructions) {
+    if (instruction.map != fold.map) continue;
+    const auto found = reader.candidates(instruction.tokens, instruction.start);
+    StreetPrediction prediction{&instruction, found.mentions,
+                                reader.read(model, instruction.tokens, instruction.start)};
+    StreetScores one{{0, 1}, {0, 1}, {0, 1}, {0, 1}};
+    if (!prediction.readings.empty()) {
+      const StreetRoute& route = prediction.readings.front().route.landmarks;
+      one.exact_path.hits = route == instruction.path ? 1 : 0;
+      one.goal.hits = route.back() == instruction.path.back() ? 1 : 0;
+      one.floor.hits = found.routes.front().landmarks == instruction.path ? 1 : 0;
+    }
+    for (const CandidateRoute& route : found.routes)
+      one.supply.hits |= route.landmarks == instruction.path ? 1U : 0U;
+    fold.scores += one;
+    if (prediction.readings.size() > readings_kept) prediction.readings.resize(readings_kept);
+    fold.predictions.push_back(std::move(prediction));
+  }
+}
+
+std::vector<const StreetInstruction*> training_part(const StreetCorpus& train, const std::string& left_out,
+                                                    bool train_all) {
+  std::vector<const StreetInstruction*> part;
+  for (const StreetInstruction& instruction : train.instructions)
+    if (train_all || train.maps[instruction.map].name != left_out) part.push_back(&instruction);
+  if (part.empty())
+    throw std::invalid_argument("nothing is left to train on when " + left_out + " is left out");
+  return part;
+}
+
+}  // namespace
+
+StreetScores& StreetScores::operator+=(const StreetScores& other) {
+  exact_path += other.exact_path;
+  goal += other.goal;
+  floor += other.floor;
+  supply += other.supply;
+  return *this;
+}
+
+std::optional<StreetEvaluation> evaluate_streets(const StreetCorpus& train, const StreetCorpus& test_corpus,
+                                                 bool train_all, int threads, const StreetOptions& options) {
+  std::vector<Fold> folds;
+  for (std::size_t m = 0; m < test_corpus.maps.size(); ++m)
+    for (const StreetInstruction& instruction : test_corpus.instructions)
+      if (instruction.map == m) {
+        folds.push_back({m, {}, {}});
+        break;
+      }
+  std::optional<StreetModel> one;  // for all folds
+  if (train_all) one = learn_streets(training_part(train, "", true), train.maps, options);
+  parser::run_jobs(folds.size(), threads, {}, "cities", [&](std::size_t i, const parser::JobProgress&) {
+    const std::string& name = test_corpus.maps[folds[i].map].name;
+    const auto own = train_all ? one : learn_streets(training_part(train, name, false), train.maps, options);
+    if (own) test(folds[i], *own, test_corpus);
+  });
+  if (options.stop.stop_requested()) return std::nullopt;
+  StreetEvaluation evaluation;
+  for (Fold& fold : folds) {
+    evaluation.by_map[test_corpus.maps[fold.map].name] = fold.scores;
+    evaluation.all += fold.scores;
+    evaluation.mean_exact_path += fold.scores.exact_path.value() / static_cast<double>(folds.size());
+    evaluation.mean_goal += fold.scores.goal.value() / static_cast<double>(folds.size());
+    for (StreetPrediction& prediction : fold.predictions)
+      evaluation.predictions.push_back(std::move(prediction));
+  }
+  return evaluation;
+}
+
+}  // namespace waymark::streets

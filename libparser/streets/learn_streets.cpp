@@ -1,0 +1,123 @@
+#include "libparser/streets/learn_streets.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <numeric>
+#include <random>
+
+namespace waymark::streets {
+namespace {
+
+constexpr int least_cities = 3;
+
+struct Example {
+  std::size_t map;
+  std::vector<RouteFeatures> routes;
+  std::size_t gold;
+};
+
+class Learner {
+ public:
+  Learner(StreetModel& model, const StreetOptions& options)
+      : weights_(model.weights),
+        rate_(static_cast<float>(options.rate)),
+        decay_(static_cast<float>(options.decay)),
+        squares_(weights_.size(), 0.0F),
+        gradient_(weights_.size(), 0.0F) {}
+
+  void update(const Example& example) {
+    scores_.assign(example.routes.size(), 0.0F);
+    for (std::size_t i = 0; i < scores_.size(); ++i)
+      for (const WeighedFeature& f : example.routes[i]) scores_[i] += weights_[f.index] * f.value;
+    const float best = *std::max_element(scores_.begin(), scores_.end());
+    float sum = 0;
+    for (float& score : scores_) sum += score = std::exp(score - best);
+    for (std::size_t i = 0; i < scores_.size(); ++i) {
+      const float wanted = i == example.gold ? 1.0F : 0.0F, g = wanted - scores_[i] / sum;
+      if (std::abs(g) < least_gradient) continue;
+      for (const WeighedFeature& f : example.routes[i]) {
+        if (gradient_[f.index] == 0) touched_.push_back(f.index);
+        gradient_[f.index] += g * f.value;
+      }
+    }
+    for (const std::uint32_t index : touched_) step(index);
+    touched_.clear();
+  }
+
+ private:
+  static constexpr float least_gradient = 1e-5F;
+
+  void step(std::uint32_t index) {
+    const float g = gradient_[index] - decay_ * weights_[index];
+    gradient_[index] = 0;
+    if (g == 0) return;  // listed twice: its gradient had come back to zero on the way
+    squares_[index] += g * g;
+    weights_[index] += rate_ * g / std::sqrt(squares_[index]);
+  }
+
+  std::vector<float>& weights_;
+  float rate_, decay_;
+  std::vector<float> squares_, gradient_, scores_;
+  std::vector<std::uint32_t> touched_;
+};
+
+std::vector<Example> examples(std::span<const StreetInstruction* const> instructions,
+                              const std::vector<StreetMap>& maps, const StreetModel& model,
+                              const std::stop_token& stop) {
+  std::vector<Example> out;
+  std::vector<std::optional<StreetReader>> readers(maps.size());
+  for (const StreetInstruction* instruction : instructions) {
+    if (stop.stop_requested()) break;
+    auto& reader = readers[instruction->map];
+    if (!reader) reader.emplace(maps[instruction->map], model.common, model.limits);
+    auto found = reader->candidates(instruction->tokens, instruction->start);
+    for (std::size_t i = 0; i < found.routes.size(); ++i)
+      if (found.routes[i].landmarks == instruction->path) {
+        out.push_back({instruction->map, std::move(found.features), i});
+        break;
+      }
+  }
+  return out;
+}
+
+// Features that were met in one or two cities only are about those: they are left out.
+void keep_what_is_shared(std::vector<Example>& examples) {
+  std::vector<std::uint64_t> cities(std::size_t{1} << feature_bits, 0);
+  for (const Example& example : examples)
+    for (const RouteFeatures& features : example.routes)
+      for (const WeighedFeature& f : features) cities[f.index] |= std::uint64_t{1} << (example.map % 64);
+  std::uint64_t all = 0;
+  for (const Example& example : examples) all |= std::uint64_t{1} << (example.map % 64);
+  const int least = std::min(least_cities, std::popcount(all));
+  const auto alone = [&](const WeighedFeature& f) { return std::popcount(cities[f.index]) < least; };
+  for (Example& example : examples)
+    for (RouteFeatures& features : example.routes)
+      features.erase(std::remove_if(features.begin(), features.end(), alone), features.end());
+}
+
+}  // namespace
+
+std::optional<StreetModel> learn_streets(std::span<const StreetInstruction* const> instructions,
+                                         const std::vector<StreetMap>& maps, const StreetOptions& options) {
+  StreetModel model;
+  model.limits = options.limits;
+  model.common = common_words(instructions, maps);
+  std::vector<Example> all = examples(instructions, maps, model, options.stop);
+  keep_what_is_shared(all);
+  std::vector<std::size_t> order(all.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::mt19937_64 random(options.seed);
+  Learner learner(model, options);
+  for (int epoch = 0; epoch < options.epochs; ++epoch) {
+    for (std::size_t i = order.size(); i > 1; --i) std::swap(order[i - 1], order[random() % i]);
+    for (const std::size_t i : order) {
+      if (options.stop.stop_requested()) return std::nullopt;
+      learner.update(all[i]);
+    }
+  }
+  if (options.stop.stop_requested()) return std::nullopt;
+  return model;
+}
+
+}  // namespace waymark::streets

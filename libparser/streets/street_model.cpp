@@ -1,0 +1,44 @@
+#include "libparser/streets/street_model.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace waymark::streets {
+
+float StreetModel::score(const RouteFeatures& features) const {
+  float sum = 0;
+  for (const WeighedFeature& f : features) sum += weights[f.index] * f.value;
+  return sum;
+}
+
+StreetReader::StreetReader(const StreetMap& map, const CommonWords& common, const CandidateLimits& limits)
+    : map_(map), unit_(map.mean_way()), limits_(limits), finder_(map, common), routes_(map, limits.ranks) {}
+
+StreetReader::Candidates StreetReader::candidates(const std::vector<std::string>& tokens,
+                                                  LandmarkIndex start) {
+  Candidates out;
+  out.mentions = finder_.find(tokens);
+  out.routes = candidate_routes(map_, routes_, start, out.mentions, limits_);
+  const std::vector<MentionCue> cues = mention_cues(tokens, out.mentions);
+  for (const CandidateRoute& route : out.routes)
+    out.features.push_back(street_features(map_, unit_, tokens, out.mentions, cues, route));
+  return out;
+}
+
+std::vector<StreetReading> StreetReader::read(const StreetModel& model,
+                                              const std::vector<std::string>& tokens, LandmarkIndex start) {
+  Candidates found = candidates(tokens, start);
+  std::vector<StreetReading> readings;
+  for (std::size_t i = 0; i < found.routes.size(); ++i)
+    readings.push_back({std::move(found.routes[i]), static_cast<double>(model.score(found.features[i]))});
+  std::stable_sort(readings.begin(), readings.end(), [](const StreetReading& a, const StreetReading& b) {
+    return a.probability > b.probability;
+  });
+  double sum = 0;
+  const double best = readings.empty() ? 0 : readings.front().probability;
+  for (StreetReading& reading : readings) sum += reading.probability = std::exp(reading.probability - best);
+  for (StreetReading& reading : readings) reading.probability /= sum;
+  return readings;
+}
+
+}  // namespace waymark::streets

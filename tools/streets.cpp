@@ -1,0 +1,113 @@
+#include "tools/streets.hpp"
+
+#include <iomanip>
+#include <iostream>
+#include <stdexcept>
+
+#include "libparser/streets/evaluate_streets.hpp"
+#include "tools/corridor.hpp"
+#include "tools/shell/json.hpp"
+#include "tools/shell/output.hpp"
+#include "tools/shell/terminal.hpp"
+
+namespace waymark::tools {
+namespace {
+
+using streets::StreetEvaluation;
+using streets::StreetScores;
+
+JsonObject json_of(const StreetScores& scores) {
+  return JsonObject()
+      .add("exact_path", scores.exact_path.value())
+      .add("goal", scores.goal.value())
+      .add("floor", scores.floor.value())
+      .add("supply", scores.supply.value())
+      .add("n", scores.exact_path.total);
+}
+
+JsonArray ids(const streets::StreetMap& map, const streets::StreetRoute& route) {
+  JsonArray out;
+  for (const streets::LandmarkIndex i : route) out.add(map.landmarks[i].id);
+  return out;
+}
+
+std::string prediction_lines(const streets::StreetCorpus& corpus, const StreetEvaluation& evaluation) {
+  std::string out;
+  for (const streets::StreetPrediction& prediction : evaluation.predictions) {
+    const streets::StreetInstruction& instruction = *prediction.instruction;
+    const streets::StreetMap& map = corpus.maps[instruction.map];
+    JsonObject line;
+    line.add("id", instruction.id).add("map", map.name).add("start", map.landmarks[instruction.start].id);
+    line.add("gold", ids(map, instruction.path));
+    JsonArray readings;
+    for (const streets::StreetReading& reading : prediction.readings)
+      readings.add(JsonObject()
+                       .add("path", ids(map, reading.route.landmarks))
+                       .add("rank", reading.route.rank + 1)
+                       .add("probability", reading.probability));
+    JsonArray mentions;
+    for (const streets::Mention& mention : prediction.mentions) {
+      JsonArray fits;
+      for (const streets::NameFit& fit : mention.fits) fits.add(map.landmarks[fit.landmark].id);
+      mentions.add(JsonObject().add("begin", mention.begin).add("end", mention.end).add("landmarks", fits));
+    }
+    out += line.add("readings", readings).add("mentions", mentions).text() + "\n";
+  }
+  return out;
+}
+
+void print_row(const std::string& name, std::initializer_list<double> values, std::size_t n) {
+  std::cout << std::left << std::setw(16) << name << std::right;
+  for (const double value : values) std::cout << std::setw(12) << fixed(value, 2);
+  std::cout << std::setw(14) << n << '\n';
+}
+
+void print_table(const StreetEvaluation& evaluation, double seconds) {
+  std::cout << "per cent, all instructions\n\n"
+            << "left out          exact path        goal       floor      supply  instructions\n";
+  const auto row = [](const std::string& name, const StreetScores& s) {
+    print_row(name, {s.exact_path.value(), s.goal.value(), s.floor.value(), s.supply.value()},
+              s.exact_path.total);
+  };
+  for (const auto& [map, scores] : evaluation.by_map) row(map, scores);
+  row("all", evaluation.all);
+  std::cout << "\nmean over cities: exact path " << fixed(evaluation.mean_exact_path, 2) << ", goal "
+            << fixed(evaluation.mean_goal, 2) << "; " << fixed(seconds, 1) << " s of training and testing\n";
+}
+
+}  // namespace
+
+ExitCode evaluate_streets(const StreetExperiment& experiment, const Session& session) {
+  StopWatch watch;
+  const streets::StreetCorpus corpus = streets::read_street_corpus(experiment.corpus);
+  std::optional<streets::StreetCorpus> other;
+  if (!experiment.test_corpus.empty()) other = streets::read_street_corpus(experiment.test_corpus);
+  const streets::StreetCorpus& test = other ? *other : corpus;
+  if (!experiment.train_all && corpus.maps.size() < 2 && !other)
+    throw UsageError("there is one city only: nothing is left to train on when it is left out");
+  streets::StreetOptions options = experiment.options;
+  options.stop = session.stop;
+  const auto evaluation =
+      streets::evaluate_streets(corpus, test, experiment.train_all, experiment.threads, options);
+  if (!evaluation) throw Interrupted();
+  if (!experiment.predictions.empty())
+    write_file(experiment.predictions, prediction_lines(test, *evaluation));
+  const double seconds = watch.lap();
+  if (!experiment.json) {
+    print_table(*evaluation, seconds);
+    return ExitCode::Done;
+  }
+  JsonObject cities;
+  for (const auto& [map, scores] : evaluation->by_map) cities.add(map, json_of(scores));
+  std::cout << JsonObject()
+                   .add("exact_path", evaluation->mean_exact_path)
+                   .add("goal", evaluation->mean_goal)
+                   .add("by_map", cities)
+                   .add("all", json_of(evaluation->all))
+                   .add("seconds", seconds)
+                   .text()
+            << '\n';
+  return ExitCode::Done;
+}
+
+}  // namespace waymark::tools
