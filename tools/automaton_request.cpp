@@ -64,14 +64,15 @@ automata::Dfa all_words() {
   return automata::read_hoa("HOA: v1 Start: 0 AP: 0 Acceptance: 0 t --BODY-- State: 0 [t] 0 --END--");
 }
 
-Reply compare(const automata::Dfa& a, const automata::Dfa& b, const AutomatonRequest& request) {
+Reply compare(const automata::Dfa& a, const automata::Dfa& b, const AutomatonRequest& request,
+              automata::Effort& effort) {
   if (!request.equivalent.empty()) {
-    const auto found = automata::difference(a, b);
+    const auto found = automata::difference(a, b, effort);
     if (!found) return {ExitCode::Done, "equivalent\n"};
     const char* which = found->first_accepts ? "only the first accepts " : "only the second accepts ";
     return {ExitCode::No, which + ltl::show(found->word, found->vocabulary) + '\n'};
   }
-  const automata::Dfa rest = automata::product(a, b, difference_of);
+  const automata::Dfa rest = automata::product(a, b, difference_of, effort);
   return answer("included", "only the first accepts ", automata::shortest_word(rest), rest.vocabulary());
 }
 
@@ -108,13 +109,13 @@ AnyAutomaton changed(automata::Dfa dfa, const AutomatonRequest& request, automat
   const auto with = [&](const std::string& path, automata::Verdict verdict) {
     const AnyAutomaton other = read_one(path, effort);
     if (!std::holds_alternative<automata::Dfa>(other)) mixed();
-    dfa = automata::product(dfa, std::get<automata::Dfa>(other), verdict);
+    dfa = automata::product(dfa, std::get<automata::Dfa>(other), verdict, effort);
   };
-  if (request.complement) dfa = automata::product(all_words(), dfa, difference_of);
+  if (request.complement) dfa = automata::product(all_words(), dfa, difference_of, effort);
   if (!request.product.empty()) with(request.product, conjunction_of);
   if (!request.either.empty()) with(request.either, disjunction_of);
   if (!request.difference.empty()) with(request.difference, difference_of);
-  if (request.minimize || request.reduce) dfa = automata::minimize(dfa);
+  if (request.minimize || request.reduce) dfa = automata::minimize(dfa, effort);
   return dfa;
 }
 
@@ -182,7 +183,7 @@ Reply satisfies(const AnyAutomaton& any, const AutomatonRequest& request, automa
   };
   if (const auto* dfa = std::get_if<automata::Dfa>(&any)) {
     const automata::Dfa rest =
-        automata::product(*dfa, automaton_of(automata::ltlf_to_dfa(no, limits)), conjunction_of);
+        automata::product(*dfa, automaton_of(automata::ltlf_to_dfa(no, limits)), conjunction_of, effort);
     return answer_to(rest, automata::shortest_word(rest));
   }
   const automata::Automaton rest = automata::intersection(
@@ -194,13 +195,13 @@ Reply asked_of(const AnyAutomaton& any, const AutomatonRequest& request, automat
   if (const auto* dfa = std::get_if<automata::Dfa>(&any)) {
     if (request.empty) return answer("empty", "accepts ", automata::shortest_word(*dfa), dfa->vocabulary());
     if (request.universal) {
-      const automata::Dfa rest = automata::product(all_words(), *dfa, difference_of);
+      const automata::Dfa rest = automata::product(all_words(), *dfa, difference_of, effort);
       return answer("universal", "rejects ", automata::shortest_word(rest), rest.vocabulary());
     }
     const AnyAutomaton other =
         read_one(request.equivalent.empty() ? request.included : request.equivalent, effort);
     if (!std::holds_alternative<automata::Dfa>(other)) mixed();
-    return compare(*dfa, std::get<automata::Dfa>(other), request);
+    return compare(*dfa, std::get<automata::Dfa>(other), request, effort);
   }
   const auto& a = std::get<automata::Automaton>(any);
   if (request.empty) return answer("empty", "accepts ", automata::find_lasso(a), a.vocabulary());
