@@ -50,14 +50,14 @@ Dfa as_dfa(Transitions automaton, const ltl::Vocabulary& vocabulary,
              std::move(automaton.accepting), StateId{automaton.initial});
 }
 
-Dfa minimize(const Dfa& dfa) {
+Dfa minimize(const Dfa& dfa, Effort& effort) {
   Transitions automaton{dfa.diagram(), {}, {}, dfa.initial().index};
   for (std::uint32_t q = 0; q < dfa.states(); ++q) {
     automaton.roots.push_back(dfa.root(StateId{q}));
     automaton.accepting.push_back(dfa.is_accepting(StateId{q}));
   }
-  Effort unlimited;
-  return as_dfa(canonical(minimize(canonical(automaton), unlimited)), dfa.vocabulary(), dfa.reads());
+  const Transitions minimal = minimize(canonical(automaton, effort), effort);
+  return as_dfa(canonical(minimal, effort), dfa.vocabulary(), dfa.reads());
 }
 
 }  // namespace waymark::automata

@@ -14,7 +14,11 @@ namespace waymark::automata {
 Transitions minimize(const Transitions& automaton, Effort& effort);
 
 // The minimal automaton of the same language, canonically numbered, reading only what it depends on.
-Dfa minimize(const Dfa& dfa);
+Dfa minimize(const Dfa& dfa, Effort& effort);
+inline Dfa minimize(const Dfa& dfa) {
+  Effort unlimited;
+  return minimize(dfa, unlimited);
+}
 
 // Drops the propositions that no edge asks for. reads[v]: the proposition of variable v.
 Dfa as_dfa(Transitions automaton, const ltl::Vocabulary& vocabulary,

@@ -215,7 +215,7 @@ Transitions product(const Transitions& a, const Transitions& b, Verdict verdict,
   return PairProduct(a, b, verdict, effort, alphabets).run();
 }
 
-Dfa product(const Dfa& a, const Dfa& b, Verdict verdict) {
+Dfa product(const Dfa& a, const Dfa& b, Verdict verdict, Effort& effort) {
   if (verdict(false, false)) throw std::invalid_argument("a product of DFAs may not accept the empty word");
   ltl::Vocabulary vocabulary = a.vocabulary();
   std::vector<ltl::Proposition> reads = a.reads();
@@ -223,17 +223,17 @@ Dfa product(const Dfa& a, const Dfa& b, Verdict verdict) {
   for (ltl::Proposition p : b.reads()) reads.push_back(*vocabulary.find(b.vocabulary().name(p)));
   std::sort(reads.begin(), reads.end());
   reads.erase(std::unique(reads.begin(), reads.end()), reads.end());
-  Effort unlimited;
-  const Transitions pairs =
-      product(over(a, vocabulary, reads), over(b, vocabulary, reads), verdict, unlimited);
-  return as_dfa(canonical(pairs), vocabulary, reads);
+  const Transitions pairs = product(over(a, vocabulary, reads), over(b, vocabulary, reads), verdict, effort);
+  return as_dfa(canonical(pairs, effort), vocabulary, reads);
 }
 
-std::optional<Difference> difference(const Dfa& a, const Dfa& b) {
-  const Dfa either = product(a, b, [](bool p, bool q) { return p != q; });
+std::optional<Difference> difference(const Dfa& a, const Dfa& b, Effort& effort) {
+  const Dfa either = product(
+      a, b, [](bool p, bool q) { return p != q; }, effort);
   std::optional<ltl::Trace> word = shortest_word(either);
   if (!word) return std::nullopt;
-  const Dfa only_first = product(a, b, [](bool p, bool q) { return p && !q; });
+  const Dfa only_first = product(
+      a, b, [](bool p, bool q) { return p && !q; }, effort);
   const bool first_accepts = accepts(only_first, *word);
   return Difference{either.vocabulary(), *std::move(word), first_accepts};
 }

@@ -27,7 +27,11 @@ Transitions product(const Transitions& a, const Transitions& b, Verdict verdict,
 
 // Propositions are matched by name; the vocabulary is a's, then what b adds. verdict(false, false) must be false: the
 // empty word is no word (std::invalid_argument otherwise).
-Dfa product(const Dfa& a, const Dfa& b, Verdict verdict);
+Dfa product(const Dfa& a, const Dfa& b, Verdict verdict, Effort& effort);
+inline Dfa product(const Dfa& a, const Dfa& b, Verdict verdict) {
+  Effort unlimited;
+  return product(a, b, verdict, unlimited);
+}
 
 // A shortest word on which the two differ, over the vocabulary of their product; nullopt: they are equivalent.
 struct Difference {
@@ -35,6 +39,10 @@ struct Difference {
   ltl::Trace word;
   bool first_accepts = false;
 };
-std::optional<Difference> difference(const Dfa& a, const Dfa& b);
+std::optional<Difference> difference(const Dfa& a, const Dfa& b, Effort& effort);
+inline std::optional<Difference> difference(const Dfa& a, const Dfa& b) {
+  Effort unlimited;
+  return difference(a, b, unlimited);
+}
 
 }  // namespace waymark::automata

@@ -157,6 +157,15 @@ TEST(Minimize, KeepsTheLanguageAndCannotBeRepeated) {
   }
 }
 
+TEST(Minimize, EndsWhenItsEffortIsSpent) {
+  // A cycle: refined, not done in one pass.
+  const Table third{{{1, 1, 1, 1}, {2, 2, 2, 2}, {0, 0, 0, 0}}, {true, false, false}};
+  const Dfa dfa = as_dfa(symbolic(third), ltl::Vocabulary({"a", "b"}), {{0}, {1}});
+  Effort enough(100, SIZE_MAX, {}), none(0, SIZE_MAX, {});
+  EXPECT_EQ(minimize(dfa, enough).states(), 3U);
+  EXPECT_THROW(minimize(dfa, none), Effort::Spent);
+}
+
 // Distinguishability by definition: every two states of a translation are told apart by some word.
 TEST(Minimize, StatesOfATranslationAreDistinguishable) {
   ltl::Random random(14);

@@ -46,6 +46,16 @@ TEST(Product, RefusesToAcceptTheEmptyWord) {
                std::invalid_argument);
 }
 
+TEST(Product, EndsWhenItsEffortIsSpent) {
+  const Dfa a = translate("F(a & X F b)"), b = translate("F c & F d");
+  Effort few_states(SIZE_MAX, 2, {});
+  EXPECT_THROW(product(
+                   a, b, [](bool p, bool q) { return p && q; }, few_states),
+               Effort::Spent);
+  Effort few_steps(1, SIZE_MAX, {});
+  EXPECT_THROW(difference(a, b, few_steps), Effort::Spent);
+}
+
 TEST(Product, AcceptsByTheVerdictOfBoth) {
   const Dfa only_first = product(translate("F a"), translate("F b"), [](bool p, bool q) { return p && !q; });
   EXPECT_FALSE(difference(only_first, translate("F a & G !b")).has_value());
