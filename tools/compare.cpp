@@ -5,7 +5,6 @@
 #include <ctime>
 #include <iostream>
 #include <memory>
-#include <sstream>
 #include <thread>
 
 #include "libltl/print.hpp"
@@ -15,6 +14,7 @@
 #include "tools/comparing.hpp"
 #include "tools/render/learning_curves.hpp"
 #include "tools/shell/batch.hpp"
+#include "tools/shell/noise.hpp"
 #include "tools/shell/options.hpp"
 #include "tools/shell/output.hpp"
 #include "tools/subcommand.hpp"
@@ -26,7 +26,8 @@ struct Options {
   TextOptions text;
   NotationOptions notation;
   MapOptions map;
-  std::string start, svg, slip;
+  std::string start, svg;
+  NoiseOptions noise;
   std::vector<std::string> methods;
   Protocol protocol;
   int threads = 0;  // one for each core
@@ -57,23 +58,6 @@ std::vector<plan::Method> chosen_methods(const std::vector<std::string>& names) 
   return chosen;
 }
 
-// "0.1,0.1" or "0.1,0.1,0.05": the chances that FORWARD goes left, right and back.
-plan::SlipChances slip_of(const std::string& text) {
-  if (text.empty()) return {};
-  std::array<double, 3> chance{};
-  std::istringstream in(text);
-  std::size_t count = 0;
-  for (std::string part; count < 3 && std::getline(in, part, ','); ++count) {
-    std::istringstream number(part);
-    if (!(number >> chance[count]) || !number.eof())
-      throw UsageError("--slip takes LEFT,RIGHT or LEFT,RIGHT,BACK");
-  }
-  const double forward = 1 - chance[0] - chance[1] - chance[2];
-  if (count < 2 || !in.eof() || !(forward > 0) || *std::min_element(chance.begin(), chance.end()) < 0)
-    throw UsageError("--slip takes two or three chances that leave something for going forward");
-  return {.forward = forward, .left = chance[0], .right = chance[1], .back = chance[2]};
-}
-
 // Processor time of this thread: what a run takes does not depend on what runs beside it.
 double thread_seconds() {
   std::timespec now{};
@@ -92,7 +76,7 @@ class Comparing {
       : options_(options),
         session_(session),
         methods_(chosen_methods(options.methods)),
-        slip_(slip_of(options.slip)),
+        noise_(noise_of(options.noise)),
         map_(read_map(options.map)),
         starts_(start_poses(options.start, map_)),
         verdicts_(methods_.size()) {}
@@ -106,7 +90,7 @@ class Comparing {
       return std::holds_alternative<plan::GltlMethod>(method.how);
     });
     const plan::LearningTask task(map_, dfa, formula, starts_,
-                                  {.forward = slip_, .discount = options_.protocol.discount, .gltl = gltl});
+                                  {.noise = noise_, .discount = options_.protocol.discount, .gltl = gltl});
     ComparedTask compared{formula, map_.name()};
     describe(compared, task, dfa);
     if (compared.optimum.probability > 0) add_exact(compared);
@@ -160,7 +144,7 @@ class Comparing {
     compared.seconds_of_optimum = task.seconds_of_optimum();
     compared.sweeps = task.optimum().sweeps;
     compared.is_over = task.product().is_over();
-    if (slip_ == plan::SlipChances{}) compared.search = search(dfa);
+    if (noise_ == plan::MapNoise{}) compared.search = search(dfa);
     if (compared.search && starts_.size() == 1 && compared.search->cost != compared.optimum.cost)
       throw std::logic_error("search and value iteration disagree on " + ltl::print(compared.formula));
   }
@@ -253,7 +237,7 @@ class Comparing {
   const Options& options_;
   const Session& session_;
   std::vector<plan::Method> methods_;
-  plan::SlipChances slip_;
+  plan::MapNoise noise_;
   plan::Map map_;
   std::vector<plan::PoseId> starts_;
   std::vector<std::vector<plan::Verdict>> verdicts_;                     // by method, of all tasks
@@ -311,8 +295,7 @@ Runner setup_compare(CLI::App& command) {
       ->capture_default_str();
   command.add_option("--discount", protocol.discount, "of the return that learners maximise")
       ->capture_default_str();
-  command.add_option("--slip", options->slip, "chances that FORWARD goes left, right, back instead")
-      ->type_name("L,R[,B]");
+  add_noise_options(command, options->noise);
   command
       .add_option("--threads", options->threads,
                   "runs at a time (else one for each core); no influence on what they learn")

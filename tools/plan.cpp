@@ -6,11 +6,13 @@
 #include "libautomata/hoa.hpp"
 #include "libltl/diagnostic.hpp"
 #include "libltl/print.hpp"
+#include "libplan/model/read_model.hpp"
 #include "tools/answer.hpp"
 #include "tools/picture.hpp"
 #include "tools/plan_case.hpp"
 #include "tools/plan_walk.hpp"
 #include "tools/shell/batch.hpp"
+#include "tools/shell/noise.hpp"
 #include "tools/shell/options.hpp"
 #include "tools/shell/output.hpp"
 #include "tools/subcommand.hpp"
@@ -25,6 +27,7 @@ struct Options {
   std::string start, automaton, svg, hoa, semantics = "finite";
   bool json = false;
   CaseChoice planning_case;
+  NoiseOptions noise;
 };
 
 bool is_infinite(const Options& options) { return options.semantics == "infinite"; }
@@ -100,19 +103,32 @@ bool gives_formula(const Options& options) {
   return !options.text.arguments.empty() || !options.text.file.empty();
 }
 
+plan::PlanningCase noisy_map(const Options& options) {
+  const plan::Map map = read_map(options.map);
+  const auto starts = start_poses(options.start, map);
+  if (starts.size() > 1) throw UsageError("a model starts in one pose: give --start with a heading");
+  return {map.name(), plan::mdp_of(map, starts[0], noise_of(options.noise)), {}};
+}
+
 // What goes with one way of planning only.
 void check(const Options& options) {
   const CaseChoice& choice = options.planning_case;
+  if (!options.automaton.empty() && gives_formula(options))
+    throw UsageError("give a formula or --automaton, not both");
   const bool map = choice.file.empty() && choice.model.empty();
   if (!map && (is_infinite(options) || !options.svg.empty() || !options.hoa.empty()))
     throw UsageError("--semantics, --svg and --hoa are for plans on a map");
+  if (!map && options.noise.given()) throw UsageError("--slip and --slip-turn are for maps");
+  if (map && options.noise.given()) {
+    if (is_infinite(options) || choice.top > 1 || !options.svg.empty() || !options.hoa.empty())
+      throw UsageError("where actions may slip there is no route: a value is asked for by --query");
+    return;
+  }
   if (map && !choice.strategy.empty()) throw UsageError("--strategy goes with --case and --model");
   if (map && choice.top > 1 && (is_infinite(options) || !options.svg.empty() || !options.hoa.empty()))
     throw UsageError("--top is for routes, without --svg, --hoa and --semantics infinite");
   if (is_infinite(options) && !options.hoa.empty())
     throw UsageError("--hoa is for finite words; waymark translate writes automata on infinite ones");
-  if (!options.automaton.empty() && gives_formula(options))
-    throw UsageError("give a formula or --automaton, not both");
 }
 
 ExitCode run_plan(const Options& options, const Session& session) {
@@ -125,7 +141,9 @@ ExitCode run_plan(const Options& options, const Session& session) {
       throw UsageError("a planning case brings its own formulas; --model takes others");
     return plan_case(choice, session);
   }
-  if (!choice.model.empty()) return plan_model(choice, options.text, options.start, session);
+  if (!choice.model.empty())
+    return plan_model(plan::read_model(choice.model, options.start), choice, options.text, session);
+  if (options.noise.given()) return plan_model(noisy_map(options), choice, options.text, session);
   if (!options.automaton.empty()) return Planning(options, session).of_automaton(options.automaton);
   TextReader texts(options.text, "formula");
   if (texts.is_batch() && (!options.svg.empty() || !options.hoa.empty()))
@@ -159,6 +177,7 @@ Runner setup_plan(CLI::App& command) {
           "on a map: a route to where the formula holds, or a lasso, a route without end that it holds on")
       ->check(CLI::IsMember({"finite", "infinite"}))
       ->capture_default_str();
+  add_noise_options(command, options->noise);
   add_case_options(command, options->planning_case);
   return [options](const Session& session) { return run_plan(*options, session); };
 }

@@ -8,7 +8,6 @@
 #include <stdexcept>
 
 #include "libltl/diagnostic.hpp"
-#include "libplan/model/read_model.hpp"
 #include "libplan/solve/case_task.hpp"
 #include "tools/automaton_output.hpp"
 #include "tools/shell/batch.hpp"
@@ -298,9 +297,8 @@ ExitCode plan_case(const CaseChoice& choice, const Session& session) {
   return worst;
 }
 
-ExitCode plan_model(const CaseChoice& choice, const TextOptions& formulas, const std::string& start,
+ExitCode plan_model(const plan::PlanningCase& model, const CaseChoice& choice, const TextOptions& formulas,
                     const Session& session) {
-  const plan::PlanningCase model = plan::read_model(choice.model, start);
   TaskAnswers answers(model, choice, session);
   const auto answered = [&](const plan::CaseTask& task, const plan::GivenAutomaton* given) {
     try {

@@ -3,6 +3,7 @@
 #pragma once
 #include <string>
 
+#include "libplan/model/read_case.hpp"
 #include "tools/shell/exit_code.hpp"
 #include "tools/shell/input.hpp"
 #include "tools/subcommand.hpp"
@@ -22,8 +23,8 @@ struct CaseChoice {
 };
 void add_case_options(CLI::App& command, CaseChoice& choice);
 ExitCode plan_case(const CaseChoice& choice, const Session& session);
-// `start`: of street graphs.
-ExitCode plan_model(const CaseChoice& choice, const TextOptions& formulas, const std::string& start,
+// Formulas, or the automaton that was chosen, on a model of any kind.
+ExitCode plan_model(const plan::PlanningCase& model, const CaseChoice& choice, const TextOptions& formulas,
                     const Session& session);
 
 }  // namespace waymark::tools

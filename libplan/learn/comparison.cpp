@@ -62,14 +62,14 @@ std::vector<Method> learning_methods() {
 
 LearningTask::LearningTask(const Map& map, const automata::Dfa& dfa, ltl::Formula formula,
                            std::span<const PoseId> starts, const LearningTaskOptions& options)
-    : product_(tabulate(map, dfa, starts, options.forward)), trees_(trees_of(product_.task, formula)) {
+    : product_(tabulate(map, dfa, starts, options.noise)), trees_(trees_of(product_.task, formula)) {
   const auto begin = std::chrono::steady_clock::now();
   optimum_ = plan::optimum(product_, {.discount = options.discount});
   seconds_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   for (const Sight sight : {Sight::Objects, Sight::Landmarks, Sight::Literal})
     observations_[static_cast<std::size_t>(sight)] = observe(map, sight);
   if (!options.gltl || starts.size() > 1) return;
-  const Mdp model = mdp_of(map, starts[0], options.forward);
+  const Mdp model = mdp_of(map, starts[0], options.noise);
   const auto table = gltl_tasks(formula, model.letters());
   if (!table) return;
   gltl_ = compose(model, *table);

@@ -45,7 +45,7 @@ struct Method {
 std::vector<Method> learning_methods();
 
 struct LearningTaskOptions {
-  SlipChances forward = {};
+  MapNoise noise = {};
   double discount = 0.9;
   bool gltl = false;  // prepare for GltlMethod; one start only
 };

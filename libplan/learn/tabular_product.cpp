@@ -109,12 +109,12 @@ TabularProduct compose(const GridWorld& model, TaskRows task) {
 }
 
 TabularProduct tabulate(const Map& map, const automata::Dfa& dfa, std::span<const PoseId> starts,
-                        const SlipChances& forward) {
+                        const MapNoise& noise) {
   if (starts.empty()) throw std::invalid_argument("a product without a start");
   std::vector<TabularProduct::Start> all;
   TabularProduct product;
   for (const PoseId start : starts) {
-    const Mdp model = mdp_of(map, start, forward);
+    const Mdp model = mdp_of(map, start, noise);
     product = compose(model, tabulate(dfa, model.letters()));
     all.push_back({product.starts[0].state, 1.0 / static_cast<double>(starts.size())});
   }

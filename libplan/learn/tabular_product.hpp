@@ -60,12 +60,12 @@ struct TabularProduct {
 // without choices.
 TabularProduct compose(const Mdp& model, TaskRows task);
 TabularProduct compose(const GridWorld& model, TaskRows task);
-// Throws ltl::FormatError as task_rows.hpp says. `starts`: each one equally likely (the mean over unknown headings, conventions.md 8); forward: chances to slip.
+// Throws ltl::FormatError as task_rows.hpp says. `starts`: each one equally likely (the mean over unknown headings, conventions.md 8); noise: chances to slip.
 TabularProduct tabulate(const Map& map, const automata::Dfa& dfa, std::span<const PoseId> starts,
-                        const SlipChances& forward = {});
+                        const MapNoise& noise = {});
 inline TabularProduct tabulate(const Map& map, const automata::Dfa& dfa, PoseId start,
-                               const SlipChances& forward = {}) {
-  return tabulate(map, dfa, {&start, 1}, forward);
+                               const MapNoise& noise = {}) {
+  return tabulate(map, dfa, {&start, 1}, noise);
 }
 
 }  // namespace waymark::plan

@@ -25,22 +25,32 @@ void add_forward(MdpBuilder& builder, const Map& map, PoseId from, const SlipCha
   }
 }
 
+void add_turn(MdpBuilder& builder, const Map& map, PoseId from, Action action, const TurnChances& chance) {
+  const PoseId once = *map.successor(from, action), twice = *map.successor(once, action);
+  builder.add_choice(name(action), map.cost(action));
+  const auto add = [&](PoseId to, double probability) {
+    if (probability > 0) builder.add_outcome(to.index, builder.letter(map.letter(to, action)), probability);
+  };
+  add(once, 1 - chance.stay - chance.beyond);
+  add(from, chance.stay);
+  add(twice, chance.beyond);
+}
+
 }  // namespace
 
-Mdp mdp_of(const Map& map, PoseId start, const SlipChances& forward) {
+Mdp mdp_of(const Map& map, PoseId start, const MapNoise& noise) {
+  const TurnChances& turn = noise.turn;
+  if (!(turn.stay >= 0 && turn.beyond >= 0 && turn.stay + turn.beyond < 1))
+    throw std::invalid_argument("the chances of a turn leave nothing for turning");
   MdpBuilder builder(map.vocabulary());
   for (std::uint32_t i = 0; i < map.poses(); ++i) {
     const PoseId from{i};
     builder.add_state(show(map.pose(from)));
     for (Action action : all_actions) {
-      const auto to = map.successor(from, action);
-      if (!to) continue;
-      if (action == Action::Forward) {
-        add_forward(builder, map, from, forward);
-        continue;
-      }
-      builder.add_choice(name(action), map.cost(action));
-      builder.add_outcome(to->index, builder.letter(map.letter(*to, action)));
+      if (action != Action::Forward)
+        add_turn(builder, map, from, action, turn);
+      else if (map.successor(from, action))
+        add_forward(builder, map, from, noise.forward);
     }
   }
   const LetterId first = builder.letter(map.label(start));

@@ -2,80 +2,42 @@
 
 #include <array>
 #include <charconv>
-#include <nlohmann/json.hpp>
 #include <string>
 
-#include "libplan/world/json_position.hpp"
+#include "libltl/diagnostic.hpp"
+#include "libplan/world/json_reader.hpp"
 
 namespace waymark::plan {
 namespace {
 
-using nlohmann::json;
+using Value = JsonReader::Value;
 
-class MotionReader {
- public:
-  MotionReader(std::string_view text, std::string_view source) : text_(text), source_(source) {}
+Configuration configuration(const JsonReader& in, const Value& value, const std::string& path) {
+  if (!value.is_array() || value.size() != 3) in.fail(path, "expected a configuration [x,y,heading]");
+  std::array<double, 3> numbers{};
+  for (std::size_t i = 0; i < 3; ++i) numbers[i] = in.number(value[i], path + "[" + std::to_string(i) + "]");
+  return {numbers[0], numbers[1], numbers[2]};
+}
 
-  Motion read() const {
-    const json document = parse();
-    const json& line = member(document, "motion");
-    if (!line.is_array()) fail("motion", "expected a list of configurations [x,y,heading]");
-    Motion motion;
-    for (std::size_t i = 0; i < line.size(); ++i)
-      motion.configurations.push_back(configuration(line[i], "motion[" + std::to_string(i) + "]"));
-    motion.robot = robot(document);
-    return motion;
-  }
-
- private:
-  [[noreturn]] void fail(const std::string& path, const std::string& message) const {
-    throw format_error(source_, text_, path, message);
-  }
-
-  json parse() const {
-    try {
-      return json::parse(text_.begin(), text_.end());
-    } catch (const json::parse_error& error) {
-      throw format_error_at(source_, text_, error.byte > 0 ? error.byte - 1 : 0, "malformed JSON");
-    } catch (const json::out_of_range&) {
-      throw ltl::FormatError(source_, 0, 0, "a number of the JSON text is out of range");
-    }
-  }
-
-  Robot robot(const json& document) const {
-    if (!document.contains("car")) return Disc{number(member(document, "radius"), "radius")};
-    const json& car = document["car"];
-    const auto part = [&](const char* key) {
-      return number(member(car, key, "car"), std::string("car.") + key);
-    };
-    return Car{.length = part("length"), .width = part("width"), .turning_radius = part("turning_radius")};
-  }
-
-  const json& member(const json& document, const char* key, const char* path = "") const {
-    if (!document.is_object() || !document.contains(key))
-      fail(path, "expected an object with the key \"" + std::string(key) + "\"");
-    return document[key];
-  }
-
-  double number(const json& value, const std::string& path) const {
-    if (!value.is_number()) fail(path, "expected a number");
-    return value.get<double>();
-  }
-
-  Configuration configuration(const json& value, const std::string& path) const {
-    if (!value.is_array() || value.size() != 3) fail(path, "expected a configuration [x,y,heading]");
-    std::array<double, 3> numbers{};
-    for (std::size_t i = 0; i < 3; ++i) numbers[i] = number(value[i], path + "[" + std::to_string(i) + "]");
-    return {numbers[0], numbers[1], numbers[2]};
-  }
-
-  std::string_view text_, source_;
-};
+Robot robot(const JsonReader& in, const Value& document) {
+  if (!document.contains("car")) return Disc{in.number(in.member(document, "", "radius"), "radius")};
+  const auto part = [&](const char* key) {
+    return in.number(in.member(document["car"], "car", key), std::string("car.") + key);
+  };
+  return Car{.length = part("length"), .width = part("width"), .turning_radius = part("turning_radius")};
+}
 
 }  // namespace
 
 Motion parse_motion(std::string_view json, std::string_view source) {
-  return MotionReader(json, source).read();
+  const JsonReader in(json, source);
+  const Value document = in.parse();
+  Motion motion;
+  in.each(document, "", "motion", [&](const Value& value, const std::string& path) {
+    motion.configurations.push_back(configuration(in, value, path));
+  });
+  motion.robot = robot(in, document);
+  return motion;
 }
 
 Configuration parse_configuration(std::string_view text) {

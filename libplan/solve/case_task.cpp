@@ -6,6 +6,7 @@
 #include <variant>
 
 #include "libautomata/dfa.hpp"
+#include "libltl/fragment.hpp"
 #include "libltl/parse.hpp"
 #include "libltl/print.hpp"
 #include "libltl/semantics.hpp"
@@ -193,8 +194,8 @@ class TaskSolver {
     if (options_.strategy) answer_.strategy = {automaton, decisions(model_, task, routes[0]), answer_.value};
   }
 
-  // By the definition, not by the automaton: the finite word satisfies f, and so, of a co-safe f, does all that begins
-  // with it. Of another good prefix the word that stands still in its last letter is tried. Without a formula by a run
+  // By the definition, not by the automaton: the finite word satisfies f, and so, of a co-safe f without X, does all that
+  // begins with it. Of another good prefix the word that stands still in its last letter is tried. Without a formula by a run
   // of the automaton.
   void certify_route(const ChoiceRoute& route, const TaskAutomaton& automaton,
                      std::optional<ltl::Formula> f) const {
@@ -206,8 +207,10 @@ class TaskSolver {
       if (!automata::accepts(dfa, read)) throw std::logic_error("a route that the automaton does not accept");
       return;
     }
-    const bool holds = is_finite(*f) ? ltl::TraceCheck(*f)(ltl::Columns(word, arena_.vocabulary().size()))
-                                     : ltl::holds(ltl::Lasso(letters, {letters.back()}), *f);
+    const bool finite = is_finite(*f) &&
+                        (task_.logic != Logic::Ltl || ltl::fragments(*f, ltl::Semantics::Infinite).next_free);
+    const bool holds = finite ? ltl::TraceCheck(*f)(ltl::Columns(word, arena_.vocabulary().size()))
+                              : ltl::holds(ltl::Lasso(letters, {letters.back()}), *f);
     if (!holds) throw std::logic_error("a route whose word does not satisfy " + ltl::print(*f));
   }
 

@@ -202,6 +202,14 @@ Unknowns unknowns_of(const Product& product, const StateSet& targets) {
   return out;
 }
 
+IterationLimits iteration(const DecisionLimits& limits, std::uint64_t sweeps) {
+  return {.tolerance = limits.tolerance,
+          .sweeps = sweeps,
+          .linear_solves = limits.policy_iteration,
+          .written_out = limits.written_out,
+          .stop = limits.stop};
+}
+
 // What the strategy is worth, from its start.
 template <Measure measure, class Product>
 std::optional<Bounds> evaluate(const Product& product, const Strategy& strategy, const DecisionLimits& limits,
@@ -211,10 +219,7 @@ std::optional<Bounds> evaluate(const Product& product, const Strategy& strategy,
   const Unknowns unknowns = unknowns_of<measure>(chain, won);
   if (measure == Measure::MinCost && !unknowns.unknown[0] && !unknowns.targets[0])
     return Bounds{INFINITY, INFINITY};
-  const auto values =
-      ValueIteration<MarkovChain, measure>(
-          chain, unknowns, {.tolerance = limits.tolerance, .sweeps = sweeps, .stop = limits.stop})
-          .run();
+  const auto values = ValueIteration<MarkovChain, measure>(chain, unknowns, iteration(limits, sweeps)).run();
   if (!values) return std::nullopt;
   return Bounds{values->lower[0], values->upper[0]};
 }
@@ -262,9 +267,8 @@ bool choose_and_evaluate(const Product& product, const Unknowns& unknowns, const
 template <Measure measure, class Product>
 std::optional<Decided> decide(const Product& product, const Won<Product>& won, const DecisionLimits& limits) {
   const Unknowns unknowns = unknowns_of<measure>(product, won.states);
-  const auto values = ValueIteration<Product, measure>(product, unknowns,
-                                                       {.tolerance = limits.tolerance, .stop = limits.stop})
-                          .run();
+  const auto values =
+      ValueIteration<Product, measure>(product, unknowns, iteration(limits, UINT64_MAX)).run();
   if (!values) return std::nullopt;
   Decided out;
   out.sweeps = values->sweeps;

@@ -28,6 +28,8 @@ struct Decided {
 struct DecisionLimits {
   double tolerance = 1e-6;        // proved: absolute for probabilities, relative for costs
   bool policy_iteration = false;  // by linear solves from the start
+  std::size_t written_out = std::size_t{1}
+                            << 20U;  // larger blocks are swept without their equations written out
   std::stop_token stop = {};
 };
 

@@ -20,6 +20,7 @@ struct IterationLimits {
   double tolerance = 1e-6;            // upper − lower: absolute for probabilities, relative for costs
   std::uint64_t sweeps = UINT64_MAX;  // of each block
   bool linear_solves = false;         // policy iteration from the start, not only where sweeps are slow
+  std::size_t written_out = std::size_t{1} << 20U;  // unknowns of a block up to which its equations are
   std::stop_token stop = {};
 };
 

@@ -1,6 +1,9 @@
 #include "libplan/solve/task_automaton.hpp"
 
 #include <stdexcept>
+#include <unordered_map>
+#include <utility>
+#include <vector>
 
 #include "libautomata/deterministic/parity.hpp"
 #include "libautomata/deterministic/to_parity.hpp"
@@ -11,6 +14,7 @@
 #include "libautomata/omega/monitor.hpp"
 #include "libautomata/omega/without_fin.hpp"
 #include "libltl/fragment.hpp"
+#include "libltl/nnf.hpp"
 
 namespace waymark::plan {
 namespace {
@@ -22,6 +26,36 @@ using automata::Effort;
 template <class Result>
 auto* found(Result& result) {
   return std::get_if<0>(&result);
+}
+
+// The same over infinite words, where N is X, with strong nexts only, ↔ expanded. Read on a finite word a weak next, or a
+// strong one under a negation, is satisfied by the end of the word, of which infinite words know nothing.
+ltl::Formula with_strong_nexts(ltl::Formula f) {
+  using ltl::Op;
+  const ltl::Formula normal = ltl::nnf(f);
+  std::unordered_map<ltl::Formula, ltl::Formula> image;
+  for (ltl::Formula g : ltl::subformulas(normal)) {
+    std::vector<ltl::Formula> parts;
+    for (ltl::Formula operand : g.operands()) parts.push_back(image.at(operand));
+    const auto made = [&] {
+      switch (g.op()) {
+        case Op::And: return ltl::conjunction(g.arena(), parts);
+        case Op::Or: return ltl::disjunction(g.arena(), parts);
+        case Op::Next:
+        case Op::WeakNext: return ltl::next(parts[0]);
+        case Op::Until: return ltl::until(parts[0], parts[1]);
+        case Op::Release: return ltl::release(parts[0], parts[1]);
+        case Op::False:
+        case Op::True:
+        case Op::Atom:
+        case Op::Not:
+        case Op::Iff: break;  // of literals, and not in a normal form
+      }
+      return g;
+    };
+    image.emplace(g, made());
+  }
+  return image.at(normal);
 }
 
 bool asks_for_prefix(Query query) { return query == Query::MinCost || query == Query::Discounted; }
@@ -63,7 +97,7 @@ std::optional<TaskAutomaton> task_automaton(ltl::Formula f, CaseTask::Logic logi
     auto monitor = automata::ltl_to_monitor(f, limits);
     if (auto* done = found(monitor)) return done->good();
   } else if (finite) {
-    auto dfa = automata::ltlf_to_dfa(f, limits);
+    auto dfa = automata::ltlf_to_dfa(logic == CaseTask::Logic::Ltl ? with_strong_nexts(f) : f, limits);
     if (auto* done = found(dfa)) return std::move(*done);
   } else {
     auto ldba = automata::ltl_to_ldba(f, limits);

@@ -129,7 +129,7 @@ class ValueIteration {
   bool solve_block(std::uint32_t first, std::uint32_t last) {
     const std::vector<Compact> order = merged_.in_order(first, last);
     if (order.empty()) return true;
-    return order.size() <= written_out ? solve_equations(order) : sweep(order);
+    return order.size() <= limits_.written_out ? solve_equations(order) : sweep(order);
   }
 
   // The rows of the block. Outcomes among merged states come to nothing.
@@ -219,7 +219,6 @@ class ValueIteration {
   const Unknowns& unknowns_;
   const IterationLimits& limits_;
   const MergedUnknowns<Product> merged_;
-  static constexpr std::size_t written_out = std::size_t{1} << 20U;  // unknowns
   static constexpr std::uint32_t no_row = UINT32_MAX;
   Values values_;
   std::vector<std::uint32_t> row_;  // by state, of the block at hand

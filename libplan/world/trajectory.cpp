@@ -1,17 +1,16 @@
 #include "libplan/world/trajectory.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <charconv>
 #include <cstdlib>
-#include <nlohmann/json.hpp>
 
 #include "libplan/world/json_position.hpp"
+#include "libplan/world/json_reader.hpp"
 
 namespace waymark::plan {
 namespace {
-
-using nlohmann::json;
 
 // "(9,9) is no place of grid; the nearest is (1,9)"
 std::string no_such_pose(const Map& map, const Pose& pose) {
@@ -63,17 +62,16 @@ std::optional<std::vector<int>> parse_numbers(std::string_view text) {
 
 class JsonForm {
  public:
-  JsonForm(std::string_view text, const Map& map, std::string_view source)
-      : text_(text), map_(map), source_(source) {}
+  JsonForm(std::string_view text, const Map& map, std::string_view source) : in_(text, source), map_(map) {}
 
   Trajectory read() const {
-    json document = parse();
+    const Value document = in_.parse();
     std::string path;
     for (const char* key : {"route", "poses"})
       if (path.empty() && document.is_object() && document.contains(key)) path = key;
-    const json& list = path.empty() ? document : document[path];
-    if (!list.is_array()) fail(path, "expected a list of poses [x,y,heading]");
-    if (list.empty()) fail(path, "a trajectory needs at least one pose");
+    const Value& list = path.empty() ? document : document[path];
+    if (!list.is_array()) in_.fail(path, "expected a list of poses [x,y,heading]");
+    if (list.empty()) in_.fail(path, "a trajectory needs at least one pose");
     Trajectory trajectory;
     for (std::size_t i = 0; i < list.size(); ++i)
       append(list[i], path + "[" + std::to_string(i) + "]", trajectory);
@@ -81,43 +79,26 @@ class JsonForm {
   }
 
  private:
-  [[noreturn]] void fail(const std::string& path, const std::string& message) const {
-    throw format_error(source_, text_, path, message);
-  }
+  using Value = JsonReader::Value;
 
-  json parse() const {
-    try {
-      return json::parse(text_.begin(), text_.end());
-    } catch (const json::parse_error& error) {
-      throw format_error_at(source_, text_, error.byte > 0 ? error.byte - 1 : 0, "malformed JSON");
-    } catch (const json::out_of_range&) {
-      throw ltl::FormatError(source_, 0, 0, "a number of the JSON text is out of range");
-    }
-  }
-
-  void append(const json& value, const std::string& path, Trajectory& trajectory) const {
-    if (!value.is_array() || value.size() != 3) fail(path, "expected a pose [x,y,heading]");
+  void append(const Value& value, const std::string& path, Trajectory& trajectory) const {
+    if (!value.is_array() || value.size() != 3) in_.fail(path, "expected a pose [x,y,heading]");
     std::array<int, 3> numbers{};
-    for (std::size_t i = 0; i < 3; ++i) {
-      const bool fits =
-          value[i].is_number_integer() && value[i].get<double>() >= -1e9 && value[i].get<double>() <= 1e9;
-      if (!fits) fail(path + "[" + std::to_string(i) + "]", "expected a whole number");
-      numbers[i] = value[i].get<int>();
-    }
+    for (std::size_t i = 0; i < 3; ++i)
+      numbers[i] = in_.integer(value[i], path + "[" + std::to_string(i) + "]");
     const Pose pose{numbers[0], numbers[1], numbers[2]};
     const auto id = map_.find(pose);
-    if (!id) fail(path, no_such_pose(map_, pose));
+    if (!id) in_.fail(path, no_such_pose(map_, pose));
     if (!trajectory.poses.empty()) {
       const auto action = action_between(map_, trajectory.poses.back(), *id);
-      if (!action) fail(path, impossible_step(map_, trajectory.poses.back(), *id));
+      if (!action) in_.fail(path, impossible_step(map_, trajectory.poses.back(), *id));
       trajectory.actions.push_back(*action);
     }
     trajectory.poses.push_back(*id);
   }
 
-  std::string_view text_;
+  const JsonReader in_;
   const Map& map_;
-  std::string_view source_;
 };
 
 struct Token {

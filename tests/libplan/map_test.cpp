@@ -2,8 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <map>
 #include <set>
 
+#include "libplan/model/map_mdp.hpp"
+#include "libplan/world/trajectory.hpp"
 #include "tests/libplan/maps.hpp"
 
 namespace waymark::plan {
@@ -125,6 +128,33 @@ TEST(Map, BadPartsAreRefusedByName) {
   EXPECT_EQ(message({{0, 0, std::nullopt, 0}}, {}), "places are numbered 1 to 1000");
   EXPECT_EQ(message({{2'000'000, 0, std::nullopt, std::nullopt}}, {}),
             "coordinates run from -1000000 to 1000000");
+}
+
+TEST(MapMdp, TurnsMayComeToNothingOrGoTooFar) {
+  const Map map = plus();
+  const Mdp mdp = mdp_of(map, PoseId{0}, MapNoise({}, {.stay = 0.25, .beyond = 0.125}));
+  const Mdp calm = mdp_of(map, PoseId{0});
+  std::size_t turns = 0;
+  for (std::uint32_t p = 0; p < map.poses(); ++p)
+    for (std::uint32_t k = 0; k < mdp.choices(p); ++k) {
+      ASSERT_EQ(mdp.action(p, k), calm.action(p, k));
+      const Action action = *parse_action(mdp.action(p, k));
+      std::map<std::uint32_t, double> expected{{calm.outcomes(p, k)[0].target, 1.0}};
+      if (action != Action::Forward) {
+        const PoseId once = *map.successor(PoseId{p}, action);
+        expected = {{once.index, 0.625}, {p, 0.25}, {map.successor(once, action)->index, 0.125}};
+        ++turns;
+      }
+      std::map<std::uint32_t, double> found;
+      for (const MdpOutcome& o : mdp.outcomes(p, k)) {
+        found[o.target] += o.probability;
+        EXPECT_EQ(mdp.letters()[o.letter], map.letter(PoseId{o.target}, action));
+      }
+      EXPECT_EQ(found, expected) << show(map.pose(PoseId{p})) << ' ' << name(action);
+    }
+  EXPECT_EQ(turns, 2 * map.poses());
+  EXPECT_TRUE(calm.is_deterministic());
+  EXPECT_THROW(mdp_of(map, PoseId{0}, MapNoise({}, {.stay = 1})), std::invalid_argument);
 }
 
 }  // namespace

@@ -43,7 +43,6 @@ TEST(Trajectory, FaultsNameTheStep) {
       {"[[0,0]]", "[0]: expected a pose [x,y,heading]\n  t:1:2"},
       {"[[0,0.5,90]]", "[0][1]: expected a whole number\n  t:1:5"},
       {"[[0,0,1e300]]", "[0][2]: expected a whole number\n  t:1:7"},
-      {"[[0,0,0]", "malformed JSON\n  t:1:9"},
       {"", "expected a start pose x,y,heading and actions\n  t:1:1"},
       {"FORWARD", "expected a start pose x,y,heading, found 'FORWARD'\n  t:1:1"},
       {"0,0,0 RIGHT\nJUMP", "expected FORWARD, LEFT or RIGHT, found 'JUMP'\n  t:2:1"},
@@ -56,6 +55,13 @@ TEST(Trajectory, FaultsNameTheStep) {
     } catch (const ltl::FormatError& error) {
       EXPECT_STREQ(error.what(), expected) << text;
     }
+  }
+  try {
+    parse_trajectory("[[0,0,0]", map, "t");
+    ADD_FAILURE() << "accepted half a list";
+  } catch (const ltl::FormatError& error) {
+    EXPECT_EQ(std::string(error.what()).find("malformed JSON: "), 0U) << error.what();
+    EXPECT_EQ(error.column(), 9U);
   }
 }
 

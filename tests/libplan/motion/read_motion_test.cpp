@@ -21,9 +21,9 @@ TEST(ReadMotion, NamesWhatIsWrongAndWhere) {
   } table[] = {
       {"", "malformed JSON", 1, 1},
       {"{\"motion\":[}", "malformed JSON", 1, 12},
-      {"[]", "expected an object with the key \"motion\"", 1, 1},
-      {"{\"motion\":[]}", "expected an object with the key \"radius\"", 1, 1},
-      {"{\"motion\":3,\"radius\":0}", "motion: expected a list of configurations [x,y,heading]", 1, 11},
+      {"[]", "expected an object", 1, 1},
+      {"{\"motion\":[]}", "the key \"radius\" is missing", 1, 1},
+      {"{\"motion\":3,\"radius\":0}", "motion: expected a list", 1, 11},
       {"{\"motion\":[],\n \"radius\":\"0\"}", "radius: expected a number", 2, 11},
       {"{\"motion\":[[0,0,0],[1,2]],\"radius\":0}", "motion[1]: expected a configuration [x,y,heading]", 1,
        20},

@@ -34,6 +34,19 @@ TEST(CaseTask, LeastAndGreatestProbabilitiesAreComplements) {
   }
 }
 
+// The end of a prefix is no end of the word: X under a negation, or on one side of <->, must not be satisfied by it.
+TEST(CaseTask, NextsKnowNoEndOfInfiniteWords) {
+  const PlanningCase line = parse_case(R"({"format": "ltlgrid/1", "width": 3, "height": 1, "rows": [".b."],
+    "legend": {"b": {"props": ["b"]}}, "start": {"x": 0, "y": 0},
+    "motion": {"forward": 0.5, "left": 0.25, "right": 0.25}})");
+  const auto value = [&](const char* formula, CaseTask::Query query) {
+    return answer(line, {.id = "", .formula = formula, .query = query}).value.middle();
+  };
+  EXPECT_NEAR(value("b <-> X b", CaseTask::Query::MinProbability), 0.5, 1e-6);
+  EXPECT_NEAR(value("X(!b & X(b <-> X !b))", CaseTask::Query::MaxProbability), 0.5, 1e-6);
+  EXPECT_NEAR(value("!(b <-> X b)", CaseTask::Query::MaxProbability), 0.5, 1e-6);
+}
+
 // Noise in all directions: a hazard can be put off for ages, not avoided.
 TEST(CaseTask, WhatCanOnlyBePutOffIsCertain) {
   const PlanningCase noisy = parse_case(R"({"format": "ltlgrid/1", "width": 30, "height": 1,

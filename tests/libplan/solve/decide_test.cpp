@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+
 #include "libautomata/deterministic/ltl_to_parity.hpp"
 #include "libautomata/limit_deterministic/ltl_to_ldba.hpp"
 #include "libautomata/ltlf_to_dfa.hpp"
@@ -19,6 +21,11 @@ using testing::Plainly;
 using waymark::testing::scaled;
 
 constexpr double tolerance = 1e-6;
+
+// Sweeps of equations that are written out, policies by linear solves, and sweeps of the product as it is.
+const std::array<DecisionLimits, 3> ways{DecisionLimits{.tolerance = tolerance},
+                                         DecisionLimits{.tolerance = tolerance, .policy_iteration = true},
+                                         DecisionLimits{.tolerance = tolerance, .written_out = 0}};
 
 // A process with labels on states, as the referee of the automata's tests has it.
 Mdp mdp_of(const automata::referee::World& world) {
@@ -59,9 +66,8 @@ TEST(Decide, GreatestProbabilitiesOfFormulasAgreeWithTheReferee) {
       const Mdp mdp = mdp_of(world);
       const TaskTable task(ldba, mdp.letters());
       const auto product = ProductMdp<Mdp>::explore(mdp, task);
-      for (bool policies : {false, true}) {
-        const auto decided =
-            greatest_probability(*product, {.tolerance = tolerance, .policy_iteration = policies});
+      for (const DecisionLimits& limits : ways) {
+        const auto decided = greatest_probability(*product, limits);
         ASSERT_TRUE(decided);
         expect_bounds(*decided, expected, tolerance,
                       ltl::print(f) + " on\n" + testing::show(mdp) + "seed " + std::to_string(seed));
@@ -97,14 +103,17 @@ TEST(Decide, ProbabilitiesOfFiniteTasksAgreeWithPlainSweeps) {
     const FiniteTask t(random, {.states = 3 + static_cast<std::uint32_t>(random.below(4))});
     const double greatest = Plainly(t.mdp, t.dfa).probability(Plainly::Best::Greatest);
     const double least = Plainly(t.mdp, t.dfa).probability(Plainly::Best::Least);
-    const auto most = greatest_probability(*t.product), fewest = least_probability(*t.product);
-    ASSERT_TRUE(most && fewest) << t.show();
-    if (!t.product->starts().empty()) {
-      expect_bounds(*most, greatest, tolerance, t.show());
-      expect_bounds(*fewest, least, tolerance, t.show());
+    for (const DecisionLimits& limits : ways) {
+      const auto most = greatest_probability(*t.product, limits),
+                 fewest = least_probability(*t.product, limits);
+      ASSERT_TRUE(most && fewest) << t.show();
+      if (!t.product->starts().empty()) {
+        expect_bounds(*most, greatest, tolerance, t.show());
+        expect_bounds(*fewest, least, tolerance, t.show());
+      }
+      EXPECT_EQ(most->value.upper == 0, greatest < 1e-9) << t.show();
+      ASSERT_FALSE(HasFailure());
     }
-    EXPECT_EQ(most->value.upper == 0, greatest < 1e-9) << t.show();
-    ASSERT_FALSE(HasFailure());
     proper += greatest > 1e-6 && least < 1 - 1e-6 && (greatest < 1 - 1e-6 || least > 1e-6) ? 1 : 0;
   }
   EXPECT_GT(proper, waymark::testing::sanitized ? 0 : 20);
@@ -124,8 +133,8 @@ TEST(Decide, LeastCostsAgreeWithPlainSweeps) {
       if (free) continue;
     }
     const double expected = Plainly(t.mdp, t.dfa).cost();
-    for (bool policies : {false, true}) {
-      const auto decided = least_cost(*t.product, {.tolerance = tolerance, .policy_iteration = policies});
+    for (const DecisionLimits& limits : ways) {
+      const auto decided = least_cost(*t.product, limits);
       ASSERT_TRUE(decided) << t.show();
       if (std::isinf(expected)) {
         EXPECT_TRUE(std::isinf(decided->value.lower)) << t.show();
@@ -159,13 +168,38 @@ TEST(Decide, GoingRoundForNothingIsNoProgress) {
   const automata::Dfa dfa = automata::ltlf_to_dfa(ltl::parse("F a", arena));
   const TaskTable task(dfa, mdp.letters());
   const auto product = ProductMdp<Mdp>::explore(mdp, task);
-  for (bool policies : {false, true}) {
-    const auto decided = least_cost(*product, {.policy_iteration = policies});
+  for (const DecisionLimits& limits : ways) {
+    const auto decided = least_cost(*product, limits);
     ASSERT_TRUE(decided);
     EXPECT_NEAR(decided->value.lower, 5, 1e-5);
     EXPECT_EQ(decided->re_evaluated.upper, 5);
     EXPECT_EQ(decided->strategy.choice[decided->strategy.start], 1U);
   }
+}
+
+// A walk of eight places against the drift: many sweeps, few policies.
+TEST(Decide, PolicyIterationSolvesWhereOthersSweep) {
+  constexpr std::uint32_t places = 8;
+  MdpBuilder builder(testing::vocabulary_ab());
+  const LetterId nothing = builder.letter({}), there = builder.letter({ltl::Proposition{0}});
+  for (std::uint32_t s = 0; s < places; ++s) {
+    builder.add_state();
+    builder.add_choice("on");
+    builder.add_outcome(s + 1, s + 1 == places ? there : nothing, 0.4);
+    builder.add_outcome(s == 0 ? 0 : s - 1, nothing, 0.6);
+  }
+  builder.add_state();
+  builder.add_choice("stay");
+  builder.add_outcome(places, there);
+  const Mdp mdp = std::move(builder).build(0, nothing);
+  ltl::Arena arena(testing::vocabulary_ab());
+  const automata::Dfa dfa = automata::ltlf_to_dfa(ltl::parse("F a", arena));
+  const TaskTable task(dfa, mdp.letters());
+  const auto product = ProductMdp<Mdp>::explore(mdp, task);
+  const auto policies = least_cost(*product, ways[1]), sweeps = least_cost(*product, ways[2]);
+  ASSERT_TRUE(policies && sweeps);
+  EXPECT_LT(4 * policies->sweeps, sweeps->sweeps);
+  EXPECT_NEAR(policies->value.middle(), sweeps->value.middle(), 1e-6 * sweeps->value.middle());
 }
 
 }  // namespace

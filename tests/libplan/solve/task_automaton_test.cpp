@@ -42,9 +42,9 @@ void expect_same(const CaseAnswer& one, const CaseAnswer& other, const std::stri
 TEST(GivenAutomaton, IsWorthWhatItsFormulaIs) {
   ltl::Random random(41);
   int nondeterministic = 0;
-  for (int i = 0; i < scaled(60); ++i) {
+  for (int i = 0; i < scaled(120); ++i) {
     ltl::Arena arena(testing::vocabulary_ab());
-    const ltl::Formula f = ltl::random_formula(random, arena, {.size = 3 + random.below(8), .atoms = 2});
+    const ltl::Formula f = ltl::random_formula(random, arena, {.size = 5 + random.below(9), .atoms = 2});
     const PlanningCase model{"", testing::random_model(random, {.states = 4}), {}};
     nondeterministic += automata::is_deterministic(automata::ltl_to_tgba(f).transitions()) ? 0 : 1;
     for (Query query : {Query::MaxProbability, Query::MinProbability, Query::MinCost, Query::Discounted}) {
@@ -108,9 +108,9 @@ TEST(GivenAutomaton, SaysWhatItCannotAnswer) {
 TEST(Discounted, AgreesWithPlainSweeps) {
   ltl::Random random(45);
   int some = 0;
-  for (int i = 0; i < scaled(200); ++i) {
+  for (int i = 0; i < scaled(300); ++i) {
     ltl::Arena arena(testing::vocabulary_ab());
-    const ltl::Formula f = ltl::random_formula(random, arena, {.size = 3 + random.below(7), .atoms = 2});
+    const ltl::Formula f = ltl::random_formula(random, arena, {.size = 6 + random.below(9), .atoms = 2});
     const Mdp mdp = testing::random_model(random, {.states = 4});
     const automata::Dfa dfa = automata::ltlf_to_dfa(f);
     const double discount = 0.1 * static_cast<double>(1 + random.below(9));
