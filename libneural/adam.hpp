@@ -14,6 +14,7 @@ struct AdamOptions {
 class Adam {
  public:
   Adam(const Parameters& parameters, const AdamOptions& options = {});
+  void set_rate(double rate) { options_.rate = rate; }  // from the next step on
   void step(Parameters& parameters);  // reads the gradients, changes the values, then clears the gradients
 
  private:

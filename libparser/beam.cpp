@@ -1,6 +1,7 @@
 #include "libparser/beam.hpp"
 
 #include <queue>
+#include <stdexcept>
 
 namespace waymark::parser {
 namespace {
@@ -66,6 +67,25 @@ std::vector<Candidate> best_programs(Scorer& scorer, const PostfixGrammar& gramm
     });
   }
   return found;
+}
+
+std::vector<Candidate> LinearReader::read(const SentenceInput& input, std::size_t beam) const {
+  const SentenceFeatures features = sentence_features(input, model_->words);
+  Scorer scorer(*model_, features);
+  return best_programs(scorer, model_->grammar(), beam);
+}
+
+Grounder grounder_of(LinearModel model) {
+  auto shared = std::make_shared<const LinearModel>(std::move(model));
+  return {std::make_shared<const LinearReader>(shared), shared};
+}
+
+LinearModel linear_model_of(const Grounder& grounder) {
+  const auto* linear = dynamic_cast<const LinearReader*>(grounder.reader.get());
+  if (linear == nullptr) throw std::invalid_argument("the reader is not a linear one");
+  LinearModel model = linear->model();
+  model.chooser = grounder.model->chooser;
+  return model;
 }
 
 }  // namespace waymark::parser

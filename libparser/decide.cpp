@@ -3,17 +3,18 @@
 #include <algorithm>
 #include <cmath>
 
+#include "libparser/lexicon.hpp"
 #include "libparser/wording.hpp"
 
 namespace waymark::parser {
 
-std::vector<Weighed> likely_programs(const LinearModel& model, const SentenceInput& input, std::size_t beam) {
-  const SentenceFeatures features = sentence_features(input, model.words);
-  const Wording wording(model, features.mentions);
-  Scorer scorer(model, features);
+std::vector<Weighed> likely_programs(const Grounder& grounder, const SentenceInput& input,
+                                     const Deciding& how) {
+  const Wording wording(*grounder.model, mentions(input.tokens));
   std::vector<Weighed> weighed;
-  for (Candidate& candidate : best_programs(scorer, model.grammar(), beam)) {
-    const double disagreement = wording.disagreement(candidate.program), p = candidate.log_probability;
+  for (Candidate& candidate : grounder.reader->read(input, how.beam)) {
+    const double disagreement = how.trust * wording.disagreement(candidate.program),
+                 p = candidate.log_probability;
     weighed.push_back({std::move(candidate.program), p - trust_in_wording * disagreement,
                        p - trust_at_one_end * disagreement});
   }
@@ -47,12 +48,12 @@ std::vector<End> rank_ends(std::span<const Weighed> candidates, std::span<const 
   return ends;
 }
 
-Decision decide(const LinearModel& model, const Executor& executor, const SentenceInput& input,
-                std::span<const plan::PoseId> starts, std::size_t beam, Then then) {
+Decision decide(const Grounder& grounder, const Executor& executor, const SentenceInput& input,
+                std::span<const plan::PoseId> starts, const Deciding& how) {
   Decision decision;
-  decision.candidates = likely_programs(model, input, beam);
+  decision.candidates = likely_programs(grounder, input, how);
   for (const Weighed& candidate : decision.candidates) {
-    auto plan = plan_from(executor, candidate.program, starts, then);
+    auto plan = plan_from(executor, candidate.program, starts, how.then);
     decision.start.push_back(plan ? plan->second : 0);
     decision.plans.push_back(plan ? std::optional<Plan>(std::move(plan->first)) : std::nullopt);
   }

@@ -30,16 +30,23 @@ struct Decision {
   std::vector<End> ends;                   // most mass first; empty when no candidate has a route
 };
 
+struct Deciding {
+  std::size_t beam = 64;  // programs a reader gives
+  Then then = Then::WholePlan;
+  double trust = 1;  // in wording, of what is usual: 0 takes the reader's word for everything
+};
+
 // The reader's `beam` likeliest programs of a sentence, most weight first.
-std::vector<Weighed> likely_programs(const LinearModel& model, const SentenceInput& input, std::size_t beam);
+std::vector<Weighed> likely_programs(const Grounder& grounder, const SentenceInput& input,
+                                     const Deciding& how = {});
 
 // The plan from several starts is the cheapest of the plans from each, ties by their order.
 std::optional<std::pair<Plan, std::size_t>> plan_from(const Executor& executor, const Program& program,
                                                       std::span<const plan::PoseId> starts, Then then);
 
 // By weight of the programs alone; chooser.hpp reranks the ends.
-Decision decide(const LinearModel& model, const Executor& executor, const SentenceInput& input,
-                std::span<const plan::PoseId> starts, std::size_t beam, Then then);
+Decision decide(const Grounder& grounder, const Executor& executor, const SentenceInput& input,
+                std::span<const plan::PoseId> starts, const Deciding& how = {});
 
 // Sums weights by end pose. Ties: the end that an earlier candidate leads to first. candidates and plans: same size.
 std::vector<End> rank_ends(std::span<const Weighed> candidates, std::span<const std::optional<Plan>> plans);

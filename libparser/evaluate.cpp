@@ -3,108 +3,120 @@
 #include <algorithm>
 #include <set>
 
-#include "libparser/chooser.hpp"
 #include "libparser/examples.hpp"
 
 namespace waymark::parser {
 namespace {
 
-std::set<std::uint32_t> nodes_walked(const plan::Map& map, plan::PoseId start,
-                                     const std::vector<plan::Action>& actions) {
-  std::set<std::uint32_t> nodes;
-  plan::PoseId pose = start;
+using Nodes = std::set<std::uint32_t>;
+
+// Walks from `pose`, which is moved along.
+void walk(const plan::Map& map, plan::PoseId& pose, const std::vector<plan::Action>& actions, Nodes& nodes) {
   for (plan::Action action : actions) {
     pose = *map.successor(pose, action);
     nodes.insert(map.node_of(pose));
   }
-  nodes.erase(map.node_of(start));
-  return nodes;
 }
 
-void score_path(Scores& scores, const plan::Map& map, const GoldRoute& gold,
-                const std::vector<plan::Action>& actions) {
-  const auto want = nodes_walked(map, gold.start, gold.actions), got = nodes_walked(map, gold.start, actions);
+PathScores compared(const plan::Map& map, plan::PoseId start, Nodes want, Nodes got) {
+  want.erase(map.node_of(start));
+  got.erase(map.node_of(start));
   std::size_t common = 0;
   for (std::uint32_t node : got) common += want.count(node);
   const std::size_t others = map.nodes().size() - 1, wrong = want.size() + got.size() - 2 * common;
-  scores.path_precision += {common, got.size()};
-  scores.path_recall += {common, want.size()};
-  scores.path_accuracy += {others - wrong, others};
+  return {{common, got.size()}, {common, want.size()}, {others - wrong, others}};
 }
 
 class Test {
  public:
-  Test(const LinearModel& model, const Executor& executor, Convention convention, const TrainOptions& options)
-      : model_(model), executor_(executor), convention_(convention), options_(options) {}
+  Test(const Follower& follower, const Executor& executor, Convention convention,
+       std::vector<Prediction>* predictions, std::stop_token stop)
+      : follower_(follower),
+        executor_(executor),
+        convention_(convention),
+        predictions_(predictions),
+        stop_(std::move(stop)) {}
 
-  void sentence(const Example& example) {
-    const Answer answer = ask(example.input, example.gold.start);
+  void sentence(const Example& example, const std::string& id) {
+    Answer answer = ask(example.input, example.gold.start);
     of(scores_.sentence) += {answer.end == example.gold.end ? 1U : 0U, 1};
-    if (convention_ == Convention::Absolute)
-      score_path(scores_, executor_.map(), example.gold, answer.actions);
+    if (convention_ == Convention::Absolute) {
+      Nodes want, got;
+      plan::PoseId gold = example.gold.start, own = gold;
+      walk(map(), gold, example.gold.actions, want);
+      walk(map(), own, answer.actions, got);
+      scores_.path += compared(map(), example.gold.start, want, got);
+    }
+    if (predictions_ != nullptr)
+      predictions_->push_back(
+          {id, map().name(), convention_, example.gold.start, example.gold.end, std::move(answer)});
   }
 
   void paragraph(std::span<const Example> sentences) {
     plan::PoseId pose = sentences.front().gold.start;
+    Nodes want, got;
     for (std::size_t i = 0; i < sentences.size(); ++i) {
       SentenceInput input = sentences[i].input;
       input.heading_unknown = input.heading_unknown && i == 0;  // later ones start where we stand
-      pose = ask(input, pose).end;
+      walk(map(), pose, ask(input, pose).actions, got);
+      plan::PoseId gold = sentences[i].gold.start;
+      walk(map(), gold, sentences[i].gold.actions, want);
     }
-    const plan::Map& map = executor_.map();
-    of(scores_.paragraph) += {map.node_of(pose) == map.node_of(sentences.back().gold.end) ? 1U : 0U, 1};
+    of(scores_.paragraph) += {map().node_of(pose) == map().node_of(sentences.back().gold.end) ? 1U : 0U, 1};
+    if (convention_ == Convention::Absolute)
+      scores_.paragraph_path += compared(map(), sentences.front().gold.start, want, got);
   }
 
   void skip_paragraph() { scores_.skipped_paragraphs += convention_ == Convention::Absolute ? 1 : 0; }
   const Scores& scores() const { return scores_; }
 
  private:
-  struct Answer {
-    plan::PoseId end;
-    std::vector<plan::Action> actions;
-  };
+  const plan::Map& map() const { return executor_.map(); }
 
   Answer ask(const SentenceInput& input, plan::PoseId start) const {
-    if (options_.stop.stop_requested()) throw Stopped{};
-    Decision decision = decide(model_, executor_, input, {&start, 1}, options_.beam, options_.then);
-    choose_end(model_, executor_, input, {&start, 1}, decision);
-    if (decision.ends.empty()) return {start, {}};
-    const Plan& plan = *decision.plans[decision.ends.front().candidate];
-    return {plan.end, plan.actions};
+    if (stop_.stop_requested()) throw Stopped{};
+    return follower_.follow(executor_, input, start);
   }
 
   Percent& of(ConventionScores& scores) const {
     return convention_ == Convention::Absolute ? scores.absolute : scores.relative;
   }
 
-  const LinearModel& model_;
+  const Follower& follower_;
   const Executor& executor_;
   Convention convention_;
-  const TrainOptions& options_;
+  std::vector<Prediction>* predictions_;
+  std::stop_token stop_;
   Scores scores_;
 };
 
 }  // namespace
+
+PathScores& PathScores::operator+=(const PathScores& other) {
+  precision += other.precision;
+  recall += other.recall;
+  accuracy += other.accuracy;
+  return *this;
+}
 
 Scores& Scores::operator+=(const Scores& other) {
   sentence.absolute += other.sentence.absolute;
   sentence.relative += other.sentence.relative;
   paragraph.absolute += other.paragraph.absolute;
   paragraph.relative += other.paragraph.relative;
-  path_precision += other.path_precision;
-  path_recall += other.path_recall;
-  path_accuracy += other.path_accuracy;
+  path += other.path;
+  paragraph_path += other.paragraph_path;
   skipped_paragraphs += other.skipped_paragraphs;
   return *this;
 }
 
-Scores evaluate(const LinearModel& model, const Corpus& corpus, const plan::Map& map, Convention convention,
-                const TrainOptions& options) {
-  model.check_vocabulary(map.vocabulary(), "map " + map.name());
+Scores evaluate(const Follower& follower, const Corpus& corpus, const plan::Map& map, Convention convention,
+                std::vector<Prediction>* predictions, std::stop_token stop) {
   const Executor executor(map);
   const Examples examples = make_examples(corpus, {&executor, 1}, convention);
-  Test test(model, executor, convention, options);
-  for (const Example& example : examples.sentences) test.sentence(example);
+  Test test(follower, executor, convention, predictions, std::move(stop));
+  for (std::size_t i = 0; i < examples.sentences.size(); ++i)
+    test.sentence(examples.sentences[i], examples.ids[i]);
   for (std::size_t begin = 0, end = 0; begin < examples.sentences.size(); begin = end) {
     while (end < examples.sentences.size() && examples.paragraph[end] == examples.paragraph[begin]) ++end;
     test.paragraph(std::span(examples.sentences).subspan(begin, end - begin));

@@ -4,14 +4,17 @@
 //   paragraph   sentences one after the other, each from the pose where the last one ended; end node equals the gold
 //               end node of the last sentence. Unsegmented paragraphs are skipped and counted
 //   path        sets of nodes walked over, start node left out: precision, recall over all sentences together (micro),
-//               accuracy over all (sentence, node other than the start) pairs; under the absolute convention
+//               accuracy over all (sentence, node other than the start) pairs; under the absolute convention; the same
+//               by paragraph, along the whole of it
 // All in percent. A model is trained and tested under the same convention.
 #pragma once
 #include <cstddef>
 #include <map>
 #include <span>
 #include <string>
+#include <vector>
 
+#include "libparser/follower.hpp"
 #include "libparser/learn.hpp"
 
 namespace waymark::parser {
@@ -32,22 +35,40 @@ struct ConventionScores {
   Percent absolute, relative;
 };
 
+// Sets of nodes walked over, the start node left out.
+struct PathScores {
+  Percent precision, recall, accuracy;
+  PathScores& operator+=(const PathScores& other);
+};
+
 struct Scores {
   ConventionScores sentence, paragraph;
-  Percent path_precision, path_recall, path_accuracy;
+  PathScores path, paragraph_path;     // under the absolute convention
   std::size_t skipped_paragraphs = 0;  // unsegmented
   Scores& operator+=(const Scores& other);
+};
+
+// One sentence that was tested, from its gold start.
+struct Prediction {
+  std::string id, map;
+  Convention convention;
+  plan::PoseId start, gold_end;
+  Answer answer;
 };
 
 struct Evaluation {
   std::map<std::string, Scores> folds;  // by the name of the map left out
   Scores all;                           // weighted by counts
+  std::vector<Scores> singles;          // of an ensemble: all folds of each member
+  std::vector<Prediction> predictions;
   double seconds = 0;
 };
 
 struct EvaluateOptions {
   TrainOptions train = {};                // its convention is ignored: both are trained and reported
   bool absolute = true, relative = true;  // which conventions to run
+  bool actions = false;                   // the baseline without formulas instead of what `train` says
+  std::size_t ensemble = 1;               // systems of seeds train.seed, train.seed + 1, …
 };
 
 // For each map: train on the paragraphs of the others, test on its own (those of `test` when given).
@@ -55,8 +76,9 @@ struct EvaluateOptions {
 Evaluation evaluate_leave_one_map_out(const Corpus& train, const Corpus* test,
                                       std::span<const plan::Map> maps, const EvaluateOptions& options = {});
 
-// Scores of one model, under the convention it is asked about, on the paragraphs of the corpus that lie on this map.
-Scores evaluate(const LinearModel& model, const Corpus& corpus, const plan::Map& map, Convention convention,
-                const TrainOptions& options = {});
+// Scores of one follower, under the convention it is asked about, on the paragraphs of the corpus that lie on this map.
+// Predictions are added when they are wanted. Throws Stopped when a stop was requested.
+Scores evaluate(const Follower& follower, const Corpus& corpus, const plan::Map& map, Convention convention,
+                std::vector<Prediction>* predictions = nullptr, std::stop_token stop = {});
 
 }  // namespace waymark::parser

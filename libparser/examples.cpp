@@ -35,6 +35,16 @@ GoldRoute gold_route(const Sentence& sentence, const plan::Map& map, Convention 
 
 }  // namespace
 
+WordTable words_met_twice(std::span<const Example* const> examples) {
+  std::map<std::string, int> counts;
+  WordTable words;
+  for (const char* side : {"left", "right"}) words.add(side);
+  for (const Example* example : examples)
+    for (const std::string& word : example->input.tokens)
+      if (++counts[word] == 2) words.add(word);
+  return words;
+}
+
 Examples make_examples(const Corpus& corpus, std::span<const Executor> executors, Convention convention) {
   Examples examples;
   for (std::size_t i = 0; i < corpus.paragraphs.size(); ++i) {
@@ -49,6 +59,7 @@ Examples make_examples(const Corpus& corpus, std::span<const Executor> executors
                                     gold_route(sentence, executors[m].map(), convention),
                                     nullptr});
       examples.paragraph.push_back(i);
+      examples.ids.push_back(sentence.id);
     }
   }
   return examples;

@@ -22,7 +22,12 @@ struct Example {
 struct Examples {
   std::vector<Example> sentences;
   std::vector<std::size_t> paragraph;  // of each sentence: index in the corpus
+  std::vector<std::string> ids;        // of each sentence
 };
+
+// The words of the sentences that occur twice: from one occurrence there is nothing to learn. With both sides, for
+// mirror images.
+WordTable words_met_twice(std::span<const Example* const> examples);
 
 struct Stopped {};  // thrown by long work when a stop was requested
 

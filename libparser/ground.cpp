@@ -100,26 +100,26 @@ void by_probability(std::vector<Reading>& readings) {
 
 }  // namespace
 
-std::vector<Reading> ground(const LinearModel& model, std::string_view text, ltl::Arena& arena,
+std::vector<Reading> ground(const Grounder& grounder, std::string_view text, ltl::Arena& arena,
                             const GroundOptions& options) {
-  model.check_vocabulary(arena.vocabulary(), "the formulas");
+  grounder.model->check_vocabulary(arena.vocabulary(), "the formulas");
   const std::vector<std::string> sentences = split_sentences(text);
   if (sentences.empty()) return {};
   std::vector<Weighed> programs{{}};
   for (const std::string& sentence : sentences) {
     const SentenceInput input{tokenize(sentence), false};
-    programs = join(programs, likely_programs(model, input, options.beam), options.top);
+    programs = join(programs, likely_programs(grounder, input, {options.beam, options.then}), options.top);
   }
   std::vector<Reading> readings = readings_of(programs, arena);
   by_probability(readings);
   return readings;
 }
 
-std::vector<Reading> ground(const LinearModel& model, std::string_view text, const plan::Map& map,
+std::vector<Reading> ground(const Grounder& grounder, std::string_view text, const plan::Map& map,
                             std::span<const plan::PoseId> starts, ltl::Arena& arena,
                             const GroundOptions& options) {
-  model.check_vocabulary(arena.vocabulary(), "the formulas");
-  model.check_vocabulary(map.vocabulary(), "map " + map.name());
+  grounder.model->check_vocabulary(arena.vocabulary(), "the formulas");
+  grounder.model->check_vocabulary(map.vocabulary(), "map " + map.name());
   const Executor executor(map);
   const std::vector<std::string> sentences = split_sentences(text);
   if (sentences.empty() || starts.empty()) return {};
@@ -128,8 +128,8 @@ std::vector<Reading> ground(const LinearModel& model, std::string_view text, con
   std::vector<plan::PoseId> here(starts.begin(), starts.end());
   for (std::size_t i = 0;; ++i) {
     const SentenceInput input{tokenize(sentences[i]), here.size() > 1};
-    Decision decision = decide(model, executor, input, here, options.beam, options.then);
-    choose_end(model, executor, input, here, decision);
+    Decision decision = decide(grounder, executor, input, here, {options.beam, options.then});
+    choose_end(*grounder.model, executor, input, here, decision);
     if (i + 1 < sentences.size()) {
       if (decision.ends.empty()) continue;  // nothing said by it leads anywhere: stay
       append(settled, decision.candidates[decision.ends.front().candidate].program);

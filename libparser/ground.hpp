@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "libparser/execute.hpp"
-#include "libparser/linear_model.hpp"
+#include "libparser/reader.hpp"
 
 namespace waymark::parser {
 
@@ -29,13 +29,13 @@ struct GroundOptions {
 
 // The text may hold several sentences: each is read by itself and the programs are joined by `then`.
 // Throws ltl::FormatError when the arena's vocabulary is not the model's; an empty text gives no reading.
-std::vector<Reading> ground(const LinearModel& model, std::string_view text, ltl::Arena& arena,
+std::vector<Reading> ground(const Grounder& grounder, std::string_view text, ltl::Arena& arena,
                             const GroundOptions& options = {});
 
 // The same on a map. `starts`: one pose, or several when the heading is unknown. The first reading is the likeliest of
 // those that lead where most probability leads. Probabilities are those of the ends, shared among the readings that
 // lead there; a reading without a route has none, unless no reading has one.
-std::vector<Reading> ground(const LinearModel& model, std::string_view text, const plan::Map& map,
+std::vector<Reading> ground(const Grounder& grounder, std::string_view text, const plan::Map& map,
                             std::span<const plan::PoseId> starts, ltl::Arena& arena,
                             const GroundOptions& options = {});
 

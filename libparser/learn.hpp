@@ -1,4 +1,4 @@
-// Weakly supervised learning: sentences and trajectories in, a grounding model out. No formula is ever given.
+// Weakly supervised learning: sentences and trajectories in, a reader and a chooser out. No formula is ever given.
 //
 // For each sentence the consistent programs are searched for (search.hpp): those whose plan from the gold start pose
 // ends at the gold end pose. The model maximises their marginal likelihood, Σ_z p(z | sentence), by Adagrad; after the
@@ -13,11 +13,17 @@
 #include "libparser/corpus.hpp"
 #include "libparser/examples.hpp"
 #include "libparser/linear_model.hpp"
+#include "libparser/neural/network_options.hpp"
 #include "libparser/parallel.hpp"
+#include "libparser/reader.hpp"
 
 namespace waymark::parser {
 
+enum class ReaderKind : std::uint8_t { Linear, EncoderDecoder };
+
 struct TrainOptions {
+  ReaderKind reader = ReaderKind::Linear;
+  NetworkTraining network = {};  // of the encoder-decoder
   std::uint64_t seed = 1;
   int epochs = 6;
   int threads = 2;
@@ -36,6 +42,7 @@ struct TrainOptions {
   double chooser_rate = 0.03;  // AdaGrad
   double chooser_decay = 0.2;  // L2
   std::size_t beam = 64;
+  double trust = 1;  // in wording when deciding: 0 takes the reader's word for everything
   // Called from the calling thread, fraction in [0, 1], never decreasing.
   Report progress = {};
   std::stop_token stop = {};  // polled once per sentence; then Stopped (examples.hpp) is thrown
@@ -43,14 +50,14 @@ struct TrainOptions {
 
 // Every map that a paragraph names must be among `maps`, and all of them must share one vocabulary
 // (std::invalid_argument otherwise). Sentences without a trajectory are left out.
-LinearModel train(const Corpus& corpus, std::span<const plan::Map> maps, const TrainOptions& options = {});
+Grounder train(const Corpus& corpus, std::span<const plan::Map> maps, const TrainOptions& options = {});
 
 // The same from examples whose programs were found: several models can share one search.
-LinearModel train_on(std::span<const Example* const> examples, std::span<const Executor> executors,
-                     const TrainOptions& options);
+Grounder train_on(std::span<const Example* const> examples, std::span<const Executor> executors,
+                  const TrainOptions& options);
 
 // Without a chooser: ends are chosen by probability alone.
-LinearModel learn_reader(std::span<const Example* const> examples, std::span<const Executor> executors,
-                         const TrainOptions& options, const JobProgress& progress);
+Grounder learn_reader(std::span<const Example* const> examples, std::span<const Executor> executors,
+                      const TrainOptions& options, const JobProgress& progress);
 
 }  // namespace waymark::parser

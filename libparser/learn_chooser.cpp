@@ -73,13 +73,13 @@ class ChooserLearner {
 
 }  // namespace
 
-std::vector<Dilemma> dilemmas_of(const LinearModel& reader, std::span<const Example* const> examples,
+std::vector<Dilemma> dilemmas_of(const Grounder& reader, std::span<const Example* const> examples,
                                  std::span<const Executor> executors, const TrainOptions& options) {
   std::vector<Dilemma> dilemmas;
   for (const Example* example : examples) {
     if (options.stop.stop_requested()) throw Stopped{};
     Decision decision = decide(reader, executors[example->map], example->input, {&example->gold.start, 1},
-                               options.beam, options.then);
+                               {options.beam, options.then, options.trust});
     Dilemma dilemma{example, {}, decision.ends.size()};
     for (std::size_t i = 0; i < decision.ends.size(); ++i) {
       if (decision.ends[i].pose == example->gold.end) dilemma.gold = i;
@@ -111,6 +111,15 @@ void learn_chooser(LinearModel& model, std::span<const Dilemma* const> dilemmas,
     }
     progress(static_cast<double>(epoch + 1) / options.chooser_epochs);
   }
+}
+
+Grounder with_chooser(const Grounder& reader, std::span<const Dilemma* const> dilemmas,
+                      std::span<const Executor> executors, const TrainOptions& options,
+                      const JobProgress& progress) {
+  auto model = std::make_shared<LinearModel>(reader.model->vocabulary());
+  model->words = reader.model->words;
+  learn_chooser(*model, dilemmas, executors, options, progress);
+  return {reader.reader, std::move(model)};
 }
 
 }  // namespace waymark::parser

@@ -23,11 +23,16 @@ struct Dilemma {
   std::size_t gold;
 };
 
-std::vector<Dilemma> dilemmas_of(const LinearModel& reader, std::span<const Example* const> examples,
+std::vector<Dilemma> dilemmas_of(const Grounder& reader, std::span<const Example* const> examples,
                                  std::span<const Executor> executors, const TrainOptions& options);
 
 void learn_chooser(LinearModel& model, std::span<const Dilemma* const> dilemmas,
                    std::span<const Executor> executors, const TrainOptions& options,
                    const JobProgress& progress);
+
+// The same reader with a chooser learned for it.
+Grounder with_chooser(const Grounder& reader, std::span<const Dilemma* const> dilemmas,
+                      std::span<const Executor> executors, const TrainOptions& options,
+                      const JobProgress& progress);
 
 }  // namespace waymark::parser

@@ -1,14 +1,17 @@
 // waymark evaluate: corpus → accuracy, leaving one map out.
 #include <CLI/App.hpp>
+#include <algorithm>
 #include <iomanip>
 #include <iostream>
 #include <memory>
 
+#include "libltl/print.hpp"
 #include "libparser/evaluate.hpp"
 #include "libparser/sail_corpus.hpp"
 #include "libparser/streets/street_corpus.hpp"
 #include "tools/shell/models.hpp"
 #include "tools/shell/options.hpp"
+#include "tools/shell/output.hpp"
 #include "tools/streets.hpp"
 #include "tools/subcommand.hpp"
 
@@ -18,8 +21,9 @@ namespace {
 using parser::Percent;
 
 struct Options {
-  std::string corpus, test_corpus, predictions, model = "linear", data;
-  parser::TrainOptions train;
+  std::string corpus, test_corpus, data, predictions, convention = "both";
+  TrainingOptions training;
+  std::size_t ensemble = 1;
   bool leave_one_map_out = false, train_all = false, json = false;
 };
 
@@ -27,13 +31,18 @@ Json json_of(const parser::ConventionScores& scores) {
   return JsonObject().add("absolute", scores.absolute.value()).add("relative", scores.relative.value());
 }
 
+Json json_of(const parser::PathScores& path) {
+  return JsonObject()
+      .add("precision", path.precision.value())
+      .add("recall", path.recall.value())
+      .add("accuracy", path.accuracy.value());
+}
+
 JsonObject& add(JsonObject& json, const parser::Scores& scores) {
   return json.add("sentence", json_of(scores.sentence))
       .add("paragraph", json_of(scores.paragraph))
-      .add("path", JsonObject()
-                       .add("precision", scores.path_precision.value())
-                       .add("recall", scores.path_recall.value())
-                       .add("accuracy", scores.path_accuracy.value()))
+      .add("path", json_of(scores.path))
+      .add("paragraph_path", json_of(scores.paragraph_path))
       .add("n", JsonObject()
                     .add("sentences", scores.sentence.absolute.total)
                     .add("paragraphs", scores.paragraph.absolute.total)
@@ -47,7 +56,43 @@ Json json_of(const parser::Evaluation& evaluation) {
     folds.add(map, add(fold, scores));
   }
   json.add("folds", folds);
-  return add(json, evaluation.all).add("seconds", evaluation.seconds);
+  add(json, evaluation.all);
+  if (!evaluation.singles.empty()) {
+    JsonArray singles;
+    for (const parser::Scores& scores : evaluation.singles) {
+      JsonObject single;
+      singles.add(add(single, scores));
+    }
+    json.add("singles", singles);
+  }
+  return json.add("seconds", evaluation.seconds);
+}
+
+// One object a line, so that anyone can score the answers again.
+void write_predictions(const std::string& file, const parser::Evaluation& evaluation,
+                       std::span<const plan::Map> maps) {
+  std::string lines;
+  for (const parser::Prediction& prediction : evaluation.predictions) {
+    const plan::Map& map = *std::find_if(maps.begin(), maps.end(),
+                                         [&](const plan::Map& m) { return m.name() == prediction.map; });
+    ltl::Arena arena(map.vocabulary());
+    const auto pose = [&](plan::PoseId p) {
+      const plan::Pose at = map.pose(p);
+      return JsonArray().add(at.x).add(at.y).add(at.heading);
+    };
+    JsonObject line;
+    line.add("id", prediction.id)
+        .add("map", prediction.map)
+        .add("convention", std::string(parser::name(prediction.convention)))
+        .add("start", pose(prediction.start));
+    if (!prediction.answer.program.empty())
+      line.add("formula", ltl::print(parser::formula_of(prediction.answer.program, arena)));
+    line.add("probability", prediction.answer.probability)
+        .add("end", pose(prediction.answer.end))
+        .add("gold_end", pose(prediction.gold_end));
+    lines += line.text() + '\n';
+  }
+  write_file(file, lines);
 }
 
 void print_row(const std::string& name, const parser::Scores& scores) {
@@ -57,7 +102,7 @@ void print_row(const std::string& name, const parser::Scores& scores) {
   std::cout << std::left << std::setw(10) << name << std::right;
   cell(scores.sentence.absolute), cell(scores.sentence.relative);
   cell(scores.paragraph.absolute), cell(scores.paragraph.relative);
-  cell(scores.path_precision), cell(scores.path_recall), cell(scores.path_accuracy);
+  cell(scores.path.precision), cell(scores.path.recall), cell(scores.path.accuracy);
   std::cout << std::setw(11) << scores.sentence.absolute.total << std::setw(12)
             << scores.paragraph.absolute.total << '\n';
 }
@@ -71,6 +116,8 @@ void print_table(const parser::Evaluation& evaluation) {
                "paragraphs\n";
   for (const auto& [map, scores] : evaluation.folds) print_row(map, scores);
   print_row("all", evaluation.all);
+  for (std::size_t i = 0; i < evaluation.singles.size(); ++i)
+    print_row("single " + std::to_string(i + 1), evaluation.singles[i]);
   std::cout << "\nunsegmented paragraphs skipped: " << evaluation.all.skipped_paragraphs << "; "
             << fixed(evaluation.seconds, 1) << " s of training and testing\n";
 }
@@ -85,9 +132,9 @@ ExitCode run_on_streets(const Options& options, const Session& session) {
                               options.predictions,
                               options.train_all,
                               options.json,
-                              options.train.threads,
+                              options.training.train.threads,
                               {}};
-  experiment.options.seed = options.train.seed;
+  experiment.options.seed = options.training.train.seed;
   return evaluate_streets(experiment, session);
 }
 
@@ -99,18 +146,23 @@ ExitCode run_evaluate(const Options& options, const Session& session) {
   std::optional<parser::Corpus> test;
   if (!options.test_corpus.empty()) test = parser::read_sail_corpus(options.test_corpus);
   parser::EvaluateOptions evaluate;
-  evaluate.train = options.train;
+  evaluate.train = options.training.settled();
+  evaluate.ensemble = options.ensemble;
+  evaluate.actions = options.training.model == "actions";
+  evaluate.absolute = options.convention != "relative";
+  evaluate.relative = options.convention != "absolute";
   evaluate.train.stop = session.stop;
   ProgressBar bar;
   evaluate.train.progress = [&](double fraction, std::string_view what) { bar.show(fraction, what); };
+  const std::vector<plan::Map> maps = maps_of(corpus, options.data);
   std::optional<parser::Evaluation> evaluation;
   try {
-    evaluation = parser::evaluate_leave_one_map_out(corpus, test ? &*test : nullptr,
-                                                    maps_of(corpus, options.data), evaluate);
+    evaluation = parser::evaluate_leave_one_map_out(corpus, test ? &*test : nullptr, maps, evaluate);
   } catch (const parser::Stopped&) {
     throw Interrupted();
   }
   bar.wipe();
+  if (!options.predictions.empty()) write_predictions(options.predictions, *evaluation, maps);
   if (options.json)
     std::cout << json_of(*evaluation).text() << '\n';
   else
@@ -132,13 +184,21 @@ Runner setup_evaluate(CLI::App& command) {
       ->type_name("DIR");
   command.add_flag("--leave-one-map-out", options->leave_one_map_out,
                    "train on all maps but one, test on that one, for each map");
-  command.add_flag("--train-all", options->train_all, "train on every map, test on those of --test-corpus");
-  command
-      .add_option("--predictions", options->predictions, "write every answer there, one JSON object a line")
-      ->type_name("FILE");
-  add_model_kind_option(command, options->model);
+  command.add_flag("--train-all", options->train_all,
+                   "streets: train on every map, test on those of --test-corpus");
   add_data_option(command, options->data);
-  add_training_options(command, options->train);
+  add_training_options(command, options->training, {"linear", "encoder-decoder", "actions"});
+  command.add_option("--convention", options->convention, "what an unknown start heading counts as")
+      ->check(CLI::IsMember({"absolute", "relative", "both"}))
+      ->capture_default_str();
+  command.add_option("--ensemble", options->ensemble, "systems of seeds N, N + 1, … that vote")
+      ->type_name("COUNT")
+      ->check(CLI::Range(1, 100))
+      ->capture_default_str();
+  command
+      .add_option("--predictions", options->predictions,
+                  "write what was answered to every sentence, as JSON Lines")
+      ->type_name("FILE");
   command.add_flag("--json", options->json, "one JSON object");
   return [options](const Session& session) { return run_evaluate(*options, session); };
 }

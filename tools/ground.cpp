@@ -37,7 +37,7 @@ Json json_of(const std::string& instruction, const std::vector<parser::Reading>&
 }
 
 ExitCode ground_one(const Text& text, const Options& options, const Session& session,
-                    const parser::LinearModel& model, const plan::Map& map) {
+                    const parser::Grounder& model, const plan::Map& map) {
   ltl::Arena arena(map.vocabulary());
   auto readings = read_instruction(model, text, map, start_poses(options.start, map), arena);
   readings.resize(std::min(readings.size(), std::max<std::size_t>(options.top, 1)), readings.front());
@@ -52,7 +52,7 @@ ExitCode ground_one(const Text& text, const Options& options, const Session& ses
 
 ExitCode run_ground(const Options& options, const Session& session) {
   TextReader texts(options.text, "instruction");
-  const parser::LinearModel model = read_model(options.model, options.map.data);
+  const parser::Grounder model = read_model(options.model, options.map.data);
   const plan::Map map = read_map(options.map);
   return answer_each(
       texts, session.stop, [&](const Text& text) { return ground_one(text, options, session, model, map); },

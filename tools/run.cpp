@@ -90,7 +90,7 @@ class Running {
   const Options& options_;
   const Session& session_;
   StopWatch watch_;
-  parser::LinearModel model_;
+  parser::Grounder model_;
   plan::Map map_;
   std::vector<plan::PoseId> starts_;
   double load_;

@@ -3,6 +3,7 @@
 #include <iostream>
 #include <memory>
 
+#include "libparser/beam.hpp"
 #include "libparser/learn.hpp"
 #include "libparser/sail_corpus.hpp"
 #include "libparser/weights_file.hpp"
@@ -16,15 +17,15 @@ namespace waymark::tools {
 namespace {
 
 struct Options {
-  std::string corpus, model = "linear", out, data, convention = "absolute";
-  parser::TrainOptions train;
+  std::string corpus, out, data, convention = "absolute";
+  TrainingOptions training;
   bool json = false;
 };
 
 ExitCode run_train(const Options& options, const Session& session) {
   StopWatch watch;
   const parser::Corpus corpus = parser::read_sail_corpus(options.corpus);
-  parser::TrainOptions train = options.train;
+  parser::TrainOptions train = options.training.settled();
   train.stop = session.stop;
   train.convention =
       options.convention == "relative" ? parser::Convention::Relative : parser::Convention::Absolute;
@@ -32,8 +33,9 @@ ExitCode run_train(const Options& options, const Session& session) {
   train.progress = [&](double fraction, std::string_view what) { bar.show(fraction, what); };
   std::string bytes;
   try {
-    bytes = parser::serialize_within(parser::train(corpus, maps_of(corpus, options.data), train),
-                                     parser::most_bytes);
+    bytes = parser::serialize_within(
+        parser::linear_model_of(parser::train(corpus, maps_of(corpus, options.data), train)),
+        parser::most_bytes);
   } catch (const parser::Stopped&) {
     throw Interrupted();
   }
@@ -42,7 +44,7 @@ ExitCode run_train(const Options& options, const Session& session) {
   const double seconds = watch.lap();
   if (options.json)
     std::cout << JsonObject()
-                     .add("model", options.model)
+                     .add("model", options.training.model)
                      .add("out", options.out)
                      .add("paragraphs", corpus.paragraphs.size())
                      .add("sentences", corpus.sentences())
@@ -54,7 +56,7 @@ ExitCode run_train(const Options& options, const Session& session) {
                      .text()
               << '\n';
   else
-    std::cout << "trained " << options.model << " on " << corpus.sentences() << " sentences of "
+    std::cout << "trained " << options.training.model << " on " << corpus.sentences() << " sentences of "
               << corpus.paragraphs.size() << " paragraphs (checksum " << hexadecimal(corpus.checksum)
               << ", unknown headings " << options.convention << ", seed " << train.seed << "), "
               << bytes.size() << " bytes, " << fixed(seconds, 1) << " s: " << options.out << '\n';
@@ -70,12 +72,11 @@ Runner setup_train(CLI::App& command) {
                   "directory with instructions.jsonl and, if it has its own, maps/")
       ->type_name("DIR")
       ->required();
-  add_model_kind_option(command, options->model);
   add_data_option(command, options->data);
   command.add_option("--out", options->out, "the model file; written whole or not at all")
       ->type_name("FILE")
       ->required();
-  add_training_options(command, options->train);
+  add_training_options(command, options->training, {"linear", "encoder-decoder"});
   command.add_option("--convention", options->convention, "what an unknown start heading counts as")
       ->check(CLI::IsMember({"absolute", "relative"}))
       ->capture_default_str();

@@ -180,6 +180,25 @@ std::vector<Configuration> line_of(const oc::PathControl& path, const Exploratio
   return line;
 }
 
+// A control lasts for several steps, and the task may be done before its last one: what comes after that is cut off.
+std::vector<Configuration> until_done(std::vector<Configuration> line, const ExplorationProblem& problem) {
+  std::uint32_t state = problem.task.start;
+  for (std::size_t i = 1; i < line.size(); ++i) {
+    const auto region = problem.region_of(line[i]);
+    if (!region) break;
+    const std::uint32_t symbol = problem.regions[*region].symbol;
+    const auto& transitions = problem.task.transitions[state];
+    const auto next = std::find_if(transitions.begin(), transitions.end(),
+                                   [&](const auto& transition) { return transition.symbol == symbol; });
+    if (next == transitions.end()) break;
+    state = next->target;
+    if (!problem.task.accepting[state]) continue;
+    line.resize(i + 1);
+    break;
+  }
+  return line;
+}
+
 }  // namespace
 
 bool has_run(const ExplorationProblem& problem) {
@@ -226,7 +245,7 @@ std::vector<Configuration> explore(const ExplorationProblem& problem, double sec
   planner.solve(ob::timedPlannerTerminationCondition(seconds));
   if (!definition->hasSolution()) return {};
   const auto path = definition->getLowerSolutionPath();
-  return line_of(*path->as<oc::PathControl>(), problem);
+  return until_done(line_of(*path->as<oc::PathControl>(), problem), problem);
 }
 
 }  // namespace waymark::plan

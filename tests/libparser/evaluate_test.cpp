@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "libparser/beam.hpp"
 #include "libparser/generate.hpp"
 #include "libparser/sail_corpus.hpp"
 #include "tests/libparser/maps.hpp"
@@ -25,18 +26,18 @@ TEST(Evaluate, CountsSentencesParagraphsAndNodesByHand) {
                        {"b", "grid", "", {turn}},
                        {"c", "grid", "", {}},
                        {"d", "l", "", {walk}}};
-  const Scores s = evaluate(model, corpus, grid, Convention::Absolute);
+  const Scores s = evaluate(GroundingFollower({grounder_of(std::move(model))}, {}), corpus, grid, Convention::Absolute);
   EXPECT_EQ(s.sentence.absolute.hits, 1U);
   EXPECT_EQ(s.sentence.absolute.total, 3U);
   EXPECT_EQ(s.sentence.relative.total, 0U);
   EXPECT_EQ(s.paragraph.absolute.hits, 1U);  // b: the right node, the wrong heading
   EXPECT_EQ(s.paragraph.absolute.total, 2U);
   EXPECT_EQ(s.skipped_paragraphs, 1U);
-  EXPECT_EQ(s.path_precision.total, 0U);
-  EXPECT_EQ(s.path_recall.total, 2U);
-  EXPECT_EQ(s.path_recall.hits, 0U);
-  EXPECT_EQ(s.path_accuracy.total, 3 * (grid.nodes().size() - 1));
-  EXPECT_EQ(s.path_accuracy.total - s.path_accuracy.hits, 2U);
+  EXPECT_EQ(s.path.precision.total, 0U);
+  EXPECT_EQ(s.path.recall.total, 2U);
+  EXPECT_EQ(s.path.recall.hits, 0U);
+  EXPECT_EQ(s.path.accuracy.total, 3 * (grid.nodes().size() - 1));
+  EXPECT_EQ(s.path.accuracy.total - s.path.accuracy.hits, 2U);
 }
 
 TEST(Evaluate, LearnsItsOwnLanguageAcrossMaps) {

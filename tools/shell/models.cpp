@@ -1,8 +1,10 @@
 #include "tools/shell/models.hpp"
 
 #include <CLI/App.hpp>
+#include <map>
 
 #include "libltl/diagnostic.hpp"
+#include "libparser/beam.hpp"
 #include "libparser/weights_file.hpp"
 #include "libplan/world/read_map.hpp"
 #include "tools/shell/data_directory.hpp"
@@ -16,39 +18,106 @@ void add_model_options(CLI::App& command, ModelOptions& options) {
       ->type_name("FILE");
 }
 
-parser::LinearModel read_model(const ModelOptions& options, const std::string& data) {
+parser::Grounder read_model(const ModelOptions& options, const std::string& data) {
   const std::string file =
       options.file.empty() ? (data_directory(data) / "models" / "linear.waymark").string() : options.file;
-  return parser::parse_linear_model(read_file(file), file);
+  return parser::grounder_of(parser::parse_linear_model(read_file(file), file));
 }
 
-void add_model_kind_option(CLI::App& command, std::string& kind) {
-  command.add_option("--model", kind, "kind of model")
-      ->check(CLI::IsMember({"linear"}))
+namespace {
+
+template <class Value>
+void add_choice(CLI::App& command, const std::string& name, Value& value,
+                const std::map<std::string, Value>& choices, const std::string& help) {
+  std::vector<std::string> names;
+  for (const auto& [choice, meaning] : choices) names.push_back(choice);
+  command
+      .add_option_function<std::string>(
+          name, [&value, choices](const std::string& choice) { value = choices.at(choice); }, help)
+      ->type_name("KIND")
+      ->check(CLI::IsMember(names));
+}
+
+void add_network_options(CLI::App& command, parser::NetworkTraining& network) {
+  using namespace parser;
+  const std::string group = "Encoder-decoder";
+  const auto number = [&](const std::string& name, auto& value, const std::string& help,
+                          const CLI::Validator& range) {
+    command.add_option(name, value, help)->type_name("N")->check(range)->capture_default_str()->group(group);
+  };
+  add_choice<Objective>(command, "--objective", network.objective,
+                        {{"mml", Objective::MarginalLikelihood},
+                         {"reinforce", Objective::Reinforce},
+                         {"meritocratic", Objective::Meritocratic}},
+                        "what is maximised: mml (the default), reinforce, meritocratic");
+  add_choice<FeedbackKind>(command, "--feedback", network.feedback,
+                           {{"plan", FeedbackKind::Plan},
+                            {"progression", FeedbackKind::Progression},
+                            {"discriminating", FeedbackKind::Discriminating}},
+                           "what is rewarded: plan (the default), progression, discriminating");
+  add_choice<ProgramSearch>(
+      command, "--search", network.search,
+      {{"consistent", ProgramSearch::Consistent}, {"beam", ProgramSearch::Beam}},
+      "where programs come from: consistent (the default), or the randomised beam alone");
+  number("--rate", network.rate, "learning rate of Adam", CLI::PositiveNumber);
+  number("--epsilon", network.epsilon, "of the randomised beam", CLI::Range(0.0, 1.0));
+  number("--train-beam", network.beam, "places of the randomised beam", CLI::Range(1, 1000));
+  number("--beta", network.beta, "of the meritocratic objective", CLI::Range(0.0, 1.0));
+  number("--least", network.least,
+         "consistent programs of less prior weight, compared with the best, are left out",
+         CLI::Range(0.0, 1.0));
+  number("--batch", network.batch, "sentences a step", CLI::Range(1, 10000));
+  number("--dropout", network.dropout, "share of signals left out in training", CLI::Range(0.0, 0.9));
+  number("--word-size", network.sizes.word, "of embeddings of words", CLI::Range(1, 1000));
+  number("--width", network.sizes.width, "of each LSTM", CLI::Range(1, 1000));
+  number("--query", network.sizes.query, "of the decoder's hidden layer", CLI::Range(1, 1000));
+  number("--symbol-size", network.sizes.symbol, "of embeddings of symbols", CLI::Range(1, 1000));
+  number("--history", network.sizes.history, "symbols that the decoder looks back on, K", CLI::Range(1, 16));
+}
+
+}  // namespace
+
+void add_training_options(CLI::App& command, TrainingOptions& options,
+                          const std::vector<std::string>& models) {
+  parser::TrainOptions& train = options.train;
+  command.add_option("--model", options.model, "what is learned")
+      ->type_name("KIND")
+      ->check(CLI::IsMember(models))
       ->capture_default_str();
-}
-
-void add_training_options(CLI::App& command, parser::TrainOptions& options) {
-  command.add_option("--seed", options.seed, "same seed, same machine, same bytes")
+  command.add_option("--seed", train.seed, "same seed, same machine, same bytes")
       ->type_name("N")
       ->capture_default_str();
   command.add_option("--epochs", options.epochs, "passes over the sentences")
       ->type_name("N")
-      ->check(CLI::Range(1, 1000))
-      ->capture_default_str();
-  command
-      .add_option_function<std::string>(
-          "--then",
-          [&options](const std::string& meaning) {
-            options.then = meaning == "stepwise" ? parser::Then::Stepwise : parser::Then::WholePlan;
-          },
-          "what 'then' means: whole-plan (the default) or stepwise")
-      ->type_name("MEANING")
-      ->check(CLI::IsMember({"whole-plan", "stepwise"}));
-  command.add_option("--threads", options.threads, "of no influence on the result")
+      ->check(CLI::Range(1, 1000));
+  add_choice<parser::Then>(command, "--then", train.then,
+                           {{"whole-plan", parser::Then::WholePlan}, {"stepwise", parser::Then::Stepwise}},
+                           "what 'then' means: whole-plan (the default) or stepwise");
+  command.add_option("--threads", train.threads, "of no influence on the result")
       ->type_name("N")
       ->check(CLI::Range(1, 256))
       ->capture_default_str();
+  command.add_flag("--chooser,!--no-chooser", train.chooser,
+                   "a chooser on the map decides between the ends that readings lead to (on)");
+  command.add_flag(
+      "--plain", options.plain,
+      "as the paper has it: no lexicon, no prior on wording, no mirror images, every route alike");
+  add_network_options(command, train.network);
+}
+
+parser::TrainOptions TrainingOptions::settled() const {
+  parser::TrainOptions out = train;
+  out.reader = model == "linear" ? parser::ReaderKind::Linear : parser::ReaderKind::EncoderDecoder;
+  if (epochs > 0) out.epochs = out.network.epochs = epochs;
+  if (plain) {
+    out.network.sizes.lexicon = false;
+    out.mention = 0;
+    out.wording = 0;
+    out.other_route = 1;
+    out.trust = 0;
+    out.mirrored = false;
+  }
+  return out;
 }
 
 std::vector<plan::Map> maps_of(const parser::Corpus& corpus, const std::string& data) {
@@ -60,7 +129,7 @@ std::vector<plan::Map> maps_of(const parser::Corpus& corpus, const std::string& 
   return maps;
 }
 
-std::vector<parser::Reading> read_instruction(const parser::LinearModel& model, const Text& text,
+std::vector<parser::Reading> read_instruction(const parser::Grounder& model, const Text& text,
                                               const plan::Map& map, std::span<const plan::PoseId> starts,
                                               ltl::Arena& arena) {
   auto readings = parser::ground(model, text.text, map, starts, arena);

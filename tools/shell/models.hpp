@@ -19,20 +19,25 @@ struct ModelOptions {
   std::string file;  // empty: models/linear.waymark of the data directory
 };
 void add_model_options(CLI::App& command, ModelOptions& options);
-parser::LinearModel read_model(const ModelOptions& options, const std::string& data);
+parser::Grounder read_model(const ModelOptions& options, const std::string& data);
 
-// Adds --model KIND, what train and evaluate make: linear is the only kind so far.
-void add_model_kind_option(CLI::App& command, std::string& kind);
-
-// --seed, --epochs, --threads.
-void add_training_options(CLI::App& command, parser::TrainOptions& options);
+// What train and evaluate make, and how: --model KIND, --seed, --epochs, --threads, and those of the encoder-decoder.
+struct TrainingOptions {
+  parser::TrainOptions train;
+  std::string model = "linear";
+  int epochs = 0;  // 0: what is usual for the model
+  bool plain = false;
+  parser::TrainOptions settled() const;  // with what depends on several of them
+};
+void add_training_options(CLI::App& command, TrainingOptions& options,
+                          const std::vector<std::string>& models);
 
 // Those that came with the corpus, else those that come with waymark.
 std::vector<plan::Map> maps_of(const parser::Corpus& corpus, const std::string& data);
 
 // The readings of one instruction on a map, at least one, best first. Throws ltl::FormatError when the text says
 // nothing that could be read.
-std::vector<parser::Reading> read_instruction(const parser::LinearModel& model, const Text& text,
+std::vector<parser::Reading> read_instruction(const parser::Grounder& model, const Text& text,
                                               const plan::Map& map, std::span<const plan::PoseId> starts,
                                               ltl::Arena& arena);
 

@@ -1,0 +1,251 @@
+#include "libparser/neural/learn_network.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <thread>
+
+#include "libneural/adam.hpp"
+#include "libparser/neural/feedback.hpp"
+#include "libparser/token.hpp"
+#include "libparser/wording.hpp"
+
+namespace waymark::parser {
+namespace {
+
+using neural::Index;
+
+// ∂ objective / ∂ log p of each program.
+std::vector<float> gradient_of(const NetworkTraining& how, std::span<const float> log_p,
+                               std::span<const float> log_r) {
+  std::vector<float> g(log_p.size());
+  if (g.empty()) return g;
+  for (std::size_t z = 0; z < g.size(); ++z) g[z] = log_p[z] + log_r[z];
+  if (how.objective == Objective::Reinforce) {
+    for (float& x : g) x = std::exp(x);
+    return g;
+  }
+  const auto beta = static_cast<float>(how.objective == Objective::Meritocratic ? how.beta : 1.0);
+  const float highest = *std::max_element(g.begin(), g.end());
+  float total = 0;
+  for (float& x : g) total += x = std::exp(beta * (x - highest));
+  for (float& x : g) x /= total;
+  return g;
+}
+
+// A sentence, or its mirror image, while it is learned from.
+struct Lesson {
+  const Example* example;
+  bool mirrored;
+  NetworkSentence sentence;
+  std::vector<bool> places;  // it names
+  Wording wording;
+  SymbolTrie trie;
+};
+
+class Learner {
+ public:
+  Learner(std::span<const Example* const> examples, std::span<const Executor> executors,
+          const TrainOptions& options, const JobProgress& progress)
+      : options_(options),
+        how_(options.network),
+        progress_(progress),
+        random_(options.seed),
+        frame_(executors.front().map().vocabulary()),
+        images_(mirror_images(frame_.vocabulary())),
+        place_numbers_(place_numbers(frame_.vocabulary())),
+        network_(TypedPostfix(frame_.grammar(), frame_.columns()), words_met_twice(examples), how_.sizes,
+                 [this] { return random_.unit(); }),
+        adam_(network_.parameters(), {.rate = how_.rate}) {
+    for (std::size_t s = 0; s < shards; ++s) shards_.emplace_back(network_, executors, options, s);
+    lessons_.reserve(2 * examples.size());
+    for (const Example* example : examples) {
+      add_lesson(*example, false);
+      if (options.mirrored) add_lesson(*example, true);
+    }
+  }
+
+  std::shared_ptr<const NetworkReader> run() {
+    std::vector<std::size_t> order(lessons_.size());
+    for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
+    const std::size_t steps = (order.size() + how_.batch - 1) / how_.batch;
+    for (int epoch = 0; epoch < how_.epochs; ++epoch) {
+      for (std::size_t i = order.size(); i > 1; --i) std::swap(order[i - 1], order[random_.below(i)]);
+      for (std::size_t b = 0; b < steps; ++b) {
+        if (options_.stop.stop_requested()) throw Stopped{};
+        const std::size_t begin = b * how_.batch, end = std::min(begin + how_.batch, order.size());
+        const double done = (epoch + static_cast<double>(b) / static_cast<double>(steps)) / how_.epochs;
+        step(std::span(order).subspan(begin, end - begin), explores(epoch), done);
+        if (b % 16 == 0) progress_(done);
+      }
+    }
+    return std::make_shared<const NetworkReader>(std::move(network_));
+  }
+
+ private:
+  static constexpr std::size_t shards = 2;
+
+  struct Shard {  // what one thread needs for its part of a batch
+    Shard(const EncoderDecoder& network, std::span<const Executor> executors, const TrainOptions& options,
+          std::size_t number)
+        : parameters(network.parameters()),
+          masks(network.symbols()),
+          random(options.seed + 1000 * (number + 1)),
+          feedback(executors, options.network.feedback, options.then, options.seed) {}
+    neural::Parameters parameters;
+    ChoiceMasks masks;
+    ltl::Random random;
+    Feedback feedback;
+    EncoderDecoder::Pass pass;
+  };
+
+  bool explores(int epoch) const {
+    return how_.search == ProgramSearch::Beam ||
+           (epoch >= options_.explore_from && (epoch - options_.explore_from) % 2 == 0);
+  }
+
+  void add_lesson(const Example& example, bool mirrored) {
+    SentenceInput input = example.input;
+    if (mirrored) input.tokens = mirror(input.tokens);
+    SentenceFeatures features = sentence_features(input, frame_.words);
+    Lesson lesson{&example,
+                  mirrored,
+                  network_.sentence(input),
+                  std::move(features.places),
+                  Wording(frame_, features.mentions),
+                  {}};
+    if (how_.search == ProgramSearch::Consistent) {
+      std::vector<std::pair<Program, double>> programs;
+      double best = 0;
+      for (const Consistent& candidate : *example.programs) {
+        const auto weighed = weigh(lesson, candidate.program, candidate.same_route, shards_.front().feedback);
+        if (weighed.second <= 0) continue;
+        best = std::max(best, weighed.second);
+        programs.push_back(weighed);
+      }
+      for (const auto& [program, weight] : programs)
+        if (weight >= how_.least * best)
+          lesson.trie.add(program, weight, shards_.front().masks, network_.first_history());
+      if (lesson.trie.programs() == 0) return;
+    }
+    lessons_.push_back(std::move(lesson));
+  }
+
+  // A program of the sentence as it stands → the program of the lesson, mirrored or not, and its reward times its prior.
+  std::pair<Program, double> weigh(const Lesson& lesson, const Program& program, bool same_route,
+                                   Feedback& feedback) const {
+    if (names_other_place(program, lesson.places)) return {program, 0};
+    Program read = lesson.mirrored ? mirror(program, images_) : program;
+    const double prior = (same_route ? 1.0 : options_.other_route) *
+                         std::exp(-options_.wording * lesson.wording.disagreement(read));
+    const bool known = how_.search == ProgramSearch::Consistent && how_.feedback == FeedbackKind::Plan;
+    return {std::move(read), prior * (known ? 1.0 : feedback.of(program, *lesson.example))};
+  }
+
+  bool names_other_place(const Program& program, const std::vector<bool>& places) const {
+    for (const Step& step : program)
+      for (std::uint16_t p : step.literals())
+        if (const std::size_t n = place_numbers_[p]; n > 0 && (n >= places.size() || !places[n])) return true;
+    return false;
+  }
+
+  void step(std::span<const std::size_t> lessons, bool explore, double done) {
+    neural::Parameters& parameters = network_.parameters();
+    const auto learn_shard = [&](std::size_t s) {
+      std::vector<Lesson*> own;
+      for (std::size_t i = s; i < lessons.size(); i += shards) own.push_back(&lessons_[lessons[i]]);
+      if (!own.empty()) learn(shards_[s], own, explore);
+    };
+    for (Shard& shard : shards_) {
+      shard.parameters.values() = parameters.values();
+      shard.parameters.gradients().setZero();
+    }
+    if (options_.threads > 1) {
+      const std::jthread helper(learn_shard, 1);
+      learn_shard(0);
+    } else {
+      for (std::size_t s = 0; s < shards; ++s) learn_shard(s);
+    }
+    for (const Shard& shard : shards_) parameters.gradients() += shard.parameters.gradients();
+    parameters.gradients() /= static_cast<float>(lessons.size());
+    const double norm = parameters.gradients().cast<double>().norm();
+    if (norm > how_.clip) parameters.gradients() *= static_cast<float>(how_.clip / norm);
+    adam_.set_rate(how_.rate * (1 - done));
+    adam_.step(parameters);
+  }
+
+  void learn(Shard& shard, std::span<Lesson* const> lessons, bool explore) const {
+    std::vector<const NetworkSentence*> sentences;
+    for (const Lesson* lesson : lessons) sentences.push_back(&lesson->sentence);
+    if (explore) add_own_programs(shard, lessons, sentences);
+    shard.pass.encode(network_, shard.parameters, sentences,
+                      {how_.dropout, how_.word_dropout, [&] { return shard.random.unit(); }});
+    std::vector<History> histories;
+    std::vector<Index> begin{0};
+    for (const Lesson* lesson : lessons) {
+      lesson->trie.append_histories(histories);
+      begin.push_back(static_cast<Index>(histories.size()));
+    }
+    if (histories.empty()) return;
+    const neural::Matrix& scores = shard.pass.decode(begin, histories);
+    neural::Matrix dscores = neural::Matrix::Zero(scores.rows(), scores.cols());
+    for (std::size_t i = 0; i < lessons.size(); ++i) {
+      Lesson& lesson = *lessons[i];
+      if (lesson.trie.programs() == 0) continue;
+      const auto likelihoods = lesson.trie.likelihoods(scores, begin[i], lesson.sentence.forbidden);
+      std::vector<float> gradient = gradient_of(how_, likelihoods.log_p, lesson.trie.log_weights());
+      for (float& g : gradient) g = -g;  // Adam goes down
+      lesson.trie.backpropagate(likelihoods, gradient, dscores, begin[i]);
+    }
+    shard.pass.backward(shard.parameters, dscores);
+    if (how_.search == ProgramSearch::Beam)
+      for (Lesson* lesson : lessons) lesson->trie = {};
+  }
+
+  // Those of its randomised beam that are rewarded go to a lesson's programs.
+  void add_own_programs(Shard& shard, std::span<Lesson* const> lessons,
+                        std::span<const NetworkSentence* const> sentences) const {
+    shard.pass.encode(network_, shard.parameters, sentences);
+    const auto found =
+        randomised_beam(network_, shard.pass, sentences, shard.masks, how_.beam, how_.epsilon, shard.random);
+    for (std::size_t i = 0; i < lessons.size(); ++i) {
+      Lesson& lesson = *lessons[i];
+      for (const Candidate& candidate : found[i]) {
+        const Program here = lesson.mirrored ? mirror(candidate.program, images_) : candidate.program;
+        if (how_.search == ProgramSearch::Consistent && shard.feedback.of(here, *lesson.example) <= 0)
+          continue;
+        const auto [program, weight] =
+            weigh(lesson, here, goes_the_gold_route(here, *lesson.example, shard), shard.feedback);
+        if (weight > 0) lesson.trie.add(program, weight, shard.masks, network_.first_history());
+      }
+    }
+  }
+
+  // Asked only where it counts for something.
+  bool goes_the_gold_route(const Program& program, const Example& example, const Shard& shard) const {
+    if (options_.other_route == 1) return true;
+    const auto plan = shard.feedback.executor(example).run(program, example.gold.start, options_.then);
+    return plan && plan->actions == example.gold.actions;
+  }
+
+  const TrainOptions& options_;
+  const NetworkTraining& how_;
+  const JobProgress& progress_;
+  ltl::Random random_;
+  LinearModel frame_;
+  std::vector<std::uint16_t> images_;
+  std::vector<std::size_t> place_numbers_;
+  EncoderDecoder network_;
+  neural::Adam adam_;
+  std::vector<Shard> shards_;
+  std::vector<Lesson> lessons_;
+};
+
+}  // namespace
+
+std::shared_ptr<const NetworkReader> learn_network(std::span<const Example* const> examples,
+                                                   std::span<const Executor> executors,
+                                                   const TrainOptions& options, const JobProgress& progress) {
+  return Learner(examples, executors, options, progress).run();
+}
+
+}  // namespace waymark::parser
