@@ -123,8 +123,6 @@ void print_table(const parser::Evaluation& evaluation) {
 }
 
 ExitCode run_on_streets(const Options& options, const Session& session) {
-  if (options.leave_one_map_out == options.train_all)
-    throw UsageError("say what is held out: --leave-one-map-out, or --train-all with --test-corpus");
   if (options.train_all && options.test_corpus.empty())
     throw UsageError("--train-all asks for --test-corpus");
   StreetExperiment experiment{options.corpus,
@@ -139,9 +137,11 @@ ExitCode run_on_streets(const Options& options, const Session& session) {
 }
 
 ExitCode run_evaluate(const Options& options, const Session& session) {
+  if (options.leave_one_map_out == options.train_all)
+    throw UsageError("say what is held out: --leave-one-map-out, or, for streets, --train-all");
   if (streets::is_street_corpus(options.corpus)) return run_on_streets(options, session);
-  if (!options.leave_one_map_out)
-    throw UsageError("say what is held out: --leave-one-map-out is the only experiment there is so far");
+  if (options.train_all)
+    throw UsageError("--train-all is for streets: this corpus asks for --leave-one-map-out");
   const parser::Corpus corpus = parser::read_sail_corpus(options.corpus);
   std::optional<parser::Corpus> test;
   if (!options.test_corpus.empty()) test = parser::read_sail_corpus(options.test_corpus);
