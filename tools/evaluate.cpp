@@ -137,7 +137,7 @@ ExitCode run_on_streets(const Options& options, const Session& session) {
 }
 
 ExitCode run_evaluate(const Options& options, const Session& session) {
-  if (options.leave_one_map_out == options.train_all)
+  if (!options.leave_one_map_out && !options.train_all)
     throw UsageError("say what is held out: --leave-one-map-out, or, for streets, --train-all");
   if (streets::is_street_corpus(options.corpus)) return run_on_streets(options, session);
   if (options.train_all)
