@@ -123,14 +123,13 @@ void print_table(const parser::Evaluation& evaluation) {
 }
 
 void check_what_is_held_out(const Options& options) {
-  if (options.leave_one_map_out == options.train_all)
+  if (!options.leave_one_map_out && !options.train_all)
     throw UsageError("say what is held out: --leave-one-map-out, or --train-all with --test-corpus");
   if (options.train_all && options.test_corpus.empty())
     throw UsageError("--train-all asks for --test-corpus");
 }
 
 ExitCode run_on_streets(const Options& options, const Session& session) {
-  check_what_is_held_out(options);
   StreetExperiment experiment{options.corpus,
                               options.test_corpus,
                               options.predictions,
@@ -143,8 +142,8 @@ ExitCode run_on_streets(const Options& options, const Session& session) {
 }
 
 ExitCode run_evaluate(const Options& options, const Session& session) {
-  if (streets::is_street_corpus(options.corpus)) return run_on_streets(options, session);
   check_what_is_held_out(options);
+  if (streets::is_street_corpus(options.corpus)) return run_on_streets(options, session);
   const parser::Corpus corpus = parser::read_sail_corpus(options.corpus);
   std::optional<parser::Corpus> test;
   if (!options.test_corpus.empty()) test = parser::read_sail_corpus(options.test_corpus);

@@ -40,6 +40,7 @@ constexpr std::array rows{
     Row{"train", "corpus → model", setup_train},
     Row{"evaluate", "corpus → accuracy, leaving one map out", setup_evaluate},
     Row{"tune", "which settings of training validate best", setup_tune},
+    Row{"import", "a corpus as it was released → ours", setup_import},
     Row{"corpus", "how large a corpus is, in texts and trajectories", setup_corpus},
     Row{"draw", "map, with or without a route → picture", setup_draw},
     Row{"generate", "random maps to plan on", setup_generate},

@@ -4,7 +4,9 @@
 #include <iostream>
 #include <stdexcept>
 
+#include "libltl/print.hpp"
 #include "libparser/streets/evaluate_streets.hpp"
+#include "libparser/streets/street_formula.hpp"
 #include "tools/corridor.hpp"
 #include "tools/shell/json.hpp"
 #include "tools/shell/output.hpp"
@@ -31,6 +33,14 @@ JsonArray ids(const streets::StreetMap& map, const streets::StreetRoute& route) 
   return out;
 }
 
+// The formula whose plan the route is; null where a way is longer than a detour.
+Json formula_of(const streets::StreetMap& map, const streets::StreetRoute& route) {
+  const auto named = streets::waypoints(map, route);
+  if (!named) return {};
+  ltl::Arena arena;
+  return ltl::print(streets::visit_in_order(map, *named, arena));
+}
+
 std::string prediction_lines(const streets::StreetCorpus& corpus, const StreetEvaluation& evaluation) {
   std::string out;
   for (const streets::StreetPrediction& prediction : evaluation.predictions) {
@@ -42,6 +52,7 @@ std::string prediction_lines(const streets::StreetCorpus& corpus, const StreetEv
     JsonArray readings;
     for (const streets::StreetReading& reading : prediction.readings)
       readings.add(JsonObject()
+                       .add("formula", formula_of(map, reading.route.landmarks))
                        .add("path", ids(map, reading.route.landmarks))
                        .add("rank", reading.route.rank + 1)
                        .add("probability", reading.probability));

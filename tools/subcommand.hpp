@@ -32,6 +32,7 @@ Runner setup_compare(CLI::App& command);
 Runner setup_train(CLI::App& command);
 Runner setup_evaluate(CLI::App& command);
 Runner setup_tune(CLI::App& command);
+Runner setup_import(CLI::App& command);
 Runner setup_corpus(CLI::App& command);
 Runner setup_move(CLI::App& command);
 Runner setup_generate(CLI::App& command);

@@ -73,21 +73,24 @@ std::optional<Direction> last_direction(const std::vector<std::string>& tokens, 
   std::optional<Direction> found;
   double right = 0, up = 0;
   std::size_t last = 0;
+  bool ended = false;  // "north, then east" are two directions
   for (std::size_t i = 0; i < letters.size(); ++i) {
     if (const auto hour = clock(letters, i)) {
       found = hour;
       right = up = 0;
       continue;
     }
+    ended = ended || letters[i] == "then" || tokens[begin + i] == ".";
     const auto at = words().find(letters[i]);
     if (at == words().end()) continue;
     const Word& word = at->second;
-    const bool joins = found && found->kind != DirectionKind::Clock && i - last <= apart &&
+    const bool joins = found && !ended && found->kind != DirectionKind::Clock && i - last <= apart &&
                        ((right == 0 && word.up == 0) || (up == 0 && word.right == 0));
     if (!joins) right = up = 0;
     right += word.right, up += word.up;
     found = Direction{word.kind, std::atan2(up, right) * degrees};
     last = i;
+    ended = false;
   }
   return found;
 }

@@ -1,0 +1,47 @@
+// A corpus as a release has it, before it is put into the shape of ours.
+#pragma once
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "libplan/world/hallways.hpp"
+
+namespace waymark::parser {
+
+struct Irregularity {
+  std::string file;
+  std::size_t line = 0;
+  std::string kind, message;
+};
+
+struct ReleasedSentence {
+  std::string id, text;          // id: "2-1", or empty where the release numbers nothing
+  std::vector<plan::Pose> path;  // heading −1: left open
+  std::string file;
+  std::size_t line = 0;
+};
+
+struct ReleasedParagraph {
+  std::string id, map, text;  // id: the name of its file, without "Cleaned-" and ".txt"; map: lower case
+  int number = 0;             // of the source; 0: it has none
+  std::string file;
+  std::size_t line = 0;
+  std::optional<plan::Pose> start, goal;  // heading 0, for places
+  std::vector<plan::Pose> path;           // of the whole paragraph; empty: the release has none
+  std::vector<ReleasedSentence> sentences;
+};
+
+struct ReleasedMap {
+  std::string name, file;  // lower case
+  std::vector<plan::Node> nodes;
+  std::vector<plan::Edge> edges;
+  std::vector<std::string> objects, floors, walls;  // values used, sorted; nodes and edges point into them
+};
+
+// "[(3, 5, -1), (3, 5, 180)]" and "RIGHT(1,6,0);(1, 6, 90)". Throw ltl::FormatError.
+std::vector<plan::Pose> parse_pose_list(std::string_view text, std::string_view file, std::size_t line);
+std::vector<plan::Pose> parse_trace(std::string_view text, std::string_view file, std::size_t line);
+
+}  // namespace waymark::parser
