@@ -224,6 +224,28 @@ plan::CaseTask task_of(const Text& text, const CaseChoice& choice) {
   return task;
 }
 
+// What some queries take, and what is answered besides the value.
+void add_answer_options(CLI::App& command, CaseChoice& choice) {
+  command.add_option("--discount", choice.discount, "of query discounted, for every action after the first")
+      ->check(CLI::Range(0.0, 1.0))
+      ->capture_default_str();
+  command
+      .add_option("--order", choice.order,
+                  "of lassos: least prefix, then cycle; least cycle, then prefix; least mean cost a round of "
+                  "the cycle, then prefix")
+      ->check(CLI::IsMember({"prefix", "cycle", "mean"}))
+      ->capture_default_str();
+  command.add_option("--top", choice.top, "the K cheapest routes")
+      ->type_name("K")
+      ->check(CLI::Range(1, 100'000))
+      ->capture_default_str();
+  command
+      .add_option("--strategy", choice.strategy,
+                  "with --case and --model: write what to do in every state that is met, JSON lines; - is "
+                  "standard output")
+      ->type_name("FILE");
+}
+
 }  // namespace
 
 void add_case_options(CLI::App& command, CaseChoice& choice) {
@@ -246,24 +268,7 @@ void add_case_options(CLI::App& command, CaseChoice& choice) {
           "reward")
       ->check(CLI::IsMember({"pmax", "pmin", "rmin", "steps", "lasso", "discounted"}))
       ->capture_default_str();
-  command.add_option("--discount", choice.discount, "of query discounted, for every action after the first")
-      ->check(CLI::Range(0.0, 1.0))
-      ->capture_default_str();
-  command
-      .add_option("--order", choice.order,
-                  "of lassos: least prefix, then cycle; least cycle, then prefix; least mean cost a round of "
-                  "the cycle, then prefix")
-      ->check(CLI::IsMember({"prefix", "cycle", "mean"}))
-      ->capture_default_str();
-  command.add_option("--top", choice.top, "the K cheapest routes")
-      ->type_name("K")
-      ->check(CLI::Range(1, 100'000))
-      ->capture_default_str();
-  command
-      .add_option("--strategy", choice.strategy,
-                  "with --case and --model: write what to do in every state that is met, JSON lines; - is "
-                  "standard output")
-      ->type_name("FILE");
+  add_answer_options(command, choice);
   command.add_option("--task", choice.task, "with --case: this task only")->type_name("ID");
   command
       .add_option("--method", choice.method, "with --case: how it is solved; best picks by model and query")
