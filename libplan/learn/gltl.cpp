@@ -123,7 +123,7 @@ std::vector<std::uint32_t> distances(const TaskRows& table) {
 
 std::optional<TaskRows> gltl_tasks(ltl::Formula phi, const Letters& letters, const Gltl& options) {
   const ltl::Formula f = ltl::nnf(phi);
-  const LetterClasses classes(letters, f.arena().vocabulary(), ltl::propositions(f));
+  const LetterProjection classes(letters, f.arena().vocabulary(), ltl::propositions(f));
   const Progression progression(f);
   if (!progression.fits(options)) return std::nullopt;
   const std::uint64_t patterns = std::uint64_t{1} << progression.coins();

@@ -18,7 +18,7 @@ ltl::FormatError unknown(const ltl::Vocabulary& model, const std::string& name) 
 
 }  // namespace
 
-LetterClasses::LetterClasses(const Letters& letters, const ltl::Vocabulary& task,
+LetterProjection::LetterProjection(const Letters& letters, const ltl::Vocabulary& task,
                              const std::vector<ltl::Proposition>& reads) {
   std::vector<ltl::Proposition> ours;
   for (const ltl::Proposition p : reads) {
@@ -37,7 +37,7 @@ LetterClasses::LetterClasses(const Letters& letters, const ltl::Vocabulary& task
 }
 
 TaskRows tabulate(const automata::Dfa& dfa, const Letters& letters) {
-  LetterClasses classes(letters, dfa.vocabulary(), dfa.reads());
+  LetterProjection classes(letters, dfa.vocabulary(), dfa.reads());
   TaskRows table;
   table.tasks = static_cast<std::uint32_t>(dfa.states());
   table.letters = static_cast<std::uint32_t>(classes.carried.size());

@@ -37,8 +37,8 @@ struct TaskRows {
 
 // The projection of the model's letters to a task's vocabulary, matched by name: classes in order of first occurrence.
 // Throws ltl::FormatError naming a proposition of `reads` that the model lacks.
-struct LetterClasses {
-  LetterClasses(const Letters& letters, const ltl::Vocabulary& task,
+struct LetterProjection {
+  LetterProjection(const Letters& letters, const ltl::Vocabulary& task,
                 const std::vector<ltl::Proposition>& reads);
   std::vector<std::uint32_t> of;     // by LetterId
   std::vector<ltl::Letter> carried;  // by class
