@@ -19,7 +19,7 @@ ltl::FormatError unknown(const ltl::Vocabulary& model, const std::string& name) 
 }  // namespace
 
 LetterProjection::LetterProjection(const Letters& letters, const ltl::Vocabulary& task,
-                             const std::vector<ltl::Proposition>& reads) {
+                                   const std::vector<ltl::Proposition>& reads) {
   std::vector<ltl::Proposition> ours;
   for (const ltl::Proposition p : reads) {
     const auto found = letters.vocabulary().find(task.name(p));

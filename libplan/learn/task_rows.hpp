@@ -39,7 +39,7 @@ struct TaskRows {
 // Throws ltl::FormatError naming a proposition of `reads` that the model lacks.
 struct LetterProjection {
   LetterProjection(const Letters& letters, const ltl::Vocabulary& task,
-                const std::vector<ltl::Proposition>& reads);
+                   const std::vector<ltl::Proposition>& reads);
   std::vector<std::uint32_t> of;     // by LetterId
   std::vector<ltl::Letter> carried;  // by class
 };
