@@ -118,9 +118,15 @@ std::vector<Reading> ground(const Grounder& grounder, std::string_view text, ltl
 std::vector<Reading> ground(const Grounder& grounder, std::string_view text, const plan::Map& map,
                             std::span<const plan::PoseId> starts, ltl::Arena& arena,
                             const GroundOptions& options) {
+  return ground(grounder, text, Executor(map), starts, arena, options);
+}
+
+std::vector<Reading> ground(const Grounder& grounder, std::string_view text, const Executor& executor,
+                            std::span<const plan::PoseId> starts, ltl::Arena& arena,
+                            const GroundOptions& options) {
+  const plan::Map& map = executor.map();
   grounder.model->check_vocabulary(arena.vocabulary(), "the formulas");
   grounder.model->check_vocabulary(map.vocabulary(), "map " + map.name());
-  const Executor executor(map);
   const std::vector<std::string> sentences = split_sentences(text);
   if (sentences.empty() || starts.empty()) return {};
   // All sentences but the last are settled one by one; the readings differ in the last.

@@ -39,6 +39,11 @@ std::vector<Reading> ground(const Grounder& grounder, std::string_view text, con
                             std::span<const plan::PoseId> starts, ltl::Arena& arena,
                             const GroundOptions& options = {});
 
+// The same with the map made ready: for many texts on one map.
+std::vector<Reading> ground(const Grounder& grounder, std::string_view text, const Executor& executor,
+                            std::span<const plan::PoseId> starts, ltl::Arena& arena,
+                            const GroundOptions& options = {});
+
 // The position of the reading whose end pose carries most probability, the likeliest among those that end there;
 // 0 when no reading has a route. `readings` must not be empty.
 std::size_t choose(std::span<const Reading> readings, const plan::Map& map,

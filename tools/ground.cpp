@@ -1,10 +1,18 @@
 // waymark ground: instruction → formulas, best first.
 #include <CLI/App.hpp>
+#include <algorithm>
 #include <iostream>
+#include <map>
 #include <memory>
 
+#include "libltl/diagnostic.hpp"
 #include "libltl/print.hpp"
+#include "libparser/decide.hpp"
 #include "libparser/ground.hpp"
+#include "libparser/instruction.hpp"
+#include "libparser/neural/explain.hpp"
+#include "libparser/neural/network_search.hpp"
+#include "libparser/token.hpp"
 #include "tools/answer.hpp"
 #include "tools/shell/batch.hpp"
 #include "tools/shell/models.hpp"
@@ -19,43 +27,148 @@ struct Options {
   MapOptions map;
   ModelOptions model;
   std::string start;
-  std::size_t top = 5;
-  bool json = false;
+  std::size_t top = 5, beam = 64;
+  bool json = false, explain = false;
 };
 
-Json json_of(const std::string& instruction, const std::vector<parser::Reading>& readings,
-             const plan::Map& map) {
-  JsonArray array;
-  for (const parser::Reading& reading : readings)
-    array.add(
-        JsonObject().add("formula", ltl::print(reading.formula)).add("probability", reading.probability));
-  return JsonObject()
-      .add("instruction", instruction)
-      .add("map", map.name())
-      .add("formula", ltl::print(readings.front().formula))
-      .add("readings", array);
-}
+// A sentence as the reader says it, symbol by symbol.
+struct Explained {
+  std::vector<std::string> words;
+  std::vector<parser::ExplainedSymbol> symbols;
+};
 
-ExitCode ground_one(const Text& text, const Options& options, const Session& session,
-                    const parser::Grounder& model, const plan::Map& map) {
-  ltl::Arena arena(map.vocabulary());
-  auto readings = read_instruction(model, text, map, start_poses(options.start, map), arena);
-  readings.resize(std::min(readings.size(), std::max<std::size_t>(options.top, 1)), readings.front());
-  if (options.json) {
-    std::cout << json_of(text.text, readings, map).text() << '\n';
-  } else {
-    for (const parser::Reading& reading : readings)
-      std::cout << fixed(reading.probability, 4) << "  " << shown(reading.formula, session.out) << '\n';
+class Grounding {
+ public:
+  Grounding(const Options& options, const Session& session)
+      : options_(options), session_(session), model_(read_model(options.model, options.map.data)) {
+    if (options.explain && network() == nullptr)
+      throw UsageError("--explain shows what an encoder-decoder attends to; this model is a linear one");
   }
-  return ExitCode::Done;
-}
+
+  ExitCode operator()(const Text& line) {
+    const parser::Instruction instruction = parser::parse_instruction(line.text, line.source, line.line);
+    const Place& place = place_of(instruction.map.value_or(options_.map.map));
+    const plan::Map& map = place.map;
+    ltl::Arena arena(map.vocabulary());
+    const auto starts = start_poses(instruction.start.value_or(options_.start), map);
+    auto readings =
+        parser::ground(model_, instruction.text, place.executor, starts, arena, {.beam = options_.beam});
+    if (readings.empty())
+      throw ltl::FormatError(line.source, line.source.empty() ? 0 : line.line, 0,
+                             "the instruction '" + instruction.text + "' has no word that could be read");
+    const std::size_t top = std::max<std::size_t>(options_.top, 1);
+    if (readings.size() > top)
+      readings.erase(readings.begin() + static_cast<std::ptrdiff_t>(top), readings.end());
+    std::vector<Explained> explained;
+    if (options_.explain) explained = explain(instruction.text, starts.size() > 1);
+    if (options_.json)
+      std::cout << json_of(instruction.text, readings, map, explained).text() << '\n';
+    else
+      print(readings, explained);
+    return ExitCode::Done;
+  }
+
+ private:
+  struct Place {  // the executor refers to the map
+    explicit Place(plan::Map read) : map(std::move(read)), executor(map) {}
+    plan::Map map;
+    parser::Executor executor;
+  };
+
+  const parser::EncoderDecoder* network() const {
+    const auto* reader = dynamic_cast<const parser::NetworkReader*>(model_.reader.get());
+    return reader == nullptr ? nullptr : &reader->network();
+  }
+
+  const Place& place_of(const std::string& name) {
+    std::unique_ptr<Place>& place = places_[name];
+    if (!place) {
+      MapOptions options = options_.map;
+      options.map = name;
+      place = std::make_unique<Place>(read_map(options));
+    }
+    return *place;
+  }
+
+  // The likeliest program of each sentence, before the map has its say.
+  std::vector<Explained> explain(const std::string& text, bool heading_unknown) const {
+    std::vector<Explained> out;
+    for (const std::string& sentence : parser::split_sentences(text)) {
+      const parser::SentenceInput input{parser::tokenize(sentence), heading_unknown && out.empty()};
+      const auto programs = parser::likely_programs(model_, input, {.beam = options_.beam});
+      if (!programs.empty())
+        out.push_back({input.tokens, parser::explain(*network(), input, programs.front().program)});
+    }
+    return out;
+  }
+
+  static Json json_of(const std::string& text, const std::vector<parser::Reading>& readings,
+                      const plan::Map& map, const std::vector<Explained>& explained) {
+    JsonArray array;
+    for (const parser::Reading& reading : readings)
+      array.add(
+          JsonObject().add("formula", ltl::print(reading.formula)).add("probability", reading.probability));
+    JsonObject object;
+    object.add("instruction", text)
+        .add("map", map.name())
+        .add("formula", ltl::print(readings.front().formula))
+        .add("readings", array);
+    if (explained.empty()) return object;
+    JsonArray sentences;
+    for (const Explained& sentence : explained) {
+      JsonArray words, symbols;
+      for (const std::string& word : sentence.words) words.add(word);
+      for (const parser::ExplainedSymbol& symbol : sentence.symbols) {
+        JsonArray weights;
+        for (const double weight : symbol.weights) weights.add(weight);
+        symbols.add(JsonObject()
+                        .add("symbol", symbol.symbol)
+                        .add("probability", symbol.probability)
+                        .add("attention", weights));
+      }
+      sentences.add(JsonObject().add("words", words).add("symbols", symbols));
+    }
+    return object.add("explain", sentences);
+  }
+
+  void print(const std::vector<parser::Reading>& readings, const std::vector<Explained>& explained) const {
+    for (const parser::Reading& reading : readings)
+      std::cout << fixed(reading.probability, 4) << "  " << shown(reading.formula, session_.out) << '\n';
+    for (const Explained& sentence : explained) {
+      std::cout << '\n';
+      for (const parser::ExplainedSymbol& symbol : sentence.symbols) print(symbol, sentence.words);
+    }
+  }
+
+  // "chair        0.93  chair 0.88, the 0.07": the words that got a twentieth of the attention or more.
+  static void print(const parser::ExplainedSymbol& symbol, const std::vector<std::string>& words) {
+    std::cout << symbol.symbol << std::string(symbol.symbol.size() < 13 ? 13 - symbol.symbol.size() : 1, ' ');
+    if (symbol.weights.empty()) {
+      std::cout << "follows\n";
+      return;
+    }
+    std::vector<std::size_t> order;
+    for (std::size_t w = 0; w < words.size(); ++w)
+      if (symbol.weights[w] >= 0.05) order.push_back(w);
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::size_t a, std::size_t b) { return symbol.weights[a] > symbol.weights[b]; });
+    std::cout << fixed(symbol.probability, 2) << "  ";
+    for (std::size_t i = 0; i < order.size(); ++i)
+      std::cout << (i > 0 ? ", " : "") << words[order[i]] << ' ' << fixed(symbol.weights[order[i]], 2);
+    std::cout << '\n';
+  }
+
+  const Options& options_;
+  const Session& session_;
+  parser::Grounder model_;
+  std::map<std::string, std::unique_ptr<Place>> places_;  // by the name that was asked for
+};
 
 ExitCode run_ground(const Options& options, const Session& session) {
   TextReader texts(options.text, "instruction");
-  const parser::Grounder model = read_model(options.model, options.map.data);
-  const plan::Map map = read_map(options.map);
+  Grounding grounding(options, session);
   return answer_each(
-      texts, session.stop, [&](const Text& text) { return ground_one(text, options, session, model, map); },
+      texts, session.stop, [&](const Text& text) { return grounding(text); },
       [&](const Text& text, const std::string& message) {
         if (options.json) std::cout << json_error(text.line, message).text() << '\n';
       });
@@ -72,6 +185,13 @@ Runner setup_ground(CLI::App& command) {
   command.add_option("--top", options->top, "how many readings to show")
       ->type_name("K")
       ->capture_default_str();
+  command.add_option("--beam", options->beam, "programs that are considered for a sentence")
+      ->type_name("N")
+      ->check(CLI::Range(1, 100000))
+      ->capture_default_str();
+  command.add_flag(
+      "--explain", options->explain,
+      "the words that each symbol of a sentence's likeliest program attended to (encoder-decoders)");
   command.add_flag("--json", options->json, "one JSON object a line");
   return [options](const Session& session) { return run_ground(*options, session); };
 }

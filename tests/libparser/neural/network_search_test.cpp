@@ -6,6 +6,7 @@
 #include <cmath>
 #include <set>
 
+#include "libparser/neural/explain.hpp"
 #include "tests/libparser/neural/small_network.hpp"
 
 namespace waymark::parser {
@@ -56,6 +57,29 @@ TEST(NetworkSearch, AWideBeamFindsEverythingAndANarrowOneWhatIsLikely) {
     for (const Candidate& c : drawn.front()) seen.insert(c.program);
   }
   EXPECT_GT(seen.size(), 2 * all.size() / 3);
+}
+
+TEST(NetworkSearch, AnExplanationMultipliesToTheProbability) {
+  SmallNetwork small;
+  const SentenceInput input{tokenize("walk to the chair and turn left"), false};
+  for (const auto& [program, log_p] : small.all()) {
+    double product = 1;
+    for (const ExplainedSymbol& symbol : explain(small.network, input, program)) {
+      product *= symbol.probability;
+      if (symbol.weights.empty()) {
+        EXPECT_EQ(symbol.probability, 1);
+        continue;
+      }
+      ASSERT_EQ(symbol.weights.size(), input.tokens.size());
+      double total = 0;
+      for (const double weight : symbol.weights) {
+        EXPECT_GT(weight, 0);
+        total += weight;
+      }
+      EXPECT_LT(total, 1);  // the rest lies on the word before the first
+    }
+    EXPECT_NEAR(product, std::exp(log_p), 1e-4 * std::exp(log_p) + 1e-7) << small.grammar.show(program);
+  }
 }
 
 class Trie : public testing::Test {
