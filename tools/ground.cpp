@@ -1,9 +1,10 @@
 // waymark ground: instruction → formulas, best first.
 #include <CLI/App.hpp>
 #include <algorithm>
-#include <iostream>
 #include <map>
 #include <memory>
+#include <mutex>
+#include <sstream>
 
 #include "libltl/diagnostic.hpp"
 #include "libltl/print.hpp"
@@ -14,9 +15,9 @@
 #include "libparser/neural/network_search.hpp"
 #include "libparser/token.hpp"
 #include "tools/answer.hpp"
-#include "tools/shell/batch.hpp"
 #include "tools/shell/models.hpp"
 #include "tools/shell/options.hpp"
+#include "tools/shell/parallel.hpp"
 #include "tools/subcommand.hpp"
 
 namespace waymark::tools {
@@ -28,6 +29,7 @@ struct Options {
   ModelOptions model;
   std::string start;
   std::size_t top = 5, beam = 64;
+  ParallelOptions parallel;
   bool json = false, explain = false;
 };
 
@@ -45,7 +47,7 @@ class Grounding {
       throw UsageError("--explain shows what an encoder-decoder attends to; this model is a linear one");
   }
 
-  ExitCode operator()(const Text& line) {
+  Reply operator()(const Text& line) {
     const parser::Instruction instruction = parser::parse_instruction(line.text, line.source, line.line);
     const Place& place = place_of(instruction.map.value_or(options_.map.map));
     const plan::Map& map = place.map;
@@ -61,11 +63,8 @@ class Grounding {
       readings.erase(readings.begin() + static_cast<std::ptrdiff_t>(top), readings.end());
     std::vector<Explained> explained;
     if (options_.explain) explained = explain(instruction.text, starts.size() > 1);
-    if (options_.json)
-      std::cout << json_of(instruction.text, readings, map, explained).text() << '\n';
-    else
-      print(readings, explained);
-    return ExitCode::Done;
+    return {.text = options_.json ? json_of(instruction.text, readings, map, explained).text() + '\n'
+                                  : text_of(readings, explained)};
   }
 
  private:
@@ -81,6 +80,7 @@ class Grounding {
   }
 
   const Place& place_of(const std::string& name) {
+    const std::lock_guard lock(reading_);
     std::unique_ptr<Place>& place = places_[name];
     if (!place) {
       MapOptions options = options_.map;
@@ -131,20 +131,24 @@ class Grounding {
     return object.add("explain", sentences);
   }
 
-  void print(const std::vector<parser::Reading>& readings, const std::vector<Explained>& explained) const {
+  std::string text_of(const std::vector<parser::Reading>& readings,
+                      const std::vector<Explained>& explained) const {
+    std::ostringstream out;
     for (const parser::Reading& reading : readings)
-      std::cout << fixed(reading.probability, 4) << "  " << shown(reading.formula, session_.out) << '\n';
+      out << fixed(reading.probability, 4) << "  " << shown(reading.formula, session_.out) << '\n';
     for (const Explained& sentence : explained) {
-      std::cout << '\n';
-      for (const parser::ExplainedSymbol& symbol : sentence.symbols) print(symbol, sentence.words);
+      out << '\n';
+      for (const parser::ExplainedSymbol& symbol : sentence.symbols) print(out, symbol, sentence.words);
     }
+    return out.str();
   }
 
   // "chair        0.93  chair 0.88, the 0.07": the words that got a twentieth of the attention or more.
-  static void print(const parser::ExplainedSymbol& symbol, const std::vector<std::string>& words) {
-    std::cout << symbol.symbol << std::string(symbol.symbol.size() < 13 ? 13 - symbol.symbol.size() : 1, ' ');
+  static void print(std::ostream& out, const parser::ExplainedSymbol& symbol,
+                    const std::vector<std::string>& words) {
+    out << symbol.symbol << std::string(symbol.symbol.size() < 13 ? 13 - symbol.symbol.size() : 1, ' ');
     if (symbol.weights.empty()) {
-      std::cout << "follows\n";
+      out << "follows\n";
       return;
     }
     std::vector<std::size_t> order;
@@ -152,25 +156,27 @@ class Grounding {
       if (symbol.weights[w] >= 0.05) order.push_back(w);
     std::stable_sort(order.begin(), order.end(),
                      [&](std::size_t a, std::size_t b) { return symbol.weights[a] > symbol.weights[b]; });
-    std::cout << fixed(symbol.probability, 2) << "  ";
+    out << fixed(symbol.probability, 2) << "  ";
     for (std::size_t i = 0; i < order.size(); ++i)
-      std::cout << (i > 0 ? ", " : "") << words[order[i]] << ' ' << fixed(symbol.weights[order[i]], 2);
-    std::cout << '\n';
+      out << (i > 0 ? ", " : "") << words[order[i]] << ' ' << fixed(symbol.weights[order[i]], 2);
+    out << '\n';
   }
 
   const Options& options_;
   const Session& session_;
   parser::Grounder model_;
+  std::mutex reading_;
   std::map<std::string, std::unique_ptr<Place>> places_;  // by the name that was asked for
 };
 
 ExitCode run_ground(const Options& options, const Session& session) {
   TextReader texts(options.text, "instruction");
   Grounding grounding(options, session);
-  return answer_each(
-      texts, session.stop, [&](const Text& text) { return grounding(text); },
+  return answer_in_parallel(
+      texts, session.stop, options.parallel,
+      [&](const Text& text, const Patience&) { return grounding(text); },
       [&](const Text& text, const std::string& message) {
-        if (options.json) std::cout << json_error(text.line, message).text() << '\n';
+        return options.json ? json_error(text.line, message).text() + '\n' : std::string();
       });
 }
 
@@ -188,6 +194,9 @@ Runner setup_ground(CLI::App& command) {
   command.add_option("--beam", options->beam, "programs that are considered for a sentence")
       ->type_name("N")
       ->check(CLI::Range(1, 100000))
+      ->capture_default_str();
+  command.add_option("--threads", options->parallel.threads, "instructions read at a time (0: all cores)")
+      ->type_name("N")
       ->capture_default_str();
   command.add_flag(
       "--explain", options->explain,
