@@ -64,8 +64,10 @@ class Construction {
     std::optional<Candidate> best = products();
     if (best) most_ = worth_trying(best->automaton.states());
     best = smallest(std::move(best), direct(formula_));
-    if (best && !best->weak && best->automaton.states() > 2)
-      best = smallest(std::move(best), unseparated(best->automaton));
+    if (best && !best->weak && best->automaton.states() > 2) {
+      std::optional<Candidate> other = unseparated(best->automaton);
+      best = smallest(std::move(best), std::move(other));
+    }
     return best;
   }
 
