@@ -127,6 +127,8 @@ void check_what_is_held_out(const Options& options) {
     throw UsageError("say what is held out: --leave-one-map-out, or --train-all with --test-corpus");
   if (options.train_all && options.test_corpus.empty())
     throw UsageError("--train-all asks for --test-corpus");
+  if (options.training.model == "actions" && options.ensemble > 1)
+    throw UsageError("--ensemble is for readers of formulas, not for actions");
 }
 
 ExitCode run_on_streets(const Options& options, const Session& session) {

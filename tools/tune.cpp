@@ -45,6 +45,13 @@ Axis axis_of(const std::string& text) {
 }
 
 void set(parser::TrainOptions& train, const std::string& name, double value) {
+  const bool is_share = name == "dropout" || name == "epsilon" || name == "beta" || name == "least";
+  const bool may_be_zero = is_share || name == "decay" || name == "wording";
+  const bool is_possible = may_be_zero
+                               ? value >= 0 && (!is_share || value < 1 || (value == 1 && name != "dropout"))
+                           : name == "rate" ? value > 0
+                                            : value >= 1 && value <= 1000;
+  if (!is_possible) throw UsageError("--grid: " + name + " cannot be " + fixed(value, 4));
   parser::NetworkTraining& network = train.network;
   const auto whole = [&] { return static_cast<std::int32_t>(value); };
   if (name == "rate")
@@ -126,6 +133,10 @@ ExitCode run_tune(const Options& options, const Session& session) {
   const parser::Corpus corpus = parser::read_sail_corpus(options.corpus);
   const std::vector<plan::Map> maps = maps_of(corpus, options.data);
   const std::vector<Setting> settings = settings_of(options.grid);
+  for (const Setting& setting : settings) {  // what is wrong with a grid is said before anything is learned
+    parser::TrainOptions unused;
+    for (const auto& [name, value] : setting) set(unused, name, value);
+  }
   if (!options.json) {
     std::cout << "per cent of sentences, " << options.convention
               << ": learned from one of the other maps, tested on another of them\n"
