@@ -70,7 +70,7 @@ std::vector<Candidate> best_programs(Scorer& scorer, const PostfixGrammar& gramm
 }
 
 std::vector<Candidate> LinearReader::read(const SentenceInput& input, std::size_t beam) const {
-  const SentenceFeatures features = sentence_features(input, model_->words);
+  const SentenceFeatures features = sentence_features(input, model_->words, steps_of(*model_));
   Scorer scorer(*model_, features);
   return best_programs(scorer, model_->grammar(), beam);
 }

@@ -11,10 +11,11 @@ namespace {
 bool is_move(std::uint32_t arrival) { return arrival % 4 == 1; }
 bool is_turn(std::uint32_t arrival) { return arrival % 4 >= 2; }
 
-// How many obligations a step can leave pending: one for each move of `forward k`, none for `stay`.
+// How many obligations a step can leave pending: one for each thing it does in turn, none where nothing waits.
 std::size_t pending_bits(const Step& step) {
-  if (step.kind == StepKind::Stay) return 0;
-  return step.kind == StepKind::Forward ? step.count : 1;
+  if (step.kind == StepKind::Stay || operands(step.kind) > 0) return 0;
+  if (step.kind == StepKind::Forward) return step.count;
+  return step.kind == StepKind::Past ? 2 : step.times();
 }
 
 // The automaton of a program. A set bit is an obligation that the next letter is read with.
@@ -27,6 +28,13 @@ class Progress {
     for (const Step& step : program) {
       first_bit_.push_back(bits_);
       bits_ += pending_bits(step);
+    }
+    after_.resize(program.size());
+    guard_.resize(program.size(), nullptr);
+    for (std::size_t i = 0; i < program.size();) {
+      const std::size_t end = unit_end(program, i);
+      lay_out(i, end, nullptr);
+      i = end;
     }
   }
 
@@ -43,49 +51,88 @@ class Progress {
   bool enter(std::size_t i, std::uint32_t arrival, Set& rest) const {
     if (i == program_.size()) return true;
     const Step& step = program_[i];
-    if (step.kind == StepKind::Stay) return enter(i + 1, arrival, rest);
-    const bool entered_before = rest[first_bit_[i]];
-    rest.set(first_bit_[i]);
-    if (entered_before) return false;
-    if (step.kind == StepKind::Orient) return enter(i + 1, arrival, rest);
-    return step.kind == StepKind::Reach && holds(step, arrival) && enter(i + 1, arrival, rest);
+    switch (step.kind) {
+      case StepKind::Stay: return enter(after_[i], arrival, rest);
+      case StepKind::Without:
+      case StepKind::Keep: return enter(i + 1, arrival, rest);
+      case StepKind::When: return enter(holds(step, arrival) ? i + 1 : after_[i], arrival, rest);
+      case StepKind::Whether:
+        return enter(holds(step, arrival) ? i + 1 : unit_end(program_, i + 1), arrival, rest);
+      default: break;
+    }
+    if (rest[first_bit_[i]]) return false;  // it has been entered before
+    if (may_wait(i, arrival)) rest.set(first_bit_[i]);
+    if (step.kind == StepKind::Orient) return enter(after_[i], arrival, rest);
+    return step.kind == StepKind::Reach && holds(step, arrival) && enter(after_[i], arrival, rest);
   }
 
  private:
+  void lay_out(std::size_t i, std::size_t after, const Step* guard) {
+    const Step& step = program_[i];
+    after_[i] = after;
+    guard_[i] = guard;
+    if (step.kind == StepKind::Without || step.kind == StepKind::Keep) guard = &step;
+    std::size_t operand = i + 1;
+    for (std::size_t k = 0; k < operands(step.kind); ++k) {
+      lay_out(operand, after, guard);
+      operand = unit_end(program_, operand);
+    }
+  }
+
   bool holds(const Step& step, std::uint32_t arrival) const {
     for (std::uint16_t p : step.literals())
       if (!executor_.holds(p, arrival)) return false;
     return true;
   }
 
+  // Does this letter leave step i what it keeps or does without?
+  bool may_wait(std::size_t i, std::uint32_t arrival) const {
+    return guard_[i] == nullptr || holds(*guard_[i], arrival) == (guard_[i]->kind == StepKind::Keep);
+  }
+
+  // Reads the letter with obligation k of step i.
   bool read_one(std::size_t i, std::size_t k, std::uint32_t arrival, Set& rest) const {
     const Step& step = program_[i];
     const std::size_t bit = first_bit_[i] + k;
+    const bool is_last = k + 1 == pending_bits(step);
+    const auto done = [&] { return enter(after_[i], arrival, rest); };
+    const auto wait = [&](std::size_t b) {
+      if (may_wait(i, arrival)) rest.set(b);
+      return false;
+    };
     switch (step.kind) {
-      case StepKind::Stay: return false;
       case StepKind::Reach: return enter(i, arrival, rest);
-      case StepKind::Next: return holds(step, arrival) && enter(i + 1, arrival, rest);
+      case StepKind::Next: return holds(step, arrival) && done();
       case StepKind::Forward:
         if (!is_move(arrival)) return false;
-        if (k + 1 == step.count) return enter(i + 1, arrival, rest);
-        rest.set(bit + 1);
-        return false;
+        return is_last ? done() : wait(bit + 1);
+      case StepKind::Past:
+        if (is_last) return is_move(arrival) && done();
+        [[fallthrough]];
       case StepKind::Advance:
         if (!is_move(arrival)) return false;
-        rest.set(bit);
-        return holds(step, arrival) && enter(i + 1, arrival, rest);
+        wait(bit);
+        if (!holds(step, arrival)) return false;
+        return is_last ? done() : wait(bit + 1);
       case StepKind::Orient:
       case StepKind::Face:
         if (!is_turn(arrival)) return false;
-        rest.set(bit);
-        return holds(step, arrival) && enter(i + 1, arrival, rest);
+        wait(bit);
+        return holds(step, arrival) && done();
+      case StepKind::Stay:
+      case StepKind::Without:
+      case StepKind::Keep:
+      case StepKind::When:
+      case StepKind::Whether: break;
     }
-    throw std::logic_error("a step of no kind");
+    throw std::logic_error("a step that leaves nothing pending");
   }
 
   const Executor& executor_;
   const Program& program_;
   std::vector<std::size_t> first_bit_;
+  std::vector<std::size_t> after_;  // by step: the one that is owed when it is done
+  std::vector<const Step*> guard_;  // by step: what holds until it is done, `without` or `keep`
   std::size_t bits_ = 0;
 };
 
@@ -163,9 +210,12 @@ std::optional<Plan> Executor::search(const Program& program, plan::PoseId start)
 std::optional<Plan> Executor::run(const Program& program, plan::PoseId start, Then then) const {
   if (then == Then::Stepwise) {
     Plan whole{start, {}};
-    for (std::size_t i = 0; i < program.size(); ++i) {
-      Program unit{program[i]};
-      while (program[i].kind == StepKind::Orient && i + 1 < program.size()) unit.push_back(program[++i]);
+    for (std::size_t i = 0; i < program.size();) {
+      const std::size_t begin = i;
+      while (program[i].kind == StepKind::Orient && i + 1 < program.size()) ++i;
+      i = unit_end(program, i);
+      const Program unit(program.begin() + static_cast<std::ptrdiff_t>(begin),
+                         program.begin() + static_cast<std::ptrdiff_t>(i));
       const auto part = run(unit, whole.end);
       if (!part) return std::nullopt;
       whole.end = part->end;

@@ -28,6 +28,10 @@ std::uint64_t key(Template which, std::uint64_t context, std::uint64_t a = 0, st
          (b & 0xFFFFFFU);
 }
 
+std::uint64_t context_of(std::size_t kind, std::size_t step) {
+  return kind * choice_steps + std::min(step, choice_steps - 1);
+}
+
 bool cuts_clause(const std::string& word) {
   for (const char* cut : {"and", "then", ",", ";", ":", "."})
     if (word == cut) return true;
@@ -56,10 +60,12 @@ class Extractor {
   Extractor(const SentenceInput& input, std::vector<std::uint32_t> ids)
       : input_(input), ids_(std::move(ids)), clauses_(clauses_of(input.tokens)) {}
 
-  SentenceFeatures features() const {
+  SentenceFeatures features(std::size_t steps) const {
     SentenceFeatures out;
-    for (std::size_t kind = 0; kind < choice_kinds; ++kind)
-      for (std::size_t step = 0; step < choice_steps; ++step) add(out.by_context[kind][step], kind, step);
+    for (std::size_t kind = 0; kind < choice_kinds; ++kind) {
+      out.by_context[kind].resize(steps);
+      for (std::size_t step = 0; step < steps; ++step) add(out.by_context[kind][step], kind, step);
+    }
     out.mentions = mentions(input_.tokens);
     for (const std::string& word : input_.tokens) {
       const std::size_t n = number_named(word);
@@ -88,7 +94,7 @@ class Extractor {
   }
 
   void add(std::vector<std::uint64_t>& keys, std::size_t kind, std::size_t step) const {
-    const std::uint64_t context = kind * choice_steps + step, unknown = input_.heading_unknown ? 1 : 0;
+    const std::uint64_t context = context_of(kind, step), unknown = input_.heading_unknown ? 1 : 0;
     keys.push_back(key(Bias, context));
     keys.push_back(key(Unknown, context, unknown));
     keys.push_back(key(Length, context, std::min<std::size_t>(ids_.size(), 12)));
@@ -96,7 +102,7 @@ class Extractor {
     const std::size_t clause = std::min(step, clauses_.size() - 1);
     add_words(keys, clauses_[clause], kind, ClauseWord, ClausePair, false);
     const std::size_t left = clauses_.size() > step ? std::min<std::size_t>(clauses_.size() - step, 3) : 0;
-    keys.push_back(key(ClausesLeft, kind, left, step));
+    keys.push_back(key(ClausesLeft, kind, left, std::min(step, choice_steps - 1)));
     std::sort(keys.begin(), keys.end());
     keys.erase(std::unique(keys.begin(), keys.end()), keys.end());
     if (unknown == 1)
@@ -116,32 +122,32 @@ Choice first_choice() { return {}; }
 Choice choice_after(const PrefixState& state, const Choice& choice, Token taken) {
   Choice next;
   next.kind = static_cast<std::uint8_t>(std::min<std::size_t>(state.goals, choice_kinds - 1));
-  next.step = static_cast<std::uint8_t>(std::min<std::size_t>(state.steps, choice_steps - 1));
+  next.step = state.steps;
   next.last = static_cast<Token>(taken + 1);
   next.before_last = choice.last;
   return next;
 }
 
-SentenceFeatures sentence_features(const SentenceInput& input, WordTable& words) {
+SentenceFeatures sentence_features(const SentenceInput& input, WordTable& words, std::size_t steps) {
   std::vector<std::uint32_t> ids;
   for (const std::string& word : input.tokens) ids.push_back(words.add(word));
-  return Extractor(input, std::move(ids)).features();
+  return Extractor(input, std::move(ids)).features(steps);
 }
 
-SentenceFeatures sentence_features(const SentenceInput& input, const WordTable& words) {
+SentenceFeatures sentence_features(const SentenceInput& input, const WordTable& words, std::size_t steps) {
   std::vector<std::uint32_t> ids;
   for (const std::string& word : input.tokens) ids.push_back(words.find(word));
-  return Extractor(input, std::move(ids)).features();
+  return Extractor(input, std::move(ids)).features(steps);
 }
 
 std::uint64_t last_token_feature(const Choice& c) {
-  return key(LastToken, c.kind * choice_steps + c.step, c.last);
+  return key(LastToken, context_of(c.kind, c.step), c.last);
 }
 std::uint64_t last_two_tokens_feature(const Choice& c) {
   return key(LastTwoTokens, c.kind, c.last, c.before_last);
 }
 
-std::uint64_t mention_feature(const Choice& c) { return key(Mention, c.kind * choice_steps + c.step); }
+std::uint64_t mention_feature(const Choice& c) { return key(Mention, context_of(c.kind, c.step)); }
 
 std::vector<bool> forbidden_tokens(const PostfixGrammar& grammar, const ltl::Vocabulary& vocabulary,
                                    const SentenceFeatures& features) {

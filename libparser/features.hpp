@@ -19,10 +19,11 @@
 namespace waymark::parser {
 
 // Which kind of choice: a step begins, or the goal has one literal, or more.
+// The first steps have contexts of their own, later ones share the last; clauses are told apart as far as programs go.
 inline constexpr std::size_t choice_kinds = 3, choice_steps = 3;
 
 struct Choice {
-  std::uint8_t kind = 0, step = 0;  // step: 0, 1, and 2 for all later ones
+  std::uint8_t kind = 0, step = 0;
   Token last = 0, before_last = 0;  // tokens of the prefix that were choices; 0 at its beginning
 };
 Choice first_choice();
@@ -35,14 +36,16 @@ struct SentenceInput {
 
 // Keys of the features of a sentence, by (kind, step): everything but what depends on the last tokens.
 struct SentenceFeatures {
-  std::array<std::array<std::vector<std::uint64_t>, choice_steps>, choice_kinds> by_context;
+  std::array<std::vector<std::vector<std::uint64_t>>, choice_kinds> by_context;  // later steps: the last
   std::vector<std::string> mentions;  // columns whose names the sentence mentions: lexicon.hpp
   std::vector<bool> places;           // places[n]: the sentence names the number n
 };
 
-// With `grow`, words that are new are added to the table; otherwise they are left out.
-SentenceFeatures sentence_features(const SentenceInput& input, WordTable& words);
-SentenceFeatures sentence_features(const SentenceInput& input, const WordTable& words);
+// For programs of so many steps. New words are added to a table that may grow; otherwise they are left out.
+SentenceFeatures sentence_features(const SentenceInput& input, WordTable& words,
+                                   std::size_t steps = choice_steps);
+SentenceFeatures sentence_features(const SentenceInput& input, const WordTable& words,
+                                   std::size_t steps = choice_steps);
 
 std::uint64_t last_token_feature(const Choice& choice);
 std::uint64_t last_two_tokens_feature(const Choice& choice);

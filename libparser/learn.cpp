@@ -25,8 +25,8 @@ std::vector<std::vector<const Example*>> groups_of(std::span<const Example* cons
 
 // What a reader of another kind needs beside it: the words, for the chooser.
 std::shared_ptr<LinearModel> frame_of(std::span<const Example* const> examples,
-                                      const ltl::Vocabulary& vocabulary) {
-  auto frame = std::make_shared<LinearModel>(vocabulary);
+                                      const ltl::Vocabulary& vocabulary, Dialect dialect) {
+  auto frame = std::make_shared<LinearModel>(vocabulary, dialect);
   for (const Example* example : examples)
     for (const std::string& word : example->input.tokens) frame->words.add(word);
   for (const char* side : {"left", "right"}) frame->words.add(side);  // of mirror images
@@ -40,7 +40,7 @@ Grounder learn_reader(std::span<const Example* const> examples, std::span<const 
   if (options.reader == ReaderKind::Linear)
     return grounder_of(learn_linear(examples, executors, options, progress));
   return {learn_network(examples, executors, options, progress),
-          frame_of(examples, executors.front().map().vocabulary())};
+          frame_of(examples, executors.front().map().vocabulary(), options.dialect)};
 }
 
 Grounder train_on(std::span<const Example* const> examples, std::span<const Executor> executors,
@@ -90,8 +90,8 @@ Grounder train(const Corpus& corpus, std::span<const plan::Map> maps, const Trai
     if (options.progress) options.progress(fraction, what);
     return !options.stop.stop_requested();
   };
-  find_programs(examples.sentences, executors, PostfixGrammar(maps.front().vocabulary()), options.threads,
-                [&](double) { return report(0, "searching for programs"); });
+  find_programs(examples.sentences, executors, PostfixGrammar(maps.front().vocabulary(), options.dialect),
+                options.threads, [&](double) { return report(0, "searching for programs"); });
   std::vector<const Example*> lessons;
   for (const Example& example : examples.sentences) lessons.push_back(&example);
   return train_on(lessons, executors, options);

@@ -23,7 +23,8 @@ enum class ReaderKind : std::uint8_t { Linear, EncoderDecoder };
 
 struct TrainOptions {
   ReaderKind reader = ReaderKind::Linear;
-  NetworkTraining network = {};  // of the encoder-decoder
+  Dialect dialect = Dialect::Plain;  // of the programs
+  NetworkTraining network = {};      // of the encoder-decoder
   std::uint64_t seed = 1;
   int epochs = 6;
   int threads = 2;

@@ -116,7 +116,7 @@ void learn_chooser(LinearModel& model, std::span<const Dilemma* const> dilemmas,
 Grounder with_chooser(const Grounder& reader, std::span<const Dilemma* const> dilemmas,
                       std::span<const Executor> executors, const TrainOptions& options,
                       const JobProgress& progress) {
-  auto model = std::make_shared<LinearModel>(reader.model->vocabulary());
+  auto model = std::make_shared<LinearModel>(reader.model->vocabulary(), reader.model->dialect());
   model->words = reader.model->words;
   learn_chooser(*model, dilemmas, executors, options, progress);
   return {reader.reader, std::move(model)};

@@ -29,7 +29,7 @@ class Learner {
       : executors_(executors),
         options_(options),
         progress_(progress),
-        model_(executors.front().map().vocabulary()),
+        model_(executors.front().map().vocabulary(), options.dialect),
         images_(mirror_images(model_.vocabulary())),
         optimizer_(model_.reader, options.learning_rate, options.decay),
         scorer_(model_),
@@ -74,7 +74,7 @@ class Learner {
   void add_lesson(const Example& example, bool mirrored) {
     SentenceInput input = example.input;
     if (mirrored) input.tokens = mirror(input.tokens);
-    SentenceFeatures features = sentence_features(input, model_.words);
+    SentenceFeatures features = sentence_features(input, model_.words, steps_of(model_));
     Wording wording(model_, features.mentions);
     Lesson lesson{&example, mirrored, std::move(features), std::move(wording), ProgramTrie(model_.grammar())};
     for (const Consistent& candidate : *example.programs)

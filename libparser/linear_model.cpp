@@ -29,12 +29,12 @@ Columns::Columns(const PostfixGrammar& grammar) : tokens(grammar.tokens()) {
   mention = part("mention");
   for (std::size_t t = 0; t < tokens; ++t) {
     const std::string& token_name = grammar.name(static_cast<Token>(t));
-    if (t >= PostfixGrammar::first_literal) {
+    if (grammar.is_literal(static_cast<Token>(t))) {
       const auto [d, o] = parts_of(token_name);
       direction.push_back(part("direction " + d));
       thing.push_back(part("thing " + o));
     } else {
-      const bool forward = t >= PostfixGrammar::first_forward;
+      const bool forward = t >= PostfixGrammar::first_forward && t < PostfixGrammar::first_literal;
       direction.push_back(part(forward ? "forward" : "operator"));
       thing.push_back(part(forward ? "count " + token_name.substr(8) : "operator " + token_name));
     }
@@ -121,11 +121,11 @@ void WeightTable::reserve(std::size_t rows) {
   for (std::uint32_t row = 0; row < keys_.size(); ++row) slots_[slot_of(keys_[row])] = row;
 }
 
-LinearModel::LinearModel(const ltl::Vocabulary& vocabulary)
-    : reader(Columns(PostfixGrammar(vocabulary)).size()),
+LinearModel::LinearModel(const ltl::Vocabulary& vocabulary, Dialect dialect)
+    : reader(Columns(PostfixGrammar(vocabulary, dialect)).size()),
       chooser(1),
       vocabulary_(vocabulary),
-      grammar_(vocabulary),
+      grammar_(vocabulary, dialect),
       columns_(grammar_) {}
 
 void LinearModel::check_vocabulary(const ltl::Vocabulary& vocabulary, std::string_view whose) const {

@@ -83,10 +83,11 @@ class WeightTable {
 
 class LinearModel {
  public:
-  explicit LinearModel(const ltl::Vocabulary& vocabulary);
+  explicit LinearModel(const ltl::Vocabulary& vocabulary, Dialect dialect = Dialect::Plain);
 
   const ltl::Vocabulary& vocabulary() const { return vocabulary_; }
   const PostfixGrammar& grammar() const { return grammar_; }
+  Dialect dialect() const { return grammar_.limits().dialect; }
   const Columns& columns() const { return columns_; }
   WordTable words;
   WeightTable reader;   // (sentence, prefix) → a score for every token
@@ -100,5 +101,10 @@ class LinearModel {
   PostfixGrammar grammar_;
   Columns columns_;
 };
+
+// How many steps a program of the model's dialect has at most.
+inline std::size_t steps_of(const LinearModel& model) {
+  return static_cast<std::size_t>(model.grammar().limits().steps);
+}
 
 }  // namespace waymark::parser

@@ -13,43 +13,97 @@ ltl::Formula event(ltl::Arena& arena, std::string_view name) {
   return arena.atom(*p);
 }
 
-// X(only U (only ∧ then))
-ltl::Formula next_until(ltl::Formula only, ltl::Formula then) {
-  return ltl::next(ltl::until(only, ltl::conjunction(only, then)));
-}
+// Formulas of steps. `meanwhile` holds at every letter before the one where the goal of a step holds.
+class Builder {
+ public:
+  Builder(std::span<const Step> program, ltl::Arena& arena) : program_(program), arena_(arena) {}
 
-ltl::Formula step_formula(const Step& step, ltl::Formula rest) {
-  ltl::Arena& arena = rest.arena();
-  std::vector<ltl::Formula> parts{rest};
-  for (std::uint16_t p : step.literals()) parts.push_back(arena.atom(ltl::Proposition{p}));
-  const ltl::Formula goal = ltl::conjunction(arena, parts);
-  const auto moved = [&] { return event(arena, "moved"); };
-  const auto turned = [&] {
-    return ltl::disjunction(event(arena, "turned_left"), event(arena, "turned_right"));
-  };
-  switch (step.kind) {
-    case StepKind::Stay: return rest;
-    case StepKind::Orient: return ltl::disjunction(rest, next_until(turned(), rest));
-    case StepKind::Forward: {
-      ltl::Formula f = rest;
-      for (int k = 0; k < step.count; ++k) f = ltl::next(ltl::conjunction(moved(), f));
-      return f;
-    }
-    case StepKind::Reach: return ltl::eventually(goal);
-    case StepKind::Next: return ltl::next(goal);
-    case StepKind::Advance: return next_until(moved(), goal);
-    case StepKind::Face: return next_until(turned(), goal);
+  ltl::Formula whole() const {
+    std::vector<std::size_t> units;
+    for (std::size_t i = 0; i < program_.size(); i = unit_end(program_, i)) units.push_back(i);
+    ltl::Formula f = arena_.constant(true);
+    for (std::size_t u = units.size(); u-- > 0;) f = unit(units[u], f, arena_.constant(true));
+    return f;
   }
-  throw std::logic_error("a step of no kind");
-}
+
+ private:
+  ltl::Formula unit(std::size_t i, ltl::Formula rest, ltl::Formula meanwhile) const {
+    const Step& step = program_[i];
+    if (operands(step.kind) == 0) return formula_of_step(step, rest, meanwhile);
+    const ltl::Formula first = unit(i + 1, rest,
+                                    step.kind == StepKind::Without ? ltl::negate(literal(step))
+                                    : step.kind == StepKind::Keep  ? literal(step)
+                                                                   : meanwhile);
+    if (step.kind == StepKind::Without || step.kind == StepKind::Keep) return first;
+    const ltl::Formula second =
+        step.kind == StepKind::Whether ? unit(unit_end(program_, i + 1), rest, meanwhile) : rest;
+    const ltl::Formula holds = ltl::conjunction(literal(step), first);
+    return ltl::disjunction(holds, ltl::conjunction(ltl::negate(literal(step)), second));
+  }
+
+  ltl::Formula formula_of_step(const Step& step, ltl::Formula rest, ltl::Formula meanwhile) const {
+    switch (step.kind) {
+      case StepKind::Stay: return rest;
+      case StepKind::Orient: return ltl::disjunction(rest, only_until(turned(), rest, arena_.constant(true)));
+      case StepKind::Forward: {
+        ltl::Formula f = rest;
+        for (int k = 0; k < step.count; ++k) f = moved_to(f, meanwhile);
+        return f;
+      }
+      case StepKind::Reach: return ltl::until(meanwhile, goal(step, rest));
+      case StepKind::Next: return ltl::conjunction(meanwhile, ltl::next(goal(step, rest)));
+      case StepKind::Advance: {
+        ltl::Formula f = only_until(moved(), goal(step, rest), meanwhile);
+        for (std::size_t k = 1; k < step.times(); ++k) f = only_until(moved(), goal(step, f), meanwhile);
+        return f;
+      }
+      case StepKind::Face: return only_until(turned(), goal(step, rest), meanwhile);
+      case StepKind::Past: return only_until(moved(), goal(step, moved_to(rest, meanwhile)), meanwhile);
+      case StepKind::Without:
+      case StepKind::Keep:
+      case StepKind::When:
+      case StepKind::Whether: break;
+    }
+    throw std::logic_error("a function is no step");
+  }
+
+  // X(moved ∧ then)
+  ltl::Formula moved_to(ltl::Formula then, ltl::Formula meanwhile) const {
+    return ltl::conjunction(meanwhile, ltl::next(ltl::conjunction(moved(), then)));
+  }
+
+  // X(only U (only ∧ then))
+  static ltl::Formula only_until(ltl::Formula only, ltl::Formula then, ltl::Formula meanwhile) {
+    const ltl::Formula before = ltl::conjunction(only, meanwhile);
+    return ltl::conjunction(meanwhile, ltl::next(ltl::until(before, ltl::conjunction(only, then))));
+  }
+
+  ltl::Formula goal(const Step& step, ltl::Formula rest) const {
+    std::vector<ltl::Formula> parts{rest};
+    for (std::uint16_t p : step.literals()) parts.push_back(arena_.atom(ltl::Proposition{p}));
+    return ltl::conjunction(arena_, parts);
+  }
+  ltl::Formula literal(const Step& step) const { return goal(step, arena_.constant(true)); }
+  ltl::Formula moved() const { return event(arena_, "moved"); }
+  ltl::Formula turned() const {
+    const ltl::Formula left = event(arena_, "turned_left");
+    return ltl::disjunction(left, event(arena_, "turned_right"));
+  }
+
+  std::span<const Step> program_;
+  ltl::Arena& arena_;
+};
 
 }  // namespace
 
-ltl::Formula formula_of(const Program& program, ltl::Arena& arena) {
-  ltl::Formula f = arena.constant(true);
-  for (std::size_t i = program.size(); i-- > 0;) f = step_formula(program[i], f);
-  return f;
+std::size_t unit_end(std::span<const Step> program, std::size_t i) {
+  if (i >= program.size()) throw std::invalid_argument("a function without the step it applies to");
+  const std::size_t n = operands(program[i++].kind);
+  for (std::size_t k = 0; k < n; ++k) i = unit_end(program, i);
+  return i;
 }
+
+ltl::Formula formula_of(const Program& program, ltl::Arena& arena) { return Builder(program, arena).whole(); }
 
 Program mirror(Program program, std::span<const std::uint16_t> images) {
   for (Step& step : program) {

@@ -68,9 +68,11 @@ std::uint32_t Scorer::group(std::uint64_t id, std::span<const std::uint64_t> fea
 }
 
 Scorer::GroupIds Scorer::groups(const Choice& c) {
-  const std::size_t context = c.kind * choice_steps + c.step;
+  const auto& by_step = features_->by_context[c.kind];
+  const std::size_t step = std::min<std::size_t>(c.step, by_step.size() - 1),
+                    context = c.kind + choice_kinds * step;
   const std::size_t before = used_;
-  const std::uint32_t sentence = group(context, features_->by_context[c.kind][c.step]);
+  const std::uint32_t sentence = group(context, by_step[step]);
   if (used_ > before)  // forbidden once, in the group that every choice of this context has
     for (std::size_t t = 0; t < forbidden_.size(); ++t)
       if (forbidden_[t]) groups_[sentence].scores[t] = -INFINITY;

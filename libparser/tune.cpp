@@ -9,8 +9,8 @@ std::vector<ValidationPair> validate(const Corpus& corpus, std::span<const plan:
                                      const TrainOptions& options) {
   const std::vector<Executor> executors(maps.begin(), maps.end());
   Examples examples = make_examples(corpus, executors, options.convention);
-  find_programs(examples.sentences, executors, PostfixGrammar(maps.front().vocabulary()), options.threads,
-                [&](double) { return !options.stop.stop_requested(); });
+  find_programs(examples.sentences, executors, PostfixGrammar(maps.front().vocabulary(), options.dialect),
+                options.threads, [&](double) { return !options.stop.stop_requested(); });
   std::vector<std::vector<const Example*>> lessons(maps.size());
   for (const Example& example : examples.sentences) lessons[example.map].push_back(&example);
   std::vector<std::size_t> learned;

@@ -11,11 +11,18 @@
 namespace waymark::parser {
 namespace {
 
-constexpr std::uint32_t linear = 1, encoder_decoder = 2;  // versions
-constexpr std::int32_t largest = 4096;                    // size of a layer, while reading
+constexpr std::uint32_t linear = 1, encoder_decoder = 2;  // versions; + 2 in the temporal dialect
+
+std::uint32_t version_of(std::uint32_t kind, const LinearModel& model) {
+  return kind + (model.dialect() == Dialect::Temporal ? 2 : 0);
+}
+bool is_kind(std::uint32_t version, std::uint32_t kind) { return version == kind || version == kind + 2; }
+Dialect dialect_of(std::uint32_t version) { return version > 2 ? Dialect::Temporal : Dialect::Plain; }
+
+constexpr std::int32_t largest = 4096;  // size of a layer, while reading
 
 LinearModel read_linear(WeightsReader& in) {
-  LinearModel model(in.vocabulary());
+  LinearModel model(in.vocabulary(), dialect_of(in.version()));
   model.words = in.words();
   in.table(model.reader);
   in.table(model.chooser);
@@ -37,7 +44,7 @@ std::size_t least_weights(const NetworkOptions& options, std::size_t words) {
 }
 
 Grounder read_encoder_decoder(WeightsReader& in) {
-  auto model = std::make_shared<LinearModel>(in.vocabulary());
+  auto model = std::make_shared<LinearModel>(in.vocabulary(), dialect_of(in.version()));
   WordTable words = in.words();
   NetworkOptions options;
   for (std::int32_t* size : sizes_of(options)) {
@@ -58,7 +65,7 @@ Grounder read_encoder_decoder(WeightsReader& in) {
 }
 
 std::string serialize(const EncoderDecoder& network, const LinearModel& model, double threshold) {
-  WeightsWriter out(encoder_decoder);
+  WeightsWriter out(version_of(encoder_decoder, model));
   out.strings(model.vocabulary().names());
   out.strings(network.words().words());
   NetworkOptions options = network.options();
@@ -83,7 +90,7 @@ std::string within(std::size_t bytes, const Serialize& serialize_with) {
 }  // namespace
 
 std::string serialize(const LinearModel& model, double threshold) {
-  WeightsWriter out(linear);
+  WeightsWriter out(version_of(linear, model));
   out.strings(model.vocabulary().names());
   out.strings(model.words.words());
   out.table(model.reader, threshold);
@@ -93,7 +100,7 @@ std::string serialize(const LinearModel& model, double threshold) {
 
 LinearModel parse_linear_model(std::string_view bytes, std::string_view source) {
   WeightsReader in(bytes, source);
-  if (in.version() != linear) in.fail("is no linear model");
+  if (!is_kind(in.version(), linear)) in.fail("is no linear model");
   return read_linear(in);
 }
 
@@ -112,8 +119,8 @@ std::string serialize_within(const Grounder& grounder, std::size_t bytes) {
 
 Grounder parse_grounder(std::string_view bytes, std::string_view source) {
   WeightsReader in(bytes, source);
-  if (in.version() == linear) return grounder_of(read_linear(in));
-  if (in.version() == encoder_decoder) return read_encoder_decoder(in);
+  if (is_kind(in.version(), linear)) return grounder_of(read_linear(in));
+  if (is_kind(in.version(), encoder_decoder)) return read_encoder_decoder(in);
   in.fail("weights file of an unknown version");
 }
 

@@ -50,7 +50,7 @@ class Learner {
         how_(options.network),
         progress_(progress),
         random_(options.seed),
-        frame_(executors.front().map().vocabulary()),
+        frame_(executors.front().map().vocabulary(), options.dialect),
         images_(mirror_images(frame_.vocabulary())),
         place_numbers_(place_numbers(frame_.vocabulary())),
         network_(TypedPostfix(frame_.grammar(), frame_.columns()), words_met_twice(examples), how_.sizes,

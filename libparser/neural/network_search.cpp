@@ -8,7 +8,7 @@ namespace {
 
 constexpr float least = -12.0F;  // log-probability below which a prefix is not worth keeping, as in beam.cpp
 constexpr std::size_t at_once = 16;
-constexpr std::size_t most_symbols = 40;  // of a program; the grammar allows fewer
+constexpr std::size_t most_symbols = 128;  // of a program; the grammar allows fewer
 
 struct Prefix {
   TypedState state;

@@ -12,6 +12,7 @@ const ChoiceMask& ChoiceMasks::of(const TypedState& state) {
   const std::uint64_t key = std::uint64_t{state.thing} << 48U | std::uint64_t{p.last_literal} << 32U |
                             std::uint64_t{p.steps} << 24U | std::uint64_t{p.goals} << 16U |
                             std::uint64_t{p.bools} << 12U | std::uint64_t{p.step_entries} << 8U |
+                            std::uint64_t{p.awaits} << 5U | std::uint64_t{p.operand} << 4U |
                             std::uint64_t{p.turns} << 3U | std::uint64_t{p.oriented} << 2U |
                             std::uint64_t{p.stayed} << 1U | std::uint64_t{p.ended};
   const auto [it, is_new] = made_.try_emplace(key);

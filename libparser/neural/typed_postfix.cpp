@@ -18,13 +18,16 @@ TypedPostfix::TypedPostfix(const PostfixGrammar& grammar, const Columns& columns
     columns_.push_back(part);
     return static_cast<Symbol>(names_.size() - 1);
   };
-  const auto literals = static_cast<Token>(grammar.tokens());
+  const Token literals = grammar.end_of_literals();
   for (Token t = PostfixGrammar::first_literal; t < literals; ++t)
     parts_.emplace_back(add(column(columns.thing[t])), 0);
   first_direction_ = static_cast<Symbol>(names_.size());
   for (Token t = PostfixGrammar::first_literal; t < literals; ++t)
     parts_[t - PostfixGrammar::first_literal].second = add(column(columns.direction[t]));
-  const std::size_t directions = symbols() - first_direction_;
+  first_temporal_ = static_cast<Symbol>(names_.size());
+  for (std::size_t t = literals; t < grammar.tokens(); ++t)
+    names_.push_back(grammar.name(static_cast<Token>(t)));
+  const std::size_t directions = first_temporal_ - first_direction_;
   literals_.assign((first_direction_ - first_thing_) * directions, PostfixGrammar::end);
   for (Token t = PostfixGrammar::first_literal; t < literals; ++t) {
     const auto [thing, direction] = parts_[t - PostfixGrammar::first_literal];
@@ -39,22 +42,32 @@ Symbol TypedPostfix::find(const std::string& column) const {
 }
 
 Token TypedPostfix::literal(Symbol thing, Symbol direction) const {
-  return literals_[(thing - first_thing_) * (symbols() - first_direction_) + (direction - first_direction_)];
+  const std::size_t directions = first_temporal_ - first_direction_;
+  return literals_[(thing - first_thing_) * directions + (direction - first_direction_)];
+}
+
+Symbol TypedPostfix::symbol_of(Token token) const {
+  if (token < PostfixGrammar::first_literal) return token;
+  if (grammar_.is_literal(token)) return parts_[token - PostfixGrammar::first_literal].first;
+  return static_cast<Symbol>(first_temporal_ + (token - grammar_.end_of_literals()));
+}
+
+Token TypedPostfix::token_of(Symbol symbol) const {
+  if (symbol < first_temporal_) return symbol;
+  return static_cast<Token>(grammar_.end_of_literals() + (symbol - first_temporal_));
 }
 
 std::vector<bool> TypedPostfix::allowed(const TypedState& state) const {
   std::vector<bool> out(symbols(), false);
   if (state.thing != TypedState::nothing) {
-    for (Symbol d = first_direction_; d < symbols(); ++d) {
+    for (Symbol d = first_direction_; d < first_temporal_; ++d) {
       const Token token = literal(state.thing, d);
       out[d] = token != PostfixGrammar::end && grammar_.allowed(state.prefix, token);
     }
     return out;
   }
   grammar_.choices(state.prefix).each([&](Token token) {
-    if (!grammar_.allowed(state.prefix, token)) return;
-    out[token < PostfixGrammar::first_literal ? token : parts_[token - PostfixGrammar::first_literal].first] =
-        true;
+    if (grammar_.allowed(state.prefix, token)) out[symbol_of(token)] = true;
   });
   return out;
 }
@@ -68,7 +81,8 @@ std::optional<Symbol> TypedPostfix::forced(const TypedState& state) const {
 
 TypedState TypedPostfix::after(const TypedState& state, Symbol symbol) const {
   if (is_thing(symbol)) return {state.prefix, symbol};
-  if (state.thing == TypedState::nothing) return {grammar_.after(state.prefix, symbol), TypedState::nothing};
+  if (state.thing == TypedState::nothing)
+    return {grammar_.after(state.prefix, token_of(symbol)), TypedState::nothing};
   return {grammar_.after(state.prefix, literal(state.thing, symbol)), TypedState::nothing};
 }
 
@@ -86,8 +100,8 @@ std::vector<bool> TypedPostfix::forbidden(const std::vector<bool>& named) const 
 std::vector<Symbol> TypedPostfix::symbols_of(const Program& program) const {
   std::vector<Symbol> out;
   for (const Token token : grammar_.tokens_of(program)) {
-    if (token < PostfixGrammar::first_literal) {
-      out.push_back(token);
+    if (!grammar_.is_literal(token)) {
+      out.push_back(symbol_of(token));
       continue;
     }
     const auto [thing, direction] = parts_[token - PostfixGrammar::first_literal];
@@ -102,11 +116,11 @@ Program TypedPostfix::program_of(std::span<const Symbol> symbols) const {
   for (const Symbol symbol : symbols) {
     if (is_thing(symbol)) {
       thing = symbol;
-    } else if (symbol >= first_direction_) {
+    } else if (is_direction(symbol)) {
       assert(thing != TypedState::nothing);
       tokens.push_back(literal(thing, symbol));
     } else {
-      tokens.push_back(symbol);
+      tokens.push_back(token_of(symbol));
     }
   }
   return grammar_.program_of(tokens);

@@ -1,7 +1,7 @@
 // Typed postfix, symbol by symbol: a literal is a thing followed by its direction.
 //
 //   chair, fish, blue, corner, 3 …    : Object, Wall, Floor, Place          ahead, left, behind, here …  : thing → Bool
-//   &, reach, advance, forward_2, then, end …                               as in postfix_grammar.hpp
+//   &, reach, advance, forward_2, then, end, without, apply …               as in postfix_grammar.hpp
 // "turn left, go to the chair ahead"  =  left turned next  chair ahead reach  then  end
 // So a decoder that has learned what `ahead` is knows ahead_lamp without having met it. Which thing goes with which
 // direction follows from the vocabulary; canonical order and types are PostfixGrammar's, and decoding asks `allowed`.
@@ -49,10 +49,13 @@ class TypedPostfix {
  private:
   Token literal(Symbol thing, Symbol direction) const;  // PostfixGrammar::end when there is none
   bool is_thing(Symbol s) const { return s >= first_thing_ && s < first_direction_; }
+  bool is_direction(Symbol s) const { return s >= first_direction_ && s < first_temporal_; }
+  Symbol symbol_of(Token token) const;  // of a literal its thing
+  Token token_of(Symbol symbol) const;  // of an operator
 
   PostfixGrammar grammar_;
   std::vector<std::string> names_, columns_;  // of symbols; of things and directions, from first_thing_ on
-  Symbol first_thing_ = 0, first_direction_ = 0;
+  Symbol first_thing_ = 0, first_direction_ = 0, first_temporal_ = 0;
   std::vector<std::pair<Symbol, Symbol>> parts_;  // of literals: thing and direction
   std::vector<Token> literals_;                   // by thing and direction
 };

@@ -28,18 +28,58 @@ void expect_same_plan(const Executor& executor, const PostfixGrammar& grammar, c
   EXPECT_EQ(plan->end, route->route().poses.back()) << where;
 }
 
-TEST(Execute, PlansRandomProgramsAsTheSolverDoes) {
+class ExecuteIn : public testing::TestWithParam<PostfixGrammar::Limits> {};
+
+TEST_P(ExecuteIn, PlansRandomProgramsAsTheSolverDoes) {
   std::mt19937_64 random(7);
   for (const plan::Map& map : shipped_maps()) {
     const Executor executor(map);
-    const PostfixGrammar grammar(map.vocabulary());
-    for (int i = 0; i < 300; ++i) {
+    const PostfixGrammar grammar(map.vocabulary(), GetParam());
+    for (int i = 0; i < 300; ++i) {  // the automata of three nested functions take seconds
       const Program program = random_program(grammar, random);
       const plan::PoseId start{static_cast<std::uint32_t>(random() % map.poses())};
       expect_same_plan(executor, grammar, program, start);
       if (HasFatalFailure()) return;
     }
   }
+}
+
+INSTANTIATE_TEST_SUITE_P(Dialects, ExecuteIn,
+                         testing::Values(PostfixGrammar::limits_of(Dialect::Plain),
+                                         PostfixGrammar::Limits{3, 2, Dialect::Temporal}),
+                         [](const auto& parameter) {
+                           return parameter.param.dialect == Dialect::Plain ? "Plain" : "Temporal";
+                         });
+
+// From every pose, for the functions of steps and the steps that the temporal dialect adds.
+TEST(Execute, PlansWhatTheTemporalDialectAddsAsTheSolverDoes) {
+  const plan::Map& map = shipped_maps().front();
+  const Executor executor(map);
+  const PostfixGrammar grammar(map.vocabulary(), Dialect::Temporal);
+  const auto literal = [&](const char* name) {
+    return static_cast<std::uint16_t>(map.vocabulary().find(name).value().index);
+  };
+  const auto step = [&](StepKind kind, const char* name, std::uint8_t count = 0) {
+    return Step{kind, count, 1, {literal(name)}};
+  };
+  const Step to_easel = step(StepKind::Reach, "easel"), left = step(StepKind::Next, "turned_left"),
+             two{StepKind::Forward, 2, 0, {}};
+  const Program table[] = {
+      {step(StepKind::Past, "chair"), to_easel},
+      {step(StepKind::Advance, "intersection", 2)},
+      {step(StepKind::Advance, "intersection", 3), left},
+      {step(StepKind::Without, "intersection"), to_easel, left},
+      {step(StepKind::Keep, "corridor"), to_easel},
+      {step(StepKind::Keep, "ahead_open"), two},
+      {step(StepKind::Without, "chair"), step(StepKind::Past, "lamp")},
+      {step(StepKind::When, "ahead_wall"), left, two},
+      {two, step(StepKind::Whether, "left_wall"), left, to_easel, left},
+  };
+  for (const Program& program : table)
+    for (std::uint32_t s = 0; s < map.poses(); s += 5) {
+      expect_same_plan(executor, grammar, program, {s});
+      if (HasFatalFailure()) return;
+    }
 }
 
 TEST(Execute, PlansOneLiteralStepsFromEveryPoseAsTheSolverDoes) {
@@ -82,7 +122,7 @@ TEST(Execute, HorizonsListArrivalsInTheOrderOfTheirPlans) {
 TEST(Execute, StepwiseAndWholePlansDifferWhereGreedIsPunished) {
   const plan::Map& map = shipped_maps().front();
   const Executor executor(map);
-  const PostfixGrammar grammar(map.vocabulary());
+  const PostfixGrammar grammar(map.vocabulary(), PostfixGrammar::Limits{3, 2, Dialect::Temporal});
   std::mt19937_64 random(3);
   std::size_t longer = 0, both = 0;
   for (int i = 0; i < 8000; ++i) {

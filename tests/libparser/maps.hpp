@@ -38,7 +38,7 @@ inline Program random_program(const PostfixGrammar& grammar, std::mt19937_64& ra
     // Literals are most of the tokens: every second time, choose among the others.
     std::vector<Token> operators;
     for (Token t : allowed)
-      if (t < PostfixGrammar::first_literal) operators.push_back(t);
+      if (!grammar.is_literal(t)) operators.push_back(t);
     const auto& pool = !operators.empty() && random() % 2 == 0 ? operators : allowed;
     tokens.push_back(pool[random() % pool.size()]);
     state = grammar.after(state, tokens.back());

@@ -34,8 +34,17 @@ void for_each_prefix(const PostfixGrammar& grammar, std::size_t length, const Vi
   extend(extend, PrefixState{});
 }
 
-TEST(PostfixGrammar, EveryPrefixCanBeCompletedAndRangesSayWhatIsAllowed) {
-  const PostfixGrammar grammar(small);
+class PostfixGrammarIn : public testing::TestWithParam<PostfixGrammar::Limits> {};
+
+INSTANTIATE_TEST_SUITE_P(Dialects, PostfixGrammarIn,
+                         testing::Values(PostfixGrammar::limits_of(Dialect::Plain),
+                                         PostfixGrammar::Limits{3, 2, Dialect::Temporal}),
+                         [](const auto& parameter) {
+                           return parameter.param.dialect == Dialect::Plain ? "Plain" : "Temporal";
+                         });
+
+TEST_P(PostfixGrammarIn, EveryPrefixCanBeCompletedAndRangesSayWhatIsAllowed) {
+  const PostfixGrammar grammar(small, GetParam());
   std::size_t prefixes = 0;
   for_each_prefix(grammar, 5, [&](const std::vector<Token>&, const PrefixState& state) {
     ++prefixes;
@@ -43,7 +52,7 @@ TEST(PostfixGrammar, EveryPrefixCanBeCompletedAndRangesSayWhatIsAllowed) {
     EXPECT_EQ(allowed.empty(), state.ended);
     std::vector<Token> ranges;
     grammar.choices(state).each([&](Token t) {
-      const bool usable = t < PostfixGrammar::first_literal ||
+      const bool usable = !grammar.is_literal(t) ||
                           grammar.usable(static_cast<std::uint16_t>(t - PostfixGrammar::first_literal));
       if (usable) ranges.push_back(t);
     });
@@ -55,6 +64,20 @@ TEST(PostfixGrammar, EveryPrefixCanBeCompletedAndRangesSayWhatIsAllowed) {
   EXPECT_GT(prefixes, 5'000U);
 }
 
+// No sequence is a dead end: whatever is chosen, a program of the language comes out, the one that was spelled.
+TEST_P(PostfixGrammarIn, RandomProgramsAreSpelledAndReadBack) {
+  const PostfixGrammar grammar(small, GetParam());
+  std::mt19937_64 random(5);
+  std::set<StepKind> kinds;
+  for (int i = 0; i < 2000; ++i) {
+    const Program program = random_program(grammar, random);
+    for (const Step& step : program) kinds.insert(step.kind);
+    ASSERT_TRUE(grammar.contains(program)) << grammar.show(program);
+    ASSERT_EQ(grammar.program_of(grammar.tokens_of(program)), program) << grammar.show(program);
+  }
+  EXPECT_EQ(kinds.size(), GetParam().dialect == Dialect::Plain ? 7U : 12U);
+}
+
 TEST(PostfixGrammar, TypesAreRespectedByEveryCompleteSequence) {
   const PostfixGrammar grammar(small, {2, 2});
   std::set<Program> programs;
@@ -62,7 +85,7 @@ TEST(PostfixGrammar, TypesAreRespectedByEveryCompleteSequence) {
     if (!state.ended) return;
     int bools = 0, steps = 0;
     for (Token t : tokens) {
-      if (t >= PostfixGrammar::first_literal) ++bools;
+      if (grammar.is_literal(t)) ++bools;
       if (t == PostfixGrammar::both) --bools;
       if (t == PostfixGrammar::then) --steps;
       if (t >= PostfixGrammar::reach && t <= PostfixGrammar::face) --bools;
@@ -84,6 +107,33 @@ TEST(PostfixGrammar, ShowsPostfix) {
   EXPECT_EQ(grammar.show(program), "turned_left next a c & reach then");
   EXPECT_EQ(grammar.show({{StepKind::Orient, 0, 0, {}}, {StepKind::Forward, 2, 0, {}}}),
             "orient forward_2 then");
+  const PostfixGrammar temporal(small, Dialect::Temporal);
+  const Step to_a{StepKind::Reach, 0, 1, {0}}, left{StepKind::Next, 0, 1, {4}};
+  EXPECT_EQ(temporal.show({left, {StepKind::Without, 0, 1, {2}}, to_a}),
+            "turned_left next c without a reach apply then");
+  EXPECT_EQ(temporal.show({{StepKind::Whether, 0, 1, {1}}, left, to_a, {StepKind::Advance, 2, 1, {2}}}),
+            "b whether turned_left next apply a reach apply c advance_2 then");
+}
+
+TEST(PostfixGrammar, TheTemporalDialectAddsOperatorsBehindAndMovesNoToken) {
+  const PostfixGrammar plain(small), temporal(small, Dialect::Temporal);
+  EXPECT_EQ(plain.tokens(), plain.end_of_literals());
+  EXPECT_EQ(temporal.tokens(), plain.tokens() + 8);
+  for (std::size_t t = 0; t < plain.tokens(); ++t)
+    EXPECT_EQ(plain.name(static_cast<Token>(t)), temporal.name(static_cast<Token>(t)));
+}
+
+TEST(PostfixGrammar, FunctionsTakePlainStepsAndAreNotNested) {
+  const PostfixGrammar plain(small), temporal(small, Dialect::Temporal);
+  const Step without{StepKind::Without, 0, 1, {2}}, when{StepKind::When, 0, 1, {1}},
+      to_a{StepKind::Reach, 0, 1, {0}};
+  EXPECT_FALSE(plain.contains({without, to_a}));
+  EXPECT_TRUE(temporal.contains({without, to_a}));
+  EXPECT_FALSE(temporal.contains({when, without, to_a}));
+  EXPECT_FALSE(temporal.contains({{StepKind::Without, 0, 2, {1, 2}}, to_a}));  // a condition is one literal
+  EXPECT_FALSE(temporal.contains({{StepKind::When, 0, 1, {4}}, to_a}));        // and no turn
+  EXPECT_FALSE(temporal.contains({{StepKind::Advance, 4, 1, {0}}}));
+  EXPECT_THROW(temporal.tokens_of({to_a, when}), std::invalid_argument);
 }
 
 TEST(PostfixGrammar, ProgramsOutsideTheLanguageAreRefused) {

@@ -53,6 +53,32 @@ TEST_F(Programs, ThenNestsTheRestWhereTheGoalHolds) {
     EXPECT_EQ(formula_of(program, arena), ltl::parse(text, arena)) << ltl::print(formula_of(program, arena));
 }
 
+TEST_F(Programs, FunctionsApplyToTheStepsAfterThem) {
+  const Step chair = step(StepKind::Reach, {"chair"}), left = step(StepKind::Next, {"turned_left"}),
+             lamp = step(StepKind::Reach, {"lamp"});
+  Step second = step(StepKind::Advance, {"tee"});
+  second.count = 2;
+  const std::pair<Program, const char*> table[] = {
+      {{step(StepKind::Without, {"sofa"}), chair}, "!sofa U chair"},
+      {{step(StepKind::Without, {"sofa"}), chair, lamp}, "!sofa U (chair & F lamp)"},
+      {{step(StepKind::Keep, {"blue"}), chair}, "blue U chair"},
+      {{step(StepKind::Keep, {"blue"}), forward(2), left},
+       "blue & X (moved & blue & X (moved & X turned_left))"},
+      {{step(StepKind::Without, {"sofa"}), step(StepKind::Advance, {"lamp"})},
+       "!sofa & X ((moved & !sofa) U (moved & lamp))"},
+      {{step(StepKind::When, {"ahead_wall"}), left}, "(ahead_wall & X turned_left) | !ahead_wall"},
+      {{step(StepKind::When, {"ahead_wall"}), left, lamp},
+       "(ahead_wall & X (turned_left & F lamp)) | (!ahead_wall & F lamp)"},
+      {{forward(1), step(StepKind::Whether, {"tee"}), left, chair, lamp},
+       "X (moved & ((tee & X (turned_left & F lamp)) | (!tee & F (chair & F lamp))))"},
+      {{step(StepKind::Past, {"lamp"})}, "X (moved U (moved & lamp & X moved))"},
+      {{second, left}, "X (moved U (moved & tee & X (moved U (moved & tee & X turned_left))))"},
+  };
+  for (const auto& [program, text] : table)
+    EXPECT_EQ(formula_of(program, arena), ltl::parse(text, arena)) << ltl::print(formula_of(program, arena));
+  EXPECT_THROW(formula_of({chair, step(StepKind::When, {"tee"})}, arena), std::invalid_argument);
+}
+
 TEST_F(Programs, MirroringExchangesSidesAndIsItsOwnInverse) {
   const auto images = mirror_images(arena.vocabulary());
   const Program program{step(StepKind::Next, {"turned_left"}), step(StepKind::Advance, {"left_chair"}),
