@@ -5,6 +5,7 @@
 #include <stdexcept>
 #include <thread>
 
+#include "libparser/said_search.hpp"
 #include "libplan/world/trajectory.hpp"
 
 namespace waymark::parser {
@@ -65,6 +66,45 @@ Examples make_examples(const Corpus& corpus, std::span<const Executor> executors
   return examples;
 }
 
+namespace {
+
+// do_one(i, thread) for i < n on so many threads; go_on(share done) is asked on the first.
+template <class DoOne>
+void share_out(std::size_t n, int threads, const std::function<bool(double fraction)>& go_on,
+               const DoOne& do_one) {
+  std::atomic<std::size_t> next{0};
+  std::atomic<bool> stop{false};
+  const auto run = [&](std::size_t thread) {
+    for (std::size_t i = next++; i < n && !stop; i = next++) {
+      do_one(i, thread);
+      if (thread == 0 && !go_on(static_cast<double>(i) / static_cast<double>(n))) stop = true;
+    }
+  };
+  {
+    std::vector<std::jthread> helpers;
+    for (int t = 1; t < threads; ++t) helpers.emplace_back(run, static_cast<std::size_t>(t));
+    run(0);
+  }
+  if (stop) throw Stopped{};
+}
+
+// In the temporal dialect a sentence also has programs of its own.
+void add_said_programs(std::span<Example> examples, std::span<const Executor> executors, int threads,
+                       const std::function<bool(double fraction)>& go_on) {
+  const LinearModel frame(executors.front().map().vocabulary(), Dialect::Temporal);
+  std::vector<std::vector<UnitPlans>> plans(static_cast<std::size_t>(threads),
+                                            std::vector<UnitPlans>(executors.size()));
+  share_out(examples.size(), threads, go_on, [&](std::size_t i, std::size_t thread) {
+    Example& example = examples[i];
+    std::vector<Consistent> all = said_programs(executors[example.map], frame, example.gold,
+                                                example.input.tokens, plans[thread][example.map]);
+    all.insert(all.end(), example.programs->begin(), example.programs->end());
+    example.programs = std::make_shared<const std::vector<Consistent>>(std::move(all));
+  });
+}
+
+}  // namespace
+
 void find_programs(std::span<Example> examples, std::span<const Executor> executors,
                    const PostfixGrammar& grammar, int threads,
                    const std::function<bool(double fraction)>& go_on) {
@@ -76,21 +116,10 @@ void find_programs(std::span<Example> examples, std::span<const Executor> execut
   }
   std::vector<std::pair<const std::pair<std::size_t, GoldRoute>*, std::vector<Consistent>*>> work;
   for (auto& [route, programs] : routes) work.emplace_back(&route, programs.get());
-
-  std::atomic<std::size_t> next{0};
-  std::atomic<bool> stop{false};
-  const auto run = [&](bool reports) {
-    for (std::size_t i = next++; i < work.size() && !stop; i = next++) {
-      *work[i].second = consistent_programs(executors[work[i].first->first], grammar, work[i].first->second);
-      if (reports && !go_on(static_cast<double>(i) / static_cast<double>(work.size()))) stop = true;
-    }
-  };
-  {
-    std::vector<std::jthread> helpers;
-    for (int t = 1; t < threads; ++t) helpers.emplace_back(run, false);
-    run(true);
-  }
-  if (stop) throw Stopped{};
+  share_out(work.size(), threads, go_on, [&](std::size_t i, std::size_t) {
+    *work[i].second = consistent_programs(executors[work[i].first->first], grammar, work[i].first->second);
+  });
+  if (grammar.limits().dialect == Dialect::Temporal) add_said_programs(examples, executors, threads, go_on);
 }
 
 }  // namespace waymark::parser

@@ -1,123 +1,109 @@
 #include "libparser/generate.hpp"
 
-#include <random>
+#include <algorithm>
 #include <stdexcept>
 
+#include "libltl/print.hpp"
+#include "libltl/semantics.hpp"
+#include "libparser/corpus_file.hpp"
 #include "libparser/execute.hpp"
 #include "libparser/token.hpp"
+#include "libplan/world/trajectory.hpp"
 
 namespace waymark::parser {
 namespace {
 
-struct Saying {
-  std::string text;
-  Program program;
-};
+// Without what has to be avoided or kept.
+Program unguarded(const Program& program) {
+  Program out;
+  for (const Step& step : program)
+    if (step.kind != StepKind::Without && step.kind != StepKind::Keep) out.push_back(step);
+  return out;
+}
 
-class Speaker {
+class Generator {
  public:
-  Speaker(const ltl::Vocabulary& vocabulary, std::uint64_t seed) : vocabulary_(vocabulary), random_(seed) {}
+  Generator(std::span<const plan::Map> maps, const GenerateOptions& options)
+      : options_(options),
+        executors_(maps.begin(), maps.end()),
+        grammar_(maps.front().vocabulary(), options.dialect),
+        speaker_(maps.front(), options.dialect, options.seed) {}
 
-  Saying say() {
-    if (below(3) > 0) return say_one();
-    Saying first = say_one();
-    const Saying second = say_one();
-    first.text += one_of({" and ", ", then "}) + second.text;
-    first.program.insert(first.program.end(), second.program.begin(), second.program.end());
-    return first;
+  Paragraph paragraph(std::size_t number) {
+    const Executor& executor = executors_[number % executors_.size()];
+    const plan::Map& map = executor.map();
+    Paragraph out{"generated_" + std::to_string(number + 1), map.name(), "", {}};
+    plan::PoseId here{static_cast<std::uint32_t>(speaker_.below(map.poses()))};
+    ltl::Arena arena(map.vocabulary());
+    for (int tries = 0; out.sentences.size() < options_.sentences && tries < 3000; ++tries) {
+      const std::size_t clauses =
+          options_.least_clauses + speaker_.below(options_.most_clauses - options_.least_clauses + 1);
+      const Saying saying = speaker_.say(clauses);
+      if (saying.clauses != clauses || !grammar_.contains(saying.program)) continue;
+      const ltl::Formula formula = formula_of(saying.program, arena);
+      if (!wanted(ltl::print(formula))) continue;
+      const auto plan = executor.run(saying.program, here);
+      if (!plan || !is_worth_saying(saying, *plan, executor, here)) continue;
+      out.sentences.push_back(sentence(saying, *plan, formula, map, here));
+      out.sentences.back().id = std::to_string(number + 1) + "-" + std::to_string(out.sentences.size());
+      out.text += (out.text.empty() ? "" : " ") + saying.text + ".";
+      here = plan->end;
+    }
+    return out;
   }
-
-  std::size_t below(std::size_t n) { return static_cast<std::size_t>(random_() % n); }
 
  private:
-  std::string one_of(std::initializer_list<const char*> choices) {
-    return *(choices.begin() + below(choices.size()));
+  bool wanted(const std::string& formula) const {
+    if (options_.formulas == Formulas::All) return true;
+    return (fnv1a(formula) % 5 == 0) == (options_.formulas == Formulas::HeldOut);
   }
 
-  Saying say_one() {
-    switch (below(6)) {
-      case 0: {
-        const std::string side = one_of({"left", "right"});
-        return {one_of({"turn ", "go ", "make a "}) + side, {step(StepKind::Next, "turned_" + side)}};
-      }
-      case 1: {
-        const std::size_t k = 1 + below(4);
-        const std::string count =
-            std::vector<std::string>{"one step", "two steps", "three steps", "four steps"}[k - 1];
-        return {one_of({"walk forward ", "move ", "go "}) + count,
-                {{StepKind::Forward, static_cast<std::uint8_t>(k), 0, {}}}};
-      }
-      case 2: {
-        const std::string object = one_of({"chair", "sofa", "easel", "lamp", "hatrack", "barstool"});
-        return {one_of({"walk to the ", "go to the ", "move on to the "}) + object,
-                {step(StepKind::Reach, object)}};
-      }
-      case 3:
-        return {one_of({"go straight to the end of the hall", "follow the hall until it ends",
-                        "walk on to the wall"}),
-                {step(StepKind::Advance, "ahead_wall")}};
-      case 4: {
-        const std::string floor = one_of({"blue", "brick", "grass", "wood", "yellow"});
-        return {one_of({"face the ", "turn until you look along the "}) + floor + " hall",
-                {step(StepKind::Face, "ahead_" + floor)}};
-      }
-      default: {
-        const std::string object = one_of({"chair", "sofa", "easel", "lamp"}),
-                          side = one_of({"left", "right"});
-        return {one_of({"walk until the ", "go on until you see the "}) + object + " on your " + side,
-                {step(StepKind::Advance, side + "_" + object)}};
-      }
-    }
+  // Not too far, and three times in four what is to be avoided or kept makes a difference.
+  bool is_worth_saying(const Saying& saying, const Plan& plan, const Executor& executor, plan::PoseId from) {
+    const std::size_t longest = 4 + 6 * saying.clauses;
+    if (plan.actions.empty() || plan.actions.size() > longest) return false;
+    const Program free = unguarded(saying.program);
+    if (free == saying.program || speaker_.below(4) == 0) return true;
+    const auto other = executor.run(free, from);
+    return other && other->actions != plan.actions;
   }
 
-  Step step(StepKind kind, const std::string& literal) const {
-    const auto p = vocabulary_.find(literal);
-    if (!p) throw std::invalid_argument("generated instructions need the proposition '" + literal + "'");
-    return {kind, 0, 1, {static_cast<std::uint16_t>(p->index)}};
+  static Sentence sentence(const Saying& saying, const Plan& plan, ltl::Formula formula, const plan::Map& map,
+                           plan::PoseId from) {
+    const auto walked = plan::follow(map, from, plan.actions);
+    if (!walked || !ltl::holds(plan::word_of(*walked, map), formula))
+      throw std::logic_error("a plan that does not satisfy its formula");
+    Sentence out;
+    out.text = saying.text;
+    out.tokens = tokenize(saying.text);
+    for (const plan::PoseId pose : walked->poses) out.absolute.push_back(map.pose(pose));
+    out.relative = out.absolute;
+    out.formula = ltl::print(formula);
+    return out;
   }
 
-  const ltl::Vocabulary& vocabulary_;
-  std::mt19937_64 random_;
+  const GenerateOptions& options_;
+  std::vector<Executor> executors_;
+  PostfixGrammar grammar_;
+  Speaker speaker_;
 };
-
-Sentence sentence_of(const Saying& saying, const Plan& plan, plan::PoseId start, const plan::Map& map) {
-  Sentence sentence;
-  sentence.text = saying.text;
-  sentence.tokens = tokenize(saying.text);
-  sentence.absolute.push_back(map.pose(start));
-  for (plan::Action action : plan.actions) {
-    start = *map.successor(start, action);
-    sentence.absolute.push_back(map.pose(start));
-  }
-  sentence.relative = sentence.absolute;
-  return sentence;
-}
 
 }  // namespace
 
 Corpus generate_corpus(std::span<const plan::Map> maps, const GenerateOptions& options) {
   if (maps.empty()) throw std::invalid_argument("generating a corpus needs maps");
-  constexpr std::size_t longest = 10;  // actions of a sentence
+  for (const plan::Map& map : maps)
+    if (!(map.vocabulary() == maps.front().vocabulary()))
+      throw std::invalid_argument("maps " + maps.front().name() + " and " + map.name() +
+                                  " have different vocabularies");
+  if (options.least_clauses < 1 || options.least_clauses > options.most_clauses)
+    throw std::invalid_argument("a sentence of no clause");
   Corpus corpus;
   corpus.maps.assign(maps.begin(), maps.end());
-  Speaker speaker(maps.front().vocabulary(), options.seed);
-  const std::vector<Executor> executors(maps.begin(), maps.end());
+  Generator generator(maps, options);
   for (std::size_t i = 0; i < options.paragraphs; ++i) {
-    const Executor& executor = executors[i % maps.size()];
-    const plan::Map& map = executor.map();
-    Paragraph paragraph{"generated_" + std::to_string(i + 1), map.name(), "", {}};
-    plan::PoseId here{static_cast<std::uint32_t>(speaker.below(map.poses()))};
-    for (int tries = 0; paragraph.sentences.size() < options.sentences && tries < 1000; ++tries) {
-      const Saying saying = speaker.say();
-      const auto plan = executor.run(saying.program, here);
-      if (!plan || plan->actions.empty() || plan->actions.size() > longest) continue;
-      paragraph.sentences.push_back(sentence_of(saying, *plan, here, map));
-      paragraph.sentences.back().id =
-          std::to_string(i + 1) + "-" + std::to_string(paragraph.sentences.size());
-      paragraph.text += (paragraph.text.empty() ? "" : " ") + saying.text + ".";
-      here = plan->end;
-    }
-    corpus.paragraphs.push_back(std::move(paragraph));
+    Paragraph paragraph = generator.paragraph(i);
+    if (!paragraph.sentences.empty()) corpus.paragraphs.push_back(std::move(paragraph));
   }
   return corpus;
 }

@@ -92,6 +92,7 @@ Sentence read_sentence(const Line& line, const json& object, const std::string& 
   } else {
     sentence.tokens = tokenize(sentence.text);
   }
+  if (object.contains("formula")) sentence.formula = line.string(object, path, "formula");
   sentence.heading_unknown = line.trajectory(object, path, "path").front().heading < 0;
   sentence.absolute = line.steps(object, path, sentence.heading_unknown ? "path_north" : "path");
   sentence.relative = line.steps(object, path, sentence.heading_unknown ? "path_right90" : "path");

@@ -18,9 +18,9 @@ TEST(Evaluate, CountsSentencesParagraphsAndNodesByHand) {
   const SentenceFeatures features = sentence_features({{}, false}, model.words);
   for (std::uint64_t feature : features.by_context[0][0])
     model.reader.row(model.reader.add(feature))[PostfixGrammar::stay] = 10.0F;
-  Sentence stay{"1", "", {}, false, {{1, 9, 0}}, {{1, 9, 0}}};
-  Sentence walk{"2", "", {}, false, {{1, 9, 0}, {1, 8, 0}, {1, 7, 0}}, {{1, 9, 0}, {1, 8, 0}, {1, 7, 0}}};
-  Sentence turn{"3", "", {}, false, {{1, 9, 0}, {1, 9, 90}}, {{1, 9, 0}, {1, 9, 90}}};
+  Sentence stay{"1", "", {}, false, {{1, 9, 0}}, {{1, 9, 0}}, ""};
+  Sentence walk{"2", "", {}, false, {{1, 9, 0}, {1, 8, 0}, {1, 7, 0}}, {{1, 9, 0}, {1, 8, 0}, {1, 7, 0}}, ""};
+  Sentence turn{"3", "", {}, false, {{1, 9, 0}, {1, 9, 90}}, {{1, 9, 0}, {1, 9, 90}}, ""};
   Corpus corpus;
   corpus.paragraphs = {{"a", "grid", "", {stay, walk}},
                        {"b", "grid", "", {turn}},
