@@ -9,6 +9,7 @@
 #include "libparser/evaluate.hpp"
 #include "libparser/sail_corpus.hpp"
 #include "libparser/streets/street_corpus.hpp"
+#include "tools/formula_table.hpp"
 #include "tools/shell/models.hpp"
 #include "tools/shell/options.hpp"
 #include "tools/shell/output.hpp"
@@ -23,6 +24,7 @@ using parser::Percent;
 struct Options {
   std::string corpus, test_corpus, data, predictions, convention = "both";
   TrainingOptions training;
+  PairsExperiment pairs;  // instead of a corpus
   std::size_t ensemble = 1;
   bool leave_one_map_out = false, train_all = false, json = false;
 };
@@ -49,7 +51,7 @@ JsonObject& add(JsonObject& json, const parser::Scores& scores) {
                     .add("unsegmented_paragraphs_skipped", scores.skipped_paragraphs));
 }
 
-Json json_of(const parser::Evaluation& evaluation) {
+Json json_of(const parser::Evaluation& evaluation, const parser::FormulaScores& formulas) {
   JsonObject folds, json;
   for (const auto& [map, scores] : evaluation.folds) {
     JsonObject fold;
@@ -65,6 +67,7 @@ Json json_of(const parser::Evaluation& evaluation) {
     }
     json.add("singles", singles);
   }
+  if (formulas.all.same.total > 0) json.add("formulas", formulas_json(formulas));
   return json.add("seconds", evaluation.seconds);
 }
 
@@ -123,6 +126,7 @@ void print_table(const parser::Evaluation& evaluation) {
 }
 
 void check_what_is_held_out(const Options& options) {
+  if (options.corpus.empty()) throw UsageError("evaluate asks for --corpus, or for --pairs");
   if (!options.leave_one_map_out && !options.train_all)
     throw UsageError("say what is held out: --leave-one-map-out, or --train-all with --test-corpus");
   if (options.train_all && options.test_corpus.empty())
@@ -144,6 +148,8 @@ ExitCode run_on_streets(const Options& options, const Session& session) {
 }
 
 ExitCode run_evaluate(const Options& options, const Session& session) {
+  if (!options.pairs.pairs.empty())
+    return evaluate_pairs({options.pairs.pairs, options.pairs.model, options.data, options.json}, session);
   check_what_is_held_out(options);
   if (streets::is_street_corpus(options.corpus)) return run_on_streets(options, session);
   const parser::Corpus corpus = parser::read_sail_corpus(options.corpus);
@@ -170,10 +176,12 @@ ExitCode run_evaluate(const Options& options, const Session& session) {
   }
   bar.wipe();
   if (!options.predictions.empty()) write_predictions(options.predictions, *evaluation, test_maps);
+  const parser::FormulaScores formulas =
+      parser::formula_scores(evaluation->predictions, test ? *test : corpus, test_maps, evaluate.absolute);
   if (options.json)
-    std::cout << json_of(*evaluation).text() << '\n';
+    std::cout << json_of(*evaluation, formulas).text() << '\n';
   else
-    print_table(*evaluation);
+    print_table(*evaluation), print_formulas(formulas);
   return ExitCode::Done;
 }
 
@@ -181,11 +189,12 @@ ExitCode run_evaluate(const Options& options, const Session& session) {
 
 Runner setup_evaluate(CLI::App& command) {
   const auto options = std::make_shared<Options>();
+  add_corpus_option(command, options->corpus, false);
   command
-      .add_option("--corpus", options->corpus,
-                  "directory with instructions.jsonl and, if it has its own, maps/")
-      ->type_name("DIR")
-      ->required();
+      .add_option("--pairs", options->pairs.pairs,
+                  "score the formulas that a model reads against lines 'sentence TAB formula' instead")
+      ->type_name("FILE");
+  add_model_options(command, options->pairs.model);
   command
       .add_option("--test-corpus", options->test_corpus, "take the sentences to test on from here instead")
       ->type_name("DIR");
@@ -194,9 +203,7 @@ Runner setup_evaluate(CLI::App& command) {
   command.add_flag("--train-all", options->train_all, "train on every map, test on those of --test-corpus");
   add_data_option(command, options->data);
   add_training_options(command, options->training, {"linear", "encoder-decoder", "actions"});
-  command.add_option("--convention", options->convention, "what an unknown start heading counts as")
-      ->check(CLI::IsMember({"absolute", "relative", "both"}))
-      ->capture_default_str();
+  add_convention_option(command, options->convention, {"absolute", "relative", "both"});
   command.add_option("--ensemble", options->ensemble, "systems of seeds N, N + 1, … that vote")
       ->type_name("COUNT")
       ->check(CLI::Range(1, 100))

@@ -181,20 +181,14 @@ ExitCode run_tune(const Options& options, const Session& session) {
 
 Runner setup_tune(CLI::App& command) {
   const auto options = std::make_shared<Options>();
-  command
-      .add_option("--corpus", options->corpus,
-                  "directory with instructions.jsonl and, if it has its own, maps/")
-      ->type_name("DIR")
-      ->required();
+  add_corpus_option(command, options->corpus);
   command
       .add_option("--grid", options->grid,
                   "NAME=VALUE,VALUE,… of a setting: rate, epochs, dropout, least, epsilon, beta, train-beam, "
                   "history, "
                   "width, query, word-size, symbol-size, decay, wording, beam; several options make a grid")
       ->type_name("AXIS");
-  command.add_option("--convention", options->convention, "what an unknown start heading counts as")
-      ->check(CLI::IsMember({"absolute", "relative"}))
-      ->capture_default_str();
+  add_convention_option(command, options->convention, {"absolute", "relative"});
   add_data_option(command, options->data);
   add_training_options(command, options->training, {"linear", "encoder-decoder"});
   command.add_flag("--json", options->json, "one JSON object a line, a line each setting");

@@ -90,6 +90,15 @@ void add_training_options(CLI::App& command, TrainingOptions& options,
   command.add_option("--epochs", options.epochs, "passes over the sentences")
       ->type_name("N")
       ->check(CLI::Range(1, 1000));
+  command
+      .add_option_function<std::string>(
+          "--programs",
+          [&options](const std::string& name) {
+            options.dialect = name == "plain" ? parser::Dialect::Plain : parser::Dialect::Temporal;
+          },
+          "what sentences are read as: plain steps, or temporal: also past, without, keep, when, whether")
+      ->type_name("KIND")
+      ->check(CLI::IsMember({"plain", "temporal"}));
   add_choice<parser::Then>(command, "--then", train.then,
                            {{"whole-plan", parser::Then::WholePlan}, {"stepwise", parser::Then::Stepwise}},
                            "what 'then' means: whole-plan (the default) or stepwise");
@@ -105,8 +114,9 @@ void add_training_options(CLI::App& command, TrainingOptions& options,
   add_network_options(command, train.network);
 }
 
-parser::TrainOptions TrainingOptions::settled() const {
+parser::TrainOptions TrainingOptions::settled(parser::Dialect usual) const {
   parser::TrainOptions out = train;
+  out.dialect = dialect.value_or(usual);
   out.reader = model == "linear" ? parser::ReaderKind::Linear : parser::ReaderKind::EncoderDecoder;
   if (epochs > 0) out.epochs = out.network.epochs = epochs;
   if (plain) {
@@ -120,8 +130,24 @@ parser::TrainOptions TrainingOptions::settled() const {
   return out;
 }
 
+void add_corpus_option(CLI::App& command, std::string& corpus, bool required) {
+  command.add_option("--corpus", corpus, "directory with instructions.jsonl and, if it has its own, maps/")
+      ->type_name("DIR")
+      ->required(required);
+}
+
+void add_convention_option(CLI::App& command, std::string& convention,
+                           const std::vector<std::string>& names) {
+  command.add_option("--convention", convention, "what an unknown start heading counts as")
+      ->check(CLI::IsMember(names))
+      ->capture_default_str();
+}
+
 std::vector<plan::Map> maps_of(const parser::Corpus& corpus, const std::string& data) {
-  if (!corpus.maps.empty()) return corpus.maps;
+  return corpus.maps.empty() ? shipped_maps(data) : corpus.maps;
+}
+
+std::vector<plan::Map> shipped_maps(const std::string& data) {
   const auto directory = data_directory(data);
   std::vector<plan::Map> maps;
   for (const std::string& name : plan::shipped_maps(directory))

@@ -1,5 +1,6 @@
 // Grounding models: the one that comes with waymark, or a file of one's own.
 #pragma once
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -27,11 +28,19 @@ struct TrainingOptions {
   std::string model = "linear";
   int epochs = 0;  // 0: what is usual for the model
   bool plain = false;
-  parser::TrainOptions settled() const;  // with what depends on several of them
+  std::optional<parser::Dialect> dialect;
+  // With what depends on several of them. `usual`: the programs when none are named.
+  parser::TrainOptions settled(parser::Dialect usual = parser::Dialect::Plain) const;
 };
 void add_training_options(CLI::App& command, TrainingOptions& options,
                           const std::vector<std::string>& models);
 
+// --corpus DIR, and the grid, the convention: spelled alike where corpora are learned from.
+void add_corpus_option(CLI::App& command, std::string& corpus, bool required = true);
+void add_convention_option(CLI::App& command, std::string& convention, const std::vector<std::string>& names);
+
+// Maps of the data directory.
+std::vector<plan::Map> shipped_maps(const std::string& data);
 // Those that came with the corpus, else those that come with waymark.
 std::vector<plan::Map> maps_of(const parser::Corpus& corpus, const std::string& data);
 
