@@ -4,6 +4,7 @@
 #include <random>
 
 #include "libparser/adagrad.hpp"
+#include "libparser/lesson.hpp"
 #include "libparser/token.hpp"
 
 namespace waymark::parser {
@@ -103,14 +104,15 @@ void learn_chooser(LinearModel& model, std::span<const Dilemma* const> dilemmas,
     if (options.mirrored) lessons.push_back(learner.lesson(*dilemma, true));
   }
   std::mt19937_64 random(options.seed);
-  for (int epoch = 0; epoch < options.chooser_epochs; ++epoch) {
-    for (std::size_t i = lessons.size(); i > 1; --i) std::swap(lessons[i - 1], lessons[random() % i]);
-    for (const Lesson& lesson : lessons) {
-      if (options.stop.stop_requested()) throw Stopped{};
-      learner.learn(lesson);
-    }
-    progress(static_cast<double>(epoch + 1) / options.chooser_epochs);
-  }
+  const auto below = [&](std::size_t n) { return random() % n; };
+  each_epoch(lessons.size(), options.chooser_epochs, below,
+             [&](std::span<const std::size_t> order, int epoch) {
+               for (const std::size_t i : order) {
+                 if (options.stop.stop_requested()) throw Stopped{};
+                 learner.learn(lessons[i]);
+               }
+               progress(static_cast<double>(epoch + 1) / options.chooser_epochs);
+             });
 }
 
 Grounder with_chooser(const Grounder& reader, std::span<const Dilemma* const> dilemmas,

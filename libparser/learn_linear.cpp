@@ -1,11 +1,10 @@
 #include "libparser/learn_linear.hpp"
 
-#include <algorithm>
-#include <cmath>
 #include <random>
 
 #include "libparser/adagrad.hpp"
 #include "libparser/beam.hpp"
+#include "libparser/lesson.hpp"
 #include "libparser/token.hpp"
 #include "libparser/trie.hpp"
 #include "libparser/wording.hpp"
@@ -47,25 +46,16 @@ class Learner {
 
   LinearModel run() {
     std::mt19937_64 random(options_.seed);
-    std::vector<std::size_t> order(lessons_.size());
-    for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
-    for (int epoch = 0; epoch < options_.epochs; ++epoch) {
-      for (std::size_t i = order.size(); i > 1; --i) std::swap(order[i - 1], order[random() % i]);
-      for (std::size_t i = 0; i < order.size(); ++i) {
-        if (options_.stop.stop_requested()) throw Stopped{};
-        learn(lessons_[order[i]], explores(epoch));
-        if (i % 64 == 0) progress_(fraction(epoch, i));
-      }
-    }
+    const auto below = [&](std::size_t n) { return random() % n; };
+    each_batch(lessons_.size(), 1, options_.epochs, options_.stop, below,
+               [&](std::span<const std::size_t> one, int epoch, std::size_t i) {
+                 learn(lessons_[one.front()], explores(options_, epoch));
+                 if (i % 64 == 0) progress_(fraction(epoch, i));
+               });
     return std::move(model_);
   }
 
  private:
-  // Every second epoch from the first that may.
-  bool explores(int epoch) const {
-    return epoch >= options_.explore_from && (epoch - options_.explore_from) % 2 == 0;
-  }
-
   double fraction(int epoch, std::size_t i) const {
     const double done = static_cast<double>(i) / static_cast<double>(lessons_.size());
     return (epoch + done) / options_.epochs;
@@ -84,20 +74,10 @@ class Learner {
 
   // A program of the sentence as it stands, to the lesson as it stands or mirrored.
   void add_program(Lesson& lesson, const Program& program, bool same_route) {
-    if (names_other_place(program, lesson.features)) return;
+    if (names_other_place(program, place_numbers_, lesson.features.places)) return;
     const Program read = lesson.mirrored ? mirror(program, images_) : program;
-    const double weight = (same_route ? 1.0 : options_.other_route) *
-                          std::exp(-options_.wording * lesson.wording.disagreement(read));
+    const double weight = prior_weight(options_, same_route, lesson.wording.disagreement(read));
     if (weight > 0) lesson.trie.add(read, weight);
-  }
-
-  bool names_other_place(const Program& program, const SentenceFeatures& features) const {
-    for (const Step& step : program)
-      for (std::uint16_t p : step.literals())
-        if (const std::size_t n = place_numbers_[p];
-            n > 0 && (n >= features.places.size() || !features.places[n]))
-          return true;
-    return false;
   }
 
   void learn(Lesson& lesson, bool explore) {

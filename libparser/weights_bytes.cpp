@@ -13,19 +13,6 @@ namespace {
 constexpr std::string_view magic = "waymark\n";
 constexpr std::size_t most_weights = std::size_t{1} << 25U;  // of a table, while reading
 
-// FNV-1a over little-endian 64-bit words, the last one padded with zeros.
-std::uint64_t checksum(std::string_view bytes) {
-  std::uint64_t hash = 0xCBF29CE484222325ULL;
-  for (std::size_t i = 0; i < bytes.size(); i += 8) {
-    std::uint64_t word = 0;
-    for (std::size_t k = 0; k < 8 && i + k < bytes.size(); ++k)
-      word |= std::uint64_t{static_cast<unsigned char>(bytes[i + k])} << (8 * k);
-    hash = (hash ^ word) * 0x100000001B3ULL;
-    hash ^= hash >> 32U;
-  }
-  return hash;
-}
-
 // Binary16, rounded to nearest; magnitudes beyond its range saturate, tiny ones become 0.
 std::uint16_t to_half(float value) {
   const auto bits = std::bit_cast<std::uint32_t>(value);
@@ -43,6 +30,18 @@ float from_half(std::uint16_t half) {
 }
 
 }  // namespace
+
+std::uint64_t checksum(std::string_view bytes) {
+  std::uint64_t hash = 0xCBF29CE484222325ULL;
+  for (std::size_t i = 0; i < bytes.size(); i += 8) {
+    std::uint64_t word = 0;
+    for (std::size_t k = 0; k < 8 && i + k < bytes.size(); ++k)
+      word |= std::uint64_t{static_cast<unsigned char>(bytes[i + k])} << (8 * k);
+    hash = (hash ^ word) * 0x100000001B3ULL;
+    hash ^= hash >> 32U;
+  }
+  return hash;
+}
 
 WeightsWriter::WeightsWriter(std::uint32_t version) : bytes_(magic) { number(version); }
 

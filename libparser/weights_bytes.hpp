@@ -64,6 +64,10 @@ class WeightsReader {
   std::uint32_t version_ = 0;
 };
 
+// What stands at the end of a file: FNV-1a over little-endian 64-bit words, the last one padded with zeros, the high half
+// folded in after each.
+std::uint64_t checksum(std::string_view bytes);
+
 // Bytes → file, under a temporary name that is renamed. Throws ltl::FormatError when the file cannot be written.
 void write_weights(const std::string& bytes, const std::string& file);
 

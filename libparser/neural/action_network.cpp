@@ -7,6 +7,7 @@
 
 #include "libltl/random.hpp"
 #include "libneural/adam.hpp"
+#include "libparser/lesson.hpp"
 #include "libparser/neural/sentence_encoder.hpp"
 #include "libparser/token.hpp"
 
@@ -224,18 +225,15 @@ class Learner {
   }
 
   std::shared_ptr<const Follower> run() {
-    std::vector<std::size_t> order(lessons_.size());
-    for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
-    for (int epoch = 0; epoch < how_.epochs; ++epoch) {
-      for (std::size_t i = order.size(); i > 1; --i) std::swap(order[i - 1], order[random_.below(i)]);
-      for (std::size_t begin = 0; begin < order.size(); begin += how_.batch) {
-        if (options_.stop.stop_requested()) throw Stopped{};
-        const double done =
-            (epoch + static_cast<double>(begin) / static_cast<double>(order.size())) / how_.epochs;
-        progress_(done);
-        step(std::span(order).subspan(begin, std::min(how_.batch, order.size() - begin)), done);
-      }
-    }
+    const auto n = static_cast<double>(lessons_.size());
+    each_batch(
+        lessons_.size(), how_.batch, how_.epochs, options_.stop,
+        [&](std::size_t bound) { return random_.below(bound); },
+        [&](std::span<const std::size_t> lessons, int epoch, std::size_t begin) {
+          const double done = (epoch + static_cast<double>(begin) / n) / how_.epochs;
+          progress_(done);
+          step(lessons, done);
+        });
     return std::make_shared<const ActionFollower>(std::move(network_));
   }
 

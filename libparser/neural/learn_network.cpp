@@ -5,6 +5,7 @@
 #include <thread>
 
 #include "libneural/adam.hpp"
+#include "libparser/lesson.hpp"
 #include "libparser/neural/feedback.hpp"
 #include "libparser/token.hpp"
 #include "libparser/wording.hpp"
@@ -65,19 +66,16 @@ class Learner {
   }
 
   std::shared_ptr<const NetworkReader> run() {
-    std::vector<std::size_t> order(lessons_.size());
-    for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
-    const std::size_t steps = (order.size() + how_.batch - 1) / how_.batch;
-    for (int epoch = 0; epoch < how_.epochs; ++epoch) {
-      for (std::size_t i = order.size(); i > 1; --i) std::swap(order[i - 1], order[random_.below(i)]);
-      for (std::size_t b = 0; b < steps; ++b) {
-        if (options_.stop.stop_requested()) throw Stopped{};
-        const std::size_t begin = b * how_.batch, end = std::min(begin + how_.batch, order.size());
-        const double done = (epoch + static_cast<double>(b) / static_cast<double>(steps)) / how_.epochs;
-        step(std::span(order).subspan(begin, end - begin), explores(epoch), done);
-        if (b % 16 == 0) progress_(done);
-      }
-    }
+    const std::size_t steps = (lessons_.size() + how_.batch - 1) / how_.batch;
+    each_batch(
+        lessons_.size(), how_.batch, how_.epochs, options_.stop,
+        [&](std::size_t n) { return random_.below(n); },
+        [&](std::span<const std::size_t> lessons, int epoch, std::size_t begin) {
+          const std::size_t b = begin / how_.batch;
+          const double done = (epoch + static_cast<double>(b) / static_cast<double>(steps)) / how_.epochs;
+          step(lessons, how_.search == ProgramSearch::Beam || explores(options_, epoch), done);
+          if (b % 16 == 0) progress_(done);
+        });
     return std::make_shared<const NetworkReader>(std::move(network_));
   }
 
@@ -97,11 +95,6 @@ class Learner {
     Feedback feedback;
     EncoderDecoder::Pass pass;
   };
-
-  bool explores(int epoch) const {
-    return how_.search == ProgramSearch::Beam ||
-           (epoch >= options_.explore_from && (epoch - options_.explore_from) % 2 == 0);
-  }
 
   void add_lesson(const Example& example, bool mirrored) {
     SentenceInput input = example.input;
@@ -133,19 +126,11 @@ class Learner {
   // A program of the sentence as it stands → the program of the lesson, mirrored or not, and its reward times its prior.
   std::pair<Program, double> weigh(const Lesson& lesson, const Program& program, bool same_route,
                                    Feedback& feedback) const {
-    if (names_other_place(program, lesson.places)) return {program, 0};
+    if (names_other_place(program, place_numbers_, lesson.places)) return {program, 0};
     Program read = lesson.mirrored ? mirror(program, images_) : program;
-    const double prior = (same_route ? 1.0 : options_.other_route) *
-                         std::exp(-options_.wording * lesson.wording.disagreement(read));
+    const double prior = prior_weight(options_, same_route, lesson.wording.disagreement(read));
     const bool known = how_.search == ProgramSearch::Consistent && how_.feedback == FeedbackKind::Plan;
     return {std::move(read), prior * (known ? 1.0 : feedback.of(program, *lesson.example))};
-  }
-
-  bool names_other_place(const Program& program, const std::vector<bool>& places) const {
-    for (const Step& step : program)
-      for (std::uint16_t p : step.literals())
-        if (const std::size_t n = place_numbers_[p]; n > 0 && (n >= places.size() || !places[n])) return true;
-    return false;
   }
 
   void step(std::span<const std::size_t> lessons, bool explore, double done) {

@@ -7,23 +7,17 @@
 #include <string_view>
 
 #include "libltl/diagnostic.hpp"
+#include "libparser/weights_bytes.hpp"
 #include "libparser/weights_file.hpp"
 
 namespace {
 
 using namespace waymark;
 
-// The checksum of docs/formats/corpus-and-models.md: FNV-1a over 64-bit words, the high half folded in.
+// With the checksum that the reader asks for.
 std::string sealed(std::string body) {
-  std::uint64_t hash = 0xCBF29CE484222325ULL;
-  for (std::size_t i = 0; i < body.size(); i += 8) {
-    std::uint64_t word = 0;
-    for (std::size_t k = 0; k < 8 && i + k < body.size(); ++k)
-      word |= std::uint64_t{static_cast<unsigned char>(body[i + k])} << (8 * k);
-    hash = (hash ^ word) * 0x100000001B3ULL;
-    hash ^= hash >> 32U;
-  }
-  for (std::size_t k = 0; k < 8; ++k) body += static_cast<char>(hash >> (8 * k) & 0xFFU);
+  const std::uint64_t sum = parser::checksum(body);
+  for (std::size_t k = 0; k < 8; ++k) body += static_cast<char>(sum >> (8 * k) & 0xFFU);
   return body;
 }
 
