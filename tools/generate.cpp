@@ -90,7 +90,7 @@ parser::GenerateOptions recipe_of(const CorpusOptions& options) {
 ExitCode run_generate_corpus(const CorpusOptions& options) {
   std::vector<plan::Map> maps;
   for (const std::string& name : options.maps)
-    maps.push_back(plan::read_map(map_file(name, options.data).string(), ""));
+    maps.push_back(plan::read_map(name, data_directory(options.data)));
   if (maps.empty()) maps = shipped_maps(options.data);
   parser::Corpus corpus;
   try {

@@ -6,6 +6,7 @@
 #include <memory>
 #include <sstream>
 
+#include "libltl/diagnostic.hpp"
 #include "libparser/sail_corpus.hpp"
 #include "libparser/tune.hpp"
 #include "tools/shell/models.hpp"
@@ -163,6 +164,8 @@ ExitCode run_tune(const Options& options, const Session& session) {
         row.left_out.push_back(parser::without_map(pairs, m).value());
     } catch (const parser::Stopped&) {
       throw Interrupted();
+    } catch (const std::invalid_argument& error) {
+      throw ltl::FormatError(options.corpus, 0, 0, error.what());
     }
     bar.wipe();
     print_row(row, maps, options.json);
