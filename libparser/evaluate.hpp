@@ -14,6 +14,7 @@
 #include <string>
 #include <vector>
 
+#include "libparser/checkpoints.hpp"
 #include "libparser/follower.hpp"
 #include "libparser/learn.hpp"
 
@@ -60,7 +61,7 @@ struct Evaluation {
   std::map<std::string, Scores> folds;  // by the name of the map tested on
   Scores all;                           // weighted by counts
   std::vector<Scores> singles;          // of an ensemble: all folds of each member
-  std::vector<Prediction> predictions;
+  std::vector<Prediction> predictions;  // without those of folds whose scores had been kept
   double seconds = 0;
 };
 
@@ -69,6 +70,10 @@ struct EvaluateOptions {
   bool absolute = true, relative = true;  // which conventions to run
   bool actions = false;                   // the baseline without formulas instead of what `train` says
   std::size_t ensemble = 1;               // systems of seeds train.seed, train.seed + 1, …
+  // Where finished readers, choosers and scores are kept, if anywhere: a run that finds them there goes on from them, to
+  // the same scores as one that was never stopped. Tables of weights are rounded as in a weights file then.
+  const Checkpoints* checkpoints = nullptr;
+  std::string system = {};  // with which the names of those parts begin
 };
 
 // For each map: train on the paragraphs of the others, test on its own (those of `test` when given).

@@ -21,6 +21,14 @@ class Follower {
   virtual Answer follow(const Executor& executor, const SentenceInput& input, plan::PoseId start) const = 0;
 };
 
+// Stays where it is, whatever it is told: what scores are worth without listening.
+class StayingFollower : public Follower {
+ public:
+  Answer follow(const Executor&, const SentenceInput&, plan::PoseId start) const override {
+    return {start, {}, {}, 0};
+  }
+};
+
 // Reads a program and carries out its plan. Several grounders vote: the probabilities of ends are averaged, and the
 // first of those that give the winning end the most says how it is read.
 class GroundingFollower : public Follower {

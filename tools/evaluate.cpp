@@ -1,7 +1,6 @@
 // waymark evaluate: corpus → accuracy, leaving one map out.
 #include <CLI/App.hpp>
 #include <algorithm>
-#include <iomanip>
 #include <iostream>
 #include <memory>
 
@@ -9,6 +8,7 @@
 #include "libparser/evaluate.hpp"
 #include "libparser/sail_corpus.hpp"
 #include "libparser/streets/street_corpus.hpp"
+#include "tools/results_table.hpp"
 #include "tools/shell/models.hpp"
 #include "tools/shell/options.hpp"
 #include "tools/shell/output.hpp"
@@ -18,8 +18,6 @@
 namespace waymark::tools {
 namespace {
 
-using parser::Percent;
-
 struct Options {
   std::string corpus, test_corpus, data, predictions, convention = "both";
   TrainingOptions training;
@@ -27,44 +25,24 @@ struct Options {
   bool leave_one_map_out = false, train_all = false, json = false;
 };
 
-Json json_of(const parser::ConventionScores& scores) {
-  return JsonObject().add("absolute", scores.absolute.value()).add("relative", scores.relative.value());
-}
-
-Json json_of(const parser::PathScores& path) {
-  return JsonObject()
-      .add("precision", path.precision.value())
-      .add("recall", path.recall.value())
-      .add("accuracy", path.accuracy.value());
-}
-
-JsonObject& add(JsonObject& json, const parser::Scores& scores) {
-  return json.add("sentence", json_of(scores.sentence))
-      .add("paragraph", json_of(scores.paragraph))
-      .add("path", json_of(scores.path))
-      .add("paragraph_path", json_of(scores.paragraph_path))
-      .add("n", JsonObject()
-                    .add("sentences", scores.sentence.absolute.total)
-                    .add("paragraphs", scores.paragraph.absolute.total)
-                    .add("unsegmented_paragraphs_skipped", scores.skipped_paragraphs));
-}
-
-Json json_of(const parser::Evaluation& evaluation) {
+Json json_of(const parser::Evaluation& evaluation, const parser::Scores& staying) {
   JsonObject folds, json;
   for (const auto& [map, scores] : evaluation.folds) {
     JsonObject fold;
-    folds.add(map, add(fold, scores));
+    folds.add(map, add_scores(fold, scores));
   }
   json.add("folds", folds);
-  add(json, evaluation.all);
+  add_scores(json, evaluation.all);
   if (!evaluation.singles.empty()) {
     JsonArray singles;
     for (const parser::Scores& scores : evaluation.singles) {
       JsonObject single;
-      singles.add(add(single, scores));
+      singles.add(add_scores(single, scores));
     }
     json.add("singles", singles);
   }
+  JsonObject stays;
+  json.add("staying", add_scores(stays, staying)).add("published", published_results());
   return json.add("seconds", evaluation.seconds);
 }
 
@@ -95,29 +73,15 @@ void write_predictions(const std::string& file, const parser::Evaluation& evalua
   write_file(file, lines);
 }
 
-void print_row(const std::string& name, const parser::Scores& scores) {
-  const auto cell = [](const Percent& percent) {
-    std::cout << std::setw(10) << (percent.total == 0 ? "-" : fixed(percent.value(), 2));
-  };
-  std::cout << std::left << std::setw(10) << name << std::right;
-  cell(scores.sentence.absolute), cell(scores.sentence.relative);
-  cell(scores.paragraph.absolute), cell(scores.paragraph.relative);
-  cell(scores.path.precision), cell(scores.path.recall), cell(scores.path.accuracy);
-  std::cout << std::setw(11) << scores.sentence.absolute.total << std::setw(12)
-            << scores.paragraph.absolute.total << '\n';
-}
-
-void print_table(const parser::Evaluation& evaluation) {
-  std::cout << "per cent; the unknown start heading is north (absolute) or 90 degrees left of the first "
-               "known one (relative);\n"
-               "path scores are under the absolute convention\n\n"
-            << "               sentence            paragraph                  path\n"
-            << "left out    absolute  relative  absolute  relative precision    recall  accuracy  sentences  "
-               "paragraphs\n";
-  for (const auto& [map, scores] : evaluation.folds) print_row(map, scores);
-  print_row("all", evaluation.all);
+void print_table(const parser::Evaluation& evaluation, const parser::Scores& staying) {
+  print_results_head("left out");
+  for (const auto& [map, scores] : evaluation.folds) print_result({map, {scores}});
+  print_result({"all", {evaluation.all}});
   for (std::size_t i = 0; i < evaluation.singles.size(); ++i)
-    print_row("single " + std::to_string(i + 1), evaluation.singles[i]);
+    print_result({"single " + std::to_string(i + 1), {evaluation.singles[i]}});
+  if (evaluation.singles.size() > 1) print_result({"singles, mean", evaluation.singles});
+  print_result({"who stays put", {staying}});
+  print_published_results();
   std::cout << "\nunsegmented paragraphs skipped: " << evaluation.all.skipped_paragraphs << "; "
             << fixed(evaluation.seconds, 1) << " s of training and testing\n";
 }
@@ -170,10 +134,12 @@ ExitCode run_evaluate(const Options& options, const Session& session) {
   }
   bar.wipe();
   if (!options.predictions.empty()) write_predictions(options.predictions, *evaluation, test_maps);
+  const parser::Scores staying =
+      scores_of_staying(test ? *test : corpus, test_maps, evaluate.absolute, evaluate.relative);
   if (options.json)
-    std::cout << json_of(*evaluation).text() << '\n';
+    std::cout << json_of(*evaluation, staying).text() << '\n';
   else
-    print_table(*evaluation);
+    print_table(*evaluation, staying);
   return ExitCode::Done;
 }
 
