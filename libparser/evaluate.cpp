@@ -110,6 +110,13 @@ Scores& Scores::operator+=(const Scores& other) {
   return *this;
 }
 
+std::shared_ptr<const Follower> follower_of(std::vector<Grounder> systems, const EvaluateOptions& options) {
+  const TrainOptions& train = options.train;
+  auto reads = std::make_shared<const GroundingFollower>(std::move(systems),
+                                                         Deciding{train.beam, train.then, train.trust});
+  return options.carried_out ? options.carried_out(std::move(reads)) : std::move(reads);
+}
+
 Scores evaluate(const Follower& follower, const Corpus& corpus, const plan::Map& map, Convention convention,
                 std::vector<Prediction>* predictions, std::stop_token stop) {
   const Executor executor(map);

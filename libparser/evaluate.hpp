@@ -9,7 +9,9 @@
 // All in percent. A model is trained and tested under the same convention.
 #pragma once
 #include <cstddef>
+#include <functional>
 #include <map>
+#include <memory>
 #include <span>
 #include <string>
 #include <vector>
@@ -69,7 +71,9 @@ struct EvaluateOptions {
   TrainOptions train = {};                // its convention is ignored: both are trained and reported
   bool absolute = true, relative = true;  // which conventions to run
   bool actions = false;                   // the baseline without formulas instead of what `train` says
-  std::size_t ensemble = 1;               // systems of seeds train.seed, train.seed + 1, …
+  // Who carries out what the systems read; nobody: their own plans count.
+  std::function<std::shared_ptr<const Follower>(std::shared_ptr<const Follower>)> carried_out = {};
+  std::size_t ensemble = 1;  // systems of seeds train.seed, train.seed + 1, …
   // Where finished readers, choosers and scores are kept, if anywhere: a run that finds them there goes on from them, to
   // the same scores as one that was never stopped. Tables of weights are rounded as in a weights file then.
   const Checkpoints* checkpoints = nullptr;
@@ -84,6 +88,9 @@ Evaluation evaluate_leave_one_map_out(const Corpus& train, const Corpus* test,
 // Trains on all of one corpus and tests on another, map by map; an ensemble votes. Throws as `train` does.
 Evaluation evaluate_train_all(const Corpus& train, std::span<const plan::Map> maps, const Corpus& test,
                               std::span<const plan::Map> test_maps, const EvaluateOptions& options = {});
+
+// The systems as one follower, carried out as the options say.
+std::shared_ptr<const Follower> follower_of(std::vector<Grounder> systems, const EvaluateOptions& options);
 
 // Scores of one follower, under the convention it is asked about, on the paragraphs of the corpus that lie on this map.
 // Predictions are added when they are wanted. Throws Stopped when a stop was requested.

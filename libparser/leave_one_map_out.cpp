@@ -215,9 +215,8 @@ class Experiment {
       members.push_back(member_of(fold, member));
       progress(0.6 * static_cast<double>(member + 1) / static_cast<double>(options_.ensemble));
     }
-    const Deciding how{options_.train.beam, options_.train.then, options_.train.trust};
     const auto test = [&](std::vector<Grounder> grounders, std::vector<Prediction>* predictions) {
-      return evaluate(GroundingFollower(std::move(grounders), how), test_, maps_[fold.map], fold.convention,
+      return evaluate(*follower_of(std::move(grounders), options_), test_, maps_[fold.map], fold.convention,
                       predictions, options_.train.stop);
     };
     if (members.size() > 1)

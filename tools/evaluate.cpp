@@ -6,6 +6,7 @@
 
 #include "libltl/print.hpp"
 #include "libparser/evaluate.hpp"
+#include "libparser/learned/learned_follower.hpp"
 #include "libparser/sail_corpus.hpp"
 #include "libparser/streets/street_corpus.hpp"
 #include "tools/results_table.hpp"
@@ -22,6 +23,8 @@ struct Options {
   std::string corpus, test_corpus, data, predictions, convention = "both";
   TrainingOptions training;
   std::size_t ensemble = 1;
+  std::string planner = "exact";
+  parser::LearnedExecution dqn;
   bool leave_one_map_out = false, train_all = false, json = false;
 };
 
@@ -91,8 +94,9 @@ void check_what_is_held_out(const Options& options) {
     throw UsageError("say what is held out: --leave-one-map-out, or --train-all with --test-corpus");
   if (options.train_all && options.test_corpus.empty())
     throw UsageError("--train-all asks for --test-corpus");
-  if (options.training.model == "actions" && options.ensemble > 1)
-    throw UsageError("--ensemble is for readers of formulas, not for actions");
+  if (options.training.model != "actions") return;
+  if (options.ensemble > 1) throw UsageError("--ensemble is for readers of formulas, not for actions");
+  if (options.planner != "exact") throw UsageError("--planner is for readers of formulas, not for actions");
 }
 
 ExitCode run_on_streets(const Options& options, const Session& session) {
@@ -120,6 +124,10 @@ ExitCode run_evaluate(const Options& options, const Session& session) {
   evaluate.absolute = options.convention != "relative";
   evaluate.relative = options.convention != "absolute";
   evaluate.train.stop = session.stop;
+  if (options.planner == "dqn")
+    evaluate.carried_out = [&](std::shared_ptr<const parser::Follower> reads) {
+      return std::make_shared<const parser::LearnedFollower>(std::move(reads), options.dqn);
+    };
   ProgressBar bar;
   evaluate.train.progress = [&](double fraction, std::string_view what) { bar.show(fraction, what); };
   const std::vector<plan::Map> maps = maps_of(corpus, options.data);
@@ -166,6 +174,16 @@ Runner setup_evaluate(CLI::App& command) {
   command.add_option("--ensemble", options->ensemble, "systems of seeds N, N + 1, … that vote")
       ->type_name("COUNT")
       ->check(CLI::Range(1, 100))
+      ->capture_default_str();
+  command
+      .add_option("--planner", options->planner,
+                  "what carries formulas out: exact (the default), or dqn, learned anew for each of them")
+      ->type_name("KIND")
+      ->check(CLI::IsMember({"exact", "dqn"}));
+  command
+      .add_option("--dqn-steps", options->dqn.steps, "in the environment, for each formula that dqn learns")
+      ->type_name("N")
+      ->check(CLI::Range(100, 10000000))
       ->capture_default_str();
   command
       .add_option("--predictions", options->predictions,
