@@ -40,6 +40,9 @@ class Test {
   void sentence(const Example& example, const std::string& id) {
     Answer answer = ask(example.input, example.gold.start);
     of(scores_.sentence) += {answer.end == example.gold.end ? 1U : 0U, 1};
+    if (follower_.reads_formulas())
+      scores_.satisfiable +=
+          {!answer.program.empty() && executor_.run(answer.program, example.gold.start) ? 1U : 0U, 1};
     if (convention_ == Convention::Absolute) {
       Nodes want, got;
       plan::PoseId gold = example.gold.start, own = gold;
@@ -106,6 +109,7 @@ Scores& Scores::operator+=(const Scores& other) {
   paragraph.relative += other.paragraph.relative;
   path += other.path;
   paragraph_path += other.paragraph_path;
+  satisfiable += other.satisfiable;
   skipped_paragraphs += other.skipped_paragraphs;
   return *this;
 }

@@ -6,6 +6,8 @@
 //   path        sets of nodes walked over, start node left out: precision, recall over all sentences together (micro),
 //               accuracy over all (sentence, node other than the start) pairs; under the absolute convention; the same
 //               by paragraph, along the whole of it
+//   satisfiable sentences for which a formula was read that has a plan on the map from the gold start pose; all formulas are
+//               well typed, for nothing else can be decoded. Of followers that read formulas only
 // All in percent. A model is trained and tested under the same convention.
 #pragma once
 #include <cstddef>
@@ -46,7 +48,8 @@ struct PathScores {
 
 struct Scores {
   ConventionScores sentence, paragraph;
-  PathScores path, paragraph_path;     // under the absolute convention
+  PathScores path, paragraph_path;  // under the absolute convention
+  Percent satisfiable;  // sentences with a formula that can be satisfied on the map from their start
   std::size_t skipped_paragraphs = 0;  // unsegmented
   Scores& operator+=(const Scores& other);
 };

@@ -34,7 +34,7 @@ constexpr std::array published{
 
 std::array<Percent, columns_of_results> cells_of(const Scores& s) {
   return {s.sentence.absolute, s.sentence.relative, s.paragraph.absolute, s.paragraph.relative,
-          s.path.precision,    s.path.recall,       s.path.accuracy};
+          s.path.precision,    s.path.recall,       s.path.accuracy,      s.satisfiable};
 }
 
 struct Moments {
@@ -69,7 +69,8 @@ JsonObject& add_moments(JsonObject& json, const std::vector<Scores>& runs, doubl
   };
   return json.add("sentence", JsonObject().add("absolute", cell(0)).add("relative", cell(1)))
       .add("paragraph", JsonObject().add("absolute", cell(2)).add("relative", cell(3)))
-      .add("path", JsonObject().add("precision", cell(4)).add("recall", cell(5)).add("accuracy", cell(6)));
+      .add("path", JsonObject().add("precision", cell(4)).add("recall", cell(5)).add("accuracy", cell(6)))
+      .add("satisfiable", cell(7));
 }
 
 }  // namespace
@@ -79,6 +80,7 @@ JsonObject& add_scores(JsonObject& json, const Scores& scores) {
       .add("paragraph", json_of(scores.paragraph))
       .add("path", json_of(scores.path))
       .add("paragraph_path", json_of(scores.paragraph_path))
+      .add("satisfiable", scores.satisfiable.total == 0 ? Json() : Json(scores.satisfiable.value()))
       .add("n", JsonObject()
                     .add("sentences", scores.sentence.absolute.total)
                     .add("paragraphs", scores.paragraph.absolute.total)
@@ -128,10 +130,12 @@ Scores scores_of_staying(const parser::Corpus& corpus, std::span<const plan::Map
 void print_results_head(const std::string& first) {
   std::cout << "per cent; the unknown start heading is north (absolute) or 90 degrees left of the first "
                "known one (relative);\n"
-               "path scores are under the absolute convention\n\n"
-            << std::string(name_width + 5, ' ') << "sentence            paragraph                  path\n"
+               "path scores are under the absolute convention; satisfied: sentences whose formula has a plan "
+               "on the map\n\n"
+            << std::string(name_width + 5, ' ')
+            << "sentence            paragraph                  path             formulas\n"
             << std::left << std::setw(name_width) << first << std::right
-            << "  absolute  relative  absolute  relative precision    recall  accuracy  sentences  "
+            << "  absolute  relative  absolute  relative precision    recall  accuracy satisfied  sentences  "
                "paragraphs\n";
 }
 

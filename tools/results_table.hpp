@@ -8,14 +8,15 @@
 
 namespace waymark::tools {
 
-// One cell a column: sentences absolute and relative, paragraphs likewise, path precision, recall and accuracy.
-inline constexpr std::size_t columns_of_results = 7;
+// One cell a column: sentences absolute and relative, paragraphs likewise, path precision, recall and accuracy, formulas that
+// can be satisfied.
+inline constexpr std::size_t columns_of_results = 8;
 struct ResultRow {
   std::string name;
   std::vector<parser::Scores> runs;  // of one system; several: mean and standard deviation are printed
 };
 
-// Sentence, paragraph, path, paragraph_path, n.
+// Sentence, paragraph, path, paragraph_path, satisfiable (null where no formula is read), n.
 JsonObject& add_scores(JsonObject& json, const parser::Scores& scores);
 // The mean of the runs under the same keys; of several, "deviation" beside it and "runs".
 JsonObject json_of(const ResultRow& row);
