@@ -40,6 +40,9 @@ class Test {
   void sentence(const Example& example, const std::string& id) {
     Answer answer = ask(example.input, example.gold.start);
     of(scores_.sentence) += {answer.end == example.gold.end ? 1U : 0U, 1};
+    if (follower_.reads_formulas())
+      scores_.satisfiable +=
+          {!answer.program.empty() && executor_.run(answer.program, example.gold.start) ? 1U : 0U, 1};
     if (convention_ == Convention::Absolute) {
       Nodes want, got;
       plan::PoseId gold = example.gold.start, own = gold;
@@ -106,8 +109,16 @@ Scores& Scores::operator+=(const Scores& other) {
   paragraph.relative += other.paragraph.relative;
   path += other.path;
   paragraph_path += other.paragraph_path;
+  satisfiable += other.satisfiable;
   skipped_paragraphs += other.skipped_paragraphs;
   return *this;
+}
+
+std::shared_ptr<const Follower> follower_of(std::vector<Grounder> systems, const EvaluateOptions& options) {
+  const TrainOptions& train = options.train;
+  auto reads = std::make_shared<const GroundingFollower>(std::move(systems),
+                                                         Deciding{train.beam, train.then, train.trust});
+  return options.carried_out ? options.carried_out(std::move(reads)) : std::move(reads);
 }
 
 Scores evaluate(const Follower& follower, const Corpus& corpus, const plan::Map& map, Convention convention,

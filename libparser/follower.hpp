@@ -19,6 +19,16 @@ class Follower {
   virtual ~Follower() = default;
   // The same answer whenever it is asked; from several threads too.
   virtual Answer follow(const Executor& executor, const SentenceInput& input, plan::PoseId start) const = 0;
+  virtual bool reads_formulas() const { return true; }  // or does without
+};
+
+// Stays where it is, whatever it is told: what scores are worth without listening.
+class StayingFollower : public Follower {
+ public:
+  Answer follow(const Executor&, const SentenceInput&, plan::PoseId start) const override {
+    return {start, {}, {}, 0};
+  }
+  bool reads_formulas() const override { return false; }
 };
 
 // Reads a program and carries out its plan. Several grounders vote: the probabilities of ends are averaged, and the

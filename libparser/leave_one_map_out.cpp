@@ -1,14 +1,18 @@
 // The experiment: for each convention one search for programs; for each seed one reader for every one or two maps,
-// shared by the folds that need it, and for each map left out a chooser; then the tests.
+// shared by the folds that need it, and for each map left out a chooser; then the tests. What a run before this one has
+// kept is taken from there.
 #include <algorithm>
 #include <chrono>
 #include <map>
+#include <sstream>
 #include <stdexcept>
 
 #include "libparser/evaluate.hpp"
 #include "libparser/examples.hpp"
 #include "libparser/learn_chooser.hpp"
 #include "libparser/neural/action_network.hpp"
+#include "libparser/scores_text.hpp"
+#include "libparser/weights_file.hpp"
 
 namespace waymark::parser {
 namespace {
@@ -17,6 +21,7 @@ struct Fold {
   Convention convention;
   std::size_t map;                   // left out
   std::vector<std::size_t> lessons;  // maps that are learned from
+  bool scored;                       // by a run before this one
   Scores scores;                     // of all members together
   std::vector<Scores> singles;       // of each, when there are several
   std::vector<Prediction> predictions;
@@ -62,16 +67,10 @@ class Experiment {
     return out;
   }
 
-  // Finds the programs, and which folds and readers there are to be.
+  // Which folds and readers there are to be, and what has to be known to learn them.
   void prepare(Convention convention) {
     auto& examples = examples_[static_cast<std::size_t>(convention)];
     examples = make_examples(train_, executors_, convention).sentences;
-    if (!options_.actions)
-      find_programs(examples, executors_, PostfixGrammar(maps_.front().vocabulary()), options_.train.threads,
-                    [&](double) {
-                      if (options_.train.progress) options_.train.progress(0, "searching for programs");
-                      return !options_.train.stop.stop_requested();
-                    });
     for (std::size_t left_out = 0; left_out < maps_.size(); ++left_out) {
       const bool tested = std::any_of(test_.paragraphs.begin(), test_.paragraphs.end(),
                                       [&](const Paragraph& p) { return p.map == maps_[left_out].name(); });
@@ -79,14 +78,24 @@ class Experiment {
       for (std::size_t m = 0; m < maps_.size(); ++m)
         if (m != left_out && !on(convention, {m}).empty()) lessons.push_back(m);
       if (!tested || lessons.empty()) continue;
+      folds_.push_back({convention, left_out, lessons, false, {}, {}, {}});
+      if (find_scores(folds_.back())) continue;
       for (std::size_t member = 0; lessons.size() > 1 && !options_.actions && member < options_.ensemble;
            ++member) {
         readers_[{member, convention, lessons}];
         if (!options_.train.chooser) continue;
         for (std::size_t m : lessons) readers_[{member, convention, without(lessons, m)}];
       }
-      folds_.push_back({convention, left_out, lessons, {}, {}, {}});
     }
+    if (!options_.actions && something_to_learn(convention)) search(examples);
+  }
+
+  void search(std::vector<Example>& examples) {
+    find_programs(examples, executors_, PostfixGrammar(maps_.front().vocabulary()), options_.train.threads,
+                  [&](double) {
+                    if (options_.train.progress) options_.train.progress(0, "searching for programs");
+                    return !options_.train.stop.stop_requested();
+                  });
   }
 
   // The maps that a reader may know whose answers on map m are to be chosen between.
@@ -106,6 +115,66 @@ class Experiment {
     return options;
   }
 
+  std::string part(Convention convention, const std::string& rest) const {
+    return options_.system + '-' + std::string(name(convention)) + '-' + rest;
+  }
+
+  std::string part(const ReaderKey& key) const {
+    std::string maps;
+    for (std::size_t m : key.maps) maps += (maps.empty() ? "" : "+") + maps_[m].name();
+    return part(key.convention, std::to_string(options_.train.seed + key.member) + '-' + maps + ".reader");
+  }
+
+  std::string chooser_part(const Fold& fold, std::size_t member) const {
+    return part(fold.convention, std::to_string(options_.train.seed + member) + "-without-" +
+                                     maps_[fold.map].name() + ".chooser");
+  }
+
+  std::string scores_part(const Fold& fold) const {
+    return part(fold.convention,
+                std::to_string(options_.train.seed) + '-' + std::to_string(options_.ensemble) +
+                    (options_.train.chooser ? "-chooser-" : "-") + maps_[fold.map].name() + ".scores");
+  }
+
+  bool has(const std::string& name) const {
+    return options_.checkpoints != nullptr && options_.checkpoints->has(name);
+  }
+
+  // What was kept under this name; or what is learned now, as it is found again when it has been kept.
+  Grounder kept_or(const std::string& name, const std::function<Grounder()>& learn) const {
+    if (options_.checkpoints == nullptr) return learn();
+    if (!has(name)) options_.checkpoints->keep(name, serialize(learn(), 0));
+    return parse_grounder(*options_.checkpoints->find(name), name);
+  }
+
+  bool find_scores(Fold& fold) const {
+    if (!has(scores_part(fold))) return false;
+    std::istringstream lines(*options_.checkpoints->find(scores_part(fold)));
+    std::string line;
+    for (std::getline(lines, line), fold.scores = scores_of(line, scores_part(fold));
+         std::getline(lines, line);)
+      fold.singles.push_back(scores_of(line, scores_part(fold)));
+    return fold.scored = true;
+  }
+
+  void keep_scores(const Fold& fold) const {
+    if (options_.checkpoints == nullptr) return;
+    std::string lines = text_of(fold.scores);
+    for (const Scores& single : fold.singles) lines += text_of(single);
+    options_.checkpoints->keep(scores_part(fold), lines);
+  }
+
+  bool something_to_learn(Convention convention) const {
+    for (const auto& [key, reader] : readers_)
+      if (key.convention == convention && !has(part(key))) return true;
+    for (const Fold& fold : folds_)
+      for (std::size_t member = 0; member < options_.ensemble; ++member)
+        if (fold.convention == convention && !fold.scored &&
+            (options_.train.chooser || fold.lessons.size() == 1) && !has(chooser_part(fold, member)))
+          return true;
+    return false;
+  }
+
   // Learns all readers, those with the most maps first.
   void read() {
     std::vector<std::pair<const ReaderKey, Grounder>*> work;
@@ -118,13 +187,21 @@ class Experiment {
     };
     run_jobs(work.size(), options_.train.threads, report, "learning",
              [&](std::size_t i, const JobProgress& progress) {
-               const auto& [member, convention, maps] = work[i]->first;
-               work[i]->second =
-                   learn_reader(on(convention, maps), executors_, options_for(convention, member), progress);
+               const ReaderKey& key = work[i]->first;
+               work[i]->second = kept_or(part(key), [&] {
+                 return learn_reader(on(key.convention, key.maps), executors_,
+                                     options_for(key.convention, key.member), progress);
+               });
              });
   }
 
   void finish(Fold& fold, const JobProgress& progress) {
+    if (fold.scored) return;
+    score(fold, progress);
+    keep_scores(fold);
+  }
+
+  void score(Fold& fold, const JobProgress& progress) {
     if (options_.actions) {
       const auto follower =
           learn_actions(on(fold.convention, fold.lessons), executors_, options_for(fold.convention, 0),
@@ -135,15 +212,11 @@ class Experiment {
     }
     std::vector<Grounder> members;
     for (std::size_t member = 0; member < options_.ensemble; ++member) {
-      const TrainOptions options = options_for(fold.convention, member);
-      members.push_back(fold.lessons.size() > 1
-                            ? choosing(fold, member, options)
-                            : train_on(on(fold.convention, fold.lessons), executors_, options));
+      members.push_back(member_of(fold, member));
       progress(0.6 * static_cast<double>(member + 1) / static_cast<double>(options_.ensemble));
     }
-    const Deciding how{options_.train.beam, options_.train.then, options_.train.trust};
     const auto test = [&](std::vector<Grounder> grounders, std::vector<Prediction>* predictions) {
-      return evaluate(GroundingFollower(std::move(grounders), how), test_, maps_[fold.map], fold.convention,
+      return evaluate(*follower_of(std::move(grounders), options_), test_, maps_[fold.map], fold.convention,
                       predictions, options_.train.stop);
     };
     if (members.size() > 1)
@@ -151,10 +224,18 @@ class Experiment {
     fold.scores = test(std::move(members), &fold.predictions);
   }
 
+  Grounder member_of(const Fold& fold, std::size_t member) const {
+    const TrainOptions options = options_for(fold.convention, member);
+    if (fold.lessons.size() > 1 && !options.chooser)
+      return readers_.at({member, fold.convention, fold.lessons});
+    return kept_or(chooser_part(fold, member), [&] {
+      return fold.lessons.size() > 1 ? choosing(fold, member, options)
+                                     : train_on(on(fold.convention, fold.lessons), executors_, options);
+    });
+  }
+
   // The fold's reader and a chooser that learned from readers of fewer maps.
   Grounder choosing(const Fold& fold, std::size_t member, const TrainOptions& options) const {
-    const Grounder& own = readers_.at({member, fold.convention, fold.lessons});
-    if (!options.chooser) return own;
     std::vector<Dilemma> dilemmas;
     for (std::size_t m : fold.lessons) {
       const Grounder& reader = readers_.at({member, fold.convention, without(fold.lessons, m)});
@@ -163,7 +244,8 @@ class Experiment {
     }
     std::vector<const Dilemma*> all;
     for (const Dilemma& dilemma : dilemmas) all.push_back(&dilemma);
-    return with_chooser(own, all, executors_, options, [](double) {});
+    return with_chooser(readers_.at({member, fold.convention, fold.lessons}), all, executors_, options,
+                        [](double) {});
   }
 
   const Corpus &train_, &test_;

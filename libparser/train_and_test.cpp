@@ -28,8 +28,7 @@ std::shared_ptr<const Follower> learned(const Corpus& corpus, std::span<const pl
   std::vector<Grounder> members;
   for (std::size_t member = 0; member < how.ensemble; ++member, ++options.seed)
     members.push_back(train(corpus, maps, options));
-  return std::make_shared<const GroundingFollower>(std::move(members),
-                                                   Deciding{options.beam, options.then, options.trust});
+  return follower_of(std::move(members), how);
 }
 
 }  // namespace

@@ -131,7 +131,7 @@ void print(std::ostream& out, const Terminal& terminal, const Answer& answer, co
   out << label("automaton") << counted(journey.automaton.states, "state") << ", "
       << counted(journey.automaton.edges, "edge") << '\n';
   if (journey.product_states > 0)  // a route that was given needs none
-    out << label("product") << counted(journey.product_states, "state") << ", "
+    out << label("product") << counted(journey.product_states, "state") << " met, "
         << counted(journey.product_edges, "edge") << ", with the map " << map.name() << '\n';
   if (const plan::Route* route = route_of(journey)) {
     out << label("route") << counted(route->actions.size(), "action") << ", cost " << Json(route->cost).text()

@@ -9,7 +9,7 @@
 
 #include "libltl/print.hpp"
 #include "libparser/parallel.hpp"
-#include "libplan/solve/shortest_route.hpp"
+#include "libplan/solve/route_planner.hpp"
 #include "tools/answer.hpp"
 #include "tools/comparing.hpp"
 #include "tools/render/learning_curves.hpp"

@@ -1,11 +1,9 @@
 #include "tools/corridor.hpp"
 
-#include <boost/graph/adjacency_list.hpp>
-
 #include "libautomata/guard.hpp"
 #include "libautomata/ltlf_to_dfa.hpp"
 #include "libplan/solve/explain.hpp"
-#include "libplan/solve/shortest_route.hpp"
+#include "libplan/solve/route_planner.hpp"
 #include "tools/shell/exit_code.hpp"
 
 namespace waymark::tools {
@@ -38,24 +36,20 @@ Journey travel(const plan::Map& map, const automata::Dfa& dfa, std::optional<ltl
                std::span<const plan::PoseId> starts, const std::stop_token& stop) {
   StopWatch watch;
   Seconds seconds;
-  const std::optional<plan::Product> composed = plan::compose(map, dfa, starts, {.stop = stop});
-  if (!composed) throw Interrupted();
-  const plan::Product& product = *composed;
+  plan::RoutePlanner planner(map, dfa);
   seconds.compose = watch.lap();
-  const plan::Outcome outcome = plan::solve(product, plan::ShortestRoute{.stop = stop});
+  plan::RoutePlanner::Answer answer = planner.plan(starts, stop);
   seconds.solve = watch.lap();
   const auto journey = [&](Destination destination) {
     seconds.certify = watch.lap();
-    return Journey{size_of(dfa), num_vertices(product.graph), num_edges(product.graph),
-                   std::move(destination), seconds};
+    return Journey{size_of(dfa), planner.met(), planner.edges(), std::move(destination), seconds};
   };
-  if (const auto* infeasible = std::get_if<plan::Infeasible>(&outcome))
+  if (const auto* infeasible = std::get_if<plan::Infeasible>(&answer))
     return journey(formula ? plan::explain_infeasible(map, *formula, starts, stop) : *infeasible);
-  const auto* solved = std::get_if<plan::Solved>(&outcome);
-  if (solved == nullptr) throw Interrupted();
-  plan::Route route = plan::roll_out(product, solved->policy);
-  if (formula) return journey(plan::certify(std::move(route), map, *formula));
-  return journey(plan::certify_acceptance(std::move(route), map, dfa));
+  auto* route = std::get_if<plan::Route>(&answer);
+  if (route == nullptr) throw Interrupted();
+  if (formula) return journey(plan::certify(std::move(*route), map, *formula));
+  return journey(plan::certify_acceptance(std::move(*route), map, dfa));
 }
 
 const plan::Route* route_of(const Journey& journey) {

@@ -43,7 +43,7 @@ using Destination = std::variant<plan::CertifiedRoute, plan::AcceptedRoute, plan
 
 struct Journey {
   AutomatonSize automaton;
-  std::size_t product_states, product_edges;
+  std::size_t product_states, product_edges;  // pairs that the search met, edges that it looked at
   Destination destination;
   Seconds seconds;  // of compose, solve and certify; the caller adds the stages before
 };

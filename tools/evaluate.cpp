@@ -1,15 +1,16 @@
 // waymark evaluate: corpus → accuracy, leaving one map out.
 #include <CLI/App.hpp>
 #include <algorithm>
-#include <iomanip>
 #include <iostream>
 #include <memory>
 
 #include "libltl/print.hpp"
 #include "libparser/evaluate.hpp"
+#include "libparser/learned/learned_follower.hpp"
 #include "libparser/sail_corpus.hpp"
 #include "libparser/streets/street_corpus.hpp"
 #include "tools/formula_table.hpp"
+#include "tools/results_table.hpp"
 #include "tools/shell/models.hpp"
 #include "tools/shell/options.hpp"
 #include "tools/shell/output.hpp"
@@ -19,55 +20,36 @@
 namespace waymark::tools {
 namespace {
 
-using parser::Percent;
-
 struct Options {
   std::string corpus, test_corpus, data, predictions, convention = "both";
   TrainingOptions training;
   PairsExperiment pairs;  // instead of a corpus
   std::size_t ensemble = 1;
+  std::string planner = "exact";
+  parser::LearnedExecution dqn;
   bool leave_one_map_out = false, train_all = false, json = false;
 };
 
-Json json_of(const parser::ConventionScores& scores) {
-  return JsonObject().add("absolute", scores.absolute.value()).add("relative", scores.relative.value());
-}
-
-Json json_of(const parser::PathScores& path) {
-  return JsonObject()
-      .add("precision", path.precision.value())
-      .add("recall", path.recall.value())
-      .add("accuracy", path.accuracy.value());
-}
-
-JsonObject& add(JsonObject& json, const parser::Scores& scores) {
-  return json.add("sentence", json_of(scores.sentence))
-      .add("paragraph", json_of(scores.paragraph))
-      .add("path", json_of(scores.path))
-      .add("paragraph_path", json_of(scores.paragraph_path))
-      .add("n", JsonObject()
-                    .add("sentences", scores.sentence.absolute.total)
-                    .add("paragraphs", scores.paragraph.absolute.total)
-                    .add("unsegmented_paragraphs_skipped", scores.skipped_paragraphs));
-}
-
-Json json_of(const parser::Evaluation& evaluation, const parser::FormulaScores& formulas) {
+Json json_of(const parser::Evaluation& evaluation, const parser::Scores& staying,
+             const parser::FormulaScores& formulas) {
   JsonObject folds, json;
   for (const auto& [map, scores] : evaluation.folds) {
     JsonObject fold;
-    folds.add(map, add(fold, scores));
+    folds.add(map, add_scores(fold, scores));
   }
   json.add("folds", folds);
-  add(json, evaluation.all);
+  add_scores(json, evaluation.all);
   if (!evaluation.singles.empty()) {
     JsonArray singles;
     for (const parser::Scores& scores : evaluation.singles) {
       JsonObject single;
-      singles.add(add(single, scores));
+      singles.add(add_scores(single, scores));
     }
     json.add("singles", singles);
   }
   if (formulas.all.same.total > 0) json.add("formulas", formulas_json(formulas));
+  JsonObject stays;
+  json.add("staying", add_scores(stays, staying)).add("published", published_results());
   return json.add("seconds", evaluation.seconds);
 }
 
@@ -98,29 +80,15 @@ void write_predictions(const std::string& file, const parser::Evaluation& evalua
   write_file(file, lines);
 }
 
-void print_row(const std::string& name, const parser::Scores& scores) {
-  const auto cell = [](const Percent& percent) {
-    std::cout << std::setw(10) << (percent.total == 0 ? "-" : fixed(percent.value(), 2));
-  };
-  std::cout << std::left << std::setw(10) << name << std::right;
-  cell(scores.sentence.absolute), cell(scores.sentence.relative);
-  cell(scores.paragraph.absolute), cell(scores.paragraph.relative);
-  cell(scores.path.precision), cell(scores.path.recall), cell(scores.path.accuracy);
-  std::cout << std::setw(11) << scores.sentence.absolute.total << std::setw(12)
-            << scores.paragraph.absolute.total << '\n';
-}
-
-void print_table(const parser::Evaluation& evaluation) {
-  std::cout << "per cent; the unknown start heading is north (absolute) or 90 degrees left of the first "
-               "known one (relative);\n"
-               "path scores are under the absolute convention\n\n"
-            << "               sentence            paragraph                  path\n"
-            << "left out    absolute  relative  absolute  relative precision    recall  accuracy  sentences  "
-               "paragraphs\n";
-  for (const auto& [map, scores] : evaluation.folds) print_row(map, scores);
-  print_row("all", evaluation.all);
+void print_table(const parser::Evaluation& evaluation, const parser::Scores& staying) {
+  print_results_head("left out");
+  for (const auto& [map, scores] : evaluation.folds) print_result({map, {scores}});
+  print_result({"all", {evaluation.all}});
   for (std::size_t i = 0; i < evaluation.singles.size(); ++i)
-    print_row("single " + std::to_string(i + 1), evaluation.singles[i]);
+    print_result({"single " + std::to_string(i + 1), {evaluation.singles[i]}});
+  if (evaluation.singles.size() > 1) print_result({"singles, mean", evaluation.singles});
+  print_result({"who stays put", {staying}});
+  print_published_results();
   std::cout << "\nunsegmented paragraphs skipped: " << evaluation.all.skipped_paragraphs << "; "
             << fixed(evaluation.seconds, 1) << " s of training and testing\n";
 }
@@ -131,8 +99,9 @@ void check_what_is_held_out(const Options& options) {
     throw UsageError("say what is held out: --leave-one-map-out, or --train-all with --test-corpus");
   if (options.train_all && options.test_corpus.empty())
     throw UsageError("--train-all asks for --test-corpus");
-  if (options.training.model == "actions" && options.ensemble > 1)
-    throw UsageError("--ensemble is for readers of formulas, not for actions");
+  if (options.training.model != "actions") return;
+  if (options.ensemble > 1) throw UsageError("--ensemble is for readers of formulas, not for actions");
+  if (options.planner != "exact") throw UsageError("--planner is for readers of formulas, not for actions");
 }
 
 ExitCode run_on_streets(const Options& options, const Session& session) {
@@ -162,6 +131,10 @@ ExitCode run_evaluate(const Options& options, const Session& session) {
   evaluate.absolute = options.convention != "relative";
   evaluate.relative = options.convention != "absolute";
   evaluate.train.stop = session.stop;
+  if (options.planner == "dqn")
+    evaluate.carried_out = [&](std::shared_ptr<const parser::Follower> reads) {
+      return std::make_shared<const parser::LearnedFollower>(std::move(reads), options.dqn);
+    };
   ProgressBar bar;
   evaluate.train.progress = [&](double fraction, std::string_view what) { bar.show(fraction, what); };
   const std::vector<plan::Map> maps = maps_of(corpus, options.data);
@@ -176,12 +149,14 @@ ExitCode run_evaluate(const Options& options, const Session& session) {
   }
   bar.wipe();
   if (!options.predictions.empty()) write_predictions(options.predictions, *evaluation, test_maps);
+  const parser::Scores staying =
+      scores_of_staying(test ? *test : corpus, test_maps, evaluate.absolute, evaluate.relative);
   const parser::FormulaScores formulas =
       parser::formula_scores(evaluation->predictions, test ? *test : corpus, test_maps, evaluate.absolute);
   if (options.json)
-    std::cout << json_of(*evaluation, formulas).text() << '\n';
+    std::cout << json_of(*evaluation, staying, formulas).text() << '\n';
   else
-    print_table(*evaluation), print_formulas(formulas);
+    print_table(*evaluation, staying), print_formulas(formulas);
   return ExitCode::Done;
 }
 
@@ -207,6 +182,16 @@ Runner setup_evaluate(CLI::App& command) {
   command.add_option("--ensemble", options->ensemble, "systems of seeds N, N + 1, … that vote")
       ->type_name("COUNT")
       ->check(CLI::Range(1, 100))
+      ->capture_default_str();
+  command
+      .add_option("--planner", options->planner,
+                  "what carries formulas out: exact (the default), or dqn, learned anew for each of them")
+      ->type_name("KIND")
+      ->check(CLI::IsMember({"exact", "dqn"}));
+  command
+      .add_option("--dqn-steps", options->dqn.steps, "in the environment, for each formula that dqn learns")
+      ->type_name("N")
+      ->check(CLI::Range(100, 10000000))
       ->capture_default_str();
   command
       .add_option("--predictions", options->predictions,

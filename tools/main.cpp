@@ -39,6 +39,7 @@ constexpr std::array rows{
     Row{"compare", "exact search, value iteration and learners on one task, side by side", setup_compare},
     Row{"train", "corpus → model", setup_train},
     Row{"evaluate", "corpus → accuracy, leaving one map out", setup_evaluate},
+    Row{"experiment", "a whole table of results, which goes on where it was stopped", setup_experiment},
     Row{"tune", "which settings of training validate best", setup_tune},
     Row{"import", "a corpus as it was released → ours", setup_import},
     Row{"corpus", "how large a corpus is, in texts and trajectories", setup_corpus},

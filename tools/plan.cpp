@@ -50,7 +50,7 @@ class Planning {
     if (is_infinite(options_)) return plan_lasso(task(formula, nullptr), walk_options(), session_);
     const automata::Dfa dfa = translate(formula, session_.stop);
     if (options_.planning_case.top > 1)
-      return plan_routes(task(formula, nullptr), dfa, walk_options(), session_);
+      return plan_routes(task(formula, nullptr), dfa, walk_options(watch.lap()), session_);
     return answer(dfa, formula, watch.lap());
   }
 
@@ -61,7 +61,7 @@ class Planning {
     if (dfa == nullptr || is_infinite(options_))
       return plan_lasso(task(std::nullopt, &given), walk_options(), session_);
     if (options_.planning_case.top > 1)
-      return plan_routes(task(std::nullopt, nullptr), *dfa, walk_options(), session_);
+      return plan_routes(task(std::nullopt, nullptr), *dfa, walk_options(watch.lap()), session_);
     return answer(*dfa, std::nullopt, watch.lap());
   }
 
@@ -69,8 +69,13 @@ class Planning {
   WalkTask task(std::optional<ltl::Formula> formula, const plan::GivenAutomaton* given) const {
     return {map_, starts_, formula, given};
   }
-  WalkOptions walk_options() const {
-    return {options_.planning_case.order, options_.svg, options_.planning_case.top, options_.json, load_};
+  WalkOptions walk_options(double translating = 0) const {
+    return {options_.planning_case.order,
+            options_.svg,
+            options_.planning_case.top,
+            options_.json,
+            load_,
+            translating};
   }
   ExitCode answer(const automata::Dfa& dfa, std::optional<ltl::Formula> formula, double translating) {
     Answer answer{.formula = formula, .journey = travel(map_, dfa, formula, starts_, session_.stop)};

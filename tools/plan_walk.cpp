@@ -193,22 +193,53 @@ plan::Route certified(plan::Route route, const WalkTask& task, const automata::D
   return plan::certify_acceptance(std::move(route), task.map, dfa).route();
 }
 
-std::vector<plan::Route> cheapest(const WalkTask& task, const automata::Dfa& dfa, std::size_t most,
-                                  const Session& session) {
+struct FoundRoutes {
   std::vector<plan::Route> routes;
+  plan::SearchEffort effort;  // of all starts
+  double solving = 0;
+};
+
+FoundRoutes cheapest(const WalkTask& task, const automata::Dfa& dfa, std::size_t most,
+                     const Session& session) {
+  StopWatch watch;
+  FoundRoutes found;
   for (const plan::PoseId start : task.starts) {
     const plan::Mdp mdp = plan::mdp_of(task.map, start);
     const auto answer =
         plan::least_routes(mdp, plan::TaskTable(dfa, mdp.letters()), most, 100'000'000, session.stop);
     if (!answer && session.stop.stop_requested()) throw Interrupted();
     if (!answer) throw GaveUp("the search for routes met its limit");
+    found.effort.met += answer->effort.met;
+    found.effort.edges += answer->effort.edges;
     for (const plan::ChoiceRoute& route : answer->routes)
-      routes.push_back(certified(on_map(task.map, mdp, route), task, dfa));
+      found.routes.push_back(certified(on_map(task.map, mdp, route), task, dfa));
   }
-  std::stable_sort(routes.begin(), routes.end(),
+  std::stable_sort(found.routes.begin(), found.routes.end(),
                    [](const plan::Route& a, const plan::Route& b) { return a.cost < b.cost; });
-  if (routes.size() > most) routes.resize(most);
-  return routes;
+  if (found.routes.size() > most) found.routes.resize(most);
+  found.solving = watch.lap();
+  return found;
+}
+
+JsonObject routes_json(const FoundRoutes& found, const WalkTask& task, const automata::Dfa& dfa,
+                       const WalkOptions& options) {
+  JsonArray list;
+  for (const plan::Route& route : found.routes)
+    list.add(JsonObject().add("route", json_of(route, task.map)).add("cost", route.cost));
+  JsonObject json;
+  json.add("formula", task.formula ? Json(ltl::print(*task.formula)) : Json())
+      .add("map", task.map.name())
+      .add("automaton", json_of(size_of(dfa)))
+      .add("product", JsonObject().add("states", found.effort.met).add("edges", found.effort.edges))
+      .add("status", found.routes.empty() ? "infeasible" : "solved")
+      .add("routes", list);
+  if (!found.routes.empty())
+    json.add("certified", true).add("certified_by", task.formula ? "definition" : "automaton");
+  return json.add("seconds", JsonObject()
+                                 .add("load", options.load)
+                                 .add("translate", options.translate)
+                                 .add("solve", found.solving)
+                                 .add("total", options.load + options.translate + found.solving));
 }
 
 }  // namespace
@@ -223,19 +254,11 @@ ExitCode plan_lasso(const WalkTask& task, const WalkOptions& options, const Sess
 
 ExitCode plan_routes(const WalkTask& task, const automata::Dfa& dfa, const WalkOptions& options,
                      const Session& session) {
-  const std::vector<plan::Route> routes = cheapest(task, dfa, options.top, session);
+  const FoundRoutes found = cheapest(task, dfa, options.top, session);
+  const std::vector<plan::Route>& routes = found.routes;
   const std::string by = task.formula ? "definition" : "automaton";
   if (options.json) {
-    JsonArray list;
-    for (const plan::Route& route : routes)
-      list.add(JsonObject().add("route", json_of(route, task.map)).add("cost", route.cost));
-    JsonObject json;
-    json.add("formula", task.formula ? Json(ltl::print(*task.formula)) : Json())
-        .add("map", task.map.name())
-        .add("status", routes.empty() ? "infeasible" : "solved")
-        .add("routes", list);
-    if (!routes.empty()) json.add("certified", true).add("certified_by", by);
-    std::cout << json.text() << '\n';
+    std::cout << routes_json(found, task, dfa, options).text() << '\n';
   } else {
     if (task.formula)
       std::cout << label(session.out, "formula")

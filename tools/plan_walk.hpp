@@ -17,7 +17,7 @@ struct WalkOptions {
   std::string order = "prefix", svg;  // of lassos
   std::size_t top = 1;
   bool json = false;
-  double load = 0;  // seconds that reading the map took
+  double load = 0, translate = 0;  // seconds that reading the map took, and the translation of a DFA
 };
 
 // The task on the map: the formula, or the automaton where there is none.

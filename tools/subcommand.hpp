@@ -31,6 +31,7 @@ Runner setup_check(CLI::App& command);
 Runner setup_compare(CLI::App& command);
 Runner setup_train(CLI::App& command);
 Runner setup_evaluate(CLI::App& command);
+Runner setup_experiment(CLI::App& command);
 Runner setup_tune(CLI::App& command);
 Runner setup_import(CLI::App& command);
 Runner setup_corpus(CLI::App& command);

@@ -147,6 +147,7 @@ Moment after(const Moment& moment, Index action, const plan::Map& map) {
 class ActionFollower : public Follower {
  public:
   explicit ActionFollower(ActionNetwork network) : network_(std::move(network)) {}
+  bool reads_formulas() const override { return false; }
 
   Answer follow(const Executor& executor, const SentenceInput& input, plan::PoseId start) const override {
     struct Route {

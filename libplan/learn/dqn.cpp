@@ -124,6 +124,7 @@ class Learner {
         policy[open[j]] = static_cast<std::uint8_t>(best_offered(q, j - i, open[j]));
     }
     curve_.checkpoints.push_back({step, value_of(product_, policy, training_.discount)});
+    curve_.policy = std::move(policy);
   }
 
   void show(std::uint32_t state, Matrix& x, std::size_t column) const {

@@ -44,6 +44,7 @@ struct LearningCurve {
   std::vector<Checkpoint> checkpoints;  // the first before the first step, the last after the last one
   std::size_t updates = 0;              // of single values, or of the network
   std::size_t episodes = 0;
+  ActionTable policy;  // of DQN: what the network would do in the end, by state
 };
 
 }  // namespace waymark::plan

@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "libltl/diagnostic.hpp"
+#include "libplan/model/map_mdp.hpp"
 #include "libplan/world/json_reader.hpp"
 
 namespace waymark::plan {
@@ -234,8 +235,75 @@ class CaseReader {
     return out;
   }
 
+  struct MapMotion {
+    SlipChances forward;
+    TurnChances left, right;
+  };
+  TurnChances turn_chances(const Value& motion, const std::string& action) const {
+    TurnChances out;
+    if (!motion.contains(action)) return out;
+    const Value& value = motion[action];
+    const std::string path = "motion." + action;
+    in_.check_keys(value, path, {"stay", "beyond"});
+    if (value.contains("stay")) out.stay = in_.number(value["stay"], path + ".stay");
+    if (value.contains("beyond")) out.beyond = in_.number(value["beyond"], path + ".beyond");
+    if (!(out.stay >= 0 && out.beyond >= 0 && out.stay + out.beyond < 1))
+      in_.fail(path, "the chances of a turn leave nothing for turning");
+    return out;
+  }
+
+  // Of the action forward, or for each action: {"forward": {"forward": …}, "left": {"stay": …}, "right": …}.
+  MapMotion map_motion(const Value& document) const {
+    MapMotion out;
+    if (!document.contains("motion")) return out;
+    const Value& value = document["motion"];
+    if (value.is_object() && value.contains("forward") && value["forward"].is_number()) {
+      out.forward = chances(value, "motion");
+      return out;
+    }
+    in_.check_keys(value, "motion", {"forward", "left", "right"});
+    if (value.contains("forward")) out.forward = chances(value["forward"], "motion.forward");
+    out.left = turn_chances(value, "left");
+    out.right = turn_chances(value, "right");
+    return out;
+  }
+
+  // Outcomes of one action of a node and a heading, none of them twice.
+  class Outcomes {
+   public:
+    void add(std::uint32_t state, double chance) {
+      if (chance != 0) chance_[state] += chance;
+    }
+    template <class Visit>
+    void for_each(const Visit& visit) const {
+      for (const auto& [state, chance] : chance_) visit(state, chance);
+    }
+
+   private:
+    std::map<std::uint32_t, double> chance_;
+  };
+
+  static Outcomes moved(const MapGraph& graph, std::uint32_t node, std::uint32_t heading,
+                        const SlipChances& slip) {
+    Outcomes out;
+    const std::array<double, 4> chance{slip.forward, slip.right, slip.back,
+                                       slip.left};  // by turn to the right
+    for (std::uint32_t turn = 0; turn < 4; ++turn)
+      out.add(4 * graph.ways[node][(heading + turn) % 4].to.value_or(node) + heading, chance[turn]);
+    return out;
+  }
+  static Outcomes turned(std::uint32_t node, std::uint32_t heading, std::uint32_t quarter,
+                         const TurnChances& slip) {
+    Outcomes out;
+    out.add(4 * node + heading, slip.stay);
+    out.add(4 * node + (heading + quarter) % 4, 1 - slip.stay - slip.beyond);
+    out.add(4 * node + (heading + 2) % 4, slip.beyond);
+    return out;
+  }
+
   Mdp map(const Value& document) const {
-    in_.check_keys(document, "", {"format", "name", "nodes", "edges", "start", "actions", "cost", "tasks"});
+    in_.check_keys(document, "",
+                   {"format", "name", "nodes", "edges", "start", "actions", "motion", "cost", "tasks"});
     if (document.contains("actions") && document["actions"] != Value({"forward", "left", "right"}))
       in_.fail("actions", R"(expected ["forward", "left", "right"])");
     ltl::Vocabulary vocabulary;
@@ -247,23 +315,28 @@ class CaseReader {
       out.insert_all(graph.ways[node][heading].ahead);
       return builder.letter(out);
     };
-    const auto add = [&](const char* action, std::uint32_t node, std::uint32_t heading) {
+    const MapMotion motion = map_motion(document);
+    const auto add = [&](const char* action, const Outcomes& outcomes) {
       builder.add_choice(action, cost);
-      builder.add_outcome(4 * node + heading, letter(node, heading));
+      outcomes.for_each([&](std::uint32_t state, double chance) {
+        builder.add_outcome(state, letter(state / 4, state % 4), chance);
+      });
     };
     for (const auto& [id, node] : in_order(graph.index))
       for (std::uint32_t heading = 0; heading < 4; ++heading) {
         builder.add_state(std::to_string(id) + ',' + std::string(directions[heading].first));
-        if (const auto to = graph.ways[node][heading].to) add("forward", *to, heading);
-        add("left", node, (heading + 3) % 4);
-        add("right", node, (heading + 1) % 4);
+        if (graph.ways[node][heading].to) add("forward", moved(graph, node, heading, motion.forward));
+        add("left", turned(node, heading, 3, motion.left));
+        add("right", turned(node, heading, 1, motion.right));
       }
     const Value& start = in_.member(document, "", "start");
     const std::uint32_t node = node_of(graph, in_.member(start, "start", "node"), "start.node");
     const std::uint32_t heading =
         named(in_, directions, in_.member(start, "start", "heading"), "start.heading");
     const LetterId first = letter(node, heading);
-    return std::move(builder).build(4 * node + heading, first);
+    std::optional<Mdp> out;
+    in_.at("motion", [&] { out = std::move(builder).build(4 * node + heading, first); });
+    return std::move(*out);
   }
 
   // (id, node) in the order of the nodes.

@@ -8,7 +8,7 @@
 
 #include "libautomata/ltlf_to_dfa.hpp"
 #include "libltl/print.hpp"
-#include "libplan/solve/shortest_route.hpp"
+#include "libplan/solve/route_planner.hpp"
 
 namespace waymark::plan {
 namespace {

@@ -4,7 +4,7 @@
 
 #include "libautomata/ltlf_to_dfa.hpp"
 #include "libplan/solve/explain.hpp"
-#include "libplan/solve/shortest_route.hpp"
+#include "libplan/solve/route_planner.hpp"
 
 namespace waymark::plan {
 

@@ -21,7 +21,7 @@ struct PlanOptions {
 
 // A least-cost route from one of the starts whose word satisfies f, then stop (conventions.md 4). Throws
 // ltl::FormatError naming a proposition of f that the map lacks. Who asks about one formula many times keeps a
-// RoutePlanner (shortest_route.hpp).
+// RoutePlanner (route_planner.hpp).
 Planned plan_of(const Map& map, ltl::Formula f, std::span<const PoseId> starts,
                 const PlanOptions& options = {});
 inline Planned plan_of(const Map& map, ltl::Formula f, PoseId start, const PlanOptions& options = {}) {

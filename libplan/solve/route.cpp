@@ -27,4 +27,10 @@ Route roll_out(const Product& product, const Policy& policy) {
   return priced(std::move(trajectory), *product.map);
 }
 
+std::string no_run(const automata::Dfa& dfa, std::size_t pairs) {
+  if (dfa.is_trap(dfa.initial())) return "no finite word satisfies the task";
+  return "no route from here satisfies the task (all " + std::to_string(pairs) +
+         " reachable pairs of pose and state were searched)";
+}
+
 }  // namespace waymark::plan

@@ -12,39 +12,19 @@
 #include <boost/graph/astar_search.hpp>
 #include <boost/graph/dijkstra_shortest_paths.hpp>
 #include <boost/graph/reverse_graph.hpp>
-#include <boost/property_map/function_property_map.hpp>
 #include <boost/property_map/property_map.hpp>
 #include <functional>
 #include <limits>
+#include <unordered_map>
+
+#include "libplan/solve/lower_bound.hpp"
+#include "libplan/solve/route.hpp"
 
 namespace waymark::plan {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr std::size_t polling_interval = 256;  // vertices between two looks at the stop token
-
-// A property map over vertex numbers that grows as an implicit graph does.
-template <class T>
-class VertexTable {
- public:
-  using key_type = std::size_t;
-  using value_type = T;
-  using reference = T;
-  using category = boost::read_write_property_map_tag;
-
-  VertexTable(std::vector<T>& values, T otherwise) : values_(&values), otherwise_(otherwise) {}
-  friend T get(const VertexTable& table, std::size_t v) {
-    return v < table.values_->size() ? (*table.values_)[v] : table.otherwise_;
-  }
-  friend void put(const VertexTable& table, std::size_t v, T value) {
-    if (v >= table.values_->size()) table.values_->resize(v + 1 + v / 2, table.otherwise_);
-    (*table.values_)[v] = value;
-  }
-
- private:
-  std::vector<T>* values_;
-  T otherwise_;
-};
 
 struct SearchEnds {};  // thrown by visitors: the way out of a Boost.Graph search
 
@@ -99,12 +79,6 @@ std::vector<std::optional<Action>> first_best_actions(const Product& product,
   return actions;
 }
 
-std::string no_run(const automata::Dfa& dfa, std::size_t vertices) {
-  if (dfa.is_trap(dfa.initial())) return "no finite word satisfies the task";
-  return "no route from here satisfies the task (all " + std::to_string(vertices) +
-         " reachable pairs of pose and state were searched)";
-}
-
 Outcome solve_by_dijkstra(const Product& product, const ShortestRoute& method) {
   std::size_t expanded = 0;
   const auto cost = costs_to_go(product, method.stop, expanded);
@@ -120,39 +94,9 @@ Outcome solve_by_dijkstra(const Product& product, const ShortestRoute& method) {
 
 // ---- forwards: A* -----------------------------------------------------------------------------------------------
 
-// What differs between the product that was built and the one that is not.
-struct Built {
-  using Graph = ProductGraph;
-  using Vertex = ProductVertex;
-  const Product& product;
-  const Graph& graph() const { return product.graph; }
-  const ProductState& state(Vertex v) const { return product.graph[v]; }
-  bool is_accepting(Vertex v) const { return product.is_accepting(v); }
-  template <class Edge>
-  Action action(const Edge& e) const {
-    return product.graph[e].action;
-  }
-  template <class Edge>
-  double cost(const Edge& e) const {
-    return product.graph[e].cost;
-  }
-};
-struct Unbuilt {
-  using Graph = ImplicitProduct;
-  using Vertex = ImplicitProduct::Vertex;
-  const ImplicitProduct& product;
-  const Graph& graph() const { return product; }
-  const ProductState& state(Vertex v) const { return product[v]; }
-  bool is_accepting(Vertex v) const { return product.is_accepting(v); }
-  Action action(const ImplicitProduct::Edge& e) const { return e.action; }
-  double cost(const ImplicitProduct::Edge& e) const { return e.cost; }
-};
-
-template <class View>
 struct AStar {
-  using Graph = typename View::Graph;
-  using Vertex = typename View::Vertex;
-  using Edge = typename boost::graph_traits<Graph>::edge_descriptor;
+  using Vertex = ProductVertex;
+  using Edge = ProductGraph::edge_descriptor;
   struct Step {
     Vertex from;
     Action action;
@@ -162,7 +106,7 @@ struct AStar {
     std::vector<Step> steps;
   };
 
-  View view;
+  const Product& product;
   LowerBound& bound;
   const std::stop_token& stop;
   std::size_t expanded = 0;
@@ -173,36 +117,40 @@ struct AStar {
 
   struct Visitor : boost::default_astar_visitor {
     AStar* search;
-    VertexTable<double> rank;  // f = g + h
-    void examine_vertex(Vertex v, const Graph&) const {
-      const double f = get(rank, v);
+    const std::vector<double>* rank;  // f = g + h
+    void examine_vertex(Vertex v, const ProductGraph&) const {
+      const double f = (*rank)[v];
       if (f == infinity || f > search->least) throw SearchEnds{};
       if (search->expanded++ % polling_interval == 0 && search->stop.stop_requested()) {
         search->stopped = true;
         throw SearchEnds{};
       }
       search->closed.push_back(v);
-      if (search->view.is_accepting(v)) search->least = f;
+      if (search->product.is_accepting(v)) search->least = f;
     }
   };
 
   // The first least-cost route from `start` that costs less than `beat`; nullopt when there is none, or when stopped.
   std::optional<Found> run(Vertex start, double beat) {
-    std::vector<double> ranks;
-    std::vector<boost::default_color_type> colors;
-    cost.clear();
+    const ProductGraph& graph = product.graph;
+    const auto index = get(boost::vertex_index, graph);
+    std::vector<double> ranks(num_vertices(graph), infinity);
+    std::vector<boost::default_color_type> colors(num_vertices(graph), boost::white_color);
+    cost.assign(num_vertices(graph), infinity);
     closed.clear();
     least = beat;
-    const VertexTable<double> g(cost, infinity), f(ranks, infinity);
-    const VertexTable<boost::default_color_type> color(colors, boost::white_color);
-    put(g, start, 0.0);
-    put(f, start, bound(view.state(start)));
+    cost[start] = 0;
+    ranks[start] = bound(graph[start]);
+    Visitor visitor;
+    visitor.search = this;
+    visitor.rank = &ranks;
     try {
       boost::astar_search_no_init(
-          view.graph(), start, [this](Vertex v) { return bound(view.state(v)); }, Visitor{{}, this, f},
-          boost::dummy_property_map(), f, g,
-          boost::make_function_property_map<Edge>([this](const Edge& e) { return view.cost(e); }), color,
-          boost::typed_identity_property_map<std::size_t>(), std::less<>(), std::plus<>(), infinity, 0.0);
+          graph, start, [&](Vertex v) { return bound(graph[v]); }, visitor, boost::dummy_property_map(),
+          boost::make_iterator_property_map(ranks.begin(), index),
+          boost::make_iterator_property_map(cost.begin(), index), get(&ProductEdge::cost, graph),
+          boost::make_iterator_property_map(colors.begin(), index), index, std::less<>(), std::plus<>(),
+          infinity, 0.0);
     } catch (const SearchEnds&) {
     }
     if (stopped || !(least < beat)) return std::nullopt;
@@ -212,27 +160,23 @@ struct AStar {
   // Least-cost routes run along edges u → v with g(u) + c = g(v) to an accepting vertex with g = C*. In order of
   // falling g every vertex is settled after its successors: the first action that leads on is the one to take.
   std::vector<Step> first_route(Vertex start) {
-    const VertexTable<double> g(cost, infinity);
-    std::sort(closed.begin(), closed.end(), [&](Vertex a, Vertex b) { return get(g, a) > get(g, b); });
-    std::vector<std::uint8_t> leads_on;
-    const VertexTable<std::uint8_t> mark(leads_on, 0);
-    std::vector<std::pair<Action, Vertex>> choices;
-    std::vector<std::uint32_t> choice_of;
-    const VertexTable<std::uint32_t> choice(choice_of, 0);
+    const ProductGraph& graph = product.graph;
+    std::sort(closed.begin(), closed.end(), [&](Vertex a, Vertex b) { return cost[a] > cost[b]; });
+    std::vector<bool> leads_on(cost.size(), false);
+    std::unordered_map<Vertex, Edge> choice;
     for (Vertex v : closed) {
-      if (get(g, v) == least && view.is_accepting(v)) put(mark, v, std::uint8_t{1});
-      if (get(g, v) >= least) continue;
-      for (auto [e, end] = out_edges(v, view.graph()); e != end && get(mark, v) == 0; ++e) {
-        const Vertex to = target(*e, view.graph());
-        if (get(mark, to) == 0 || get(g, v) + view.cost(*e) != get(g, to)) continue;
-        put(mark, v, std::uint8_t{1});
-        put(choice, v, static_cast<std::uint32_t>(choices.size()));
-        choices.emplace_back(view.action(*e), to);
+      if (cost[v] == least && product.is_accepting(v)) leads_on[v] = true;
+      if (cost[v] >= least) continue;
+      for (auto [e, end] = out_edges(v, graph); e != end && !leads_on[v]; ++e) {
+        const Vertex to = target(*e, graph);
+        if (!leads_on[to] || cost[v] + graph[*e].cost != cost[to]) continue;
+        leads_on[v] = true;
+        choice.emplace(v, *e);
       }
     }
     std::vector<Step> steps;
-    for (Vertex v = start; get(g, v) < least; v = choices[get(choice, v)].second)
-      steps.push_back({v, choices[get(choice, v)].first});
+    for (Vertex v = start; cost[v] < least; v = target(choice.at(v), graph))
+      steps.push_back({v, graph[choice.at(v)].action});
     return steps;
   }
 };
@@ -240,8 +184,8 @@ struct AStar {
 Outcome solve_by_a_star(const Product& product, const ShortestRoute& method) {
   TaskSteps steps(*product.map, *product.dfa);
   LowerBound bound(steps);
-  AStar<Built> search{{product}, bound, method.stop};
-  std::optional<AStar<Built>::Found> best;
+  AStar search{product, bound, method.stop};
+  std::optional<AStar::Found> best;
   Policy policy{std::vector<std::optional<Action>>(num_vertices(product.graph)), 0};
   for (ProductVertex start : product.starts) {
     auto found = search.run(start, best ? best->cost : infinity);
@@ -263,29 +207,6 @@ Outcome solve(const Product& product, const ShortestRoute& method) {
     case ShortestRoute::Algorithm::Dijkstra: return solve_by_dijkstra(product, method);
   }
   throw std::logic_error("not an algorithm");
-}
-
-RoutePlanner::RoutePlanner(const Map& map, const automata::Dfa& dfa)
-    : steps_(map, dfa), bound_(steps_), product_(steps_) {}
-
-RoutePlanner::Answer RoutePlanner::plan(std::span<const PoseId> starts, std::stop_token stop) {
-  AStar<Unbuilt> search{{product_}, bound_, stop};
-  std::optional<Route> best;
-  for (PoseId start : starts) {
-    const auto found = search.run(product_.enter(start), best ? best->cost : infinity);
-    if (search.stopped) break;
-    if (!found) continue;
-    Trajectory trajectory{{start}, {}};
-    for (const auto& step : found->steps) {
-      trajectory.actions.push_back(step.action);
-      trajectory.poses.push_back(*steps_.map().successor(trajectory.poses.back(), step.action));
-    }
-    best = priced(std::move(trajectory), steps_.map());
-  }
-  expanded_ = search.expanded;
-  if (search.stopped) return Exhausted{expanded_};
-  if (!best) return Infeasible{no_run(steps_.dfa(), expanded_)};
-  return *std::move(best);
 }
 
 }  // namespace waymark::plan

@@ -34,6 +34,8 @@ TEST(Evaluate, CountsSentencesParagraphsAndNodesByHand) {
   EXPECT_EQ(s.paragraph.absolute.hits, 1U);  // b: the right node, the wrong heading
   EXPECT_EQ(s.paragraph.absolute.total, 2U);
   EXPECT_EQ(s.skipped_paragraphs, 1U);
+  EXPECT_EQ(s.satisfiable.hits, 3U);  // to stay can always be done
+  EXPECT_EQ(s.satisfiable.total, 3U);
   EXPECT_EQ(s.path.precision.total, 0U);
   EXPECT_EQ(s.path.recall.total, 2U);
   EXPECT_EQ(s.path.recall.hits, 0U);

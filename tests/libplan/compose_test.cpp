@@ -9,7 +9,7 @@
 #include "libltl/diagnostic.hpp"
 #include "libltl/parse.hpp"
 #include "libltl/random.hpp"
-#include "libplan/product/implicit.hpp"
+#include "libplan/product/task_steps.hpp"
 #include "tests/libplan/maps.hpp"
 
 namespace waymark::plan {
@@ -92,27 +92,6 @@ TEST(Compose, TrapsAreNotExpanded) {
     EXPECT_EQ(out_degree(v, product.graph) == 0, product.is_trap(v));
   }
   EXPECT_GT(traps, 0U);
-}
-
-TEST(Compose, TheImplicitProductIsTheSameUpToWhereASearchEnds) {
-  const Map map = shipped("grid");
-  const automata::Dfa dfa = dfa_of("F (sofa & X F (chair & X moved)) & G !lamp");
-  const PoseId start{5};
-  const Edges expected = by_definition(map, dfa, {start});
-  TaskSteps steps(map, dfa);
-  const ImplicitProduct product(steps);
-  std::set<std::string> met;
-  product.enter(start);
-  for (ImplicitProduct::Vertex v = 0; v < product.discovered(); ++v) {  // grows while we look
-    const std::string pair = show_pair(map, product[v]);
-    EXPECT_TRUE(met.insert(pair).second) << "two vertices for " << pair;
-    std::vector<std::string> list;
-    for (auto [e, end] = out_edges(v, product); e != end; ++e)
-      list.push_back(std::string(name(e->action)) + " " + show_pair(map, product[target(*e, product)]));
-    EXPECT_EQ(list.size(), out_degree(v, product));
-    EXPECT_EQ(list, product.is_accepting(v) ? std::vector<std::string>{} : expected.at(pair)) << pair;
-  }
-  EXPECT_GT(met.size(), 100U);
 }
 
 TEST(Compose, LettersFallIntoTheClassesThatTheAutomatonTellsApart) {

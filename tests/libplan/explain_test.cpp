@@ -4,7 +4,9 @@
 
 #include "libltl/diagnostic.hpp"
 #include "libltl/parse.hpp"
+#include "libplan/product/task_steps.hpp"
 #include "libplan/solve/plan_of.hpp"
+#include "libplan/solve/route_planner.hpp"
 #include "tests/libplan/maps.hpp"
 #include "tests/libplan/solvers.hpp"
 

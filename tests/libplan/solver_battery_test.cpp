@@ -5,6 +5,7 @@
 #include "libltl/parse.hpp"
 #include "libltl/random.hpp"
 #include "libplan/solve/certify.hpp"
+#include "libplan/solve/route_planner.hpp"
 #include "tests/libplan/maps.hpp"
 #include "tests/libplan/solvers.hpp"
 #include "tests/support/generate.hpp"

@@ -7,6 +7,7 @@
 #include "libltl/print.hpp"
 #include "libltl/progress.hpp"
 #include "libltl/semantics.hpp"
+#include "libplan/solve/route_planner.hpp"
 
 namespace waymark::plan {
 namespace {
@@ -25,7 +26,7 @@ std::optional<Route> by_policy(const Map& map, const automata::Dfa& dfa, std::sp
   return route;
 }
 
-std::optional<Route> on_the_fly(const Map& map, const automata::Dfa& dfa, std::span<const PoseId> starts) {
+std::optional<Route> breadth_first(const Map& map, const automata::Dfa& dfa, std::span<const PoseId> starts) {
   const auto answer = RoutePlanner(map, dfa).plan(starts);
   EXPECT_FALSE(std::holds_alternative<Exhausted>(answer));
   if (const auto* route = std::get_if<Route>(&answer)) return *route;
@@ -48,7 +49,7 @@ std::vector<Solver> all_solvers() {
            [](auto& map, auto& dfa, auto starts) { return by_policy(map, dfa, starts, Dijkstra); }},
           {"A* on the product",
            [](auto& map, auto& dfa, auto starts) { return by_policy(map, dfa, starts, AStar); }},
-          {"A* on the fly", on_the_fly}};
+          {"breadth first on the fly", breadth_first}};
 }
 
 std::optional<Trajectory> by_enumeration(const Map& map, ltl::Formula f, PoseId start, std::size_t length) {

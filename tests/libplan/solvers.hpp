@@ -9,6 +9,7 @@
 
 #include "libautomata/ltlf_to_dfa.hpp"
 #include "libltl/formula.hpp"
+#include "libplan/solve/route.hpp"
 #include "libplan/solve/shortest_route.hpp"
 
 namespace waymark::plan {

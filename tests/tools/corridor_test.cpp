@@ -126,8 +126,9 @@ TEST(Corridor, TrainsAndEvaluatesOnASmallCorpus) {
   std::filesystem::remove_all(folder);
   ASSERT_EQ(evaluated.exit_code, 0);
   const json scores = json::parse(evaluated.output);
-  EXPECT_EQ(keys(scores), (std::vector<std::string>{"folds", "n", "paragraph", "paragraph_path", "path",
-                                                    "seconds", "sentence"}));
+  EXPECT_EQ(keys(scores),
+            (std::vector<std::string>{"folds", "n", "paragraph", "paragraph_path", "path", "published",
+                                      "satisfiable", "seconds", "sentence", "staying"}));
   EXPECT_EQ(keys(scores["folds"]), (std::vector<std::string>{"grid", "jelly", "l"}));
   EXPECT_EQ(scores["n"]["sentences"], 3);
   EXPECT_EQ(scores["sentence"]["absolute"], 100.0);  // "turn left" is learnt from two other lefts

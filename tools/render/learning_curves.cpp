@@ -78,11 +78,7 @@ std::string draw_curves(const CurvePlot& plot) {
   for (const Curve& curve : plot.curves)
     for (const Curve::Point& p : curve.points) axes.most_steps = std::max(axes.most_steps, p.steps);
   Svg svg;
-  const std::string size = number(width) + ' ' + number(height);
-  svg.open("svg", R"(xmlns="http://www.w3.org/2000/svg" viewBox="0 0 )" + size + R"(" width=")" +
-                      number(width) + R"(" height=")" + number(height) + R"(" font-family=")" +
-                      std::string(font_family) + '"');
-  svg.rectangle({0, 0}, width, height, R"(fill="#ffffff")");
+  svg.open_picture(width, height);
   svg.text({16, 24}, 16, plot.title, R"(fill="#1c3f7c")");
   svg.text({16, 44}, 13, plot.caption, R"(fill="#5c5c5c")");
   draw_axes(svg, axes);

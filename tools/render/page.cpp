@@ -94,11 +94,7 @@ std::string drawable(std::string formula) {
 
 void open_document(Svg& svg, double width, double height) {
   svg.raw("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n");
-  svg.open("svg",
-           "xmlns=\"http://www.w3.org/2000/svg\" xmlns:xlink=\"http://www.w3.org/1999/xlink\" width=\"" +
-               number(width) + "\" height=\"" + number(height) + "\" viewBox=\"0 0 " + number(width) + ' ' +
-               number(height) + "\" font-family=\"" + std::string(font_family) + '"');
-  svg.rectangle({0, 0}, width, height, R"(fill="#fff")");
+  svg.open_picture(width, height);
 }
 
 std::string draw_page(const Page& page) {

@@ -86,6 +86,14 @@ void Svg::open(std::string_view element, std::string_view attributes) {
   out_ += '<' + std::string(element) + (attributes.empty() ? "" : " ") + std::string(attributes) + ">\n";
 }
 
+void Svg::open_picture(double width, double height) {
+  const std::string size = number(width) + ' ' + number(height);
+  open("svg", R"(xmlns="http://www.w3.org/2000/svg" xmlns:xlink="http://www.w3.org/1999/xlink" width=")" +
+                  number(width) + R"(" height=")" + number(height) + R"(" viewBox="0 0 )" + size +
+                  R"(" font-family=")" + std::string(font_family) + '"');
+  rectangle({0, 0}, width, height, R"(fill="#fff")");
+}
+
 void Svg::close(std::string_view element) { out_ += "</" + std::string(element) + ">\n"; }
 
 void Svg::line(Point from, Point to, std::string_view attributes) {

@@ -24,6 +24,7 @@ inline constexpr std::string_view font_family = "Helvetica, Arial, 'DejaVu Sans'
 // A growing document. Attributes are given as text, ready to paste: `fill="#fff" stroke="none"`.
 class Svg {
  public:
+  void open_picture(double width, double height);  // the element svg, white ground and links included
   void open(std::string_view element, std::string_view attributes = "");
   void close(std::string_view element);
   void line(Point from, Point to, std::string_view attributes);

@@ -5,7 +5,7 @@
 #include "libltl/parse.hpp"
 #include "libltl/progress.hpp"
 #include "libplan/learn/task_trees.hpp"
-#include "libplan/solve/shortest_route.hpp"
+#include "libplan/solve/route_planner.hpp"
 #include "tests/libplan/learn/tasks.hpp"
 
 namespace waymark::plan {

@@ -7,7 +7,7 @@
 
 #include "libplan/learn/environment.hpp"
 #include "libplan/learn/optimum.hpp"
-#include "libplan/solve/shortest_route.hpp"
+#include "libplan/solve/route_planner.hpp"
 #include "tests/libplan/learn/tasks.hpp"
 
 namespace waymark::plan {

@@ -102,6 +102,12 @@ TEST(ReadCase, SaysWhatIsWrongAndWhere) {
       {R"({"format": "ltlmap/1", "nodes": [{"id": 3}], "edges": [{"from": 3, "to": 4, "dir": "N"}],
            "start": {"node": 3, "heading": "N"}})",
        "edges[0].to: there is no node with that id"},
+      {R"({"format": "ltlmap/1", "nodes": [{"id": 3}], "edges": [], "start": {"node": 3, "heading": "N"},
+           "motion": {"forward": {"forward": 1}, "left": {"stay": 0.5, "beyond": 0.5}}})",
+       "motion.left: the chances of a turn leave nothing for turning"},
+      {R"({"format": "ltlmap/1", "nodes": [{"id": 3}, {"id": 4}], "edges": [{"from": 3, "to": 4, "dir": "N"}],
+           "start": {"node": 3, "heading": "N"}, "motion": {"forward": 0.5}})",
+       "motion: state 0: the probabilities of a choice do not add up to 1"},
   };
   for (const auto& [json, complaint] : table) {
     try {
@@ -111,6 +117,30 @@ TEST(ReadCase, SaysWhatIsWrongAndWhere) {
       EXPECT_NE(std::string(error.what()).find(complaint), std::string::npos) << error.what();
     }
   }
+}
+
+// Two hallways north of 0, one east of 1; what a slip does is worked out by hand.
+TEST(ReadCase, ActionsOfHallwayMapsMaySlip) {
+  const auto cost = [](const std::string& motion, const char* formula) {
+    const PlanningCase map = parse_case(R"({"format": "ltlmap/1", "nodes": [{"id": 0, "props": ["s"]},
+      {"id": 1, "props": ["m"]}, {"id": 2, "props": ["n"]}, {"id": 3, "props": ["e"]}],
+      "edges": [{"from": 0, "to": 1, "dir": "N"}, {"from": 1, "to": 2, "dir": "N"}, {"from": 1, "to": 3, "dir": "E"}],
+      "start": {"node": 0, "heading": "N"}, "motion": )" +
+                                        motion + "}");
+    return answer(map, {.id = "", .formula = formula, .query = CaseTask::Query::MinCost}).value.middle();
+  };
+  const std::string sides = R"({"forward": 0.8, "left": 0.1, "right": 0.1})";
+  EXPECT_NEAR(cost(sides, "F m"), 1.25, 1e-5);  // no hallway to the sides of 0: a slip stays
+  // From 1: 0.8 to 2; 0.1 stays; 0.1 into 3, heading north kept. A way back from there is two turns, a move that slips
+  // no more, and two turns: never cheaper than to end there, so F (n | e) is hit or stay.
+  EXPECT_NEAR(cost(sides, "F (n | e)"), 1.25 + 1 / 0.9, 1e-5);
+  const std::string turns =
+      R"({"forward": {"forward": 1}, "right": {"stay": 0.5}, "left": {"stay": 0.25, "beyond": 0.25}})";
+  EXPECT_NEAR(cost(turns, "F e"), 1 + 2 + 1, 1e-5);  // the right turn takes two tries
+  EXPECT_NEAR(cost(R"({"forward": {"forward": 1}, "right": {"stay": 0.9}, "left": {"beyond": 0.5}})", "F e"),
+              1 + 3 + 1,
+              1e-5);  // left is worth half a turn or a whole one: t = 1 + (t' + t'') / 2, see below
+  EXPECT_NEAR(cost("{}", "F e"), 3, 1e-5);
 }
 
 TEST(ReadCase, OneWayCellsAreEnteredAndLeftOneWayOnly) {

@@ -1,0 +1,28 @@
+// Finished parts of a long experiment, kept in a directory: a run that was killed goes on after the last of them.
+//
+// A part is a file under the name it was given, written to a temporary name and renamed: there whole or not at all,
+// whatever ends the process. Parts are whatever bytes they are; models carry their own checksum (weights_file.hpp).
+#pragma once
+#include <filesystem>
+#include <optional>
+#include <string>
+
+namespace waymark::parser {
+
+class Checkpoints {
+ public:
+  // The directory is made when it is not there. It belongs to one experiment: `settings`, any text that says what the
+  // parts depend on, is kept beside them. Throws ltl::FormatError when the directory holds parts of other settings, or
+  // cannot be used.
+  Checkpoints(std::filesystem::path directory, const std::string& settings);
+
+  bool has(const std::string& name) const;
+  std::optional<std::string> find(const std::string& name) const;
+  // From several threads at once, of different names. Throws ltl::FormatError when the file cannot be written.
+  void keep(const std::string& name, const std::string& bytes) const;
+
+ private:
+  std::filesystem::path directory_;
+};
+
+}  // namespace waymark::parser
