@@ -51,7 +51,7 @@ Optimum optimum(const TabularProduct& product, const OptimumOptions& options) {
   best.sweeps = sweeps.sweeps();
   best.policy.assign(product.states(), no_action);
   solved.for_each_state([&](AsSolved::State s) {
-    const std::uint32_t action = sweeps.best(s, 1e-15).choice;
+    const std::uint32_t action = sweeps.best(s, 1e-14).choice;
     if (action != Strategy::none) best.policy[s.index] = static_cast<std::uint8_t>(action);
   });
   best.value = value_of(product, best.policy, discount);

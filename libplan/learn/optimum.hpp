@@ -2,7 +2,7 @@
 // learners maximise, over the product that they step in.
 //
 // On a deterministic model that is γ^(n−1) for the fewest actions n, so the best policy is a route of least cost where
-// every action costs the same. With γ < 1 the sweeps end when no value is further than `tolerance` from V.
+// every action costs the same. With γ < 1 the sweeps end when no value is further than `tolerance` (relative) from V.
 #pragma once
 #include "libplan/learn/policy_value.hpp"
 

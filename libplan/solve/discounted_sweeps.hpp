@@ -30,7 +30,8 @@ class DiscountedSweeps {
     });
   }
 
-  // Until a sweep changes nothing by more than `enough`. False: stopped, or so many sweeps were made.
+  // Until a sweep changes nothing by more than `enough` of what it becomes: γ^n is small, and a goal a thousand steps away is one all
+  // the same. False: stopped, or so many sweeps were made.
   bool run(double enough, const std::stop_token& stop, std::uint64_t most = UINT64_MAX) {
     for (double change = 2 * enough + 1; change > enough; ++sweeps_) {
       if (stop.stop_requested() || sweeps_ == most) return false;
@@ -38,8 +39,9 @@ class DiscountedSweeps {
       product_.for_each_state([&](const auto& s) {
         if (product_.is_goal(s)) return;
         const double value = best(s).value;
-        change = std::max(change, value - values_[s.index]);
-        values_[s.index] = std::max(values_[s.index], value);
+        if (!(value > values_[s.index])) return;
+        change = std::max(change, (value - values_[s.index]) / value);
+        values_[s.index] = value;
       });
     }
     return true;
@@ -49,7 +51,7 @@ class DiscountedSweeps {
     std::uint32_t choice = Strategy::none;
     double value = 0;
   };
-  // The first best choice, up to `slack`; none where nothing is to be gained.
+  // The first best choice, up to a relative `slack`; none where nothing is to be gained.
   template <class State>
   Best best(const State& s, double slack = 0) const {
     Best out;
@@ -58,7 +60,7 @@ class DiscountedSweeps {
       product_.for_each_outcome(s, k, [&](std::uint32_t t, double p, bool) {
         if (t != Product::lost) sum += p * discount_ * values_[t];
       });
-      if (sum > out.value + slack) out = {k, sum};
+      if (sum > out.value * (1 + slack)) out = {k, sum};
     }
     return out;
   }
