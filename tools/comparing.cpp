@@ -88,11 +88,12 @@ JsonObject json_of(const ComparedTask& task, const Protocol& protocol) {
   JsonArray starts, methods;
   for (const plan::Pose& pose : task.starts)
     starts.add(JsonArray().add(pose.x).add(pose.y).add(pose.heading));
+  if (!task.start.empty()) starts.add(task.start);
   for (const MethodRuns& method : task.methods) methods.add(json_of(method));
   JsonObject json;
-  json.add("formula", ltl::print(task.formula))
-      .add("map", task.map)
-      .add("starts", starts)
+  json.add("formula", ltl::print(task.formula)).add("map", task.map);
+  if (!task.task.empty()) json.add("task", task.task);
+  json.add("starts", starts)
       .add("automaton_states", task.automaton_states)
       .add("product_states", task.product_states)
       .add("status", task.optimum.probability > 0 ? "solved" : "infeasible");
@@ -112,6 +113,7 @@ JsonObject json_of(const ComparedTask& task, const Protocol& protocol) {
 }
 
 void print(std::ostream& out, const Terminal& terminal, const ComparedTask& task, const Protocol& protocol) {
+  if (!task.task.empty()) out << "task     " << task.task << '\n';
   out << "formula  " << shown(task.formula, terminal) << "\nproduct  "
       << counted(task.product_states, "state") << ": map " << task.map << " and "
       << counted(task.automaton_states, "state") << " of the automaton\n";

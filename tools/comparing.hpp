@@ -14,6 +14,7 @@ namespace waymark::tools {
 
 struct Searched {  // the exact search for a route, where nothing slips
   double cost = 0, seconds = 0;
+  bool is_reference = false;  // the optimum costs the same: all actions do, and there is one start
 };
 
 struct MethodRuns {
@@ -25,7 +26,9 @@ struct MethodRuns {
 struct ComparedTask {
   ltl::Formula formula;
   std::string map;
-  std::vector<plan::Pose> starts = {};
+  std::vector<plan::Pose> starts = {};  // on a map
+  std::string task = {},
+              start = {};  // of a planning case: the name of the task, and of the state it begins in
   std::size_t automaton_states = 0, product_states = 0;
   plan::PolicyValue optimum = {};
   double seconds_of_optimum = 0;

@@ -50,29 +50,42 @@ struct LearningTaskOptions {
   bool gltl = false;  // prepare for GltlMethod; one start only
 };
 
-// One task on one map, made once and only read by the runs: any number of threads.
+// One task on one map or model, made once and only read by the runs: any number of threads.
 class LearningTask {
  public:
   LearningTask(const Map& map, const automata::Dfa& dfa, ltl::Formula formula, std::span<const PoseId> starts,
+               const LearningTaskOptions& options = {});
+  // On a model, whose noise is its own. Networks see distances to every proposition there is: Sight::Landmarks.
+  template <class Model>
+  LearningTask(const Model& model, const automata::Dfa& dfa, ltl::Formula formula,
                const LearningTaskOptions& options = {});
 
   const TabularProduct& product() const { return product_; }
   const Optimum& optimum() const { return optimum_; }
   double seconds_of_optimum() const { return seconds_; }
-  bool allows(const Method& method) const;  // GLTL is for formulas with few temporal operators
+  // GLTL is for formulas with few temporal operators, the other sights are for maps.
+  bool allows(const Method& method) const;
   LearningCurve run(const Method& method, const Training& training) const;
 
  private:
-  const neural::Matrix& seen(Sight sight) const {
-    return observations_[static_cast<std::size_t>(sight)].by_position;
+  LearningTask(TabularProduct product, ltl::Formula formula, double discount);
+  template <class Model>
+  void prepare_gltl(const Model& model, ltl::Formula formula);
+  const std::optional<Observations>& seen(Sight sight) const {
+    return observations_[static_cast<std::size_t>(sight)];
   }
   TabularProduct product_;
   Optimum optimum_;
   double seconds_ = 0;
-  std::array<Observations, 3> observations_;     // by Sight
-  std::optional<TabularProduct> gltl_, judged_;  // with expiry, and the same states without
+  std::array<std::optional<Observations>, 3> observations_;  // by Sight
+  std::optional<TabularProduct> gltl_, judged_;              // with expiry, and the same states without
   TaskTrees trees_;
 };
+
+extern template LearningTask::LearningTask(const Mdp&, const automata::Dfa&, ltl::Formula,
+                                           const LearningTaskOptions&);
+extern template LearningTask::LearningTask(const GridWorld&, const automata::Dfa&, ltl::Formula,
+                                           const LearningTaskOptions&);
 
 double success(const PolicyValue& value, const PolicyValue& optimum);
 double score(const PolicyValue& value, const PolicyValue& optimum);

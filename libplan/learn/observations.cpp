@@ -31,6 +31,21 @@ std::vector<std::string> named(const Map& map, Sight sight) {
   return names;
 }
 
+// Rows divided by the greatest distance of all.
+Observations scaled(std::vector<std::string> names, const std::vector<Distances>& rows,
+                    std::size_t positions) {
+  std::uint32_t greatest = 1;
+  for (const Distances& row : rows)
+    for (const auto& distance : row) greatest = std::max(greatest, distance.value_or(0));
+  Observations seen{std::move(names), {}};
+  seen.by_position.resize(static_cast<neural::Index>(rows.size()), static_cast<neural::Index>(positions));
+  for (std::size_t row = 0; row < rows.size(); ++row)
+    for (std::size_t at = 0; at < positions; ++at)
+      seen.by_position(static_cast<neural::Index>(row), static_cast<neural::Index>(at)) =
+          static_cast<float>(rows[row][at].value_or(greatest)) / static_cast<float>(greatest);
+  return seen;
+}
+
 }  // namespace
 
 Distances actions_to(const Map& map, ltl::Proposition p) {
@@ -57,20 +72,39 @@ Distances segments_to(const Map& map, ltl::Proposition p) {
 }
 
 Observations observe(const Map& map, Sight sight) {
-  Observations seen{named(map, sight), {}};
+  std::vector<std::string> names = named(map, sight);
   std::vector<Distances> rows;
-  std::uint32_t greatest = 1;
-  for (const std::string& name : seen.names) {
+  for (const std::string& name : names) {
     const ltl::Proposition p = map.vocabulary().find(name).value();
     rows.push_back(sight == Sight::Literal ? segments_to(map, p) : actions_to(map, p));
-    for (const auto& distance : rows.back()) greatest = std::max(greatest, distance.value_or(0));
   }
-  seen.by_position.resize(static_cast<neural::Index>(rows.size()), static_cast<neural::Index>(map.poses()));
-  for (std::size_t row = 0; row < rows.size(); ++row)
-    for (std::size_t pose = 0; pose < map.poses(); ++pose)
-      seen.by_position(static_cast<neural::Index>(row), static_cast<neural::Index>(pose)) =
-          static_cast<float>(rows[row][pose].value_or(greatest)) / static_cast<float>(greatest);
-  return seen;
+  return scaled(std::move(names), rows, map.poses());
 }
+
+template <class Model>
+Observations observe(const Model& model) {
+  const auto states = static_cast<std::uint32_t>(model.states());
+  std::vector<std::string> names;
+  std::vector<Distances> rows;
+  for (std::uint32_t i = 0; i < model.letters().vocabulary().size(); ++i) {
+    const ltl::Proposition p{i};
+    Distances shown(states);
+    if (model.letters()[model.initial_letter()].contains(p)) shown[model.initial()] = 0;
+    for (std::uint32_t s = 0; s < states; ++s)
+      for (std::uint32_t k = 0; k < model.choices(s); ++k)
+        model.for_each_outcome(s, k, [&](std::uint32_t target, LetterId letter, double) {
+          if (model.letters()[letter].contains(p)) shown[target] = 0;
+        });
+    if (std::none_of(shown.begin(), shown.end(), [](const auto& d) { return d.has_value(); })) continue;
+    names.push_back(model.letters().vocabulary().name(p));
+    rows.push_back(backwards(std::move(shown), [&](std::uint32_t s, auto&& meet) {
+      model.for_each_predecessor(s, [&](std::uint32_t before) { meet(before); });
+    }));
+  }
+  return scaled(std::move(names), rows, states);
+}
+
+template Observations observe(const Mdp&);
+template Observations observe(const GridWorld&);
 
 }  // namespace waymark::plan

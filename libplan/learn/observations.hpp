@@ -12,6 +12,8 @@
 #include <vector>
 
 #include "libneural/parameters.hpp"
+#include "libplan/model/grid_world.hpp"
+#include "libplan/model/mdp.hpp"
 #include "libplan/world/map.hpp"
 
 namespace waymark::plan {
@@ -24,6 +26,13 @@ struct Observations {
 };
 
 Observations observe(const Map& map, Sight sight);
+
+// Of any model: for each proposition that its letters carry, the fewest actions, if all goes well, to a state in which the
+// proposition has just been read.
+template <class Model>
+Observations observe(const Model& model);
+extern template Observations observe(const Mdp&);
+extern template Observations observe(const GridWorld&);
 
 // By pose: the fewest actions to a pose whose label carries the proposition; nullopt where there is no way. O(poses).
 std::vector<std::optional<std::uint32_t>> actions_to(const Map& map, ltl::Proposition p);

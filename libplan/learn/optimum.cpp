@@ -1,63 +1,58 @@
 #include "libplan/learn/optimum.hpp"
 
-#include <algorithm>
-#include <cmath>
+#include "libplan/solve/discounted_sweeps.hpp"
 
 namespace waymark::plan {
 namespace {
 
-double after(const TabularProduct& product, const std::vector<double>& value, std::uint32_t position,
-             std::uint32_t q, std::uint32_t action, double discount) {
-  double sum = 0, before = 0;
-  for (const TabularProduct::Outcome& o : product.outcomes_of(position, action)) {
-    const std::uint32_t next = product.task.after(q, o.letter);
-    const double probability = o.up_to - before;
-    before = o.up_to;
-    switch (product.task.ending[next]) {
-      case Ending::Accepting: sum += probability; break;
-      case Ending::Trap: break;
-      case Ending::Open: sum += probability * discount * value[product.state(o.position, next)]; break;
+// A learner's product as solvers see one: traps are lost, actions that are offered are choices.
+class AsSolved {
+ public:
+  static constexpr std::uint32_t lost = UINT32_MAX;
+  struct State {
+    std::uint32_t index;
+  };
+  explicit AsSolved(const TabularProduct& product) : product_(product) {}
+
+  std::size_t states() const { return product_.states(); }
+  template <class Visit>
+  void for_each_state(Visit&& visit) const {
+    for (std::uint32_t i = 0; i < states(); ++i) visit(State{i});
+  }
+  bool is_goal(State s) const { return product_.ending(s.index) == Ending::Accepting; }
+  std::uint32_t choices(State s) const {
+    return product_.ending(s.index) == Ending::Open ? product_.actions : 0;
+  }
+  template <class Visit>  // nothing comes of an action that is not offered
+  void for_each_outcome(State s, std::uint32_t action, Visit&& visit) const {
+    const std::uint32_t q = product_.task_of(s.index);
+    double before = 0;
+    for (const TabularProduct::Outcome& o : product_.outcomes_of(product_.position_of(s.index), action)) {
+      const std::uint32_t next = product_.task.after(q, o.letter);
+      visit(product_.task.ending[next] == Ending::Trap ? lost : product_.state(o.position, next),
+            o.up_to - before, false);
+      before = o.up_to;
     }
   }
-  return sum;
-}
 
-template <class Visit>  // visit(position, task) for every open pair
-void for_each_open(const TabularProduct& product, Visit&& visit) {
-  for (std::uint32_t position = 0; position < product.positions; ++position)
-    for (std::uint32_t q = 0; q < product.task.tasks; ++q)
-      if (product.task.ending[q] == Ending::Open) visit(position, q);
-}
+ private:
+  const TabularProduct& product_;
+};
 
 }  // namespace
 
 Optimum optimum(const TabularProduct& product, const OptimumOptions& options) {
-  std::vector<double> value(product.states(), 0);
-  Optimum best;
+  const AsSolved solved(product);
   const double discount = options.discount;
-  const double enough = discount < 1 ? options.tolerance * (1 - discount) : options.tolerance;
-  for (double change = 1; change > enough && best.sweeps < options.sweeps; ++best.sweeps) {
-    change = 0;
-    for_each_open(product, [&](std::uint32_t position, std::uint32_t q) {
-      double most = 0;
-      for (std::uint32_t a = 0; a < product.actions; ++a)
-        if (product.is_offered(position, a))
-          most = std::max(most, after(product, value, position, q, a, discount));
-      double& v = value[product.state(position, q)];
-      change = std::max(change, std::abs(most - v));
-      v = most;
-    });
-  }
+  DiscountedSweeps sweeps(solved, discount);
+  sweeps.run(discount < 1 ? discounted_change(options.tolerance, discount) : options.tolerance, {},
+             options.sweeps);
+  Optimum best;
+  best.sweeps = sweeps.sweeps();
   best.policy.assign(product.states(), no_action);
-  for_each_open(product, [&](std::uint32_t position, std::uint32_t q) {
-    double most = 0;
-    for (std::uint32_t a = 0; a < product.actions; ++a) {
-      if (!product.is_offered(position, a)) continue;
-      const double worth = after(product, value, position, q, a, discount);
-      if (worth <= most + 1e-15) continue;  // the first of equals, and none where nothing is to be gained
-      most = worth;
-      best.policy[product.state(position, q)] = static_cast<std::uint8_t>(a);
-    }
+  solved.for_each_state([&](AsSolved::State s) {
+    const std::uint32_t action = sweeps.best(s, 1e-14).choice;
+    if (action != Strategy::none) best.policy[s.index] = static_cast<std::uint8_t>(action);
   });
   best.value = value_of(product, best.policy, discount);
   return best;

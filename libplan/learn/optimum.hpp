@@ -1,9 +1,8 @@
-// The best that a learner can come to: value iteration on the discounted return that all of them maximise.
+// The best that a learner can come to: the solvers' sweeps (solve/discounted_sweeps.hpp) for the discounted return that all
+// learners maximise, over the product that they step in.
 //
-//   V(s) = max over a of Σ Pr(s′ | s, a) · (1 if s′ accepts, 0 if it is a trap, γ V(s′) otherwise)      [SB18, Sec. 4.4]
 // On a deterministic model that is γ^(n−1) for the fewest actions n, so the best policy is a route of least cost where
-// every action costs the same. Below, with γ < 1, the sweeps are a contraction: they end when no value is further than
-// `tolerance` from V.
+// every action costs the same. With γ < 1 the sweeps end when no value is further than `tolerance` (relative) from V.
 #pragma once
 #include "libplan/learn/policy_value.hpp"
 

@@ -1,10 +1,9 @@
 // The greatest discounted reward of a finite task: E γ^(T−1), T the number of actions until the task is satisfied for
 // the first time, 0 when it never is; 1 where it is at the start. What learners maximise (libplan/learn), on any model.
 //
-//   V(s) = max over choices of Σ Pr(t | s) · (1 if t is a goal, γ V(t) otherwise)           [SB18, Sec. 4.4]
-// Sweeps from below in place are a contraction: after one that changed nothing by more than δ, values are within
-// δ γ / (1 − γ) of V. A strategy that is greedy for values within ε loses at most 2 ε γ / (1 − γ) [SB18, Sec. 4.2], so the
-// sweeps go on until that is below the tolerance; the strategy is evaluated as a Markov chain by the same sweeps.
+// Sweeps from below in place (discounted_sweeps.hpp). A strategy that is greedy for values within ε loses at most
+// 2 ε γ / (1 − γ) [SB18, Sec. 4.2], so the sweeps go on until that is below the tolerance; the strategy is evaluated as a
+// Markov chain by the same sweeps.
 #pragma once
 #include <optional>
 

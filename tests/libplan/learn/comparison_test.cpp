@@ -69,6 +69,40 @@ TEST(Comparison, EveryMethodRunsOnATask) {
   EXPECT_GE(names.size(), 10U);
 }
 
+// On a grid the reference is the route of the search, also where γ^n is next to nothing; tables learn it.
+TEST(Comparison, ModelsAreLearntToo) {
+  const ltl::Vocabulary names({"a", "b"});
+  const auto corridor = [&](std::uint32_t length, double slip) {
+    std::vector<std::uint16_t> cells(length, 0);
+    cells.front() = 1;
+    cells.back() = 2;
+    GridWorld::Shape shape{.width = length, .height = 1};
+    shape.motion.fill({.forward = 1 - 2 * slip, .left = slip, .right = slip, .back = 0});
+    return GridWorld(
+        shape, names,
+        {{}, {.label = ltl::Letter{ltl::Proposition{0}}}, {.label = ltl::Letter{ltl::Proposition{1}}}}, cells,
+        length / 2);
+  };
+  ltl::Arena arena(names);
+  const ltl::Formula phi = ltl::parse("F (a & F b)", arena);
+  const automata::Dfa dfa = automata::ltlf_to_dfa(phi);
+  const LearningTask far(corridor(601, 0), dfa, phi, {});
+  EXPECT_EQ(far.optimum().value.cost, 900);
+  const LearningTask near(corridor(9, 0), dfa, phi, {});
+  EXPECT_EQ(near.optimum().value.cost, 12);
+  EXPECT_NEAR(LearningTask(corridor(9, 0.1), dfa, phi, {}).optimum().value.cost, 12 / 0.8, 1e-9);
+  for (const Method& method : learning_methods()) {
+    const auto* dqn = std::get_if<DqnMethod>(&method.how);
+    EXPECT_EQ(near.allows(method), dqn != nullptr ? dqn->sight == Sight::Landmarks
+                                                  : !std::holds_alternative<GltlMethod>(method.how));
+    if (!near.allows(method)) continue;
+    const LearningCurve curve = near.run(method, {.steps = 2'000, .interval = 1'000, .horizon = 200});
+    EXPECT_EQ(curve.checkpoints.size(), 3U) << method.name;
+    if (method.name != "shaped") continue;
+    EXPECT_EQ(curve.checkpoints.back().value.cost, 12);
+  }
+}
+
 // Number 5 of the issue, as a count: optimal routes of three-waypoint tasks within 2,000 environment steps.
 TEST(Comparison, CounterfactualAndShapedLearnersAreOptimalWithinTwoThousandSteps) {
   const Map map = shipped("grid");

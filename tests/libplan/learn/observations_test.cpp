@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "libltl/parse.hpp"
 #include "libltl/progress.hpp"
 #include "libplan/learn/task_trees.hpp"
@@ -41,6 +43,23 @@ TEST(Observations, LiteralDistancesDoNotSeeTheHeading) {
   EXPECT_EQ(literal.by_position.row(1).minCoeff(), 1);  // there is no sofa
   EXPECT_EQ(observe(map, Sight::Landmarks).names,
             (std::vector<std::string>{"chair", "sofa", "blue", "brick", "ahead_fish"}));
+}
+
+// A map's model is seen as the map is, up to the scale.
+TEST(Observations, OfAModelAreThoseOfItsMap) {
+  const Map map = shipped("grid");
+  const Observations of_model = observe(mdp_of(map, PoseId{0}));
+  for (const char* name : {"sofa", "blue", "ahead_fish"}) {
+    const auto distance = actions_to(map, map.vocabulary().find(name).value());
+    const auto found = std::find(of_model.names.begin(), of_model.names.end(), name);
+    ASSERT_NE(found, of_model.names.end()) << name;
+    const auto row = of_model.by_position.row(found - of_model.names.begin());
+    float scale = 0;
+    for (std::uint32_t i = 0; i < map.poses(); ++i)
+      if (distance[i].value() > 0) scale = row(i) / static_cast<float>(*distance[i]);
+    for (std::uint32_t i = 0; i < map.poses(); ++i)
+      EXPECT_FLOAT_EQ(row(i), scale * static_cast<float>(*distance[i])) << name;
+  }
 }
 
 // The formula of a state accepts the words that the automaton accepts from there.
