@@ -138,8 +138,8 @@ TEST(ReadCase, ActionsOfHallwayMapsMaySlip) {
       R"({"forward": {"forward": 1}, "right": {"stay": 0.5}, "left": {"stay": 0.25, "beyond": 0.25}})";
   EXPECT_NEAR(cost(turns, "F e"), 1 + 2 + 1, 1e-5);  // the right turn takes two tries
   EXPECT_NEAR(cost(R"({"forward": {"forward": 1}, "right": {"stay": 0.9}, "left": {"beyond": 0.5}})", "F e"),
-              1 + 3 + 1,
-              1e-5);  // left is worth half a turn or a whole one: t = 1 + (t' + t'') / 2, see below
+              1 + 3.6 + 1,
+              1e-5);  // by left turns alone: N = 1 + (W + S) / 2, W = 1 + S / 2, S = 1 + N / 2
   EXPECT_NEAR(cost("{}", "F e"), 3, 1e-5);
 }
 
