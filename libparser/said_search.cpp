@@ -30,7 +30,8 @@ class SaidSearch {
         wording_(frame, mentions(tokens)),
         says_if_(says(tokens, "if")),
         says_otherwise_(says(tokens, "otherwise")),
-        units_(gold.actions.size() + 1) {
+        units_(gold.actions.size() + 1),
+        directed_(frame.vocabulary().size(), false) {
     poses_.push_back(gold.start);
     for (const plan::Action action : gold.actions)
       poses_.push_back(*executor.map().successor(poses_.back(), action));
@@ -73,9 +74,12 @@ class SaidSearch {
       const std::string& thing = columns.parts[columns.thing[token] - columns.tokens];
       const std::string& direction = columns.parts[columns.direction[token] - columns.tokens];
       const bool mentioned = std::binary_search(said.begin(), said.end(), thing);
-      if (!grammar_.usable(p) || direction == "direction place") continue;
+      const bool is_said =
+          direction != "direction place" && direction != "direction behind" && direction != "direction next";
+      if (!grammar_.usable(p) || !is_said) continue;
       if (!mentioned && vocabulary.name({p}) != "ahead_wall") continue;
       literals_.push_back(p);
+      directed_[p] = direction != "direction here" && !grammar_.is_turn(p);
       if (grammar_.is_turn(p)) continue;
       const bool around = direction == "direction left" || direction == "direction right";
       if (mentioned && (around || direction == "direction ahead")) conditions_.push_back(p);
@@ -100,11 +104,11 @@ class SaidSearch {
     return it->second;
   }
 
-  // Where the gold route is after this unit, when it goes that way and is not over at once.
+  // Where the gold route is after this unit, when it goes that way. One may be where one has to go to, and be done at once.
   std::optional<std::size_t> done_by(std::size_t at, const Program& unit) {
     const auto& plan = plan_of(at, unit);
     const std::size_t left = gold_.actions.size() - at;
-    if (!plan || plan->actions.empty() || plan->actions.size() > left) return std::nullopt;
+    if (!plan || plan->actions.size() > left) return std::nullopt;
     const auto from = gold_.actions.begin() + static_cast<std::ptrdiff_t>(at);
     if (!std::equal(plan->actions.begin(), plan->actions.end(), from)) return std::nullopt;
     return at + plan->actions.size();
@@ -155,11 +159,19 @@ class SaidSearch {
     }
   }
 
+  // "The chair" is where one stands sooner than what one sees: enough to decide between programs that say the same.
+  double directions_of(const Program& program) const {
+    double sum = 0;
+    for (const Step& step : program)
+      for (const std::uint16_t p : step.literals()) sum += directed_[p] ? 0.05 : 0;
+    return sum;
+  }
+
   // By so many units more.
   void extend(const Program& program, std::size_t at, std::size_t units) {
     if (units == 0) {
       if (at == gold_.actions.size() && grammar_.contains(program))
-        found_.push_back({program, wording_.disagreement(program)});
+        found_.push_back({program, wording_.disagreement(program) + directions_of(program)});
       return;
     }
     for (const Unit& unit : units_from(at)) {
@@ -180,6 +192,7 @@ class SaidSearch {
   std::vector<std::uint16_t> literals_, guards_, conditions_;
   std::vector<Step> steps_;
   std::vector<std::optional<std::vector<Unit>>> units_;  // by position on the gold route
+  std::vector<bool> directed_;                           // by proposition: seen in a direction
   std::vector<Said> found_;
   std::size_t prefixes_ = 0;
 };

@@ -93,6 +93,17 @@ void print_table(const parser::Evaluation& evaluation, const parser::Scores& sta
             << fixed(evaluation.seconds, 1) << " s of training and testing\n";
 }
 
+void print_scores(const parser::Evaluation& evaluation, const parser::Corpus& test,
+                  std::span<const plan::Map> maps, const parser::EvaluateOptions& evaluate, bool json) {
+  const parser::Scores staying = scores_of_staying(test, maps, evaluate.absolute, evaluate.relative);
+  const parser::FormulaScores formulas =
+      parser::formula_scores(evaluation.predictions, test, maps, evaluate.absolute);
+  if (json)
+    std::cout << json_of(evaluation, staying, formulas).text() << '\n';
+  else
+    print_table(evaluation, staying), print_formulas(formulas);
+}
+
 void check_what_is_held_out(const Options& options) {
   if (options.corpus.empty()) throw UsageError("evaluate asks for --corpus, or for --pairs");
   if (!options.leave_one_map_out && !options.train_all)
@@ -149,14 +160,7 @@ ExitCode run_evaluate(const Options& options, const Session& session) {
   }
   bar.wipe();
   if (!options.predictions.empty()) write_predictions(options.predictions, *evaluation, test_maps);
-  const parser::Scores staying =
-      scores_of_staying(test ? *test : corpus, test_maps, evaluate.absolute, evaluate.relative);
-  const parser::FormulaScores formulas =
-      parser::formula_scores(evaluation->predictions, test ? *test : corpus, test_maps, evaluate.absolute);
-  if (options.json)
-    std::cout << json_of(*evaluation, staying, formulas).text() << '\n';
-  else
-    print_table(*evaluation, staying), print_formulas(formulas);
+  print_scores(*evaluation, test ? *test : corpus, test_maps, evaluate, options.json);
   return ExitCode::Done;
 }
 

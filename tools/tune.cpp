@@ -130,6 +130,29 @@ void print_row(const Row& row, const std::vector<plan::Map>& maps, bool json) {
   std::cout << std::endl;
 }
 
+void print_head(const std::string& convention, const std::vector<plan::Map>& maps) {
+  std::cout << "per cent of sentences, " << convention
+            << ": learned from one of the other maps, tested on another of them\n"
+            << std::left << std::setw(40) << "setting, for the map left out:" << std::right;
+  for (const plan::Map& map : maps) std::cout << std::setw(10) << map.name();
+  std::cout << std::endl;
+}
+
+// By map left out. `source`: whose corpus it is, for messages.
+std::vector<double> validated(const parser::Corpus& corpus, const std::vector<plan::Map>& maps,
+                              const parser::TrainOptions& train, const std::string& source) {
+  std::vector<double> left_out;
+  try {
+    const auto pairs = parser::validate(corpus, maps, train);
+    for (std::size_t m = 0; m < maps.size(); ++m) left_out.push_back(parser::without_map(pairs, m).value());
+  } catch (const parser::Stopped&) {
+    throw Interrupted();
+  } catch (const std::invalid_argument& error) {
+    throw ltl::FormatError(source, 0, 0, error.what());
+  }
+  return left_out;
+}
+
 ExitCode run_tune(const Options& options, const Session& session) {
   const parser::Corpus corpus = parser::read_sail_corpus(options.corpus);
   const std::vector<plan::Map> maps = maps_of(corpus, options.data);
@@ -138,13 +161,7 @@ ExitCode run_tune(const Options& options, const Session& session) {
     parser::TrainOptions unused;
     for (const auto& [name, value] : setting) set(unused, name, value);
   }
-  if (!options.json) {
-    std::cout << "per cent of sentences, " << options.convention
-              << ": learned from one of the other maps, tested on another of them\n"
-              << std::left << std::setw(40) << "setting, for the map left out:" << std::right;
-    for (const plan::Map& map : maps) std::cout << std::setw(10) << map.name();
-    std::cout << std::endl;
-  }
+  if (!options.json) print_head(options.convention, maps);
   std::vector<Row> rows;
   for (const Setting& setting : settings) {
     parser::TrainOptions train = options.training.settled();
@@ -157,16 +174,7 @@ ExitCode run_tune(const Options& options, const Session& session) {
       bar.show((static_cast<double>(rows.size()) + fraction) / static_cast<double>(settings.size()),
                show(setting));
     };
-    Row row{setting, {}};
-    try {
-      const auto pairs = parser::validate(corpus, maps, train);
-      for (std::size_t m = 0; m < maps.size(); ++m)
-        row.left_out.push_back(parser::without_map(pairs, m).value());
-    } catch (const parser::Stopped&) {
-      throw Interrupted();
-    } catch (const std::invalid_argument& error) {
-      throw ltl::FormatError(options.corpus, 0, 0, error.what());
-    }
+    Row row{setting, validated(corpus, maps, train, options.corpus)};
     bar.wipe();
     print_row(row, maps, options.json);
     rows.push_back(std::move(row));

