@@ -184,7 +184,7 @@ class Construction {
     const auto raw = raw_tableau(forms_.plain, guess_steps,
                                  std::min({guess_states, most_, worth_again * best.states() + few_again}));
     if (!raw) return std::nullopt;
-    routes_.push_back(reduced(merged(*raw), MarksOn::Edges));
+    routes_.push_back(reduced_tableau(*raw));
     return routes_.back();
   }
   // The minimal weak automaton or the reduced tableau, whichever is smaller.
@@ -192,7 +192,7 @@ class Construction {
     if (ltl::fragments(f, ltl::Semantics::Infinite).obligation) return obligation(f);
     const auto raw = raw_tableau(f, tableau_steps, most_);
     if (!raw) return std::nullopt;
-    Candidate first = reduced(merged(*raw), MarksOn::Edges);
+    Candidate first = reduced_tableau(*raw);
     std::optional<Candidate> second = fewer(deterministic(f, first.automaton)), third = fewer(recurring(f));
     if (is_deterministic(first.automaton)) second = smallest(std::move(second), fewer(first));
     if (f == formula_) routes_.push_back(first);
@@ -293,6 +293,11 @@ class Construction {
     states_ = std::max(states_, effort.states());
     return made;
   }
+  Candidate reduced_tableau(const Tableau& raw) const {
+    Effort effort(reduction_steps, SIZE_MAX, limits_.stop);
+    Reduced out = reduce_as_marked(merged(raw), effort);
+    return {std::move(out.automaton), out.complete};
+  }
   Candidate reduced(Branching automaton, MarksOn marks) const {
     Effort effort(reduction_steps, SIZE_MAX, limits_.stop);
     Reduced out = reduce(std::move(automaton), marks, effort);
@@ -340,20 +345,6 @@ class Construction {
   std::vector<Candidate> routes_;   // of the whole formula, where there is a choice
   std::size_t& states_;             // made by the tableau that made most
 };
-
-// A set on all branches where every run accepts.
-Branching with_one_set(Branching automaton) {
-  if (automaton.acceptance.sets > 0) return automaton;
-  std::vector<std::uint32_t> all;
-  for (std::uint32_t q = 0; q < automaton.states(); ++q) all.push_back(q);
-  Branching out = rebuild(automaton, all, [](std::uint32_t, std::span<const Branch> choice) {
-    std::vector<Branch> branches(choice.begin(), choice.end());
-    for (Branch& b : branches) b.marks = Marks::of(0);
-    return branches;
-  });
-  out.acceptance = Acceptance::buchi();
-  return out;
-}
 
 std::variant<Translated, Exhausted> translate(Formula f, const TranslationLimits& limits, bool buchi) {
   std::size_t states = 0;

@@ -65,7 +65,7 @@ INSTANTIATE_TEST_SUITE_P(
                       Gate{"ltl_somenzi_bloem", 39, 76, 45, 86}, Gate{"ltl_pelanek_beem", 23, 51, 26, 56},
                       Gate{"ltl_liberouter", 92, 404, 119, 785}, Gate{"ltl_lily", 153, 796, 165, 831},
                       Gate{"ltl_families", 945, 5254, 1004, 5268},
-                      Gate{"ltl_random4", 3244, 8909, 3483, 9559}),
+                      Gate{"ltl_random4", 3224, 8769, 3482, 9535}),
     [](const auto& gate) { return std::string(gate.param.set); });
 
 }  // namespace

@@ -9,6 +9,9 @@
 #include "libautomata/omega/hoa.hpp"
 #include "libautomata/omega/random_automaton.hpp"
 #include "libautomata/omega/simulation.hpp"
+#include "libautomata/omega/tableau.hpp"
+#include "libltl/nnf.hpp"
+#include "libltl/parse.hpp"
 #include "tests/support/generate.hpp"
 #include "tests/support/sanitizers.hpp"
 
@@ -20,6 +23,10 @@ class Reductions : public ::testing::Test {
   // What `change` makes of some hundred random automata accepts the same lassos, and seldom nothing or everything.
   template <class Change>
   void keep_the_language(const Change& change) {
+    keep_the_language([](const Branching& a) { return a; }, change);
+  }
+  template <class Prepare, class Change>
+  void keep_the_language(const Prepare& prepare, const Change& change) {
     constexpr std::uint64_t seed = 31;
     ltl::Random random(seed);
     const auto vocabulary = testing::letters_vocabulary(2);
@@ -27,11 +34,12 @@ class Reductions : public ::testing::Test {
     std::size_t accepted = 0, smaller = 0;
     constexpr std::size_t automata = testing::sanitized ? 50 : 300;
     for (std::size_t i = 0; i < automata; ++i) {
-      const Automaton before = random_automaton(random, vocabulary,
-                                                {.states = static_cast<std::uint32_t>(2 + random.below(5)),
-                                                 .sets = static_cast<std::uint32_t>(random.below(3)),
-                                                 .empty = 0.3,
-                                                 .generic = false});
+      const Automaton given = random_automaton(random, vocabulary,
+                                               {.states = static_cast<std::uint32_t>(2 + random.below(5)),
+                                                .sets = static_cast<std::uint32_t>(random.below(3)),
+                                                .empty = 0.3,
+                                                .generic = false});
+      const Automaton before = as_automaton(prepare(given.transitions()), vocabulary, given.reads());
       const Automaton after = as_automaton(change(before.transitions()), vocabulary, before.reads());
       smaller += after.states() < before.states() ? 1 : 0;
       for (const ltl::Lasso& word : words) {
@@ -82,6 +90,9 @@ TEST_F(Reductions, FreeMarksKeepTheLanguage) {
 TEST_F(Reductions, ReduceKeepsTheLanguage) {
   keep_the_language([&](const Branching& a) { return reduce(a, MarksOn::Edges, effort_).automaton; });
 }
+TEST_F(Reductions, ReduceAsMarkedKeepsTheLanguage) {
+  keep_the_language([&](const Branching& a) { return reduce_as_marked(a, effort_).automaton; });
+}
 TEST_F(Reductions, FewestMarksKeepsTheLanguage) {
   keep_the_language([&](const Branching& a) { return fewest_marks(a, effort_).value_or(a); });
 }
@@ -118,6 +129,14 @@ TEST_F(Reductions, AMarkOnABranchThatLeavesItsComponentTellsNothingApart) {
     --BODY-- State: 0 [t] 0 [0] 1 [0] 2 State: 1 [t] 3 State: 2 [0] 1 [0] 2 {0} State: 3 [!1] 3 [1] 4
     State: 4 [t] 4 {0} --END--)");
   EXPECT_EQ(reduce(before, MarksOn::Edges, effort_).automaton.states(), 4U);
+}
+
+TEST_F(Reductions, MarksThatAreAddedMayTellEqualStatesApart) {
+  ltl::Arena arena;
+  const ltl::Formula f = ltl::nnf(ltl::parse("G((F c & (G !d R !a)) | (G !c & (F d U a)))", arena));
+  const Branching raw = tableau(f, ltl::propositions(f), effort_).automaton;
+  EXPECT_EQ(reduce(raw, MarksOn::Edges, effort_).automaton.states(), 10U);
+  EXPECT_EQ(reduce_as_marked(raw, effort_).automaton.states(), 7U);
 }
 
 }  // namespace
