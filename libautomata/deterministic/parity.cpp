@@ -91,26 +91,6 @@ std::optional<Dpa> Dpa::checked(Automaton automaton) {
   return Dpa(std::move(automaton));
 }
 
-Branching trim(const Branching& automaton) {
-  const Branching reached = canonical(automaton);
-  const LiveComponents live = live_components(BranchGraph(reached), reached.acceptance.condition);
-  if (!live.live[reached.initial]) return nothing_accepted();
-  std::vector<std::uint32_t> kept, number(reached.states(), 0);
-  for (std::uint32_t q = 0; q < reached.states(); ++q) {
-    if (!live.live[q]) continue;
-    number[q] = static_cast<std::uint32_t>(kept.size());
-    kept.push_back(q);
-  }
-  Branching out = rebuild(reached, kept, [&](std::uint32_t, std::span<const Branch> choice) {
-    std::vector<Branch> branches;
-    for (const Branch& b : choice)
-      if (live.live[b.target]) branches.push_back({number[b.target], b.marks});
-    return branches;
-  });
-  out.initial = number[reached.initial];
-  return out;
-}
-
 Reduced reduce_parity(const Branching& automaton, Effort& effort, std::size_t compared) {
   Reduced out{trim(automaton), true};
   Branching& live = out.automaton;

@@ -23,9 +23,6 @@ class Dpa {
   Automaton automaton_;
 };
 
-// Without what no accepting run visits; any condition. One state without branches when nothing is accepted.
-Branching trim(const Branching& automaton);
-
 // Any of the four parity conditions as parity(Min, Even, n), the same language.
 Branching min_even_parity(const Branching& automaton);
 

@@ -124,4 +124,17 @@ Branching degeneralize(const Branching& automaton, const LevelRule& rule, Effort
   return second.run();
 }
 
+Branching with_one_set(Branching automaton) {
+  if (automaton.acceptance.sets > 0) return automaton;
+  std::vector<std::uint32_t> all;
+  for (std::uint32_t q = 0; q < automaton.states(); ++q) all.push_back(q);
+  Branching out = rebuild(automaton, all, [](std::uint32_t, std::span<const Branch> choice) {
+    std::vector<Branch> branches(choice.begin(), choice.end());
+    for (Branch& b : branches) b.marks = Marks::of(0);
+    return branches;
+  });
+  out.acceptance = Acceptance::buchi();
+  return out;
+}
+
 }  // namespace waymark::automata

@@ -19,4 +19,7 @@ struct LevelRule {
 // One state of effort per copy.
 Branching degeneralize(const Branching& automaton, const LevelRule& rule, Effort& effort);
 
+// A set on all branches where every run accepts and there is none.
+Branching with_one_set(Branching automaton);
+
 }  // namespace waymark::automata

@@ -10,6 +10,7 @@
 #include "libautomata/omega/emptiness.hpp"
 #include "libautomata/omega/fewest_marks.hpp"
 #include "libautomata/omega/language_merge.hpp"
+#include "libautomata/omega/needless_components.hpp"
 #include "libautomata/omega/prepare.hpp"
 #include "libautomata/omega/product.hpp"
 #include "libautomata/omega/recurrence.hpp"
@@ -61,6 +62,32 @@ class Construction {
         states_(states) {}
 
   std::optional<Candidate> tgba() {
+    std::optional<Candidate> best = smallest_route();
+    return best ? without_needless(*best) : std::move(best);
+  }
+
+  // From every automaton that a route gave: the smallest generalised one need not be the best to start from.
+  std::optional<Candidate> buchi() {
+    const std::optional<Candidate> general = smallest_route();
+    if (!general || general->weak) return general;
+    const Candidate least = without_needless(*general);
+    if (least.automaton.states() >= large_states)
+      return counted(least.automaton, {.look_ahead = true}, least.reduced, SIZE_MAX);
+    std::optional<Candidate> best;
+    put_marks_on_states(*general, least.automaton.states(), best);
+    for (const Candidate& other : routes_)
+      if (other.automaton.states() <= 2 * general->automaton.states())
+        put_marks_on_states(other, least.automaton.states(), best);
+    put_marks_on_states(least, least.automaton.states(), best);
+    return best;
+  }
+
+  Automaton finish(const Branching& automaton, const ltl::Vocabulary& vocabulary) const {
+    return as_automaton(automaton, vocabulary, reads_);
+  }
+
+ private:
+  std::optional<Candidate> smallest_route() {
     std::optional<Candidate> best = products();
     if (best) most_ = worth_trying(best->automaton.states());
     best = smallest(std::move(best), direct(formula_));
@@ -71,25 +98,6 @@ class Construction {
     return best;
   }
 
-  // From every automaton that a route gave: the smallest generalised one need not be the best to start from.
-  std::optional<Candidate> buchi() {
-    std::optional<Candidate> general = tgba();
-    if (!general || general->weak) return general;
-    if (general->automaton.states() >= large_states)
-      return counted(general->automaton, {.look_ahead = true}, general->reduced, SIZE_MAX);
-    std::optional<Candidate> best;
-    put_marks_on_states(*general, general->automaton.states(), best);
-    for (const Candidate& other : routes_)
-      if (other.automaton.states() <= 2 * general->automaton.states())
-        put_marks_on_states(other, general->automaton.states(), best);
-    return best;
-  }
-
-  Automaton finish(const Branching& automaton, const ltl::Vocabulary& vocabulary) const {
-    return as_automaton(automaton, vocabulary, reads_);
-  }
-
- private:
   static bool smaller(const Branching& a, const Branching& b) {
     return a.states() < b.states() || (a.states() == b.states() && count_edges(a) < count_edges(b));
   }
@@ -184,7 +192,7 @@ class Construction {
     const auto raw = raw_tableau(forms_.plain, guess_steps,
                                  std::min({guess_states, most_, worth_again * best.states() + few_again}));
     if (!raw) return std::nullopt;
-    routes_.push_back(reduced(merged(*raw), MarksOn::Edges));
+    routes_.push_back(reduced_tableau(*raw));
     return routes_.back();
   }
   // The minimal weak automaton or the reduced tableau, whichever is smaller.
@@ -192,7 +200,7 @@ class Construction {
     if (ltl::fragments(f, ltl::Semantics::Infinite).obligation) return obligation(f);
     const auto raw = raw_tableau(f, tableau_steps, most_);
     if (!raw) return std::nullopt;
-    Candidate first = reduced(merged(*raw), MarksOn::Edges);
+    Candidate first = reduced_tableau(*raw);
     std::optional<Candidate> second = fewer(deterministic(f, first.automaton)), third = fewer(recurring(f));
     if (is_deterministic(first.automaton)) second = smallest(std::move(second), fewer(first));
     if (f == formula_) routes_.push_back(first);
@@ -293,6 +301,18 @@ class Construction {
     states_ = std::max(states_, effort.states());
     return made;
   }
+  Candidate without_needless(const Candidate& from) {
+    if (from.weak || from.automaton.states() >= large_states || is_deterministic(from.automaton)) return from;
+    Effort effort(reduction_steps, SIZE_MAX, limits_.stop);
+    Reduced out = without_needless_components(from.automaton, effort);
+    if (!smaller(out.automaton, from.automaton)) return from;
+    return {std::move(out.automaton), out.complete && from.reduced};
+  }
+  Candidate reduced_tableau(const Tableau& raw) const {
+    Effort effort(reduction_steps, SIZE_MAX, limits_.stop);
+    Reduced out = reduce_as_marked(merged(raw), effort);
+    return {std::move(out.automaton), out.complete};
+  }
   Candidate reduced(Branching automaton, MarksOn marks) const {
     Effort effort(reduction_steps, SIZE_MAX, limits_.stop);
     Reduced out = reduce(std::move(automaton), marks, effort);
@@ -340,20 +360,6 @@ class Construction {
   std::vector<Candidate> routes_;   // of the whole formula, where there is a choice
   std::size_t& states_;             // made by the tableau that made most
 };
-
-// A set on all branches where every run accepts.
-Branching with_one_set(Branching automaton) {
-  if (automaton.acceptance.sets > 0) return automaton;
-  std::vector<std::uint32_t> all;
-  for (std::uint32_t q = 0; q < automaton.states(); ++q) all.push_back(q);
-  Branching out = rebuild(automaton, all, [](std::uint32_t, std::span<const Branch> choice) {
-    std::vector<Branch> branches(choice.begin(), choice.end());
-    for (Branch& b : branches) b.marks = Marks::of(0);
-    return branches;
-  });
-  out.acceptance = Acceptance::buchi();
-  return out;
-}
 
 std::variant<Translated, Exhausted> translate(Formula f, const TranslationLimits& limits, bool buchi) {
   std::size_t states = 0;

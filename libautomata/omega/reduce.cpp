@@ -19,7 +19,9 @@ std::vector<bool> colours(const Branching& automaton, MarksOn marks) {
   return out;
 }
 
-constexpr std::size_t many_states = 400;  // from here on what merges states most is enough
+constexpr std::size_t many_states = 400;     // from here on what merges states most is enough
+constexpr std::size_t most_as_marked = 200;  // merged states with the marks as given that are looked at first
+constexpr std::size_t least_again = 8, most_again = 12;  // states of a result that both ways are tried for
 
 class Steps {
  public:
@@ -69,6 +71,21 @@ class Steps {
   Effort& effort_;
 };
 
+// What simulation forwards and backwards leaves of a trimmed automaton, its marks as they are.
+Branching simulated(Branching automaton, Effort& effort) {
+  const std::vector<bool> one_colour(automaton.states(), false);
+  while (true) {
+    const std::size_t states = automaton.states(), edges = count_edges(automaton);
+    automaton = trim(Simulations(automaton, effort).quotient());
+    automaton = trim(Simulations(automaton, effort).reverse_quotient(one_colour));
+    if (automaton.states() == states && count_edges(automaton) >= edges) return automaton;
+  }
+}
+
+bool is_smaller(const Branching& a, const Branching& b) {
+  return a.states() < b.states() || (a.states() == b.states() && count_edges(a) < count_edges(b));
+}
+
 }  // namespace
 
 Reduced reduce(Branching automaton, MarksOn marks, Effort& effort) {
@@ -82,6 +99,27 @@ Reduced reduce(Branching automaton, MarksOn marks, Effort& effort) {
   } catch (const Effort::Spent& spent) {
     if (spent.reason == Effort::Spent::Reason::Stopped) throw;
     return {std::move(automaton), false};
+  }
+}
+
+Reduced reduce_as_marked(const Branching& automaton, Effort& effort) {
+  if (automaton.acceptance.sets == 0) return reduce(automaton, MarksOn::Edges, effort);
+  try {
+    const Branching plain = bisimulation_quotient(trim(automaton), effort);
+    Branching saturated = bisimulation_quotient(scc_filter(automaton, MarksOn::Edges, effort), effort);
+    if (plain.states() < saturated.states() && plain.states() <= most_as_marked)
+      return reduce(simulated(plain, effort), MarksOn::Edges, effort);
+    const std::uint32_t sets = saturated.acceptance.sets;
+    Reduced out = reduce(std::move(saturated), MarksOn::Edges, effort);
+    const std::size_t states = out.automaton.states();
+    if (states < least_again || states > most_again || sets == plain.acceptance.sets ||
+        is_deterministic(out.automaton))
+      return out;
+    Reduced other = reduce(simulated(plain, effort), MarksOn::Edges, effort);
+    return is_smaller(other.automaton, out.automaton) ? std::move(other) : std::move(out);
+  } catch (const Effort::Spent& spent) {
+    if (spent.reason == Effort::Spent::Reason::Stopped) throw;
+    return {reduce(automaton, MarksOn::Edges, effort).automaton, false};
   }
 }
 

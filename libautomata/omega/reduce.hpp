@@ -15,4 +15,9 @@ struct Reduced {
 // Never throws Spent except when stopped: what was reached is returned.
 Reduced reduce(Branching automaton, MarksOn marks, Effort& effort);
 
+// The same for marks on edges as a construction gave them. Marks that scc_filter adds let some states simulate others, and
+// tell apart some that were equal: where they do, and where the result is small, states are merged and branches pruned
+// by the given marks first.
+Reduced reduce_as_marked(const Branching& automaton, Effort& effort);
+
 }  // namespace waymark::automata

@@ -113,6 +113,26 @@ Branching nothing_accepted() {
   return out;
 }
 
+Branching trim(const Branching& automaton) {
+  const Branching reached = canonical(automaton);
+  const LiveComponents live = live_components(BranchGraph(reached), reached.acceptance.condition);
+  if (!live.live[reached.initial]) return nothing_accepted();
+  std::vector<std::uint32_t> kept, number(reached.states(), 0);
+  for (std::uint32_t q = 0; q < reached.states(); ++q) {
+    if (!live.live[q]) continue;
+    number[q] = static_cast<std::uint32_t>(kept.size());
+    kept.push_back(q);
+  }
+  Branching out = rebuild(reached, kept, [&](std::uint32_t, std::span<const Branch> choice) {
+    std::vector<Branch> branches;
+    for (const Branch& b : choice)
+      if (live.live[b.target]) branches.push_back({number[b.target], b.marks});
+    return branches;
+  });
+  out.initial = number[reached.initial];
+  return out;
+}
+
 Branching scc_filter(const Branching& automaton, MarksOn marks_on, Effort& effort) {
   if (!automaton.acceptance.is_generalized_buchi())
     throw std::invalid_argument("scc_filter: the acceptance is not generalised Büchi");

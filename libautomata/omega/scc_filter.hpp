@@ -14,6 +14,9 @@ namespace waymark::automata {
 
 enum class MarksOn : std::uint8_t { Edges, States };  // States: all branches of a state carry the same marks
 
+// Without what no accepting run visits; any condition. One state without branches when nothing is accepted.
+Branching trim(const Branching& automaton);
+
 // Generalised Büchi in (std::invalid_argument otherwise), generalised Büchi out. The empty language is one state
 // without branches. With marks on states sets stay as they are, and a state gets mark i when no cycle through it avoids
 // the states that have it.
