@@ -91,8 +91,8 @@ class Experiment {
   }
 
   void search(std::vector<Example>& examples) {
-    find_programs(examples, executors_, PostfixGrammar(maps_.front().vocabulary()), options_.train.threads,
-                  [&](double) {
+    find_programs(examples, executors_, PostfixGrammar(maps_.front().vocabulary(), options_.train.dialect),
+                  options_.train.threads, [&](double) {
                     if (options_.train.progress) options_.train.progress(0, "searching for programs");
                     return !options_.train.stop.stop_requested();
                   });
