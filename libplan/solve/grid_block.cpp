@@ -78,7 +78,14 @@ bool GridBlock::read_cell(std::uint32_t cell, const Unknowns& unknowns, const st
     lower_[to + margin_] = lower[t];
     upper_[to + margin_] = upper[t];
   }
-  std::uint32_t counts = 0;
+  code_[cell] = static_cast<std::uint8_t>(open | counted(open, good));
+  known_[cell] = static_cast<std::uint8_t>(good);
+  return true;
+}
+
+// The choices that count, in bits 4 to 7: they lead somewhere, and, where costs are asked for, nowhere that is lost.
+std::uint32_t GridBlock::counted(std::uint32_t open, std::uint32_t good) const {
+  std::uint32_t out = 0;
   for (std::uint32_t k = 0; k < 4; ++k) {
     double leaves = 0;
     bool all_good = true;
@@ -87,11 +94,9 @@ bool GridBlock::read_cell(std::uint32_t cell, const Unknowns& unknowns, const st
       leaves += chance(k, d);
       all_good = all_good && ((good >> d) & 1U) != 0;
     }
-    if (leaves > 1e-12 && (all_good || is_probability(measure_))) counts |= 16U << k;
+    if (leaves > 1e-12 && (all_good || is_probability(measure_))) out |= 16U << k;
   }
-  code_[cell] = static_cast<std::uint8_t>(open | counts);
-  known_[cell] = static_cast<std::uint8_t>(good);
-  return true;
+  return out;
 }
 
 // A choice that may come to nothing is taken until it comes to something: divided by the chance that it does.
