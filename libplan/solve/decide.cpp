@@ -207,6 +207,7 @@ IterationLimits iteration(const DecisionLimits& limits, std::uint64_t sweeps) {
           .sweeps = sweeps,
           .linear_solves = limits.policy_iteration,
           .written_out = limits.written_out,
+          .on_grid = limits.on_grid,
           .stop = limits.stop};
 }
 

@@ -30,6 +30,7 @@ struct DecisionLimits {
   bool policy_iteration = false;  // by linear solves from the start
   std::size_t written_out = std::size_t{1}
                             << 20U;  // larger blocks are swept without their equations written out
+  std::size_t on_grid = 20'000;      // larger blocks of grids are swept in place, where their kind allows
   std::stop_token stop = {};
 };
 

@@ -21,6 +21,8 @@ struct IterationLimits {
   std::uint64_t sweeps = UINT64_MAX;  // of each block
   bool linear_solves = false;         // policy iteration from the start, not only where sweeps are slow
   std::size_t written_out = std::size_t{1} << 20U;  // unknowns of a block up to which its equations are
+  std::size_t on_grid =
+      20'000;  // unknowns of a block of a grid from which it is swept in place (grid_block.hpp)
   std::stop_token stop = {};
 };
 

@@ -16,9 +16,11 @@
 #include <cstdint>
 #include <optional>
 #include <stop_token>
+#include <type_traits>
 #include <vector>
 
 #include "libplan/solve/equations.hpp"
+#include "libplan/solve/grid_block.hpp"
 #include "libplan/solve/unknowns.hpp"
 
 namespace waymark::plan {
@@ -129,7 +131,23 @@ class ValueIteration {
   bool solve_block(std::uint32_t first, std::uint32_t last) {
     const std::vector<Compact> order = merged_.in_order(first, last);
     if (order.empty()) return true;
+    if constexpr (std::is_same_v<Product, GridBlock::Product>)
+      if (order.size() > limits_.on_grid && !limits_.linear_solves)
+        if (auto block = GridBlock::of(product_, unknowns_, measure, order, values_.lower, values_.upper))
+          return solve_on_grid(order, *block);
     return order.size() <= limits_.written_out ? solve_equations(order) : sweep(order);
+  }
+
+  bool solve_on_grid(const std::vector<Compact>& order, GridBlock& block) {
+    const auto sweeps = block.solve(limits_);
+    if (!sweeps) return false;
+    for (const Compact& c : order) {
+      const std::uint32_t i = product_.state(c).index;
+      values_.lower[i] = block.lower(c.place);
+      values_.upper[i] = block.upper(c.place);
+    }
+    values_.sweeps += *sweeps;
+    return true;
   }
 
   // The rows of the block. Outcomes among merged states come to nothing.

@@ -131,15 +131,14 @@ TEST(ReadCase, ActionsOfHallwayMapsMaySlip) {
   };
   const std::string sides = R"({"forward": 0.8, "left": 0.1, "right": 0.1})";
   EXPECT_NEAR(cost(sides, "F m"), 1.25, 1e-5);  // no hallway to the sides of 0: a slip stays
-  // From 1: 0.8 to 2; 0.1 stays; 0.1 into 3, heading north kept. A way back from there is two turns, a move that slips
-  // no more, and two turns: never cheaper than to end there, so F (n | e) is hit or stay.
+  // From 1: 0.8 to 2, 0.1 into 3 with the heading kept, and 0.1 stays.
   EXPECT_NEAR(cost(sides, "F (n | e)"), 1.25 + 1 / 0.9, 1e-5);
   const std::string turns =
       R"({"forward": {"forward": 1}, "right": {"stay": 0.5}, "left": {"stay": 0.25, "beyond": 0.25}})";
   EXPECT_NEAR(cost(turns, "F e"), 1 + 2 + 1, 1e-5);  // the right turn takes two tries
+  // By left turns: n = 1 + (w + s) / 2, w = 1 + s / 2, s = 1 + n / 2, so n = 3.6.
   EXPECT_NEAR(cost(R"({"forward": {"forward": 1}, "right": {"stay": 0.9}, "left": {"beyond": 0.5}})", "F e"),
-              1 + 3.6 + 1,
-              1e-5);  // by left turns alone: N = 1 + (W + S) / 2, W = 1 + S / 2, S = 1 + N / 2
+              1 + 3.6 + 1, 1e-5);
   EXPECT_NEAR(cost("{}", "F e"), 3, 1e-5);
 }
 

@@ -1,0 +1,102 @@
+// Blocks of grids that are swept in place: the values of linear solves, on small grids of every kind.
+#include "libplan/solve/grid_block.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "libautomata/ltlf_to_dfa.hpp"
+#include "libltl/parse.hpp"
+#include "libltl/random.hpp"
+#include "libplan/solve/decide.hpp"
+#include "libplan/solve/reachability.hpp"
+
+namespace waymark::plan {
+namespace {
+
+constexpr double tolerance = 1e-6;
+constexpr double rounding = 1 + 1e-12;  // what bounds are sound up to
+
+// Walls, hazards x, one-way cells, landmarks a and b; chances and costs by move, some of them nothing.
+GridWorld noisy_grid(ltl::Random& random) {
+  const ltl::Vocabulary names({"a", "b", "x"});
+  std::vector<GridCell> palette(6);
+  palette[1].wall = true;
+  palette[2].one_way = all_compass[random.below(4)];
+  for (std::uint32_t p = 0; p < 3; ++p) palette[3 + p].label = {ltl::Proposition{p}};
+  std::vector<std::uint16_t> cells{0, 3, 4};
+  while (cells.size() < 30) {
+    const std::size_t kind = random.below(16);
+    cells.push_back(static_cast<std::uint16_t>(kind < 6 ? kind : 0));
+  }
+  GridWorld::Shape shape{.width = 6, .height = 5};
+  for (std::size_t d = 0; d < 4; ++d) {
+    SlipChances& slip = shape.motion[d];
+    slip.left = 0.1 * static_cast<double>(random.below(3));
+    slip.right = 0.1 * static_cast<double>(random.below(3));
+    slip.back = 0.05 * static_cast<double>(random.below(3));
+    slip.forward = 1 - slip.left - slip.right - slip.back;
+    shape.cost[d] = 1 + static_cast<double>(random.below(3));
+  }
+  return GridWorld(shape, names, palette, cells, 0);
+}
+
+// Of how many blocks of the question "least cost to a goal" the kind is one that is swept in place.
+std::size_t swept_in_place(const GridBlock::Product& product) {
+  Unknowns unknowns{{}, StateSet(product.states(), false), {}};
+  product.for_each_state([&](const auto& s) { unknowns.targets[s.index] = product.is_goal(s); });
+  unknowns.unknown = almost_surely(product, unknowns.targets);
+  for (std::uint32_t i = 0; i < product.states(); ++i)
+    if (unknowns.targets[i]) unknowns.unknown[i] = false;
+  const std::vector<double> values(product.states(), 0);
+  std::size_t count = 0;
+  const auto& blocks = product.blocks();
+  for (std::size_t b = 0; b + 1 < blocks.size(); ++b) {
+    const auto order =
+        MergedUnknowns<GridBlock::Product>(product, unknowns).in_order(blocks[b], blocks[b + 1]);
+    if (order.empty()) continue;
+    count += GridBlock::of(product, unknowns, Measure::MinCost, order, values, values).has_value() ? 1 : 0;
+  }
+  return count;
+}
+
+TEST(GridBlock, AgreesWithLinearSolves) {
+  constexpr std::uint64_t seed = 72;
+  ltl::Random random(seed);
+  std::size_t in_place = 0, finite = 0, unsure = 0;
+  for (int round = 0; round < 120; ++round) {
+    const GridWorld grid = noisy_grid(random);
+    for (const char* text : {"F (a & F b)", "!x U (a & (!x U b))", "F a & F b", "X X F b", "F (x & X !x)"}) {
+      ltl::Arena arena(grid.letters().vocabulary());
+      const automata::Dfa dfa = automata::ltlf_to_dfa(ltl::parse(text, arena));
+      const TaskTable task(dfa, grid.letters());
+      const auto product = GridBlock::Product::explore(grid, task);
+      ASSERT_TRUE(product);
+      in_place += swept_in_place(*product);
+      const DecisionLimits sweeps{.tolerance = tolerance, .on_grid = 0};
+      const DecisionLimits solves{.tolerance = tolerance, .policy_iteration = true};
+      const auto chance = greatest_probability(*product, sweeps),
+                 chance_too = greatest_probability(*product, solves);
+      ASSERT_TRUE(chance && chance_too) << text << "  round " << round << "  seed " << seed;
+      EXPECT_NEAR(chance->value.middle(), chance_too->value.middle(), tolerance)
+          << text << "  round " << round << "  seed " << seed;
+      unsure += chance->value.middle() > tolerance && chance->value.middle() < 1 - tolerance ? 1 : 0;
+      const auto cost = least_cost(*product, sweeps), cost_too = least_cost(*product, solves);
+      ASSERT_TRUE(cost && cost_too) << text << "  round " << round << "  seed " << seed;
+      EXPECT_EQ(std::isinf(cost->value.lower), std::isinf(cost_too->value.lower));
+      if (std::isinf(cost->value.lower)) continue;
+      ++finite;
+      EXPECT_LE(cost->value.lower, cost_too->value.upper * rounding)
+          << text << "  round " << round << "  seed " << seed;
+      EXPECT_GE(cost->value.upper * rounding, cost_too->value.lower)
+          << text << "  round " << round << "  seed " << seed;
+      EXPECT_LE(cost->value.upper, cost->value.lower * (1 + 2 * tolerance));
+    }
+  }
+  EXPECT_GT(in_place, 200U);
+  EXPECT_GT(finite, 100U);
+  EXPECT_GT(unsure, 20U);
+}
+
+}  // namespace
+}  // namespace waymark::plan
