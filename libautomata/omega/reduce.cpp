@@ -82,18 +82,10 @@ Branching simulated(Branching automaton, Effort& effort) {
   }
 }
 
-bool is_smaller(const Branching& a, const Branching& b) {
-  return a.states() < b.states() || (a.states() == b.states() && count_edges(a) < count_edges(b));
-}
-
-}  // namespace
-
-Reduced reduce(Branching automaton, MarksOn marks, Effort& effort) {
+// Until no step helps. Filtered and merged in.
+Reduced stepwise(Branching automaton, MarksOn marks, Effort& effort) {
   Steps steps(marks, effort);
-  Effort unlimited;  // trimmed in any case, in linear time
-  automaton = scc_filter(automaton, marks, unlimited);
   try {
-    automaton = bisimulation_quotient(automaton, effort);
     while (std::optional<Branching> better = steps.improved(automaton)) automaton = *std::move(better);
     return {std::move(automaton), true};
   } catch (const Effort::Spent& spent) {
@@ -102,15 +94,33 @@ Reduced reduce(Branching automaton, MarksOn marks, Effort& effort) {
   }
 }
 
+bool is_smaller(const Branching& a, const Branching& b) {
+  return a.states() < b.states() || (a.states() == b.states() && count_edges(a) < count_edges(b));
+}
+
+}  // namespace
+
+Reduced reduce(Branching automaton, MarksOn marks, Effort& effort) {
+  Effort unlimited;  // trimmed in any case, in linear time
+  automaton = scc_filter(automaton, marks, unlimited);
+  try {
+    automaton = bisimulation_quotient(automaton, effort);
+  } catch (const Effort::Spent& spent) {
+    if (spent.reason == Effort::Spent::Reason::Stopped) throw;
+    return {std::move(automaton), false};
+  }
+  return stepwise(std::move(automaton), marks, effort);
+}
+
 Reduced reduce_as_marked(const Branching& automaton, Effort& effort) {
   if (automaton.acceptance.sets == 0) return reduce(automaton, MarksOn::Edges, effort);
   try {
-    const Branching plain = bisimulation_quotient(trim(automaton), effort);
-    Branching saturated = bisimulation_quotient(scc_filter(automaton, MarksOn::Edges, effort), effort);
+    const Branching live = trim(automaton), plain = bisimulation_quotient(live, effort);
+    Branching saturated = bisimulation_quotient(scc_filter(live, MarksOn::Edges, effort), effort);
     if (plain.states() < saturated.states() && plain.states() <= most_as_marked)
       return reduce(simulated(plain, effort), MarksOn::Edges, effort);
     const std::uint32_t sets = saturated.acceptance.sets;
-    Reduced out = reduce(std::move(saturated), MarksOn::Edges, effort);
+    Reduced out = stepwise(std::move(saturated), MarksOn::Edges, effort);
     const std::size_t states = out.automaton.states();
     if (states < least_again || states > most_again || sets == plain.acceptance.sets ||
         is_deterministic(out.automaton))
