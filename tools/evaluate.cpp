@@ -80,7 +80,8 @@ void write_predictions(const std::string& file, const parser::Evaluation& evalua
   write_file(file, lines);
 }
 
-void print_table(const parser::Evaluation& evaluation, const parser::Scores& staying) {
+void print_table(const parser::Evaluation& evaluation, const parser::Scores& staying,
+                 const parser::FormulaScores& formulas) {
   print_results_head("left out");
   for (const auto& [map, scores] : evaluation.folds) print_result({map, {scores}});
   print_result({"all", {evaluation.all}});
@@ -88,9 +89,10 @@ void print_table(const parser::Evaluation& evaluation, const parser::Scores& sta
     print_result({"single " + std::to_string(i + 1), {evaluation.singles[i]}});
   if (evaluation.singles.size() > 1) print_result({"singles, mean", evaluation.singles});
   print_result({"who stays put", {staying}});
-  print_published_results();
+  if (formulas.all.same.total == 0) print_published_results();  // they are for a corpus without formulas
   std::cout << "\nunsegmented paragraphs skipped: " << evaluation.all.skipped_paragraphs << "; "
             << fixed(evaluation.seconds, 1) << " s of training and testing\n";
+  print_formulas(formulas);
 }
 
 void print_scores(const parser::Evaluation& evaluation, const parser::Corpus& test,
@@ -101,7 +103,7 @@ void print_scores(const parser::Evaluation& evaluation, const parser::Corpus& te
   if (json)
     std::cout << json_of(evaluation, staying, formulas).text() << '\n';
   else
-    print_table(evaluation, staying), print_formulas(formulas);
+    print_table(evaluation, staying, formulas);
 }
 
 void check_what_is_held_out(const Options& options) {
