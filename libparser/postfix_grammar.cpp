@@ -173,7 +173,7 @@ std::optional<Token> PostfixGrammar::forced(const PrefixState& s) const {
   return std::nullopt;
 }
 
-// Its tokens but `end`, whether or not they are allowed.
+// Its tokens but `end`, whether or not they are allowed, of a program that is complete.
 std::vector<Token> PostfixGrammar::spelled(const Program& program) const {
   std::vector<Token> out;
   const auto unit = [&](const auto& self, std::size_t i) -> void {
@@ -198,6 +198,7 @@ std::vector<Token> PostfixGrammar::spelled(const Program& program) const {
 }
 
 bool PostfixGrammar::contains(const Program& program) const {
+  if (!is_complete(program)) return false;
   std::vector<Token> tokens = spelled(program);
   tokens.push_back(end);
   PrefixState state;

@@ -96,6 +96,12 @@ class Builder {
 
 }  // namespace
 
+bool is_complete(std::span<const Step> program) {
+  std::size_t owed = 0;  // steps to functions before
+  for (const Step& step : program) owed = (owed > 0 ? owed - 1 : 0) + operands(step.kind);
+  return owed == 0;
+}
+
 std::size_t unit_end(std::span<const Step> program, std::size_t i) {
   if (i >= program.size()) throw std::invalid_argument("a function without the step it applies to");
   const std::size_t n = operands(program[i++].kind);

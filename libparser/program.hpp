@@ -62,6 +62,8 @@ constexpr std::size_t operands(StepKind kind) {
   return kind < StepKind::Without ? 0 : kind == StepKind::Whether ? 2 : 1;
 }
 
+// Has every function the steps that it applies to?
+bool is_complete(std::span<const Step> program);
 // A step with all that it applies to is [i, unit_end(program, i)). Throws std::invalid_argument when steps are missing.
 std::size_t unit_end(std::span<const Step> program, std::size_t i);
 

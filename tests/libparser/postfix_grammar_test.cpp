@@ -133,6 +133,8 @@ TEST(PostfixGrammar, FunctionsTakePlainStepsAndAreNotNested) {
   EXPECT_FALSE(temporal.contains({{StepKind::Without, 0, 2, {1, 2}}, to_a}));  // a condition is one literal
   EXPECT_FALSE(temporal.contains({{StepKind::When, 0, 1, {4}}, to_a}));        // and no turn
   EXPECT_FALSE(temporal.contains({{StepKind::Advance, 4, 1, {0}}}));
+  EXPECT_FALSE(temporal.contains({to_a, when}));  // without the step it applies to
+  EXPECT_FALSE(temporal.contains({{StepKind::Whether, 0, 1, {1}}, to_a}));
   EXPECT_THROW(temporal.tokens_of({to_a, when}), std::invalid_argument);
 }
 
