@@ -68,7 +68,7 @@ class Construction {
 
   // From every automaton that a route gave: the smallest generalised one need not be the best to start from.
   std::optional<Candidate> buchi() {
-    const std::optional<Candidate> general = smallest_route();
+    std::optional<Candidate> general = smallest_route();
     if (!general || general->weak) return general;
     const Candidate least = without_needless(*general);
     if (least.automaton.states() >= large_states)
