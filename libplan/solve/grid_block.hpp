@@ -2,10 +2,11 @@
 //
 // All four moves of a cell lead to the same four neighbours, and cells with the same barred moves have the same chances:
 // so the equations of a cell are its neighbours' values and a row of a table, of 256 rows at most. Values stand where the
-// cells stand, so neighbours need no numbers: 22 bytes a cell, where equations written out take 272 (probabilities) or 356 (costs). The sweeps, their order and the proof are
-// those of Equations [HK20, Alg. 2].
-// For blocks of one state of the automaton in which a cell is met with one task only, as in tasks of visits and avoidance; others are
-// left to Equations.
+// cells stand, so neighbours need no numbers: 22 bytes a cell, where equations written out take 272 (probabilities) or
+// 356 (costs). The sweeps, their order and the proof are those of Equations [HK20, Alg. 2]. A strategy is swept in the
+// same way, with one choice a cell.
+// For blocks of one state of the automaton in which a cell is met with one task only, as in tasks of visits and
+// avoidance; others are left to Equations.
 #pragma once
 #include <array>
 #include <cstdint>
