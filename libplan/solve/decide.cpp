@@ -42,7 +42,6 @@ struct Won {
         product.for_each_outcome(s, k,
                                  [&](std::uint32_t, double, bool marked) { any_mark = any_mark || marked; });
     });
-    components.of.assign(product.states(), EndComponents::none);
     if (!any_mark) return;
     components = end_components(product, open, [](const auto&, std::uint32_t) { return true; });
     std::vector<bool> accepting(components.count, false);
@@ -151,11 +150,11 @@ void choose_least(const Product& product, const Unknowns& unknowns, const std::v
   });
 }
 
-template <class Product>
-std::uint32_t first_of_best(const Product& product, const std::vector<double>& values, bool least) {
+template <class Product, class Value>
+std::uint32_t first_of_best(const Product& product, const Value& value, bool least) {
   std::uint32_t best = product.starts().front();
   for (std::uint32_t i : product.starts())
-    if (least ? values[i] < values[best] : values[i] > values[best]) best = i;
+    if (least ? value(i).lower < value(best).lower : value(i).lower > value(best).lower) best = i;
   return best;
 }
 
@@ -189,16 +188,24 @@ Unknowns unknowns_of_least(const Product& product, const StateSet& targets) {
   return unknowns;
 }
 
+// But for what is to be merged.
 template <Measure measure, class Product>
-Unknowns unknowns_of(const Product& product, const StateSet& targets) {
-  if (measure == Measure::MinProbability) return unknowns_of_least(product, targets);
+Unknowns unknowns_in(const Product& product, const StateSet& targets) {
   const StateSet sure = almost_surely(product, targets);
   Unknowns out;
   out.targets = measure == Measure::MaxProbability ? sure : targets;
   out.unknown = measure == Measure::MaxProbability ? can_reach(product, sure) : sure;
   for (std::uint32_t i = 0; i < product.states(); ++i)
     if (out.targets[i]) out.unknown[i] = false;
+  return out;
+}
+
+template <Measure measure, class Product>
+Unknowns unknowns_of(const Product& product, const StateSet& targets) {
+  if (measure == Measure::MinProbability) return unknowns_of_least(product, targets);
+  Unknowns out = unknowns_in<measure>(product, targets);
   out.merged = merged<measure>(product, out.unknown);
+  if (out.merged.count == 0) out.merged.of = {};
   return out;
 }
 
@@ -211,18 +218,21 @@ IterationLimits iteration(const DecisionLimits& limits, std::uint64_t sweeps) {
           .stop = limits.stop};
 }
 
-// What the strategy is worth, from its start.
+// What the strategy is worth, from its start. Nothing is merged: from what is unknown of a chain it leaves by itself.
+// What is claimed of the best strategy is tried first.
 template <Measure measure, class Product>
 std::optional<Bounds> evaluate(const Product& product, const Strategy& strategy, const DecisionLimits& limits,
-                               std::uint64_t sweeps) {
-  const MarkovChain chain(product, strategy);
-  const StateSet won = Won<MarkovChain>(chain).states;
-  const Unknowns unknowns = unknowns_of<measure>(chain, won);
-  if (measure == Measure::MinCost && !unknowns.unknown[0] && !unknowns.targets[0])
+                               std::uint64_t sweeps, const Values* claimed = nullptr) {
+  using Chain = StrategyChain<Product>;
+  const Chain chain(product, strategy);
+  const Unknowns unknowns = unknowns_in<measure>(chain, Won<Chain>(chain).states);
+  const std::uint32_t start = strategy.start;
+  if (measure == Measure::MinCost && !unknowns.unknown[start] && !unknowns.targets[start])
     return Bounds{INFINITY, INFINITY};
-  const auto values = ValueIteration<MarkovChain, measure>(chain, unknowns, iteration(limits, sweeps)).run();
+  const auto values =
+      ValueIteration<Chain, measure>(chain, unknowns, iteration(limits, sweeps), claimed).run();
   if (!values) return std::nullopt;
-  return Bounds{values->lower[0], values->upper[0]};
+  return Bounds{values->lower[start], values->upper[start]};
 }
 
 // Does the strategy deliver what was claimed, up to the tolerance?
@@ -246,15 +256,17 @@ void tighten(Decided& decided) {
         std::min(decided.value.upper, std::max(decided.re_evaluated.upper, decided.value.lower));
 }
 
-// The strategy of the unknown states. Slack costs at most so much in every step, but with too little of it the only way
+// The strategy of the unknown states: by the bounds that some choice of every state attains, whichever they are. Slack costs at most so much in every step, but with too little of it the only way
 // on may be one that drift makes endless: so it is a strategy that was evaluated and found good that counts.
 template <Measure measure, class Product>
-bool choose_and_evaluate(const Product& product, const Unknowns& unknowns, const std::vector<double>& values,
+bool choose_and_evaluate(const Product& product, const Unknowns& unknowns, const Values& values,
                          const DecisionLimits& limits, Decided& out) {
   constexpr std::uint64_t sweeps = 20'000;
+  const bool is_cost = measure == Measure::MinCost;
+  const std::vector<double>& attained = is_cost ? values.upper : values.lower;
   for (double slack : {1e-10, 1e-12, 1e-14, 1e-15, 1e-8, 1e-7, 1e-6, 1e-5}) {
-    if (!choose<measure>(product, unknowns, values, slack, out.strategy)) continue;
-    const auto found = evaluate<measure>(product, out.strategy, limits, sweeps);
+    if (!choose<measure>(product, unknowns, attained, slack, out.strategy)) continue;
+    const auto found = evaluate<measure>(product, out.strategy, limits, sweeps, is_cost ? &values : nullptr);
     if (limits.stop.stop_requested()) return false;
     if (!found) continue;
     out.re_evaluated = *found;
@@ -268,20 +280,19 @@ bool choose_and_evaluate(const Product& product, const Unknowns& unknowns, const
 template <Measure measure, class Product>
 std::optional<Decided> decide(const Product& product, const Won<Product>& won, const DecisionLimits& limits) {
   const Unknowns unknowns = unknowns_of<measure>(product, won.states);
-  const auto values =
-      ValueIteration<Product, measure>(product, unknowns, iteration(limits, UINT64_MAX)).run();
+  auto values = ValueIteration<Product, measure>(product, unknowns, iteration(limits, UINT64_MAX)).run();
   if (!values) return std::nullopt;
   Decided out;
   out.sweeps = values->sweeps;
   out.strategy.choice.assign(product.states(), Strategy::none);
-  std::vector<double> lower = values->lower;
-  if (measure == Measure::MinCost)
-    for (std::uint32_t i = 0; i < product.states(); ++i)
-      if (!unknowns.unknown[i] && !unknowns.targets[i]) lower[i] = INFINITY;
-  out.strategy.start = first_of_best(product, lower, measure != Measure::MaxProbability);
-  out.value = {lower[out.strategy.start], values->upper[out.strategy.start]};
-  if (measure == Measure::MinCost && std::isinf(lower[out.strategy.start])) {
-    out.value = out.re_evaluated = {INFINITY, INFINITY};
+  const auto value = [&](std::uint32_t i) {
+    const bool never = measure == Measure::MinCost && !unknowns.unknown[i] && !unknowns.targets[i];
+    return never ? Bounds{INFINITY, INFINITY} : Bounds{values->lower[i], values->upper[i]};
+  };
+  out.strategy.start = first_of_best(product, value, measure != Measure::MaxProbability);
+  out.value = value(out.strategy.start);
+  if (std::isinf(out.value.lower)) {
+    out.re_evaluated = out.value;
     return out;
   }
   if (measure == Measure::MinProbability) {
@@ -299,7 +310,7 @@ std::optional<Decided> decide(const Product& product, const Won<Product>& won, c
       return unknowns.targets[s.index] && !won.states[s.index] &&
              all_outcomes_in(product, s, k, unknowns.targets);
     });
-  if (!choose_and_evaluate<measure>(product, unknowns, values->lower, limits, out)) return std::nullopt;
+  if (!choose_and_evaluate<measure>(product, unknowns, *values, limits, out)) return std::nullopt;
   return out;
 }
 

@@ -31,6 +31,7 @@ inline bool raises(double before, double after) { return after > before * (1 + 1
 
 class Equations {
  public:
+  static constexpr std::uint32_t factored = 20'000;  // rows up to which LU factors are made
   explicit Equations(Measure measure) : measure_(measure) {}
 
   // Row after row, choice after choice, in the order in which they are to be swept.
@@ -63,8 +64,7 @@ class Equations {
 
  private:
   enum Side : std::uint8_t { Below, Above };
-  static constexpr std::uint32_t factored = 20'000;  // rows up to which LU factors are made
-  static constexpr std::uint64_t most_tries = 64;    // sweeps for a proof, besides as many as went before
+  static constexpr std::uint64_t most_tries = 64;  // sweeps for a proof, besides as many as went before
   std::uint32_t rows() const { return static_cast<std::uint32_t>(first_choice_.size()) - 1; }
   std::uint32_t choices() const { return static_cast<std::uint32_t>(constant_[Below].size()); }
   bool better(double a, double b) const { return measure_ == Measure::MaxProbability ? a > b : a < b; }

@@ -1,6 +1,7 @@
 #include "libplan/solve/grid_block.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <functional>
 #include <queue>
@@ -8,8 +9,8 @@
 
 namespace waymark::plan {
 
-GridBlock::GridBlock(const Product& product, Measure measure, const Order& order)
-    : product_(product), measure_(measure), margin_(product.model().width()) {
+GridBlock::GridBlock(const Product& product, Measure measure, const Order& order, const Strategy* only)
+    : product_(product), measure_(measure), only_(only), margin_(product.model().width()) {
   const std::size_t cells = product.model().states();
   task_ = order.front().task;
   for (const auto& c : order) cells_.push_back(c.place);
@@ -23,7 +24,7 @@ GridBlock::GridBlock(const Product& product, Measure measure, const Order& order
 
 std::optional<GridBlock> GridBlock::of(const Product& product, const Unknowns& unknowns, Measure measure,
                                        const Order& order, const std::vector<double>& lower,
-                                       const std::vector<double>& upper) {
+                                       const std::vector<double>& upper, const Strategy* only) {
   if (measure == Measure::MinProbability || !product.task().jumps(order.front().task).empty())
     return std::nullopt;
   for (const auto& c : order) {
@@ -31,7 +32,7 @@ std::optional<GridBlock> GridBlock::of(const Product& product, const Unknowns& u
         unknowns.merged.count > 0 && unknowns.merged.of[product.state(c).index] != EndComponents::none;
     if (merged || c.task != order.front().task) return std::nullopt;
   }
-  GridBlock block(product, measure, order);
+  GridBlock block(product, measure, order, only);
   if (!block.read(unknowns, lower, upper)) return std::nullopt;
   block.tabulate();
   return block;
@@ -78,7 +79,9 @@ bool GridBlock::read_cell(std::uint32_t cell, const Unknowns& unknowns, const st
     lower_[to + margin_] = lower[t];
     upper_[to + margin_] = upper[t];
   }
-  code_[cell] = static_cast<std::uint8_t>(open | counted(open, good));
+  std::uint32_t choices = counted(open, good);
+  if (only_ != nullptr) choices &= 16U << only_->choice[product_.state(Product::Compact{cell, task_}).index];
+  code_[cell] = static_cast<std::uint8_t>(open | choices);
   known_[cell] = static_cast<std::uint8_t>(good);
   return true;
 }
@@ -114,12 +117,32 @@ void GridBlock::tabulate() {
       const double cost = measure_ == Measure::MinCost ? product_.model().shape().cost[k] : 0;
       rows_[code].cost[k] = counts ? cost / leaves : never;
     }
+  if (only_ == nullptr) return;
+  for (std::uint32_t code = 0; code < 256; ++code) {
+    const std::size_t k = code < 16 ? 0 : static_cast<std::size_t>(std::countr_zero(code >> 4U));
+    Only& row = only_rows_.emplace_back();
+    row.cost = rows_[code].cost[k];
+    for (std::size_t d = 0; d < 4; ++d) row.chance[d] = rows_[code].chance[d][k];
+  }
+}
+
+inline std::array<double, 4> GridBlock::around(std::uint32_t cell, const std::vector<double>& x) const {
+  const double* here = x.data() + cell + margin_;
+  return {*(here - margin_), *(here + 1), *(here + margin_), *(here - 1)};
+}
+
+inline double GridBlock::of_strategy(std::uint32_t cell, const std::vector<double>& x) const {
+  const Only& row = only_rows_[code_[cell]];
+  const std::array<double, 4> values = around(cell, x);
+  double sum = row.cost;
+  for (std::size_t d = 0; d < 4; ++d) sum += row.chance[d] * values[d];
+  return sum;
 }
 
 inline double GridBlock::best(std::uint32_t cell, const std::vector<double>& x) const {
+  if (only_ != nullptr) return of_strategy(cell, x);
   const Row& row = rows_[code_[cell]];
-  const double* here = x.data() + cell + margin_;
-  const std::array<double, 4> values{*(here - margin_), *(here + 1), *(here + margin_), *(here - 1)};
+  const std::array<double, 4> values = around(cell, x);
   std::array<double, 4> offered = row.cost;
   for (std::size_t d = 0; d < 4; ++d)
     for (std::size_t k = 0; k < 4; ++k) offered[k] += row.chance[d][k] * values[d];
@@ -156,6 +179,17 @@ void GridBlock::start_from_best_luck() {
   }
 }
 
+void GridBlock::start_from(const std::vector<double>& lower, const std::vector<double>& upper) {
+  for (std::uint32_t cell : cells_) {
+    const std::uint32_t i = product_.state(Product::Compact{cell, task_}).index;
+    lower_[cell + margin_] = lower[i];
+    upper_[cell + margin_] = upper[i];
+  }
+  started_ = std::none_of(cells_.begin(), cells_.end(), [&](std::uint32_t cell) {
+    return raises(best(cell, lower_), lower_[cell + margin_]);
+  });
+}
+
 double GridBlock::raise() {
   double change = 0;
   for (std::uint32_t cell : cells_) {
@@ -179,27 +213,39 @@ bool GridBlock::close_from_above() {
   return inductive;
 }
 
-bool GridBlock::prove(double tolerance, std::uint64_t sweeps) {
+void GridBlock::guess_above(double tolerance) {
   for (std::uint32_t cell : cells_) {
     const double lower = lower_[cell + margin_];
     upper_[cell + margin_] =
         is_probability(measure_) ? std::min(1.0, lower + tolerance / 2) : lower * (1 + tolerance / 2);
   }
+}
+
+bool GridBlock::closer_than(double tolerance) const {
+  return std::all_of(cells_.begin(), cells_.end(), [&](std::uint32_t cell) {
+    return upper_[cell + margin_] <= lower_[cell + margin_] * (1 + tolerance);
+  });
+}
+
+bool GridBlock::prove(std::uint64_t sweeps) {
   for (std::uint64_t tries = 0; tries < sweeps; ++tries, ++sweeps_)
     if (close_from_above()) return true;
   return false;
 }
 
+// From below much finer than the tolerance asks for: guesses are proved in a few sweeps then, or not at all.
 std::optional<std::uint64_t> GridBlock::solve(const IterationLimits& limits) {
-  constexpr std::uint64_t most_tries = 64;  // sweeps for a proof, besides as many as went before
-  if (measure_ == Measure::MinCost) start_from_best_luck();
-  for (double fine = limits.tolerance / 16;; fine = fine < 1e-18 ? 0 : fine / 64) {
+  constexpr std::uint64_t some_tries = 16;
+  if (started_ && closer_than(limits.tolerance) && prove(some_tries)) return sweeps_;
+  if (measure_ == Measure::MinCost && !started_) start_from_best_luck();
+  for (double fine = limits.tolerance / 1024;; fine = fine < 1e-18 ? 0 : fine / 64) {
     const std::uint64_t before = sweeps_;
     do {
       if (sweeps_ > limits.sweeps || limits.stop.stop_requested()) return std::nullopt;
       ++sweeps_;
     } while (raise() > fine);
-    if (prove(limits.tolerance, sweeps_ - before + most_tries)) return sweeps_;
+    guess_above(limits.tolerance);
+    if (prove((sweeps_ - before) / 2 + some_tries)) return sweeps_;
     if (fine == 0) return std::nullopt;
   }
 }

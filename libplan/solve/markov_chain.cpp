@@ -16,10 +16,4 @@ void MarkovChain::finish() {
       if (outcomes_[o].target != lost) sources_[next[outcomes_[o].target]++] = i;
 }
 
-double MarkovChain::path_cost() const {
-  double cost = 0;
-  for (std::uint32_t i = 0; !goal_[i]; i = outcomes_[first_[i]].target) cost += cost_[i];
-  return cost;
-}
-
 }  // namespace waymark::plan

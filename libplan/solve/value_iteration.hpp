@@ -33,8 +33,14 @@ struct Values {
 template <class Product, Measure measure>
 class ValueIteration {
  public:
-  ValueIteration(const Product& product, const Unknowns& unknowns, const IterationLimits& limits)
-      : product_(product), unknowns_(unknowns), limits_(limits), merged_(product, unknowns) {}
+  // claimed: bounds that may be tried first (GridBlock::start_from); nullptr: none
+  ValueIteration(const Product& product, const Unknowns& unknowns, const IterationLimits& limits,
+                 const Values* claimed = nullptr)
+      : product_(product),
+        unknowns_(unknowns),
+        limits_(limits),
+        merged_(product, unknowns),
+        claimed_(claimed) {}
 
   std::optional<Values> run() {  // nullopt: stopped, out of sweeps, or the bounds do not meet in doubles
     const double target_value = is_probability(measure) ? 1 : 0;
@@ -131,14 +137,26 @@ class ValueIteration {
   bool solve_block(std::uint32_t first, std::uint32_t last) {
     const std::vector<Compact> order = merged_.in_order(first, last);
     if (order.empty()) return true;
-    if constexpr (std::is_same_v<Product, GridBlock::Product>)
+    if constexpr (std::is_same_v<Product, GridBlock::Product> ||
+                  std::is_same_v<Product, StrategyChain<GridBlock::Product>>)
       if (order.size() > limits_.on_grid && !limits_.linear_solves)
-        if (auto block = GridBlock::of(product_, unknowns_, measure, order, values_.lower, values_.upper))
-          return solve_on_grid(order, *block);
+        if (auto block = grid_block(order)) {
+          if (solve_on_grid(order, *block)) return true;
+          if (order.size() > Equations::factored || limits_.stop.stop_requested()) return false;
+        }
     return order.size() <= limits_.written_out ? solve_equations(order) : sweep(order);
   }
 
+  std::optional<GridBlock> grid_block(const std::vector<Compact>& order) const {
+    if constexpr (std::is_same_v<Product, GridBlock::Product>)
+      return GridBlock::of(product_, unknowns_, measure, order, values_.lower, values_.upper);
+    else
+      return GridBlock::of(product_.product(), unknowns_, measure, order, values_.lower, values_.upper,
+                           &product_.strategy());
+  }
+
   bool solve_on_grid(const std::vector<Compact>& order, GridBlock& block) {
+    if (claimed_ != nullptr) block.start_from(claimed_->lower, claimed_->upper);
     const auto sweeps = block.solve(limits_);
     if (!sweeps) return false;
     for (const Compact& c : order) {
@@ -237,6 +255,7 @@ class ValueIteration {
   const Unknowns& unknowns_;
   const IterationLimits& limits_;
   const MergedUnknowns<Product> merged_;
+  const Values* claimed_;
   static constexpr std::uint32_t no_row = UINT32_MAX;
   Values values_;
   std::vector<std::uint32_t> row_;  // by state, of the block at hand

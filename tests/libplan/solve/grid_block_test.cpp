@@ -7,39 +7,15 @@
 
 #include "libautomata/ltlf_to_dfa.hpp"
 #include "libltl/parse.hpp"
-#include "libltl/random.hpp"
 #include "libplan/solve/decide.hpp"
 #include "libplan/solve/reachability.hpp"
+#include "tests/libplan/solve/random_grids.hpp"
 
 namespace waymark::plan {
 namespace {
 
 constexpr double tolerance = 1e-6;
 constexpr double rounding = 1 + 1e-12;  // what bounds are sound up to
-
-// Walls, hazards x, one-way cells, landmarks a and b; chances and costs by move, some of them nothing.
-GridWorld noisy_grid(ltl::Random& random) {
-  const ltl::Vocabulary names({"a", "b", "x"});
-  std::vector<GridCell> palette(6);
-  palette[1].wall = true;
-  palette[2].one_way = all_compass[random.below(4)];
-  for (std::uint32_t p = 0; p < 3; ++p) palette[3 + p].label = {ltl::Proposition{p}};
-  std::vector<std::uint16_t> cells{0, 3, 4};
-  while (cells.size() < 30) {
-    const std::size_t kind = random.below(16);
-    cells.push_back(static_cast<std::uint16_t>(kind < 6 ? kind : 0));
-  }
-  GridWorld::Shape shape{.width = 6, .height = 5};
-  for (std::size_t d = 0; d < 4; ++d) {
-    SlipChances& slip = shape.motion[d];
-    slip.left = 0.1 * static_cast<double>(random.below(3));
-    slip.right = 0.1 * static_cast<double>(random.below(3));
-    slip.back = 0.05 * static_cast<double>(random.below(3));
-    slip.forward = 1 - slip.left - slip.right - slip.back;
-    shape.cost[d] = 1 + static_cast<double>(random.below(3));
-  }
-  return GridWorld(shape, names, palette, cells, 0);
-}
 
 // Of how many blocks of the question "least cost to a goal" the kind is one that is swept in place.
 std::size_t swept_in_place(const GridBlock::Product& product) {
@@ -65,7 +41,7 @@ TEST(GridBlock, AgreesWithLinearSolves) {
   ltl::Random random(seed);
   std::size_t in_place = 0, finite = 0, unsure = 0;
   for (int round = 0; round < 120; ++round) {
-    const GridWorld grid = noisy_grid(random);
+    const GridWorld grid = testing::noisy_grid(random);
     for (const char* text : {"F (a & F b)", "!x U (a & (!x U b))", "F a & F b", "X X F b", "F (x & X !x)"}) {
       ltl::Arena arena(grid.letters().vocabulary());
       const automata::Dfa dfa = automata::ltlf_to_dfa(ltl::parse(text, arena));

@@ -1,4 +1,4 @@
-// Small random grids with three landmarks, and their tours by trying every order.
+// Small random grids: with three landmarks, and their tours by trying every order; with slips and hazards.
 #pragma once
 #include <algorithm>
 #include <cmath>
@@ -23,6 +23,30 @@ inline GridWorld random_grid(ltl::Random& random) {
     cells.push_back(static_cast<std::uint16_t>(r < 5 ? 0 : r < 7 ? 1 : r - 5));
   }
   return GridWorld({.width = 5, .height = 4}, vocabulary, palette, cells, 0);
+}
+
+// Walls, hazards x, one-way cells, landmarks a and b; chances and costs by move, some of them nothing.
+inline GridWorld noisy_grid(ltl::Random& random) {
+  const ltl::Vocabulary names({"a", "b", "x"});
+  std::vector<GridCell> palette(6);
+  palette[1].wall = true;
+  palette[2].one_way = all_compass[random.below(4)];
+  for (std::uint32_t p = 0; p < 3; ++p) palette[3 + p].label = {ltl::Proposition{p}};
+  std::vector<std::uint16_t> cells{0, 3, 4};
+  while (cells.size() < 30) {
+    const std::size_t kind = random.below(16);
+    cells.push_back(static_cast<std::uint16_t>(kind < 6 ? kind : 0));
+  }
+  GridWorld::Shape shape{.width = 6, .height = 5};
+  for (std::size_t d = 0; d < 4; ++d) {
+    SlipChances& slip = shape.motion[d];
+    slip.left = 0.1 * static_cast<double>(random.below(3));
+    slip.right = 0.1 * static_cast<double>(random.below(3));
+    slip.back = 0.05 * static_cast<double>(random.below(3));
+    slip.forward = 1 - slip.left - slip.right - slip.back;
+    shape.cost[d] = 1 + static_cast<double>(random.below(3));
+  }
+  return GridWorld(shape, names, palette, cells, 0);
 }
 
 // All pairs by relaxation, at least one move.
