@@ -19,6 +19,7 @@
 #include <type_traits>
 #include <vector>
 
+#include "libplan/solve/best_value.hpp"
 #include "libplan/solve/equations.hpp"
 #include "libplan/solve/grid_block.hpp"
 #include "libplan/solve/unknowns.hpp"
@@ -40,6 +41,7 @@ class ValueIteration {
         unknowns_(unknowns),
         limits_(limits),
         merged_(product, unknowns),
+        best_(product, unknowns, merged_),
         claimed_(claimed) {}
 
   std::optional<Values> run() {  // nullopt: stopped, out of sweeps, or the bounds do not meet in doubles
@@ -57,55 +59,13 @@ class ValueIteration {
  private:
   using State = typename Product::State;
   using Compact = typename Product::Compact;
-  static bool better(double a, double b) { return measure == Measure::MaxProbability ? a > b : a < b; }
-  static constexpr double worst() { return measure == Measure::MaxProbability ? 0 : INFINITY; }
-
-  // The best choice of one state, given the values.
-  double best_of(const State& s, const std::vector<double>& values) const {
-    const std::uint32_t own = merged_.component(s.index);
-    double best = worst();
-    const std::uint32_t choices = product_.choices(s);
-    for (std::uint32_t k = 0; k < choices; ++k) {
-      double sum = measure == Measure::MinCost ? product_.cost(s, k) : 0, stays = 0;
-      bool counts = true;
-      product_.for_each_outcome(s, k, [&](std::uint32_t t, double p, bool) {
-        if (t == s.index ||
-            (t != Product::lost && own != EndComponents::none && merged_.component(t) == own)) {
-          stays += p;
-        } else if (t != Product::lost &&
-                   (is_probability(measure) || unknowns_.unknown[t] || unknowns_.targets[t])) {
-          sum += p * values[t];
-        } else {
-          counts = counts && is_probability(measure);
-        }
-      });
-      if (!counts) continue;
-      if (stays < 1 - 1e-12)
-        sum /= 1 - stays;
-      else if (measure != Measure::MinProbability)
-        continue;  // never leaves: worth something only where that is what is wanted
-      if (better(sum, best)) best = sum;
-    }
-    return best;
-  }
-
-  double best_of_all(const State& s, const std::vector<double>& values) const {
-    const std::uint32_t own = merged_.component(s.index);
-    if (own == EndComponents::none) return best_of(s, values);
-    double best = worst();
-    for (const Compact& member : merged_.members(own)) {
-      const double value = best_of(product_.state(member), values);
-      if (better(value, best)) best = value;
-    }
-    return best;
-  }
 
   // The greatest change: absolute for probabilities, relative for costs.
   double raise(const std::vector<Compact>& order) {
     double change = 0;
     for (const Compact& c : order) {
       const State s = product_.state(c);
-      const double old = values_.lower[s.index], value = std::max(old, best_of_all(s, values_.lower));
+      const double old = values_.lower[s.index], value = std::max(old, best_.of_all(s, values_.lower));
       if (value == old) continue;
       change = std::max(change, is_probability(measure) ? value - old : (value - old) / value);
       merged_.set(s, values_.lower, value);
@@ -127,7 +87,7 @@ class ValueIteration {
     bool inductive = true;
     for (const Compact& c : order) {
       const State s = product_.state(c);
-      const double old = values_.upper[s.index], value = best_of_all(s, values_.upper);
+      const double old = values_.upper[s.index], value = best_.of_all(s, values_.upper);
       inductive = inductive && (!raises(old, value) || (is_probability(measure) && old == 1));
       if (value < old) merged_.set(s, values_.upper, value);
     }
@@ -255,6 +215,7 @@ class ValueIteration {
   const Unknowns& unknowns_;
   const IterationLimits& limits_;
   const MergedUnknowns<Product> merged_;
+  const BestValue<Product, measure> best_;
   const Values* claimed_;
   static constexpr std::uint32_t no_row = UINT32_MAX;
   Values values_;
