@@ -2,7 +2,6 @@
 //
 // Automata that say finite-words are DFAs, all others are read as automata on infinite words. A stream is answered
 // automaton by automaton. What a file claims and its body contradicts is said on standard error.
-#include <CLI/App.hpp>
 #include <iostream>
 #include <memory>
 
@@ -90,13 +89,13 @@ ExitCode run_automaton(const Options& options, const Session& session) {
 
 }  // namespace
 
-Runner setup_automaton(CLI::App& command) {
+Runner setup_automaton(Command command) {
   const auto options = std::make_shared<Options>();
   AutomatonRequest& request = options->request;
   command.add_option("file", options->file, "HOA, a stream of automata (-: standard input)")
-      ->type_name("FILE");
+      .type_name("FILE");
   const auto file_option = [&](const char* name, std::string& path, const char* help) {
-    command.add_option(name, path, help)->type_name("FILE");
+    command.add_option(name, path, help).type_name("FILE");
   };
   command.add_flag("--complement", request.complement, "the words that are rejected");
   file_option("--product", request.product, "the words that both accept");
@@ -112,23 +111,23 @@ Runner setup_automaton(CLI::App& command) {
   command
       .add_option("--satisfies", request.satisfies,
                   "do all words accepted satisfy this formula? 10 and a word if not")
-      ->type_name("FORMULA");
+      .type_name("FORMULA");
   command.add_flag("--strict", options->strict, "a claim of the file that its body contradicts is an error");
   add_output_options(command, options->output);
   command
-      .add_option_function<std::string>(
+      .add_option_function(
           "--to",
           [options](const std::string& what) {
             const bool is_kind = what == "tgba" || what == "buchi" || what == "parity" || what == "ldba";
             (is_kind ? options->request.kind : options->output.format) = what;
           },
           "a kind of automaton on infinite words to make of it; or the same as --format")
-      ->check(CLI::IsMember(
-          {"tgba", "buchi", "parity", "ldba", "hoa", "dot", "stats", "json", "tsv", "never", "lbtt", "ba"}));
-  command.add_option("--limit-states", request.states, "give up beyond so many states")->type_name("N");
+      .one_of(
+          {"tgba", "buchi", "parity", "ldba", "hoa", "dot", "stats", "json", "tsv", "never", "lbtt", "ba"});
+  command.add_option("--limit-states", request.states, "give up beyond so many states").type_name("N");
   command.add_option("--limit-seconds", options->seconds, "give up on an automaton after so many seconds")
-      ->type_name("SECONDS")
-      ->check(CLI::NonNegativeNumber);
+      .type_name("SECONDS")
+      .not_negative();
   return [options](const Session& session) { return run_automaton(*options, session); };
 }
 

@@ -1,6 +1,5 @@
 #include "tools/automaton_output.hpp"
 
-#include <CLI/App.hpp>
 #include <optional>
 
 #include "libautomata/dot.hpp"
@@ -174,13 +173,13 @@ Reply show_jumps(const automata::MdpSafe& ldba, const Shown& about, const Output
 
 }  // namespace
 
-void add_output_options(CLI::App& command, OutputOptions& options) {
+void add_output_options(Command command, OutputOptions& options) {
   command
       .add_option("--format", options.format,
                   "HOA, Graphviz DOT, one row of counts, JSON, a table; of infinite words also: never claim, "
                   "LBTT, BA")
-      ->check(CLI::IsMember({"hoa", "dot", "stats", "json", "tsv", "never", "lbtt", "ba"}))
-      ->capture_default_str();
+      .one_of({"hoa", "dot", "stats", "json", "tsv", "never", "lbtt", "ba"})
+      .show_default();
   command.add_flag_callback(
       "--json", [&options] { options.format = "json"; }, "the same as --format json");
   command.add_flag("--one-line", options.one_line, "HOA: each automaton on one line");
@@ -188,13 +187,13 @@ void add_output_options(CLI::App& command, OutputOptions& options) {
   command
       .add_option("--acceptance", options.acceptance,
                   "HOA: marks on states or edges; on states only where all edges of each state agree")
-      ->check(CLI::IsMember({"state", "edge"}))
-      ->capture_default_str();
+      .one_of({"state", "edge"})
+      .show_default();
   command
       .add_option("--limit-edges", options.edges,
                   "write no automaton with more edges; they are counted before")
-      ->type_name("N")
-      ->capture_default_str();
+      .type_name("N")
+      .show_default();
 }
 
 std::string show_none(std::size_t line, double seconds, std::string_view status, const std::string& message,

@@ -8,11 +8,8 @@
 #include "libautomata/dfa.hpp"
 #include "libautomata/limit_deterministic/ldba.hpp"
 #include "libautomata/omega/automaton.hpp"
+#include "tools/shell/command.hpp"
 #include "tools/shell/parallel.hpp"
-
-namespace CLI {
-class App;
-}
 
 namespace waymark::tools {
 
@@ -22,7 +19,7 @@ struct OutputOptions {
   std::string acceptance = "state";  // of HOA for DFAs: where the marks stand
   std::size_t edges = 1'000'000;     // explicit edges, at most
 };
-void add_output_options(CLI::App& command, OutputOptions& options);
+void add_output_options(Command command, OutputOptions& options);
 
 struct Shown {
   std::size_t line = 1;

@@ -1,5 +1,4 @@
 // waymark check: does this trajectory satisfy this formula? By the definition of ⊨.
-#include <CLI/App.hpp>
 #include <iostream>
 #include <memory>
 
@@ -88,15 +87,15 @@ ExitCode run_check(const Options& options, const Session& session) {
 
 }  // namespace
 
-Runner setup_check(CLI::App& command) {
+Runner setup_check(Command command) {
   const auto options = std::make_shared<Options>();
   add_text_options(command, options->text, "formula");
   add_notation_options(command, options->notation);
   add_map_options(command, options->map);
   command
       .add_option("--trajectory", options->trajectory, "poses or actions (docs/formats); - is standard input")
-      ->type_name("FILE")
-      ->required();
+      .type_name("FILE")
+      .required();
   command.add_flag("--progress", options->progress, "print what remains of the formula after every letter");
   command.add_flag("--json", options->json, "one JSON object a line");
   return [options](const Session& session) { return run_check(*options, session); };

@@ -1,5 +1,4 @@
 // waymark compare: exact search, value iteration and learners on one task, or on a suite of tasks.
-#include <CLI/App.hpp>
 #include <iostream>
 #include <memory>
 
@@ -197,7 +196,7 @@ std::string method_names() {
 
 }  // namespace
 
-Runner setup_compare(CLI::App& command) {
+Runner setup_compare(Command command) {
   const auto options = std::make_shared<Options>();
   Protocol& protocol = options->choice.protocol;
   add_text_options(command, options->text, "formula");
@@ -207,32 +206,30 @@ Runner setup_compare(CLI::App& command) {
   command
       .add_option("--case", options->planning_case,
                   "the tasks of a planning case (ltlgrid/1 or ltlmap/1) instead of a formula and a map")
-      ->type_name("FILE");
-  command.add_option("--task", options->task, "with --case: this task only")->type_name("ID");
-  const auto count = CLI::Range(std::size_t{1}, std::size_t{1'000'000'000});
+      .type_name("FILE");
+  command.add_option("--task", options->task, "with --case: this task only").type_name("ID");
+  constexpr int most = 1'000'000'000;
   command.add_option("--methods", options->choice.methods, method_names())
-      ->delimiter(',')
-      ->allow_extra_args(false)
-      ->type_name("NAME,...");
-  command.add_option("--seeds", protocol.seeds, "runs of each learner")->check(count)->capture_default_str();
+      .separated_by(',')
+      .type_name("NAME,...");
+  command.add_option("--seeds", protocol.seeds, "runs of each learner").between(1, most).show_default();
   command.add_option("--steps", protocol.steps, "of the environment, in each run")
-      ->check(count)
-      ->capture_default_str();
+      .between(1, most)
+      .show_default();
   command.add_option("--interval", protocol.interval, "steps between two exact evaluations of the policy")
-      ->check(count)
-      ->capture_default_str();
+      .between(1, most)
+      .show_default();
   command.add_option("--horizon", protocol.horizon, "steps of an episode before it is cut")
-      ->check(count)
-      ->capture_default_str();
-  command.add_option("--discount", protocol.discount, "of the return that learners maximise")
-      ->capture_default_str();
+      .between(1, most)
+      .show_default();
+  command.add_option("--discount", protocol.discount, "of the return that learners maximise").show_default();
   add_noise_options(command, options->noise);
   command
       .add_option("--threads", options->choice.threads,
                   "runs at a time (else one for each core); no influence on what they learn")
-      ->check(CLI::Range(1, 1024));
+      .between(1, 1024);
   command.add_flag("--json", options->choice.json, "one JSON object a line");
-  command.add_option("--svg", options->choice.svg, "draw the learning curves")->type_name("FILE");
+  command.add_option("--svg", options->choice.svg, "draw the learning curves").type_name("FILE");
   return [options](const Session& session) { return run_compare(*options, session); };
 }
 

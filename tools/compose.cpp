@@ -1,5 +1,4 @@
 // waymark compose: formula or automaton, and a map or any model → their product, its sizes or its graph.
-#include <CLI/App.hpp>
 #include <iostream>
 #include <memory>
 
@@ -214,13 +213,13 @@ ExitCode run_compose(const Options& options, const Session& session) {
 
 }  // namespace
 
-Runner setup_compose(CLI::App& command) {
+Runner setup_compose(Command command) {
   const auto options = std::make_shared<Options>();
   add_text_options(command, options->text, "formula");
   command
       .add_option("--automaton", options->automaton,
                   "an automaton in HOA instead of a formula; - is standard input")
-      ->type_name("FILE");
+      .type_name("FILE");
   add_notation_options(command, options->notation);
   add_map_options(command, options->map);
   add_start_option(command, options->start);
@@ -228,21 +227,21 @@ Runner setup_compose(CLI::App& command) {
       .add_option("--case,--model", options->file,
                   "another model instead of a map: a planning case with its tasks, a street graph (JSON), or "
                   "PRISM's FILE.nm or FILE.tra")
-      ->type_name("FILE");
-  command.add_option("--task", options->task, "with --case: this task only")->type_name("ID");
+      .type_name("FILE");
+  command.add_option("--task", options->task, "with --case: this task only").type_name("ID");
   command.add_flag("--model-only", options->model_only, "the map or model itself, without a task");
   command
       .add_option(
           "--format", options->output.format,
           "sizes for people, sizes as JSON, or the graph: for Graphviz, in PRISM's language, as PRISM's "
           "explicit files")
-      ->check(CLI::IsMember({"text", "json", "dot", "prism", "explicit"}))
-      ->capture_default_str();
+      .one_of({"text", "json", "dot", "prism", "explicit"})
+      .show_default();
   command.add_flag("--graph", options->output.graph, "with --format json: states and choices as well");
   command
       .add_option("--out", options->output.out,
                   "write PREFIX.nm (prism), or PREFIX.tra, .sta, .lab and .srew or .trew (explicit)")
-      ->type_name("PREFIX");
+      .type_name("PREFIX");
   command.add_flag_callback(
       "--json", [options] { options->output.format = "json"; }, "the same as --format json");
   return [options](const Session& session) { return run_compose(*options, session); };

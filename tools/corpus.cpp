@@ -1,5 +1,4 @@
 // waymark corpus: what a corpus holds, of hallways or of streets.
-#include <CLI/App.hpp>
 #include <iomanip>
 #include <iostream>
 #include <memory>
@@ -100,11 +99,11 @@ ExitCode run_corpus(const Options& options) {
 
 }  // namespace
 
-Runner setup_corpus(CLI::App& command) {
+Runner setup_corpus(Command command) {
   const auto options = std::make_shared<Options>();
   command.add_option("directory", options->directory, "holds instructions.jsonl and maps/")
-      ->type_name("DIR")
-      ->required();
+      .type_name("DIR")
+      .required();
   command.add_flag("--json", options->json, "one JSON object");
   return [options](const Session&) { return run_corpus(*options); };
 }

@@ -1,5 +1,4 @@
 // waymark draw: a map, alone or with a route on it, as a picture.
-#include <CLI/App.hpp>
 #include <memory>
 
 #include "tools/corridor.hpp"
@@ -47,19 +46,17 @@ ExitCode run_draw(const Options& options, const Session& session) {
 
 }  // namespace
 
-Runner setup_draw(CLI::App& command) {
+Runner setup_draw(Command command) {
   const auto options = std::make_shared<Options>();
   add_map_options(command, options->map);
   command
       .add_option("--route", options->route, "a route or trajectory file (docs/formats); - is standard input")
-      ->type_name("FILE");
+      .type_name("FILE");
   command.add_option("--formula", options->formula, "plan this formula and draw its route and automaton")
-      ->type_name("TEXT");
+      .type_name("TEXT");
   add_notation_options(command, options->notation);
   add_start_option(command, options->start);
-  command.add_option("--svg", options->svg, "the picture; - is standard output")
-      ->type_name("FILE")
-      ->required();
+  command.add_option("--svg", options->svg, "the picture; - is standard output").type_name("FILE").required();
   return [options](const Session& session) { return run_draw(*options, session); };
 }
 

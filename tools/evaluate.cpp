@@ -1,5 +1,4 @@
 // waymark evaluate: corpus → accuracy, leaving one map out.
-#include <CLI/App.hpp>
 #include <algorithm>
 #include <iostream>
 #include <memory>
@@ -168,17 +167,16 @@ ExitCode run_evaluate(const Options& options, const Session& session) {
 
 }  // namespace
 
-Runner setup_evaluate(CLI::App& command) {
+Runner setup_evaluate(Command command) {
   const auto options = std::make_shared<Options>();
   add_corpus_option(command, options->corpus, false);
   command
       .add_option("--pairs", options->pairs.pairs,
                   "score the formulas that a model reads against lines 'sentence TAB formula' instead")
-      ->type_name("FILE");
+      .type_name("FILE");
   add_model_options(command, options->pairs.model);
-  command
-      .add_option("--test-corpus", options->test_corpus, "take the sentences to test on from here instead")
-      ->type_name("DIR");
+  command.add_option("--test-corpus", options->test_corpus, "take the sentences to test on from here instead")
+      .type_name("DIR");
   command.add_flag("--leave-one-map-out", options->leave_one_map_out,
                    "train on all maps but one, test on that one, for each map");
   command.add_flag("--train-all", options->train_all, "train on every map, test on those of --test-corpus");
@@ -186,23 +184,23 @@ Runner setup_evaluate(CLI::App& command) {
   add_training_options(command, options->training, {"linear", "encoder-decoder", "actions"});
   add_convention_option(command, options->convention, {"absolute", "relative", "both"});
   command.add_option("--ensemble", options->ensemble, "systems of seeds N, N + 1, … that vote")
-      ->type_name("COUNT")
-      ->check(CLI::Range(1, 100))
-      ->capture_default_str();
+      .type_name("COUNT")
+      .between(1, 100)
+      .show_default();
   command
       .add_option("--planner", options->planner,
                   "what carries formulas out: exact (the default), or dqn, learned anew for each of them")
-      ->type_name("KIND")
-      ->check(CLI::IsMember({"exact", "dqn"}));
+      .type_name("KIND")
+      .one_of({"exact", "dqn"});
   command
       .add_option("--dqn-steps", options->dqn.steps, "in the environment, for each formula that dqn learns")
-      ->type_name("N")
-      ->check(CLI::Range(100, 10000000))
-      ->capture_default_str();
+      .type_name("N")
+      .between(100, 10000000)
+      .show_default();
   command
       .add_option("--predictions", options->predictions,
                   "write what was answered to every sentence, as JSON Lines")
-      ->type_name("FILE");
+      .type_name("FILE");
   command.add_flag("--json", options->json, "one JSON object");
   return [options](const Session& session) { return run_evaluate(*options, session); };
 }

@@ -1,5 +1,4 @@
 // waymark experiment: a whole table of results in one command.
-#include <CLI/App.hpp>
 #include <iomanip>
 #include <iostream>
 #include <memory>
@@ -99,78 +98,75 @@ ExitCode run_table2(const Table2Options& options, const Session& session) {
   return ExitCode::Done;
 }
 
-void add_table2_options(CLI::App& command, Table2Options& options) {
+void add_table2_options(Command command, Table2Options& options) {
   command.add_option("--seed", options.measure.seed, "of maps, formulas and walks")
-      ->type_name("N")
-      ->capture_default_str();
+      .type_name("N")
+      .show_default();
   command.add_option("--sentences", options.measure.sentences, "of each row")
-      ->type_name("COUNT")
-      ->check(CLI::Range(1, 10000))
-      ->capture_default_str();
+      .type_name("COUNT")
+      .between(1, 10000)
+      .show_default();
   command.add_option("--candidates", options.measure.candidates, "formulas of each sentence")
-      ->type_name("COUNT")
-      ->check(CLI::Range(1, 10000))
-      ->capture_default_str();
-  command.add_option("--svg", options.svg, "write a plot")->type_name("FILE");
+      .type_name("COUNT")
+      .between(1, 10000)
+      .show_default();
+  command.add_option("--svg", options.svg, "write a plot").type_name("FILE");
   command.add_flag("--json", options.json, "one JSON object");
 }
 
-void add_table4_options(CLI::App& command, Table4Options& options) {
+void add_table4_options(Command command, Table4Options& options) {
   command
       .add_option("--corpus", options.corpus,
                   "directory with instructions.jsonl and, if it has its own, maps/")
-      ->type_name("DIR")
-      ->required();
+      .type_name("DIR")
+      .required();
   command.add_option("--test-corpus", options.test_corpus, "take the sentences to test on from here instead")
-      ->type_name("DIR");
+      .type_name("DIR");
   command
       .add_option("--checkpoints", options.directory,
                   "where finished parts are kept, and found again by the same command")
-      ->type_name("DIR")
-      ->required();
+      .type_name("DIR")
+      .required();
   add_data_option(command, options.data);
-  command.add_option("--seed", options.train.seed, "of the first system")
-      ->type_name("N")
-      ->capture_default_str();
+  command.add_option("--seed", options.train.seed, "of the first system").type_name("N").show_default();
   command
       .add_option("--ensemble", options.ensemble,
                   "systems of seeds N, N + 1, …: a row each, and one that votes")
-      ->type_name("COUNT")
-      ->check(CLI::Range(1, 100))
-      ->capture_default_str();
+      .type_name("COUNT")
+      .between(1, 100)
+      .show_default();
   command.add_option("--epochs", options.epochs, "passes over the sentences; what is usual for each")
-      ->type_name("N")
-      ->check(CLI::Range(1, 1000));
+      .type_name("N")
+      .between(1, 1000);
   command
-      .add_option_function<std::string>(
+      .add_option_function(
           "--convention",
           [&options](const std::string& which) {
             options.absolute = which != "relative";
             options.relative = which != "absolute";
           },
           "what an unknown start heading counts as: absolute, relative or both (the default)")
-      ->check(CLI::IsMember({"absolute", "relative", "both"}))
-      ->type_name("KIND");
+      .one_of({"absolute", "relative", "both"})
+      .type_name("KIND");
   command.add_option("--threads", options.train.threads, "of no influence on the result")
-      ->type_name("N")
-      ->check(CLI::Range(1, 256))
-      ->capture_default_str();
+      .type_name("N")
+      .between(1, 256)
+      .show_default();
   command.add_flag("--json", options.json, "one JSON object");
 }
 
 }  // namespace
 
-Runner setup_experiment(CLI::App& command) {
+Runner setup_experiment(Command command) {
   const auto table2 = std::make_shared<Table2Options>();
   const auto table4 = std::make_shared<Table4Options>();
-  command.require_subcommand(1);
   add_table2_options(
-      *command.add_subcommand("table2", "what feedback costs: checking a trajectory, or planning"), *table2);
-  CLI::App* const fourth =
+      command.add_subcommand("table2", "what feedback costs: checking a trajectory, or planning"), *table2);
+  const Command fourth =
       command.add_subcommand("table4", "systems, one map left out, beside the published rows");
-  add_table4_options(*fourth, *table4);
+  add_table4_options(fourth, *table4);
   return [=](const Session& session) {
-    return fourth->parsed() ? run_table4(*table4, session) : run_table2(*table2, session);
+    return fourth.parsed() ? run_table4(*table4, session) : run_table2(*table2, session);
   };
 }
 

@@ -1,5 +1,4 @@
 // waymark generate: random maps to plan on (ltlgrid/1 or our map format), and instructions of our own over maps.
-#include <CLI/App.hpp>
 #include <filesystem>
 #include <iostream>
 #include <memory>
@@ -44,20 +43,17 @@ ExitCode run_generate(const Options& options) {
   return ExitCode::Done;
 }
 
-void add_map_recipe(CLI::App& command, Options& options) {
+void add_map_recipe(Command command, Options& options) {
   std::vector<std::string> kinds{"hallway"};
   for (plan::GridKind kind : plan::all_grid_kinds) kinds.emplace_back(plan::name(kind));
-  command.add_option("--kind", options.kind, "what it looks like")
-      ->check(CLI::IsMember(kinds))
-      ->capture_default_str();
-  command.add_option("--width", options.recipe.width, "cells from west to east")->capture_default_str();
-  command.add_option("--height", options.recipe.height, "cells from north to south")->capture_default_str();
-  command.add_option("--landmarks", options.recipe.landmarks, "a, b, …; objects of hallways")
-      ->capture_default_str();
+  command.add_option("--kind", options.kind, "what it looks like").one_of(kinds).show_default();
+  command.add_option("--width", options.recipe.width, "cells from west to east").show_default();
+  command.add_option("--height", options.recipe.height, "cells from north to south").show_default();
+  command.add_option("--landmarks", options.recipe.landmarks, "a, b, …; objects of hallways").show_default();
   command
       .add_option("--noise", options.recipe.noise, "chance to slip, to each side; back as well among hazards")
-      ->capture_default_str();
-  command.add_option("--seed", options.recipe.seed, "the same seed, the same map")->capture_default_str();
+      .show_default();
+  command.add_option("--seed", options.recipe.seed, "the same seed, the same map").show_default();
   command.add_flag("--tasks", options.recipe.tasks, "with tasks about the landmarks");
 }
 
@@ -115,44 +111,43 @@ ExitCode run_generate_corpus(const CorpusOptions& options) {
   return ExitCode::Done;
 }
 
-void add_corpus_recipe(CLI::App& command, CorpusOptions& options) {
+void add_corpus_recipe(Command command, CorpusOptions& options) {
   command.add_option("--map", options.maps, "a shipped map or a file, several times; else all shipped maps")
-      ->type_name("MAP");
+      .type_name("MAP");
   add_data_option(command, options.data);
   command.add_option("--out", options.out, "write instructions.jsonl, pairs.tsv and the maps named there")
-      ->type_name("DIR");
+      .type_name("DIR");
   command.add_option("--format", options.format, "without --out, on standard output")
-      ->check(CLI::IsMember({"jsonl", "tsv"}))
-      ->capture_default_str();
+      .one_of({"jsonl", "tsv"})
+      .show_default();
   command.add_option("--paragraphs", options.recipe.paragraphs, "spread over the maps")
-      ->check(CLI::Range(1, 1'000'000))
-      ->capture_default_str();
+      .between(1, 1'000'000)
+      .show_default();
   command.add_option("--sentences", options.recipe.sentences, "of each paragraph")
-      ->check(CLI::Range(1, 1000))
-      ->capture_default_str();
+      .between(1, 1000)
+      .show_default();
   command.add_option("--clauses", options.clauses, "of each sentence")
-      ->type_name("FEWEST..MOST")
-      ->capture_default_str();
+      .type_name("FEWEST..MOST")
+      .show_default();
   command
       .add_option("--formulas", options.formulas,
                   "one formula in five is held out, the same for every seed: all, known, held-out")
-      ->check(CLI::IsMember({"all", "known", "held-out"}))
-      ->capture_default_str();
+      .one_of({"all", "known", "held-out"})
+      .show_default();
   command.add_flag("--plain", options.plain, "without past, second, until, without, before, after, if");
-  command.add_option("--seed", options.recipe.seed, "the same seed, the same corpus")->capture_default_str();
+  command.add_option("--seed", options.recipe.seed, "the same seed, the same corpus").show_default();
 }
 
 }  // namespace
 
-Runner setup_generate(CLI::App& command) {
+Runner setup_generate(Command command) {
   const auto options = std::make_shared<Options>();
   const auto corpus_options = std::make_shared<CorpusOptions>();
-  command.require_subcommand(1);
-  add_map_recipe(*command.add_subcommand("map", "a map with landmarks"), *options);
-  CLI::App* const corpus = command.add_subcommand("corpus", "instructions with trajectories and formulas");
-  add_corpus_recipe(*corpus, *corpus_options);
+  add_map_recipe(command.add_subcommand("map", "a map with landmarks"), *options);
+  const Command corpus = command.add_subcommand("corpus", "instructions with trajectories and formulas");
+  add_corpus_recipe(corpus, *corpus_options);
   return [options, corpus_options, corpus](const Session&) {
-    return corpus->parsed() ? run_generate_corpus(*corpus_options) : run_generate(*options);
+    return corpus.parsed() ? run_generate_corpus(*corpus_options) : run_generate(*options);
   };
 }
 

@@ -1,5 +1,4 @@
 // waymark ground: instruction → formulas, best first.
-#include <CLI/App.hpp>
 #include <algorithm>
 #include <map>
 #include <memory>
@@ -182,22 +181,20 @@ ExitCode run_ground(const Options& options, const Session& session) {
 
 }  // namespace
 
-Runner setup_ground(CLI::App& command) {
+Runner setup_ground(Command command) {
   const auto options = std::make_shared<Options>();
   add_text_options(command, options->text, "instruction");
   add_map_options(command, options->map);
   add_model_options(command, options->model);
   add_start_option(command, options->start);
-  command.add_option("--top", options->top, "how many readings to show")
-      ->type_name("K")
-      ->capture_default_str();
+  command.add_option("--top", options->top, "how many readings to show").type_name("K").show_default();
   command.add_option("--beam", options->beam, "programs that are considered for a sentence")
-      ->type_name("N")
-      ->check(CLI::Range(1, 100000))
-      ->capture_default_str();
+      .type_name("N")
+      .between(1, 100000)
+      .show_default();
   command.add_option("--threads", options->parallel.threads, "instructions read at a time (0: all cores)")
-      ->type_name("N")
-      ->capture_default_str();
+      .type_name("N")
+      .show_default();
   command.add_flag(
       "--explain", options->explain,
       "the words that each symbol of a sentence's likeliest program attended to (encoder-decoders)");

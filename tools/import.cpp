@@ -1,5 +1,4 @@
 // waymark import: a corpus as it was released → our JSON Lines, with everything odd that was met on the way.
-#include <CLI/App.hpp>
 #include <iostream>
 #include <memory>
 
@@ -57,14 +56,13 @@ ExitCode run_import(const Options& options) {
 
 }  // namespace
 
-Runner setup_import(CLI::App& command) {
+Runner setup_import(Command command) {
   const auto options = std::make_shared<Options>();
-  command.require_subcommand(1);
-  CLI::App& sail = *command.add_subcommand("sail", "the route instructions of SAIL: XML, .settrc, or ours");
+  Command sail = command.add_subcommand("sail", "the route instructions of SAIL: XML, .settrc, or ours");
   sail.add_option("directory", options->directory, "looked through with all its folders")
-      ->type_name("DIR")
-      ->required();
-  sail.add_option("--out", options->out, "write instructions.jsonl and maps/ there")->type_name("DIR");
+      .type_name("DIR")
+      .required();
+  sail.add_option("--out", options->out, "write instructions.jsonl and maps/ there").type_name("DIR");
   sail.add_flag("--json", options->json, "one JSON object");
   return [options](const Session&) { return run_import(*options); };
 }

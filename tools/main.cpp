@@ -23,7 +23,7 @@ namespace {
 struct Row {
   const char* name;
   const char* summary;
-  Runner (*setup)(CLI::App&);
+  Runner (*setup)(Command);
 };
 
 constexpr std::array rows{
@@ -61,7 +61,7 @@ Called add_subcommands(CLI::App& app, std::string_view called) {
   Called found;
   for (const Row& row : rows) {
     CLI::App* command = app.add_subcommand(row.name, row.summary);
-    if (called == row.name) found = {command, row.setup(*command)};
+    if (called == row.name) found = {command, row.setup(Command(*command))};
   }
   return found;
 }

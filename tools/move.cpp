@@ -2,7 +2,6 @@
 //
 // The route comes from the corridor (or from a file, or is left to OMPL's LTLPlanner), the motion from the helper
 // waymark-motion, the certificate from here: the word of the motion's own geometry ⊨ φ, whatever the helper did.
-#include <CLI/App.hpp>
 #include <iostream>
 #include <memory>
 
@@ -215,23 +214,23 @@ ExitCode run_move(const Options& options, const Session& session) {
 
 }  // namespace
 
-Runner setup_move(CLI::App& command) {
+Runner setup_move(Command command) {
   const auto options = std::make_shared<Options>();
   add_text_options(command, options->text, "formula");
   add_notation_options(command, options->notation);
   add_map_options(command, options->map);
   add_start_option(command, options->start);
   command.add_option("--route", options->route, "move along this route, not along the plan of the formula")
-      ->type_name("FILE");
+      .type_name("FILE");
   command
       .add_option("--workspace", options->workspace,
                   "move through the polygons of this file, not on a map; --start is then a point of it")
-      ->type_name("FILE");
+      .type_name("FILE");
   add_robot_options(command, options->robot);
   add_shape_options(command, options->shape);
   add_search_options(command, options->search);
   command.add_flag("--json", options->json, "one JSON object");
-  command.add_option("--svg", options->svg, "draw the motion on the map")->type_name("FILE");
+  command.add_option("--svg", options->svg, "draw the motion on the map").type_name("FILE");
   return [options](const Session& session) { return run_move(*options, session); };
 }
 

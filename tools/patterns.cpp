@@ -1,5 +1,4 @@
 // waymark patterns: the catalogues of specification patterns, and formulas made from them.
-#include <CLI/App.hpp>
 #include <iostream>
 #include <memory>
 
@@ -56,11 +55,11 @@ ExitCode run_patterns(const Options& options) {
 
 }  // namespace
 
-Runner setup_patterns(CLI::App& command) {
+Runner setup_patterns(Command command) {
   const auto options = std::make_shared<Options>();
-  command.add_option("name", options->name, "pattern, as --list names them")->type_name("NAME");
+  command.add_option("name", options->name, "pattern, as --list names them").type_name("NAME");
   command.add_option("arguments", options->arguments, "formulas in the place of its parameters")
-      ->type_name("ARGUMENT");
+      .type_name("ARGUMENT");
   command.add_flag("--list", options->list, "all patterns: name, parameters, sentence, formula, source");
   command.add_flag("--json", options->json, "one object a line");
   return [options](const Session&) { return run_patterns(*options); };

@@ -1,5 +1,4 @@
 // waymark plan: formula or automaton, and a map → a certified route of least cost.
-#include <CLI/App.hpp>
 #include <iostream>
 #include <memory>
 
@@ -163,25 +162,25 @@ ExitCode run_plan(const Options& options, const Session& session) {
 
 }  // namespace
 
-Runner setup_plan(CLI::App& command) {
+Runner setup_plan(Command command) {
   const auto options = std::make_shared<Options>();
   add_text_options(command, options->text, "formula");
   command
       .add_option("--automaton", options->automaton,
                   "an automaton in HOA instead of a formula; - is standard input")
-      ->type_name("FILE");
+      .type_name("FILE");
   add_notation_options(command, options->notation);
   add_map_options(command, options->map);
   add_start_option(command, options->start);
   command.add_flag("--json", options->json, "one JSON object a line");
-  command.add_option("--svg", options->svg, "draw map, route and automaton")->type_name("FILE");
-  command.add_option("--hoa", options->hoa, "write the automaton")->type_name("FILE");
+  command.add_option("--svg", options->svg, "draw map, route and automaton").type_name("FILE");
+  command.add_option("--hoa", options->hoa, "write the automaton").type_name("FILE");
   command
       .add_option(
           "--semantics", options->semantics,
           "on a map: a route to where the formula holds, or a lasso, a route without end that it holds on")
-      ->check(CLI::IsMember({"finite", "infinite"}))
-      ->capture_default_str();
+      .one_of({"finite", "infinite"})
+      .show_default();
   add_noise_options(command, options->noise);
   add_case_options(command, options->planning_case);
   return [options](const Session& session) { return run_plan(*options, session); };

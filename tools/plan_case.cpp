@@ -2,7 +2,6 @@
 
 #include <sys/resource.h>
 
-#include <CLI/App.hpp>
 #include <iomanip>
 #include <iostream>
 #include <stdexcept>
@@ -225,40 +224,40 @@ plan::CaseTask task_of(const Text& text, const CaseChoice& choice) {
 }
 
 // What some queries take, and what is answered besides the value.
-void add_answer_options(CLI::App& command, CaseChoice& choice) {
+void add_answer_options(Command command, CaseChoice& choice) {
   command.add_option("--discount", choice.discount, "of query discounted, for every action after the first")
-      ->check(CLI::Range(0.0, 1.0))
-      ->capture_default_str();
+      .between(0.0, 1.0)
+      .show_default();
   command
       .add_option("--order", choice.order,
                   "of lassos: least prefix, then cycle; least cycle, then prefix; least mean cost a round of "
                   "the cycle, then prefix")
-      ->check(CLI::IsMember({"prefix", "cycle", "mean"}))
-      ->capture_default_str();
+      .one_of({"prefix", "cycle", "mean"})
+      .show_default();
   command.add_option("--top", choice.top, "the K cheapest routes")
-      ->type_name("K")
-      ->check(CLI::Range(1, 100'000))
-      ->capture_default_str();
+      .type_name("K")
+      .between(1, 100'000)
+      .show_default();
   command
       .add_option("--strategy", choice.strategy,
                   "with --case and --model: write what to do in every state that is met, JSON lines; - is "
                   "standard output")
-      ->type_name("FILE");
+      .type_name("FILE");
 }
 
 }  // namespace
 
-void add_case_options(CLI::App& command, CaseChoice& choice) {
+void add_case_options(Command command, CaseChoice& choice) {
   command
       .add_option("--case", choice.file,
                   "a planning case (ltlgrid/1 or ltlmap/1) instead of a formula and a map")
-      ->type_name("FILE");
+      .type_name("FILE");
   command
       .add_option(
           "--model", choice.model,
           "a formula's value on another model than a map: PRISM's FILE.nm or FILE.tra, a street graph or "
           "planning case (JSON)")
-      ->type_name("FILE");
+      .type_name("FILE");
   command
       .add_option(
           "--query", choice.query,
@@ -266,21 +265,20 @@ void add_case_options(CLI::App& command, CaseChoice& choice) {
           "hold; steps: least cost of a finite word; lasso: a walk without end; discounted: greatest "
           "expected "
           "reward")
-      ->check(CLI::IsMember({"pmax", "pmin", "rmin", "steps", "lasso", "discounted"}))
-      ->capture_default_str();
+      .one_of({"pmax", "pmin", "rmin", "steps", "lasso", "discounted"})
+      .show_default();
   add_answer_options(command, choice);
-  command.add_option("--task", choice.task, "with --case: this task only")->type_name("ID");
+  command.add_option("--task", choice.task, "with --case: this task only").type_name("ID");
   command
       .add_option("--method", choice.method, "with --case: how it is solved; best picks by model and query")
-      ->check(CLI::IsMember({"best", "search", "vi", "pi"}))
-      ->capture_default_str();
+      .one_of({"best", "search", "vi", "pi"})
+      .show_default();
   command
       .add_option("--tolerance", choice.tolerance,
                   "with --case: proved error of values, absolute for probabilities, relative for costs")
-      ->check(CLI::PositiveNumber)
-      ->capture_default_str();
-  command.add_option("--limit-seconds", choice.limit_seconds, "with --case: time for each task")
-      ->check(CLI::PositiveNumber);
+      .positive()
+      .show_default();
+  command.add_option("--limit-seconds", choice.limit_seconds, "with --case: time for each task").positive();
 }
 
 ExitCode plan_case(const CaseChoice& choice, const Session& session) {

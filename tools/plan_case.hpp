@@ -4,6 +4,7 @@
 #include <string>
 
 #include "libplan/model/read_case.hpp"
+#include "tools/shell/command.hpp"
 #include "tools/shell/exit_code.hpp"
 #include "tools/shell/input.hpp"
 #include "tools/subcommand.hpp"
@@ -21,7 +22,7 @@ struct CaseChoice {
   double limit_seconds = 0;  // of each task; 0: none
   bool json = false;
 };
-void add_case_options(CLI::App& command, CaseChoice& choice);
+void add_case_options(Command command, CaseChoice& choice);
 ExitCode plan_case(const CaseChoice& choice, const Session& session);
 // Formulas, or the automaton that was chosen, on a model of any kind.
 ExitCode plan_model(const plan::PlanningCase& model, const CaseChoice& choice, const TextOptions& formulas,

@@ -1,5 +1,4 @@
 // waymark random: formulas or automata drawn at random; the same seed gives the same ones on every machine.
-#include <CLI/App.hpp>
 #include <charconv>
 #include <iostream>
 #include <memory>
@@ -99,33 +98,29 @@ ExitCode run_random(const Options& options, const Session& session) {
 
 }  // namespace
 
-Runner setup_random(CLI::App& command) {
+Runner setup_random(Command command) {
   const auto options = std::make_shared<Options>();
   command.add_option("--props", options->props, "propositions p0, p1, … (of automata: at most 16)")
-      ->type_name("N")
-      ->check(CLI::Range(1, 1'000))
-      ->capture_default_str();
+      .type_name("N")
+      .between(1, 1'000)
+      .show_default();
   command.add_option("--size", options->size, "nodes of the formula as drawn, before constants are folded")
-      ->type_name("N..M")
-      ->capture_default_str();
-  command.add_option("--count", options->count, "how many different formulas")
-      ->type_name("N")
-      ->capture_default_str();
-  command.add_option("--seed", options->seed, "where the drawing begins")
-      ->type_name("N")
-      ->capture_default_str();
+      .type_name("N..M")
+      .show_default();
+  command.add_option("--count", options->count, "how many different formulas").type_name("N").show_default();
+  command.add_option("--seed", options->seed, "where the drawing begins").type_name("N").show_default();
   command.add_option("--semantics", options->semantics, "finite: the weak next N occurs as well")
-      ->check(CLI::IsMember({"finite", "infinite"}))
-      ->capture_default_str();
+      .one_of({"finite", "infinite"})
+      .show_default();
   command.add_flag("--automata", options->automata, "automata on infinite words in the place of formulas");
   command.add_option("--states", options->states, "of automata, at most: what is not reached is dropped")
-      ->type_name("N")
-      ->check(CLI::Range(1, 100'000))
-      ->capture_default_str();
+      .type_name("N")
+      .between(1, 100'000)
+      .show_default();
   command.add_option("--sets", options->sets, "acceptance sets of automata")
-      ->type_name("N")
-      ->check(CLI::Range(0, 64))
-      ->capture_default_str();
+      .type_name("N")
+      .between(0, 64)
+      .show_default();
   command.add_flag("--deterministic", options->deterministic,
                    "automata with at most one edge for each letter");
   return [options](const Session& session) {

@@ -1,5 +1,4 @@
 // waymark run: the whole corridor, from an English instruction to a certified route.
-#include <CLI/App.hpp>
 #include <iostream>
 #include <memory>
 
@@ -117,17 +116,17 @@ ExitCode run_all(Options options, const Session& session) {
 
 }  // namespace
 
-Runner setup_run(CLI::App& command) {
+Runner setup_run(Command command) {
   const auto options = std::make_shared<Options>();
   add_text_options(command, options->text, "instruction");
   add_map_options(command, options->map);
   add_model_options(command, options->model);
   add_start_option(command, options->start);
   command.add_option("--top", options->top, "show the K likeliest readings with their probabilities")
-      ->type_name("K");
+      .type_name("K");
   command.add_flag("--json", options->json, "one JSON object a line");
-  command.add_option("--svg", options->svg, "draw map, route and automaton")->type_name("FILE");
-  command.add_option("--hoa", options->hoa, "write the automaton")->type_name("FILE");
+  command.add_option("--svg", options->svg, "draw map, route and automaton").type_name("FILE");
+  command.add_option("--hoa", options->hoa, "write the automaton").type_name("FILE");
   command.add_flag("--demo", options->demo,
                    "an instruction, map and start of our own; so does waymark run at a terminal");
   return [options](const Session& session) { return run_all(*options, session); };

@@ -5,12 +5,9 @@
 #include <functional>
 #include <stop_token>
 
+#include "tools/shell/command.hpp"
 #include "tools/shell/exit_code.hpp"
 #include "tools/shell/terminal.hpp"
-
-namespace CLI {
-class App;
-}
 
 namespace waymark::tools {
 
@@ -21,25 +18,25 @@ struct Session {         // what every subcommand is given
 
 using Runner = std::function<ExitCode(const Session&)>;
 
-Runner setup_run(CLI::App& command);
-Runner setup_ground(CLI::App& command);
-Runner setup_translate(CLI::App& command);
-Runner setup_automaton(CLI::App& command);
-Runner setup_compose(CLI::App& command);
-Runner setup_plan(CLI::App& command);
-Runner setup_check(CLI::App& command);
-Runner setup_compare(CLI::App& command);
-Runner setup_train(CLI::App& command);
-Runner setup_evaluate(CLI::App& command);
-Runner setup_experiment(CLI::App& command);
-Runner setup_tune(CLI::App& command);
-Runner setup_import(CLI::App& command);
-Runner setup_corpus(CLI::App& command);
-Runner setup_move(CLI::App& command);
-Runner setup_generate(CLI::App& command);
-Runner setup_draw(CLI::App& command);
-Runner setup_patterns(CLI::App& command);
-Runner setup_random(CLI::App& command);
-Runner setup_version(CLI::App& command);
+Runner setup_run(Command command);
+Runner setup_ground(Command command);
+Runner setup_translate(Command command);
+Runner setup_automaton(Command command);
+Runner setup_compose(Command command);
+Runner setup_plan(Command command);
+Runner setup_check(Command command);
+Runner setup_compare(Command command);
+Runner setup_train(Command command);
+Runner setup_evaluate(Command command);
+Runner setup_experiment(Command command);
+Runner setup_tune(Command command);
+Runner setup_import(Command command);
+Runner setup_corpus(Command command);
+Runner setup_move(Command command);
+Runner setup_generate(Command command);
+Runner setup_draw(Command command);
+Runner setup_patterns(Command command);
+Runner setup_random(Command command);
+Runner setup_version(Command command);
 
 }  // namespace waymark::tools

@@ -1,5 +1,4 @@
 // waymark train: corpus → model, learnt from trajectories alone; or pairs of sentence and formula → model.
-#include <CLI/App.hpp>
 #include <iostream>
 #include <memory>
 
@@ -118,17 +117,17 @@ ExitCode run_train(const Options& options, const Session& session) {
 
 }  // namespace
 
-Runner setup_train(CLI::App& command) {
+Runner setup_train(Command command) {
   const auto options = std::make_shared<Options>();
   add_corpus_option(command, options->corpus, false);
   command
       .add_option("--supervised", options->supervised,
                   "learn from lines 'sentence TAB formula' instead, over the vocabulary of the shipped maps")
-      ->type_name("FILE");
+      .type_name("FILE");
   add_data_option(command, options->data);
   command.add_option("--out", options->out, "the model file; written whole or not at all")
-      ->type_name("FILE")
-      ->capture_default_str();
+      .type_name("FILE")
+      .show_default();
   add_training_options(command, options->training, {"linear", "encoder-decoder"});
   add_convention_option(command, options->convention, {"absolute", "relative"});
   command.add_flag("--json", options->json, "one JSON object");

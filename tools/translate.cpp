@@ -1,5 +1,4 @@
 // waymark translate: formula → automaton.
-#include <CLI/App.hpp>
 #include <memory>
 
 #include "libautomata/effort.hpp"
@@ -85,14 +84,14 @@ ExitCode run_translate(const Options& options, const Session& session) {
 
 }  // namespace
 
-Runner setup_translate(CLI::App& command) {
+Runner setup_translate(Command command) {
   const auto options = std::make_shared<Options>();
   add_text_options(command, options->text, "formula");
   add_notation_options(command, options->notation);
   command.add_option("--semantics", options->semantics, "what words formulas are read on (with dfa: finite)")
-      ->check(CLI::IsMember({"finite", "infinite"}));
+      .one_of({"finite", "infinite"});
   command.add_option("--to", options->target, "kind of automaton (of finite words: dfa; else tgba)")
-      ->check(CLI::IsMember({"dfa", "tgba", "buchi", "parity", "rabin", "ldba", "generic"}));
+      .one_of({"dfa", "tgba", "buchi", "parity", "rabin", "ldba", "generic"});
   add_output_options(command, options->output);
   command.add_flag(
       "--certify", options->certify,
@@ -100,17 +99,17 @@ Runner setup_translate(CLI::App& command) {
   command
       .add_option("--limit-states,--max-states", options->states,
                   "give up beyond so many states before minimisation")
-      ->type_name("N")
-      ->capture_default_str();
+      .type_name("N")
+      .show_default();
   command
       .add_option("--limit-seconds,--timeout", options->parallel.seconds,
                   "give up on a formula after so many seconds (0: never)")
-      ->type_name("SECONDS")
-      ->check(CLI::NonNegativeNumber)
-      ->capture_default_str();
+      .type_name("SECONDS")
+      .not_negative()
+      .show_default();
   command.add_option("--threads", options->parallel.threads, "formulas translated at a time (0: all cores)")
-      ->type_name("N")
-      ->capture_default_str();
+      .type_name("N")
+      .show_default();
   return [options](const Session& session) { return run_translate(*options, session); };
 }
 

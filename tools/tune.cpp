@@ -1,5 +1,4 @@
 // waymark tune: which settings validate best, for each map that is to be left out.
-#include <CLI/App.hpp>
 #include <algorithm>
 #include <iomanip>
 #include <iostream>
@@ -190,7 +189,7 @@ ExitCode run_tune(const Options& options, const Session& session) {
 
 }  // namespace
 
-Runner setup_tune(CLI::App& command) {
+Runner setup_tune(Command command) {
   const auto options = std::make_shared<Options>();
   add_corpus_option(command, options->corpus);
   command
@@ -198,7 +197,7 @@ Runner setup_tune(CLI::App& command) {
                   "NAME=VALUE,VALUE,… of a setting: rate, epochs, dropout, least, epsilon, beta, train-beam, "
                   "history, "
                   "width, query, word-size, symbol-size, decay, wording, beam; several options make a grid")
-      ->type_name("AXIS");
+      .type_name("AXIS");
   add_convention_option(command, options->convention, {"absolute", "relative"});
   add_data_option(command, options->data);
   add_training_options(command, options->training, {"linear", "encoder-decoder"});

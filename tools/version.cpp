@@ -1,5 +1,4 @@
 // waymark version: what this executable is.
-#include <CLI/App.hpp>
 #include <iostream>
 
 #include "tools/shell/data_directory.hpp"
@@ -7,7 +6,7 @@
 
 namespace waymark::tools {
 
-Runner setup_version(CLI::App&) {
+Runner setup_version(Command) {
   return [](const Session&) {
     std::cout << "waymark " WAYMARK_VERSION " (" __VERSION__ ")\n";
     std::cout << "drawing of automata: "

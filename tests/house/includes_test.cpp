@@ -92,6 +92,7 @@ struct Heavy {
 std::vector<Heavy> heavy_headers() {
   return {{"OMPL", std::regex("ompl/.*"), 2},
           {"Graphviz", std::regex("(graphviz/)?(gvc|cgraph)\\.h"), 1},
+          {"CLI11", std::regex("CLI/.*"), 3},
           {"an HTTP server", std::regex("(.*/)?httplib\\.h"), 1},
           {"a Boost.Graph algorithm",
            std::regex("boost/graph/.*(search|shortest|first|astar|components|visitors).*"), 3}};

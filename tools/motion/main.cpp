@@ -111,15 +111,16 @@ ExitCode run(const Options& options) {
 ExitCode parse_and_run(int argc, char** argv) {
   Options options;
   CLI::App app{"waymark-motion: route on standard input → motion, by OMPL"};
-  add_map_options(app, options.map);
-  add_robot_options(app, options.robot);
-  add_search_options(app, options.search);
-  add_shape_options(app, options.shape);
-  app.add_option("--formula", options.formula,
-                 "what the motion is to satisfy, with --planner ltl or --workspace");
-  app.add_option("--workspace", options.workspace,
-                 "polygons to move through; standard input is not read then");
-  app.add_option("--start", options.start, "x,y,heading in the workspace");
+  Command command(app);
+  add_map_options(command, options.map);
+  add_robot_options(command, options.robot);
+  add_search_options(command, options.search);
+  add_shape_options(command, options.shape);
+  command.add_option("--formula", options.formula,
+                     "what the motion is to satisfy, with --planner ltl or --workspace");
+  command.add_option("--workspace", options.workspace,
+                     "polygons to move through; standard input is not read then");
+  command.add_option("--start", options.start, "x,y,heading in the workspace");
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& help) {

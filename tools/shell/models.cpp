@@ -1,6 +1,5 @@
 #include "tools/shell/models.hpp"
 
-#include <CLI/App.hpp>
 #include <map>
 
 #include "libltl/diagnostic.hpp"
@@ -11,11 +10,11 @@
 
 namespace waymark::tools {
 
-void add_model_options(CLI::App& command, ModelOptions& options) {
+void add_model_options(Command command, ModelOptions& options) {
   command
       .add_option("--model-file", options.file,
                   "a model of one's own (else models/linear.waymark of the data)")
-      ->type_name("FILE");
+      .type_name("FILE");
 }
 
 parser::Grounder read_model(const ModelOptions& options, const std::string& data) {
@@ -27,23 +26,22 @@ parser::Grounder read_model(const ModelOptions& options, const std::string& data
 namespace {
 
 template <class Value>
-void add_choice(CLI::App& command, const std::string& name, Value& value,
+void add_choice(Command command, const std::string& name, Value& value,
                 const std::map<std::string, Value>& choices, const std::string& help) {
   std::vector<std::string> names;
   for (const auto& [choice, meaning] : choices) names.push_back(choice);
   command
-      .add_option_function<std::string>(
+      .add_option_function(
           name, [&value, choices](const std::string& choice) { value = choices.at(choice); }, help)
-      ->type_name("KIND")
-      ->check(CLI::IsMember(names));
+      .type_name("KIND")
+      .one_of(names);
 }
 
-void add_network_options(CLI::App& command, parser::NetworkTraining& network) {
+void add_network_options(Command command, parser::NetworkTraining& network) {
   using namespace parser;
   const std::string group = "Encoder-decoder";
-  const auto number = [&](const std::string& name, auto& value, const std::string& help,
-                          const CLI::Validator& range) {
-    command.add_option(name, value, help)->type_name("N")->check(range)->capture_default_str()->group(group);
+  const auto number = [&](const std::string& name, auto& value, const std::string& help) {
+    return command.add_option(name, value, help).type_name("N").show_default().group(group);
   };
   add_choice<Objective>(command, "--objective", network.objective,
                         {{"mml", Objective::MarginalLikelihood},
@@ -59,53 +57,50 @@ void add_network_options(CLI::App& command, parser::NetworkTraining& network) {
       command, "--search", network.search,
       {{"consistent", ProgramSearch::Consistent}, {"beam", ProgramSearch::Beam}},
       "where programs come from: consistent (the default), or the randomised beam alone");
-  number("--rate", network.rate, "learning rate of Adam", CLI::PositiveNumber);
-  number("--epsilon", network.epsilon, "of the randomised beam", CLI::Range(0.0, 1.0));
-  number("--train-beam", network.beam, "places of the randomised beam", CLI::Range(1, 1000));
-  number("--beta", network.beta, "of the meritocratic objective", CLI::Range(0.0, 1.0));
+  number("--rate", network.rate, "learning rate of Adam").positive();
+  number("--epsilon", network.epsilon, "of the randomised beam").between(0.0, 1.0);
+  number("--train-beam", network.beam, "places of the randomised beam").between(1, 1000);
+  number("--beta", network.beta, "of the meritocratic objective").between(0.0, 1.0);
   number("--least", network.least,
-         "consistent programs of less prior weight, compared with the best, are left out",
-         CLI::Range(0.0, 1.0));
-  number("--batch", network.batch, "sentences a step", CLI::Range(1, 10000));
-  number("--dropout", network.dropout, "share of signals left out in training", CLI::Range(0.0, 0.9));
-  number("--word-size", network.sizes.word, "of embeddings of words", CLI::Range(1, 1000));
-  number("--width", network.sizes.width, "of each LSTM", CLI::Range(1, 1000));
-  number("--query", network.sizes.query, "of the decoder's hidden layer", CLI::Range(1, 1000));
-  number("--symbol-size", network.sizes.symbol, "of embeddings of symbols", CLI::Range(1, 1000));
-  number("--history", network.sizes.history, "symbols that the decoder looks back on, K", CLI::Range(1, 16));
+         "consistent programs of less prior weight, compared with the best, are left out")
+      .between(0.0, 1.0);
+  number("--batch", network.batch, "sentences a step").between(1, 10000);
+  number("--dropout", network.dropout, "share of signals left out in training").between(0.0, 0.9);
+  number("--word-size", network.sizes.word, "of embeddings of words").between(1, 1000);
+  number("--width", network.sizes.width, "of each LSTM").between(1, 1000);
+  number("--query", network.sizes.query, "of the decoder's hidden layer").between(1, 1000);
+  number("--symbol-size", network.sizes.symbol, "of embeddings of symbols").between(1, 1000);
+  number("--history", network.sizes.history, "symbols that the decoder looks back on, K").between(1, 16);
 }
 
 }  // namespace
 
-void add_training_options(CLI::App& command, TrainingOptions& options,
-                          const std::vector<std::string>& models) {
+void add_training_options(Command command, TrainingOptions& options, const std::vector<std::string>& models) {
   parser::TrainOptions& train = options.train;
   command.add_option("--model", options.model, "what is learned")
-      ->type_name("KIND")
-      ->check(CLI::IsMember(models))
-      ->capture_default_str();
+      .type_name("KIND")
+      .one_of(models)
+      .show_default();
   command.add_option("--seed", train.seed, "same seed, same machine, same bytes")
-      ->type_name("N")
-      ->capture_default_str();
-  command.add_option("--epochs", options.epochs, "passes over the sentences")
-      ->type_name("N")
-      ->check(CLI::Range(1, 1000));
+      .type_name("N")
+      .show_default();
+  command.add_option("--epochs", options.epochs, "passes over the sentences").type_name("N").between(1, 1000);
   command
-      .add_option_function<std::string>(
+      .add_option_function(
           "--programs",
           [&options](const std::string& name) {
             options.dialect = name == "plain" ? parser::Dialect::Plain : parser::Dialect::Temporal;
           },
           "what sentences are read as: plain steps, or temporal: also past, without, keep, when, whether")
-      ->type_name("KIND")
-      ->check(CLI::IsMember({"plain", "temporal"}));
+      .type_name("KIND")
+      .one_of({"plain", "temporal"});
   add_choice<parser::Then>(command, "--then", train.then,
                            {{"whole-plan", parser::Then::WholePlan}, {"stepwise", parser::Then::Stepwise}},
                            "what 'then' means: whole-plan (the default) or stepwise");
   command.add_option("--threads", train.threads, "of no influence on the result")
-      ->type_name("N")
-      ->check(CLI::Range(1, 256))
-      ->capture_default_str();
+      .type_name("N")
+      .between(1, 256)
+      .show_default();
   command.add_flag("--chooser,!--no-chooser", train.chooser,
                    "a chooser on the map decides between the ends that readings lead to (on)");
   command.add_flag(
@@ -130,17 +125,16 @@ parser::TrainOptions TrainingOptions::settled(parser::Dialect usual) const {
   return out;
 }
 
-void add_corpus_option(CLI::App& command, std::string& corpus, bool required) {
+void add_corpus_option(Command command, std::string& corpus, bool required) {
   command.add_option("--corpus", corpus, "directory with instructions.jsonl and, if it has its own, maps/")
-      ->type_name("DIR")
-      ->required(required);
+      .type_name("DIR")
+      .required(required);
 }
 
-void add_convention_option(CLI::App& command, std::string& convention,
-                           const std::vector<std::string>& names) {
+void add_convention_option(Command command, std::string& convention, const std::vector<std::string>& names) {
   command.add_option("--convention", convention, "what an unknown start heading counts as")
-      ->check(CLI::IsMember(names))
-      ->capture_default_str();
+      .one_of(names)
+      .show_default();
 }
 
 std::vector<plan::Map> maps_of(const parser::Corpus& corpus, const std::string& data) {

@@ -8,18 +8,15 @@
 #include "libparser/corpus.hpp"
 #include "libparser/ground.hpp"
 #include "libparser/learn.hpp"
+#include "tools/shell/command.hpp"
 #include "tools/shell/input.hpp"
-
-namespace CLI {
-class App;
-}
 
 namespace waymark::tools {
 
 struct ModelOptions {
   std::string file;  // empty: models/linear.waymark of the data directory
 };
-void add_model_options(CLI::App& command, ModelOptions& options);
+void add_model_options(Command command, ModelOptions& options);
 parser::Grounder read_model(const ModelOptions& options, const std::string& data);
 
 // What train and evaluate make, and how: --model KIND, --seed, --epochs, --threads, and those of the encoder-decoder.
@@ -32,12 +29,11 @@ struct TrainingOptions {
   // With what depends on several of them. `usual`: the programs when none are named.
   parser::TrainOptions settled(parser::Dialect usual = parser::Dialect::Plain) const;
 };
-void add_training_options(CLI::App& command, TrainingOptions& options,
-                          const std::vector<std::string>& models);
+void add_training_options(Command command, TrainingOptions& options, const std::vector<std::string>& models);
 
 // --corpus DIR, and the grid, the convention: spelled alike where corpora are learned from.
-void add_corpus_option(CLI::App& command, std::string& corpus, bool required = true);
-void add_convention_option(CLI::App& command, std::string& convention, const std::vector<std::string>& names);
+void add_corpus_option(Command command, std::string& corpus, bool required = true);
+void add_convention_option(Command command, std::string& convention, const std::vector<std::string>& names);
 
 // Maps of the data directory.
 std::vector<plan::Map> shipped_maps(const std::string& data);

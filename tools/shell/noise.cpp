@@ -1,6 +1,5 @@
 #include "tools/shell/noise.hpp"
 
-#include <CLI/App.hpp>
 #include <algorithm>
 #include <numeric>
 #include <sstream>
@@ -34,13 +33,13 @@ std::vector<double> chances(const std::string& text, const Shape& shape) {
 
 }  // namespace
 
-void add_noise_options(CLI::App& command, NoiseOptions& options) {
+void add_noise_options(Command command, NoiseOptions& options) {
   command.add_option("--slip", options.forward, "chances that FORWARD goes left, right, back instead")
-      ->type_name("L,R[,B]");
+      .type_name("L,R[,B]");
   command
       .add_option("--slip-turn", options.turn,
                   "chances that a turn comes to nothing, and that it goes on to the opposite heading")
-      ->type_name("S[,O]");
+      .type_name("S[,O]");
 }
 
 plan::MapNoise noise_of(const NoiseOptions& options) {

@@ -3,10 +3,7 @@
 #include <string>
 
 #include "libplan/model/map_mdp.hpp"
-
-namespace CLI {
-class App;
-}
+#include "tools/shell/command.hpp"
 
 namespace waymark::tools {
 
@@ -14,7 +11,7 @@ struct NoiseOptions {
   std::string forward, turn;
   bool given() const { return !forward.empty() || !turn.empty(); }
 };
-void add_noise_options(CLI::App& command, NoiseOptions& options);
+void add_noise_options(Command command, NoiseOptions& options);
 plan::MapNoise noise_of(const NoiseOptions& options);  // throws UsageError
 
 }  // namespace waymark::tools

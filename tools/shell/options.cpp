@@ -1,23 +1,21 @@
 #include "tools/shell/options.hpp"
 
-#include <CLI/App.hpp>
-
 #include "libltl/diagnostic.hpp"
 #include "tools/shell/data_directory.hpp"
 
 namespace waymark::tools {
 
-void add_data_option(CLI::App& command, std::string& data) {
+void add_data_option(Command command, std::string& data) {
   command
       .add_option("--data", data,
                   "directory of maps and models (else $WAYMARK_DATA, else beside the executable)")
-      ->type_name("DIR");
+      .type_name("DIR");
 }
 
-void add_map_options(CLI::App& command, MapOptions& options) {
+void add_map_options(Command command, MapOptions& options) {
   command.add_option("-m,--map", options.map, "a map that comes with waymark (grid, jelly, l) or a file")
-      ->type_name("MAP")
-      ->capture_default_str();
+      .type_name("MAP")
+      .show_default();
   add_data_option(command, options.data);
 }
 
@@ -25,10 +23,10 @@ plan::Map read_map(const MapOptions& options) {
   return plan::read_map(options.map, data_directory(options.data));
 }
 
-void add_start_option(CLI::App& command, std::string& start) {
+void add_start_option(Command command, std::string& start) {
   command
       .add_option("--start", start, "start pose; x,y alone: any heading (else the first place, facing north)")
-      ->type_name("X,Y,HEADING");
+      .type_name("X,Y,HEADING");
 }
 
 std::vector<plan::PoseId> start_poses(const std::string& start, const plan::Map& map) {
@@ -40,23 +38,23 @@ std::vector<plan::PoseId> start_poses(const std::string& start, const plan::Map&
   return {plan::PoseId{4 * best}};
 }
 
-void add_text_options(CLI::App& command, TextOptions& options, const std::string& what) {
+void add_text_options(Command command, TextOptions& options, const std::string& what) {
   command.add_option(what, options.arguments, "the " + what + "; - or nothing: standard input, one a line")
-      ->type_name("TEXT");
+      .type_name("TEXT");
   command
       .add_option("-F,--file", options.file, "read from a file, one " + what + " a line; - is standard input")
-      ->type_name("FILE");
+      .type_name("FILE");
 }
 
-void add_notation_options(CLI::App& command, NotationOptions& options) {
+void add_notation_options(Command command, NotationOptions& options) {
   command
       .add_option("--dialect", options.dialect,
                   "what X means at the end of a finite word: strong or (spot) weak")
-      ->check(CLI::IsMember({"waymark", "spot"}))
-      ->capture_default_str();
+      .one_of({"waymark", "spot"})
+      .show_default();
   command.add_option("--notation", options.notation, "how formulas are written")
-      ->check(CLI::IsMember({"infix", "lbt", "postfix"}))
-      ->capture_default_str();
+      .one_of({"infix", "lbt", "postfix"})
+      .show_default();
 }
 
 ltl::ParseOptions parse_options(const NotationOptions& options, ltl::Unknown unknown) {

@@ -6,12 +6,9 @@
 #include "libltl/parse.hpp"
 #include "libplan/world/read_map.hpp"
 #include "libplan/world/trajectory.hpp"
+#include "tools/shell/command.hpp"
 #include "tools/shell/input.hpp"
 #include "tools/shell/json.hpp"
-
-namespace CLI {
-class App;
-}
 
 namespace waymark::tools {
 
@@ -19,22 +16,22 @@ struct MapOptions {
   std::string map = "grid";
   std::string data;
 };
-void add_map_options(CLI::App& command, MapOptions& options);
-void add_data_option(CLI::App& command, std::string& data);
+void add_map_options(Command command, MapOptions& options);
+void add_data_option(Command command, std::string& data);
 plan::Map read_map(const MapOptions& options);
 
-void add_start_option(CLI::App& command, std::string& start);
+void add_start_option(Command command, std::string& start);
 // Of --start; without it, the place with the lowest number (else the first node), facing north.
 std::vector<plan::PoseId> start_poses(const std::string& start, const plan::Map& map);
 
 // `what`: "formula" or "instruction", the name of the positional argument.
-void add_text_options(CLI::App& command, TextOptions& options, const std::string& what);
+void add_text_options(Command command, TextOptions& options, const std::string& what);
 
 struct NotationOptions {
   std::string dialect = "waymark";
   std::string notation = "infix";
 };
-void add_notation_options(CLI::App& command, NotationOptions& options);
+void add_notation_options(Command command, NotationOptions& options);
 ltl::ParseOptions parse_options(const NotationOptions& options, ltl::Unknown unknown);
 
 // The formula of one text; errors name the file and line that it came from.

@@ -1,27 +1,19 @@
 #include "tools/shell/robot_options.hpp"
 
-#include <CLI/App.hpp>
-
 #include "tools/shell/terminal.hpp"
 
 namespace waymark::tools {
 
-void add_robot_options(CLI::App& command, RobotOptions& options) {
-  command.add_option("--robot", options.robot, "what moves")
-      ->check(CLI::IsMember({"point", "disc", "car"}))
-      ->capture_default_str();
+void add_robot_options(Command command, RobotOptions& options) {
+  command.add_option("--robot", options.robot, "what moves").one_of({"point", "disc", "car"}).show_default();
   command.add_option("--radius", options.radius, "of the disc, where neighbouring places are 1 apart")
-      ->check(CLI::NonNegativeNumber)
-      ->capture_default_str();
-  command.add_option("--car-length", options.car.length, "of the car")
-      ->check(CLI::PositiveNumber)
-      ->capture_default_str();
-  command.add_option("--car-width", options.car.width, "of the car")
-      ->check(CLI::PositiveNumber)
-      ->capture_default_str();
+      .not_negative()
+      .show_default();
+  command.add_option("--car-length", options.car.length, "of the car").positive().show_default();
+  command.add_option("--car-width", options.car.width, "of the car").positive().show_default();
   command.add_option("--turning-radius", options.car.turning_radius, "of the car, at its rear axle")
-      ->check(CLI::PositiveNumber)
-      ->capture_default_str();
+      .positive()
+      .show_default();
 }
 
 plan::Robot robot_of(const RobotOptions& options) {
@@ -29,32 +21,29 @@ plan::Robot robot_of(const RobotOptions& options) {
   return plan::Disc{options.robot == "point" ? 0 : options.radius};
 }
 
-void add_search_options(CLI::App& command, SearchOptions& options) {
+void add_search_options(Command command, SearchOptions& options) {
   command
       .add_option(
           "--planner", options.planner,
           "route: the discrete route first, then a motion along it; ltl: OMPL's LTLPlanner on the automaton")
-      ->check(CLI::IsMember({"route", "ltl"}))
-      ->capture_default_str();
+      .one_of({"route", "ltl"})
+      .show_default();
   command.add_option("--sampler", options.sampler, "of legs that need it: Informed RRT* or BIT*")
-      ->check(CLI::IsMember({"rrtstar", "bitstar"}))
-      ->capture_default_str();
+      .one_of({"rrtstar", "bitstar"})
+      .show_default();
   command.add_option("--iterations", options.iterations, "of sampling, for each leg that needs it")
-      ->check(CLI::Range(std::size_t{1}, std::size_t{10'000'000}))
-      ->capture_default_str();
+      .between(1, 10'000'000)
+      .show_default();
   command
       .add_option("--seed", options.seed,
                   "of the sampling; the same seed gives the same motion (not with ltl)")
-      ->capture_default_str();
-  command.add_option("--seconds", options.seconds, "that the planner ltl is given")
-      ->check(CLI::PositiveNumber)
-      ->capture_default_str();
+      .show_default();
+  command.add_option("--seconds", options.seconds, "that the planner ltl is given").positive().show_default();
 }
 
-void add_shape_options(CLI::App& command, ShapeOptions& options) {
-  command.add_option("--width", options.width, "of hallways")->capture_default_str();
-  command.add_option("--furniture", options.furniture, "radius of every piece; 0: none")
-      ->capture_default_str();
+void add_shape_options(Command command, ShapeOptions& options) {
+  command.add_option("--width", options.width, "of hallways").show_default();
+  command.add_option("--furniture", options.furniture, "radius of every piece; 0: none").show_default();
 }
 
 std::vector<std::string> arguments_of(const RobotOptions& robot, const SearchOptions& search,

@@ -4,11 +4,8 @@
 #include <vector>
 
 #include "libplan/motion/motion.hpp"
+#include "tools/shell/command.hpp"
 #include "tools/shell/json.hpp"
-
-namespace CLI {
-class App;
-}
 
 namespace waymark::tools {
 
@@ -17,7 +14,7 @@ struct RobotOptions {
   double radius = plan::Disc{}.radius;
   plan::Car car;
 };
-void add_robot_options(CLI::App& command, RobotOptions& options);
+void add_robot_options(Command command, RobotOptions& options);
 plan::Robot robot_of(const RobotOptions& options);
 
 struct SearchOptions {
@@ -27,12 +24,12 @@ struct SearchOptions {
   std::uint64_t seed = 1;
   double seconds = 30;
 };
-void add_search_options(CLI::App& command, SearchOptions& options);
+void add_search_options(Command command, SearchOptions& options);
 
 struct ShapeOptions {
   double width = 0.4, furniture = 0.07;
 };
-void add_shape_options(CLI::App& command, ShapeOptions& options);
+void add_shape_options(Command command, ShapeOptions& options);
 
 // As the command line of a helper.
 std::vector<std::string> arguments_of(const RobotOptions& robot, const SearchOptions& search,

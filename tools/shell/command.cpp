@@ -1,0 +1,79 @@
+#include "tools/shell/command.hpp"
+
+#include <CLI/App.hpp>
+#include <cstdint>
+#include <optional>
+
+namespace waymark::tools {
+
+Option Option::type_name(const std::string& name) {
+  option_->type_name(name);
+  return *this;
+}
+Option Option::show_default() {
+  option_->capture_default_str();
+  return *this;
+}
+Option Option::group(const std::string& name) {
+  option_->group(name);
+  return *this;
+}
+Option Option::required(bool required) {
+  option_->required(required);
+  return *this;
+}
+Option Option::one_of(const std::vector<std::string>& values) {
+  option_->check(CLI::IsMember(values));
+  return *this;
+}
+Option Option::between(int least, int most) {
+  option_->check(CLI::Range(least, most));
+  return *this;
+}
+Option Option::between(double least, double most) {
+  option_->check(CLI::Range(least, most));
+  return *this;
+}
+Option Option::positive() {
+  option_->check(CLI::PositiveNumber);
+  return *this;
+}
+Option Option::not_negative() {
+  option_->check(CLI::NonNegativeNumber);
+  return *this;
+}
+Option Option::separated_by(char separator) {
+  option_->delimiter(separator)->allow_extra_args(false);
+  return *this;
+}
+
+template <class Value>
+Option Command::add_option(const std::string& names, Value& value, const std::string& help) {
+  return Option(app_->add_option(names, value, help));
+}
+template Option Command::add_option(const std::string&, std::string&, const std::string&);
+template Option Command::add_option(const std::string&, std::vector<std::string>&, const std::string&);
+template Option Command::add_option(const std::string&, int&, const std::string&);
+template Option Command::add_option(const std::string&, double&, const std::string&);
+template Option Command::add_option(const std::string&, unsigned&, const std::string&);
+template Option Command::add_option(const std::string&, unsigned long&, const std::string&);
+
+Option Command::add_option_function(const std::string& names,
+                                    const std::function<void(const std::string&)>& take,
+                                    const std::string& help) {
+  return Option(app_->add_option_function(names, take, help));
+}
+void Command::add_flag(const std::string& names, bool& value, const std::string& help) {
+  app_->add_flag(names, value, help);
+}
+void Command::add_flag_callback(const std::string& names, const std::function<void()>& call,
+                                const std::string& help) {
+  app_->add_flag_callback(names, call, help);
+}
+Command Command::add_subcommand(const std::string& name, const std::string& help) {
+  app_->require_subcommand(1);
+  return Command(*app_->add_subcommand(name, help));
+}
+bool Command::parsed() const { return app_->parsed(); }
+
+}  // namespace waymark::tools
