@@ -26,9 +26,6 @@ if(WAYMARK_SANITIZE)
   add_compile_options(-fsanitize=${WAYMARK_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer)
   add_link_options(-fsanitize=${WAYMARK_SANITIZE})
 endif()
-if(WAYMARK_FUZZ)
-  add_compile_options(-fsanitize=fuzzer-no-link)
-endif()
 
 # waymark_library(<area> SOURCES <file>... DEPENDS <target>... PRIVATE_DEPENDS <target>...)
 # One static library lib<area>, known to others as waymark::<area>, included as "lib<area>/name.hpp".
@@ -44,6 +41,9 @@ function(waymark_library area)
   target_compile_features(${target} PUBLIC cxx_std_20)
   target_include_directories(${target} PUBLIC
     $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/waymark>)
+  if(WAYMARK_FUZZ)  # libFuzzer steers by what the libraries do; tests and tools are not slowed by being watched
+    target_compile_options(${target} PRIVATE -fsanitize=fuzzer-no-link)
+  endif()
   target_link_libraries(${target} PUBLIC ${ARG_DEPENDS}
     PRIVATE $<BUILD_INTERFACE:waymark_settings> ${ARG_PRIVATE_DEPENDS})
 endfunction()

@@ -4,6 +4,7 @@ cmake_minimum_required(VERSION 3.25)
 file(REMOVE_RECURSE ${SCRATCH}/source)
 file(MAKE_DIRECTORY ${SCRATCH}/source)
 file(CREATE_LINK ${SOURCE_DIR}/cmake ${SCRATCH}/source/cmake SYMBOLIC)
+file(CREATE_LINK ${CMAKE_CURRENT_LIST_DIR}/alone.cmake ${SCRATCH}/source/alone.cmake SYMBOLIC)
 
 # The libraries needed, lowest first: the root lists them in dependency order.
 file(STRINGS ${SOURCE_DIR}/CMakeLists.txt order REGEX "^add_subdirectory\\(lib")
@@ -21,8 +22,7 @@ endforeach()
 list(REVERSE order)
 
 set(text "cmake_minimum_required(VERSION 3.25)\nproject(alone LANGUAGES CXX)\n\
-list(APPEND CMAKE_MODULE_PATH \${PROJECT_SOURCE_DIR}/cmake)\ninclude(WaymarkSettings)\n\
-set(CMAKE_OPTIMIZE_DEPENDENCIES ON)\n")
+list(APPEND CMAKE_MODULE_PATH \${PROJECT_SOURCE_DIR}/cmake)\ninclude(\${PROJECT_SOURCE_DIR}/alone.cmake)\n")
 foreach(library IN LISTS order)
   if(library IN_LIST needed)
     file(CREATE_LINK ${SOURCE_DIR}/${library} ${SCRATCH}/source/${library} SYMBOLIC)

@@ -14,6 +14,7 @@
 
 #include "libparser/generate.hpp"
 #include "libplan/world/read_map.hpp"
+#include "tests/support/sanitizers.hpp"
 #include "tools/shell/json.hpp"
 
 namespace {
@@ -21,12 +22,15 @@ namespace {
 namespace fs = std::filesystem;
 using waymark::tools::JsonArray, waymark::tools::JsonObject;
 
-// Six paragraphs of our own on the maps that come with waymark.
+using waymark::testing::sanitized;
+
+// Some paragraphs of our own on the maps that come with waymark.
 void write_corpus(const fs::path& directory) {
   std::vector<waymark::plan::Map> maps;
   for (const char* name : {"grid", "jelly", "l"})
     maps.push_back(waymark::plan::read_map(name, WAYMARK_DATA_FOLDER));
-  const auto corpus = waymark::parser::generate_corpus(maps, {.seed = 3, .paragraphs = 6, .sentences = 2});
+  const auto corpus = waymark::parser::generate_corpus(
+      maps, {.seed = 3, .paragraphs = sanitized ? 3 : 6, .sentences = sanitized ? 1 : 2});
   std::ofstream out(directory / "instructions.jsonl");
   for (const auto& paragraph : corpus.paragraphs) {
     JsonArray sentences;
@@ -86,7 +90,7 @@ TEST(Experiment, KilledAgainAndAgainEndsWithTheSameBytes) {
   ASSERT_EQ(wait_for(start(directory, directory / "whole", directory / "whole.json")), 0);
   const std::size_t parts = files_in(directory / "whole");
   ASSERT_GT(parts, 30U);
-  for (std::size_t kill_at = 3; kill_at < parts; kill_at += 13) {
+  for (std::size_t kill_at = 3; kill_at < parts; kill_at += sanitized ? 26 : 13) {
     const pid_t child = start(directory, directory / "killed", directory / "killed.json");
     int status = 0;
     bool runs = true;

@@ -15,6 +15,7 @@
 #include "libltl/semantics.hpp"
 #include "tests/libautomata/omega/referee.hpp"
 #include "tests/support/generate.hpp"
+#include "tests/support/sanitizers.hpp"
 
 namespace waymark::automata {
 namespace {
@@ -102,7 +103,7 @@ TEST(LtlToParity, AgreesWithTheDefinitionOnAllSmallPairs) {
 TEST(LtlToParity, HasTheLanguageOfTheTableauOnRandomFormulas) {
   constexpr std::uint64_t seed = 20261121;
   ltl::Random random(seed);
-  for (int i = 0; i < 300; ++i) {
+  for (int i = 0; i < (testing::sanitized ? 80 : 300); ++i) {
     ltl::Arena arena(testing::letters_vocabulary(3));
     const Formula f = ltl::random_formula(random, arena, {.size = 8 + random.below(14), .atoms = 3});
     const Forms made = forms(f);

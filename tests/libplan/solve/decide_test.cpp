@@ -122,7 +122,7 @@ TEST(Decide, ProbabilitiesOfFiniteTasksAgreeWithPlainSweeps) {
 TEST(Decide, LeastCostsAgreeWithPlainSweeps) {
   ltl::Random random(7);
   int proper = 0;
-  for (int i = 0; i < (waymark::testing::sanitized ? 80 : 150); ++i) {
+  for (int i = 0; i < (waymark::testing::sanitized ? 30 : 150); ++i) {
     const bool unit = random.below(2) == 0;
     const FiniteTask t(random,
                        {.states = 2 + static_cast<std::uint32_t>(random.below(3)), .unit_costs = unit});
