@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <utility>
 
 #include "libplan/solve/end_components.hpp"
 #include "libplan/solve/reachability.hpp"
@@ -205,7 +206,7 @@ Unknowns unknowns_of(const Product& product, const StateSet& targets) {
   if (measure == Measure::MinProbability) return unknowns_of_least(product, targets);
   Unknowns out = unknowns_in<measure>(product, targets);
   out.merged = merged<measure>(product, out.unknown);
-  if (out.merged.count == 0) out.merged.of = {};
+  if (out.merged.count == 0) out.merged.of = std::vector<std::uint32_t>();
   return out;
 }
 
@@ -222,7 +223,7 @@ IterationLimits iteration(const DecisionLimits& limits, std::uint64_t sweeps) {
 // What is claimed of the best strategy is tried first.
 template <Measure measure, class Product>
 std::optional<Bounds> evaluate(const Product& product, const Strategy& strategy, const DecisionLimits& limits,
-                               std::uint64_t sweeps, const Values* claimed = nullptr) {
+                               std::uint64_t sweeps, std::optional<Values> claimed = std::nullopt) {
   using Chain = StrategyChain<Product>;
   const Chain chain(product, strategy);
   const Unknowns unknowns = unknowns_in<measure>(chain, Won<Chain>(chain).states);
@@ -230,7 +231,7 @@ std::optional<Bounds> evaluate(const Product& product, const Strategy& strategy,
   if (measure == Measure::MinCost && !unknowns.unknown[start] && !unknowns.targets[start])
     return Bounds{INFINITY, INFINITY};
   const auto values =
-      ValueIteration<Chain, measure>(chain, unknowns, iteration(limits, sweeps), claimed).run();
+      ValueIteration<Chain, measure>(chain, unknowns, iteration(limits, sweeps), std::move(claimed)).run();
   if (!values) return std::nullopt;
   return Bounds{values->lower[start], values->upper[start]};
 }
@@ -259,14 +260,18 @@ void tighten(Decided& decided) {
 // The strategy of the unknown states: by the bounds that some choice of every state attains, whichever they are. Slack costs at most so much in every step, but with too little of it the only way
 // on may be one that drift makes endless: so it is a strategy that was evaluated and found good that counts.
 template <Measure measure, class Product>
-bool choose_and_evaluate(const Product& product, const Unknowns& unknowns, const Values& values,
+bool choose_and_evaluate(const Product& product, const Unknowns& unknowns, Values values,
                          const DecisionLimits& limits, Decided& out) {
   constexpr std::uint64_t sweeps = 20'000;
-  const bool is_cost = measure == Measure::MinCost;
-  const std::vector<double>& attained = is_cost ? values.upper : values.lower;
+  constexpr bool is_cost = measure == Measure::MinCost;
+  const std::vector<double> attained = std::move(is_cost ? values.upper : values.lower);
+  std::vector<double> other = is_cost ? std::move(values.lower) : std::vector<double>();  // claimed once
+  values = Values();  // the evaluation needs as much
   for (double slack : {1e-10, 1e-12, 1e-14, 1e-15, 1e-8, 1e-7, 1e-6, 1e-5}) {
     if (!choose<measure>(product, unknowns, attained, slack, out.strategy)) continue;
-    const auto found = evaluate<measure>(product, out.strategy, limits, sweeps, is_cost ? &values : nullptr);
+    std::optional<Values> claimed;
+    if (!other.empty()) claimed = Values{std::exchange(other, {}), attained, 0};
+    const auto found = evaluate<measure>(product, out.strategy, limits, sweeps, std::move(claimed));
     if (limits.stop.stop_requested()) return false;
     if (!found) continue;
     out.re_evaluated = *found;
@@ -297,6 +302,7 @@ std::optional<Decided> decide(const Product& product, const Won<Product>& won, c
   }
   if (measure == Measure::MinProbability) {
     choose_least(product, unknowns, values->lower, out.strategy);
+    values.reset();  // the evaluation needs as much again
     const auto found = evaluate<Measure::MaxProbability>(product, out.strategy, limits, UINT64_MAX);
     if (!found) return std::nullopt;
     out.re_evaluated = *found;
@@ -310,7 +316,7 @@ std::optional<Decided> decide(const Product& product, const Won<Product>& won, c
       return unknowns.targets[s.index] && !won.states[s.index] &&
              all_outcomes_in(product, s, k, unknowns.targets);
     });
-  if (!choose_and_evaluate<measure>(product, unknowns, *values, limits, out)) return std::nullopt;
+  if (!choose_and_evaluate<measure>(product, unknowns, std::move(*values), limits, out)) return std::nullopt;
   return out;
 }
 

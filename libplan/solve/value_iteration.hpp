@@ -34,22 +34,19 @@ struct Values {
 template <class Product, Measure measure>
 class ValueIteration {
  public:
-  // claimed: bounds that may be tried first (GridBlock::start_from); nullptr: none
+  // claimed: bounds by state that may be tried first (GridBlock::start_from), and are written over; or none
   ValueIteration(const Product& product, const Unknowns& unknowns, const IterationLimits& limits,
-                 const Values* claimed = nullptr)
+                 std::optional<Values> claimed = std::nullopt)
       : product_(product),
         unknowns_(unknowns),
         limits_(limits),
         merged_(product, unknowns),
         best_(product, unknowns, merged_),
-        claimed_(claimed) {}
+        has_claims_(claimed.has_value()),
+        values_(claimed ? std::move(*claimed) : Values{}) {}
 
   std::optional<Values> run() {  // nullopt: stopped, out of sweeps, or the bounds do not meet in doubles
-    const double target_value = is_probability(measure) ? 1 : 0;
-    values_.lower.assign(product_.states(), 0);
-    for (std::uint32_t i = 0; i < product_.states(); ++i)
-      if (unknowns_.targets[i]) values_.lower[i] = target_value;
-    values_.upper = values_.lower;
+    begin();
     const std::vector<std::uint32_t>& blocks = product_.blocks();
     for (std::size_t b = 0; b + 1 < blocks.size(); ++b)
       if (!solve_block(blocks[b], blocks[b + 1])) return std::nullopt;
@@ -59,6 +56,17 @@ class ValueIteration {
  private:
   using State = typename Product::State;
   using Compact = typename Product::Compact;
+
+  // Unknowns are 0, or what is claimed of them until their block is solved.
+  void begin() {
+    const double target_value = is_probability(measure) ? 1 : 0;
+    values_.lower.resize(product_.states());
+    values_.upper.resize(product_.states());
+    values_.sweeps = 0;
+    for (std::uint32_t i = 0; i < product_.states(); ++i)
+      if (!unknowns_.unknown[i] || unknowns_.targets[i])
+        values_.lower[i] = values_.upper[i] = unknowns_.targets[i] ? target_value : 0;
+  }
 
   // The greatest change: absolute for probabilities, relative for costs.
   double raise(const std::vector<Compact>& order) {
@@ -104,7 +112,7 @@ class ValueIteration {
           if (solve_on_grid(order, *block)) return true;
           if (order.size() > Equations::factored || limits_.stop.stop_requested()) return false;
         }
-    return order.size() <= limits_.written_out ? solve_equations(order) : sweep(order);
+    return order.size() <= limits_.written_out ? solve_equations(order, first, last) : sweep(order);
   }
 
   std::optional<GridBlock> grid_block(const std::vector<Compact>& order) const {
@@ -116,7 +124,7 @@ class ValueIteration {
   }
 
   bool solve_on_grid(const std::vector<Compact>& order, GridBlock& block) {
-    if (claimed_ != nullptr) block.start_from(claimed_->lower, claimed_->upper);
+    if (has_claims_) block.start_from(values_.lower, values_.upper);
     const auto sweeps = block.solve(limits_);
     if (!sweeps) return false;
     for (const Compact& c : order) {
@@ -129,9 +137,10 @@ class ValueIteration {
   }
 
   // The rows of the block. Outcomes among merged states come to nothing.
-  bool solve_equations(const std::vector<Compact>& order) {
+  bool solve_equations(const std::vector<Compact>& order, std::uint32_t first, std::uint32_t last) {
     Equations equations(measure);
-    row_.resize(product_.states(), no_row);
+    first_ = first;
+    row_.assign(last - first, no_row);
     for (std::uint32_t i = 0; i < order.size(); ++i) number(product_.state(order[i]), i);
     for (const Compact& c : order) {
       equations.add_row();
@@ -147,7 +156,6 @@ class ValueIteration {
       const State s = product_.state(order[i]);
       merged_.set(s, values_.lower, solution->lower[i]);
       merged_.set(s, values_.upper, solution->upper[i]);
-      number(s, no_row);
     }
     values_.sweeps += solution->sweeps;
     return true;
@@ -155,26 +163,29 @@ class ValueIteration {
 
   void number(const State& s, std::uint32_t row) {
     if (const std::uint32_t own = merged_.component(s.index); own == EndComponents::none)
-      row_[s.index] = row;
+      row_[s.index - first_] = row;
     else
-      for (const Compact& member : merged_.members(own)) row_[product_.state(member).index] = row;
+      for (const Compact& member : merged_.members(own)) row_[product_.state(member).index - first_] = row;
   }
 
+  std::uint32_t row(std::uint32_t i) const {  // of states outside the block there is none
+    return i - first_ < row_.size() ? row_[i - first_] : no_row;
+  }
   void add_choices(const State& s, Equations& equations) const {
-    const std::uint32_t own = row_[s.index], choices = product_.choices(s);
+    const std::uint32_t own = row(s.index), choices = product_.choices(s);
     for (std::uint32_t k = 0; k < choices; ++k) {
       const double cost = measure == Measure::MinCost ? product_.cost(s, k) : 0;
       double below = cost, above = cost, stays = 0, least_known = INFINITY;
       bool counts = true;
       product_.for_each_outcome(s, k, [&](std::uint32_t t, double p, bool) {
-        if (t != Product::lost && row_[t] == own) {
+        if (t != Product::lost && row(t) == own) {
           stays += p;
-        } else if (t != Product::lost && row_[t] == no_row &&
+        } else if (t != Product::lost && row(t) == no_row &&
                    (is_probability(measure) || unknowns_.unknown[t] || unknowns_.targets[t])) {
           below += p * values_.lower[t];
           above += p * values_.upper[t];
           least_known = std::min(least_known, values_.lower[t]);
-        } else if (t == Product::lost || row_[t] == no_row) {
+        } else if (t == Product::lost || row(t) == no_row) {
           counts = counts && is_probability(measure);
         }
       });
@@ -184,13 +195,15 @@ class ValueIteration {
       equations.add_choice();
       const double scale = leaves ? 1 / (1 - stays) : 0;
       product_.for_each_outcome(s, k, [&](std::uint32_t t, double p, bool) {
-        if (t != Product::lost && row_[t] != no_row && row_[t] != own) equations.add_term(row_[t], p * scale);
+        if (t != Product::lost && row(t) != no_row && row(t) != own) equations.add_term(row(t), p * scale);
       });
       equations.end_choice({below * scale, above * scale, cost * scale, least_known});
     }
   }
 
   bool sweep(const std::vector<Compact>& order) {
+    if (has_claims_)
+      for (const Compact& c : order) merged_.set(product_.state(c), values_.lower, 0);
     std::uint64_t swept = 0;
     for (double fine = limits_.tolerance / 16;; fine = fine < 1e-18 ? 0 : fine / 64) {
       std::uint64_t sweeps = 1;
@@ -216,10 +229,11 @@ class ValueIteration {
   const IterationLimits& limits_;
   const MergedUnknowns<Product> merged_;
   const BestValue<Product, measure> best_;
-  const Values* claimed_;
-  static constexpr std::uint32_t no_row = UINT32_MAX;
+  const bool has_claims_;
   Values values_;
-  std::vector<std::uint32_t> row_;  // by state, of the block at hand
+  static constexpr std::uint32_t no_row = UINT32_MAX;
+  std::uint32_t first_ = 0;         // of the block at hand
+  std::vector<std::uint32_t> row_;  // of the block at hand, by state
 };
 
 }  // namespace waymark::plan

@@ -115,7 +115,7 @@ std::optional<Values> with_claim(const Chain& chain, const Unknowns& unknowns, c
   for (double& x : claimed.lower) x *= wrong;
   for (double& x : claimed.upper) x *= wrong;
   return ValueIteration<Chain, Measure::MinCost>(
-             chain, unknowns, {.tolerance = tolerance, .sweeps = sweeps, .on_grid = 0}, &claimed)
+             chain, unknowns, {.tolerance = tolerance, .sweeps = sweeps, .on_grid = 0}, std::move(claimed))
       .run();
 }
 
