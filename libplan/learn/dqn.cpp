@@ -90,17 +90,12 @@ class Learner {
         next_(method.batch) {}
 
   LearningCurve run() {
-    std::size_t step = 0;
-    for (; step < training_.steps; ++step) {
-      if (step % training_.interval == 0) {
-        if (training_.stop.stop_requested()) break;
-        checkpoint(step);
-      }
+    const auto act_and_learn = [&](std::size_t step) {
       act(step);
       if (replay_.size() >= method_.batch) update(step);
       if ((step + 1) % method_.copy == 0) target_.copy(online_);
-    }
-    checkpoint(step);
+    };
+    take_steps(training_, act_and_learn, [&](std::size_t step) { checkpoint(step); });
     return std::move(curve_);
   }
 

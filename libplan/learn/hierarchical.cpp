@@ -69,15 +69,8 @@ class Learner {
 
   LearningCurve run() {
     begin_option(0);
-    std::size_t step = 0;
-    for (; step < training_.steps; ++step) {
-      if (step % training_.interval == 0) {
-        if (training_.stop.stop_requested()) break;
-        checkpoint(step);
-      }
-      act(step);
-    }
-    checkpoint(step);
+    take_steps(
+        training_, [&](std::size_t step) { act(step); }, [&](std::size_t step) { checkpoint(step); });
     return std::move(curve_);
   }
 

@@ -64,15 +64,8 @@ class Learner {
 
   QTable run() {
     begin_episode();
-    std::size_t step = 0;
-    for (; step < training_.steps; ++step) {
-      if (step % training_.interval == 0) {
-        if (training_.stop.stop_requested()) break;
-        checkpoint(step);
-      }
-      act(step);
-    }
-    checkpoint(step);
+    take_steps(
+        training_, [&](std::size_t step) { act(step); }, [&](std::size_t step) { checkpoint(step); });
     return std::move(out_);
   }
 

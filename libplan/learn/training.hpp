@@ -35,6 +35,20 @@ struct Training {
   }
 };
 
+// The loop of every learner: act(step) for each step, checkpoint(steps taken) in every interval and at the end.
+template <class Act, class Judge>
+void take_steps(const Training& training, Act&& act, Judge&& checkpoint) {
+  std::size_t step = 0;
+  for (; step < training.steps; ++step) {
+    if (step % training.interval == 0) {
+      if (training.stop.stop_requested()) break;
+      checkpoint(step);
+    }
+    act(step);
+  }
+  checkpoint(step);
+}
+
 struct Checkpoint {
   std::size_t steps = 0;
   PolicyValue value;

@@ -5,10 +5,14 @@
 #include <map>
 
 #include "libltl/diagnostic.hpp"
+#include "libltl/print.hpp"
+#include "libltl/random.hpp"
 #include "libplan/learn/environment.hpp"
 #include "libplan/product/compose.hpp"
+#include "libplan/product/product_mdp.hpp"
 #include "libplan/product/task_steps.hpp"
 #include "tests/libplan/learn/tasks.hpp"
+#include "tests/libplan/solve/random_models.hpp"
 
 namespace waymark::plan {
 namespace {
@@ -39,6 +43,51 @@ TEST(TabularProduct, IsTheBuiltProductWhereThatIsReachable) {
         }
       }
     }
+}
+
+// Learners and solvers meet the same chances: pair by pair of the product that the solvers explore.
+TEST(TabularProduct, IsTheProductOfTheSolvers) {
+  constexpr std::uint64_t seed = 16;
+  ltl::Random random(seed);
+  std::size_t compared = 0;
+  for (int i = 0; i < 2'000; ++i) {
+    const Mdp mdp = testing::random_model(random, {.states = 5, .unit_costs = false});
+    ltl::Arena arena(testing::vocabulary_ab());
+    const ltl::Formula f = ltl::random_formula(random, arena, {.size = 3 + random.below(8), .atoms = 2});
+    const std::string what =
+        ltl::print(f) + ", seed " + std::to_string(seed) + ", model " + std::to_string(i);
+    const automata::Dfa dfa = automata::ltlf_to_dfa(f);
+    const TaskTable task(dfa, mdp.letters());
+    const TabularProduct flat = compose(mdp, tabulate(dfa, mdp.letters()));
+    const auto product = ProductMdp<Mdp>::explore(mdp, task);
+    ASSERT_TRUE(product);
+    if (product->starts().empty()) continue;
+    const auto number = [&](const auto& s) { return flat.state(s.place, task.origin(s.task)); };
+    EXPECT_EQ(flat.starts[0].state, number(product->state(product->starts()[0]))) << what;
+    product->for_each_state([&](const auto& s) {
+      EXPECT_EQ(flat.ending(number(s)) == Ending::Accepting, product->is_goal(s)) << what;
+      std::uint32_t action = 0;
+      for (std::uint32_t k = 0; k < product->choices(s);
+           ++k, ++action) {  // actions are offered in the order of choices
+        while (!flat.is_offered(s.place, action)) ++action;
+        std::map<std::uint32_t, double> solved, learnt;
+        product->for_each_outcome(s, k, [&](std::uint32_t t, double p, bool) {
+          solved[t == ProductMdp<Mdp>::lost ? UINT32_MAX : number(product->state(t))] += p;
+        });
+        double before = 0;
+        for (const auto& o : flat.outcomes_of(s.place, action)) {
+          const std::uint32_t next = flat.state(o.position, flat.task.after(task.origin(s.task), o.letter));
+          learnt[flat.ending(next) == Ending::Trap ? UINT32_MAX : next] += o.up_to - before;
+          before = o.up_to;
+        }
+        EXPECT_EQ(flat.cost[s.place * flat.actions + action], product->cost(s, k)) << what;
+        ASSERT_EQ(solved.size(), learnt.size()) << what;
+        for (const auto& [t, p] : solved) EXPECT_NEAR(learnt[t], p, 1e-12) << what;
+        ++compared;
+      }
+    });
+  }
+  EXPECT_GT(compared, 1000U);
 }
 
 TEST(TabularProduct, ForwardIntoAWallIsNotOffered) {
