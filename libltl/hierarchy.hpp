@@ -1,0 +1,23 @@
+// Where a formula stands in the syntactic future hierarchy, for infinite words. [ERS24]
+//
+// Σ₀ = Π₀ = Δ₀ are the formulas without temporal operators. Σᵢ₊₁ holds Πᵢ and is closed under ∧, ∨, X and U (so F and M),
+// Πᵢ₊₁ holds Σᵢ and is closed under ∧, ∨, X and R (G and W); Δᵢ are the Boolean combinations of the two. Σ₁ is
+// syntactically co-safe, Π₁ safe, Δ₁ an obligation, Π₂ recurrent, Σ₂ persistent, and every formula has an equal in Δ₂
+// (delta2.hpp). Coarser than fragment.hpp, which knows more shapes that belong to the same classes of languages.
+#pragma once
+#include <cstdint>
+
+#include "libltl/formula.hpp"
+
+namespace waymark::ltl {
+
+struct Level {  // the least i for each: f ∈ Σ_sigma, f ∈ Π_pi, f ∈ Δ_delta
+  std::uint32_t sigma = 0, pi = 0, delta = 0;
+  friend bool operator==(const Level&, const Level&) = default;
+};
+// N counts as X; an equivalence as both of its operands, as they are and negated. O(DAG)
+Level level(Formula f);
+
+inline bool is_delta2(Formula f) { return level(f).delta <= 2; }
+
+}  // namespace waymark::ltl
