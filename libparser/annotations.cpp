@@ -5,9 +5,9 @@
 
 #include "libltl/diagnostic.hpp"
 #include "libltl/parse.hpp"
-#include "libparser/corpus_file.hpp"
-#include "libparser/recognise.hpp"
-#include "libparser/token.hpp"
+#include "libparser/corpus/corpus_file.hpp"
+#include "libparser/corpus/token.hpp"
+#include "libparser/programs/recognise.hpp"
 
 namespace waymark::parser {
 

@@ -6,8 +6,8 @@
 #include <queue>
 
 #include "libltl/diagnostic.hpp"
-#include "libparser/chooser.hpp"
-#include "libparser/token.hpp"
+#include "libparser/choosing/chooser.hpp"
+#include "libparser/corpus/token.hpp"
 
 namespace waymark::parser {
 namespace {

@@ -10,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-#include "libparser/execute.hpp"
+#include "libparser/programs/execute.hpp"
 #include "libparser/reader.hpp"
 
 namespace waymark::parser {

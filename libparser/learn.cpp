@@ -4,9 +4,9 @@
 #include <map>
 #include <stdexcept>
 
-#include "libparser/beam.hpp"
-#include "libparser/learn_chooser.hpp"
-#include "libparser/learn_linear.hpp"
+#include "libparser/choosing/learn_chooser.hpp"
+#include "libparser/linear/beam.hpp"
+#include "libparser/linear/learn_linear.hpp"
 #include "libparser/neural/learn_network.hpp"
 
 namespace waymark::parser {

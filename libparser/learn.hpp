@@ -10,11 +10,11 @@
 #include <span>
 #include <stop_token>
 
-#include "libparser/corpus.hpp"
-#include "libparser/examples.hpp"
-#include "libparser/linear_model.hpp"
+#include "libparser/corpus/corpus.hpp"
+#include "libparser/linear/linear_model.hpp"
 #include "libparser/neural/network_options.hpp"
 #include "libparser/parallel.hpp"
+#include "libparser/programs/examples.hpp"
 #include "libparser/reader.hpp"
 
 namespace waymark::parser {

@@ -3,9 +3,9 @@
 #include <memory>
 #include <vector>
 
-#include "libparser/features.hpp"
-#include "libparser/linear_model.hpp"
-#include "libparser/program.hpp"
+#include "libparser/linear/features.hpp"
+#include "libparser/linear/linear_model.hpp"
+#include "libparser/programs/program.hpp"
 
 namespace waymark::parser {
 

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "libparser/linear_model.hpp"
+#include "libparser/linear/linear_model.hpp"
 
 namespace waymark::parser {
 

@@ -7,8 +7,8 @@
 #include <string>
 #include <string_view>
 
-#include "libparser/beam.hpp"
-#include "libparser/linear_model.hpp"
+#include "libparser/linear/beam.hpp"
+#include "libparser/linear/linear_model.hpp"
 
 namespace waymark::parser {
 

@@ -3,8 +3,8 @@
 #include <iostream>
 #include <memory>
 
-#include "libparser/sail_corpus.hpp"
-#include "libparser/statistics.hpp"
+#include "libparser/corpus/sail_corpus.hpp"
+#include "libparser/corpus/statistics.hpp"
 #include "libparser/streets/street_corpus.hpp"
 #include "tools/shell/json.hpp"
 #include "tools/subcommand.hpp"

@@ -4,9 +4,9 @@
 #include <memory>
 
 #include "libltl/print.hpp"
-#include "libparser/evaluate.hpp"
+#include "libparser/corpus/sail_corpus.hpp"
+#include "libparser/experiment/evaluate.hpp"
 #include "libparser/learned/learned_follower.hpp"
-#include "libparser/sail_corpus.hpp"
 #include "libparser/streets/street_corpus.hpp"
 #include "tools/formula_table.hpp"
 #include "tools/results_table.hpp"

@@ -9,7 +9,7 @@
 #include "libautomata/ltlf_to_dfa.hpp"
 #include "libltl/progress.hpp"
 #include "libltl/trace_check.hpp"
-#include "libparser/execute.hpp"
+#include "libparser/programs/execute.hpp"
 #include "libplan/solve/plan_of.hpp"
 #include "libplan/world/generate_hallways.hpp"
 #include "libplan/world/read_map.hpp"

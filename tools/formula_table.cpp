@@ -3,8 +3,8 @@
 #include <iomanip>
 #include <iostream>
 
-#include "libparser/decide.hpp"
-#include "libparser/token.hpp"
+#include "libparser/choosing/decide.hpp"
+#include "libparser/corpus/token.hpp"
 #include "tools/shell/input.hpp"
 #include "tools/shell/terminal.hpp"
 

@@ -3,7 +3,7 @@
 #include <string>
 
 #include "libparser/annotations.hpp"
-#include "libparser/formula_scores.hpp"
+#include "libparser/experiment/formula_scores.hpp"
 #include "tools/shell/json.hpp"
 #include "tools/shell/models.hpp"
 #include "tools/subcommand.hpp"

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "libparser/corpus_output.hpp"
-#include "libparser/generate.hpp"
+#include "libparser/corpus/corpus_output.hpp"
+#include "libparser/language/generate.hpp"
 #include "libplan/model/generate_grid.hpp"
 #include "libplan/world/generate_hallways.hpp"
 #include "tools/shell/data_directory.hpp"

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "libparser/evaluate.hpp"
+#include "libparser/experiment/evaluate.hpp"
 #include "tools/shell/json.hpp"
 
 namespace waymark::tools {

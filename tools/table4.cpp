@@ -3,8 +3,8 @@
 
 #include <iostream>
 
-#include "libparser/evaluate.hpp"
-#include "libparser/sail_corpus.hpp"
+#include "libparser/corpus/sail_corpus.hpp"
+#include "libparser/experiment/evaluate.hpp"
 #include "tools/results_table.hpp"
 #include "tools/shell/models.hpp"
 

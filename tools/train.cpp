@@ -3,11 +3,11 @@
 #include <memory>
 
 #include "libparser/annotations.hpp"
-#include "libparser/corpus_file.hpp"
-#include "libparser/corpus_output.hpp"
-#include "libparser/generate.hpp"
+#include "libparser/corpus/corpus_file.hpp"
+#include "libparser/corpus/corpus_output.hpp"
+#include "libparser/corpus/sail_corpus.hpp"
+#include "libparser/language/generate.hpp"
 #include "libparser/learn.hpp"
-#include "libparser/sail_corpus.hpp"
 #include "libparser/weights_file.hpp"
 #include "tools/corridor.hpp"
 #include "tools/formula_table.hpp"

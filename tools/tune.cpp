@@ -6,8 +6,8 @@
 #include <sstream>
 
 #include "libltl/diagnostic.hpp"
-#include "libparser/sail_corpus.hpp"
-#include "libparser/tune.hpp"
+#include "libparser/corpus/sail_corpus.hpp"
+#include "libparser/experiment/tune.hpp"
 #include "tools/shell/models.hpp"
 #include "tools/shell/options.hpp"
 #include "tools/subcommand.hpp"

@@ -4,12 +4,12 @@
 #include <cstdlib>
 
 #include "libltl/diagnostic.hpp"
-#include "libparser/corpus_file.hpp"
+#include "libparser/corpus/corpus_file.hpp"
+#include "libparser/corpus/sail_corpus.hpp"
 #include "libparser/import/irregularities.hpp"
 #include "libparser/import/read_settrc.hpp"
 #include "libparser/import/read_xml.hpp"
 #include "libparser/import/write_corpus.hpp"
-#include "libparser/sail_corpus.hpp"
 
 namespace waymark::parser {
 namespace {

@@ -3,8 +3,8 @@
 #include <charconv>
 #include <nlohmann/json.hpp>
 
-#include "libparser/corpus_file.hpp"
-#include "libparser/token.hpp"
+#include "libparser/corpus/corpus_file.hpp"
+#include "libparser/corpus/token.hpp"
 
 namespace waymark::parser {
 namespace {

@@ -9,7 +9,7 @@
 #include <mutex>
 #include <tuple>
 
-#include "libparser/follower.hpp"
+#include "libparser/experiment/follower.hpp"
 
 namespace waymark::parser {
 

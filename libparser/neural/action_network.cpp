@@ -7,9 +7,9 @@
 
 #include "libltl/random.hpp"
 #include "libneural/adam.hpp"
+#include "libparser/corpus/token.hpp"
 #include "libparser/lesson.hpp"
 #include "libparser/neural/sentence_encoder.hpp"
-#include "libparser/token.hpp"
 
 namespace waymark::parser {
 namespace {

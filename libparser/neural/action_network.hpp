@@ -8,7 +8,7 @@
 #include <memory>
 #include <span>
 
-#include "libparser/follower.hpp"
+#include "libparser/experiment/follower.hpp"
 #include "libparser/learn.hpp"
 
 namespace waymark::parser {

@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "libparser/features.hpp"
+#include "libparser/linear/features.hpp"
 #include "libparser/neural/network_options.hpp"
 #include "libparser/neural/sentence_encoder.hpp"
 #include "libparser/neural/typed_postfix.hpp"

@@ -11,8 +11,8 @@
 
 #include "libltl/random.hpp"
 #include "libltl/trace_check.hpp"
-#include "libparser/examples.hpp"
 #include "libparser/neural/network_options.hpp"
+#include "libparser/programs/examples.hpp"
 #include "libplan/world/trajectory.hpp"
 
 namespace waymark::parser {

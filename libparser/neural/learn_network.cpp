@@ -5,10 +5,10 @@
 #include <thread>
 
 #include "libneural/adam.hpp"
+#include "libparser/corpus/token.hpp"
 #include "libparser/lesson.hpp"
 #include "libparser/neural/feedback.hpp"
-#include "libparser/token.hpp"
-#include "libparser/wording.hpp"
+#include "libparser/programs/wording.hpp"
 
 namespace waymark::parser {
 namespace {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cassert>
 
-#include "libparser/lexicon.hpp"
+#include "libparser/programs/lexicon.hpp"
 
 namespace waymark::parser {
 

@@ -11,8 +11,8 @@
 #include <string>
 #include <vector>
 
-#include "libparser/linear_model.hpp"
-#include "libparser/program.hpp"
+#include "libparser/linear/linear_model.hpp"
+#include "libparser/programs/program.hpp"
 
 namespace waymark::parser {
 

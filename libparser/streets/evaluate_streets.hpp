@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "libparser/evaluate.hpp"
+#include "libparser/experiment/evaluate.hpp"
 #include "libparser/streets/learn_streets.hpp"
 
 namespace waymark::streets {

@@ -4,8 +4,8 @@
 #include <nlohmann/json.hpp>
 
 #include "libltl/diagnostic.hpp"
-#include "libparser/corpus_file.hpp"
-#include "libparser/token.hpp"
+#include "libparser/corpus/corpus_file.hpp"
+#include "libparser/corpus/token.hpp"
 #include "libplan/world/json_position.hpp"
 
 namespace waymark::streets {

@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "libltl/diagnostic.hpp"
-#include "libparser/corpus_file.hpp"
-#include "libparser/token.hpp"
+#include "libparser/corpus/corpus_file.hpp"
+#include "libparser/corpus/token.hpp"
 #include "libplan/world/json_reader.hpp"
 
 namespace waymark::streets {

@@ -9,10 +9,10 @@
 #include <string>
 #include <vector>
 
-#include "libparser/beam.hpp"
-#include "libparser/generate.hpp"
+#include "libparser/corpus/token.hpp"
 #include "libparser/ground.hpp"
-#include "libparser/token.hpp"
+#include "libparser/language/generate.hpp"
+#include "libparser/linear/beam.hpp"
 #include "libparser/weights_file.hpp"
 #include "libplan/world/read_map.hpp"
 

@@ -5,7 +5,7 @@
 #include <string_view>
 
 #include "libltl/diagnostic.hpp"
-#include "libparser/sail_corpus.hpp"
+#include "libparser/corpus/sail_corpus.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace waymark;

@@ -2,8 +2,8 @@
 
 #include <filesystem>
 
-#include "libparser/evaluate.hpp"
-#include "libparser/sail_corpus.hpp"
+#include "libparser/corpus/sail_corpus.hpp"
+#include "libparser/experiment/evaluate.hpp"
 #include "tests/libparser/maps.hpp"
 
 namespace waymark::parser {

@@ -3,10 +3,10 @@
 #include <gtest/gtest.h>
 
 #include "libltl/diagnostic.hpp"
-#include "libparser/corpus_output.hpp"
-#include "libparser/formula_scores.hpp"
-#include "libparser/generate.hpp"
-#include "libparser/token.hpp"
+#include "libparser/corpus/corpus_output.hpp"
+#include "libparser/corpus/token.hpp"
+#include "libparser/experiment/formula_scores.hpp"
+#include "libparser/language/generate.hpp"
 #include "libparser/weights_file.hpp"
 #include "tests/libparser/maps.hpp"
 

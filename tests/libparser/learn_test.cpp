@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "libparser/generate.hpp"
+#include "libparser/language/generate.hpp"
 #include "libparser/weights_file.hpp"
 #include "tests/libparser/maps.hpp"
 

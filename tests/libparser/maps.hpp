@@ -5,7 +5,7 @@
 #include <random>
 #include <vector>
 
-#include "libparser/postfix_grammar.hpp"
+#include "libparser/programs/postfix_grammar.hpp"
 #include "libplan/world/map.hpp"
 #include "libplan/world/read_map.hpp"
 

@@ -12,7 +12,7 @@
 #include <string>
 #include <thread>
 
-#include "libparser/generate.hpp"
+#include "libparser/language/generate.hpp"
 #include "libplan/world/read_map.hpp"
 #include "tests/support/sanitizers.hpp"
 #include "tools/shell/json.hpp"

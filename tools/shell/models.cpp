@@ -3,7 +3,7 @@
 #include <map>
 
 #include "libltl/diagnostic.hpp"
-#include "libparser/beam.hpp"
+#include "libparser/linear/beam.hpp"
 #include "libparser/weights_file.hpp"
 #include "libplan/world/read_map.hpp"
 #include "tools/shell/data_directory.hpp"

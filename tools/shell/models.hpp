@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "libparser/corpus.hpp"
+#include "libparser/corpus/corpus.hpp"
 #include "libparser/ground.hpp"
 #include "libparser/learn.hpp"
 #include "tools/shell/command.hpp"

@@ -6,7 +6,7 @@
 #include <fstream>
 
 #include "libltl/diagnostic.hpp"
-#include "libparser/sail_corpus.hpp"
+#include "libparser/corpus/sail_corpus.hpp"
 
 namespace waymark::parser {
 namespace {

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "libltl/semantics.hpp"
-#include "libparser/generate.hpp"
+#include "libparser/language/generate.hpp"
 #include "tests/libparser/maps.hpp"
 
 namespace waymark::parser {

@@ -1,6 +1,6 @@
 // The lessons that tests of the networks learn from, and networks small enough to be learned in a moment.
 #pragma once
-#include "libparser/generate.hpp"
+#include "libparser/language/generate.hpp"
 #include "libparser/learn.hpp"
 #include "tests/libparser/maps.hpp"
 

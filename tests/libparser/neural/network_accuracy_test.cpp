@@ -3,8 +3,8 @@
 
 #include <gtest/gtest.h>
 
-#include "libparser/evaluate.hpp"
-#include "libparser/generate.hpp"
+#include "libparser/experiment/evaluate.hpp"
+#include "libparser/language/generate.hpp"
 #include "libparser/neural/action_network.hpp"
 #include "tests/libparser/neural/lessons.hpp"
 

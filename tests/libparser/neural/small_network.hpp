@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "libltl/random.hpp"
+#include "libparser/corpus/token.hpp"
 #include "libparser/neural/network_search.hpp"
-#include "libparser/token.hpp"
 
 namespace waymark::parser {
 

@@ -7,8 +7,8 @@
 
 #include "libltl/diagnostic.hpp"
 #include "libltl/print.hpp"
+#include "libparser/corpus/token.hpp"
 #include "libparser/streets/street_formula.hpp"
-#include "libparser/token.hpp"
 #include "tests/libparser/streets/town.hpp"
 
 namespace waymark::streets {

@@ -2,9 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include "libparser/corpus/token.hpp"
 #include "libparser/streets/street_directions.hpp"
 #include "libparser/streets/street_readings.hpp"
-#include "libparser/token.hpp"
 #include "tests/libparser/streets/town.hpp"
 
 namespace waymark::streets {

@@ -1,0 +1,64 @@
+#include "libparser/choosing/decide.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "libparser/programs/lexicon.hpp"
+#include "libparser/programs/wording.hpp"
+
+namespace waymark::parser {
+
+std::vector<Weighed> likely_programs(const Grounder& grounder, const SentenceInput& input,
+                                     const Deciding& how) {
+  const Wording wording(*grounder.model, mentions(input.tokens));
+  std::vector<Weighed> weighed;
+  for (Candidate& candidate : grounder.reader->read(input, how.beam)) {
+    const double disagreement = how.trust * wording.disagreement(candidate.program),
+                 p = candidate.log_probability;
+    weighed.push_back({std::move(candidate.program), p - trust_in_wording * disagreement,
+                       p - trust_at_one_end * disagreement});
+  }
+  std::stable_sort(weighed.begin(), weighed.end(),
+                   [](const Weighed& a, const Weighed& b) { return a.log_weight > b.log_weight; });
+  return weighed;
+}
+
+std::optional<std::pair<Plan, std::size_t>> plan_from(const Executor& executor, const Program& program,
+                                                      std::span<const plan::PoseId> starts, Then then) {
+  std::optional<std::pair<Plan, std::size_t>> best;
+  for (std::size_t i = 0; i < starts.size(); ++i) {
+    auto plan = executor.run(program, starts[i], then);
+    if (plan && (!best || plan->actions.size() < best->first.actions.size()))
+      best.emplace(std::move(*plan), i);
+  }
+  return best;
+}
+
+std::vector<End> rank_ends(std::span<const Weighed> candidates, std::span<const std::optional<Plan>> plans) {
+  std::vector<End> ends;
+  for (std::size_t i = 0; i < plans.size(); ++i) {
+    if (!plans[i]) continue;
+    const plan::PoseId pose = plans[i]->end;
+    auto end = std::find_if(ends.begin(), ends.end(), [&](const End& e) { return e.pose == pose; });
+    if (end == ends.end()) end = ends.insert(end, End{pose, 0, i});
+    end->mass += std::exp(candidates[i].log_weight);
+    if (candidates[i].preference > candidates[end->candidate].preference) end->candidate = i;
+  }
+  std::stable_sort(ends.begin(), ends.end(), [](const End& a, const End& b) { return a.mass > b.mass; });
+  return ends;
+}
+
+Decision decide(const Grounder& grounder, const Executor& executor, const SentenceInput& input,
+                std::span<const plan::PoseId> starts, const Deciding& how) {
+  Decision decision;
+  decision.candidates = likely_programs(grounder, input, how);
+  for (const Weighed& candidate : decision.candidates) {
+    auto plan = plan_from(executor, candidate.program, starts, how.then);
+    decision.start.push_back(plan ? plan->second : 0);
+    decision.plans.push_back(plan ? std::optional<Plan>(std::move(plan->first)) : std::nullopt);
+  }
+  decision.ends = rank_ends(decision.candidates, decision.plans);
+  return decision;
+}
+
+}  // namespace waymark::parser

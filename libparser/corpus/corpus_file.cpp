@@ -1,0 +1,24 @@
+#include "libparser/corpus/corpus_file.hpp"
+
+#include <fstream>
+#include <sstream>
+
+#include "libltl/diagnostic.hpp"
+
+namespace waymark::parser {
+
+std::string read_corpus_file(const std::filesystem::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  std::ostringstream bytes;
+  bytes << in.rdbuf();
+  if (!in || !bytes) throw ltl::FormatError(file.string(), 0, 0, "cannot be read");
+  return std::move(bytes).str();
+}
+
+std::uint64_t fnv1a(std::string_view bytes) {
+  std::uint64_t hash = 0xCBF29CE484222325ULL;
+  for (char c : bytes) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001B3ULL;
+  return hash;
+}
+
+}  // namespace waymark::parser

@@ -1,0 +1,38 @@
+#include "libparser/corpus/corpus_output.hpp"
+
+#include <cassert>
+#include <nlohmann/json.hpp>
+
+namespace waymark::parser {
+
+std::string json_lines(const Corpus& corpus) {
+  using json = nlohmann::ordered_json;
+  std::string lines;
+  for (const Paragraph& paragraph : corpus.paragraphs) {
+    json sentences = json::array();
+    for (const Sentence& sentence : paragraph.sentences) {
+      assert(!sentence.heading_unknown);
+      json path = json::array();
+      for (const plan::Pose& pose : sentence.absolute) path.push_back({pose.x, pose.y, pose.heading});
+      json one{{"id", sentence.id}, {"text", sentence.text}, {"path", std::move(path)}};
+      if (!sentence.formula.empty()) one["formula"] = sentence.formula;
+      sentences.push_back(std::move(one));
+    }
+    const json line{{"id", paragraph.id},
+                    {"map", paragraph.map},
+                    {"text", paragraph.text},
+                    {"sentences", std::move(sentences)}};
+    lines += line.dump() + '\n';
+  }
+  return lines;
+}
+
+std::string pairs_text(const Corpus& corpus) {
+  std::string lines;
+  for (const Paragraph& paragraph : corpus.paragraphs)
+    for (const Sentence& sentence : paragraph.sentences)
+      if (!sentence.formula.empty()) lines += sentence.text + '\t' + sentence.formula + '\n';
+  return lines;
+}
+
+}  // namespace waymark::parser

@@ -1,0 +1,147 @@
+#include "libparser/corpus/sail_corpus.hpp"
+
+#include <algorithm>
+#include <cstdlib>
+#include <nlohmann/json.hpp>
+
+#include "libltl/diagnostic.hpp"
+#include "libparser/corpus/corpus_file.hpp"
+#include "libparser/corpus/token.hpp"
+#include "libplan/world/json_position.hpp"
+#include "libplan/world/read_map.hpp"
+
+namespace waymark::parser {
+namespace {
+
+using nlohmann::json;
+
+// One line of the file while it is read; knows how to say what is wrong with it.
+struct Line {
+  std::string_view source, text;
+  std::size_t number;
+
+  [[noreturn]] void fail(const std::string& path, std::string_view expected) const {
+    const std::size_t column = plan::offset_of(text, path) + 1;
+    throw ltl::FormatError(source, number, column, path + ": " + std::string(expected));
+  }
+
+  const json& member(const json& object, const std::string& path, const char* key) const {
+    const auto it = object.find(key);
+    if (it == object.end()) fail(path.empty() ? key : path + "." + key, "is missing");
+    return *it;
+  }
+
+  std::string string(const json& object, const std::string& path, const char* key) const {
+    const json& value = member(object, path, key);
+    if (!value.is_string()) fail(path.empty() ? key : path + "." + key, "expected a text");
+    return value.get<std::string>();
+  }
+
+  int integer(const json& value, const std::string& path) const {
+    constexpr int limit = 1'000'000;
+    if (!value.is_number_integer() || value < -limit || value > limit)
+      fail(path, "expected a whole number between −1,000,000 and 1,000,000");
+    return value.get<int>();
+  }
+
+  plan::Pose pose(const json& value, const std::string& path) const {
+    if (!value.is_array() || value.size() != 3) fail(path, "expected a pose [x, y, heading]");
+    const plan::Pose pose{integer(value[0], path + "[0]"), integer(value[1], path + "[1]"),
+                          integer(value[2], path + "[2]")};
+    if (pose.heading < -1 || pose.heading > 270 || (pose.heading != -1 && pose.heading % 90 != 0))
+      fail(path + "[2]", "expected a heading: 0, 90, 180, 270, or -1 for unknown");
+    return pose;
+  }
+
+  std::vector<plan::Pose> trajectory(const json& object, const std::string& path, const char* key) const {
+    const std::string at = path + "." + key;
+    const json& list = member(object, path, key);
+    if (!list.is_array() || list.empty()) fail(at, "expected a list of poses");
+    std::vector<plan::Pose> poses;
+    for (std::size_t i = 0; i < list.size(); ++i)
+      poses.push_back(pose(list[i], at + "[" + std::to_string(i) + "]"));
+    return poses;
+  }
+
+  // A trajectory whose headings are all known and whose steps are single actions.
+  std::vector<plan::Pose> steps(const json& object, const std::string& path, const char* key) const {
+    std::vector<plan::Pose> poses = trajectory(object, path, key);
+    for (std::size_t i = 0; i < poses.size(); ++i) {
+      const std::string at = path + "." + key + "[" + std::to_string(i) + "]";
+      if (poses[i].heading < 0) fail(at, "expected a known heading here");
+      if (i == 0) continue;
+      const plan::Pose &a = poses[i - 1], &b = poses[i];
+      const int way = std::abs(a.x - b.x) + std::abs(a.y - b.y), turn = std::abs(a.heading - b.heading);
+      if (!(way == 1 && turn == 0) && !(way == 0 && (turn == 90 || turn == 270)))
+        fail(at, "expected one action after the pose before: a step of length 1 or a quarter turn");
+    }
+    return poses;
+  }
+};
+
+Sentence read_sentence(const Line& line, const json& object, const std::string& path) {
+  if (!object.is_object()) line.fail(path, "expected a sentence");
+  Sentence sentence;
+  sentence.id = line.string(object, path, "id");
+  sentence.text = line.string(object, path, "text");
+  if (const auto tokens = object.find("tokens"); tokens != object.end()) {
+    const bool texts = tokens->is_array() && std::all_of(tokens->begin(), tokens->end(),
+                                                         [](const json& t) { return t.is_string(); });
+    if (!texts) line.fail(path + ".tokens", "expected a list of words");
+    sentence.tokens = tokens->get<std::vector<std::string>>();
+  } else {
+    sentence.tokens = tokenize(sentence.text);
+  }
+  if (object.contains("formula")) sentence.formula = line.string(object, path, "formula");
+  sentence.heading_unknown = line.trajectory(object, path, "path").front().heading < 0;
+  sentence.absolute = line.steps(object, path, sentence.heading_unknown ? "path_north" : "path");
+  sentence.relative = line.steps(object, path, sentence.heading_unknown ? "path_right90" : "path");
+  return sentence;
+}
+
+Paragraph read_paragraph(const Line& line) {
+  json object;
+  try {
+    object = json::parse(line.text);
+  } catch (const json::parse_error& error) {
+    throw ltl::FormatError(line.source, line.number, error.byte, "expected one JSON object on this line");
+  } catch (const json::out_of_range&) {
+    throw ltl::FormatError(line.source, line.number, 0, "a number of the JSON text is out of range");
+  }
+  if (!object.is_object())
+    throw ltl::FormatError(line.source, line.number, 1, "expected one JSON object on this line");
+  Paragraph paragraph;
+  paragraph.id = line.string(object, "", "id");
+  paragraph.map = line.string(object, "", "map");
+  paragraph.text = line.string(object, "", "text");
+  const json& sentences = line.member(object, "", "sentences");
+  if (!sentences.is_array()) line.fail("sentences", "expected a list");
+  for (std::size_t i = 0; i < sentences.size(); ++i)
+    paragraph.sentences.push_back(read_sentence(line, sentences[i], "sentences[" + std::to_string(i) + "]"));
+  return paragraph;
+}
+
+}  // namespace
+
+std::vector<Paragraph> parse_sail_corpus(std::string_view json_lines, std::string_view source) {
+  std::vector<Paragraph> paragraphs;
+  each_line(json_lines, [&](std::string_view text, std::size_t number) {
+    paragraphs.push_back(read_paragraph(Line{source, text, number}));
+  });
+  return paragraphs;
+}
+
+Corpus read_sail_corpus(const std::filesystem::path& directory) {
+  const std::filesystem::path file = directory / "instructions.jsonl";
+  const std::string bytes = read_corpus_file(file);
+  Corpus corpus{parse_sail_corpus(bytes, file.string()), {}, fnv1a(bytes)};
+  std::vector<std::filesystem::path> maps;
+  if (std::filesystem::is_directory(directory / "maps"))
+    for (const auto& entry : std::filesystem::directory_iterator(directory / "maps"))
+      if (entry.path().extension() == ".json") maps.push_back(entry.path());
+  std::sort(maps.begin(), maps.end());
+  for (const auto& map : maps) corpus.maps.push_back(plan::read_map(map.string(), ""));
+  return corpus;
+}
+
+}  // namespace waymark::parser

@@ -1,0 +1,140 @@
+#include "libparser/experiment/evaluate.hpp"
+
+#include <algorithm>
+#include <set>
+
+#include "libparser/programs/examples.hpp"
+
+namespace waymark::parser {
+namespace {
+
+using Nodes = std::set<std::uint32_t>;
+
+// Walks from `pose`, which is moved along.
+void walk(const plan::Map& map, plan::PoseId& pose, const std::vector<plan::Action>& actions, Nodes& nodes) {
+  for (plan::Action action : actions) {
+    pose = *map.successor(pose, action);
+    nodes.insert(map.node_of(pose));
+  }
+}
+
+PathScores compared(const plan::Map& map, plan::PoseId start, Nodes want, Nodes got) {
+  want.erase(map.node_of(start));
+  got.erase(map.node_of(start));
+  std::size_t common = 0;
+  for (std::uint32_t node : got) common += want.count(node);
+  const std::size_t others = map.nodes().size() - 1, wrong = want.size() + got.size() - 2 * common;
+  return {{common, got.size()}, {common, want.size()}, {others - wrong, others}};
+}
+
+class Test {
+ public:
+  Test(const Follower& follower, const Executor& executor, Convention convention,
+       std::vector<Prediction>* predictions, std::stop_token stop)
+      : follower_(follower),
+        executor_(executor),
+        convention_(convention),
+        predictions_(predictions),
+        stop_(std::move(stop)) {}
+
+  void sentence(const Example& example, const std::string& id) {
+    Answer answer = ask(example.input, example.gold.start);
+    of(scores_.sentence) += {answer.end == example.gold.end ? 1U : 0U, 1};
+    if (follower_.reads_formulas())
+      scores_.satisfiable +=
+          {!answer.program.empty() && executor_.run(answer.program, example.gold.start) ? 1U : 0U, 1};
+    if (convention_ == Convention::Absolute) {
+      Nodes want, got;
+      plan::PoseId gold = example.gold.start, own = gold;
+      walk(map(), gold, example.gold.actions, want);
+      walk(map(), own, answer.actions, got);
+      scores_.path += compared(map(), example.gold.start, want, got);
+    }
+    if (predictions_ != nullptr)
+      predictions_->push_back(
+          {id, map().name(), convention_, example.gold.start, example.gold.end, std::move(answer)});
+  }
+
+  void paragraph(std::span<const Example> sentences) {
+    plan::PoseId pose = sentences.front().gold.start;
+    Nodes want, got;
+    for (std::size_t i = 0; i < sentences.size(); ++i) {
+      SentenceInput input = sentences[i].input;
+      input.heading_unknown = input.heading_unknown && i == 0;  // later ones start where we stand
+      walk(map(), pose, ask(input, pose).actions, got);
+      plan::PoseId gold = sentences[i].gold.start;
+      walk(map(), gold, sentences[i].gold.actions, want);
+    }
+    of(scores_.paragraph) += {map().node_of(pose) == map().node_of(sentences.back().gold.end) ? 1U : 0U, 1};
+    if (convention_ == Convention::Absolute)
+      scores_.paragraph_path += compared(map(), sentences.front().gold.start, want, got);
+  }
+
+  void skip_paragraph() { scores_.skipped_paragraphs += convention_ == Convention::Absolute ? 1 : 0; }
+  const Scores& scores() const { return scores_; }
+
+ private:
+  const plan::Map& map() const { return executor_.map(); }
+
+  Answer ask(const SentenceInput& input, plan::PoseId start) const {
+    if (stop_.stop_requested()) throw Stopped{};
+    return follower_.follow(executor_, input, start);
+  }
+
+  Percent& of(ConventionScores& scores) const {
+    return convention_ == Convention::Absolute ? scores.absolute : scores.relative;
+  }
+
+  const Follower& follower_;
+  const Executor& executor_;
+  Convention convention_;
+  std::vector<Prediction>* predictions_;
+  std::stop_token stop_;
+  Scores scores_;
+};
+
+}  // namespace
+
+PathScores& PathScores::operator+=(const PathScores& other) {
+  precision += other.precision;
+  recall += other.recall;
+  accuracy += other.accuracy;
+  return *this;
+}
+
+Scores& Scores::operator+=(const Scores& other) {
+  sentence.absolute += other.sentence.absolute;
+  sentence.relative += other.sentence.relative;
+  paragraph.absolute += other.paragraph.absolute;
+  paragraph.relative += other.paragraph.relative;
+  path += other.path;
+  paragraph_path += other.paragraph_path;
+  satisfiable += other.satisfiable;
+  skipped_paragraphs += other.skipped_paragraphs;
+  return *this;
+}
+
+std::shared_ptr<const Follower> follower_of(std::vector<Grounder> systems, const EvaluateOptions& options) {
+  const TrainOptions& train = options.train;
+  auto reads = std::make_shared<const GroundingFollower>(std::move(systems),
+                                                         Deciding{train.beam, train.then, train.trust});
+  return options.carried_out ? options.carried_out(std::move(reads)) : std::move(reads);
+}
+
+Scores evaluate(const Follower& follower, const Corpus& corpus, const plan::Map& map, Convention convention,
+                std::vector<Prediction>* predictions, std::stop_token stop) {
+  const Executor executor(map);
+  const Examples examples = make_examples(corpus, {&executor, 1}, convention);
+  Test test(follower, executor, convention, predictions, std::move(stop));
+  for (std::size_t i = 0; i < examples.sentences.size(); ++i)
+    test.sentence(examples.sentences[i], examples.ids[i]);
+  for (std::size_t begin = 0, end = 0; begin < examples.sentences.size(); begin = end) {
+    while (end < examples.sentences.size() && examples.paragraph[end] == examples.paragraph[begin]) ++end;
+    test.paragraph(std::span(examples.sentences).subspan(begin, end - begin));
+  }
+  for (const Paragraph& paragraph : corpus.paragraphs)
+    if (paragraph.map == map.name() && paragraph.sentences.empty()) test.skip_paragraph();
+  return test.scores();
+}
+
+}  // namespace waymark::parser

@@ -1,0 +1,103 @@
+// Scores of a grounding model against trajectories, and the experiment that everybody reports: leave one map out.
+//
+//   sentence    end node and heading equal the gold ones, from the gold start pose
+//   paragraph   sentences one after the other, each from the pose where the last one ended; end node equals the gold
+//               end node of the last sentence. Unsegmented paragraphs are skipped and counted
+//   path        sets of nodes walked over, start node left out: precision, recall over all sentences together (micro),
+//               accuracy over all (sentence, node other than the start) pairs; under the absolute convention; the same
+//               by paragraph, along the whole of it
+//   satisfiable sentences for which a formula was read that has a plan on the map from the gold start pose; all formulas are
+//               well typed, for nothing else can be decoded. Of followers that read formulas only
+// All in percent. A model is trained and tested under the same convention.
+#pragma once
+#include <cstddef>
+#include <functional>
+#include <map>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "libparser/experiment/checkpoints.hpp"
+#include "libparser/experiment/follower.hpp"
+#include "libparser/learn.hpp"
+
+namespace waymark::parser {
+
+struct Percent {  // a share of counted things
+  std::size_t hits = 0, total = 0;
+  double value() const {
+    return total == 0 ? 0 : 100.0 * static_cast<double>(hits) / static_cast<double>(total);
+  }
+  Percent& operator+=(Percent other) {
+    hits += other.hits;
+    total += other.total;
+    return *this;
+  }
+};
+
+struct ConventionScores {
+  Percent absolute, relative;
+};
+
+// Sets of nodes walked over, the start node left out.
+struct PathScores {
+  Percent precision, recall, accuracy;
+  PathScores& operator+=(const PathScores& other);
+};
+
+struct Scores {
+  ConventionScores sentence, paragraph;
+  PathScores path, paragraph_path;  // under the absolute convention
+  Percent satisfiable;  // sentences with a formula that can be satisfied on the map from their start
+  std::size_t skipped_paragraphs = 0;  // unsegmented
+  Scores& operator+=(const Scores& other);
+};
+
+// One sentence that was tested, from its gold start.
+struct Prediction {
+  std::string id, map;
+  Convention convention;
+  plan::PoseId start, gold_end;
+  Answer answer;
+};
+
+struct Evaluation {
+  std::map<std::string, Scores> folds;  // by the name of the map tested on
+  Scores all;                           // weighted by counts
+  std::vector<Scores> singles;          // of an ensemble: all folds of each member
+  std::vector<Prediction> predictions;  // without those of folds whose scores had been kept
+  double seconds = 0;
+};
+
+struct EvaluateOptions {
+  TrainOptions train = {};                // its convention is ignored: both are trained and reported
+  bool absolute = true, relative = true;  // which conventions to run
+  bool actions = false;                   // the baseline without formulas instead of what `train` says
+  // Who carries out what the systems read; nobody: their own plans count.
+  std::function<std::shared_ptr<const Follower>(std::shared_ptr<const Follower>)> carried_out = {};
+  std::size_t ensemble = 1;  // systems of seeds train.seed, train.seed + 1, …
+  // Where finished readers, choosers and scores are kept, if anywhere: a run that finds them there goes on from them, to
+  // the same scores as one that was never stopped. Tables of weights are rounded as in a weights file then.
+  const Checkpoints* checkpoints = nullptr;
+  std::string system = {};  // with which the names of those parts begin
+};
+
+// For each map: train on the paragraphs of the others, test on its own (those of `test` when given).
+// Throws std::invalid_argument when fewer than two maps have paragraphs; Stopped when a stop was requested.
+Evaluation evaluate_leave_one_map_out(const Corpus& train, const Corpus* test,
+                                      std::span<const plan::Map> maps, const EvaluateOptions& options = {});
+
+// Trains on all of one corpus and tests on another, map by map; an ensemble votes. Throws as `train` does.
+Evaluation evaluate_train_all(const Corpus& train, std::span<const plan::Map> maps, const Corpus& test,
+                              std::span<const plan::Map> test_maps, const EvaluateOptions& options = {});
+
+// The systems as one follower, carried out as the options say.
+std::shared_ptr<const Follower> follower_of(std::vector<Grounder> systems, const EvaluateOptions& options);
+
+// Scores of one follower, under the convention it is asked about, on the paragraphs of the corpus that lie on this map.
+// Predictions are added when they are wanted. Throws Stopped when a stop was requested.
+Scores evaluate(const Follower& follower, const Corpus& corpus, const plan::Map& map, Convention convention,
+                std::vector<Prediction>* predictions = nullptr, std::stop_token stop = {});
+
+}  // namespace waymark::parser

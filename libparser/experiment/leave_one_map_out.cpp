@@ -1,0 +1,279 @@
+// The experiment: for each convention one search for programs; for each seed one reader for every one or two maps,
+// shared by the folds that need it, and for each map left out a chooser; then the tests. What a run before this one has
+// kept is taken from there.
+#include <algorithm>
+#include <chrono>
+#include <map>
+#include <sstream>
+#include <stdexcept>
+
+#include "libparser/choosing/learn_chooser.hpp"
+#include "libparser/experiment/evaluate.hpp"
+#include "libparser/experiment/scores_text.hpp"
+#include "libparser/neural/action_network.hpp"
+#include "libparser/programs/examples.hpp"
+#include "libparser/weights_file.hpp"
+
+namespace waymark::parser {
+namespace {
+
+struct Fold {
+  Convention convention;
+  std::size_t map;                   // left out
+  std::vector<std::size_t> lessons;  // maps that are learned from
+  bool scored;                       // by a run before this one
+  Scores scores;                     // of all members together
+  std::vector<Scores> singles;       // of each, when there are several
+  std::vector<Prediction> predictions;
+};
+
+class Experiment {
+ public:
+  Experiment(const Corpus& train, const Corpus& test, std::span<const plan::Map> maps,
+             const EvaluateOptions& options)
+      : train_(train), test_(test), maps_(maps), options_(options), executors_(maps.begin(), maps.end()) {}
+
+  std::vector<Fold> run() {
+    for (Convention convention : {Convention::Absolute, Convention::Relative})
+      if (convention == Convention::Absolute ? options_.absolute : options_.relative) prepare(convention);
+    if (folds_.empty())
+      throw std::invalid_argument("leaving one map out needs sentences on at least two maps");
+    read();
+    const Report report = [&](double fraction, std::string_view what) {
+      if (options_.train.progress) options_.train.progress(0.8 + 0.2 * fraction, what);
+    };
+    run_jobs(folds_.size(), options_.train.threads, report, "learning to choose, testing",
+             [&](std::size_t i, const JobProgress& progress) { finish(folds_[i], progress); });
+    return std::move(folds_);
+  }
+
+ private:
+  using Maps = std::vector<std::size_t>;
+  struct ReaderKey {
+    std::size_t member;  // of the ensemble
+    Convention convention;
+    Maps maps;
+    friend auto operator<=>(const ReaderKey&, const ReaderKey&) = default;
+  };
+
+  std::span<const Example> sentences(Convention convention) const {
+    return examples_[static_cast<std::size_t>(convention)];
+  }
+
+  std::vector<const Example*> on(Convention convention, const Maps& maps) const {
+    std::vector<const Example*> out;
+    for (const Example& example : sentences(convention))
+      if (std::find(maps.begin(), maps.end(), example.map) != maps.end()) out.push_back(&example);
+    return out;
+  }
+
+  // Which folds and readers there are to be, and what has to be known to learn them.
+  void prepare(Convention convention) {
+    auto& examples = examples_[static_cast<std::size_t>(convention)];
+    examples = make_examples(train_, executors_, convention).sentences;
+    for (std::size_t left_out = 0; left_out < maps_.size(); ++left_out) {
+      const bool tested = std::any_of(test_.paragraphs.begin(), test_.paragraphs.end(),
+                                      [&](const Paragraph& p) { return p.map == maps_[left_out].name(); });
+      Maps lessons;
+      for (std::size_t m = 0; m < maps_.size(); ++m)
+        if (m != left_out && !on(convention, {m}).empty()) lessons.push_back(m);
+      if (!tested || lessons.empty()) continue;
+      folds_.push_back({convention, left_out, lessons, false, {}, {}, {}});
+      if (find_scores(folds_.back())) continue;
+      for (std::size_t member = 0; lessons.size() > 1 && !options_.actions && member < options_.ensemble;
+           ++member) {
+        readers_[{member, convention, lessons}];
+        if (!options_.train.chooser) continue;
+        for (std::size_t m : lessons) readers_[{member, convention, without(lessons, m)}];
+      }
+    }
+    if (!options_.actions && something_to_learn(convention)) search(examples);
+  }
+
+  void search(std::vector<Example>& examples) {
+    find_programs(examples, executors_, PostfixGrammar(maps_.front().vocabulary(), options_.train.dialect),
+                  options_.train.threads, [&](double) {
+                    if (options_.train.progress) options_.train.progress(0, "searching for programs");
+                    return !options_.train.stop.stop_requested();
+                  });
+  }
+
+  // The maps that a reader may know whose answers on map m are to be chosen between.
+  static Maps without(const Maps& maps, std::size_t m) {
+    Maps others;
+    for (std::size_t other : maps)
+      if (other != m) others.push_back(other);
+    return others;
+  }
+
+  TrainOptions options_for(Convention convention, std::size_t member) const {
+    TrainOptions options = options_.train;
+    options.convention = convention;
+    options.seed += member;
+    options.threads = 1;  // readers and folds are what runs side by side
+    options.progress = nullptr;
+    return options;
+  }
+
+  std::string part(Convention convention, const std::string& rest) const {
+    return options_.system + '-' + std::string(name(convention)) + '-' + rest;
+  }
+
+  std::string part(const ReaderKey& key) const {
+    std::string maps;
+    for (std::size_t m : key.maps) maps += (maps.empty() ? "" : "+") + maps_[m].name();
+    return part(key.convention, std::to_string(options_.train.seed + key.member) + '-' + maps + ".reader");
+  }
+
+  std::string chooser_part(const Fold& fold, std::size_t member) const {
+    return part(fold.convention, std::to_string(options_.train.seed + member) + "-without-" +
+                                     maps_[fold.map].name() + ".chooser");
+  }
+
+  std::string scores_part(const Fold& fold) const {
+    return part(fold.convention,
+                std::to_string(options_.train.seed) + '-' + std::to_string(options_.ensemble) +
+                    (options_.train.chooser ? "-chooser-" : "-") + maps_[fold.map].name() + ".scores");
+  }
+
+  bool has(const std::string& name) const {
+    return options_.checkpoints != nullptr && options_.checkpoints->has(name);
+  }
+
+  // What was kept under this name; or what is learned now, as it is found again when it has been kept.
+  Grounder kept_or(const std::string& name, const std::function<Grounder()>& learn) const {
+    if (options_.checkpoints == nullptr) return learn();
+    if (!has(name)) options_.checkpoints->keep(name, serialize(learn(), 0));
+    return parse_grounder(*options_.checkpoints->find(name), name);
+  }
+
+  bool find_scores(Fold& fold) const {
+    if (!has(scores_part(fold))) return false;
+    std::istringstream lines(*options_.checkpoints->find(scores_part(fold)));
+    std::string line;
+    for (std::getline(lines, line), fold.scores = scores_of(line, scores_part(fold));
+         std::getline(lines, line);)
+      fold.singles.push_back(scores_of(line, scores_part(fold)));
+    return fold.scored = true;
+  }
+
+  void keep_scores(const Fold& fold) const {
+    if (options_.checkpoints == nullptr) return;
+    std::string lines = text_of(fold.scores);
+    for (const Scores& single : fold.singles) lines += text_of(single);
+    options_.checkpoints->keep(scores_part(fold), lines);
+  }
+
+  bool something_to_learn(Convention convention) const {
+    for (const auto& [key, reader] : readers_)
+      if (key.convention == convention && !has(part(key))) return true;
+    for (const Fold& fold : folds_)
+      for (std::size_t member = 0; member < options_.ensemble; ++member)
+        if (fold.convention == convention && !fold.scored &&
+            (options_.train.chooser || fold.lessons.size() == 1) && !has(chooser_part(fold, member)))
+          return true;
+    return false;
+  }
+
+  // Learns all readers, those with the most maps first.
+  void read() {
+    std::vector<std::pair<const ReaderKey, Grounder>*> work;
+    for (auto& entry : readers_) work.push_back(&entry);
+    std::stable_sort(work.begin(), work.end(), [](const auto* a, const auto* b) {
+      return a->first.maps.size() > b->first.maps.size();
+    });
+    const Report report = [&](double fraction, std::string_view what) {
+      if (options_.train.progress) options_.train.progress(0.8 * fraction, what);
+    };
+    run_jobs(work.size(), options_.train.threads, report, "learning",
+             [&](std::size_t i, const JobProgress& progress) {
+               const ReaderKey& key = work[i]->first;
+               work[i]->second = kept_or(part(key), [&] {
+                 return learn_reader(on(key.convention, key.maps), executors_,
+                                     options_for(key.convention, key.member), progress);
+               });
+             });
+  }
+
+  void finish(Fold& fold, const JobProgress& progress) {
+    if (fold.scored) return;
+    score(fold, progress);
+    keep_scores(fold);
+  }
+
+  void score(Fold& fold, const JobProgress& progress) {
+    if (options_.actions) {
+      const auto follower =
+          learn_actions(on(fold.convention, fold.lessons), executors_, options_for(fold.convention, 0),
+                        [&](double f) { progress(0.9 * f); });
+      fold.scores = evaluate(*follower, test_, maps_[fold.map], fold.convention, &fold.predictions,
+                             options_.train.stop);
+      return;
+    }
+    std::vector<Grounder> members;
+    for (std::size_t member = 0; member < options_.ensemble; ++member) {
+      members.push_back(member_of(fold, member));
+      progress(0.6 * static_cast<double>(member + 1) / static_cast<double>(options_.ensemble));
+    }
+    const auto test = [&](std::vector<Grounder> grounders, std::vector<Prediction>* predictions) {
+      return evaluate(*follower_of(std::move(grounders), options_), test_, maps_[fold.map], fold.convention,
+                      predictions, options_.train.stop);
+    };
+    if (members.size() > 1)
+      for (const Grounder& member : members) fold.singles.push_back(test({member}, nullptr));
+    fold.scores = test(std::move(members), &fold.predictions);
+  }
+
+  Grounder member_of(const Fold& fold, std::size_t member) const {
+    const TrainOptions options = options_for(fold.convention, member);
+    if (fold.lessons.size() > 1 && !options.chooser)
+      return readers_.at({member, fold.convention, fold.lessons});
+    return kept_or(chooser_part(fold, member), [&] {
+      return fold.lessons.size() > 1 ? choosing(fold, member, options)
+                                     : train_on(on(fold.convention, fold.lessons), executors_, options);
+    });
+  }
+
+  // The fold's reader and a chooser that learned from readers of fewer maps.
+  Grounder choosing(const Fold& fold, std::size_t member, const TrainOptions& options) const {
+    std::vector<Dilemma> dilemmas;
+    for (std::size_t m : fold.lessons) {
+      const Grounder& reader = readers_.at({member, fold.convention, without(fold.lessons, m)});
+      for (Dilemma& dilemma : dilemmas_of(reader, on(fold.convention, {m}), executors_, options))
+        dilemmas.push_back(std::move(dilemma));
+    }
+    std::vector<const Dilemma*> all;
+    for (const Dilemma& dilemma : dilemmas) all.push_back(&dilemma);
+    return with_chooser(readers_.at({member, fold.convention, fold.lessons}), all, executors_, options,
+                        [](double) {});
+  }
+
+  const Corpus &train_, &test_;
+  std::span<const plan::Map> maps_;
+  const EvaluateOptions& options_;
+  std::vector<Executor> executors_;
+  std::vector<Example> examples_[2];  // by convention
+  std::map<ReaderKey, Grounder> readers_;
+  std::vector<Fold> folds_;
+};
+
+}  // namespace
+
+Evaluation evaluate_leave_one_map_out(const Corpus& train, const Corpus* test,
+                                      std::span<const plan::Map> maps, const EvaluateOptions& options) {
+  if (maps.empty()) throw std::invalid_argument("leaving one map out needs maps");
+  const auto begin = std::chrono::steady_clock::now();
+  Evaluation evaluation;
+  for (const Fold& fold : Experiment(train, test == nullptr ? train : *test, maps, options).run()) {
+    evaluation.folds[maps[fold.map].name()] += fold.scores;
+    evaluation.all += fold.scores;
+    evaluation.singles.resize(fold.singles.size());
+    for (std::size_t i = 0; i < fold.singles.size(); ++i) evaluation.singles[i] += fold.singles[i];
+    evaluation.predictions.insert(evaluation.predictions.end(), fold.predictions.begin(),
+                                  fold.predictions.end());
+  }
+  evaluation.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  return evaluation;
+}
+
+}  // namespace waymark::parser

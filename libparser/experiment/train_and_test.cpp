@@ -1,0 +1,58 @@
+// The other experiment: everything is learned from, another corpus is tested on.
+#include <algorithm>
+#include <chrono>
+#include <stdexcept>
+
+#include "libparser/experiment/evaluate.hpp"
+#include "libparser/neural/action_network.hpp"
+
+namespace waymark::parser {
+namespace {
+
+std::shared_ptr<const Follower> actions_follower(const Corpus& corpus, std::span<const plan::Map> maps,
+                                                 const TrainOptions& options) {
+  const std::vector<Executor> executors(maps.begin(), maps.end());
+  const Examples examples = make_examples(corpus, executors, options.convention);
+  std::vector<const Example*> all;
+  for (const Example& example : examples.sentences) all.push_back(&example);
+  return learn_actions(all, executors, options, [&](double fraction) {
+    if (options.progress) options.progress(fraction, "learning actions");
+  });
+}
+
+std::shared_ptr<const Follower> learned(const Corpus& corpus, std::span<const plan::Map> maps,
+                                        const EvaluateOptions& how, Convention convention) {
+  TrainOptions options = how.train;
+  options.convention = convention;
+  if (how.actions) return actions_follower(corpus, maps, options);
+  std::vector<Grounder> members;
+  for (std::size_t member = 0; member < how.ensemble; ++member, ++options.seed)
+    members.push_back(train(corpus, maps, options));
+  return follower_of(std::move(members), how);
+}
+
+}  // namespace
+
+Evaluation evaluate_train_all(const Corpus& train, std::span<const plan::Map> maps, const Corpus& test,
+                              std::span<const plan::Map> test_maps, const EvaluateOptions& options) {
+  const auto begin = std::chrono::steady_clock::now();
+  Evaluation evaluation;
+  for (const Convention convention : {Convention::Absolute, Convention::Relative}) {
+    if (!(convention == Convention::Absolute ? options.absolute : options.relative)) continue;
+    const auto follower = learned(train, maps, options, convention);
+    for (const plan::Map& map : test_maps) {
+      if (!(map.vocabulary() == maps.front().vocabulary()))
+        throw std::invalid_argument("maps " + maps.front().name() + " and " + map.name() +
+                                    " have different vocabularies");
+      const Scores scores =
+          evaluate(*follower, test, map, convention, &evaluation.predictions, options.train.stop);
+      if (scores.sentence.absolute.total + scores.sentence.relative.total == 0) continue;
+      evaluation.folds[map.name()] += scores;
+      evaluation.all += scores;
+    }
+  }
+  evaluation.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  return evaluation;
+}
+
+}  // namespace waymark::parser

@@ -1,0 +1,25 @@
+// Validation for choosing settings: learn from one training map, test on another. The map that an experiment leaves out is
+// touched by no pair that counts for it.
+#pragma once
+#include <span>
+#include <string>
+#include <vector>
+
+#include "libparser/experiment/evaluate.hpp"
+
+namespace waymark::parser {
+
+struct ValidationPair {
+  std::size_t learned, tested;  // maps
+  Percent sentence;             // under the convention of the options
+};
+
+// All ordered pairs of maps with sentences. Readers decide alone, without a chooser: to learn one takes two maps.
+// Throws std::invalid_argument when fewer than two maps have paragraphs; Stopped when a stop was requested.
+std::vector<ValidationPair> validate(const Corpus& corpus, std::span<const plan::Map> maps,
+                                     const TrainOptions& options);
+
+// Of the pairs that do not touch a map, together.
+Percent without_map(std::span<const ValidationPair> pairs, std::size_t left_out);
+
+}  // namespace waymark::parser

@@ -1,0 +1,66 @@
+// The plan of a program on a map: where does it end?
+//
+// The plan of a formula is its least-cost route, ties by action order FORWARD, LEFT, RIGHT (docs/conventions.md 4).
+// All actions cost 1, so breadth-first search over (pose, action that led there) × (progress through the program)
+// that expands actions in that order meets words in shortlex order, and the first accepting one is the plan. Progress
+// is a bit set of pending obligations: the nondeterministic automaton of the program, determinised on the fly.
+// Equal to solving the product with the DFA of formula_of(program) (tested), about a thousand times faster.
+//
+// Reading::Stepwise is the other meaning of `then`: each step on its own, from the pose where the last one ended.
+#pragma once
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "libparser/programs/program.hpp"
+#include "libplan/world/map.hpp"
+
+namespace waymark::parser {
+
+enum class Then : std::uint8_t { WholePlan, Stepwise };
+
+struct Plan {
+  plan::PoseId end;
+  std::vector<plan::Action> actions;
+};
+
+// A pose together with the action that led to it: what one letter depends on.
+struct Arrival {
+  static constexpr std::uint32_t none = 0;  // the start: no action
+  static std::uint32_t of(plan::PoseId pose, plan::Action by) {
+    return 4 * pose.index + 1 + static_cast<std::uint32_t>(by);
+  }
+  static std::uint32_t start(plan::PoseId pose) { return 4 * pose.index; }
+  static plan::PoseId pose(std::uint32_t arrival) { return {arrival / 4}; }
+};
+
+class Executor {
+ public:
+  explicit Executor(const plan::Map& map);  // the map must outlive it; O(|S| · |AP|)
+
+  const plan::Map& map() const { return *map_; }
+  std::optional<Plan> run(const Program& program, plan::PoseId start, Then then = Then::WholePlan) const;
+
+  // Arrivals a single step can pass through, in shortlex order of their first word, the start first.
+  // oriented: any turns may come before the step; only for Advance.
+  struct Reached {
+    std::uint32_t arrival;
+    std::int32_t from;  // position of the predecessor, −1: none
+    bool goal;          // the step may end here
+  };
+  std::vector<Reached> horizon(StepKind kind, plan::PoseId start, bool oriented = false) const;
+  bool holds(std::uint16_t proposition, std::uint32_t arrival) const {
+    return ((columns_[proposition][arrival / 64] >> (arrival % 64)) & 1U) != 0;
+  }
+  std::size_t propositions() const { return columns_.size(); }
+
+ private:
+  template <std::size_t N>
+  std::optional<Plan> search(const Program& program, plan::PoseId start) const;
+
+  const plan::Map* map_;
+  std::vector<std::vector<std::uint64_t>> columns_;      // by proposition: bit set over arrivals
+  std::vector<std::array<std::int32_t, 3>> successors_;  // by pose and action: a pose, −1 for a wall
+};
+
+}  // namespace waymark::parser

@@ -1,0 +1,63 @@
+#include "libparser/corpus/token.hpp"
+
+#include <gtest/gtest.h>
+
+#include "libparser/programs/lexicon.hpp"
+
+namespace waymark::parser {
+namespace {
+
+using Words = std::vector<std::string>;
+
+TEST(Token, LowersSplitsApostrophesAndKeepsMarks) {
+  const std::pair<const char*, Words> table[] = {
+      {"Turn LEFT", {"turn", "left"}},
+      {"it's the chair, isn't it?", {"it", "s", "the", "chair", ",", "is", "n't", "it", "?"}},
+      {"the walls' end", {"the", "walls", "end"}},
+      {"blue-tiled hall.", {"blue-tiled", "hall", "."}},
+      {"(50%) \"here\"; there: now!",
+       {"(", "50", "%", ")", "\"", "here", "\"", ";", "there", ":", "now", "!"}},
+      {"  \t\n", {}},
+      {"''", {}},
+      {"n't", {"n", "t"}},
+  };
+  for (const auto& [text, words] : table) EXPECT_EQ(tokenize(text), words) << text;
+}
+
+TEST(Token, SentencesAreCutAfterMarks) {
+  EXPECT_EQ(split_sentences("Go on. Turn left; stop!! Where?"),
+            (Words{"Go on.", " Turn left;", " stop!", " Where?"}));
+  EXPECT_EQ(split_sentences("walk on"), Words{"walk on"});
+  EXPECT_EQ(split_sentences(" .;! "), Words{});
+  EXPECT_EQ(split_sentences(""), Words{});
+}
+
+TEST(Token, MirrorExchangesLeftAndRightAndIsItsOwnInverse) {
+  const Words words{"turn", "left", "at", "the", "right-hand", "wall"};
+  EXPECT_EQ(mirror(words), (Words{"turn", "right", "at", "the", "left-hand", "wall"}));
+  EXPECT_EQ(mirror(mirror(words)), words);
+}
+
+TEST(Lexicon, FindsOtherNamesPluralsCountsAndHyphens) {
+  const std::pair<const char*, Words> table[] = {
+      {"sit on the couch", {"thing sofa"}},
+      {"two stools", {"count 2", "thing 2", "thing barstool"}},
+      {"the honeycomb-tiled hall", {"thing yellow"}},
+      {"past the hat rack", {"thing hatrack"}},
+      {"go straight", {}},
+      {"the grass", {"thing grass"}},
+  };
+  for (const auto& [text, columns] : table) EXPECT_EQ(mentions(tokenize(text)), columns) << text;
+}
+
+TEST(Lexicon, NumbersAreReadInWordsAndDigits) {
+  EXPECT_EQ(number_named("three"), 3U);
+  EXPECT_EQ(number_named("twice"), 2U);
+  EXPECT_EQ(number_named("12"), 12U);
+  EXPECT_EQ(number_named("12th"), 0U);
+  EXPECT_EQ(number_named("zero"), 0U);
+  EXPECT_EQ(number_named("99999999999999999999999"), 0U);
+}
+
+}  // namespace
+}  // namespace waymark::parser

@@ -1,0 +1,129 @@
+#include "libparser/language/generate.hpp"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "libltl/parse.hpp"
+#include "libltl/semantics.hpp"
+#include "libparser/corpus/corpus_output.hpp"
+#include "libparser/corpus/sail_corpus.hpp"
+#include "libparser/experiment/formula_scores.hpp"
+#include "libparser/programs/examples.hpp"
+#include "libparser/programs/recognise.hpp"
+#include "libplan/world/trajectory.hpp"
+#include "tests/libparser/maps.hpp"
+
+namespace waymark::parser {
+namespace {
+
+Corpus temporal(std::uint64_t seed, Formulas formulas = Formulas::All, std::size_t least = 1,
+                std::size_t most = 3) {
+  return generate_corpus(shipped_maps(), {.seed = seed,
+                                          .paragraphs = 60,
+                                          .sentences = 4,
+                                          .dialect = Dialect::Temporal,
+                                          .least_clauses = least,
+                                          .most_clauses = most,
+                                          .formulas = formulas});
+}
+
+std::set<std::string> formulas_of(const Corpus& corpus) {
+  std::set<std::string> out;
+  for (const Paragraph& paragraph : corpus.paragraphs)
+    for (const Sentence& sentence : paragraph.sentences) out.insert(sentence.formula);
+  return out;
+}
+
+// visit(paragraph, sentence)
+template <class Visit>
+void each_sentence(const Corpus& corpus, const Visit& visit) {
+  for (const Paragraph& paragraph : corpus.paragraphs)
+    for (const Sentence& sentence : paragraph.sentences) visit(paragraph, sentence);
+}
+
+TEST(Generate, EveryTrajectorySatisfiesItsFormulaByDefinition) {
+  for (const Dialect dialect : {Dialect::Plain, Dialect::Temporal}) {
+    const Corpus corpus = generate_corpus(shipped_maps(), {.seed = 4, .paragraphs = 12, .dialect = dialect});
+    const std::vector<Executor> executors(shipped_maps().begin(), shipped_maps().end());
+    const Examples examples = make_examples(corpus, executors, Convention::Absolute);
+    std::size_t i = 0;
+    each_sentence(corpus, [&](const Paragraph&, const Sentence& sentence) {
+      const Example& example = examples.sentences.at(i++);
+      const plan::Map& map = executors[example.map].map();
+      ltl::Arena arena(map.vocabulary());
+      const auto walked = plan::follow(map, example.gold.start, example.gold.actions);
+      ASSERT_TRUE(walked.has_value());
+      EXPECT_TRUE(ltl::holds(plan::word_of(*walked, map), ltl::parse(sentence.formula, arena)))
+          << sentence.text << "  =  " << sentence.formula;
+    });
+    EXPECT_EQ(i, 48U);
+  }
+}
+
+TEST(Generate, SaysEverythingThatTheTemporalDialectHas) {
+  const PostfixGrammar grammar(shipped_maps().front().vocabulary(), Dialect::Temporal);
+  std::set<StepKind> kinds;
+  bool counts = false;
+  for (const std::string& formula : formulas_of(temporal(1))) {
+    ltl::Arena arena(shipped_maps().front().vocabulary());
+    const auto program = program_of(ltl::parse(formula, arena), grammar);
+    ASSERT_TRUE(program.has_value()) << formula;
+    for (const Step& step : *program) {
+      kinds.insert(step.kind);
+      counts = counts || (step.kind == StepKind::Advance && step.count > 1);
+    }
+  }
+  EXPECT_TRUE(counts);
+  EXPECT_EQ(kinds.size(), 10U);  // all but stay and orient
+}
+
+TEST(Generate, SplitsShareNoFormulaAndLengthsAreKept) {
+  const auto known = formulas_of(temporal(1, Formulas::Known)),
+             held_out = formulas_of(temporal(2, Formulas::HeldOut));
+  EXPECT_GT(held_out.size(), 50U);
+  for (const std::string& formula : held_out) EXPECT_EQ(known.count(formula), 0U) << formula;
+  each_sentence(temporal(3, Formulas::All, 5, 5), [](const Paragraph&, const Sentence& sentence) {
+    std::size_t joints = 0;  // five clauses are joined four times
+    for (const std::string& word : sentence.tokens)
+      joints += word == "and" || word == "," || word == "then" ? 1 : 0;
+    EXPECT_GE(joints, 4U) << sentence.text;
+  });
+}
+
+TEST(Generate, SeedsDecideAndLinesReadBack) {
+  const std::string lines = json_lines(temporal(1));
+  EXPECT_EQ(lines, json_lines(temporal(1)));
+  EXPECT_NE(lines, json_lines(temporal(2)));
+  Corpus read{parse_sail_corpus(lines), {}, 0};
+  EXPECT_EQ(json_lines(read), lines);
+  EXPECT_EQ(pairs_text(read), pairs_text(temporal(1)));
+}
+
+TEST(Generate, OptionsThatDoNotFitAreRefused) {
+  EXPECT_THROW(generate_corpus({}, {}), std::invalid_argument);
+  EXPECT_THROW(generate_corpus(shipped_maps(), {.least_clauses = 3, .most_clauses = 2}),
+               std::invalid_argument);
+}
+
+TEST(FormulaJudge, TellsSameFromEquivalentFromWrong) {
+  const ltl::Vocabulary& vocabulary = shipped_maps().front().vocabulary();
+  FormulaJudge judge(vocabulary, Dialect::Temporal);
+  const auto literal = [&](const char* name) {
+    return static_cast<std::uint16_t>(vocabulary.find(name).value().index);
+  };
+  const Step chair{StepKind::Reach, 0, 1, {literal("chair")}}, sofa{StepKind::Reach, 0, 1, {literal("sofa")}};
+  judge.judge("F chair", {chair});
+  judge.judge("F (chair & F chair)", {chair});
+  judge.judge("F (chair & F sofa)", {sofa, chair});
+  judge.judge("F (chair & F sofa)", {});
+  EXPECT_EQ(judge.scores().all.same.hits, 1U);
+  EXPECT_EQ(judge.scores().all.equivalent.hits, 2U);
+  EXPECT_EQ(judge.scores().all.same.total, 4U);
+  EXPECT_EQ(judge.scores().by_construct.at("sequencing").equivalent.total, 3U);
+  EXPECT_EQ(judge.scores().by_construct.at("single").same.hits, 1U);
+  EXPECT_EQ(judge.scores().by_length.at(2).equivalent.hits, 1U);
+}
+
+}  // namespace
+}  // namespace waymark::parser
