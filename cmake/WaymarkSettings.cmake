@@ -27,6 +27,16 @@ if(WAYMARK_SANITIZE)
   add_link_options(-fsanitize=${WAYMARK_SANITIZE})
 endif()
 
+# What is not measured need not be fast, and is compiled in little more than half the time: for tests, and for tools under
+# sanitizers. The libraries are what is run most there.
+function(waymark_compile_quickly)
+  if(WAYMARK_SANITIZE)
+    add_compile_options(-O0)
+  else()
+    add_compile_options($<$<CONFIG:Release>:-O1>)
+  endif()
+endfunction()
+
 # waymark_library(<area> SOURCES <file>... DEPENDS <target>... PRIVATE_DEPENDS <target>...)
 # One static library lib<area>, known to others as waymark::<area>, included as "lib<area>/name.hpp".
 # SOURCES stand in dependency order: a file may include only files of the same library that stand before it.

@@ -23,10 +23,26 @@ struct Options {
   TextOptions text;
   NotationOptions notation;
   MapOptions map;
-  std::string start, planning_case, task;
+  std::string start, automaton, planning_case, task;
   NoiseOptions noise;
   CompareChoice choice;
 };
+
+// An automaton in the place of a formula.
+struct Given {
+  automata::Dfa dfa;
+  std::string name;
+};
+
+// nullopt: none was named. Throws ltl::FormatError for an automaton on infinite words: an episode has to end.
+std::optional<Given> read_given(const std::string& file) {
+  if (file.empty()) return std::nullopt;
+  plan::GivenAutomaton given = plan::read_given_automaton(read_file(file), source_name(file));
+  auto* const dfa = std::get_if<automata::Dfa>(&given);
+  if (dfa == nullptr)
+    throw ltl::FormatError(source_name(file), 0, 0, "an automaton on infinite words: learners need an end");
+  return Given{std::move(*dfa), source_name(file)};
+}
 
 // Formulas on a hallway map.
 class OnMap {
@@ -43,11 +59,14 @@ class OnMap {
     ltl::Arena arena(map_.vocabulary());
     const ltl::Formula formula =
         parse_formula(text, arena, parse_options(options_.notation, ltl::Unknown::Reject));
-    const automata::Dfa dfa = translate(formula, session_.stop);
+    return compare(translate(formula, session_.stop), {.formula = formula}, is_single);
+  }
+
+  ExitCode compare(const automata::Dfa& dfa, ComparedTask compared, bool is_single) {
     plan::LearningTaskOptions task_options = comparison_.task_options();
     task_options.noise = noise_;
-    const plan::LearningTask task(map_, dfa, formula, starts_, task_options);
-    ComparedTask compared{formula, map_.name()};
+    const plan::LearningTask task(map_, dfa, compared.formula, starts_, task_options);
+    compared.map = map_.name();
     for (const plan::PoseId start : starts_) compared.starts.push_back(map_.pose(start));
     compared.automaton_states = dfa.states();
     if (noise_ == plan::MapNoise{}) compared.search = search(dfa);
@@ -84,14 +103,15 @@ class OnMap {
 template <class Model>
 class OnModel {
  public:
-  OnModel(const plan::PlanningCase& planning_case, const Model& model, const Session& session,
-          Comparison& comparison)
-      : case_(planning_case), model_(model), session_(session), comparison_(comparison) {}
+  OnModel(const plan::PlanningCase& planning_case, const Model& model, const std::optional<Given>& given,
+          const Session& session, Comparison& comparison)
+      : case_(planning_case), model_(model), given_(given), session_(session), comparison_(comparison) {}
 
   // Throws std::invalid_argument for a task that learners cannot be given.
   ExitCode compare(const plan::CaseTask& task, bool is_single) {
     if (task.logic == plan::CaseTask::Logic::Derived)
       throw std::invalid_argument("a tour is no task for learners");
+    if (given_) return compare(task, given_->dfa, {.automaton = given_->name}, is_single);
     ltl::Arena arena(model_.letters().vocabulary());
     const ltl::Formula formula = ltl::parse(task.formula, arena, {.unknown = ltl::Unknown::Reject});
     const auto automaton = plan::task_automaton(formula, task.logic, task.query, {.stop = session_.stop});
@@ -99,16 +119,21 @@ class OnModel {
     if (!automaton) throw GaveUp("no automaton within the limits");
     const auto* dfa = std::get_if<automata::Dfa>(&*automaton);
     if (dfa == nullptr) throw std::invalid_argument("no finite prefix decides it: learners need an end");
-    const plan::LearningTask learning(model_, *dfa, formula, comparison_.task_options());
-    ComparedTask compared{formula, case_.name};
-    compared.task = task.id;
-    compared.start = model_.name(model_.initial());
-    compared.automaton_states = dfa->states();
-    if (model_.is_deterministic()) compared.search = search(*dfa);
-    return comparison_.run(std::move(compared), learning, is_single);
+    return compare(task, *dfa, {.formula = formula}, is_single);
   }
 
  private:
+  ExitCode compare(const plan::CaseTask& task, const automata::Dfa& dfa, ComparedTask compared,
+                   bool is_single) {
+    const plan::LearningTask learning(model_, dfa, compared.formula, comparison_.task_options());
+    compared.map = case_.name;
+    compared.task = task.id;
+    compared.start = model_.name(model_.initial());
+    compared.automaton_states = dfa.states();
+    if (model_.is_deterministic()) compared.search = search(dfa);
+    return comparison_.run(std::move(compared), learning, is_single);
+  }
+
   std::optional<Searched> search(const automata::Dfa& dfa) const {
     StopWatch watch;
     const auto answer = plan::search(model_, plan::TaskTable(dfa, model_.letters()), SIZE_MAX, session_.stop);
@@ -119,6 +144,7 @@ class OnModel {
 
   const plan::PlanningCase& case_;
   const Model& model_;
+  const std::optional<Given>& given_;
   const Session& session_;
   Comparison& comparison_;
 };
@@ -126,6 +152,7 @@ class OnModel {
 // A task that is wrong, or no task for learners, is reported, and the others are compared; one that was asked for by name is an error.
 ExitCode compare_case(const Options& options, const Session& session, Comparison& comparison) {
   const plan::PlanningCase planning_case = plan::read_case(options.planning_case);
+  const std::optional<Given> given = read_given(options.automaton);
   const bool is_single = !options.task.empty();
   ExitCode worst = ExitCode::Done;
   bool any = false;
@@ -134,11 +161,12 @@ ExitCode compare_case(const Options& options, const Session& session, Comparison
     any = true;
     try {
       worst = std::max(
-          worst, std::visit(
-                     [&](const auto& model) {
-                       return OnModel(planning_case, model, session, comparison).compare(task, is_single);
-                     },
-                     planning_case.model));
+          worst,
+          std::visit(
+              [&](const auto& model) {
+                return OnModel(planning_case, model, given, session, comparison).compare(task, is_single);
+              },
+              planning_case.model));
     } catch (const std::invalid_argument& error) {
       complain(is_single ? "error" : "note", "task " + task.id + ": " + error.what());
       if (is_single) worst = ExitCode::BadInput;
@@ -157,12 +185,13 @@ ExitCode compare_case(const Options& options, const Session& session, Comparison
 void check(const Options& options) {
   const double discount = options.choice.protocol.discount;
   if (!(discount > 0 && discount < 1)) throw UsageError("--discount lies between 0 and 1");
+  const bool formulas = !options.text.arguments.empty() || !options.text.file.empty();
+  if (formulas && !options.automaton.empty()) throw UsageError("give a formula or --automaton, not both");
   if (options.planning_case.empty()) {
     if (!options.task.empty()) throw UsageError("--task goes with --case");
     return;
   }
-  if (!options.text.arguments.empty() || !options.text.file.empty())
-    throw UsageError("a planning case brings its own formulas");
+  if (formulas) throw UsageError("a planning case brings its own formulas");
   if (options.noise.given())
     throw UsageError("--slip and --slip-turn are for maps: a planning case has its own motion");
   if (!options.choice.svg.empty() && options.task.empty())
@@ -173,6 +202,8 @@ ExitCode run_compare(const Options& options, const Session& session) {
   check(options);
   Comparison comparison(options.choice, session);
   if (!options.planning_case.empty()) return compare_case(options, session, comparison);
+  if (const auto given = read_given(options.automaton))
+    return OnMap(options, session, comparison).compare(given->dfa, {.automaton = given->name}, true);
   TextReader texts(options.text, "formula");
   if (texts.is_batch() && !options.choice.svg.empty())
     throw UsageError("--svg is for a single formula given as an argument");
@@ -200,6 +231,9 @@ Runner setup_compare(Command command) {
   const auto options = std::make_shared<Options>();
   Protocol& protocol = options->choice.protocol;
   add_text_options(command, options->text, "formula");
+  command
+      .add_option("--automaton", options->automaton, "a DFA in HOA instead of a formula; - is standard input")
+      .type_name("FILE");
   add_notation_options(command, options->notation);
   add_map_options(command, options->map);
   add_start_option(command, options->start);

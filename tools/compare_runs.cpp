@@ -60,6 +60,13 @@ MethodRuns exact(std::string_view name, const std::vector<double>& seconds) {
   return {std::string(name), summary, {}};
 }
 
+std::string why_not(const plan::Method& method, const ComparedTask& compared) {
+  const auto* dqn = std::get_if<plan::DqnMethod>(&method.how);
+  if (!compared.formula && (dqn == nullptr || dqn->trees)) return "it reads a formula";
+  return dqn != nullptr ? "what it sees is on hallway maps only"
+                        : "it takes one start and few temporal operators";
+}
+
 }  // namespace
 
 Comparison::Comparison(const CompareChoice& choice, const Session& session)
@@ -82,7 +89,7 @@ ExitCode Comparison::run(ComparedTask compared, const plan::LearningTask& task, 
   compared.sweeps = task.optimum().sweeps;
   compared.is_over = task.product().is_over();
   if (compared.search && compared.search->is_reference && compared.search->cost != compared.optimum.cost)
-    throw std::logic_error("search and value iteration disagree on " + ltl::print(compared.formula));
+    throw std::logic_error("search and value iteration disagree on " + title_of(compared));
   if (compared.optimum.probability > 0) add_exact(compared);
   if (compared.optimum.probability > 0 && !compared.is_over) run_methods(compared, task);
   ++tasks_;
@@ -136,10 +143,7 @@ void Comparison::run_methods(ComparedTask& compared, const plan::LearningTask& t
     if (task.allows(methods_[i]))
       allowed.push_back(i);
     else
-      complain("note",
-               methods_[i].name + (std::holds_alternative<plan::DqnMethod>(methods_[i].how)
-                                       ? " is left out: what it sees is on hallway maps only"
-                                       : " is left out: it takes one start and few temporal operators"));
+      complain("note", methods_[i].name + " is left out: " + why_not(methods_[i], compared));
   }
   const std::size_t seeds = choice_.protocol.seeds, jobs = allowed.size() * seeds;
   std::vector<plan::LearningCurve> curves(jobs);
@@ -172,7 +176,7 @@ void Comparison::summarise(ComparedTask& compared, std::size_t method,
 }
 
 void Comparison::draw(const ComparedTask& compared) const {
-  render::CurvePlot plot{ltl::print(compared.formula),
+  render::CurvePlot plot{title_of(compared),
                          "map " + compared.map + ", " + counted(choice_.protocol.seeds, "seed") +
                              ", means with 95 % intervals, optimal cost " + shown_cost(compared.optimum.cost),
                          {}};

@@ -82,6 +82,10 @@ std::string shown(const plan::PolicyValue& optimum) {
 
 }  // namespace
 
+std::string title_of(const ComparedTask& task, ltl::Style style) {
+  return task.formula ? ltl::print(*task.formula, style) : "the automaton of " + task.automaton;
+}
+
 std::string shown_cost(double cost) { return cost == std::round(cost) ? fixed(cost, 0) : fixed(cost, 4); }
 
 JsonObject json_of(const ComparedTask& task, const Protocol& protocol) {
@@ -91,7 +95,9 @@ JsonObject json_of(const ComparedTask& task, const Protocol& protocol) {
   if (!task.start.empty()) starts.add(task.start);
   for (const MethodRuns& method : task.methods) methods.add(json_of(method));
   JsonObject json;
-  json.add("formula", ltl::print(task.formula)).add("map", task.map);
+  json.add("formula", task.formula ? Json(ltl::print(*task.formula)) : Json());
+  if (!task.automaton.empty()) json.add("automaton", task.automaton);
+  json.add("map", task.map);
   if (!task.task.empty()) json.add("task", task.task);
   json.add("starts", starts)
       .add("automaton_states", task.automaton_states)
@@ -114,7 +120,8 @@ JsonObject json_of(const ComparedTask& task, const Protocol& protocol) {
 
 void print(std::ostream& out, const Terminal& terminal, const ComparedTask& task, const Protocol& protocol) {
   if (!task.task.empty()) out << "task     " << task.task << '\n';
-  out << "formula  " << shown(task.formula, terminal) << "\nproduct  "
+  out << (task.formula ? "formula  " : "given    ")
+      << title_of(task, terminal.unicode ? ltl::Style::Unicode : ltl::Style::Ascii) << "\nproduct  "
       << counted(task.product_states, "state") << ": map " << task.map << " and "
       << counted(task.automaton_states, "state") << " of the automaton\n";
   if (task.optimum.probability == 0) {

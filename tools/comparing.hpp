@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "libltl/formula.hpp"
+#include "libltl/print.hpp"
 #include "libplan/learn/comparison.hpp"
 #include "tools/shell/json.hpp"
 #include "tools/shell/terminal.hpp"
@@ -24,8 +24,9 @@ struct MethodRuns {
 };
 
 struct ComparedTask {
-  ltl::Formula formula;
-  std::string map;
+  std::optional<ltl::Formula> formula = {};  // or
+  std::string automaton = {};                // the name of its file
+  std::string map = {};
   std::vector<plan::Pose> starts = {};  // on a map
   std::string task = {},
               start = {};  // of a planning case: the name of the task, and of the state it begins in
@@ -46,6 +47,8 @@ struct Protocol {  // what all runs of a comparison share
 JsonObject json_of(const ComparedTask& task, const Protocol& protocol);
 void print(std::ostream& out, const Terminal& terminal, const ComparedTask& task, const Protocol& protocol);
 
+// The formula, or which automaton it is.
+std::string title_of(const ComparedTask& task, ltl::Style style = ltl::Style::Ascii);
 std::string shown_cost(double cost);  // "7", "7.2500"
 
 // Of a suite: the runs of all its tasks together.

@@ -61,32 +61,34 @@ std::vector<Method> learning_methods() {
   };
 }
 
-LearningTask::LearningTask(TabularProduct product, ltl::Formula formula, double discount)
-    : product_(std::move(product)), trees_(trees_of(product_.task, formula)) {
+LearningTask::LearningTask(TabularProduct product, std::optional<ltl::Formula> formula, double discount)
+    : product_(std::move(product)) {
+  if (formula) trees_ = trees_of(product_.task, *formula);
   const auto begin = std::chrono::steady_clock::now();
   optimum_ = plan::optimum(product_, {.discount = discount});
   seconds_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
 }
 
-LearningTask::LearningTask(const Map& map, const automata::Dfa& dfa, ltl::Formula formula,
+LearningTask::LearningTask(const Map& map, const automata::Dfa& dfa, std::optional<ltl::Formula> formula,
                            std::span<const PoseId> starts, const LearningTaskOptions& options)
     : LearningTask(tabulate(map, dfa, starts, options.noise), formula, options.discount) {
   for (const Sight sight : {Sight::Objects, Sight::Landmarks, Sight::Literal})
     observations_[static_cast<std::size_t>(sight)] = observe(map, sight);
-  if (options.gltl && starts.size() == 1) prepare_gltl(mdp_of(map, starts[0], options.noise), formula);
+  if (options.gltl && formula && starts.size() == 1)
+    prepare_gltl(mdp_of(map, starts[0], options.noise), *formula);
 }
 
 template <class Model>
-LearningTask::LearningTask(const Model& model, const automata::Dfa& dfa, ltl::Formula formula,
+LearningTask::LearningTask(const Model& model, const automata::Dfa& dfa, std::optional<ltl::Formula> formula,
                            const LearningTaskOptions& options)
     : LearningTask(compose(model, tabulate(dfa, model.letters())), formula, options.discount) {
   observations_[static_cast<std::size_t>(Sight::Landmarks)] = observe(model);
-  if (options.gltl) prepare_gltl(model, formula);
+  if (options.gltl && formula) prepare_gltl(model, *formula);
 }
 
-template LearningTask::LearningTask(const Mdp&, const automata::Dfa&, ltl::Formula,
+template LearningTask::LearningTask(const Mdp&, const automata::Dfa&, std::optional<ltl::Formula>,
                                     const LearningTaskOptions&);
-template LearningTask::LearningTask(const GridWorld&, const automata::Dfa&, ltl::Formula,
+template LearningTask::LearningTask(const GridWorld&, const automata::Dfa&, std::optional<ltl::Formula>,
                                     const LearningTaskOptions&);
 
 template <class Model>
@@ -98,7 +100,8 @@ void LearningTask::prepare_gltl(const Model& model, ltl::Formula formula) {
 }
 
 bool LearningTask::allows(const Method& method) const {
-  if (const auto* dqn = std::get_if<DqnMethod>(&method.how)) return seen(dqn->sight).has_value();
+  if (const auto* dqn = std::get_if<DqnMethod>(&method.how))
+    return seen(dqn->sight).has_value() && (!dqn->trees || trees_.has_value());
   return !std::holds_alternative<GltlMethod>(method.how) || gltl_.has_value();
 }
 
@@ -116,7 +119,7 @@ LearningCurve LearningTask::run(const Method& method, const Training& training) 
     return learn(*gltl_, rewarded->q_learning, undiscounted).curve;
   }
   const auto& [dqn, sight, trees] = std::get<DqnMethod>(method.how);
-  return learn(product_, {&seen(sight)->by_position, trees ? &trees_ : nullptr}, dqn, training);
+  return learn(product_, {&seen(sight)->by_position, trees ? &*trees_ : nullptr}, dqn, training);
 }
 
 double success(const PolicyValue& value, const PolicyValue& optimum) {

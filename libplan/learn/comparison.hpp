@@ -53,11 +53,12 @@ struct LearningTaskOptions {
 // One task on one map or model, made once and only read by the runs: any number of threads.
 class LearningTask {
  public:
-  LearningTask(const Map& map, const automata::Dfa& dfa, ltl::Formula formula, std::span<const PoseId> starts,
-               const LearningTaskOptions& options = {});
+  // The formula of the automaton, for the methods that read it: GLTL and task trees. Without one they are not allowed.
+  LearningTask(const Map& map, const automata::Dfa& dfa, std::optional<ltl::Formula> formula,
+               std::span<const PoseId> starts, const LearningTaskOptions& options = {});
   // On a model, whose noise is its own. Networks see distances to every proposition there is: Sight::Landmarks.
   template <class Model>
-  LearningTask(const Model& model, const automata::Dfa& dfa, ltl::Formula formula,
+  LearningTask(const Model& model, const automata::Dfa& dfa, std::optional<ltl::Formula> formula,
                const LearningTaskOptions& options = {});
 
   const TabularProduct& product() const { return product_; }
@@ -68,7 +69,7 @@ class LearningTask {
   LearningCurve run(const Method& method, const Training& training) const;
 
  private:
-  LearningTask(TabularProduct product, ltl::Formula formula, double discount);
+  LearningTask(TabularProduct product, std::optional<ltl::Formula> formula, double discount);
   template <class Model>
   void prepare_gltl(const Model& model, ltl::Formula formula);
   const std::optional<Observations>& seen(Sight sight) const {
@@ -79,13 +80,13 @@ class LearningTask {
   double seconds_ = 0;
   std::array<std::optional<Observations>, 3> observations_;  // by Sight
   std::optional<TabularProduct> gltl_, judged_;              // with expiry, and the same states without
-  TaskTrees trees_;
+  std::optional<TaskTrees> trees_;
 };
 
-extern template LearningTask::LearningTask(const Mdp&, const automata::Dfa&, ltl::Formula,
+extern template LearningTask::LearningTask(const Mdp&, const automata::Dfa&, std::optional<ltl::Formula>,
                                            const LearningTaskOptions&);
-extern template LearningTask::LearningTask(const GridWorld&, const automata::Dfa&, ltl::Formula,
-                                           const LearningTaskOptions&);
+extern template LearningTask::LearningTask(const GridWorld&, const automata::Dfa&,
+                                           std::optional<ltl::Formula>, const LearningTaskOptions&);
 
 double success(const PolicyValue& value, const PolicyValue& optimum);
 double score(const PolicyValue& value, const PolicyValue& optimum);
