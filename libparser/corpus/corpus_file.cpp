@@ -1,5 +1,6 @@
 #include "libparser/corpus/corpus_file.hpp"
 
+#include <algorithm>
 #include <fstream>
 #include <sstream>
 
@@ -13,6 +14,15 @@ std::string read_corpus_file(const std::filesystem::path& file) {
   bytes << in.rdbuf();
   if (!in || !bytes) throw ltl::FormatError(file.string(), 0, 0, "cannot be read");
   return std::move(bytes).str();
+}
+
+std::vector<std::filesystem::path> map_files(const std::filesystem::path& corpus) {
+  std::vector<std::filesystem::path> files;
+  if (std::filesystem::is_directory(corpus / "maps"))
+    for (const auto& entry : std::filesystem::directory_iterator(corpus / "maps"))
+      if (entry.path().extension() == ".json") files.push_back(entry.path());
+  std::sort(files.begin(), files.end());
+  return files;
 }
 
 std::uint64_t fnv1a(std::string_view bytes) {

@@ -4,10 +4,12 @@
 #include <filesystem>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace waymark::parser {
 
-std::string read_corpus_file(const std::filesystem::path& file);  // throws ltl::FormatError
+std::string read_corpus_file(const std::filesystem::path& file);                    // throws ltl::FormatError
+std::vector<std::filesystem::path> map_files(const std::filesystem::path& corpus);  // maps/*.json, by name
 std::uint64_t fnv1a(std::string_view bytes);
 
 // visit(line, number) for every line that is not blank; numbers count from 1.

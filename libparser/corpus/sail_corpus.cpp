@@ -2,46 +2,39 @@
 
 #include <algorithm>
 #include <cstdlib>
-#include <nlohmann/json.hpp>
 
-#include "libltl/diagnostic.hpp"
 #include "libparser/corpus/corpus_file.hpp"
 #include "libparser/corpus/token.hpp"
-#include "libplan/world/json_position.hpp"
+#include "libplan/world/json_reader.hpp"
 #include "libplan/world/read_map.hpp"
 
 namespace waymark::parser {
 namespace {
 
-using nlohmann::json;
+using json = plan::JsonReader::Value;
 
-// One line of the file while it is read; knows how to say what is wrong with it.
+// One line of the file while it is read.
 struct Line {
-  std::string_view source, text;
-  std::size_t number;
+  plan::JsonReader reader;
 
-  [[noreturn]] void fail(const std::string& path, std::string_view expected) const {
-    const std::size_t column = plan::offset_of(text, path) + 1;
-    throw ltl::FormatError(source, number, column, path + ": " + std::string(expected));
+  [[noreturn]] void fail(const std::string& path, const std::string& expected) const {
+    reader.fail(path, expected);
   }
 
   const json& member(const json& object, const std::string& path, const char* key) const {
-    const auto it = object.find(key);
-    if (it == object.end()) fail(path.empty() ? key : path + "." + key, "is missing");
-    return *it;
+    return reader.member(object, path, key);
   }
 
   std::string string(const json& object, const std::string& path, const char* key) const {
-    const json& value = member(object, path, key);
-    if (!value.is_string()) fail(path.empty() ? key : path + "." + key, "expected a text");
-    return value.get<std::string>();
+    return reader.string(member(object, path, key), path.empty() ? key : path + "." + key);
   }
 
   int integer(const json& value, const std::string& path) const {
     constexpr int limit = 1'000'000;
-    if (!value.is_number_integer() || value < -limit || value > limit)
+    const int number = reader.integer(value, path);
+    if (number < -limit || number > limit)
       fail(path, "expected a whole number between −1,000,000 and 1,000,000");
-    return value.get<int>();
+    return number;
   }
 
   plan::Pose pose(const json& value, const std::string& path) const {
@@ -85,10 +78,7 @@ Sentence read_sentence(const Line& line, const json& object, const std::string& 
   sentence.id = line.string(object, path, "id");
   sentence.text = line.string(object, path, "text");
   if (const auto tokens = object.find("tokens"); tokens != object.end()) {
-    const bool texts = tokens->is_array() && std::all_of(tokens->begin(), tokens->end(),
-                                                         [](const json& t) { return t.is_string(); });
-    if (!texts) line.fail(path + ".tokens", "expected a list of words");
-    sentence.tokens = tokens->get<std::vector<std::string>>();
+    sentence.tokens = line.reader.strings(*tokens, path + ".tokens");
   } else {
     sentence.tokens = tokenize(sentence.text);
   }
@@ -100,16 +90,7 @@ Sentence read_sentence(const Line& line, const json& object, const std::string& 
 }
 
 Paragraph read_paragraph(const Line& line) {
-  json object;
-  try {
-    object = json::parse(line.text);
-  } catch (const json::parse_error& error) {
-    throw ltl::FormatError(line.source, line.number, error.byte, "expected one JSON object on this line");
-  } catch (const json::out_of_range&) {
-    throw ltl::FormatError(line.source, line.number, 0, "a number of the JSON text is out of range");
-  }
-  if (!object.is_object())
-    throw ltl::FormatError(line.source, line.number, 1, "expected one JSON object on this line");
+  const json object = line.reader.parse();
   Paragraph paragraph;
   paragraph.id = line.string(object, "", "id");
   paragraph.map = line.string(object, "", "map");
@@ -126,7 +107,7 @@ Paragraph read_paragraph(const Line& line) {
 std::vector<Paragraph> parse_sail_corpus(std::string_view json_lines, std::string_view source) {
   std::vector<Paragraph> paragraphs;
   each_line(json_lines, [&](std::string_view text, std::size_t number) {
-    paragraphs.push_back(read_paragraph(Line{source, text, number}));
+    paragraphs.push_back(read_paragraph({plan::JsonReader(text, source, number)}));
   });
   return paragraphs;
 }
@@ -135,12 +116,7 @@ Corpus read_sail_corpus(const std::filesystem::path& directory) {
   const std::filesystem::path file = directory / "instructions.jsonl";
   const std::string bytes = read_corpus_file(file);
   Corpus corpus{parse_sail_corpus(bytes, file.string()), {}, fnv1a(bytes)};
-  std::vector<std::filesystem::path> maps;
-  if (std::filesystem::is_directory(directory / "maps"))
-    for (const auto& entry : std::filesystem::directory_iterator(directory / "maps"))
-      if (entry.path().extension() == ".json") maps.push_back(entry.path());
-  std::sort(maps.begin(), maps.end());
-  for (const auto& map : maps) corpus.maps.push_back(plan::read_map(map.string(), ""));
+  for (const auto& map : map_files(directory)) corpus.maps.push_back(plan::read_map(map.string(), ""));
   return corpus;
 }
 

@@ -96,16 +96,16 @@ std::size_t offset_of(std::string_view json, std::string_view path) {
 }
 
 ltl::FormatError format_error(std::string_view source, std::string_view json, std::string_view path,
-                              std::string_view message) {
+                              std::string_view message, std::size_t first_line) {
   const std::string text =
       path.empty() ? std::string(message) : std::string(path) + ": " + std::string(message);
-  return format_error_at(source, json, offset_of(json, path), text);
+  return format_error_at(source, json, offset_of(json, path), text, first_line);
 }
 
 ltl::FormatError format_error_at(std::string_view source, std::string_view text, std::size_t offset,
-                                 std::string_view message) {
+                                 std::string_view message, std::size_t first_line) {
   const std::string_view before = text.substr(0, std::min(offset, text.size()));
-  const auto line = static_cast<std::size_t>(std::count(before.begin(), before.end(), '\n')) + 1;
+  const auto line = static_cast<std::size_t>(std::count(before.begin(), before.end(), '\n')) + first_line;
   const std::size_t newline = before.rfind('\n');
   const std::size_t begin = newline == std::string_view::npos ? 0 : newline + 1;
   return ltl::FormatError(source, line, ltl::utf8_length(before.substr(begin)) + 1, message);

@@ -15,14 +15,16 @@ JsonReader::Value JsonReader::parse() const {
     const std::string_view what = error.what();
     const std::size_t colon = what.find(": ");
     throw format_error_at(source_, text_, error.byte > 0 ? error.byte - 1 : 0,
-                          "malformed JSON: " + std::string(what.substr(colon == what.npos ? 0 : colon + 2)));
+                          "malformed JSON: " + std::string(what.substr(colon == what.npos ? 0 : colon + 2)),
+                          first_line_);
   } catch (const Value::out_of_range&) {
-    throw ltl::FormatError(source_, 0, 0, "a number of the JSON text is out of range");
+    throw ltl::FormatError(source_, first_line_ > 1 ? first_line_ : 0, 0,
+                           "a number of the JSON text is out of range");
   }
 }
 
 void JsonReader::fail(const std::string& path, const std::string& message) const {
-  throw format_error(source_, text_, path, message);
+  throw format_error(source_, text_, path, message, first_line_);
 }
 
 void JsonReader::check_keys(const Value& object, const std::string& path,
@@ -61,6 +63,14 @@ double JsonReader::number(const Value& value, const std::string& path) const {
 std::string JsonReader::string(const Value& value, const std::string& path) const {
   if (!value.is_string()) fail(path, "expected a text");
   return value.get<std::string>();
+}
+
+std::vector<std::string> JsonReader::strings(const Value& value, const std::string& path) const {
+  if (!value.is_array()) fail(path, "expected a list of texts");
+  std::vector<std::string> out;
+  for (std::size_t i = 0; i < value.size(); ++i)
+    out.push_back(string(value[i], path + "[" + std::to_string(i) + "]"));
+  return out;
 }
 
 }  // namespace waymark::plan

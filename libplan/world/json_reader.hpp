@@ -16,7 +16,9 @@ namespace waymark::plan {
 class JsonReader {  // text and source must outlive it
  public:
   using Value = nlohmann::json;
-  JsonReader(std::string_view text, std::string_view source) : text_(text), source_(source) {}
+  // The text begins in `first_line` of its file: of JSON Lines, each line is a text.
+  JsonReader(std::string_view text, std::string_view source, std::size_t first_line = 1)
+      : text_(text), source_(source), first_line_(first_line) {}
 
   // All throw ltl::FormatError.
   Value parse() const;
@@ -27,6 +29,7 @@ class JsonReader {  // text and source must outlive it
   int integer(const Value& value, const std::string& path) const;
   double number(const Value& value, const std::string& path) const;  // finite
   std::string string(const Value& value, const std::string& path) const;
+  std::vector<std::string> strings(const Value& value, const std::string& path) const;
 
   template <typename Visit>  // visit(value, path) for every value of the list under `key`
   void each(const Value& object, const std::string& path, const std::string& key, Visit visit) const {
@@ -48,6 +51,7 @@ class JsonReader {  // text and source must outlive it
 
  private:
   std::string_view text_, source_;
+  std::size_t first_line_;
 };
 
 }  // namespace waymark::plan

@@ -34,21 +34,22 @@ std::string replaced(const std::string& what, const std::string& by) {
 
 TEST(SailCorpus, ErrorsNameTheLineAndTheValue) {
   const std::tuple<std::string, std::size_t, std::string> table[] = {
-      {"{", 1, "expected one JSON object"},
-      {good + "\n[1]", 2, "expected one JSON object"},
+      {"{", 1, "malformed JSON"},
+      {good + "\n[1]", 2, "expected an object"},
       {good + "\n{\"id\":1e999}", 2, "out of range"},
       {good + "\n" + replaced("\"map\":\"grid\"", "\"map\":7"), 2, "map: expected a text"},
-      {replaced("\"map\":\"grid\",", ""), 1, "map: is missing"},
+      {replaced("\"map\":\"grid\",", ""), 1, "the key \"map\" is missing"},
       {replaced("[[1,8,0]]", "[[1,8,45]]"), 1, "sentences[1].path[0][2]: expected a heading"},
       {replaced("[[1,8,0]]", "[]"), 1, "sentences[1].path: expected a list of poses"},
       {replaced("[[1,8,0]]", "[[1,8]]"), 1, "sentences[1].path[0]: expected a pose"},
       {replaced("[[1,8,0]]", "[[1,8,0],[3,8,0]]"), 1, "sentences[1].path[1]: expected one action"},
       {replaced("[[1,8,0]]", "[[1,8,0],[1,8,180]]"), 1, "sentences[1].path[1]: expected one action"},
       {replaced("[[1,8,0]]", "[[1e9,8,0]]"), 1, "sentences[1].path[0][0]: expected a whole number"},
-      {replaced("[[1,8,0]]", "[[99999999999,8,0]]"), 1, "sentences[1].path[0][0]: expected a whole number"},
-      {replaced("\"path_north\"", "\"path_south\""), 1, "sentences[0].path_north: is missing"},
+      {replaced("[[1,8,0]]", "[[99999999,8,0]]"), 1, "sentences[1].path[0][0]: expected a whole number"},
+      {replaced("[[1,8,0]]", "[[99999999999,8,0]]"), 1, "sentences[1].path[0][0]: the number is too large"},
+      {replaced("\"path_north\"", "\"path_south\""), 1, "sentences[0]: the key \"path_north\" is missing"},
       {replaced("[[1,9,0],[1,8,0]]", "[[1,9,-1],[1,8,0]]"), 1, "path_north[0]: expected a known heading"},
-      {replaced("\"tokens\":[\"stay\",\"put\"]", "\"tokens\":[1]"), 1, "tokens: expected a list of words"},
+      {replaced("\"tokens\":[\"stay\",\"put\"]", "\"tokens\":[1]"), 1, "tokens[0]: expected a text"},
   };
   for (const auto& [text, line, message] : table) {
     try {
