@@ -2,12 +2,10 @@
 //
 // One manager owns its nodes; managers share nothing, so any number of them live on any number of threads. Nodes are
 // reduced and unique: equal functions over one manager are equal Nodes. A terminal is its payload with the top bit
-// set and takes no storage. Children have smaller ids than their parents, so a scan over ids is a topological order.
-// Nothing is freed one by one, and nothing is marked and swept: constructions end in an automaton that keeps a fraction
-// of what they made, so import() copies what is still wanted into a fresh manager (a copying collection), which also
-// keeps ids topological and drops tables and caches with the garbage. Tables are made when first needed, and a copy
-// that is one to one needs none. A Boolean function is a diagram with payloads 0 and 1.
-// Source: [Bry86, Sec. 4], terminals as in [FMY97, Sec. 2].
+// set and takes no storage. Nothing is counted and nothing freed behind the caller's back: collect() marks what the
+// caller's roots reach and sweeps the rest, in place; what stays keeps its id, and the ids of the others are used again.
+// Tables are made when first needed, and a copy that is one to one needs none. A Boolean function is a diagram with
+// payloads 0 and 1. Source: [Bry86, Sec. 4], tables as in [BRB90], terminals as in [FMY97, Sec. 2].
 #pragma once
 #include <algorithm>
 #include <array>
@@ -18,6 +16,8 @@
 #include <optional>
 #include <span>
 #include <vector>
+
+#include "libautomata/computed_table.hpp"
 
 namespace waymark::automata {
 
@@ -43,9 +43,10 @@ class Mtbdd {
   static bool is_terminal(Node n) { return (n.id & terminal_bit) != 0; }
   static std::uint32_t payload(Node n) { return n.id & ~terminal_bit; }  // of a terminal
   Variable variable(Node n) const { return is_terminal(n) ? no_variable : nodes_[n.id].variable; }
-  Node low(Node n) const { return nodes_[n.id].low; }    // of a decision node: the variable is false
-  Node high(Node n) const { return nodes_[n.id].high; }  // … true
-  std::size_t size() const { return nodes_.size(); }     // decision nodes made so far
+  Node low(Node n) const { return nodes_[n.id].low; }          // of a decision node: the variable is false
+  Node high(Node n) const { return nodes_[n.id].high; }        // … true
+  std::size_t size() const { return nodes_.size(); }           // ids are smaller
+  std::size_t live() const { return nodes_.size() - swept_; }  // decision nodes, reachable or not
 
   // if variable then high else low; `low` itself when both are one. The variable stands above those of both. O(1).
   Node make(Variable variable, Node low, Node high);
@@ -71,6 +72,9 @@ class Mtbdd {
   // Decision nodes that the roots reach, children before parents. O(size()).
   std::vector<Node> reachable(std::span<const Node> roots) const;
 
+  // Gives up all nodes that the roots do not reach. O(size()). Whoever remembers things by id forgets those of others.
+  void collect(std::span<const Node> roots);
+
   // Copies the diagrams of another manager here: leaf maps a payload to a Node whose variables lie below all renamed
   // ones (a terminal, usually), rename maps variables and keeps their order. O(from.size()). StayApart: both are one to
   // one and nothing is here yet.
@@ -85,23 +89,19 @@ class Mtbdd {
     Variable variable;
     Node low, high;
   };
-  struct Remembered {
-    std::uint32_t tag = 0;  // 0: empty
-    std::array<Node, 3> args{};
-    Node result{};
-    // Spelled out: the comparison of arrays is a call of memcmp.
-    bool answers(Operation op, const std::array<Node, 3>& key) const {
-      return tag == op.tag && args[0] == key[0] && args[1] == key[1] && args[2] == key[2];
-    }
-  };
-  Remembered& slot(Operation op, const std::array<Node, 3>& args);
-  void grow_cache();
+  std::vector<Node> reachable_by_id(std::span<const Node> roots) const;
+  bool is_swept(std::uint32_t id) const { return nodes_[id].variable == no_variable; }
   void index();  // all nodes, with room for as many again
 
+  static constexpr std::uint32_t none = UINT32_MAX;
+
   std::vector<Decision> nodes_;
+  std::uint32_t free_ = none;  // a swept slot; the next one is its low. Smaller ids first
+  std::size_t swept_ = 0;
+  bool refilled_ = false;  // some swept slot was used again: children may have larger ids than parents
   std::vector<std::uint32_t> table_;  // open-addressed over node ids + 1, 0 is free; a power of two, or empty
-  std::size_t indexed_ = 0;           // nodes in the table: all, unless some were appended
-  std::vector<Remembered> cache_;     // direct-mapped; a power of two, or empty; entries of old tags are dead
+  std::size_t indexed_ = 0;           // nodes in the table: all, unless some were appended or it was dropped
+  ComputedTable results_;
   std::uint32_t operations_ = 0;
 };
 
@@ -109,10 +109,9 @@ template <std::size_t N, class Decide>
 Mtbdd::Node Mtbdd::apply(Operation op, const std::array<Node, N>& args, Decide& decide) {
   static_assert(N >= 1 && N <= 3);
   if (const std::optional<Node> known = decide(args)) return *known;
-  std::array<Node, 3> key{};
-  std::copy(args.begin(), args.end(), key.begin());
-  const Remembered& before = slot(op, key);
-  if (before.answers(op, key)) return before.result;
+  ComputedTable::Arguments key{};
+  for (std::size_t i = 0; i < N; ++i) key[i] = args[i].id;
+  if (const std::uint32_t* result = results_.find(op.tag, key)) return Node{*result};
 
   Variable top = no_variable;
   for (Node n : args) top = std::min(top, variable(n));
@@ -126,7 +125,7 @@ Mtbdd::Node Mtbdd::apply(Operation op, const std::array<Node, N>& args, Decide& 
   const Node on_low = apply(op, lows, decide);
   const Node on_high = apply(op, highs, decide);
   const Node result = make(top, on_low, on_high);
-  slot(op, key) = Remembered{op.tag, key, result};  // looked up again: the cache may have grown
+  results_.store(op.tag, key, result.id, live());
   return result;
 }
 

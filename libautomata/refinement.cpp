@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <optional>
+#include <span>
 #include <utility>
 
 namespace waymark::automata {
@@ -68,7 +69,7 @@ class Refinement {
 
   // Redoes the images above the renamed states; afterwards dirty_ holds the states whose signature changed.
   void propagate(Effort& effort) {
-    if (images_.size() > 2 * kept_ + graph_.nodes() / 4 + 256) collect();
+    if (images_.live() > 2 * kept_ + graph_.nodes() / 4 + 256) collect();
     changed_.clear();
     if (renamed_.size() > partition_.class_of.size() / 8)
       pass(effort);
@@ -137,15 +138,8 @@ class Refinement {
 
   // Drops the diagrams over former classes.
   void collect() {
-    std::vector<Mtbdd::Node> roots(image_.begin(),
-                                   image_.begin() + static_cast<std::ptrdiff_t>(graph_.nodes()));
-    Mtbdd fresh;
-    roots = fresh.import(
-        images_, roots, [](std::uint32_t c) { return Mtbdd::terminal(c); },
-        [](Mtbdd::Variable v) { return v; }, Mtbdd::Images::StayApart);
-    std::copy(roots.begin(), roots.end(), image_.begin());
-    images_ = std::move(fresh);
-    kept_ = images_.size();
+    images_.collect(std::span(image_).first(graph_.nodes()));
+    kept_ = images_.live();
   }
 
   Mtbdd::Node image_of(Vertex v) {
