@@ -3,12 +3,13 @@
 #include <algorithm>
 #include <optional>
 #include <stdexcept>
+#include <utility>
 
 #include "libautomata/deterministic/determinize.hpp"
 #include "libautomata/deterministic/parity.hpp"
 #include "libautomata/omega/degeneralize.hpp"
-#include "libautomata/omega/emptiness.hpp"
 #include "libautomata/omega/fewest_marks.hpp"
+#include "libautomata/omega/fold.hpp"
 #include "libautomata/omega/language_merge.hpp"
 #include "libautomata/omega/needless_components.hpp"
 #include "libautomata/omega/prepare.hpp"
@@ -43,7 +44,8 @@ constexpr std::size_t merge_steps = 500'000;  // to find states of one language
 constexpr std::size_t merge_states = 200;
 constexpr std::size_t merged_languages = 60;  // states of deterministic automata whose languages are compared
 constexpr std::size_t hopeful = 2;  // copies that are more than the best by a part of that are not reduced
-constexpr std::size_t large_states = 100;  // from here on, one way to count levels instead of all
+constexpr std::size_t fold_steps = 20'000'000;  // to fold states together
+constexpr std::size_t large_states = 100;       // from here on, one way to count levels instead of all
 
 struct Candidate {
   Branching automaton;
@@ -63,14 +65,14 @@ class Construction {
 
   std::optional<Candidate> tgba() {
     std::optional<Candidate> best = smallest_route();
-    return best ? without_needless(*best) : std::move(best);
+    return best ? folded_together(without_needless(*best), MarksOn::Edges) : std::move(best);
   }
 
   // From every automaton that a route gave: the smallest generalised one need not be the best to start from.
   std::optional<Candidate> buchi() {
     std::optional<Candidate> general = smallest_route();
     if (!general || general->weak) return general;
-    const Candidate least = without_needless(*general);
+    const Candidate least = folded_together(without_needless(*general), MarksOn::Edges);
     if (least.automaton.states() >= large_states)
       return counted(least.automaton, {.look_ahead = true}, least.reduced, SIZE_MAX);
     std::optional<Candidate> best;
@@ -79,7 +81,7 @@ class Construction {
       if (other.automaton.states() <= 2 * general->automaton.states())
         put_marks_on_states(other, least.automaton.states(), best);
     put_marks_on_states(least, least.automaton.states(), best);
-    return best;
+    return best ? folded_together(*best, MarksOn::States) : best;
   }
 
   Automaton finish(const Branching& automaton, const ltl::Vocabulary& vocabulary) const {
@@ -326,27 +328,30 @@ class Construction {
     Effort effort(steps, states, limits_.stop);
     return within([&] { return as_buchi(weak_deterministic(f, reads_, effort), {}); });
   }
-  // On the structure of progression: the weak automaton when φ turns out to be an obligation, else a deterministic
-  // Büchi automaton where there is one. `automaton` is φ's, by the tableau.
+  // `automaton` is φ's, by the tableau.
   std::optional<Candidate> deterministic(Formula f, const Branching& automaton) {
     Effort effort(guess_steps, guess_states, limits_.stop);
-    std::optional<Branching> marked;
-    const std::optional<Branching> weak = within([&] {
-      const Transitions structure = progression(f, reads_, effort);
-      const Branching negation =
-          scc_filter(tableau(ltl::nnf(ltl::negate(f)), reads_, effort).automaton, MarksOn::Edges, effort);
-      const Transitions guess = weak_deterministic(f, reads_, structure, effort);
-      const Branching outside = as_buchi(guess, {.complement = true, .trim = false});
-      Branching inside = as_buchi(guess, {.complement = false, .trim = true});
-      if (is_empty(intersection(automaton, outside, effort)) &&
-          is_empty(intersection(inside, negation, effort)))
-        return inside;
-      marked = deterministic_buchi(structure, automaton, negation, effort);
-      throw Effort::Spent{Effort::Spent::Reason::States};  // no weak automaton
-    });
-    if (weak) return Candidate{*weak, true, true};
-    if (marked) return reduced(*std::move(marked), MarksOn::Edges);
-    return std::nullopt;
+    const auto found = within([&] {
+                         return on_progression(f, reads_, automaton, outside(f, effort), effort);
+                       }).value_or(std::nullopt);
+    if (!found) return std::nullopt;
+    return found->weak ? Candidate{found->automaton, true, true} : reduced(found->automaton, MarksOn::Edges);
+  }
+  // Of the words that do not satisfy f, by the tableau. The last one is kept.
+  const Branching& outside(Formula f, Effort& effort) {
+    if (!outside_ || outside_->first != f)
+      outside_.emplace(
+          f, scc_filter(tableau(ltl::nnf(ltl::negate(f)), reads_, effort).automaton, MarksOn::Edges, effort));
+    return outside_->second;
+  }
+  // Deterministic ones have one state for each language that is left.
+  Candidate folded_together(const Candidate& from, MarksOn marks) {
+    if (from.weak || is_deterministic(from.automaton)) return from;
+    Effort effort(guess_steps, guess_states, limits_.stop), folding(fold_steps, SIZE_MAX, limits_.stop);
+    const auto out =
+        within([&] { return folded(from.automaton, outside(formula_, effort), marks, folding); });
+    if (!out || !smaller(out->automaton, from.automaton)) return from;
+    return {out->automaton, out->complete && from.reduced};
   }
 
   const TranslationLimits& limits_;
@@ -356,6 +361,7 @@ class Construction {
   Formula stated_;                     // before anything was done to it
   std::size_t most_ = limits_.states;  // states of a tableau that is worth reducing
   std::size_t level_steps_ = reduction_steps;
+  std::optional<std::pair<Formula, Branching>> outside_;
   std::vector<Branching> counted_;  // automata with levels that were reduced already
   std::vector<Candidate> routes_;   // of the whole formula, where there is a choice
   std::size_t& states_;             // made by the tableau that made most
