@@ -15,6 +15,7 @@ namespace {
 using Node = Mtbdd::Node;
 
 constexpr std::size_t most_vertices = 1U << 16U;
+constexpr std::size_t most_again = 1U << 12U;  // … of a second product, when states were folded
 
 // The pairs of choices that some letter offers together, for pairs of roots of two automata.
 class JointChoicesBelow {
@@ -153,7 +154,24 @@ class Emptiness {
   std::vector<Call> calls_;
 };
 
-using Bits = std::vector<bool>;  // by state of the automaton outside
+// Sets of states of the automaton outside.
+class StateSet {
+ public:
+  explicit StateSet(std::size_t states) : words_(states / 64 + 1, 0) {}
+  bool contains(std::uint32_t p) const { return (words_[p / 64] >> p % 64 & 1U) != 0; }
+  void add(std::uint32_t p) { words_[p / 64] |= std::uint64_t{1} << p % 64; }
+  void add(const StateSet& other) {
+    for (std::size_t i = 0; i < words_.size(); ++i) words_[i] |= other.words_[i];
+  }
+  bool meets(const StateSet& other) const {
+    for (std::size_t i = 0; i < words_.size(); ++i)
+      if ((words_[i] & other.words_[i]) != 0) return true;
+    return false;
+  }
+
+ private:
+  std::vector<std::uint64_t> words_;
+};
 
 class Folding {
  public:
@@ -167,8 +185,8 @@ class Folding {
         start_(automaton.initial * width_ + outside.initial),
         name_(automaton.states()),
         members_(automaton.states()),
-        met_(automaton.states(), Bits(width_)),
-        live_(automaton.states(), Bits(width_)) {
+        met_(automaton.states(), StateSet(width_)),
+        live_(automaton.states(), StateSet(width_)) {
     std::iota(name_.begin(), name_.end(), 0U);
     proved_ = name_;
     for (std::uint32_t q = 0; q < name_.size(); ++q) members_[q] = {q};
@@ -200,21 +218,20 @@ class Folding {
   // From which pairs a run comes here from the start, and from which a word outside is accepted.
   void explore() {
     const LiveComponents found = live_components(graph_, Acceptance::generalized_buchi(sets_).condition);
-    for (std::uint32_t v = 0; v < graph_.size(); ++v) live_[v / width_][v % width_] = found.live[v];
+    for (std::uint32_t v = 0; v < graph_.size(); ++v)
+      if (found.live[v]) live_[v / width_].add(v % width_);
     std::vector<std::uint32_t> stack{start_};
     while (!stack.empty()) {
       const std::uint32_t v = stack.back();
       stack.pop_back();
-      Bits::reference met = met_[v / width_][v % width_];
-      if (met) continue;
-      met = true;
+      StateSet& met = met_[v / width_];
+      if (met.contains(v % width_)) continue;
+      met.add(v % width_);
       for (const Branch& b : graph_.branches(v)) stack.push_back(b.target);
     }
   }
   bool is_refused(std::uint32_t c, std::uint32_t d) const {
-    for (std::uint32_t p = 0; p < width_; ++p)
-      if ((met_[c][p] && live_[d][p]) || (met_[d][p] && live_[c][p])) return true;
-    return false;
+    return met_[c].meets(live_[d]) || met_[d].meets(live_[c]);
   }
   void fold(std::uint32_t c, std::uint32_t d) {
     for (const std::uint32_t q : members_[c]) name_[q] = d;
@@ -222,10 +239,8 @@ class Folding {
     members_[d].insert(members_[d].end(), members_[c].begin(), members_[c].end());
     if (is_empty_(name_, members_, name_[start_ / width_] * width_ + start_ % width_)) {
       proved_ = name_;
-      for (std::uint32_t p = 0; p < width_; ++p) {  // there may be more now: those that are known will do
-        if (met_[c][p]) met_[d][p] = true;
-        if (live_[c][p]) live_[d][p] = true;
-      }
+      met_[d].add(met_[c]);  // there may be more now: those that are known will do
+      live_[d].add(live_[c]);
       return;
     }
     members_[d].resize(before);
@@ -239,7 +254,7 @@ class Folding {
   std::uint32_t start_;
   std::vector<std::uint32_t> name_, proved_;
   std::vector<std::vector<std::uint32_t>> members_;
-  std::vector<Bits> met_, live_;
+  std::vector<StateSet> met_, live_;  // by state
 };
 
 // A run takes branches between components finitely often: they need no marks, and with none what they lead to once
@@ -260,9 +275,11 @@ Branching without_passing_marks(const Branching& automaton) {
 
 Reduced folded(Branching automaton, const Branching& outside, MarksOn marks, Effort& effort) {
   Reduced out{std::move(automaton), true};
+  std::size_t most = most_vertices;
   try {
-    while (out.complete && out.automaton.states() * outside.states() <= most_vertices &&
-           out.automaton.acceptance.sets + outside.acceptance.sets <= Marks::most) {
+    for (; out.complete && out.automaton.states() * outside.states() <= most &&
+           out.automaton.acceptance.sets + outside.acceptance.sets <= Marks::most;
+         most = most_again) {
       const bool on_states = marks == MarksOn::States;
       const Branching base = on_states ? out.automaton : without_passing_marks(out.automaton);
       const std::vector<bool> colour =

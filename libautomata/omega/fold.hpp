@@ -5,7 +5,7 @@
 // is made once, and making states one makes vertices of it one. Most pairs of states are refused at a glance: with
 // some word u may q be reached, from r be left by some v, and uv lies outside. The others are tried, one after the
 // other. No simulation is asked for: a state that waits for the right moment takes in the component that the moment
-// leads to (F G a ∨ G F b). Nor is equality of languages, as in language_merge.hpp. That only the whole language need
+// leads to (F G a ∨ G F b). Nor need their languages be equal. That only the whole language need
 // stay is how SAT solvers find the smallest deterministic automata [BDL14]; they start afresh, ours only merges.
 #pragma once
 #include "libautomata/effort.hpp"
