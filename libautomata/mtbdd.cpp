@@ -39,6 +39,7 @@ Mtbdd::Node Mtbdd::append(Variable variable, Node low, Node high) {
     free_ = nodes_[made.id].low.id;
     nodes_[made.id] = {variable, low, high};
     --swept_;
+    refilled_ = true;
     return made;
   }
   if (nodes_.size() >= terminal_bit - 1) throw std::length_error("decision diagram with 2^31 nodes");
@@ -60,7 +61,27 @@ void Mtbdd::index() {
   indexed_ = live();
 }
 
+// Children have smaller ids: a scan down marks, a scan up lists. It reads memory in order, which on large diagrams is
+// several times as fast as following edges.
+std::vector<Mtbdd::Node> Mtbdd::reachable_by_id(std::span<const Node> roots) const {
+  std::vector<bool> marked(nodes_.size(), false);
+  const auto mark = [&](Node n) {
+    if (!is_terminal(n)) marked[n.id] = true;
+  };
+  for (const Node root : roots) mark(root);
+  for (std::size_t id = nodes_.size(); id-- > 0;) {
+    if (!marked[id]) continue;
+    mark(nodes_[id].low);
+    mark(nodes_[id].high);
+  }
+  std::vector<Node> out;
+  for (std::uint32_t id = 0; id < nodes_.size(); ++id)
+    if (marked[id]) out.push_back(Node{id});
+  return out;
+}
+
 std::vector<Mtbdd::Node> Mtbdd::reachable(std::span<const Node> roots) const {
+  if (!refilled_) return reachable_by_id(roots);
   std::vector<bool> seen(nodes_.size(), false);
   std::vector<Node> out;
   const auto visit = [&](auto&& self, Node n) -> void {

@@ -89,6 +89,7 @@ class Mtbdd {
     Variable variable;
     Node low, high;
   };
+  std::vector<Node> reachable_by_id(std::span<const Node> roots) const;
   bool is_swept(std::uint32_t id) const { return nodes_[id].variable == no_variable; }
   void index();  // all nodes, with room for as many again
 
@@ -97,6 +98,7 @@ class Mtbdd {
   std::vector<Decision> nodes_;
   std::uint32_t free_ = none;  // a swept slot; the next one is its low. Smaller ids first
   std::size_t swept_ = 0;
+  bool refilled_ = false;  // some swept slot was used again: children may have larger ids than parents
   std::vector<std::uint32_t> table_;  // open-addressed over node ids + 1, 0 is free; a power of two, or empty
   std::size_t indexed_ = 0;           // nodes in the table: all, unless some were appended or it was dropped
   ComputedTable results_;

@@ -8,6 +8,8 @@
 namespace waymark::automata {
 namespace {
 
+constexpr std::size_t few_letters = 1U << 14U;  // nodes that are not worth collecting
+
 using ltl::Formula;
 using ltl::Op;
 
@@ -40,6 +42,43 @@ Residuals::Residuals(ltl::Formula f, const std::vector<ltl::Proposition>& reads,
   payload(Boolean::constant(false), false);  // trap
   payload(Boolean::constant(true), true);    // anything
   initial_ = payload(residual_of(f, reads), false);
+  listed_.resize(leaves_.size(), false);
+  listed_[initial_] = true;
+}
+
+Residuals::Node Residuals::successors(std::uint32_t payload) {
+  if (letters_.live() > 4 * kept_ + few_letters) collect();
+  return progress(leaves_[payload].residual);
+}
+
+void Residuals::collect() {
+  std::vector<Node> roots = elementary_successors_;
+  for (const auto& [residual, successors] : progressed_) roots.push_back(successors);
+  letters_.collect(roots);
+  kept_ = letters_.live();
+  walked_.assign(walked_.size(), false);  // ids are used again
+}
+
+std::vector<std::uint32_t> Residuals::fresh_leaves(Node successors) {
+  walked_.resize(letters_.size(), false);
+  listed_.resize(leaves_.size(), false);
+  std::vector<std::uint32_t> out;
+  std::vector<Node> stack{successors};
+  while (!stack.empty()) {
+    const Node n = stack.back();
+    stack.pop_back();
+    const bool terminal = Mtbdd::is_terminal(n);
+    std::vector<bool>::reference known = terminal ? listed_[Mtbdd::payload(n)] : walked_[n.id];
+    if (known) continue;
+    known = true;
+    if (terminal) {
+      out.push_back(Mtbdd::payload(n));
+    } else {
+      stack.push_back(letters_.high(n));
+      stack.push_back(letters_.low(n));
+    }
+  }
+  return out;
 }
 
 Residuals::Node Residuals::residual_of(ltl::Formula f, const std::vector<ltl::Proposition>& reads) {
@@ -194,6 +233,31 @@ std::uint32_t Residuals::payload(Node residual, bool may_stop) {
     effort_.state();
   }
   return at->second;
+}
+
+Transitions close(Residuals& residuals, ltl::Semantics words, std::vector<std::uint32_t>& order,
+                  Effort& effort) {
+  const bool finite = words == ltl::Semantics::Finite;
+  std::unordered_map<std::uint32_t, std::uint32_t> state;  // of a leaf, or of its residual
+  const auto state_of = [&](std::uint32_t leaf) {
+    const std::uint32_t key = finite ? leaf : residuals.leaf(leaf).residual.id;
+    const auto [at, fresh] = state.try_emplace(key, static_cast<std::uint32_t>(order.size()));
+    if (fresh) order.push_back(leaf);
+    return at->second;
+  };
+  state_of(residuals.initial());
+  std::vector<Mtbdd::Node> roots;
+  for (std::size_t i = 0; i < order.size(); ++i) {  // the order doubles as the queue
+    effort.step();
+    roots.push_back(residuals.successors(order[i]));
+    for (const std::uint32_t leaf : residuals.fresh_leaves(roots.back())) state_of(leaf);
+  }
+  Transitions out;
+  out.roots = out.diagram.import(
+      residuals.diagram(), roots, [&](std::uint32_t leaf) { return Mtbdd::terminal(state_of(leaf)); },
+      [](Mtbdd::Variable v) { return v; }, finite ? Mtbdd::Images::StayApart : Mtbdd::Images::MayMeet);
+  for (const std::uint32_t leaf : order) out.accepting.push_back(finite && residuals.leaf(leaf).may_stop);
+  return out;
 }
 
 }  // namespace waymark::automata

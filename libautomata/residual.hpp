@@ -15,7 +15,9 @@
 #include "libautomata/boolean.hpp"
 #include "libautomata/effort.hpp"
 #include "libautomata/mtbdd.hpp"
+#include "libautomata/transitions.hpp"
 #include "libltl/formula.hpp"
+#include "libltl/semantics.hpp"
 
 namespace waymark::automata {
 
@@ -33,8 +35,11 @@ class Residuals {
   std::uint32_t initial() const { return initial_; }  // the leaf (φ, ✗)
   std::size_t leaves() const { return leaves_.size(); }
   const Leaf& leaf(std::uint32_t payload) const { return leaves_[payload]; }
-  // δ(residual of the leaf, ·): payloads are leaves.
-  Node successors(std::uint32_t payload) { return progress(leaves_[payload].residual); }
+  // δ(residual of the leaf, ·): payloads are leaves. Intermediate diagrams are collected when they are many; what was
+  // returned once stays.
+  Node successors(std::uint32_t payload);
+  // Leaves below such a diagram that were not listed before, the false side first; the initial one never is.
+  std::vector<std::uint32_t> fresh_leaves(Node successors);
   const Mtbdd& diagram() const { return letters_; }
   // What the rest must satisfy, over infinite words: as a formula.
   ltl::Formula formula(Node residual, ltl::Arena& arena);
@@ -59,6 +64,7 @@ class Residuals {
                        std::uint32_t h);  // if f then g else h, on both halves
   Node if_then_else(Node f, Node g, Node h);
   ltl::Formula spelled(const Elementary& e, ltl::Arena& arena);
+  void collect();
 
   std::vector<ltl::Proposition> reads_;
   Mtbdd residuals_;  // variables are elementary formulas
@@ -74,6 +80,13 @@ class Residuals {
   std::vector<Leaf> leaves_;
   std::unordered_map<std::uint64_t, std::uint32_t> payload_of_;
   std::uint32_t initial_ = 0;
+  std::vector<bool> walked_, listed_;  // nodes whose leaves are all listed; leaves
+  std::size_t kept_ = 0;               // letters when some were last collected
 };
+
+// The leaves that the initial one reaches, as states; `order` receives one leaf of each. Over infinite words "may stop
+// here" says nothing: leaves that differ in it alone are one state, and no state accepts.
+Transitions close(Residuals& residuals, ltl::Semantics words, std::vector<std::uint32_t>& order,
+                  Effort& effort);
 
 }  // namespace waymark::automata

@@ -21,41 +21,10 @@ using ltl::Formula;
 using ltl::Op;
 using Reads = std::vector<ltl::Proposition>;
 
-// The leaves that the initial one reaches, closed under progression, as states.
-Transitions close(Formula f, const Reads& reads, Effort& effort) {
-  constexpr std::uint32_t unseen = UINT32_MAX;
+Transitions closed(Formula f, const Reads& reads, Effort& effort) {
   Residuals residuals(f, reads, effort);
-  std::vector<std::uint32_t> order{residuals.initial()}, number(residuals.leaves(), unseen);
-  number[residuals.initial()] = 0;
-  std::vector<bool> visited;  // below a visited node every leaf is numbered already
-  std::vector<Mtbdd::Node> stack, roots;
-  for (std::size_t i = 0; i < order.size(); ++i) {
-    effort.step();
-    roots.push_back(residuals.successors(order[i]));
-    number.resize(residuals.leaves(), unseen);
-    visited.resize(residuals.diagram().size(), false);
-    stack.push_back(roots.back());
-    while (!stack.empty()) {
-      const Mtbdd::Node n = stack.back();
-      stack.pop_back();
-      if (Mtbdd::is_terminal(n)) {
-        std::uint32_t& q = number[Mtbdd::payload(n)];
-        if (q != unseen) continue;
-        q = static_cast<std::uint32_t>(order.size());
-        order.push_back(Mtbdd::payload(n));
-      } else if (!visited[n.id]) {
-        visited[n.id] = true;
-        stack.push_back(residuals.diagram().high(n));
-        stack.push_back(residuals.diagram().low(n));
-      }
-    }
-  }
-  Transitions out;
-  out.roots = out.diagram.import(
-      residuals.diagram(), roots, [&](std::uint32_t leaf) { return Mtbdd::terminal(number[leaf]); },
-      [](Mtbdd::Variable v) { return v; }, Mtbdd::Images::StayApart);
-  for (std::uint32_t leaf : order) out.accepting.push_back(residuals.leaf(leaf).may_stop);
-  return out;
+  std::vector<std::uint32_t> leaves;
+  return close(residuals, ltl::Semantics::Finite, leaves, effort);
 }
 
 std::size_t position(ltl::Proposition p, const Reads& reads) {
@@ -226,7 +195,7 @@ class Translation {
 
   void direct(Formula f, Task& task, std::size_t purse) {
     const auto construct = [&](Effort& effort) {
-      Part part{minimize(close(f, reads_, effort), effort), std::vector<bool>(reads_.size(), false), {}};
+      Part part{minimize(closed(f, reads_, effort), effort), std::vector<bool>(reads_.size(), false), {}};
       for (const ltl::Proposition p : ltl::propositions(f)) part.reads[position(p, reads_)] = true;
       return part;
     };

@@ -3,14 +3,13 @@
 #include <algorithm>
 #include <optional>
 #include <stdexcept>
+#include <utility>
 
 #include "libautomata/deterministic/determinize.hpp"
 #include "libautomata/deterministic/parity.hpp"
 #include "libautomata/omega/degeneralize.hpp"
-#include "libautomata/omega/emptiness.hpp"
 #include "libautomata/omega/fewest_marks.hpp"
-#include "libautomata/omega/language_merge.hpp"
-#include "libautomata/omega/needless_components.hpp"
+#include "libautomata/omega/fold.hpp"
 #include "libautomata/omega/prepare.hpp"
 #include "libautomata/omega/product.hpp"
 #include "libautomata/omega/recurrence.hpp"
@@ -39,11 +38,11 @@ constexpr std::size_t few_states = 50;     // … and this many more is dropped,
 constexpr std::size_t many_states = 300;   // … and one with so many that has not fewer than a product
 constexpr std::size_t worth_again = 3;     // a second tableau has at most so many times the best one's states
 constexpr std::size_t few_again = 8;       // … and this many more
-constexpr std::size_t merge_steps = 500'000;  // to find states of one language
-constexpr std::size_t merge_states = 200;
+constexpr std::size_t promised_states = 200;  // of a tableau whose marks are tried as they are
 constexpr std::size_t merged_languages = 60;  // states of deterministic automata whose languages are compared
 constexpr std::size_t hopeful = 2;  // copies that are more than the best by a part of that are not reduced
-constexpr std::size_t large_states = 100;  // from here on, one way to count levels instead of all
+constexpr std::size_t fold_steps = 3'000'000;  // to fold states together
+constexpr std::size_t large_states = 100;      // from here on, one way to count levels instead of all
 
 struct Candidate {
   Branching automaton;
@@ -63,23 +62,23 @@ class Construction {
 
   std::optional<Candidate> tgba() {
     std::optional<Candidate> best = smallest_route();
-    return best ? without_needless(*best) : std::move(best);
+    return best ? folded_together(*best, MarksOn::Edges) : std::move(best);
   }
 
   // From every automaton that a route gave: the smallest generalised one need not be the best to start from.
   std::optional<Candidate> buchi() {
     std::optional<Candidate> general = smallest_route();
     if (!general || general->weak) return general;
-    const Candidate least = without_needless(*general);
+    const Candidate least = folded_together(*general, MarksOn::Edges);
     if (least.automaton.states() >= large_states)
       return counted(least.automaton, {.look_ahead = true}, least.reduced, SIZE_MAX);
     std::optional<Candidate> best;
+    put_marks_on_states(least, least.automaton.states(), best);
     put_marks_on_states(*general, least.automaton.states(), best);
     for (const Candidate& other : routes_)
       if (other.automaton.states() <= 2 * general->automaton.states())
         put_marks_on_states(other, least.automaton.states(), best);
-    put_marks_on_states(least, least.automaton.states(), best);
-    return best;
+    return best ? folded_together(*best, MarksOn::States) : best;
   }
 
   Automaton finish(const Branching& automaton, const ltl::Vocabulary& vocabulary) const {
@@ -204,7 +203,7 @@ class Construction {
     std::optional<Candidate> second = fewer(deterministic(f, first.automaton)), third = fewer(recurring(f));
     if (is_deterministic(first.automaton)) second = smallest(std::move(second), fewer(first));
     if (f == formula_) routes_.push_back(first);
-    if (f == formula_ && raw->automaton.acceptance.sets > 1 && raw->automaton.states() <= merge_states)
+    if (f == formula_ && raw->automaton.acceptance.sets > 1 && raw->automaton.states() <= promised_states)
       routes_.push_back(as_promised(raw->automaton));
     if (f == formula_ && second) routes_.push_back(*second);
     if (f == formula_ && third) routes_.push_back(*third);
@@ -239,7 +238,7 @@ class Construction {
     if (best && best->automaton.states() <= 2) return best;
     const std::size_t most = best ? std::min(guess_states, 4 * best->automaton.states()) : limits_.states;
     if (const auto raw = raw_tableau(f, best ? guess_steps : tableau_steps, most))
-      best = smallest(std::move(best), reduced(merged(*raw), MarksOn::Edges));
+      best = smallest(std::move(best), reduced(raw->automaton, MarksOn::Edges));
     return best;
   }
   // G e₁ ∧ G e₂ ∧ …, every e co-safe and eventual: deterministic, a set for each.
@@ -301,16 +300,9 @@ class Construction {
     states_ = std::max(states_, effort.states());
     return made;
   }
-  Candidate without_needless(const Candidate& from) {
-    if (from.weak || from.automaton.states() >= large_states || is_deterministic(from.automaton)) return from;
-    Effort effort(reduction_steps, SIZE_MAX, limits_.stop);
-    Reduced out = without_needless_components(from.automaton, effort);
-    if (!smaller(out.automaton, from.automaton)) return from;
-    return {std::move(out.automaton), out.complete && from.reduced};
-  }
   Candidate reduced_tableau(const Tableau& raw) const {
     Effort effort(reduction_steps, SIZE_MAX, limits_.stop);
-    Reduced out = reduce_as_marked(merged(raw), effort);
+    Reduced out = reduce_as_marked(raw.automaton, effort);
     return {std::move(out.automaton), out.complete};
   }
   Candidate reduced(Branching automaton, MarksOn marks) const {
@@ -318,35 +310,35 @@ class Construction {
     Reduced out = reduce(std::move(automaton), marks, effort);
     return {std::move(out.automaton), out.complete};
   }
-  Branching merged(const Tableau& raw) const {
-    Effort effort(merge_steps, guess_states, limits_.stop);
-    return raw.automaton.states() > merge_states ? raw.automaton : merge_equivalent(raw, reads_, effort);
-  }
   std::optional<Branching> trimmed_weak(Formula f, std::size_t steps, std::size_t states) {
     Effort effort(steps, states, limits_.stop);
     return within([&] { return as_buchi(weak_deterministic(f, reads_, effort), {}); });
   }
-  // On the structure of progression: the weak automaton when φ turns out to be an obligation, else a deterministic
-  // Büchi automaton where there is one. `automaton` is φ's, by the tableau.
+  // `automaton` is φ's, by the tableau.
   std::optional<Candidate> deterministic(Formula f, const Branching& automaton) {
     Effort effort(guess_steps, guess_states, limits_.stop);
-    std::optional<Branching> marked;
-    const std::optional<Branching> weak = within([&] {
-      const Transitions structure = progression(f, reads_, effort);
-      const Branching negation =
-          scc_filter(tableau(ltl::nnf(ltl::negate(f)), reads_, effort).automaton, MarksOn::Edges, effort);
-      const Transitions guess = weak_deterministic(f, reads_, structure, effort);
-      const Branching outside = as_buchi(guess, {.complement = true, .trim = false});
-      Branching inside = as_buchi(guess, {.complement = false, .trim = true});
-      if (is_empty(intersection(automaton, outside, effort)) &&
-          is_empty(intersection(inside, negation, effort)))
-        return inside;
-      marked = deterministic_buchi(structure, automaton, negation, effort);
-      throw Effort::Spent{Effort::Spent::Reason::States};  // no weak automaton
-    });
-    if (weak) return Candidate{*weak, true, true};
-    if (marked) return reduced(*std::move(marked), MarksOn::Edges);
-    return std::nullopt;
+    const auto found = within([&] {
+                         return on_progression(f, reads_, automaton, outside(f, effort), effort);
+                       }).value_or(std::nullopt);
+    if (!found) return std::nullopt;
+    return found->weak ? Candidate{found->automaton, true, true} : reduced(found->automaton, MarksOn::Edges);
+  }
+  // Of the words that do not satisfy f, by the tableau. The last one is kept.
+  const Branching& outside(Formula f, Effort& effort) {
+    if (!outside_ || outside_->first != f)
+      outside_.emplace(
+          f, scc_filter(tableau(ltl::nnf(ltl::negate(f)), reads_, effort).automaton, MarksOn::Edges, effort));
+    return outside_->second;
+  }
+  // Deterministic ones have one state for each language that is left.
+  Candidate folded_together(const Candidate& from, MarksOn marks) {
+    if (from.weak || is_deterministic(from.automaton)) return from;
+    Effort effort(guess_steps, guess_states, limits_.stop), folding(fold_steps, SIZE_MAX, limits_.stop);
+    const auto out =
+        within([&] { return folded(from.automaton, outside(formula_, effort), marks, folding); });
+    if (!out) return from;
+    const bool is_smaller = smaller(out->automaton, from.automaton);
+    return {is_smaller ? out->automaton : from.automaton, out->complete && from.reduced};
   }
 
   const TranslationLimits& limits_;
@@ -356,6 +348,7 @@ class Construction {
   Formula stated_;                     // before anything was done to it
   std::size_t most_ = limits_.states;  // states of a tableau that is worth reducing
   std::size_t level_steps_ = reduction_steps;
+  std::optional<std::pair<Formula, Branching>> outside_;
   std::vector<Branching> counted_;  // automata with levels that were reduced already
   std::vector<Candidate> routes_;   // of the whole formula, where there is a choice
   std::size_t& states_;             // made by the tableau that made most

@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <map>
+#include <utility>
 
 #include "libautomata/boolean.hpp"
 #include "libautomata/joint_choices.hpp"
 #include "libautomata/omega/emptiness.hpp"
 #include "libautomata/omega/product.hpp"
+#include "libautomata/omega/weak.hpp"
 
 namespace waymark::automata {
 namespace {
@@ -106,6 +108,19 @@ std::optional<Branching> recurring(const Transitions& cosafe, Effort& effort) {
   if (cosafe.accepting[cosafe.initial] && cosafe.roots[cosafe.initial] == Mtbdd::terminal(cosafe.initial))
     return std::nullopt;
   return Windows(cosafe, effort).run();
+}
+
+std::optional<OnProgression> on_progression(ltl::Formula f, const std::vector<ltl::Proposition>& reads,
+                                            const Branching& yes, const Branching& no, Effort& effort) {
+  const Transitions structure = progression(f, reads, effort);
+  const Transitions guess = weak_deterministic(f, reads, structure, effort);
+  Branching inside = as_buchi(guess, {.complement = false, .trim = true});
+  const Branching outside = as_buchi(guess, {.complement = true, .trim = false});
+  if (is_empty(intersection(yes, outside, effort)) && is_empty(intersection(inside, no, effort)))
+    return OnProgression{std::move(inside), true};
+  std::optional<Branching> marked = deterministic_buchi(structure, yes, no, effort);
+  if (!marked) return std::nullopt;
+  return OnProgression{*std::move(marked), false};
 }
 
 Branching started_inside(Branching automaton) {

@@ -9,6 +9,7 @@
 #include "libautomata/effort.hpp"
 #include "libautomata/omega/branching.hpp"
 #include "libautomata/transitions.hpp"
+#include "libltl/formula.hpp"
 
 namespace waymark::automata {
 
@@ -21,6 +22,15 @@ std::optional<Branching> deterministic_buchi(const Transitions& structure, const
 // of depth n it is the last n letters that count, so that automata of several e go in step. One state of effort per
 // set of states. nullopt when e is valid.
 std::optional<Branching> recurring(const Transitions& cosafe, Effort& effort);
+
+// On the structure of progression: the weak automaton when φ turns out to be an obligation, else a deterministic Büchi
+// automaton where there is one. yes, no: generalised Büchi automata of φ and ¬φ. Throws what the effort throws.
+struct OnProgression {
+  Branching automaton;
+  bool weak;
+};
+std::optional<OnProgression> on_progression(ltl::Formula f, const std::vector<ltl::Proposition>& reads,
+                                            const Branching& yes, const Branching& no, Effort& effort);
 
 // An automaton whose states all accept the same words, started in its smallest component that nothing leaves.
 Branching started_inside(Branching automaton);

@@ -10,15 +10,6 @@
 namespace waymark::automata {
 namespace {
 
-std::vector<bool> colours(const Branching& automaton, MarksOn marks) {
-  std::vector<bool> out(automaton.states(), false);
-  if (marks == MarksOn::Edges) return out;
-  ChoiceLists lists(automaton);
-  for (std::uint32_t q = 0; q < automaton.states(); ++q)
-    for (const Branch& b : lists.branches(q)) out[q] = out[q] || !b.marks.empty();
-  return out;
-}
-
 constexpr std::size_t many_states = 400;     // from here on what merges states most is enough
 constexpr std::size_t most_as_marked = 200;  // merged states with the marks as given that are looked at first
 constexpr std::size_t least_again = 8, most_again = 12;  // states of a result that both ways are tried for
@@ -29,7 +20,8 @@ class Steps {
 
   // What the first step that makes the automaton smaller makes of it.
   std::optional<Branching> improved(const Branching& automaton) {
-    const std::vector<bool> colour = colours(automaton, marks_);
+    const std::vector<bool> colour =
+        marks_ == MarksOn::Edges ? std::vector<bool>(automaton.states(), false) : marked_states(automaton);
     const Size most = size(automaton);
     Simulations plain(automaton, effort_);
     if (auto out = smaller(most, plain.quotient())) return out;

@@ -102,28 +102,6 @@ Branching pruned(const Branching& automaton, const StatePairs& below) {
   });
 }
 
-// The union of the choices of each class.
-Branching united(const Branching& automaton, const std::vector<std::uint32_t>& representative,
-                 Effort& effort) {
-  const Merging merge = merging(representative);
-  std::vector<std::uint32_t> all(automaton.states());
-  std::iota(all.begin(), all.end(), 0U);
-  Branching out = rebuild(automaton, all, [&](std::uint32_t, std::span<const Branch> choice) {
-    std::vector<Branch> branches(choice.begin(), choice.end());
-    for (Branch& b : branches) b.target = merge.number[b.target];
-    return branches;
-  });
-  const Mtbdd::Operation operation = out.diagram.operation();
-  std::vector<Node> roots(merge.kept.size(), Mtbdd::terminal(Choices::none));
-  for (std::uint32_t q = 0; q < automaton.states(); ++q) {
-    Node& root = roots[merge.number[q]];
-    root = unite(out, operation, root, out.roots[q], effort);
-  }
-  out.roots = std::move(roots);
-  out.initial = merge.number[automaton.initial];
-  return out;
-}
-
 }  // namespace
 
 Quotient bisimulation(const Branching& automaton, Effort& effort) {
@@ -163,6 +141,35 @@ Quotient bisimulation(const Branching& automaton, Effort& effort) {
     }
     classes = names.size();
   }
+}
+
+std::vector<bool> marked_states(const Branching& automaton) {
+  std::vector<bool> out(automaton.states(), false);
+  ChoiceLists lists(automaton);
+  for (std::uint32_t q = 0; q < automaton.states(); ++q)
+    for (const Branch& b : lists.branches(q)) out[q] = out[q] || !b.marks.empty();
+  return out;
+}
+
+Branching united(const Branching& automaton, const std::vector<std::uint32_t>& representative,
+                 Effort& effort) {
+  const Merging merge = merging(representative);
+  std::vector<std::uint32_t> all(automaton.states());
+  std::iota(all.begin(), all.end(), 0U);
+  Branching out = rebuild(automaton, all, [&](std::uint32_t, std::span<const Branch> choice) {
+    std::vector<Branch> branches(choice.begin(), choice.end());
+    for (Branch& b : branches) b.target = merge.number[b.target];
+    return branches;
+  });
+  const Mtbdd::Operation operation = out.diagram.operation();
+  std::vector<Node> roots(merge.kept.size(), Mtbdd::terminal(Choices::none));
+  for (std::uint32_t q = 0; q < automaton.states(); ++q) {
+    Node& root = roots[merge.number[q]];
+    root = unite(out, operation, root, out.roots[q], effort);
+  }
+  out.roots = std::move(roots);
+  out.initial = merge.number[automaton.initial];
+  return out;
 }
 
 std::vector<std::vector<bool>> direct_simulation(const Branching& automaton, Effort& effort) {

@@ -22,6 +22,13 @@ inline Branching bisimulation_quotient(const Branching& automaton, Effort& effor
   return bisimulation(automaton, effort).automaton;
 }
 
+// The states that have a branch with a mark.
+std::vector<bool> marked_states(const Branching& automaton);
+
+// Each state and its representative one, with the branches of all of them. A representative stands for itself.
+Branching united(const Branching& automaton, const std::vector<std::uint32_t>& representative,
+                 Effort& effort);
+
 // Marks are read as "the more the better": generalised Büchi (or any condition without Fin).
 // [q][r]: r simulates q.
 std::vector<std::vector<bool>> direct_simulation(const Branching& automaton, Effort& effort);

@@ -112,57 +112,19 @@ class Colouring {
   Effort& effort_;
 };
 
-// Residuals closed under progression. On infinite words "may stop here" says nothing: leaves that differ in it only
-// are one state. `order` receives the leaves, by state.
-Transitions close(Residuals& residuals, std::vector<std::uint32_t>& order, Effort& effort) {
-  std::unordered_map<std::uint32_t, std::uint32_t> state;  // of a residual
-  const auto state_of = [&](std::uint32_t leaf) {
-    const auto [at, fresh] =
-        state.try_emplace(residuals.leaf(leaf).residual.id, static_cast<std::uint32_t>(order.size()));
-    if (fresh) order.push_back(leaf);
-    return at->second;
-  };
-  state_of(residuals.initial());
-  std::vector<bool> visited;  // below a visited node every leaf is numbered already
-  std::vector<Mtbdd::Node> stack, roots;
-  for (std::size_t i = 0; i < order.size(); ++i) {
-    effort.step();
-    roots.push_back(residuals.successors(order[i]));
-    visited.resize(residuals.diagram().size(), false);
-    stack.push_back(roots.back());
-    while (!stack.empty()) {
-      const Mtbdd::Node n = stack.back();
-      stack.pop_back();
-      if (Mtbdd::is_terminal(n)) {
-        state_of(Mtbdd::payload(n));
-      } else if (!visited[n.id]) {
-        visited[n.id] = true;
-        stack.push_back(residuals.diagram().high(n));
-        stack.push_back(residuals.diagram().low(n));
-      }
-    }
-  }
-  Transitions out;
-  out.roots = out.diagram.import(
-      residuals.diagram(), roots, [&](std::uint32_t leaf) { return Mtbdd::terminal(state_of(leaf)); },
-      [](Mtbdd::Variable v) { return v; });
-  out.accepting.assign(out.roots.size(), false);
-  return out;
-}
-
 }  // namespace
 
 Transitions progression(ltl::Formula f, const std::vector<ltl::Proposition>& reads, Effort& effort) {
   Residuals residuals(f, reads, effort);
   std::vector<std::uint32_t> leaves;
-  return close(residuals, leaves, effort);
+  return close(residuals, ltl::Semantics::Infinite, leaves, effort);
 }
 
 Progression progression_with_meaning(ltl::Formula f, const std::vector<ltl::Proposition>& reads,
                                      Effort& effort) {
   Residuals residuals(f, reads, effort);
   std::vector<std::uint32_t> leaves;
-  Progression out{close(residuals, leaves, effort), {}};
+  Progression out{close(residuals, ltl::Semantics::Infinite, leaves, effort), {}};
   for (std::uint32_t leaf : leaves)
     out.meaning.push_back(residuals.formula(residuals.leaf(leaf).residual, f.arena()));
   return out;

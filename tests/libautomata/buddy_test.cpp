@@ -114,6 +114,41 @@ TEST_F(Buddy, RandomOperationsGiveTheSameDiagrams) {
   }
 }
 
+// The pool forgets members and gives their nodes up; operations on those that stay are those of BuDDy, whose own
+// collections follow its reference counts. Results from before a collection are asked for again after it.
+TEST_F(Buddy, CollectionsBetweenOperationsChangeNoFunction) {
+  std::size_t swept = 0, most = 0;
+  for (std::uint64_t seed = 1; seed <= 10; ++seed) {
+    ltl::Random random(seed);
+    std::vector<Both> pool;
+    for (std::size_t v = 0; v < variables; ++v) pool.push_back(variable(v));
+    for (int step = 0; step < 600; ++step) {
+      const std::size_t operation = random.below(5);
+      const Both f = pool[random.below(pool.size())], g = pool[random.below(pool.size())],
+                 h = pool[random.below(pool.size())];
+      pool.push_back(apply(operation, f, g, h));
+      ASSERT_EQ(logic_.implies(f.ours, g.ours), bdd_imp(f.theirs, g.theirs) == bdd_true())
+          << "seed " << seed << ", step " << step;
+      if (pool.size() > 40) pool.erase(pool.begin() + static_cast<std::ptrdiff_t>(random.below(pool.size())));
+      if (step % 20 == 19) {
+        std::vector<Node> roots;
+        for (const Both& member : pool) roots.push_back(member.ours);
+        most = std::max(most, diagram_.live());
+        diagram_.collect(roots);
+        ASSERT_EQ(diagram_.live(), diagram_.reachable(roots).size());
+        swept += diagram_.size() - diagram_.live();
+      }
+      for (auto i = static_cast<std::size_t>(step % 5); i < pool.size(); i += 5)
+        ASSERT_TRUE(isomorphic(pool[i].ours, pool[i].theirs)) << "seed " << seed << ", step " << step;
+    }
+    for (std::size_t i = 0; i < pool.size(); ++i)
+      for (std::size_t j = 0; j < i; ++j)
+        ASSERT_EQ(pool[i].ours == pool[j].ours, pool[i].theirs == pool[j].theirs) << "seed " << seed;
+  }
+  EXPECT_GT(swept, 0U) << "or nothing was tested";
+  EXPECT_EQ(diagram_.size(), most) << "there are no more slots than nodes were alive at once";
+}
+
 // With more than two terminals: each payload's characteristic function, and a copy in which nodes are appended.
 TEST_F(Buddy, TerminalsPartitionTheAssignments) {
   constexpr std::uint32_t payloads = 5;
