@@ -7,6 +7,7 @@
 #include "libautomata/limit_deterministic/advice.hpp"
 #include "libautomata/omega/emptiness.hpp"
 #include "libautomata/omega/product.hpp"
+#include "libautomata/omega/scc_filter.hpp"
 #include "libautomata/omega/weak.hpp"
 #include "libltl/nnf.hpp"
 #include "libltl/simplify.hpp"
@@ -85,7 +86,9 @@ class Entries {
       if (is_empty(wait)) return std::nullopt;
       if (!accepts_all(wait, wait.initial)) waits.push_back(wait);
     }
-    return waits.empty() ? always_marked(safety) : marked_once(intersection(safety, round(waits), effort_));
+    if (waits.empty()) return always_marked(safety);
+    Branching entry = trim(marked_once(intersection(safety, round(waits), effort_)));
+    return is_empty(entry) ? std::nullopt : std::optional(std::move(entry));
   }
 
  private:
