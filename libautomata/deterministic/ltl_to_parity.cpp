@@ -20,8 +20,11 @@
 #include "libautomata/omega/scc_filter.hpp"
 #include "libautomata/omega/simulation.hpp"
 #include "libautomata/omega/weak.hpp"
+#include "libltl/delta2.hpp"
+#include "libltl/hierarchy.hpp"
 #include "libltl/nnf.hpp"
 #include "libltl/separate.hpp"
+#include "libltl/simplify.hpp"
 
 namespace waymark::automata {
 namespace {
@@ -36,6 +39,8 @@ constexpr std::size_t window_states = 2'000;   // of G F e₁ ∧ G F e₂ ∧ �
 constexpr std::size_t small_tableau = 300;     // states that any tableau may have
 constexpr std::size_t first_try = 1'000;       // states of determinisation, then ten times as many
 constexpr std::size_t wait_for = 20;           // times the states of the best one so far, of another one
+constexpr std::size_t small_enough = 24;       // states: the normal form in Δ₂ is not tried
+constexpr std::size_t most_rewritings = 300;   // to that normal form
 constexpr std::size_t compared_at_last = 400;  // states of the smallest one found, languages compared
 
 // Over variables of its own: reads[v] is the proposition of v.
@@ -105,6 +110,7 @@ class Construction {
         if (best && best->automaton.states() == 1) return best;
       }
       best = smallest(best, parity());
+      best = smallest(best, normalised_);
     } catch (const Effort::Spent&) {  // stopped
       if (!best) throw;
       best->reduced = false;
@@ -128,8 +134,11 @@ class Construction {
       return std::nullopt;
     }
   }
+  // States of an automaton on the way to another one. The normal form's is not the measure of what else there is.
   std::size_t most(const std::optional<Candidate>& best) const {
-    return best ? std::min(limits_.states, wait_for * best->automaton.states()) : limits_.states;
+    if (!best) return limits_.states;
+    const std::size_t waited = wait_for * best->automaton.states();
+    return std::min(limits_.states, normalised_ ? std::max(next_try(first_try), waited) : waited);
   }
   std::optional<Candidate> obligation() const {
     if (!is_obligation(formula_)) return std::nullopt;
@@ -168,6 +177,10 @@ class Construction {
         if (minimal(best)) return;
       }
       open = std::move(still);
+      if (states == first_try && !(best && best->automaton.states() <= small_enough)) {
+        normalised_ = normalised();
+        if (normalised_) best = smallest(best, paritised(*normalised_));
+      }
     }
   }
   static std::size_t next_try(std::size_t states) { return states > SIZE_MAX / 10 ? SIZE_MAX : 10 * states; }
@@ -222,11 +235,15 @@ class Construction {
   }
   // A deterministic automaton with any condition, the smallest that comes without determinisation.
   std::optional<Candidate> any() {
+    std::optional<Candidate> best = plain();
+    return best ? best : parity();
+  }
+  std::optional<Candidate> plain() {
     std::optional<Candidate> best = obligation();
     if (best) return best;
     for (std::size_t i = 0; i < direct_.size() && !(best && best->automaton.states() == 1); ++i)
       best = smallest(std::move(best), direct(i));
-    return best ? best : parity();
+    return best;
   }
   std::optional<Split> split(Split::Late late) const {
     return within(SIZE_MAX, SIZE_MAX, [&](Effort&) { return Split(formula_, late); });
@@ -235,13 +252,26 @@ class Construction {
     const std::optional<Split> fine = split(Split::Late::Each), coarse = split(Split::Late::Together);
     return !fine || (coarse && fine->parts() != coarse->parts());
   }
+  // The product of the parts of the normal form in Δ₂: those of Π₂ have deterministic Büchi automata, those of Σ₂ have
+  // them for their negations.
+  std::optional<Candidate> normalised() const {
+    if (ltl::is_delta2(formula_)) return std::nullopt;
+    const std::optional<Formula> form = ltl::delta2(formula_, most_rewritings);
+    if (!form) return std::nullopt;
+    const Formula shorter = ltl::nnf(ltl::separate(ltl::nnf(ltl::simplify(*form, ltl::Over::Infinite))));
+    const Formula normal = ltl::is_delta2(shorter) ? shorter : *form;
+    return combined(within(SIZE_MAX, SIZE_MAX, [&](Effort&) { return Split(normal, Split::Late::Each); }),
+                    &Construction::plain);
+  }
   // The product of deterministic automata of the parts.
-  std::optional<Candidate> combined(const std::optional<Split>& split) const {
+  std::optional<Candidate> combined(
+      const std::optional<Split>& split,
+      std::optional<Candidate> (Construction::*make)() = &Construction::any) const {
     if (!split || split->parts().size() < 2) return std::nullopt;
     std::vector<Part> parts;
     bool reduced = true;
     for (Formula g : split->parts()) {
-      const std::optional<Candidate> made = Construction(g, limits_).any();
+      const std::optional<Candidate> made = (Construction(g, limits_).*make)();
       if (!made) return std::nullopt;
       reduced = reduced && made->reduced;
       parts.push_back({renamed(made->automaton, made->reads, reads_), ltl::purity(g).both()});
@@ -277,6 +307,7 @@ class Construction {
   std::vector<ltl::Proposition> reads_;
   std::array<std::optional<std::optional<Candidate>>, 2> buchi_;  // of φ and of ¬φ: asked for; there is one
   std::array<std::optional<std::optional<Candidate>>, 6> direct_;  // likewise
+  std::optional<Candidate> normalised_;
 };
 
 template <class Make>

@@ -2,8 +2,9 @@
 //
 // Obligations by their minimal weak automaton. For the rest, in this order: conjunctions of G F e and their negations
 // directly; Boolean combinations by the product of deterministic automata of their parts, made a parity automaton only
-// then; the generalised Büchi automata of φ and of ¬φ where they come out deterministic; both determinised. The smallest
-// one stays, and the search ends where one is proved minimal.
+// then; the generalised Büchi automata of φ and of ¬φ where they come out deterministic; both determinised; where that
+// has found nothing small, the normal form in Δ₂ [ERS24] as one more Boolean combination, if all of its parts come
+// without determinisation. The smallest one stays, and the search ends where one is proved minimal.
 #pragma once
 #include <variant>
 

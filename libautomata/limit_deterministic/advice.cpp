@@ -5,6 +5,8 @@
 #include <unordered_map>
 #include <utility>
 
+#include "libltl/by_subformula.hpp"
+
 namespace waymark::automata {
 namespace {
 
@@ -98,6 +100,29 @@ class Reading {
   std::optional<Formula> undecided_;
 };
 
+std::vector<Formula> disjuncts(Formula f) {
+  if (f.op() != Op::Or) return {f};
+  return {f.operands().begin(), f.operands().end()};
+}
+
+// Of a safety formula: φ W ψ becomes G φ, φ R ψ becomes G ψ.
+Formula without_goals(Formula f) {
+  const auto image = [](Formula g, const ltl::BySubformula<Formula>& known) {
+    std::vector<Formula> parts;
+    if (g.op() == Op::Release) {  // φ W ψ is ψ R (φ ∨ ψ)
+      const std::vector<Formula> goals = disjuncts(g[0]);
+      for (Formula h : disjuncts(g[1]))
+        if (std::find(goals.begin(), goals.end(), h) == goals.end()) parts.push_back(known.at(h));
+      return ltl::always(ltl::disjunction(g.arena(), parts));
+    }
+    for (Formula operand : g.operands()) parts.push_back(known.at(operand));
+    if (g.op() == Op::And) return ltl::conjunction(g.arena(), parts);
+    if (g.op() == Op::Or) return ltl::disjunction(g.arena(), parts);
+    return g.op() == Op::Next ? ltl::next(parts[0]) : g;
+  };
+  return ltl::BySubformula<Formula>(f, image).top();
+}
+
 class Enumeration {
  public:
   Enumeration(Formula f, std::size_t most) : formula_(f), arena_(f.arena()), most_(most) {}
@@ -114,6 +139,7 @@ class Enumeration {
     std::optional<Advice> advice = read(reading);
     if (!advice) return;
     if (!reading.undecided()) {
+      advice->narrow = narrow(reading);
       made_.push_back(*std::move(advice));
       return;
     }
@@ -129,7 +155,7 @@ class Enumeration {
   // nullopt: false by its look. What is not known yet is left out.
   std::optional<Advice> read(Reading& reading) const {
     std::vector<Formula> safe;
-    Advice out{formula_, {}};
+    Advice out{formula_, {}, formula_};
     const auto add = [&](std::optional<Formula> image, std::vector<Formula>& to) {
       if (image && *image != arena_.constant(true)) to.push_back(*image);
       return image != arena_.constant(false);
@@ -148,6 +174,18 @@ class Enumeration {
     std::sort(out.often.begin(), out.often.end());
     out.often.erase(std::unique(out.often.begin(), out.often.end()), out.often.end());
     return out;
+  }
+
+  // The members of Y whole, G (φ₁ R φ₂) in place of G φ₂, so that there is something to give up.
+  Formula narrow(Reading& reading) const {
+    std::vector<Formula> all{reading.image(formula_, Reading::As::Safe).value()};
+    for (Formula g : order_) {
+      if (g.op() != Op::Release || !decisions_.at(g)) continue;
+      std::optional<Formula> image = reading.image(g, Reading::As::Safe);
+      if (!image) image = reading.image(g[1], Reading::As::Safe);
+      all.push_back(ltl::always(image.value()));
+    }
+    return without_goals(ltl::conjunction(arena_, all));
   }
 
   Formula formula_;

@@ -20,6 +20,8 @@ namespace waymark::automata {
 struct Advice {
   ltl::Formula safe;                // φ[X] ∧ G ψ[X] for the ψ in Y: no U
   std::vector<ltl::Formula> often;  // no R; none is true
+  // Implies `safe`, and its automaton is often smaller: what a weak until waits for is given up, φ W ψ is G φ here.
+  ltl::Formula narrow;
 };
 
 // Of φ in negation normal form without ↔ and N. Choices that are false by their look are left out. nullopt when there

@@ -43,12 +43,12 @@ class Languages {
 
 class Hosting {
  public:
-  Hosting(const Branching& parity, const Pool& pool, std::vector<Guess> guesses, bool compare, Effort& effort)
+  Hosting(const Branching& parity, const Pool& pool, const Languages& languages,
+          const std::vector<Guess>& guesses)
       : parity_(parity),
         graph_(parity),
         pool_(pool),
-        guesses_(std::move(guesses)),
-        languages_(parity, pool, compare, effort),
+        languages_(languages),
         live_(live_components(graph_, parity.acceptance.condition).live) {
     representative_.resize(graph_.size());
     for (std::uint32_t q = 0; q < graph_.size(); ++q) {
@@ -57,7 +57,7 @@ class Hosting {
       representative_[q] = p;
       of_class_[p].push_back(q);
     }
-    for (const Guess& g : guesses_) by_state_[g.from].push_back(g);
+    for (const Guess& g : guesses) by_state_[g.from].push_back(g);
   }
 
   LimitDeterministic run() {
@@ -166,8 +166,7 @@ class Hosting {
   const Branching& parity_;
   BranchGraph graph_;
   const Pool& pool_;
-  std::vector<Guess> guesses_;
-  Languages languages_;
+  const Languages& languages_;
   std::vector<bool> live_;
   std::vector<std::uint32_t> representative_;                     // of a state's class
   std::map<std::uint32_t, std::vector<std::uint32_t>> of_class_;  // its members
@@ -179,11 +178,17 @@ class Hosting {
 
 }  // namespace
 
-LimitDeterministic hosted(const Branching& parity, const Pool& pool, std::vector<Guess> guesses, bool compare,
-                          Effort& effort) {
+std::vector<LimitDeterministic> hosted(const Branching& parity, const Pool& pool,
+                                       std::vector<std::vector<Guess>> guesses, bool compare,
+                                       Effort& effort) {
   const MergedPool entries = merged(pool, effort);
-  for (Guess& g : guesses) g.to = entries.number[g.to];
-  return Hosting(parity, entries.pool, std::move(guesses), compare, effort).run();
+  const Languages languages(parity, entries.pool, compare, effort);
+  std::vector<LimitDeterministic> out;
+  for (std::vector<Guess>& list : guesses) {
+    for (Guess& g : list) g.to = entries.number[g.to];
+    out.push_back(Hosting(parity, entries.pool, languages, list).run());
+  }
+  return out;
 }
 
 }  // namespace waymark::automata

@@ -20,9 +20,10 @@ struct Guess {
   bool exact = false;  // known: L(to) = L(from)
 };
 
-// parity: complete, deterministic, parity(Min, Even, ·). compare: languages are compared, one step of effort per pair of
-// nodes, for all pairs of states; else states and guesses stay as they are. Canonical numbering.
-LimitDeterministic hosted(const Branching& parity, const Pool& pool, std::vector<Guess> guesses, bool compare,
-                          Effort& effort);
+// An automaton for each list of guesses. parity: complete, deterministic, parity(Min, Even, ·). compare: languages are
+// compared, one step of effort per pair of nodes, for all pairs of states; else states and guesses stay as they are.
+// Canonical numbering.
+std::vector<LimitDeterministic> hosted(const Branching& parity, const Pool& pool,
+                                       std::vector<std::vector<Guess>> guesses, bool compare, Effort& effort);
 
 }  // namespace waymark::automata

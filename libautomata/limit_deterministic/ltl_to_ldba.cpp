@@ -58,10 +58,10 @@ class Construction {
         limits_(std::move(limits)),
         by_colours_(guess_colour(parity_, pool_)) {
     if (too_large()) throw Effort::Spent{Effort::Spent::Reason::States};
-    if (parity_.states() <= compared_states) best_ = compared(by_colours_);
+    if (parity_.states() <= compared_states) take(compared({by_colours_}));
     if (!best_) {
       Effort effort(SIZE_MAX, SIZE_MAX, limits_.stop);
-      best_ = Candidate{hosted(parity_, pool_, by_colours_, false, effort), false};
+      best_ = Candidate{hosted(parity_, pool_, {by_colours_}, false, effort).front(), false};
     }
   }
   // Two more ways where the first one has something to guess: its guesses over a larger pool, and the theorem's.
@@ -71,19 +71,21 @@ class Construction {
       return guess_by_master_theorem(f, parity_, reads, pool_, effort);
     });
     if (!guesses || !*guesses || too_large()) return;
-    for (const std::vector<Guess>* from : {&by_colours_, &**guesses}) {
-      std::optional<Candidate> made = compared(*from);
-      if (made && smaller(made->ldba, best_->ldba)) best_ = std::move(made);
-    }
+    take(compared({by_colours_, **guesses}));
   }
   Candidate best() && { return *std::move(best_); }
 
  private:
-  std::optional<Candidate> compared(const std::vector<Guess>& guesses) const {
-    auto made = within(comparison_steps, limits_,
-                       [&](Effort& effort) { return hosted(parity_, pool_, guesses, true, effort); });
-    if (!made) return std::nullopt;
-    return Candidate{*std::move(made), true};
+  // Languages compared; none when that takes too much.
+  std::vector<LimitDeterministic> compared(std::vector<std::vector<Guess>> guesses) const {
+    auto made = within(comparison_steps, limits_, [&](Effort& effort) {
+      return hosted(parity_, pool_, std::move(guesses), true, effort);
+    });
+    return made ? *std::move(made) : std::vector<LimitDeterministic>();
+  }
+  void take(std::vector<LimitDeterministic> all) {
+    for (LimitDeterministic& made : all)
+      if (!best_ || smaller(made, best_->ldba)) best_ = Candidate{std::move(made), true};
   }
   bool too_large() const { return pool_.automaton.states() > limits_.states; }
   bool is_deterministic() const {

@@ -7,6 +7,7 @@
 #include "libautomata/limit_deterministic/advice.hpp"
 #include "libautomata/omega/emptiness.hpp"
 #include "libautomata/omega/product.hpp"
+#include "libautomata/omega/scc_filter.hpp"
 #include "libautomata/omega/weak.hpp"
 #include "libltl/nnf.hpp"
 #include "libltl/simplify.hpp"
@@ -74,18 +75,20 @@ class Entries {
   Entries(const std::vector<ltl::Proposition>& reads, Effort& effort) : reads_(reads), effort_(effort) {}
 
   // nullopt: accepts nothing.
-  std::optional<Branching> automaton(const Advice& advice) {
-    const Formula safe = ltl::simplify(advice.safe, ltl::Over::Infinite);
+  std::optional<Branching> automaton(Formula safe, const std::vector<Formula>& often) {
+    safe = ltl::simplify(safe, ltl::Over::Infinite);
     const Branching safety = as_buchi(weak_deterministic(safe, reads_, effort_), {});
     if (is_empty(safety)) return std::nullopt;
     std::vector<Branching> waits;
-    for (Formula e : advice.often) {
+    for (Formula e : often) {
       const Formula f = ltl::simplify(ltl::eventually(e), ltl::Over::Infinite);
       const Branching wait = as_buchi(weak_deterministic(f, reads_, effort_), {});
       if (is_empty(wait)) return std::nullopt;
       if (!accepts_all(wait, wait.initial)) waits.push_back(wait);
     }
-    return waits.empty() ? always_marked(safety) : marked_once(intersection(safety, round(waits), effort_));
+    if (waits.empty()) return always_marked(safety);
+    Branching entry = trim(marked_once(intersection(safety, round(waits), effort_)));
+    return is_empty(entry) ? std::nullopt : std::optional(std::move(entry));
   }
 
  private:
@@ -164,10 +167,12 @@ std::optional<std::vector<Guess>> guess_by_master_theorem(Formula f, const Branc
       const auto choices = advices(ltl::nnf(meaning), most_advices);
       if (!choices) return std::nullopt;
       for (const Advice& advice : *choices) {
-        const std::optional<Branching> entry = entries.automaton(advice);
+        const std::optional<Branching> entry = entries.automaton(advice.safe, advice.often);
         if (!entry) continue;
         if (++made > most_entries) return std::nullopt;
         targets->push_back(pool.add(*entry) + entry->initial);
+        if (advice.narrow == advice.safe) continue;
+        if (const auto beside = entries.automaton(advice.narrow, advice.often)) pool.add(*beside);
       }
     }
     for (std::uint32_t target : *targets) out.push_back({q, target});

@@ -4,7 +4,8 @@
 // its safety formula, beside a round through the co-safe formulas that must hold again and again, each waited for in
 // turn. Sound for MDPs: in an end component of the product almost all words share X and Y, which holds for ever there
 // and so from every state of it on [SEJK16], [EKS20]; the argument asks nothing of the formula but its
-// language, so one formula for each language will do.
+// language, so one formula for each language will do. Beside each entry stands one whose weak untils wait for nothing
+// (Advice::narrow): no jump is owed to it, but one that covers several entries may serve them all (host.hpp).
 #pragma once
 #include <optional>
 #include <vector>

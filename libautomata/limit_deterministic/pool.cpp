@@ -65,7 +65,13 @@ Choosing::Choosing(const Pool& pool) : reached_(pool.automaton.states(), false) 
 }
 
 std::vector<std::uint32_t> Choosing::choose(const std::vector<std::vector<std::uint32_t>>& requests) {
-  std::vector<std::uint32_t> out(requests.size());
+  const Answers alone = one_by_one(requests);
+  Answers shared = by_most_answered(requests);
+  return shared.states < alone.states ? std::move(shared.chosen) : alone.chosen;
+}
+
+Choosing::Answers Choosing::one_by_one(const Requests& requests) {
+  Answers out = none(requests);
   std::vector<std::size_t> order(requests.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::stable_sort(order.begin(), order.end(),
@@ -76,11 +82,51 @@ std::vector<std::uint32_t> Choosing::choose(const std::vector<std::vector<std::u
       const std::size_t more = added(option);
       if (more >= fewest) continue;
       fewest = more;
-      out[i] = option;
+      out.chosen[i] = option;
     }
-    reach(out[i]);
+    reach(out.chosen[i]);
   }
+  out.states = count_reached();
   return out;
+}
+
+Choosing::Answers Choosing::by_most_answered(const Requests& requests) {
+  Answers out = none(requests);
+  std::vector<std::vector<std::size_t>> asking(successors_.size());  // by state: requests that it answers
+  for (std::size_t i = 0; i < requests.size(); ++i)
+    for (std::uint32_t option : requests[i]) asking[option].push_back(i);
+  std::vector<bool> open(requests.size(), true);
+  for (;;) {
+    std::size_t best_added = 0, best_answered = 0;
+    std::uint32_t best = 0;
+    for (std::uint32_t state = 0; state < asking.size(); ++state) {
+      const auto answered = static_cast<std::size_t>(
+          std::count_if(asking[state].begin(), asking[state].end(), [&](std::size_t i) { return open[i]; }));
+      if (answered == 0) continue;
+      const std::size_t more = added(state);
+      if (best_answered != 0 && more * best_answered >= best_added * answered) continue;
+      best = state;
+      best_added = more;
+      best_answered = answered;
+    }
+    if (best_answered == 0) break;
+    for (std::size_t i : asking[best]) {
+      if (open[i]) out.chosen[i] = best;
+      open[i] = false;
+    }
+    reach(best);
+  }
+  out.states = count_reached();
+  return out;
+}
+
+Choosing::Answers Choosing::none(const Requests& requests) {
+  reached_.assign(successors_.size(), false);
+  return {std::vector<std::uint32_t>(requests.size()), 0};
+}
+
+std::size_t Choosing::count_reached() const {
+  return static_cast<std::size_t>(std::count(reached_.begin(), reached_.end(), true));
 }
 
 std::size_t Choosing::added(std::uint32_t state) const {

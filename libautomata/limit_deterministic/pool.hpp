@@ -26,15 +26,25 @@ struct MergedPool {
 };
 MergedPool merged(const Pool& pool, Effort& effort);
 
-// The fewest states that answer requests, each of which may be answered by any of several states: greedily, those with
-// a single option first, then always the option that reaches the fewest states not yet reached.
+// Few states that answer requests, each of which may be answered by any of several states. Two greedy choices, the
+// better one stays: request by request, those with a single option first, the option that reaches the fewest states
+// not yet reached; and again and again the state that answers the most open requests per state that it adds.
 class Choosing {
  public:
   explicit Choosing(const Pool& pool);
-  // options: not empty, best first among equals. Returns the chosen option of every request.
-  std::vector<std::uint32_t> choose(const std::vector<std::vector<std::uint32_t>>& requests);
+  using Requests = std::vector<std::vector<std::uint32_t>>;
+  // Options: not empty, best first among equals. Returns the chosen option of every request.
+  std::vector<std::uint32_t> choose(const Requests& requests);
 
  private:
+  struct Answers {
+    std::vector<std::uint32_t> chosen;  // by request
+    std::size_t states;                 // reached from them
+  };
+  Answers one_by_one(const Requests& requests);
+  Answers by_most_answered(const Requests& requests);
+  Answers none(const Requests& requests);  // forgets what is reached
+  std::size_t count_reached() const;
   std::size_t added(std::uint32_t state) const;  // states reached from it and not yet
   void reach(std::uint32_t state);
 

@@ -6,41 +6,44 @@
 namespace waymark::automata {
 namespace {
 
+using States = std::vector<std::uint32_t>;  // ascending: a component may be small in a large graph
+
+bool has(const States& states, std::uint32_t q) {
+  return std::binary_search(states.begin(), states.end(), q);
+}
+
 // Does a run that stays among `states`, one component of the graph, satisfy the condition?
-bool component_accepts(const BranchGraph& graph, const std::vector<std::uint32_t>& states,
-                       const Condition& condition);
+bool component_accepts(const BranchGraph& graph, const States& states, const Condition& condition);
 
 // Some component of the part of the graph that lies in `states` and carries none of the forbidden marks accepts.
-bool part_accepts(const BranchGraph& graph, const std::vector<std::uint32_t>& states, Marks forbidden,
+bool part_accepts(const BranchGraph& graph, const States& states, Marks forbidden,
                   const Condition& condition) {
-  std::vector<std::uint32_t> number(graph.size(), UINT32_MAX);
-  for (std::uint32_t i = 0; i < states.size(); ++i) number[states[i]] = i;
   BranchGraph part;
   for (std::uint32_t i = 0; i < states.size(); ++i) part.add_state();
   for (std::uint32_t i = 0; i < states.size(); ++i)
-    for (const Branch& b : graph.branches(states[i]))
-      if (number[b.target] != UINT32_MAX && (b.marks & forbidden).empty())
-        part.add(i, {number[b.target], b.marks});
+    for (const Branch& b : graph.branches(states[i])) {
+      if (!has(states, b.target) || !(b.marks & forbidden).empty()) continue;
+      const auto at = std::lower_bound(states.begin(), states.end(), b.target);
+      part.add(i, {static_cast<std::uint32_t>(at - states.begin()), b.marks});
+    }
   const Components found = components(part);
   for (std::size_t i = 0; i < found.order.size();) {
-    std::vector<std::uint32_t> component;
+    States component;
     const std::uint32_t name = found.of[found.order[i]];
     for (; i < found.order.size() && found.of[found.order[i]] == name; ++i)
       component.push_back(found.order[i]);
+    std::sort(component.begin(), component.end());
     if (component_accepts(part, component, condition)) return true;
   }
   return false;
 }
 
-bool component_accepts(const BranchGraph& graph, const std::vector<std::uint32_t>& states,
-                       const Condition& condition) {
-  std::vector<bool> inside(graph.size(), false);
-  for (std::uint32_t q : states) inside[q] = true;
+bool component_accepts(const BranchGraph& graph, const States& states, const Condition& condition) {
   Marks met;
   bool has_edge = false;
   for (std::uint32_t q : states)
     for (const Branch& b : graph.branches(q)) {
-      if (!inside[b.target]) continue;
+      if (!has(states, b.target)) continue;
       has_edge = true;
       met = met | b.marks;
     }
@@ -95,8 +98,10 @@ LiveComponents live_components(const BranchGraph& graph, const Condition& condit
         met = met | b.marks;
       }
     const auto states = [&] {
-      return std::vector<std::uint32_t>(order.begin() + static_cast<std::ptrdiff_t>(begin),
-                                        order.begin() + static_cast<std::ptrdiff_t>(i));
+      States all(order.begin() + static_cast<std::ptrdiff_t>(begin),
+                 order.begin() + static_cast<std::ptrdiff_t>(i));
+      std::sort(all.begin(), all.end());
+      return all;
     };
     const bool accepting =
         cyclic && (condition.holds(met) || (!without_fin && component_accepts(graph, states(), condition)));

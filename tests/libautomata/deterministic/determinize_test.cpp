@@ -169,5 +169,30 @@ TEST(LtlToParity, NondeterministicAutomataAreNoDpa) {
   EXPECT_FALSE(Dpa::checked(ltl_to_tgba(ltl::parse("G F a & G F b", arena))));
 }
 
+// What trees of braces cannot do within so many states, the normal form in Δ₂ can: its parts are small.
+TEST(LtlToParity, TheNormalFormAnswersWhereDeterminisationDoesNot) {
+  const struct {
+    const char* formula;
+    std::size_t states;
+  } table[] = {
+      {"F F !F(((!p1 W p3) U (G((G p2 ^ F p3) M (X !p0)))) R (p2 M p1))", 6},
+      {"!G G F((X p2 & X F(p1 ^ G p0)) <-> ((F(p0 <-> p3)) U (G F(p1 W (p0 R p3)))))", 11},
+  };
+  ltl::Random random(82);
+  for (const auto& row : table) {
+    ltl::Arena arena(ltl::Vocabulary({"p0", "p1", "p2", "p3"}));
+    const ltl::Formula f = ltl::parse(row.formula, arena);
+    const auto found = ltl_to_parity(f, {.states = 300});
+    const auto* made = std::get_if<Translated>(&found);
+    ASSERT_NE(made, nullptr) << row.formula;
+    EXPECT_LE(made->automaton.states(), row.states) << row.formula;
+    for (int i = 0; i < 200; ++i) {
+      const ltl::Lasso word =
+          ltl::random_lasso(random, {.prefix = random.below(4), .cycle = 1 + random.below(4), .atoms = 4});
+      ASSERT_EQ(accepts(made->automaton, word), ltl::holds(word, f)) << testing::show(f, word);
+    }
+  }
+}
+
 }  // namespace
 }  // namespace waymark::automata

@@ -74,7 +74,7 @@ LimitDeterministic bare(Formula simple, const std::vector<ltl::Proposition>& rea
   Pool pool;
   const auto guesses = way.by_theorem ? guess_by_master_theorem(simple, parity, reads, pool, effort)
                                       : std::optional(guess_colour(parity, pool));
-  return hosted(parity, pool, guesses.value(), way.compare, effort);
+  return hosted(parity, pool, {guesses.value()}, way.compare, effort).front();
 }
 
 class Guessing : public ::testing::TestWithParam<Way> {};
