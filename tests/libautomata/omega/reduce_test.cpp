@@ -7,7 +7,6 @@
 #include "libautomata/omega/emptiness.hpp"
 #include "libautomata/omega/fewest_marks.hpp"
 #include "libautomata/omega/hoa.hpp"
-#include "libautomata/omega/needless_components.hpp"
 #include "libautomata/omega/random_automaton.hpp"
 #include "libautomata/omega/simulation.hpp"
 #include "libautomata/omega/tableau.hpp"
@@ -94,41 +93,6 @@ TEST_F(Reductions, ReduceKeepsTheLanguage) {
 TEST_F(Reductions, ReduceAsMarkedKeepsTheLanguage) {
   keep_the_language([&](const Branching& a) { return reduce_as_marked(a, effort_).automaton; });
 }
-// The automaton with a copy of itself that runs may go over to, and that has some branches less and some marks more.
-Branching with_a_copy(const Branching& a, ltl::Random& random) {
-  Branching out;
-  out.acceptance = a.acceptance;
-  out.initial = a.initial;
-  const auto states = static_cast<std::uint32_t>(a.states());
-  RootCopier copier(a, out);
-  for (const bool second : {false, true})
-    for (Mtbdd::Node root : a.roots)
-      out.roots.push_back(copier.copy(root, [&](std::uint32_t c) {
-        std::vector<Branch> branches;
-        for (const Branch& b : a.choices[c]) {
-          if (!second) branches.push_back(b);
-          if (random.chance(second ? 0.8 : 0.4))
-            branches.push_back({b.target + states,
-                                second && random.chance(0.3) ? Marks::first(a.acceptance.sets) : b.marks});
-        }
-        return out.choices.intern(std::move(branches));
-      }));
-  return out;
-}
-
-TEST_F(Reductions, DroppingNeedlessComponentsKeepsTheLanguage) {
-  ltl::Random random(7);
-  std::size_t gone = 0, others = 0;
-  keep_the_language(
-      [&](const Branching& a) { return scc_filter(with_a_copy(a, random), MarksOn::Edges, effort_); },
-      [&](const Branching& before) {
-        Branching out = without_needless_components(before, effort_).automaton;
-        ++(identical(canonical(before), canonical(out)) ? others : gone);
-        return out;
-      });
-  EXPECT_GT(gone, (gone + others) / 20);
-  EXPECT_GT(others, (gone + others) / 20);
-}
 TEST_F(Reductions, FewestMarksKeepsTheLanguage) {
   keep_the_language([&](const Branching& a) { return fewest_marks(a, effort_).value_or(a); });
 }
@@ -173,32 +137,6 @@ TEST_F(Reductions, MarksThatAreAddedMayTellEqualStatesApart) {
   const Branching raw = tableau(f, ltl::propositions(f), effort_).automaton;
   EXPECT_EQ(reduce(raw, MarksOn::Edges, effort_).automaton.states(), 10U);
   EXPECT_EQ(reduce_as_marked(raw, effort_).automaton.states(), 7U);
-}
-
-// G(p0 → (… U (p2 ∨ G …))), a constrained response chain of [DAC98]: runs in 6 guess that G … holds from the next p2 on,
-// which a run in 4 may find out when it gets there.
-constexpr const char* response_chain = R"(HOA: v1 States: 7 Start: 0 AP: 6 "p0" "p1" "p2" "p3" "p4" "p5"
-  acc-name: Buchi Acceptance: 1 Inf(0) --BODY--
-  State: 0 [!0 | 2] 0 {0} [0&!1&!2] 1 {0} [0&1&!2] 2 {0} [0&1&!2&3&!4] 3 [0&1&!2&3&!4] 4 {0}
-  State: 1 [2] 0 {0} [!1&!2] 1 [1&!2] 2 [1&!2&3&!4] 3 [1&!2&3&!4] 4 [!1&!2] 5
-  State: 2 [!2] 2 [!2&3&!4] 4 [!2&3&!4] 6
-  State: 3 [!1&!4&!5 | 3&!4&!5] 3 [1&3&!4&5] 3 {0} [!1&5] 5 {0}
-  State: 4 [2&5] 0 {0} [!1&!2&5] 1 [1&!2&3&!4&5] 3 [!1&!2&!3&!4&!5] 4 [!1&!2&5] 5 [!1&!2&!3&!4&!5] 6
-  State: 5 [1&3&!4] 3 {0} [!1] 5 {0}
-  State: 6 [1&2&3&!4&5] 3 [!1&2&5] 5
-  --END--)";
-TEST_F(Reductions, AComponentGoesWhenARunMayAsWellStayOutOfIt) {
-  const Branching before = from_hoa(response_chain);
-  EXPECT_EQ(reduce(before, MarksOn::Edges, effort_).automaton.states(), 7U);
-  EXPECT_EQ(without_needless_components(before, effort_).automaton.states(), 6U);
-}
-
-// F G a: whoever waits in 0 can do whatever 1 can, as long as the way to 1 is open.
-TEST_F(Reductions, AComponentThatRunsMustReachInTheEndStays) {
-  const Branching before =
-      from_hoa(R"(HOA: v1 States: 2 Start: 0 AP: 1 "a" acc-name: Buchi Acceptance: 1 Inf(0)
-    --BODY-- State: 0 [t] 0 [t] 1 State: 1 [0] 1 {0} --END--)");
-  EXPECT_EQ(without_needless_components(before, effort_).automaton.states(), 2U);
 }
 
 }  // namespace

@@ -4,7 +4,6 @@
 #include "libautomata/omega/automaton.hpp"
 #include "libautomata/omega/containment.hpp"
 #include "libautomata/omega/emptiness.hpp"
-#include "libautomata/omega/language_merge.hpp"
 #include "libautomata/omega/recurrence.hpp"
 #include "libautomata/omega/suspension.hpp"
 #include "libautomata/omega/tableau.hpp"
@@ -77,17 +76,6 @@ TEST_F(Routes, WhatConcernsTheFarEndMayStartLate) {
       ASSERT_TRUE(
           accepts_the_words_of(conjunction(f, q), compose_late(tableau_of(f), tableau_of(q), effort_)));
     });
-}
-
-TEST_F(Routes, MergingStatesOfOneLanguageKeepsTheLanguage) {
-  std::size_t smaller = 0;
-  testing::for_each_formula(arena_, {.size = 4, .atoms = 2}, [&](Formula f) {
-    const Tableau raw = tableau(ltl::nnf(f), reads_, effort_);
-    const Branching merged = canonical(merge_equivalent(raw, reads_, effort_));
-    smaller += merged.states() < raw.automaton.states() ? 1 : 0;
-    ASSERT_TRUE(accepts_the_words_of(f, merged));
-  });
-  EXPECT_GT(smaller, 30U);
 }
 
 TEST_F(Routes, RestartingReadsGoodPrefixesForEver) {
