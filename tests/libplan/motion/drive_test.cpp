@@ -7,19 +7,10 @@
 #include <random>
 #include <stdexcept>
 
-#include "tests/libplan/maps.hpp"
+#include "tests/libplan/motion/routes.hpp"
 
 namespace waymark::plan {
 namespace {
-
-Trajectory route(const std::string& text, const Map& map) { return parse_trajectory(text, map); }
-
-std::string show_line(const Motion& motion) {
-  std::string out;
-  for (const Configuration& c : motion.configurations)
-    out += "{" + std::to_string(c.x) + ", " + std::to_string(c.y) + ", " + std::to_string(c.heading) + "} ";
-  return out;
-}
 
 // What no car does, seen by stepping along the motion and not by the arithmetic of pieces: turning by more than the
 // way over the turning radius, or moving across its heading.
@@ -42,32 +33,9 @@ Motion driven(const Trajectory& there, const Workspace& workspace, const Samplin
   if (const auto* unreached = std::get_if<Unreached>(&outcome))
     throw std::runtime_error("unreached: " + label + " to " + show(workspace.map().pose(unreached->to)));
   const Motion& motion = std::get<Motion>(outcome);
-  const auto read = route_of(motion, workspace);
-  if (const auto* fault = std::get_if<NoRoute>(&read))
-    ADD_FAILURE() << label << " at " << fault->step << ": " << fault->reason << "\n" << show_line(motion);
-  else
-    EXPECT_EQ(std::get<Trajectory>(read), there) << label << "\n" << show_line(motion);
+  expect_read_back(motion, there, workspace, label);
   expect_driven(motion, std::get<Car>(sampling.robot).turning_radius);
   return motion;
-}
-
-Trajectory random_route(const Map& map, std::size_t actions, std::mt19937_64& random) {
-  Trajectory out{{PoseId{static_cast<std::uint32_t>(random() % map.poses())}}, {}};
-  while (out.actions.size() < actions) {
-    const std::size_t pick = random() % 5;  // FORWARD more often: longer legs
-    const Action action = pick < 3 ? Action::Forward : all_actions[pick - 2];
-    const auto next = map.successor(out.poses.back(), action);
-    if (!next) continue;
-    out.poses.push_back(*next);
-    out.actions.push_back(action);
-  }
-  return out;
-}
-
-// A hallway of two segments with a sofa half way.
-Map past_a_sofa() {
-  return Map("past a sofa", {{0, 0, {}, {}}, {1, 0, "sofa", {}}, {2, 0, {}, {}}},
-             {{0, 1, "", ""}, {1, 2, "", ""}}, {"sofa"}, {}, {});
 }
 
 TEST(Drive, AStraightHallwayIsOneStraightLine) {

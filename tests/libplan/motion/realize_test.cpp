@@ -7,19 +7,10 @@
 #include <random>
 #include <stdexcept>
 
-#include "tests/libplan/maps.hpp"
+#include "tests/libplan/motion/routes.hpp"
 
 namespace waymark::plan {
 namespace {
-
-Trajectory route(const std::string& text, const Map& map) { return parse_trajectory(text, map); }
-
-std::string show_line(const Motion& motion) {
-  std::string out;
-  for (const Configuration& c : motion.configurations)
-    out += "{" + std::to_string(c.x) + ", " + std::to_string(c.y) + ", " + std::to_string(c.heading) + "} ";
-  return out;
-}
 
 // The motion of the route, checked: its own route is the one it was made from.
 Motion realized(const Trajectory& route, const Workspace& workspace, const Sampling& sampling) {
@@ -27,32 +18,9 @@ Motion realized(const Trajectory& route, const Workspace& workspace, const Sampl
   const std::string label = workspace.map().name() + " " + show(route, workspace.map());
   if (!std::holds_alternative<Motion>(outcome)) throw std::runtime_error("unreached: " + label);
   const Motion& motion = std::get<Motion>(outcome);
-  const auto read = route_of(motion, workspace);
-  if (const auto* fault = std::get_if<NoRoute>(&read))
-    ADD_FAILURE() << label << " at " << fault->step << ": " << fault->reason << "\n" << show_line(motion);
-  else
-    EXPECT_EQ(std::get<Trajectory>(read), route) << label << "\n" << show_line(motion);
+  expect_read_back(motion, route, workspace, label);
   EXPECT_EQ(motion.robot, sampling.robot);
   return motion;
-}
-
-Trajectory random_route(const Map& map, std::size_t actions, std::mt19937_64& random) {
-  Trajectory out{{PoseId{static_cast<std::uint32_t>(random() % map.poses())}}, {}};
-  while (out.actions.size() < actions) {
-    const std::size_t pick = random() % 5;  // FORWARD more often: longer legs
-    const Action action = pick < 3 ? Action::Forward : all_actions[pick - 2];
-    const auto next = map.successor(out.poses.back(), action);
-    if (!next) continue;
-    out.poses.push_back(*next);
-    out.actions.push_back(action);
-  }
-  return out;
-}
-
-// A hallway of two segments with a sofa half way.
-Map past_a_sofa() {
-  return Map("past a sofa", {{0, 0, {}, {}}, {1, 0, "sofa", {}}, {2, 0, {}, {}}},
-             {{0, 1, "", ""}, {1, 2, "", ""}}, {"sofa"}, {}, {});
 }
 
 TEST(Realize, EveryShortRouteOfTheSmallMaps) {
