@@ -70,14 +70,15 @@ class Construction {
     std::optional<Candidate> general = smallest_route();
     if (!general || general->weak) return general;
     const Candidate least = folded_together(*general, MarksOn::Edges);
-    if (least.automaton.states() >= large_states)
-      return counted(least.automaton, {.look_ahead = true}, least.reduced, SIZE_MAX);
     std::optional<Candidate> best;
-    put_marks_on_states(least, least.automaton.states(), best);
-    put_marks_on_states(*general, least.automaton.states(), best);
-    for (const Candidate& other : routes_)
-      if (other.automaton.states() <= 2 * general->automaton.states())
-        put_marks_on_states(other, least.automaton.states(), best);
+    if (least.automaton.states() >= large_states) {
+      best = counted(least.automaton, {.look_ahead = true}, least.reduced, SIZE_MAX);
+    } else {
+      put_marks_on_states(least, least.automaton.states(), best);
+      for (const Candidate& other : routes_)
+        if (other.automaton.states() <= 2 * general->automaton.states())
+          put_marks_on_states(other, least.automaton.states(), best);
+    }
     return best ? folded_together(*best, MarksOn::States) : best;
   }
 
@@ -314,8 +315,9 @@ class Construction {
     Effort effort(steps, states, limits_.stop);
     return within([&] { return as_buchi(weak_deterministic(f, reads_, effort), {}); });
   }
-  // `automaton` is φ's, by the tableau.
+  // `automaton` is φ's, by the tableau. One of two states is hardly ever larger than a deterministic one.
   std::optional<Candidate> deterministic(Formula f, const Branching& automaton) {
+    if (automaton.states() <= 2) return std::nullopt;
     Effort effort(guess_steps, guess_states, limits_.stop);
     const auto found = within([&] {
                          return on_progression(f, reads_, automaton, outside(f, effort), effort);
