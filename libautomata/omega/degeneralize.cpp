@@ -1,10 +1,10 @@
 #include "libautomata/omega/degeneralize.hpp"
 
 #include <algorithm>
-#include <map>
 #include <numeric>
 #include <unordered_map>
 
+#include "libautomata/numbered_pairs.hpp"
 #include "libautomata/omega/emptiness.hpp"
 
 namespace waymark::automata {
@@ -91,14 +91,7 @@ class Levels {
     return rule_.look_ahead ? advance(0, common_[q]) : 0;
   }
   std::uint32_t entry(std::uint32_t q) { return copy(q, entry_level(q)); }
-  std::uint32_t copy(std::uint32_t q, std::uint32_t level) {
-    const auto [at, fresh] = copy_.try_emplace({q, level}, static_cast<std::uint32_t>(copies_.size()));
-    if (fresh) {
-      effort_.state();
-      copies_.emplace_back(q, level);
-    }
-    return at->second;
-  }
+  std::uint32_t copy(std::uint32_t q, std::uint32_t level) { return copies_.number(q, level, effort_); }
 
   const Branching& from_;
   LevelRule rule_;
@@ -110,8 +103,7 @@ class Levels {
   std::vector<bool> counted_;  // by component: not every branch inside has all marks
   std::vector<Marks> common_;  // of the branches of a state that stay inside its component
   ByState reached_, entries_;
-  std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> copy_;
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> copies_;
+  NumberedPairs copies_;  // (state, level)
 };
 
 }  // namespace

@@ -14,7 +14,7 @@ namespace {
 
 using Node = Mtbdd::Node;
 
-constexpr std::size_t most_vertices = 1U << 16U;
+constexpr std::size_t most_vertices = 1U << 15U;
 constexpr std::size_t most_again = 1U << 12U;  // … of a second product, when states were folded
 
 // The pairs of choices that some letter offers together, for pairs of roots of two automata.
@@ -81,7 +81,8 @@ class Emptiness {
   // members[q]: the states that are q now; `name` the other way round.
   bool operator()(const std::vector<std::uint32_t>& name,
                   const std::vector<std::vector<std::uint32_t>>& members, std::uint32_t start) {
-    std::fill(number_.begin(), number_.end(), unseen);
+    for (const std::uint32_t v : met_) number_[v] = unseen;
+    met_.clear();
     live_.clear();
     roots_.clear();
     calls_.clear();
@@ -122,6 +123,7 @@ class Emptiness {
 
   void enter(std::uint32_t vertex, Marks marks) {
     effort_.step();
+    met_.push_back(vertex);
     live_.push_back(vertex);
     number_[vertex] = static_cast<std::uint32_t>(live_.size());
     roots_.push_back({number_[vertex], {}, marks});
@@ -149,7 +151,8 @@ class Emptiness {
   Marks all_;
   Effort& effort_;
   std::vector<std::uint32_t> number_;  // by vertex: place in live_, from 1
-  std::vector<std::uint32_t> live_;    // vertices of open components, as they were met
+  std::vector<std::uint32_t> met_;     // vertices with a number
+  std::vector<std::uint32_t> live_;    // … of open components, as they were met
   std::vector<Root> roots_;
   std::vector<Call> calls_;
 };

@@ -7,6 +7,7 @@
 
 #include "libautomata/deterministic/determinize.hpp"
 #include "libautomata/deterministic/parity.hpp"
+#include "libautomata/omega/candidate.hpp"
 #include "libautomata/omega/degeneralize.hpp"
 #include "libautomata/omega/fewest_marks.hpp"
 #include "libautomata/omega/fold.hpp"
@@ -42,13 +43,8 @@ constexpr std::size_t promised_states = 200;  // of a tableau whose marks are tr
 constexpr std::size_t merged_languages = 60;  // states of deterministic automata whose languages are compared
 constexpr std::size_t hopeful = 2;  // copies that are more than the best by a part of that are not reduced
 constexpr std::size_t fold_steps = 3'000'000;  // to fold states together
+constexpr std::size_t few_more = 3;            // halves of states that another route may have more by
 constexpr std::size_t large_states = 100;      // from here on, one way to count levels instead of all
-
-struct Candidate {
-  Branching automaton;
-  bool reduced = true;
-  bool weak = false;  // a minimal weak deterministic automaton: marks are on states already
-};
 
 class Construction {
  public:
@@ -62,23 +58,26 @@ class Construction {
 
   std::optional<Candidate> tgba() {
     std::optional<Candidate> best = smallest_route();
-    return best ? folded_together(*best, MarksOn::Edges) : std::move(best);
+    return best ? least(*best) : std::move(best);
   }
 
   // From every automaton that a route gave: the smallest generalised one need not be the best to start from.
   std::optional<Candidate> buchi() {
     std::optional<Candidate> general = smallest_route();
-    if (!general || general->weak) return general;
-    const Candidate least = folded_together(*general, MarksOn::Edges);
-    if (least.automaton.states() >= large_states)
-      return counted(least.automaton, {.look_ahead = true}, least.reduced, SIZE_MAX);
+    if (!general) return general;
+    const Candidate first = least(*general);
+    if (first.weak) return first;
     std::optional<Candidate> best;
-    put_marks_on_states(least, least.automaton.states(), best);
-    put_marks_on_states(*general, least.automaton.states(), best);
-    for (const Candidate& other : routes_)
-      if (other.automaton.states() <= 2 * general->automaton.states())
-        put_marks_on_states(other, least.automaton.states(), best);
-    return best ? folded_together(*best, MarksOn::States) : best;
+    if (first.automaton.states() >= large_states) {
+      best = counted(first.automaton, {.look_ahead = true}, first.reduced, SIZE_MAX);
+    } else {
+      put_marks_on_states(first, first.automaton.states(), best);
+      for (const Candidate& other : routes_)
+        if (other.automaton.states() <= 2 * general->automaton.states())
+          put_marks_on_states(other, first.automaton.states(), best);
+    }
+    if (best) best = folded_together(*best, MarksOn::States);
+    return general->weak ? smallest(general, std::move(best)) : best;
   }
 
   Automaton finish(const Branching& automaton, const ltl::Vocabulary& vocabulary) const {
@@ -95,14 +94,6 @@ class Construction {
       best = smallest(std::move(best), std::move(other));
     }
     return best;
-  }
-
-  static bool smaller(const Branching& a, const Branching& b) {
-    return a.states() < b.states() || (a.states() == b.states() && count_edges(a) < count_edges(b));
-  }
-  static std::optional<Candidate> smallest(std::optional<Candidate> a, std::optional<Candidate> b) {
-    if (!a || (b && smaller(b->automaton, a->automaton))) return b;
-    return a;
   }
 
   static std::vector<Formula> conjuncts(Formula f) {
@@ -237,8 +228,11 @@ class Construction {
     // What has an automaton of one state has a minimal deterministic one of one state, if it is an obligation.
     if (best && best->automaton.states() <= 2) return best;
     const std::size_t most = best ? std::min(guess_states, 4 * best->automaton.states()) : limits_.states;
-    if (const auto raw = raw_tableau(f, best ? guess_steps : tableau_steps, most))
-      best = smallest(std::move(best), reduced(raw->automaton, MarksOn::Edges));
+    if (const auto raw = raw_tableau(f, best ? guess_steps : tableau_steps, most)) {
+      Candidate other = reduced(raw->automaton, MarksOn::Edges);
+      if (f == formula_) routes_.push_back(other);
+      best = smallest(std::move(best), std::move(other));
+    }
     return best;
   }
   // G e₁ ∧ G e₂ ∧ …, every e co-safe and eventual: deterministic, a set for each.
@@ -314,8 +308,9 @@ class Construction {
     Effort effort(steps, states, limits_.stop);
     return within([&] { return as_buchi(weak_deterministic(f, reads_, effort), {}); });
   }
-  // `automaton` is φ's, by the tableau.
+  // `automaton` is φ's, by the tableau. One of two states is hardly ever larger than a deterministic one.
   std::optional<Candidate> deterministic(Formula f, const Branching& automaton) {
+    if (automaton.states() <= 2) return std::nullopt;
     Effort effort(guess_steps, guess_states, limits_.stop);
     const auto found = within([&] {
                          return on_progression(f, reads_, automaton, outside(f, effort), effort);
@@ -329,6 +324,17 @@ class Construction {
       outside_.emplace(
           f, scc_filter(tableau(ltl::nnf(ltl::negate(f)), reads_, effort).automaton, MarksOn::Edges, effort));
     return outside_->second;
+  }
+  // Where a deterministic automaton is the smallest, one that is not much larger may be less when it is folded.
+  Candidate least(const Candidate& general) {
+    Candidate best = folded_together(general, MarksOn::Edges);
+    if (!is_deterministic(general.automaton)) return best;
+    for (const Candidate& other : routes_) {
+      if (2 * other.automaton.states() > 3 * general.automaton.states() + few_more) continue;
+      Candidate next = folded_together(other, MarksOn::Edges);
+      if (smaller(next.automaton, best.automaton)) best = std::move(next);
+    }
+    return best;
   }
   // Deterministic ones have one state for each language that is left.
   Candidate folded_together(const Candidate& from, MarksOn marks) {

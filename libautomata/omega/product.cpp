@@ -1,6 +1,6 @@
 #include "libautomata/omega/product.hpp"
 
-#include <unordered_map>
+#include "libautomata/numbered_pairs.hpp"
 
 namespace waymark::automata {
 namespace {
@@ -27,19 +27,11 @@ class Intersection {
     const std::uint32_t by = a_.acceptance.sets;
     out_.acceptance = {by + b_.acceptance.sets,
                        Condition::all_of({a_.acceptance.condition, b_.acceptance.condition.shifted(by)})};
-    return {std::move(out_), std::move(pairs_)};
+    return {std::move(out_), std::move(pairs_).list()};
   }
 
  private:
-  std::uint32_t number(std::uint32_t p, std::uint32_t q) {
-    const auto [at, fresh] =
-        number_.try_emplace(std::uint64_t{p} << 32U | q, static_cast<std::uint32_t>(pairs_.size()));
-    if (fresh) {
-      effort_.state();
-      pairs_.emplace_back(p, q);
-    }
-    return at->second;
-  }
+  std::uint32_t number(std::uint32_t p, std::uint32_t q) { return pairs_.number(p, q, effort_); }
   // Terminals: choices of a on the left, of b on the right, of the product in the result.
   Node both(Node f, Node g) {
     const auto decide = [&](const std::array<Node, 2>& n) -> std::optional<Node> {
@@ -62,8 +54,7 @@ class Intersection {
   Branching out_;
   std::vector<Node> a_roots_, b_roots_;
   Mtbdd::Operation operation_;
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs_;
-  std::unordered_map<std::uint64_t, std::uint32_t> number_;
+  NumberedPairs pairs_;
 };
 
 }  // namespace

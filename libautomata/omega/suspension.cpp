@@ -1,7 +1,6 @@
 #include "libautomata/omega/suspension.hpp"
 
-#include <unordered_map>
-
+#include "libautomata/numbered_pairs.hpp"
 #include "libautomata/omega/emptiness.hpp"
 
 namespace waymark::automata {
@@ -42,15 +41,7 @@ class LateProduct {
   std::uint32_t entry(std::uint32_t p) {
     return number(p, live_.accepting[component(p)] ? b_.initial : alone);
   }
-  std::uint32_t number(std::uint32_t p, std::uint32_t q) {
-    const auto [at, fresh] =
-        number_.try_emplace(std::uint64_t{p} << 32U | q, static_cast<std::uint32_t>(pairs_.size()));
-    if (fresh) {
-      effort_.state();
-      pairs_.emplace_back(p, q);
-    }
-    return at->second;
-  }
+  std::uint32_t number(std::uint32_t p, std::uint32_t q) { return pairs_.number(p, q, effort_); }
 
   // What a letter means depends on the component of p, so an operation serves one state.
   Node successors(std::uint32_t p, Node f, Node g) {
@@ -79,8 +70,7 @@ class LateProduct {
   LiveComponents live_;
   Branching out_;
   std::vector<Node> a_roots_, b_roots_;
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs_;
-  std::unordered_map<std::uint64_t, std::uint32_t> number_;
+  NumberedPairs pairs_;
 };
 
 }  // namespace

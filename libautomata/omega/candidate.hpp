@@ -1,0 +1,26 @@
+// One of several automata of a formula, of which the smallest is kept.
+#pragma once
+#include <optional>
+#include <utility>
+
+#include "libautomata/omega/branching.hpp"
+
+namespace waymark::automata {
+
+struct Candidate {
+  Branching automaton;
+  bool reduced = true;
+  bool weak = false;  // a minimal weak deterministic automaton: marks are on states already
+};
+
+// Fewer states, or as many and fewer edges.
+inline bool smaller(const Branching& a, const Branching& b) {
+  return a.states() < b.states() || (a.states() == b.states() && count_edges(a) < count_edges(b));
+}
+// The first one unless the second is smaller.
+inline std::optional<Candidate> smallest(std::optional<Candidate> a, std::optional<Candidate> b) {
+  if (!a || (b && smaller(b->automaton, a->automaton))) return b;
+  return a;
+}
+
+}  // namespace waymark::automata
