@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "libautomata/joint_choices.hpp"
+#include "libautomata/numbering.hpp"
 #include "libautomata/omega/emptiness.hpp"
 #include "libautomata/omega/recurrence.hpp"
 
@@ -120,20 +121,6 @@ class Combination {
     States states;
     friend auto operator<=>(const State&, const State&) = default;
   };
-  // States in the order in which they were found.
-  struct Numbering {
-    std::map<State, std::uint32_t> number;
-    std::vector<State> list;
-    std::uint32_t of(State state, Effort& effort) {
-      const auto [at, fresh] = number.try_emplace(std::move(state), static_cast<std::uint32_t>(list.size()));
-      if (fresh) {
-        effort.state();
-        list.push_back(at->first);
-      }
-      return at->second;
-    }
-  };
-
   // Inf(i) and Fin(i) replaced by the condition of part i and its negation.
   Condition answered(const Condition& over) const {
     std::vector<Condition> operands;
@@ -193,8 +180,8 @@ class Combination {
     for (std::uint32_t i = 0; i < parts_.size(); ++i)
       if (parts_[i].late) first.states[i] = absent;
     numbering_.of(std::move(first), effort_);
-    for (std::size_t s = 0; s < numbering_.list.size(); ++s) {  // the list doubles as the queue
-      const State state = numbering_.list[s];
+    for (std::size_t s = 0; s < numbering_.size(); ++s) {  // doubles as the queue
+      const State& state = numbering_[s];
       Node tuples = JointChoices::empty();
       for (std::uint32_t i = 0; i < parts_.size(); ++i)
         if (state.states[i] != absent) tuples = joint.extended(tuples, parts_[i].roots[state.states[i]]);
@@ -235,7 +222,7 @@ class Combination {
       }
     std::vector<Condition> over(found.count, Condition::constant(true));
     for (std::uint32_t s = 0; s < graph.size(); ++s)
-      over[found.of[s]] = questions_[numbering_.list[s].question].over;
+      over[found.of[s]] = questions_[numbering_[s].question].over;
     Marks late;
     for (std::uint32_t i = 0; i < parts_.size(); ++i) {
       if (parts_[i].late) {
@@ -271,10 +258,10 @@ class Combination {
         early_.diagram, early_.roots, [](std::uint32_t c) { return Mtbdd::terminal(c); },
         [](Mtbdd::Variable v) { return v; });
     JointChoices joint(late_.diagram, effort_);
-    Numbering numbering;
+    Numbering<State> numbering;
     numbering.of(entered(early_.initial), effort_);
-    for (std::size_t s = 0; s < numbering.list.size(); ++s) {  // the list doubles as the queue
-      const State state = numbering.list[s];
+    for (std::size_t s = 0; s < numbering.size(); ++s) {  // doubles as the queue
+      const State& state = numbering[s];
       Node tuples = joint.extended(JointChoices::empty(), roots[state.question]);
       for (std::uint32_t i : needed_[found_.of[state.question]].members())
         tuples = joint.extended(tuples, parts_[i].roots[state.states[i]]);
@@ -288,7 +275,7 @@ class Combination {
     return {early, std::move(states)};
   }
   std::uint32_t late_choice(const State& state, const JointChoices& joint, std::uint32_t tuple,
-                            Numbering& numbering) {
+                            Numbering<State>& numbering) {
     const std::uint32_t component = found_.of[state.question];
     const std::vector<std::uint32_t> late = needed_[component].members();
     std::vector<std::uint32_t> choices(1 + late.size());
@@ -318,8 +305,8 @@ class Combination {
   std::vector<Question> questions_;
   std::vector<Marks> answers_;  // by question: the settled parts that accept
   std::map<std::string, std::uint32_t> question_;
-  Numbering numbering_;  // of the early product
-  Components found_;     // of the early product
+  Numbering<State> numbering_;  // of the early product
+  Components found_;            // of the early product
   std::vector<Marks> needed_;
 };
 

@@ -1,10 +1,11 @@
 #include "libautomata/deterministic/determinize.hpp"
 
 #include <algorithm>
-#include <map>
+#include <utility>
 
 #include "libautomata/deterministic/brace_tree.hpp"
 #include "libautomata/joint_choices.hpp"
+#include "libautomata/numbering.hpp"
 #include "libautomata/omega/emptiness.hpp"
 #include "libautomata/omega/simulation.hpp"
 
@@ -52,21 +53,13 @@ class EdgeLevels {
     next = b.marks == Marks::first(sets_) ? 0 : advanced(0);  // what is left over counts for the next round
     return {copy(b.target, next), Marks::of(0)};
   }
-  std::uint32_t copy(std::uint32_t q, std::uint32_t level) {
-    const auto [at, fresh] = copy_.try_emplace({q, level}, static_cast<std::uint32_t>(copies_.size()));
-    if (fresh) {
-      effort_.state();
-      copies_.emplace_back(q, level);
-    }
-    return at->second;
-  }
+  std::uint32_t copy(std::uint32_t q, std::uint32_t level) { return copies_.of({q, level}, effort_); }
 
   const Branching& from_;
   Effort& effort_;
   LiveComponents live_;
   std::uint32_t sets_;
-  std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> copy_;
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> copies_;
+  Numbering<std::pair<std::uint32_t, std::uint32_t>> copies_;
 };
 
 class Determinization {
@@ -86,7 +79,7 @@ class Determinization {
   }
 
  private:
-  Node successors(const BraceTree tree) {  // by value: trees_ grows
+  Node successors(const BraceTree& tree) {
     Node offered = JointChoices::empty();
     for (const auto& [q, brace] : tree.runs) offered = joint_.extended(offered, from_roots_[q]);
     return joint_.settled(offered, [&](std::uint32_t offer) { return step(tree, offer); });
@@ -106,14 +99,7 @@ class Determinization {
     }
     return out_.choices.intern({{number(std::move(next.tree)), marks}});
   }
-  std::uint32_t number(BraceTree tree) {
-    const auto [at, fresh] = number_.try_emplace(std::move(tree), static_cast<std::uint32_t>(trees_.size()));
-    if (fresh) {
-      effort_.state();
-      trees_.push_back(at->first);
-    }
-    return at->second;
-  }
+  std::uint32_t number(BraceTree tree) { return trees_.of(std::move(tree), effort_); }
 
   Effort& effort_;
   BraceRules rules_;
@@ -121,8 +107,7 @@ class Determinization {
   std::vector<Node> from_roots_;
   JointChoices joint_;
   std::uint32_t colours_ = 1;
-  std::map<BraceTree, std::uint32_t> number_;
-  std::vector<BraceTree> trees_;
+  Numbering<BraceTree> trees_;
 };
 
 }  // namespace

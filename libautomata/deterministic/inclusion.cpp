@@ -1,27 +1,24 @@
 #include "libautomata/deterministic/inclusion.hpp"
 
-#include <algorithm>
-#include <unordered_set>
-
 #include "libautomata/omega/emptiness.hpp"
+#include "libautomata/pair_walk.hpp"
 
 namespace waymark::automata {
 namespace {
 
-using Node = Mtbdd::Node;
-
 // Pairs (q, r), live when some word is accepted from q and not from r.
 class Differences {
  public:
-  Differences(const Branching& a, const Branching& b, Effort& effort) : a_(a), b_(b), effort_(effort) {
+  Differences(const Branching& a, const Branching& b, Effort& effort) : a_(a), b_(b) {
     if (a.acceptance.sets + b.acceptance.sets > Marks::most)
       throw Effort::Spent{Effort::Spent::Reason::States};
     for (std::size_t i = 0; i < a.states() * b.states(); ++i) graph_.add_state();
+    PairWalk pairs(a.diagram, b.diagram, effort);
     for (std::uint32_t q = 0; q < a.states(); ++q)
       for (std::uint32_t r = 0; r < b.states(); ++r) {
         if (trivial(q, r)) continue;
-        seen_.clear();
-        add(pair(q, r), a.roots[q], b.roots[r]);
+        pairs.from(a.roots[q], b.roots[r],
+                   [&](std::uint32_t in_a, std::uint32_t in_b) { add(pair(q, r), in_a, in_b); });
       }
     const Condition rejected = b.acceptance.condition.negated().shifted(a.acceptance.sets);
     live_ = live_components(graph_, Condition::all_of({a.acceptance.condition, rejected})).live;
@@ -33,27 +30,15 @@ class Differences {
   std::uint32_t pair(std::uint32_t q, std::uint32_t r) const {
     return q * static_cast<std::uint32_t>(b_.states()) + r;
   }
-  void add(std::uint32_t source, Node x, Node y) {
-    if (!seen_.insert(std::uint64_t{x.id} << 32U | y.id).second) return;
-    effort_.step();
-    if (Mtbdd::is_terminal(x) && Mtbdd::is_terminal(y)) {
-      const Branch p = a_.choices[Mtbdd::payload(x)].front(), q = b_.choices[Mtbdd::payload(y)].front();
-      if (!trivial(p.target, q.target))
-        graph_.add(source, {pair(p.target, q.target),
-                            p.marks | Marks::from_bits(q.marks.bits() << a_.acceptance.sets)});
-      return;
-    }
-    const Mtbdd::Variable top = std::min(a_.diagram.variable(x), b_.diagram.variable(y));
-    const auto side = [&](const Mtbdd& diagram, Node n, bool high) {
-      return diagram.variable(n) != top ? n : high ? diagram.high(n) : diagram.low(n);
-    };
-    for (const bool high : {false, true}) add(source, side(a_.diagram, x, high), side(b_.diagram, y, high));
+  void add(std::uint32_t source, std::uint32_t in_a, std::uint32_t in_b) {
+    const Branch p = a_.choices[in_a].front(), q = b_.choices[in_b].front();
+    if (!trivial(p.target, q.target))
+      graph_.add(source, {pair(p.target, q.target),
+                          p.marks | Marks::from_bits(q.marks.bits() << a_.acceptance.sets)});
   }
 
   const Branching &a_, &b_;
-  Effort& effort_;
   BranchGraph graph_;
-  std::unordered_set<std::uint64_t> seen_;  // pairs of nodes below one pair of states
   std::vector<bool> live_;
 };
 

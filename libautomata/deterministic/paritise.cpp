@@ -1,13 +1,13 @@
 #include "libautomata/deterministic/paritise.hpp"
 
 #include <array>
-#include <map>
 #include <optional>
 #include <utility>
 #include <vector>
 
 #include "libautomata/deterministic/alternating_cycles.hpp"
 #include "libautomata/deterministic/colours.hpp"
+#include "libautomata/numbering.hpp"
 
 namespace waymark::automata {
 namespace {
@@ -47,22 +47,14 @@ class Copies {
     const Marks marks = step.colour == AlternatingCycles::no_colour ? Marks() : mark_of(step.colour, sets_);
     return out_.choices.intern({{copy(b.target, step.node), marks}});
   }
-  std::uint32_t copy(std::uint32_t q, AlternatingCycles::Node node) {
-    const auto [at, fresh] = number_.try_emplace({q, node}, static_cast<std::uint32_t>(copies_.size()));
-    if (fresh) {
-      effort_.state();
-      copies_.emplace_back(q, node);
-    }
-    return at->second;
-  }
+  std::uint32_t copy(std::uint32_t q, AlternatingCycles::Node node) { return copies_.of({q, node}, effort_); }
 
   const Branching& from_;
   Effort& effort_;
   AlternatingCycles cycles_;
   std::uint32_t sets_;
   Branching out_;
-  std::map<Copy, std::uint32_t> number_;
-  std::vector<Copy> copies_;
+  Numbering<Copy> copies_;
 };
 
 }  // namespace

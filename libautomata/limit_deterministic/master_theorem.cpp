@@ -1,7 +1,6 @@
 #include "libautomata/limit_deterministic/master_theorem.hpp"
 
 #include <algorithm>
-#include <unordered_set>
 #include <utility>
 
 #include "libautomata/limit_deterministic/advice.hpp"
@@ -9,6 +8,7 @@
 #include "libautomata/omega/product.hpp"
 #include "libautomata/omega/scc_filter.hpp"
 #include "libautomata/omega/weak.hpp"
+#include "libautomata/pair_walk.hpp"
 #include "libltl/nnf.hpp"
 #include "libltl/simplify.hpp"
 
@@ -20,18 +20,22 @@ using Node = Mtbdd::Node;
 
 constexpr std::size_t most_advices = 64;   // of one formula
 constexpr std::size_t most_entries = 256;  // of all
+constexpr std::size_t large = 100;         // states of a pool: nothing more is made than is owed
 
 // For each state of a complete deterministic automaton of φ, a state of the progression that some word reaches
 // together with it: the language left is the same.
 class Companions {
  public:
   Companions(const Branching& parity, const Transitions& structure, Effort& effort)
-      : parity_(parity), structure_(structure), effort_(effort), companion_(parity.states()) {
+      : companion_(parity.states()) {
+    PairWalk pairs(parity.diagram, structure.diagram, effort);
     meet(parity.initial, structure.initial);
     for (std::size_t i = 0; i < queue_.size(); ++i) {
-      seen_.clear();
       const std::uint32_t q = queue_[i];
-      follow(parity.roots[q], structure.roots[*companion_[q]]);
+      pairs.from(parity.roots[q], structure.roots[*companion_[q]],
+                 [&](std::uint32_t choice, std::uint32_t companion) {
+                   meet(parity.choices[choice].front().target, companion);
+                 });
     }
   }
   const std::optional<std::uint32_t>& of(std::uint32_t q) const { return companion_[q]; }
@@ -42,25 +46,8 @@ class Companions {
     companion_[q] = companion;
     queue_.push_back(q);
   }
-  void follow(Node x, Node y) {
-    if (!seen_.insert(std::uint64_t{x.id} << 32U | y.id).second) return;
-    effort_.step();
-    if (Mtbdd::is_terminal(x) && Mtbdd::is_terminal(y))
-      return meet(parity_.choices[Mtbdd::payload(x)].front().target, Mtbdd::payload(y));
-    const Mtbdd::Variable top = std::min(parity_.diagram.variable(x), structure_.diagram.variable(y));
-    const auto side = [&](const Mtbdd& diagram, Node n, bool high) {
-      return diagram.variable(n) != top ? n : high ? diagram.high(n) : diagram.low(n);
-    };
-    for (const bool high : {false, true})
-      follow(side(parity_.diagram, x, high), side(structure_.diagram, y, high));
-  }
-
-  const Branching& parity_;
-  const Transitions& structure_;
-  Effort& effort_;
   std::vector<std::optional<std::uint32_t>> companion_;
   std::vector<std::uint32_t> queue_;
-  std::unordered_set<std::uint64_t> seen_;
 };
 
 bool accepts_all(const Branching& automaton, std::uint32_t q) {
@@ -171,7 +158,7 @@ std::optional<std::vector<Guess>> guess_by_master_theorem(Formula f, const Branc
         if (!entry) continue;
         if (++made > most_entries) return std::nullopt;
         targets->push_back(pool.add(*entry) + entry->initial);
-        if (advice.narrow == advice.safe) continue;
+        if (advice.narrow == advice.safe || pool.automaton.states() > large) continue;
         if (const auto beside = entries.automaton(advice.narrow, advice.often)) pool.add(*beside);
       }
     }

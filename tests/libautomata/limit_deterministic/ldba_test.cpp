@@ -2,8 +2,6 @@
 // Markov decision processes they win with the same probability as the deterministic automaton.
 #include <gtest/gtest.h>
 
-#include <algorithm>
-
 #include "libautomata/deterministic/determinize.hpp"
 #include "libautomata/deterministic/ltl_to_parity.hpp"
 #include "libautomata/limit_deterministic/guess_colour.hpp"
@@ -61,16 +59,7 @@ struct Way {
 LimitDeterministic bare(Formula simple, const std::vector<ltl::Proposition>& reads, Way way) {
   Effort effort;
   const Automaton dpa = ltl_to_dpa(simple).automaton();
-  Branching parity = dpa.transitions();
-  Mtbdd renamed;
-  parity.roots = renamed.import(
-      parity.diagram, parity.roots, [](std::uint32_t c) { return Mtbdd::terminal(c); },
-      [&](Mtbdd::Variable v) {
-        const auto at = std::lower_bound(reads.begin(), reads.end(), dpa.reads()[v]);
-        return static_cast<Mtbdd::Variable>(at - reads.begin());
-      });
-  parity.diagram = std::move(renamed);
-  parity = completed_parity(min_even_parity(parity));
+  const Branching parity = completed_parity(min_even_parity(renamed(dpa.transitions(), dpa.reads(), reads)));
   Pool pool;
   const auto guesses = way.by_theorem ? guess_by_master_theorem(simple, parity, reads, pool, effort)
                                       : std::optional(guess_colour(parity, pool));
