@@ -1,5 +1,5 @@
 // States of an automaton that is being made, numbered in the order in which they are met; the list of them doubles as
-// the queue of those to be looked at.
+// the queue of those to be looked at. Pairs of numbers are numbered faster by NumberedPairs.
 #pragma once
 #include <cstdint>
 #include <map>
