@@ -1,6 +1,8 @@
 #include "tools/shell/command.hpp"
 
 #include <CLI/App.hpp>
+#include <CLI/Config.hpp>
+#include <CLI/Formatter.hpp>
 #include <cstdint>
 #include <optional>
 
