@@ -3,7 +3,8 @@
 // Three routes, the smallest result is kept: the tableau, reduced; the minimal weak deterministic automaton, when the
 // formula is an obligation by its syntax, or when that automaton turns out to have φ's language (its product with the
 // tableau of ¬φ, and its complement's with that of φ, are empty); and the product of the automata of a conjunction's
-// operands, reduced at every step, for the operands as they were stated and as rewriting left them.
+// operands, reduced at every step, for the operands as they were stated and as rewriting left them. At the end states
+// are made one wherever that leaves the language as it is (fold.hpp).
 #pragma once
 #include <cstddef>
 #include <stop_token>
