@@ -5,6 +5,7 @@
 #include "libparser/language/generate.hpp"
 #include "libparser/weights_file.hpp"
 #include "tests/libparser/maps.hpp"
+#include "tests/support/sanitizers.hpp"
 
 namespace waymark::parser {
 namespace {
@@ -31,7 +32,7 @@ TEST(Learn, SameSeedGivesTheSameBytesAtAnyNumberOfThreads) {
     TrainOptions options;
     options.seed = seed;
     options.threads = threads;
-    options.epochs = 2;
+    options.epochs = testing::sanitized ? 1 : 2;
     return serialize(train(own_corpus(), shipped_maps(), options));
   };
   const std::string one = bytes(1, 1);
