@@ -18,7 +18,7 @@ namespace waymark::streets {
 struct StreetOptions {
   std::uint64_t seed = 1;  // the order of the texts
   int epochs = 8;
-  double rate = 0.05, decay = 1e-2;  // AdaGrad's step and L2, for every update
+  double rate = 0.05, decay = 4e-2;  // AdaGrad's step and L2, for every update
   double against_rival = 0.5;        // 0: the rival is a candidate like any other
   CandidateLimits limits;
   std::stop_token stop;

@@ -134,7 +134,7 @@ TEST(Streets, TheRivalIsPushedAway) {
     return rival / wrong;
   };
   EXPECT_GT(share(0), 0);
-  EXPECT_LT(share(4), 0.8 * share(0));
+  EXPECT_LT(share(4), 0.9 * share(0));
 }
 
 TEST(Streets, AskForSomethingToLearnFrom) {
