@@ -193,6 +193,12 @@ TEST(StreetCorpus, LinesSayWhatIsWrongWithThem) {
   EXPECT_NE(
       complaint(R"({"id": "1", "map": "town", "start": 1, "text": "", "path": [0, 1]})").find("the start"),
       std::string::npos);
+  EXPECT_NE(complaint(R"({"id": "1", "map": "town", "start": 0, "text": "", "path": [0, 1], "figure": "2"})")
+                .find("figure"),
+            std::string::npos);
+  const auto about = [&](const char* line) { return parse_street_instructions(line, maps)[0].figure; };
+  EXPECT_EQ(about(R"({"id": "1", "map": "town", "start": 0, "text": "", "path": [0, 1], "figure": 2})"), 2);
+  EXPECT_EQ(about(R"({"id": "1", "map": "town", "start": 0, "text": "", "path": [0, 1]})"), std::nullopt);
   EXPECT_NE(complaint("[").find("town.jsonl:1"), std::string::npos);
 }
 
