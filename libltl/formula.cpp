@@ -8,23 +8,6 @@
 
 namespace waymark::ltl {
 
-struct Formula::Node {
-  Op op;
-  std::uint32_t id;
-  Proposition proposition;
-  std::uint32_t arity;
-  std::size_t hash;
-  Arena* arena;
-  const Formula* operands;
-};
-
-Op Formula::op() const { return node_->op; }
-std::span<const Formula> Formula::operands() const { return {node_->operands, node_->arity}; }
-Formula Formula::operator[](std::size_t i) const { return node_->operands[i]; }
-Proposition Formula::proposition() const { return node_->proposition; }
-Arena& Formula::arena() const { return *node_->arena; }
-std::uint32_t Formula::id() const { return node_->id; }
-
 // Nodes and operand lists live in one growing buffer; the unique table is open-addressed over node pointers.
 struct Arena::Store {
   std::pmr::monotonic_buffer_resource memory{1024};
