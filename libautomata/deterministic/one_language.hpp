@@ -12,8 +12,8 @@
 
 namespace waymark::automata {
 
-// By state: the first state that accepts the same words. Deterministic, complete, parity(Min, Even, ·). All pairs of
-// states are compared: one step of effort per pair of nodes.
+// By state: the first state that accepts the same words. Deterministic, complete, any acceptance. A few words tell most
+// states apart; of the others all pairs are compared: one step of effort per pair of nodes.
 std::vector<std::uint32_t> languages(const Branching& complete, Effort& effort);
 
 // parity(Min, Even, ·) in and out, deterministic; states may be left that nothing reaches.
