@@ -2,10 +2,11 @@
 
 #include <algorithm>
 #include <numeric>
+#include <optional>
+#include <span>
 #include <utility>
 #include <vector>
 
-#include "libautomata/deterministic/colours.hpp"
 #include "libautomata/omega/emptiness.hpp"
 #include "libautomata/pair_walk.hpp"
 #include "libltl/random.hpp"
@@ -152,9 +153,8 @@ std::vector<std::uint32_t> languages(const Branching& complete, Effort& effort) 
   return first;
 }
 
-Branching one_component_each(const Branching& automaton, Effort& effort) {
-  const Branching complete = completed_parity(automaton);
-  const std::vector<std::uint32_t> language = languages(complete, effort);
+std::optional<Branching> one_component_each(const Branching& complete,
+                                            const std::vector<std::uint32_t>& language) {
   const Components found = components(BranchGraph(complete));
   std::vector<std::uint32_t> all(complete.states()), image(complete.states());
   std::iota(all.begin(), all.end(), 0U);
@@ -162,6 +162,7 @@ Branching one_component_each(const Branching& automaton, Effort& effort) {
   for (std::uint32_t q : all)
     for (std::uint32_t r : all)
       if (found.of[r] < found.of[image[q]] && language[q] == language[r]) image[q] = r;
+  if (image == all) return std::nullopt;
   Branching out = rebuild(complete, all, [&](std::uint32_t, std::span<const Branch> choice) {
     return std::vector<Branch>{{image[choice.front().target], choice.front().marks}};
   });
