@@ -6,6 +6,8 @@
 #include <memory_resource>
 #include <unordered_map>
 
+#include "libltl/walk.hpp"
+
 namespace waymark::ltl {
 
 // Nodes and operand lists live in one growing buffer; the unique table is open-addressed over node pointers.
@@ -185,18 +187,7 @@ Formula always_within(std::size_t k, Formula f) {
 }
 
 std::vector<Formula> subformulas(Formula f) {
-  std::vector<Formula> out, heap{f};  // the largest id first: operands have smaller ones
-  while (!heap.empty()) {
-    std::pop_heap(heap.begin(), heap.end());
-    const Formula g = heap.back();
-    heap.pop_back();
-    if (!out.empty() && out.back() == g) continue;
-    out.push_back(g);
-    for (Formula operand : g.operands()) {
-      heap.push_back(operand);
-      std::push_heap(heap.begin(), heap.end());
-    }
-  }
+  std::vector<Formula> out = walk(f, [](Formula) { return true; });
   std::reverse(out.begin(), out.end());
   return out;
 }
