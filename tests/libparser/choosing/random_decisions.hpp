@@ -28,7 +28,7 @@ class RandomReader : public Reader {
     std::mt19937_64 random(seed);
     std::vector<Candidate> out;
     for (std::size_t i = 0; i < beam; ++i)
-      out.push_back({random_program(grammar_, random), -0.5 * static_cast<double>(i)});
+      out.push_back({random_program(grammar_, random), -0.05 * static_cast<double>(i)});
     return out;
   }
 

@@ -12,7 +12,7 @@
 namespace waymark::parser {
 namespace {
 
-constexpr double trust = 0.5;
+constexpr double trust = 1.5;
 
 // A follower with random weights for all that a paragraph may need, and every way through the paragraph by enumeration.
 class World {
@@ -21,7 +21,7 @@ class World {
 
   Grounder grounder() const { return {std::make_shared<RandomReader>(model_->grammar()), model_}; }
   GroundingFollower follower(std::size_t alive) const {
-    return {{grounder()}, {.deciding = {.beam = 5}, .alive = alive, .trust_in_locator = trust}};
+    return {{grounder()}, {.deciding = {.beam = 16, .trust = 0}, .alive = alive, .trust_in_locator = trust}};
   }
 
   void draw() {
@@ -37,7 +37,7 @@ class World {
     for (const SentenceInput& input : paragraph)  // ends of sentences depend on where they begin: from a few poses
       for (int i = 0; i < 4; ++i) {
         const plan::PoseId from{i == 0 ? start.index : static_cast<std::uint32_t>(random_() % map_.poses())};
-        const Decision decision = decide(grounder(), executor_, input, {&from, 1}, {.beam = 5});
+        const Decision decision = decide(grounder(), executor_, input, {&from, 1}, {.beam = 16, .trust = 0});
         for (WeightTable* table : {&model_->chooser, &model_->locator})
           add_weights(*model_, executor_, input, from, decision, *table, random_);
       }
@@ -83,7 +83,7 @@ class World {
 TEST(GroundingFollower, ParagraphsEndAtTheLikeliestPlaceOverAllWays) {
   World world;
   std::size_t not_greedy = 0;
-  for (int i = 0; i < testing::scaled(60); ++i) {
+  for (int i = 0; i < 30; ++i) {
     world.draw();
     const GroundingFollower whole = world.follower(100'000);
     std::map<std::uint32_t, double> places;
@@ -139,7 +139,7 @@ TEST(GroundingFollower, AnswersGoOnWhereTheLastOneEnded) {
 
 TEST(GroundingFollower, WithOnePoseAliveSentencesAreSettledOneByOne) {
   World world;
-  for (int i = 0; i < testing::scaled(20); ++i) {
+  for (int i = 0; i < 20; ++i) {
     world.draw();
     const GroundingFollower follower = world.follower(1);
     plan::PoseId pose = world.start;
@@ -156,14 +156,14 @@ TEST(GroundingFollower, WithOnePoseAliveSentencesAreSettledOneByOne) {
 TEST(GroundingFollower, VotersAreAveraged) {
   World world;
   std::size_t compared = 0;
-  for (int i = 0; i < testing::scaled(20); ++i) {
+  for (int i = 0; i < 20; ++i) {
     world.draw();
     const SentenceInput& input = world.paragraph.front();
     const Grounder one = world.grounder();
     world.draw_weights();
     const Grounder other = world.grounder();
     const auto judged = [&](std::vector<Grounder> grounders) {
-      const GroundingFollower follower(std::move(grounders), {.deciding = {.beam = 5}});
+      const GroundingFollower follower(std::move(grounders), {.deciding = {.beam = 16, .trust = 0}});
       return follower.judge(world.executor(), input, follower.read(input), world.start);
     };
     const auto a = judged({one}), b = judged({other}), both = judged({one, other});
