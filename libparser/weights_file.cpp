@@ -17,7 +17,9 @@ std::uint32_t version_of(std::uint32_t kind, const LinearModel& model) {
   return kind + (model.dialect() == Dialect::Temporal ? 2 : 0);
 }
 bool is_kind(std::uint32_t version, std::uint32_t kind) { return version == kind || version == kind + 2; }
-Dialect dialect_of(std::uint32_t version) { return version > encoder_decoder ? Dialect::Temporal : Dialect::Plain; }
+Dialect dialect_of(std::uint32_t version) {
+  return version > encoder_decoder ? Dialect::Temporal : Dialect::Plain;
+}
 
 constexpr std::int32_t largest = 4096;  // size of a layer, while reading
 

@@ -57,8 +57,7 @@ double evidence_of_start(const LinearModel& model, const Executor& executor, con
   constexpr double nowhere_to_go = -100;
   if (model.locator.rows() == 0) return 0;
   if (decision.ends.empty()) return nowhere_to_go;
-  std::vector<double> scores =
-      scores_of_ends(model, model.locator, executor, input, {&start, 1}, decision);
+  std::vector<double> scores = scores_of_ends(model, model.locator, executor, input, {&start, 1}, decision);
   return normalise(scores);
 }
 

@@ -36,8 +36,7 @@ class ChooserLearner {
     if (mirrored) input.tokens = mirror(input.tokens);
     ChooserSentence sentence(model_, input, mirrored);
     for (const Dilemma::Option& option : dilemma.options)
-      sentence.add_end(executors_[dilemma.example->map], option.start, option.plan,
-                       option.mass);
+      sentence.add_end(executors_[dilemma.example->map], option.start, option.plan, option.mass);
     EndFeatures features = sentence.take();
     Lesson lesson{{}, std::move(features.ends), std::move(features.log_mass), dilemma.right};
     for (const auto& bundle : features.bundles) {

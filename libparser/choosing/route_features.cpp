@@ -104,9 +104,9 @@ ChooserSentence::Walk ChooserSentence::walk_of(const Executor& executor, plan::P
   using plan::Action;
   Walk walk{plan.actions, 0, {Arrival::start(start)}, {}, {}, {}};
   for (const Action action : plan.actions)
-    walk.poses.push_back(
-        Arrival::start(*executor.map().successor(Arrival::pose(walk.poses.back()), action)));
-  if (mirrored_) std::transform(walk.actions.begin(), walk.actions.end(), walk.actions.begin(), mirror_action);
+    walk.poses.push_back(Arrival::start(*executor.map().successor(Arrival::pose(walk.poses.back()), action)));
+  if (mirrored_)
+    std::transform(walk.actions.begin(), walk.actions.end(), walk.actions.begin(), mirror_action);
   walk.first_turns = fold(walk.actions, true);
   if (heading_unknown_)
     walk.actions.erase(walk.actions.begin(),

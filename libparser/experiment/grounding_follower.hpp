@@ -1,22 +1,16 @@
 // The follower that grounds: it reads programs and carries out their plans.
 //
 // Several grounders vote: the probabilities of ends are averaged, and the first of those that give the winning end the
-// most says how it is read.
-//
-// Along a paragraph several poses are kept alive, and what is said next tells which of them was meant:
-//   P_k(end) = Σ_start P_{k−1}(start) · e^(trust · evidence_k(start)) · p_k(end | start),   the `alive` likeliest kept
-// with p_k as of a single sentence and the evidence of the locators (chooser.hpp), a mean over the grounders. The answer ends at
-// the place that is likeliest after the last sentence, by the likeliest way there. With one pose alive this is Follower's own
-// way: sentence after sentence.
+// most says how it is read. Paragraphs are read as a whole (choosing/paragraph.hpp); evidence is a mean over the grounders.
 #pragma once
+#include "libparser/choosing/paragraph.hpp"
 #include "libparser/experiment/follower.hpp"
 
 namespace waymark::parser {
 
 struct Following {
   Deciding deciding = {};
-  std::size_t alive = 12;        // poses, along a paragraph; at least 1
-  double trust_in_locator = 0.5;  // its weight beside the chooser's probabilities
+  ParagraphOptions paragraph = {};
 };
 
 class GroundingFollower : public Follower {

@@ -143,8 +143,8 @@ TEST(RouteFeatures, OfAMirrorImageAreThoseOfTheRouteInTheMirror) {
 TEST(RouteFeatures, TurnsThatNobodySpeaksOfAreOneProperty) {
   Case c;
   SentenceInput known{{"chair"}, false}, unknown{{"chair"}, true};
-  const auto differing = [&](const SentenceInput& input, plan::PoseId one, plan::PoseId other, const Plan& from_one,
-                             const Plan& from_other) {
+  const auto differing = [&](const SentenceInput& input, plan::PoseId one, plan::PoseId other,
+                             const Plan& from_one, const Plan& from_other) {
     const auto a = features_of(*c.model, c.executor, input, one, from_one, false);
     const auto b = features_of(*c.model, c.executor, input, other, from_other, false);
     std::vector<std::uint64_t> out;
@@ -155,7 +155,8 @@ TEST(RouteFeatures, TurnsThatNobodySpeaksOfAreOneProperty) {
   for (std::uint32_t pose = 0; pose < c.map.poses(); ++pose) {
     const auto moved = c.map.successor({pose}, plan::Action::Forward);
     if (!moved) continue;
-    const plan::PoseId left = *c.map.successor({pose}, plan::Action::Right);  // one turn to the left of it is `pose`
+    const plan::PoseId left =
+        *c.map.successor({pose}, plan::Action::Right);  // one turn to the left of it is `pose`
     const plan::PoseId right = *c.map.successor({pose}, plan::Action::Left);
     const Plan from_left{*moved, {plan::Action::Left, plan::Action::Forward}},
         from_right{*moved, {plan::Action::Right, plan::Action::Forward}};

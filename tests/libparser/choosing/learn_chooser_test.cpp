@@ -72,7 +72,8 @@ TEST(LearnChooser, StartsAreAskedForOnlyWhereAParagraphGoesOn) {
 }
 
 // log p(right) of a table, by the definition; mean over dilemmas.
-double log_likelihood(const LinearModel& model, const WeightTable& table, const std::vector<Dilemma>& dilemmas) {
+double log_likelihood(const LinearModel& model, const WeightTable& table,
+                      const std::vector<Dilemma>& dilemmas) {
   double sum = 0;
   for (const Dilemma& dilemma : dilemmas) {
     ChooserSentence sentence(model, dilemma.example->input);
@@ -103,7 +104,7 @@ TEST(LearnChooser, WhatIsRightBecomesLikelier) {
     return with_chooser(lessons().reader, lessons().dilemmas, lessons().executors, options, [](double) {});
   };
   const Grounder before = learned(0), after = learned(6);
-  const auto gain = [&](const WeightTable LinearModel::* table, const std::vector<Dilemma>& dilemmas) {
+  const auto gain = [&](const WeightTable LinearModel::*table, const std::vector<Dilemma>& dilemmas) {
     return log_likelihood(*after.model, (*after.model).*table, dilemmas) -
            log_likelihood(*before.model, (*before.model).*table, dilemmas);
   };

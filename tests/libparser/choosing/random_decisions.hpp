@@ -12,7 +12,8 @@
 namespace waymark::parser {
 
 inline SentenceInput random_sentence(std::mt19937_64& random) {
-  static const std::vector<std::string> words{"left", "right", "chair", "blue", "two", "until", "wall", "second"};
+  static const std::vector<std::string> words{"left", "right", "chair", "blue",
+                                              "two",  "until", "wall",  "second"};
   SentenceInput input;
   for (std::size_t n = 1 + random() % 5; n > 0; --n) input.tokens.push_back(words[random() % words.size()]);
   return input;

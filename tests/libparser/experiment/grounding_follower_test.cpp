@@ -21,7 +21,7 @@ class World {
 
   Grounder grounder() const { return {std::make_shared<RandomReader>(model_->grammar()), model_}; }
   GroundingFollower follower(std::size_t alive) const {
-    return {{grounder()}, {.deciding = {.beam = 16, .trust = 0}, .alive = alive, .trust_in_locator = trust}};
+    return {{grounder()}, {.deciding = {.beam = 16, .trust = 0}, .paragraph = {alive, trust}}};
   }
 
   void draw() {
@@ -34,7 +34,8 @@ class World {
     model_ = std::make_shared<LinearModel>(map_.vocabulary());
     for (const SentenceInput& input : paragraph)
       for (const std::string& word : input.tokens) model_->words.add(word);
-    for (const SentenceInput& input : paragraph)  // ends of sentences depend on where they begin: from a few poses
+    for (const SentenceInput& input :
+         paragraph)  // ends of sentences depend on where they begin: from a few poses
       for (int i = 0; i < 4; ++i) {
         const plan::PoseId from{i == 0 ? start.index : static_cast<std::uint32_t>(random_() % map_.poses())};
         const Decision decision = decide(grounder(), executor_, input, {&from, 1}, {.beam = 16, .trust = 0});
@@ -83,7 +84,7 @@ class World {
 TEST(GroundingFollower, ParagraphsEndAtTheLikeliestPlaceOverAllWays) {
   World world;
   std::size_t not_greedy = 0;
-  for (int i = 0; i < 30; ++i) {
+  for (int i = 0; i < 45; ++i) {
     world.draw();
     const GroundingFollower whole = world.follower(100'000);
     std::map<std::uint32_t, double> places;
