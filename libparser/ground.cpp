@@ -122,8 +122,7 @@ class Hearing {
   }
   Outlook outlook(std::size_t k, plan::PoseId from) const {
     Decision decision = decide(programs_[k], executor_, {&from, 1}, options_.then);
-    const double evidence = evidence_of_start(*grounder_.model, executor_, inputs_[k], from, decision);
-    choose_end(*grounder_.model, executor_, inputs_[k], {&from, 1}, decision);
+    const double evidence = choose_and_locate(*grounder_.model, executor_, inputs_[k], from, decision);
     return {shares(decision), evidence};
   }
   static std::vector<std::pair<plan::PoseId, double>> shares(const Decision& decision) {

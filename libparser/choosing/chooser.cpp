@@ -15,16 +15,17 @@ double normalise(std::vector<double>& scores) {
   return highest + std::log(total);
 }
 
-}  // namespace
-
-std::vector<double> scores_of_ends(const LinearModel& model, const WeightTable& table,
-                                   const Executor& executor, const SentenceInput& input,
-                                   std::span<const plan::PoseId> starts, const Decision& decision) {
+EndFeatures features_of(const LinearModel& model, const Executor& executor, const SentenceInput& input,
+                        std::span<const plan::PoseId> starts, const Decision& decision) {
   ChooserSentence sentence(model, input);
   for (const End& end : decision.ends)
     sentence.add_end(executor, starts[decision.start[end.candidate]], *decision.plans[end.candidate],
                      end.mass);
-  const EndFeatures features = sentence.take();
+  return sentence.take();
+}
+
+// w · f of every end: logarithms, up to one constant for each sentence.
+std::vector<double> scores(const WeightTable& table, const EndFeatures& features) {
   const auto weight = [&](std::uint64_t feature) {
     const std::uint32_t row = table.find(feature);
     return row == WeightTable::absent ? 0.0 : static_cast<double>(table.weight(row, 0));
@@ -32,33 +33,50 @@ std::vector<double> scores_of_ends(const LinearModel& model, const WeightTable& 
   std::vector<double> bundles;
   for (const auto& bundle : features.bundles) {
     bundles.push_back(0);
-    for (std::uint64_t feature : bundle) bundles.back() += weight(feature);
+    for (const std::uint64_t feature : bundle) bundles.back() += weight(feature);
   }
-  std::vector<double> scores;
+  std::vector<double> out;
   for (std::size_t i = 0; i < features.ends.size(); ++i) {
-    scores.push_back(weight(log_mass_feature()) * static_cast<double>(features.log_mass[i]));
-    for (std::uint32_t bundle : features.ends[i]) scores.back() += bundles[bundle];
+    out.push_back(weight(log_mass_feature()) * static_cast<double>(features.log_mass[i]));
+    for (const std::uint32_t bundle : features.ends[i]) out.back() += bundles[bundle];
   }
-  return scores;
+  return out;
 }
 
-void choose_end(const LinearModel& model, const Executor& executor, const SentenceInput& input,
-                std::span<const plan::PoseId> starts, Decision& decision) {
-  if (model.chooser.rows() == 0 || decision.ends.size() < 2) return;
-  std::vector<double> p = scores_of_ends(model, model.chooser, executor, input, starts, decision);
+void choose(const LinearModel& model, const EndFeatures& features, Decision& decision) {
+  std::vector<double> p = scores(model.chooser, features);
   normalise(p);
   for (std::size_t i = 0; i < p.size(); ++i) decision.ends[i].mass = p[i];
   std::stable_sort(decision.ends.begin(), decision.ends.end(),
                    [](const End& a, const End& b) { return a.mass > b.mass; });
 }
 
-double evidence_of_start(const LinearModel& model, const Executor& executor, const SentenceInput& input,
-                         plan::PoseId start, const Decision& decision) {
+bool chooses(const LinearModel& model, const Decision& decision) {
+  return model.chooser.rows() > 0 && decision.ends.size() > 1;
+}
+
+}  // namespace
+
+void choose_end(const LinearModel& model, const Executor& executor, const SentenceInput& input,
+                std::span<const plan::PoseId> starts, Decision& decision) {
+  if (chooses(model, decision))
+    choose(model, features_of(model, executor, input, starts, decision), decision);
+}
+
+double choose_and_locate(const LinearModel& model, const Executor& executor, const SentenceInput& input,
+                         plan::PoseId start, Decision& decision) {
   constexpr double nowhere_to_go = -100;
-  if (model.locator.rows() == 0) return 0;
-  if (decision.ends.empty()) return nowhere_to_go;
-  std::vector<double> scores = scores_of_ends(model, model.locator, executor, input, {&start, 1}, decision);
-  return normalise(scores);
+  const bool locates = model.locator.rows() > 0;
+  if (decision.ends.empty()) return locates ? nowhere_to_go : 0;
+  if (!locates && !chooses(model, decision)) return 0;
+  const EndFeatures features = features_of(model, executor, input, {&start, 1}, decision);
+  double evidence = 0;
+  if (locates) {
+    std::vector<double> located = scores(model.locator, features);
+    evidence = normalise(located);
+  }
+  if (chooses(model, decision)) choose(model, features, decision);
+  return evidence;
 }
 
 }  // namespace waymark::parser

@@ -16,20 +16,14 @@
 
 namespace waymark::parser {
 
-// Of the ends of a decision, as they stand there: logarithms, up to one constant for each sentence.
-// table: the model's chooser or its locator.
-std::vector<double> scores_of_ends(const LinearModel& model, const WeightTable& table,
-                                   const Executor& executor, const SentenceInput& input,
-                                   std::span<const plan::PoseId> starts, const Decision& decision);
-
-// Scores of the ends of a decision; the ends are then sorted by probability, `mass` replaced by it.
+// The ends of a decision are sorted by the chooser's probability, `mass` replaced by it.
 // Does nothing when the model has no chooser.
 void choose_end(const LinearModel& model, const Executor& executor, const SentenceInput& input,
                 std::span<const plan::PoseId> starts, Decision& decision);
 
-// log p(start | sentence) up to one constant for each sentence, of a decision from that start whose masses are still those
-// of programs. 0 when the model has no locator; less than any other when the decision has no ends.
-double evidence_of_start(const LinearModel& model, const Executor& executor, const SentenceInput& input,
-                         plan::PoseId start, const Decision& decision);
+// The same, and log p(start | sentence) up to one constant for each sentence: 0 when the model has no locator; less than any
+// other when the decision has no ends.
+double choose_and_locate(const LinearModel& model, const Executor& executor, const SentenceInput& input,
+                         plan::PoseId start, Decision& decision);
 
 }  // namespace waymark::parser

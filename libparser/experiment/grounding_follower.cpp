@@ -20,9 +20,7 @@ GroundingFollower::Verdict GroundingFollower::judge(const Executor& executor, co
   for (std::size_t g = 0; g < grounders_.size(); ++g) {
     const LinearModel& model = *grounders_[g].model;
     Decision decision = decide(readings[g], executor, {&start, 1}, how_.deciding.then);
-    if (how_.paragraph.alive > 1)
-      verdict.evidence += evidence_of_start(model, executor, input, start, decision) / members;
-    choose_end(model, executor, input, {&start, 1}, decision);
+    verdict.evidence += choose_and_locate(model, executor, input, start, decision) / members;
     double total = 0;
     for (const End& end : decision.ends) total += end.mass;
     for (const End& end : decision.ends) {

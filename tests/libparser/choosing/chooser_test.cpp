@@ -87,10 +87,16 @@ TEST(Chooser, EvidenceOfAStartIsTheLogarithmOfASum) {
     if (c.decision.ends.empty()) continue;
     double total = 0;
     for (const End& end : c.decision.ends) total += std::exp(c.score(c.model->locator, end));
-    EXPECT_NEAR(evidence_of_start(*c.model, c.executor, c.input, c.start, c.decision), std::log(total), 1e-3);
+    Decision located = c.decision, chosen = c.decision;
+    EXPECT_NEAR(choose_and_locate(*c.model, c.executor, c.input, c.start, located), std::log(total), 1e-3);
+    choose_end(*c.model, c.executor, c.input, {&c.start, 1}, chosen);
+    for (std::size_t k = 0; k < chosen.ends.size(); ++k) {
+      EXPECT_EQ(located.ends[k].pose, chosen.ends[k].pose);
+      EXPECT_EQ(located.ends[k].mass, chosen.ends[k].mass);
+    }
   }
   c.model->locator = WeightTable(1);
-  EXPECT_EQ(evidence_of_start(*c.model, c.executor, c.input, c.start, c.decision), 0.0);
+  EXPECT_EQ(choose_and_locate(*c.model, c.executor, c.input, c.start, c.decision), 0.0);
 }
 
 // The map seen in a mirror, node by node; a pose and its image have one node.
