@@ -62,6 +62,12 @@ Dfa::Dfa(ltl::Vocabulary vocabulary, std::vector<ltl::Proposition> reads, Mtbdd 
   distance_ = distances(graph, accepting_);
 }
 
+void Dfa::rename(ltl::Vocabulary names) {
+  for (ltl::Proposition p : reads_)
+    require(p.index < names.size(), "a proposition that a DFA reads has no new name");
+  vocabulary_ = std::move(names);
+}
+
 StateId Dfa::next(StateId q, const ltl::Letter& letter) const {
   const auto holds = [&](Mtbdd::Variable v) { return letter.contains(reads_[v]); };
   return StateId{Mtbdd::payload(diagram_.evaluate(roots_[q.index], holds))};

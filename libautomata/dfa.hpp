@@ -40,6 +40,9 @@ class Dfa {
 
   StateId next(StateId q, const ltl::Letter& letter) const;  // δ(q, a), O(|reads|)
 
+  // Other names for the same positions. Throws std::invalid_argument when one that is read has none.
+  void rename(ltl::Vocabulary names);
+
   const Mtbdd& diagram() const { return diagram_; }
   Mtbdd::Node root(StateId q) const { return roots_[q.index]; }
 

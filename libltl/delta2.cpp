@@ -13,6 +13,7 @@
 #include "libltl/by_subformula.hpp"
 #include "libltl/hierarchy.hpp"
 #include "libltl/nnf.hpp"
+#include "libltl/walk.hpp"
 
 namespace waymark::ltl {
 namespace {
@@ -56,25 +57,6 @@ Formula rebuilt(Formula f, const Image& image) {
     return g;
   };
   return BySubformula<Formula>(f, make).top();
-}
-
-// f and the subformulas that `entered` leads to, each once, those with great ids first: operators before operands.
-template <class Entered>
-std::vector<Formula> walk(Formula f, const Entered& entered) {
-  std::vector<Formula> out, heap{f};
-  while (!heap.empty()) {
-    std::pop_heap(heap.begin(), heap.end());
-    const Formula g = heap.back();
-    heap.pop_back();
-    if (!out.empty() && out.back() == g) continue;
-    out.push_back(g);
-    if (!entered(g)) continue;
-    for (Formula operand : g.operands()) {
-      heap.push_back(operand);
-      std::push_heap(heap.begin(), heap.end());
-    }
-  }
-  return out;
 }
 
 std::vector<Formula> outside_limits(Formula f) {

@@ -6,24 +6,9 @@
 #include <memory_resource>
 #include <unordered_map>
 
+#include "libltl/walk.hpp"
+
 namespace waymark::ltl {
-
-struct Formula::Node {
-  Op op;
-  std::uint32_t id;
-  Proposition proposition;
-  std::uint32_t arity;
-  std::size_t hash;
-  Arena* arena;
-  const Formula* operands;
-};
-
-Op Formula::op() const { return node_->op; }
-std::span<const Formula> Formula::operands() const { return {node_->operands, node_->arity}; }
-Formula Formula::operator[](std::size_t i) const { return node_->operands[i]; }
-Proposition Formula::proposition() const { return node_->proposition; }
-Arena& Formula::arena() const { return *node_->arena; }
-std::uint32_t Formula::id() const { return node_->id; }
 
 // Nodes and operand lists live in one growing buffer; the unique table is open-addressed over node pointers.
 struct Arena::Store {
@@ -202,18 +187,7 @@ Formula always_within(std::size_t k, Formula f) {
 }
 
 std::vector<Formula> subformulas(Formula f) {
-  std::vector<Formula> out, heap{f};  // the largest id first: operands have smaller ones
-  while (!heap.empty()) {
-    std::pop_heap(heap.begin(), heap.end());
-    const Formula g = heap.back();
-    heap.pop_back();
-    if (!out.empty() && out.back() == g) continue;
-    out.push_back(g);
-    for (Formula operand : g.operands()) {
-      heap.push_back(operand);
-      std::push_heap(heap.begin(), heap.end());
-    }
-  }
+  std::vector<Formula> out = walk(f, [](Formula) { return true; });
   std::reverse(out.begin(), out.end());
   return out;
 }

@@ -45,6 +45,23 @@ class Formula {  // a value: copy it, compare it, put it in a map. Valid as long
   const Node* node_;
 };
 
+struct Formula::Node {
+  Op op;
+  std::uint32_t id;
+  Proposition proposition;
+  std::uint32_t arity;
+  std::size_t hash;
+  Arena* arena;
+  const Formula* operands;
+};
+
+inline Op Formula::op() const { return node_->op; }
+inline std::span<const Formula> Formula::operands() const { return {node_->operands, node_->arity}; }
+inline Formula Formula::operator[](std::size_t i) const { return node_->operands[i]; }
+inline Proposition Formula::proposition() const { return node_->proposition; }
+inline Arena& Formula::arena() const { return *node_->arena; }
+inline std::uint32_t Formula::id() const { return node_->id; }
+
 // Owns formulas over one vocabulary. Not for two threads at once; any number of arenas on any number of threads.
 class Arena {
  public:

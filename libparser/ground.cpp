@@ -7,6 +7,7 @@
 
 #include "libltl/diagnostic.hpp"
 #include "libparser/choosing/chooser.hpp"
+#include "libparser/choosing/paragraph.hpp"
 #include "libparser/corpus/token.hpp"
 
 namespace waymark::parser {
@@ -98,6 +99,81 @@ void by_probability(std::vector<Reading>& readings) {
                    [](const Reading& a, const Reading& b) { return a.probability > b.probability; });
 }
 
+// Sentences that were heard, and what they come to from any pose.
+class Hearing {
+ public:
+  Hearing(const Grounder& grounder, const Executor& executor, const GroundOptions& options)
+      : grounder_(grounder), executor_(executor), options_(options) {}
+
+  void hear(const std::string& sentence, bool heading_unknown) {
+    inputs_.push_back({tokenize(sentence), heading_unknown});
+    programs_.push_back(likely_programs(grounder_, inputs_.back(), {options_.beam, options_.then}));
+  }
+  void forget() {
+    inputs_.clear();
+    programs_.clear();
+  }
+  std::size_t heard() const { return inputs_.size(); }
+
+  Decision decided(std::size_t k, std::span<const plan::PoseId> from) const {
+    Decision decision = decide(programs_[k], executor_, from, options_.then);
+    choose_end(*grounder_.model, executor_, inputs_[k], from, decision);
+    return decision;
+  }
+  Outlook outlook(std::size_t k, plan::PoseId from) const {
+    Decision decision = decide(programs_[k], executor_, {&from, 1}, options_.then);
+    const double evidence = choose_and_locate(*grounder_.model, executor_, inputs_[k], from, decision);
+    return {shares(decision), evidence};
+  }
+  static std::vector<std::pair<plan::PoseId, double>> shares(const Decision& decision) {
+    std::vector<std::pair<plan::PoseId, double>> out;
+    double total = 0;
+    for (const End& end : decision.ends) total += end.mass;
+    for (const End& end : decision.ends) out.emplace_back(end.pose, end.mass / total);
+    return out;
+  }
+
+ private:
+  const Grounder& grounder_;
+  const Executor& executor_;
+  const GroundOptions& options_;
+  std::vector<SentenceInput> inputs_;
+  std::vector<std::vector<Weighed>> programs_;
+};
+
+// What all sentences but the last come to.
+struct Settled {
+  Program program;
+  std::vector<plan::PoseId> here;
+};
+
+// The last one has a say in it: it tells where those before it ended (choosing/paragraph.hpp).
+Settled settle(const Grounder& grounder, const Executor& executor, const std::vector<std::string>& sentences,
+               std::span<const plan::PoseId> starts, const GroundOptions& options) {
+  Hearing hearing(grounder, executor, options);
+  Settled settled{{}, {starts.begin(), starts.end()}};
+  Decision decision;
+  std::size_t next = 0;
+  while (next + 1 < sentences.size() && decision.ends.empty()) {  // what leads nowhere says nothing
+    hearing.forget();
+    hearing.hear(sentences[next++], starts.size() > 1);
+    decision = hearing.decided(0, settled.here);
+  }
+  if (decision.ends.empty()) return settled;
+  while (next < sentences.size()) hearing.hear(sentences[next++], false);
+  std::vector<plan::PoseId> way =
+      likeliest_way(executor.map(), {Hearing::shares(decision), 0}, hearing.heard(),
+                    [&](std::size_t k, plan::PoseId from) { return hearing.outlook(k, from); }, {});
+  way.pop_back();
+  for (std::size_t k = 0; k < way.size(); ++k) {
+    const Decision taken = hearing.decided(k, settled.here);
+    for (const End& end : taken.ends)
+      if (end.pose == way[k]) append(settled.program, taken.candidates[end.candidate].program);
+    settled.here = {way[k]};
+  }
+  return settled;
+}
+
 }  // namespace
 
 std::vector<Reading> ground(const Grounder& grounder, std::string_view text, ltl::Arena& arena,
@@ -129,38 +205,28 @@ std::vector<Reading> ground(const Grounder& grounder, std::string_view text, con
   grounder.model->check_vocabulary(map.vocabulary(), "map " + map.name());
   const std::vector<std::string> sentences = split_sentences(text);
   if (sentences.empty() || starts.empty()) return {};
-  // All sentences but the last are settled one by one; the readings differ in the last.
-  Program settled;
-  std::vector<plan::PoseId> here(starts.begin(), starts.end());
-  for (std::size_t i = 0;; ++i) {
-    const SentenceInput input{tokenize(sentences[i]), here.size() > 1};
-    Decision decision = decide(grounder, executor, input, here, {options.beam, options.then});
-    choose_end(*grounder.model, executor, input, here, decision);
-    if (i + 1 < sentences.size()) {
-      if (decision.ends.empty()) continue;  // nothing said by it leads anywhere: stay
-      append(settled, decision.candidates[decision.ends.front().candidate].program);
-      here = {decision.ends.front().pose};
-      continue;
-    }
-    const std::vector<double> weights = on_the_map(decision);
-    std::vector<Weighed> programs;
-    for (std::size_t c = 0; c < weights.size(); ++c) {
-      programs.push_back({settled, std::log(weights[c]), 0});
-      append(programs.back().program, decision.candidates[c].program);
-    }
-    std::vector<Reading> readings = readings_of(programs, arena);
-    by_probability(readings);
-    if (!decision.ends.empty()) {
-      const Program best = or_stay(programs[decision.ends.front().candidate].program);
-      const ltl::Formula formula = formula_of(best, arena);
-      const auto chosen = std::find_if(readings.begin(), readings.end(),
-                                       [&](const Reading& r) { return r.formula == formula; });
-      std::rotate(readings.begin(), chosen, chosen + 1);
-    }
-    if (readings.size() > options.top)
-      readings.erase(readings.begin() + static_cast<std::ptrdiff_t>(options.top), readings.end());
-    return readings;
+  const Settled settled = settle(grounder, executor, sentences, starts, options);
+  const SentenceInput input{tokenize(sentences.back()), settled.here.size() > 1};
+  Decision decision = decide(grounder, executor, input, settled.here, {options.beam, options.then});
+  choose_end(*grounder.model, executor, input, settled.here, decision);
+  const std::vector<double> weights = on_the_map(decision);
+  std::vector<Weighed> programs;
+  for (std::size_t c = 0; c < weights.size(); ++c) {
+    programs.push_back({settled.program, std::log(weights[c]), 0});
+    append(programs.back().program, decision.candidates[c].program);
   }
+  std::vector<Reading> readings = readings_of(programs, arena);
+  by_probability(readings);
+  if (!decision.ends.empty()) {
+    const Program best = or_stay(programs[decision.ends.front().candidate].program);
+    const ltl::Formula formula = formula_of(best, arena);
+    const auto chosen = std::find_if(readings.begin(), readings.end(),
+                                     [&](const Reading& r) { return r.formula == formula; });
+    std::rotate(readings.begin(), chosen, chosen + 1);
+  }
+  if (readings.size() > options.top)
+    readings.erase(readings.begin() + static_cast<std::ptrdiff_t>(options.top), readings.end());
+  return readings;
 }
 
 std::size_t choose(std::span<const Reading> readings, const plan::Map& map,

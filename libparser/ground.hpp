@@ -2,7 +2,8 @@
 //
 // Without a map, `ground` ranks programs by p(program | sentence) alone. With one, each sentence's candidate programs are
 // planned from where the last sentence ended, and the end pose that carries most probability wins: the answer to
-// "which place is meant" is the mass of all readings that lead there, not the single likeliest reading.
+// "which place is meant" is the mass of all readings that lead there, not the single likeliest reading. Where several
+// sentences are said, what follows tells where those before it ended (choosing/paragraph.hpp).
 #pragma once
 #include <cstddef>
 #include <span>

@@ -48,7 +48,7 @@ Grounder train_on(std::span<const Example* const> examples, std::span<const Exec
   const bool chooses = options.chooser && examples.size() > 1;
   const auto groups = chooses ? groups_of(examples) : std::vector<std::vector<const Example*>>{};
   Grounder grounder;
-  std::vector<std::vector<Dilemma>> dilemmas(groups.size());
+  std::vector<Dilemmas> dilemmas(groups.size());
   const auto job = [&](std::size_t i, const JobProgress& progress) {
     if (i == 0) {  // the longest first
       grounder = learn_reader(examples, executors, options, progress);
@@ -57,17 +57,16 @@ Grounder train_on(std::span<const Example* const> examples, std::span<const Exec
     std::vector<const Example*> others;
     for (std::size_t h = 0; h < groups.size(); ++h)
       if (h != i - 1) others.insert(others.end(), groups[h].begin(), groups[h].end());
-    dilemmas[i - 1] =
-        dilemmas_of(learn_reader(others, executors, options, progress), groups[i - 1], executors, options);
+    add_dilemmas(learn_reader(others, executors, options, progress), groups[i - 1], executors, options,
+                 dilemmas[i - 1]);
   };
   const Report most = [&](double fraction, std::string_view what) {
     if (options.progress) options.progress(0.9 * fraction, what);
   };
   run_jobs(1 + groups.size(), options.threads, most, "learning", job);
   if (!chooses) return grounder;
-  std::vector<const Dilemma*> all;
-  for (const auto& group : dilemmas)
-    for (const Dilemma& dilemma : group) all.push_back(&dilemma);
+  Dilemmas all;
+  for (Dilemmas& group : dilemmas) all.add(std::move(group));
   return with_chooser(grounder, all, executors, options, [&](double fraction) {
     if (options.progress) options.progress(0.9 + 0.1 * fraction, "learning to choose");
   });

@@ -44,6 +44,8 @@ struct TrainOptions {
   double chooser_decay = 0.2;  // L2
   std::size_t beam = 64;
   double trust = 1;  // in wording when deciding: 0 takes the reader's word for everything
+  std::size_t alive =
+      12;  // poses kept along a paragraph; 1: each sentence is settled before the next is heard
   // Called from the calling thread, fraction in [0, 1], never decreasing.
   Report progress = {};
   std::stop_token stop = {};  // polled once per sentence; then Stopped (examples.hpp) is thrown

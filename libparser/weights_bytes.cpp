@@ -94,8 +94,8 @@ WeightsReader::WeightsReader(std::string_view bytes, std::string_view source)
   bytes_ = bytes.substr(0, bytes.size() - 8);
   at_ = magic.size();
   version_ = number<std::uint32_t>();
-  if (version_ > 4)
-    fail("weights file of version " + std::to_string(version_) + ", this waymark reads versions 1 to 4");
+  if (version_ < 5 || version_ > 8)  // 1 to 4 had other features, and no locator
+    fail("weights file of version " + std::to_string(version_) + ", this waymark reads versions 5 to 8");
   if (sum != checksum(bytes_)) fail("the weights file is damaged: its checksum does not fit");
 }
 

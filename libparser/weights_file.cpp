@@ -11,13 +11,15 @@
 namespace waymark::parser {
 namespace {
 
-constexpr std::uint32_t linear = 1, encoder_decoder = 2;  // versions; + 2 in the temporal dialect
+constexpr std::uint32_t linear = 5, encoder_decoder = 6;  // versions; + 2 in the temporal dialect
 
 std::uint32_t version_of(std::uint32_t kind, const LinearModel& model) {
   return kind + (model.dialect() == Dialect::Temporal ? 2 : 0);
 }
 bool is_kind(std::uint32_t version, std::uint32_t kind) { return version == kind || version == kind + 2; }
-Dialect dialect_of(std::uint32_t version) { return version > 2 ? Dialect::Temporal : Dialect::Plain; }
+Dialect dialect_of(std::uint32_t version) {
+  return version > encoder_decoder ? Dialect::Temporal : Dialect::Plain;
+}
 
 constexpr std::int32_t largest = 4096;  // size of a layer, while reading
 
@@ -26,6 +28,7 @@ LinearModel read_linear(WeightsReader& in) {
   model.words = in.words();
   in.table(model.reader);
   in.table(model.chooser);
+  in.table(model.locator);
   in.end();
   return model;
 }
@@ -60,6 +63,7 @@ Grounder read_encoder_decoder(WeightsReader& in) {
   in.floats({values.data(), static_cast<std::size_t>(values.size())});
   model->words = in.words();
   in.table(model->chooser);
+  in.table(model->locator);
   in.end();
   return {std::make_shared<const NetworkReader>(std::move(network)), std::move(model)};
 }
@@ -75,6 +79,7 @@ std::string serialize(const EncoderDecoder& network, const LinearModel& model, d
   out.floats({values.data(), static_cast<std::size_t>(values.size())});
   out.strings(model.words.words());
   out.table(model.chooser, threshold);
+  out.table(model.locator, threshold);
   return out.finish();
 }
 
@@ -95,6 +100,7 @@ std::string serialize(const LinearModel& model, double threshold) {
   out.strings(model.words.words());
   out.table(model.reader, threshold);
   out.table(model.chooser, threshold);
+  out.table(model.locator, threshold);
   return out.finish();
 }
 

@@ -60,7 +60,7 @@ std::optional<bool> prove_universal(ltl::Formula formula, const Automaton& posit
     const automata::Deterministic b = automata::determinized(negative, effort);
     const Automaton neither = automata::intersection(automata::complement(a).automaton(),
                                                      automata::complement(b).automaton(), effort);
-    if (const auto word = automata::find_lasso(neither))
+    if (const auto word = automata::find_lasso(neither, effort))
       wrong(formula, "neither it nor its negation accepts", ltl::show(*word, neither.vocabulary()));
     return true;
   } catch (const automata::Effort::Spent& spent) {
@@ -99,7 +99,7 @@ Certificate certify_omega(ltl::Formula formula, const Automaton& positive, const
                           const automata::TranslationLimits& limits) {
   automata::Effort effort(SIZE_MAX, limits.states, limits.stop);
   const Automaton both = automata::intersection(positive, negative, effort);
-  if (const auto word = automata::find_lasso(both))
+  if (const auto word = automata::find_lasso(both, effort))
     wrong(formula, "it and its negation accept", ltl::show(*word, both.vocabulary()));
   if (prove_universal(formula, positive, negative, limits)) return {.proved = true};
   return {.words = try_words(formula, positive, negative)};

@@ -3,6 +3,7 @@
 
 #include "libautomata/effort.hpp"
 #include "libltl/print.hpp"
+#include "libltl/shape_memo.hpp"
 #include "tools/answer.hpp"
 #include "tools/automaton_output.hpp"
 #include "tools/certificate.hpp"
@@ -40,13 +41,43 @@ std::string certificate(ltl::Formula formula, const Translated& result, const Tr
   }
 }
 
-Reply translate_one(const Text& text, const Options& options, const Translation& translation,
+// What a batch has translated, by the shape of the formula.
+using Memo = ltl::ShapeMemo<Translated>;
+constexpr std::size_t most_shapes = 4'096, most_nodes = 1'000;
+
+// Whatever time may have had a part in is made again, and so is what is large.
+bool worth_keeping(const Translated& result) {
+  struct Judge {
+    bool operator()(const automata::Dfa& dfa) const { return dfa.diagram().size() <= most_nodes; }
+    bool operator()(const automata::Translated& made) const {
+      return made.reduced && made.automaton.diagram().size() <= most_nodes;
+    }
+    bool operator()(const automata::TranslatedForMdps& made) const {
+      return made.reduced && made.automaton.automaton().diagram().size() <= most_nodes;
+    }
+    bool operator()(const automata::Exhausted&) const { return false; }
+  };
+  return std::visit(Judge{}, result);
+}
+
+std::shared_ptr<const Translated> renamed(Translated result, const ltl::Vocabulary& names) {
+  if (auto* dfa = std::get_if<automata::Dfa>(&result)) dfa->rename(names);
+  if (auto* omega = std::get_if<automata::Translated>(&result)) omega->automaton.rename(names);
+  if (auto* ldba = std::get_if<automata::TranslatedForMdps>(&result)) ldba->automaton.rename(names);
+  return std::make_shared<const Translated>(std::move(result));
+}
+
+Reply translate_one(const Text& text, const Options& options, const Translation& translation, Memo& memo,
                     const Patience& patience) {
   ltl::Arena arena;
   StopWatch watch;
   const ltl::Formula formula = parse_formula(text, arena, parse_options(options.notation, ltl::Unknown::Add));
   const automata::TranslationLimits limits{.states = options.states, .stop = patience.token()};
-  const Translated result = translation.run(formula, limits);
+  const auto run = [&](ltl::Formula f) { return translation.run(f, limits); };
+  auto [made, known] = memo(formula, run, worth_keeping);
+  const bool shows_names = options.output.format != "stats" || options.certify;
+  if (known && shows_names) made = renamed(*made, arena.vocabulary());
+  const Translated& result = *made;
   Shown about{.line = text.line, .semantics = std::string(translation.semantics), .seconds = watch.lap()};
   if (options.certify && !std::holds_alternative<automata::Exhausted>(result))
     about.certificate = certificate(formula, result, translation, limits);
@@ -61,21 +92,22 @@ Reply translate_one(const Text& text, const Options& options, const Translation&
     if (!ldba->reduced) about.status = "unreduced";
     return show(ldba->automaton, about, options.output);
   }
-  const std::size_t made = std::get<automata::Exhausted>(result).states;
+  const std::size_t states = std::get<automata::Exhausted>(result).states;
   return gave_up(
       text, about.seconds, options,
       patience.passed()
-          ? "gave up after " + fixed(options.parallel.seconds, 1) + " s, with " + counted(made, "state")
+          ? "gave up after " + fixed(options.parallel.seconds, 1) + " s, with " + counted(states, "state")
           : "gave up: more than " + counted(options.states, "state") + " before minimisation");
 }
 
 ExitCode run_translate(const Options& options, const Session& session) {
   const Translation& translation = find_translation(options.semantics, options.target);
   TextReader texts(options.text, "formula");
+  Memo memo(texts.is_batch() ? most_shapes : 0);
   return answer_in_parallel(
       texts, session.stop, options.parallel,
       [&](const Text& text, const Patience& patience) {
-        return translate_one(text, options, translation, patience);
+        return translate_one(text, options, translation, memo, patience);
       },
       [&](const Text& text, const std::string& message) {
         return show_none(text.line, 0, "error", message, options.output);

@@ -33,9 +33,8 @@ using Colours = std::vector<std::vector<std::uint32_t>>;
 
 class Merging {
  public:
-  Merging(Branching complete, Effort& effort)
-      : from_(std::move(complete)), effort_(effort), joint_(diagram_, effort), image_(from_.states()) {
-    const std::vector<std::uint32_t> language = languages(from_, effort);
+  Merging(const Branching& complete, const std::vector<std::uint32_t>& language, Effort& effort)
+      : from_(complete), effort_(effort), joint_(diagram_, effort), image_(from_.states()) {
     std::map<std::uint32_t, std::uint32_t> number;
     for (std::uint32_t q = 0; q < from_.states(); ++q) {
       const auto [at, fresh] = number.try_emplace(language[q], static_cast<std::uint32_t>(classes_.size()));
@@ -225,7 +224,7 @@ class Merging {
     return out.diagram.import(diagram_, letters, leaf, [](Mtbdd::Variable v) { return v; })[0];
   }
 
-  Branching from_;
+  const Branching& from_;
   Effort& effort_;
   Mtbdd diagram_;
   JointChoices joint_;
@@ -239,18 +238,29 @@ class Merging {
 
 }  // namespace
 
-Reduced with_fewer_states(const Branching& automaton, Effort& effort) {
+Reduced with_fewer_states(const Branching& complete, const std::vector<std::uint32_t>& language,
+                          Effort& effort) {
   std::optional<Merging> merging;
-  bool complete = true;
+  bool all_tried = true;
   try {
-    merging.emplace(completed_parity(automaton), effort);
+    merging.emplace(complete, language, effort);
     merging->run();
   } catch (const Effort::Spent& spent) {
     if (spent.reason == Effort::Spent::Reason::Stopped) throw;
-    complete = false;
+    all_tried = false;
   }
   std::optional<Branching> made = merging ? merging->result() : std::nullopt;
-  return {made ? *std::move(made) : automaton, complete};
+  return {made ? *std::move(made) : complete, all_tried};
+}
+
+Reduced with_fewer_states(const Branching& automaton, Effort& effort) {
+  const Branching complete = completed_parity(automaton);
+  try {
+    return with_fewer_states(complete, languages(complete, effort), effort);
+  } catch (const Effort::Spent& spent) {
+    if (spent.reason == Effort::Spent::Reason::Stopped) throw;
+    return {automaton, false};
+  }
 }
 
 }  // namespace waymark::automata

@@ -7,6 +7,9 @@
 // fewest colours: the branches of a colour are as many as they can be. Ours; for one round of this on the structure of
 // progression see omega/recurrence.hpp.
 #pragma once
+#include <cstdint>
+#include <vector>
+
 #include "libautomata/effort.hpp"
 #include "libautomata/omega/reduce.hpp"
 
@@ -15,5 +18,8 @@ namespace waymark::automata {
 // parity(Min, Even, ·) in and out, deterministic; complete when something was merged. States are tried pair by pair.
 // Never throws Spent except when stopped: what was reached is returned.
 Reduced with_fewer_states(const Branching& automaton, Effort& effort);
+// … of a complete automaton whose languages() are known.
+Reduced with_fewer_states(const Branching& complete, const std::vector<std::uint32_t>& language,
+                          Effort& effort);
 
 }  // namespace waymark::automata

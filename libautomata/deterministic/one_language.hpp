@@ -5,6 +5,7 @@
 // it meets for ever is met by a run of the original. What only served to find the right component goes away.
 #pragma once
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "libautomata/effort.hpp"
@@ -12,11 +13,13 @@
 
 namespace waymark::automata {
 
-// By state: the first state that accepts the same words. Deterministic, complete, parity(Min, Even, ·). All pairs of
-// states are compared: one step of effort per pair of nodes.
+// By state: the first state that accepts the same words. Deterministic, complete, any acceptance. A few words tell most
+// states apart; of the others all pairs are compared: one step of effort per pair of nodes.
 std::vector<std::uint32_t> languages(const Branching& complete, Effort& effort);
 
-// parity(Min, Even, ·) in and out, deterministic; states may be left that nothing reaches.
-Branching one_component_each(const Branching& automaton, Effort& effort);
+// Deterministic and complete; `language` as languages() gives it. States may be left that nothing reaches; nullopt when
+// every branch stays where it is.
+std::optional<Branching> one_component_each(const Branching& complete,
+                                            const std::vector<std::uint32_t>& language);
 
 }  // namespace waymark::automata

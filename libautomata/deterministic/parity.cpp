@@ -101,15 +101,19 @@ Reduced reduce_parity(const Branching& automaton, Effort& effort, std::size_t co
       if (coloured.weak)
         return {with_fewest_colours(minimal_weak(coloured.automaton, effort)).automaton, true};
       live = canonical(bisimulation_quotient(coloured.automaton, effort));
-      if (live.states() <= compared && 2 * live.acceptance.sets <= Marks::most)
-        live = trim(one_component_each(live, effort));
-      if (live.states() < states) continue;
-      if (live.states() <= compared) {
-        Effort some = effort.at_most(merging_steps);
-        Reduced merged = with_fewer_states(live, some);
-        live = trim(merged.automaton);
-        out.complete = merged.complete;
+      if (live.states() > compared || 2 * live.acceptance.sets > Marks::most) {
+        if (live.states() == states) break;
+        continue;
       }
+      const Branching complete = completed_parity(live);
+      const std::vector<std::uint32_t> language = languages(complete, effort);
+      const std::optional<Branching> moved = one_component_each(complete, language);
+      if (moved) live = trim(*moved);
+      if (live.states() < states) continue;
+      Effort some = effort.at_most(merging_steps);
+      Reduced merged = moved ? with_fewer_states(live, some) : with_fewer_states(complete, language, some);
+      live = trim(merged.automaton);
+      out.complete = merged.complete;
       if (live.states() == states) break;
     }
     live = with_fewest_colours(live).automaton;

@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "libautomata/effort.hpp"
@@ -47,6 +48,9 @@ class MdpSafe {
   std::span<const StateId> jumps(StateId q) const { return jumps_[q.index]; }
   // The step on a letter; none: the run is rejected. O(|reads|).
   std::optional<Step> next(StateId q, const ltl::Letter& letter) const;
+
+  // Other names for the same positions. Throws std::invalid_argument when one that is read has none.
+  void rename(ltl::Vocabulary names) { branches_.rename(std::move(names)); }
 
   // A nondeterministic Büchi automaton of the same language and numbering, a branch for every jump.
   const Automaton& automaton() const { return branches_; }

@@ -42,6 +42,12 @@ Automaton::Automaton(ltl::Vocabulary vocabulary, std::vector<ltl::Proposition> r
   }
 }
 
+void Automaton::rename(ltl::Vocabulary names) {
+  for (ltl::Proposition p : reads_)
+    require(p.index < names.size(), "a proposition that an automaton reads has no new name");
+  vocabulary_ = std::move(names);
+}
+
 std::span<const Branch> Automaton::next(StateId q, const ltl::Letter& letter) const {
   const auto holds = [&](Mtbdd::Variable v) { return letter.contains(reads_[v]); };
   return transitions_.choices[Mtbdd::payload(diagram().evaluate(root(q), holds))];

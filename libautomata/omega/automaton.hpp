@@ -29,6 +29,9 @@ class Automaton {
 
   std::span<const Branch> next(StateId q, const ltl::Letter& letter) const;  // δ(q, a), O(|reads|)
 
+  // Other names for the same positions. Throws std::invalid_argument when one that is read has none.
+  void rename(ltl::Vocabulary names);
+
   const Branching& transitions() const { return transitions_; }
   const Mtbdd& diagram() const { return transitions_.diagram; }
   Mtbdd::Node root(StateId q) const { return transitions_.roots[q.index]; }

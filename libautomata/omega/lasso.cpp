@@ -1,6 +1,7 @@
 #include "libautomata/omega/lasso.hpp"
 
 #include <algorithm>
+#include <span>
 #include <utility>
 
 #include "libautomata/boolean.hpp"
@@ -15,44 +16,57 @@ struct Step {
   Branch branch;
 };
 
-// Some of the edges of an automaton, by source.
+// Some of the states of an automaton, and some of the edges between them. Vertices are positions in `states`.
 class Part {
  public:
-  explicit Part(std::size_t states) : edges_(states), targets_(states) {}
-  void add(const Step& step) {
-    edges_[step.source].push_back(step);
-    targets_[step.source].push_back(step.branch.target);
+  explicit Part(std::vector<std::uint32_t> states)  // ascending
+      : states_(std::move(states)), edges_(states_.size()), targets_(states_.size()) {}
+  void add(const Step& step) {  // O(log states)
+    const std::uint32_t v = vertex(step.source);
+    edges_[v].push_back(step);
+    targets_[v].push_back(vertex(step.branch.target));
   }
   std::size_t size() const { return edges_.size(); }
-  const std::vector<std::uint32_t>& successors(std::uint32_t q) const { return targets_[q]; }
-  const std::vector<Step>& edges(std::uint32_t q) const { return edges_[q]; }
+  std::uint32_t state(std::uint32_t v) const { return states_[v]; }
+  std::span<const std::uint32_t> successors(std::uint32_t v) const { return targets_[v]; }
+  const std::vector<Step>& edges(std::uint32_t v) const { return edges_[v]; }
+  bool leaves(std::uint32_t q) const {  // some edge starts at the state
+    const auto at = std::lower_bound(states_.begin(), states_.end(), q);
+    return at != states_.end() && *at == q && !edges_[static_cast<std::size_t>(at - states_.begin())].empty();
+  }
 
   // Shortest path from a state to an edge that is wanted, that edge included; empty when there is none.
   template <class Wanted>
   std::vector<Step> path(std::uint32_t from, const Wanted& wanted) const {
-    std::vector<std::optional<Step>> before(size());
-    std::vector<std::uint32_t> queue{from};
+    std::vector<std::optional<Step>> before(size());  // by vertex
+    std::vector<std::uint32_t> queue{vertex(from)};
     for (std::size_t i = 0; i < queue.size(); ++i)
-      for (const Step& step : edges_[queue[i]]) {
+      for (std::size_t e = 0; e < edges_[queue[i]].size(); ++e) {
+        const Step& step = edges_[queue[i]][e];
         if (wanted(step)) return unwound(step, from, before);
-        if (step.branch.target == from || before[step.branch.target]) continue;
-        before[step.branch.target] = step;
-        queue.push_back(step.branch.target);
+        const std::uint32_t target = targets_[queue[i]][e];
+        if (step.branch.target == from || before[target]) continue;
+        before[target] = step;
+        queue.push_back(target);
       }
     return {};
   }
 
  private:
-  static std::vector<Step> unwound(Step last, std::uint32_t from,
-                                   const std::vector<std::optional<Step>>& before) {
+  std::uint32_t vertex(std::uint32_t q) const {
+    return static_cast<std::uint32_t>(std::lower_bound(states_.begin(), states_.end(), q) - states_.begin());
+  }
+  std::vector<Step> unwound(const Step& last, std::uint32_t from,
+                            const std::vector<std::optional<Step>>& before) const {
     std::vector<Step> out{last};
-    while (out.back().source != from) out.push_back(*before[out.back().source]);
+    while (out.back().source != from) out.push_back(*before[vertex(out.back().source)]);
     std::reverse(out.begin(), out.end());
     return out;
   }
 
-  std::vector<std::vector<Step>> edges_;
-  std::vector<std::vector<std::uint32_t>> targets_;
+  std::vector<std::uint32_t> states_;
+  std::vector<std::vector<Step>> edges_;             // by vertex
+  std::vector<std::vector<std::uint32_t>> targets_;  // vertices, by vertex
 };
 
 Condition without_fin(const Condition& condition, std::uint32_t mark) {
@@ -71,33 +85,41 @@ struct Accepting {
   Marks marks;
 };
 
-std::optional<Accepting> accepting_part(const Part& part, const Condition& condition) {
+std::optional<Accepting> accepting_part(const Part& part, const Condition& condition, Effort& effort) {
   if (condition.op() == Condition::Op::False) return std::nullopt;
   const Components found = components(part);
-  std::vector<std::vector<std::uint32_t>> members(found.count);
-  for (std::uint32_t q = 0; q < part.size(); ++q) members[found.of[q]].push_back(q);
-  for (const std::vector<std::uint32_t>& states : members) {
-    Part inside(part.size());
+  for (std::size_t i = 0; i < found.order.size();) {
+    const std::uint32_t name = found.of[found.order[i]];
+    std::vector<std::uint32_t> members;
+    for (; i < found.order.size() && found.of[found.order[i]] == name; ++i) members.push_back(found.order[i]);
+    std::sort(members.begin(), members.end());
+    std::vector<std::uint32_t> states;
+    for (std::uint32_t v : members) states.push_back(part.state(v));
+    Part inside(states);
     Marks marks;
     bool cyclic = false;
-    for (std::uint32_t q : states)
-      for (const Step& step : part.edges(q)) {
-        if (found.of[step.branch.target] != found.of[q]) continue;
+    for (std::uint32_t v : members) {
+      effort.step(1 + part.edges(v).size());
+      for (std::size_t e = 0; e < part.edges(v).size(); ++e) {
+        if (found.of[part.successors(v)[e]] != name) continue;
+        const Step& step = part.edges(v)[e];
         inside.add(step);
         marks = marks | step.branch.marks;
         cyclic = true;
       }
+    }
     if (!cyclic) continue;
     if (condition.holds(marks)) return Accepting{std::move(inside), marks};
     const Marks offending = marks & condition.fin_marks();
     if (offending.empty()) continue;  // all marks are met and no Fin is hurt: fewer marks satisfy no more
     const std::uint32_t mark = offending.members().front();
-    Part avoiding(part.size());
-    for (std::uint32_t q : states)
-      for (const Step& step : inside.edges(q))
+    Part avoiding(std::move(states));
+    for (std::uint32_t v = 0; v < inside.size(); ++v)
+      for (const Step& step : inside.edges(v))
         if (!step.branch.marks.contains(mark)) avoiding.add(step);
-    if (std::optional<Accepting> avoided = accepting_part(avoiding, condition)) return avoided;
-    if (std::optional<Accepting> met = accepting_part(inside, without_fin(condition, mark))) return met;
+    if (std::optional<Accepting> avoided = accepting_part(avoiding, condition, effort)) return avoided;
+    if (std::optional<Accepting> met = accepting_part(inside, without_fin(condition, mark), effort))
+      return met;
   }
   return std::nullopt;
 }
@@ -136,28 +158,37 @@ ltl::Letter letter(const Step& step, BranchLetters& letters, const Automaton& au
 
 // The part that the initial state reaches.
 Part reachable(const Branching& automaton) {
-  Part all(automaton.states());
   std::vector<bool> seen(automaton.states(), false);
-  std::vector<std::uint32_t> queue{automaton.initial};
+  std::vector<std::uint32_t> states{automaton.initial};
+  std::vector<Step> steps;
   seen[automaton.initial] = true;
-  for (std::size_t i = 0; i < queue.size(); ++i)
-    for (const Branch& branch : branches_of(automaton, queue[i])) {
-      all.add({queue[i], branch});
+  ChoiceLists choices(automaton);
+  for (std::size_t i = 0; i < states.size(); ++i)  // the list doubles as the queue
+    for (const Branch& branch : choices.branches(states[i])) {
+      steps.push_back({states[i], branch});
       if (seen[branch.target]) continue;
       seen[branch.target] = true;
-      queue.push_back(branch.target);
+      states.push_back(branch.target);
     }
+  std::sort(states.begin(), states.end());
+  Part all(std::move(states));
+  for (const Step& step : steps) all.add(step);
   return all;
 }
 
 }  // namespace
 
 std::optional<ltl::Lasso> find_lasso(const Automaton& automaton) {
+  Effort effort;
+  return find_lasso(automaton, effort);
+}
+
+std::optional<ltl::Lasso> find_lasso(const Automaton& automaton, Effort& effort) {
   const Branching& transitions = automaton.transitions();
   const Part all = reachable(transitions);
-  const std::optional<Accepting> accepting = accepting_part(all, automaton.acceptance().condition);
+  const std::optional<Accepting> accepting = accepting_part(all, automaton.acceptance().condition, effort);
   if (!accepting) return std::nullopt;
-  const auto inside = [&](std::uint32_t q) { return !accepting->part.edges(q).empty(); };
+  const auto inside = [&](std::uint32_t q) { return accepting->part.leaves(q); };
   std::vector<Step> prefix;
   if (!inside(transitions.initial))
     prefix = all.path(transitions.initial, [&](const Step& step) { return inside(step.branch.target); });

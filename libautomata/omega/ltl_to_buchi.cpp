@@ -41,7 +41,8 @@ constexpr std::size_t worth_again = 3;     // a second tableau has at most so ma
 constexpr std::size_t few_again = 8;       // … and this many more
 constexpr std::size_t promised_states = 200;  // of a tableau whose marks are tried as they are
 constexpr std::size_t merged_languages = 60;  // states of deterministic automata whose languages are compared
-constexpr std::size_t hopeful = 2;  // copies that are more than the best by a part of that are not reduced
+// Copies that have more states than the best by a part of that, here and from hopeful_from states on, are not reduced.
+constexpr std::size_t hopeful_few = 10, hopeful = 2, hopeful_from = 35;
 constexpr std::size_t fold_steps = 3'000'000;  // to fold states together
 constexpr std::size_t few_more = 3;            // halves of states that another route may have more by
 constexpr std::size_t large_states = 100;      // from here on, one way to count levels instead of all
@@ -156,11 +157,13 @@ class Construction {
                                    LevelRule{true, true, false}, LevelRule{true, false, false}}) {
         if (best && best->automaton.states() <= enough) return;
         if (from == nullptr || (rule.descending && from->acceptance.sets < 2)) continue;
-        const std::size_t most =
-            best ? best->automaton.states() + best->automaton.states() / hopeful : SIZE_MAX;
+        const std::size_t most = best ? worth_reducing_again(best->automaton.states()) : SIZE_MAX;
         std::optional<Candidate> next = counted(*from, rule, general.reduced, most);
         best = smallest(std::move(best), std::move(next));
       }
+  }
+  static std::size_t worth_reducing_again(std::size_t best) {
+    return best + best / (best < hopeful_from ? hopeful_few : hopeful);
   }
   std::optional<Candidate> counted(const Branching& general, const LevelRule& rule, bool is_reduced,
                                    std::size_t most) {

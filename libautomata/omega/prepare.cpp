@@ -16,7 +16,7 @@ constexpr std::size_t containment_steps = 500'000;
 
 }  // namespace
 
-// Two rounds because each makes work for the other.
+// Two rounds because each makes work for the other, unless separation found none.
 Prepared prepared_forms(Formula f, const std::vector<ltl::Proposition>& reads, const std::stop_token& stop) {
   Effort effort(containment_steps, SIZE_MAX, stop);
   Containment implies(reads, effort);
@@ -25,7 +25,9 @@ Prepared prepared_forms(Formula f, const std::vector<ltl::Proposition>& reads, c
   for (int round = 0; round < 2; ++round) {
     f = ltl::nnf(ltl::simplify(f, ltl::Over::Infinite, [&](Formula g, Formula h) { return implies(g, h); }));
     if (!plain) plain = f;
-    f = ltl::separate(f);
+    const Formula separated = ltl::separate(f);
+    if (separated == f) break;
+    f = separated;
   }
   return {f, *plain};
 }

@@ -48,17 +48,22 @@ std::vector<End> rank_ends(std::span<const Weighed> candidates, std::span<const 
   return ends;
 }
 
-Decision decide(const Grounder& grounder, const Executor& executor, const SentenceInput& input,
-                std::span<const plan::PoseId> starts, const Deciding& how) {
+Decision decide(std::vector<Weighed> candidates, const Executor& executor,
+                std::span<const plan::PoseId> starts, Then then) {
   Decision decision;
-  decision.candidates = likely_programs(grounder, input, how);
+  decision.candidates = std::move(candidates);
   for (const Weighed& candidate : decision.candidates) {
-    auto plan = plan_from(executor, candidate.program, starts, how.then);
+    auto plan = plan_from(executor, candidate.program, starts, then);
     decision.start.push_back(plan ? plan->second : 0);
     decision.plans.push_back(plan ? std::optional<Plan>(std::move(plan->first)) : std::nullopt);
   }
   decision.ends = rank_ends(decision.candidates, decision.plans);
   return decision;
+}
+
+Decision decide(const Grounder& grounder, const Executor& executor, const SentenceInput& input,
+                std::span<const plan::PoseId> starts, const Deciding& how) {
+  return decide(likely_programs(grounder, input, how), executor, starts, how.then);
 }
 
 }  // namespace waymark::parser

@@ -44,7 +44,10 @@ std::vector<Weighed> likely_programs(const Grounder& grounder, const SentenceInp
 std::optional<std::pair<Plan, std::size_t>> plan_from(const Executor& executor, const Program& program,
                                                       std::span<const plan::PoseId> starts, Then then);
 
-// By weight of the programs alone; chooser.hpp reranks the ends.
+// What candidates that are known come to. By weight of the programs alone; chooser.hpp reranks the ends.
+Decision decide(std::vector<Weighed> candidates, const Executor& executor,
+                std::span<const plan::PoseId> starts, Then then);
+// The same, read first.
 Decision decide(const Grounder& grounder, const Executor& executor, const SentenceInput& input,
                 std::span<const plan::PoseId> starts, const Deciding& how = {});
 

@@ -38,7 +38,8 @@ class Test {
         stop_(std::move(stop)) {}
 
   void sentence(const Example& example, const std::string& id) {
-    Answer answer = ask(example.input, example.gold.start);
+    if (stop_.stop_requested()) throw Stopped{};
+    Answer answer = follower_.follow(executor_, example.input, example.gold.start);
     of(scores_.sentence) += {answer.end == example.gold.end ? 1U : 0U, 1};
     if (follower_.reads_formulas())
       scores_.satisfiable +=
@@ -58,13 +59,15 @@ class Test {
   void paragraph(std::span<const Example> sentences) {
     plan::PoseId pose = sentences.front().gold.start;
     Nodes want, got;
-    for (std::size_t i = 0; i < sentences.size(); ++i) {
-      SentenceInput input = sentences[i].input;
-      input.heading_unknown = input.heading_unknown && i == 0;  // later ones start where we stand
-      walk(map(), pose, ask(input, pose).actions, got);
-      plan::PoseId gold = sentences[i].gold.start;
-      walk(map(), gold, sentences[i].gold.actions, want);
+    std::vector<SentenceInput> inputs;
+    for (const Example& sentence : sentences) {
+      inputs.push_back(sentence.input);
+      plan::PoseId gold = sentence.gold.start;
+      walk(map(), gold, sentence.gold.actions, want);
     }
+    if (stop_.stop_requested()) throw Stopped{};
+    for (const Answer& answer : follower_.follow_all(executor_, inputs, pose))
+      walk(map(), pose, answer.actions, got);
     of(scores_.paragraph) += {map().node_of(pose) == map().node_of(sentences.back().gold.end) ? 1U : 0U, 1};
     if (convention_ == Convention::Absolute)
       scores_.paragraph_path += compared(map(), sentences.front().gold.start, want, got);
@@ -75,11 +78,6 @@ class Test {
 
  private:
   const plan::Map& map() const { return executor_.map(); }
-
-  Answer ask(const SentenceInput& input, plan::PoseId start) const {
-    if (stop_.stop_requested()) throw Stopped{};
-    return follower_.follow(executor_, input, start);
-  }
 
   Percent& of(ConventionScores& scores) const {
     return convention_ == Convention::Absolute ? scores.absolute : scores.relative;
@@ -114,10 +112,12 @@ Scores& Scores::operator+=(const Scores& other) {
   return *this;
 }
 
+Following following(const TrainOptions& options) {
+  return {.deciding = {options.beam, options.then, options.trust}, .paragraph = {.alive = options.alive}};
+}
+
 std::shared_ptr<const Follower> follower_of(std::vector<Grounder> systems, const EvaluateOptions& options) {
-  const TrainOptions& train = options.train;
-  auto reads = std::make_shared<const GroundingFollower>(std::move(systems),
-                                                         Deciding{train.beam, train.then, train.trust});
+  auto reads = std::make_shared<const GroundingFollower>(std::move(systems), following(options.train));
   return options.carried_out ? options.carried_out(std::move(reads)) : std::move(reads);
 }
 

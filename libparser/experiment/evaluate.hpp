@@ -1,8 +1,8 @@
 // Scores of a grounding model against trajectories, and the experiment that everybody reports: leave one map out.
 //
 //   sentence    end node and heading equal the gold ones, from the gold start pose
-//   paragraph   sentences one after the other, each from the pose where the last one ended; end node equals the gold
-//               end node of the last sentence. Unsegmented paragraphs are skipped and counted
+//   paragraph   all its sentences from the gold start pose of the first, each going on from where the last one ended; end node
+//               equals the gold end node of the last sentence. Unsegmented paragraphs are skipped and counted
 //   path        sets of nodes walked over, start node left out: precision, recall over all sentences together (micro),
 //               accuracy over all (sentence, node other than the start) pairs; under the absolute convention; the same
 //               by paragraph, along the whole of it
@@ -19,7 +19,7 @@
 #include <vector>
 
 #include "libparser/experiment/checkpoints.hpp"
-#include "libparser/experiment/follower.hpp"
+#include "libparser/experiment/grounding_follower.hpp"
 #include "libparser/learn.hpp"
 
 namespace waymark::parser {
@@ -94,6 +94,7 @@ Evaluation evaluate_train_all(const Corpus& train, std::span<const plan::Map> ma
 
 // The systems as one follower, carried out as the options say.
 std::shared_ptr<const Follower> follower_of(std::vector<Grounder> systems, const EvaluateOptions& options);
+Following following(const TrainOptions& options);
 
 // Scores of one follower, under the convention it is asked about, on the paragraphs of the corpus that lie on this map.
 // Predictions are added when they are wanted. Throws Stopped when a stop was requested.

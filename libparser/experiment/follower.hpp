@@ -1,5 +1,6 @@
-// Whoever follows instructions: a sentence and a pose in, a route out.
+// Whoever follows instructions: a sentence and a pose in, a route out; or a paragraph.
 #pragma once
+#include <span>
 #include <vector>
 
 #include "libparser/choosing/decide.hpp"
@@ -19,6 +20,10 @@ class Follower {
   virtual ~Follower() = default;
   // The same answer whenever it is asked; from several threads too.
   virtual Answer follow(const Executor& executor, const SentenceInput& input, plan::PoseId start) const = 0;
+  // A paragraph, a sentence each: answers that begin where the answer before them ends. Here sentence after sentence,
+  // each settled before the next is heard; whether the heading is unknown counts for the first alone.
+  virtual std::vector<Answer> follow_all(const Executor& executor, std::span<const SentenceInput> paragraph,
+                                         plan::PoseId start) const;
   virtual bool reads_formulas() const { return true; }  // or does without
 };
 
@@ -29,19 +34,6 @@ class StayingFollower : public Follower {
     return {start, {}, {}, 0};
   }
   bool reads_formulas() const override { return false; }
-};
-
-// Reads a program and carries out its plan. Several grounders vote: the probabilities of ends are averaged, and the
-// first of those that give the winning end the most says how it is read.
-class GroundingFollower : public Follower {
- public:
-  GroundingFollower(std::vector<Grounder> grounders, const Deciding& how)
-      : grounders_(std::move(grounders)), how_(how) {}
-  Answer follow(const Executor& executor, const SentenceInput& input, plan::PoseId start) const override;
-
- private:
-  std::vector<Grounder> grounders_;
-  Deciding how_;
 };
 
 }  // namespace waymark::parser

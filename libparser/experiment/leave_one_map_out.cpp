@@ -236,15 +236,11 @@ class Experiment {
 
   // The fold's reader and a chooser that learned from readers of fewer maps.
   Grounder choosing(const Fold& fold, std::size_t member, const TrainOptions& options) const {
-    std::vector<Dilemma> dilemmas;
-    for (std::size_t m : fold.lessons) {
-      const Grounder& reader = readers_.at({member, fold.convention, without(fold.lessons, m)});
-      for (Dilemma& dilemma : dilemmas_of(reader, on(fold.convention, {m}), executors_, options))
-        dilemmas.push_back(std::move(dilemma));
-    }
-    std::vector<const Dilemma*> all;
-    for (const Dilemma& dilemma : dilemmas) all.push_back(&dilemma);
-    return with_chooser(readers_.at({member, fold.convention, fold.lessons}), all, executors_, options,
+    Dilemmas dilemmas;
+    for (std::size_t m : fold.lessons)
+      add_dilemmas(readers_.at({member, fold.convention, without(fold.lessons, m)}), on(fold.convention, {m}),
+                   executors_, options, dilemmas);
+    return with_chooser(readers_.at({member, fold.convention, fold.lessons}), dilemmas, executors_, options,
                         [](double) {});
   }
 

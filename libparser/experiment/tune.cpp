@@ -24,7 +24,7 @@ std::vector<ValidationPair> validate(const Corpus& corpus, std::span<const plan:
            [&](std::size_t i, const JobProgress& progress) {
              const Grounder reader = learn_reader(lessons[learned[i]], executors, single,
                                                   [&](double fraction) { progress(0.8 * fraction); });
-             const GroundingFollower follower({reader}, {options.beam, options.then, options.trust});
+             const GroundingFollower follower({reader}, following(options));
              for (const std::size_t other : learned) {
                if (other == learned[i]) continue;
                const Scores scores =

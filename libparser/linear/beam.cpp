@@ -85,6 +85,7 @@ LinearModel linear_model_of(const Grounder& grounder) {
   if (linear == nullptr) throw std::invalid_argument("the reader is not a linear one");
   LinearModel model = linear->model();
   model.chooser = grounder.model->chooser;
+  model.locator = grounder.model->locator;
   return model;
 }
 

@@ -124,6 +124,7 @@ void WeightTable::reserve(std::size_t rows) {
 LinearModel::LinearModel(const ltl::Vocabulary& vocabulary, Dialect dialect)
     : reader(Columns(PostfixGrammar(vocabulary, dialect)).size()),
       chooser(1),
+      locator(1),
       vocabulary_(vocabulary),
       grammar_(vocabulary, dialect),
       columns_(grammar_) {}

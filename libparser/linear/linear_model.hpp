@@ -92,6 +92,7 @@ class LinearModel {
   WordTable words;
   WeightTable reader;   // (sentence, prefix) → a score for every token
   WeightTable chooser;  // (sentence, route) → one score; empty: ends are chosen by probability alone
+  WeightTable locator;  // the same, of where a sentence is said: chooser.hpp; empty: anywhere
 
   // Throws ltl::FormatError naming the first difference when the vocabulary is not this model's.
   void check_vocabulary(const ltl::Vocabulary& vocabulary, std::string_view whose) const;

@@ -53,12 +53,15 @@ Examples make_examples(const Corpus& corpus, std::span<const Executor> executors
     std::size_t m = 0;
     while (m < executors.size() && executors[m].map().name() != paragraph.map) ++m;
     if (m == executors.size()) continue;
-    for (const Sentence& sentence : paragraph.sentences) {
+    for (std::size_t k = 0; k < paragraph.sentences.size(); ++k) {
+      const Sentence& sentence = paragraph.sentences[k];
       if (sentence.path(convention).empty()) continue;
       examples.sentences.push_back({{sentence.tokens, sentence.heading_unknown},
                                     m,
                                     gold_route(sentence, executors[m].map(), convention),
-                                    nullptr});
+                                    nullptr,
+                                    i,
+                                    k});
       examples.paragraph.push_back(i);
       examples.ids.push_back(sentence.id);
     }

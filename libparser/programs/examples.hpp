@@ -17,7 +17,14 @@ struct Example {
   std::size_t map = 0;  // index of its map
   GoldRoute gold;
   std::shared_ptr<const std::vector<Consistent>> programs;  // shared by equal routes on one map
+  std::size_t paragraph = 0, position = 0;                  // index in the corpus, and of the sentence in it
 };
+
+// Does the second follow the first in its paragraph, from where the first ended?
+inline bool goes_on(const Example& first, const Example& second) {
+  return first.paragraph == second.paragraph && first.position + 1 == second.position &&
+         first.gold.end == second.gold.start;
+}
 
 struct Examples {
   std::vector<Example> sentences;

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <deque>
 #include <stdexcept>
 #include <utility>
 
@@ -64,7 +65,7 @@ struct Won {
 template <class Product, class Good>
 StateSet join(const Product& product, const StateSet& from, Strategy& strategy, const Good& good) {
   StateSet joined = from;
-  std::vector<typename Product::Compact> queue;
+  std::deque<typename Product::Compact> queue;  // of those whose predecessors have not been looked at
   product.for_each_state([&](const auto& s) {
     if (from[s.index]) queue.push_back(product.compact(s));
   });
@@ -77,12 +78,12 @@ StateSet join(const Product& product, const StateSet& from, Strategy& strategy, 
       });
       if (nearer <= best || !good(s, k)) continue;
       best = nearer;
-      strategy.choice[s.index] = k;
+      strategy.choice.set(s.index, k);
     }
     return best > 0;
   };
-  for (std::size_t i = 0; i < queue.size(); ++i)
-    product.for_each_predecessor(product.state(queue[i]), [&](const auto& source) {
+  for (; !queue.empty(); queue.pop_front())
+    product.for_each_predecessor(product.state(queue.front()), [&](const auto& source) {
       if (joined[source.index] || !look_at(source)) return;
       joined[source.index] = true;
       queue.push_back(product.compact(source));
@@ -99,7 +100,7 @@ void play_for_ever(const Product& product, const Won<Product>& won, Strategy& st
     for (std::uint32_t k = 0; k < product.choices(s) && !at_mark[s.index]; ++k)
       if (meets_mark(product, s, k, won.components)) {
         at_mark[s.index] = true;
-        strategy.choice[s.index] = k;
+        strategy.choice.set(s.index, k);
       }
   });
   join(product, at_mark, strategy, [&](const auto& s, std::uint32_t k) {
@@ -145,7 +146,7 @@ void choose_least(const Product& product, const Unknowns& unknowns, const std::v
     double best = INFINITY;
     for (std::uint32_t k = 0; k < product.choices(s); ++k) {
       const double offered = worth<Measure::MaxProbability>(product, s, k, unknowns, values);
-      if (offered < best) strategy.choice[s.index] = k;
+      if (offered < best) strategy.choice.set(s.index, k);
       best = std::min(best, offered);
     }
   });
@@ -220,10 +221,11 @@ IterationLimits iteration(const DecisionLimits& limits, std::uint64_t sweeps) {
 }
 
 // What the strategy is worth, from its start. Nothing is merged: from what is unknown of a chain it leaves by itself.
-// What is claimed of the best strategy is tried first.
+// `kept`: the entries of the product, its starts among them. `claimed`: values of the best strategy, to begin with.
 template <Measure measure, class Product>
-std::optional<Bounds> evaluate(const Product& product, const Strategy& strategy, const DecisionLimits& limits,
-                               std::uint64_t sweeps, std::optional<Values> claimed = std::nullopt) {
+std::optional<Bounds> evaluate(const Product& product, const Strategy& strategy, const StateSet& kept,
+                               const DecisionLimits& limits, std::uint64_t sweeps,
+                               const std::vector<double>* claimed = nullptr) {
   using Chain = StrategyChain<Product>;
   const Chain chain(product, strategy);
   const Unknowns unknowns = unknowns_in<measure>(chain, Won<Chain>(chain).states);
@@ -231,9 +233,10 @@ std::optional<Bounds> evaluate(const Product& product, const Strategy& strategy,
   if (measure == Measure::MinCost && !unknowns.unknown[start] && !unknowns.targets[start])
     return Bounds{INFINITY, INFINITY};
   const auto values =
-      ValueIteration<Chain, measure>(chain, unknowns, iteration(limits, sweeps), std::move(claimed)).run();
+      ValueIteration<Chain, measure>(chain, unknowns, iteration(limits, sweeps), {.bounds = &kept}, claimed)
+          .run();
   if (!values) return std::nullopt;
-  return Bounds{values->lower[start], values->upper[start]};
+  return Bounds{values->bounds.lower(start), values->bounds.upper(start)};
 }
 
 // Does the strategy deliver what was claimed, up to the tolerance?
@@ -257,21 +260,17 @@ void tighten(Decided& decided) {
         std::min(decided.value.upper, std::max(decided.re_evaluated.upper, decided.value.lower));
 }
 
-// The strategy of the unknown states: by the bounds that some choice of every state attains, whichever they are. Slack costs at most so much in every step, but with too little of it the only way
-// on may be one that drift makes endless: so it is a strategy that was evaluated and found good that counts.
+// The strategy of the unknown states: by the bounds that some choice of every state attains. Slack costs at most so much
+// in every step, but with too little of it the only way on may be one that drift makes endless: so it is a strategy that
+// was evaluated and found good that counts.
 template <Measure measure, class Product>
-bool choose_and_evaluate(const Product& product, const Unknowns& unknowns, Values values,
+bool choose_and_evaluate(const Product& product, const Unknowns& unknowns,
+                         const std::vector<double>& attained, const StateSet& kept,
                          const DecisionLimits& limits, Decided& out) {
   constexpr std::uint64_t sweeps = 20'000;
-  constexpr bool is_cost = measure == Measure::MinCost;
-  const std::vector<double> attained = std::move(is_cost ? values.upper : values.lower);
-  std::vector<double> other = is_cost ? std::move(values.lower) : std::vector<double>();  // claimed once
-  values = Values();  // the evaluation needs as much
   for (double slack : {1e-10, 1e-12, 1e-14, 1e-15, 1e-8, 1e-7, 1e-6, 1e-5}) {
     if (!choose<measure>(product, unknowns, attained, slack, out.strategy)) continue;
-    std::optional<Values> claimed;
-    if (!other.empty()) claimed = Values{std::exchange(other, {}), attained, 0};
-    const auto found = evaluate<measure>(product, out.strategy, limits, sweeps, std::move(claimed));
+    const auto found = evaluate<measure>(product, out.strategy, kept, limits, sweeps, &attained);
     if (limits.stop.stop_requested()) return false;
     if (!found) continue;
     out.re_evaluated = *found;
@@ -285,14 +284,17 @@ bool choose_and_evaluate(const Product& product, const Unknowns& unknowns, Value
 template <Measure measure, class Product>
 std::optional<Decided> decide(const Product& product, const Won<Product>& won, const DecisionLimits& limits) {
   const Unknowns unknowns = unknowns_of<measure>(product, won.states);
-  auto values = ValueIteration<Product, measure>(product, unknowns, iteration(limits, UINT64_MAX)).run();
+  const StateSet kept = entries(product, unknowns.unknown, product.starts());
+  const auto values = ValueIteration<Product, measure>(product, unknowns, iteration(limits, UINT64_MAX),
+                                                       {.bounds = &kept, .attained = true})
+                          .run();
   if (!values) return std::nullopt;
   Decided out;
   out.sweeps = values->sweeps;
-  out.strategy.choice.assign(product.states(), Strategy::none);
+  out.strategy.choice = Choices(product.states());
   const auto value = [&](std::uint32_t i) {
     const bool never = measure == Measure::MinCost && !unknowns.unknown[i] && !unknowns.targets[i];
-    return never ? Bounds{INFINITY, INFINITY} : Bounds{values->lower[i], values->upper[i]};
+    return never ? Bounds{INFINITY, INFINITY} : Bounds{values->bounds.lower(i), values->bounds.upper(i)};
   };
   out.strategy.start = first_of_best(product, value, measure != Measure::MaxProbability);
   out.value = value(out.strategy.start);
@@ -301,9 +303,8 @@ std::optional<Decided> decide(const Product& product, const Won<Product>& won, c
     return out;
   }
   if (measure == Measure::MinProbability) {
-    choose_least(product, unknowns, values->lower, out.strategy);
-    values.reset();  // the evaluation needs as much again
-    const auto found = evaluate<Measure::MaxProbability>(product, out.strategy, limits, UINT64_MAX);
+    choose_least(product, unknowns, values->attained, out.strategy);
+    const auto found = evaluate<Measure::MaxProbability>(product, out.strategy, kept, limits, UINT64_MAX);
     if (!found) return std::nullopt;
     out.re_evaluated = *found;
     if (!delivers<measure>(out, limits.tolerance))
@@ -316,7 +317,8 @@ std::optional<Decided> decide(const Product& product, const Won<Product>& won, c
       return unknowns.targets[s.index] && !won.states[s.index] &&
              all_outcomes_in(product, s, k, unknowns.targets);
     });
-  if (!choose_and_evaluate<measure>(product, unknowns, std::move(*values), limits, out)) return std::nullopt;
+  if (!choose_and_evaluate<measure>(product, unknowns, values->attained, kept, limits, out))
+    return std::nullopt;
   return out;
 }
 

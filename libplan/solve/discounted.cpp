@@ -13,7 +13,7 @@ std::optional<Decided> greatest_discounted(const ProductMdp<Model>& product, dou
   if (product.starts().empty()) return Decided{};
   Decided out;
   out.strategy.start = product.starts().front();
-  out.strategy.choice.assign(product.states(), Strategy::none);
+  out.strategy.choice = Choices(product.states());
   if (chance(product) == Chance::None) return out;
   const double error = limits.tolerance * (1 - discount) / 4;
   DiscountedSweeps sweeps(product, discount);
@@ -22,7 +22,7 @@ std::optional<Decided> greatest_discounted(const ProductMdp<Model>& product, dou
   for (std::uint32_t i : product.starts())
     if (sweeps.value(i) > sweeps.value(out.strategy.start)) out.strategy.start = i;
   product.for_each_state([&](const auto& s) {
-    if (!product.is_goal(s)) out.strategy.choice[s.index] = sweeps.best(s).choice;
+    if (!product.is_goal(s)) out.strategy.choice.set(s.index, sweeps.best(s).choice);
   });
   const double value = sweeps.value(out.strategy.start);
   out.value = {value, std::min(1.0, value + error)};

@@ -9,11 +9,13 @@
 
 namespace waymark::plan {
 
-GridBlock::GridBlock(const Product& product, Measure measure, const Order& order, const Strategy* only)
+GridBlock::GridBlock(const Product& product, Measure measure, Order order, const Strategy* only)
     : product_(product), measure_(measure), only_(only), margin_(product.model().width()) {
   const std::size_t cells = product.model().states();
   task_ = order.front().task;
+  cells_.reserve(order.size());
   for (const auto& c : order) cells_.push_back(c.place);
+  Order().swap(order);  // its memory is that of what follows
   code_.assign(cells, 0);
   known_.assign(cells, 0);
   unknown_.assign(cells, false);
@@ -23,8 +25,7 @@ GridBlock::GridBlock(const Product& product, Measure measure, const Order& order
 }
 
 std::optional<GridBlock> GridBlock::of(const Product& product, const Unknowns& unknowns, Measure measure,
-                                       const Order& order, const std::vector<double>& lower,
-                                       const std::vector<double>& upper, const Strategy* only) {
+                                       Order order, const KeptBounds& known, const Strategy* only) {
   if (measure == Measure::MinProbability || !product.task().jumps(order.front().task).empty())
     return std::nullopt;
   for (const auto& c : order) {
@@ -32,8 +33,8 @@ std::optional<GridBlock> GridBlock::of(const Product& product, const Unknowns& u
         unknowns.merged.count > 0 && unknowns.merged.of[product.state(c).index] != EndComponents::none;
     if (merged || c.task != order.front().task) return std::nullopt;
   }
-  GridBlock block(product, measure, order, only);
-  if (!block.read(unknowns, lower, upper)) return std::nullopt;
+  GridBlock block(product, measure, std::move(order), only);
+  if (!block.read(unknowns, known)) return std::nullopt;
   block.tabulate();
   return block;
 }
@@ -44,15 +45,13 @@ double GridBlock::chance(std::uint32_t choice, std::uint32_t direction) const {
   return std::array<double, 4>{slip.forward, slip.right, slip.back, slip.left}[(direction + 4 - choice) % 4];
 }
 
-bool GridBlock::read(const Unknowns& unknowns, const std::vector<double>& lower,
-                     const std::vector<double>& upper) {
+bool GridBlock::read(const Unknowns& unknowns, const KeptBounds& known) {
   return std::all_of(cells_.begin(), cells_.end(),
-                     [&](std::uint32_t cell) { return read_cell(cell, unknowns, lower, upper); });
+                     [&](std::uint32_t cell) { return read_cell(cell, unknowns, known); });
 }
 
 // What its neighbours are, and which choices count. False: not of this kind.
-bool GridBlock::read_cell(std::uint32_t cell, const Unknowns& unknowns, const std::vector<double>& lower,
-                          const std::vector<double>& upper) {
+bool GridBlock::read_cell(std::uint32_t cell, const Unknowns& unknowns, const KeptBounds& known) {
   const GridWorld& grid = product_.model();
   std::uint32_t open = 0, good = 0;
   for (std::uint32_t d = 0; d < 4; ++d) {
@@ -76,8 +75,9 @@ bool GridBlock::read_cell(std::uint32_t cell, const Unknowns& unknowns, const st
     if (!unknowns.targets[t] && !unknowns.unknown[t]) continue;
     if (unknowns.unknown[t] && q == task_) return false;
     good |= 1U << d;
-    lower_[to + margin_] = lower[t];
-    upper_[to + margin_] = upper[t];
+    const double target = is_probability(measure_) ? 1 : 0;
+    around_.push_back(unknowns.targets[t] ? Around{to, target, target}
+                                          : Around{to, known.lower(t), known.upper(t)});
   }
   std::uint32_t choices = counted(open, good);
   if (only_ != nullptr) choices &= 16U << only_->choice[product_.state(Product::Compact{cell, task_}).index];
@@ -151,11 +151,14 @@ inline double GridBlock::best(std::uint32_t cell, const std::vector<double>& x) 
   return std::max(std::max(std::max(offered[0], offered[1]), std::max(offered[2], offered[3])), 0.0);
 }
 
-// As Equations does it: the least way if every move went where one would wish.
-void GridBlock::start_from_best_luck() {
+// What is better said of a cell's value than nothing: the least way if every move went where one would wish, times
+// what a move gets on by against its slips.
+void GridBlock::guess_costs() {
   const GridWorld& grid = product_.model();
-  const auto& costs = grid.shape().cost;
-  const double step = *std::min_element(costs.begin(), costs.end());
+  set_around(Side::Middle);
+  double step = INFINITY;
+  for (std::uint32_t k = 0; k < 4; ++k)
+    step = std::min(step, grid.shape().cost[k] / std::max(chance(k, k) - chance(k, (k + 2) % 4), 0.25));
   using Entry = std::pair<double, std::uint32_t>;
   std::priority_queue<Entry, std::vector<Entry>, std::greater<>> heap;
   for (std::uint32_t cell : cells_) {
@@ -179,27 +182,96 @@ void GridBlock::start_from_best_luck() {
   }
 }
 
-void GridBlock::start_from(const std::vector<double>& lower, const std::vector<double>& upper) {
-  for (std::uint32_t cell : cells_) {
-    const std::uint32_t i = product_.state(Product::Compact{cell, task_}).index;
-    lower_[cell + margin_] = lower[i];
-    upper_[cell + margin_] = upper[i];
+// What is known around the block: the bounds, or what lies between them.
+void GridBlock::set_around(Side side) {
+  for (const Around& a : around_) {
+    lower_[a.cell + margin_] = side == Side::Middle ? a.lower + (a.upper - a.lower) / 2 : a.lower;
+    upper_[a.cell + margin_] = a.upper;
   }
-  started_ = std::none_of(cells_.begin(), cells_.end(), [&](std::uint32_t cell) {
-    return raises(best(cell, lower_), lower_[cell + margin_]);
-  });
 }
 
-double GridBlock::raise() {
-  double change = 0;
+void GridBlock::start_from(const std::vector<double>& attained, double tolerance) {
+  const double gap = tolerance / 4;  // by which bounds are guessed
   for (std::uint32_t cell : cells_) {
+    const double bound = attained[product_.state(Product::Compact{cell, task_}).index];
+    lower_[cell + margin_] = !is_probability(measure_) ? bound / (1 + gap) : bound > 0 ? bound + gap : 0;
+  }
+  started_ = true;
+}
+
+void GridBlock::start_from_nothing(bool guess) {
+  for (std::uint32_t cell : cells_) lower_[cell + margin_] = 0;
+  if (guess && measure_ == Measure::MinCost) guess_costs();
+}
+
+// Cells of so many layers of distance as a sweep carries news through. (Counted where the upper bounds will stand.)
+std::size_t GridBlock::chunk_size() {
+  constexpr std::size_t layers_of_a_chunk = 4, smallest = 64;
+  for (std::uint32_t cell : cells_) upper_[cell + margin_] = 0;
+  double deepest = 1;
+  for (std::uint32_t cell : cells_) {
+    double depth = INFINITY;
+    for (std::uint32_t d = 0; d < 4; ++d) {
+      const std::uint32_t to = product_.model().move(cell, d);
+      if (unknown_[to] && upper_[to + margin_] > 0) depth = std::min(depth, upper_[to + margin_]);
+    }
+    upper_[cell + margin_] = depth < INFINITY ? depth + 1 : 1;
+    deepest = std::max(deepest, upper_[cell + margin_]);
+  }
+  return std::max(smallest, layers_of_a_chunk * cells_.size() / static_cast<std::size_t>(deepest));
+}
+
+// The greatest change: absolute for probabilities, relative for costs.
+double GridBlock::sweep(std::size_t first, std::size_t last, double stride) {
+  double change = 0;
+  for (std::size_t i = first; i < last; ++i) {
+    const std::uint32_t cell = cells_[i];
     double& value = lower_[cell + margin_];
-    const double now = best(cell, lower_);
-    if (!(now > value)) continue;
-    change = std::max(change, is_probability(measure_) ? now - value : (now - value) / now);
-    value = now;
+    const double now = best(cell, lower_), step = now - value;
+    change = std::max(change, is_probability(measure_) ? std::abs(step) : std::abs(step) / std::abs(now));
+    value += stride * step;
   }
   return change;
+}
+
+// Sweeps of the cells between two fronts, then of all of them. Behind the first front they have settled; the second moves
+// on by some chunks a sweep, as fast as news travels, since before that a sweep changes little for good.
+bool GridBlock::relax(const Relaxation& how, const IterationLimits& limits) {
+  constexpr std::uint64_t patience = 64;  // sweeps in which nothing settles until strides are given up
+  set_around(Side::Middle);
+  const std::size_t size = chunk_size(), chunks = (cells_.size() + size - 1) / size;
+  const auto out_of_limits = [&] { return sweeps_ > limits.sweeps || limits.stop.stop_requested(); };
+  double reached = how.chunks_a_sweep, stride = how.stride;
+  std::uint64_t swept = 0;  // cells
+  for (std::size_t first = 0, waited = 0; first < chunks; ++waited) {
+    const std::size_t begin = first, end = std::clamp(static_cast<std::size_t>(reached), first + 1, chunks);
+    bool settled = true;
+    for (std::size_t c = begin; c < end; ++c) {
+      settled = sweep(c * size, std::min(cells_.size(), (c + 1) * size), stride) <= how.change && settled;
+      if (!settled) continue;
+      first = c + 1;
+      waited = 0;
+    }
+    for (swept += (end - begin) * size; swept > cells_.size(); swept -= cells_.size()) ++sweeps_;
+    if (waited > patience) stride = 1;
+    if (out_of_limits()) return false;
+    reached += how.chunks_a_sweep;
+  }
+  for (double change = INFINITY; change > how.change; ++sweeps_) {
+    if (out_of_limits()) return false;
+    change = sweep(0, cells_.size(), 1);
+  }
+  return true;
+}
+
+// A quarter of the tolerance below and above what sweeps came to.
+void GridBlock::guess_bounds(double tolerance) {
+  const double gap = tolerance / 4;
+  for (std::uint32_t cell : cells_) {
+    double& lower = lower_[cell + margin_];
+    upper_[cell + margin_] = is_probability(measure_) ? std::min(1.0, lower + gap) : lower * (1 + gap);
+    lower = is_probability(measure_) ? std::max(0.0, lower - gap) : lower * (1 - gap);
+  }
 }
 
 bool GridBlock::close_from_above() {
@@ -213,41 +285,51 @@ bool GridBlock::close_from_above() {
   return inductive;
 }
 
-void GridBlock::guess_above(double tolerance) {
+bool GridBlock::close_from_below() {
+  bool inductive = true;
   for (std::uint32_t cell : cells_) {
-    const double lower = lower_[cell + margin_];
-    upper_[cell + margin_] =
-        is_probability(measure_) ? std::min(1.0, lower + tolerance / 2) : lower * (1 + tolerance / 2);
+    double& value = lower_[cell + margin_];
+    const double now = best(cell, lower_);
+    inductive = inductive && !raises(now, value);
+    value = std::min(value, now);
   }
-}
-
-bool GridBlock::closer_than(double tolerance) const {
-  return std::all_of(cells_.begin(), cells_.end(), [&](std::uint32_t cell) {
-    return upper_[cell + margin_] <= lower_[cell + margin_] * (1 + tolerance);
-  });
+  return inductive;
 }
 
 bool GridBlock::prove(std::uint64_t sweeps) {
-  for (std::uint64_t tries = 0; tries < sweeps; ++tries, ++sweeps_)
-    if (close_from_above()) return true;
-  return false;
+  set_around(Side::Bounds);
+  bool above = false, below = false;
+  for (std::uint64_t tries = 0; tries < sweeps && !above; ++tries, ++sweeps_) above = close_from_above();
+  for (std::uint64_t tries = 0; tries < sweeps && above && !below; ++tries, ++sweeps_)
+    below = close_from_below();
+  return above && below;
 }
 
-// From below much finer than the tolerance asks for: guesses are proved in a few sweeps then, or not at all.
+// Strides beyond what a sweep says, the greater the likelier moves slip: where they hardly do, cells follow each other in
+// long chains, along which a stride too great would grow.
+double GridBlock::stride() const {
+  double forward = 0;
+  for (std::uint32_t k = 0; k < 4; ++k) forward = std::max(forward, chance(k, k));
+  return std::clamp(0.85 / forward, 1.0, 1.1);
+}
+
+// Much finer than the tolerance asks for: guesses are proved in a few sweeps then, or not at all. From what is claimed or
+// guessed first, in strides; where that comes to nothing, as value iteration goes about it.
 std::optional<std::uint64_t> GridBlock::solve(const IterationLimits& limits) {
   constexpr std::uint64_t some_tries = 16;
-  if (started_ && closer_than(limits.tolerance) && prove(some_tries)) return sweeps_;
-  if (measure_ == Measure::MinCost && !started_) start_from_best_luck();
-  for (double fine = limits.tolerance / 1024;; fine = fine < 1e-18 ? 0 : fine / 64) {
-    const std::uint64_t before = sweeps_;
-    do {
-      if (sweeps_ > limits.sweeps || limits.stop.stop_requested()) return std::nullopt;
-      ++sweeps_;
-    } while (raise() > fine);
-    guess_above(limits.tolerance);
-    if (prove((sweeps_ - before) / 2 + some_tries)) return sweeps_;
-    if (fine == 0) return std::nullopt;
+  for (const bool boldly : {true, false}) {
+    if (!boldly || !started_) start_from_nothing(boldly);
+    const bool from_guess = measure_ == Measure::MinCost && boldly && !started_;
+    Relaxation how{.stride = boldly ? stride() : 1, .chunks_a_sweep = from_guess ? 1 : 0.5};
+    for (how.change = limits.tolerance / 8192;; how.change = how.change < 1e-18 ? 0 : how.change / 64) {
+      const std::uint64_t before = sweeps_;
+      if (!relax(how, limits)) return std::nullopt;
+      guess_bounds(limits.tolerance);
+      if (prove((sweeps_ - before) / 2 + some_tries)) return sweeps_;
+      if (how.change == 0) break;
+    }
   }
+  return std::nullopt;
 }
 
 }  // namespace waymark::plan

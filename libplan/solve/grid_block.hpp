@@ -3,8 +3,13 @@
 // All four moves of a cell lead to the same four neighbours, and cells with the same barred moves have the same chances:
 // so the equations of a cell are its neighbours' values and a row of a table, of 256 rows at most. Values stand where the
 // cells stand, so neighbours need no numbers: 22 bytes a cell, where equations written out take 272 (probabilities) or
-// 356 (costs). The sweeps, their order and the proof are those of Equations [HK20, Alg. 2]. A strategy is swept in the
-// same way, with one choice a cell.
+// 356 (costs). A strategy is swept in the same way, with one choice a cell.
+//
+// Values are found as it suits: costs from a guess that may be too great, in strides beyond what a sweep says, with a
+// window that moves outwards from what is solved. What holds of them is proved afterwards, on both sides: u with
+// Φ(u) ≤ u lies above the least fixpoint of Φ, which is the value [HK20]; l with l ≤ Φ(l) lies below it, since nothing is
+// merged here: of probabilities every strategy leaves the unknowns almost surely, of costs the best one does, so that
+// l ≤ Φⁿ(l) comes down to the value. Guesses that are not inductive are swept until they are.
 // For blocks of one state of the automaton in which a cell is met with one task only, as in tasks of visits and
 // avoidance; others are left to Equations.
 #pragma once
@@ -16,6 +21,7 @@
 #include "libplan/model/grid_world.hpp"
 #include "libplan/product/product_mdp.hpp"
 #include "libplan/solve/equations.hpp"
+#include "libplan/solve/kept_bounds.hpp"
 #include "libplan/solve/strategy_chain.hpp"
 #include "libplan/solve/unknowns.hpp"
 
@@ -26,19 +32,22 @@ class GridBlock {
   using Product = ProductMdp<GridWorld>;
   using Order = std::vector<Product::Compact>;  // in which the unknowns of the block are swept
 
-  // `lower` and `upper` hold what is known of other blocks, by state. With a strategy: of its choices only. nullopt: a
+  // `known` holds the bounds of other blocks' entries. With a strategy: of its choices only. nullopt: a
   // block of another kind.
   static std::optional<GridBlock> of(const Product& product, const Unknowns& unknowns, Measure measure,
-                                     const Order& order, const std::vector<double>& lower,
-                                     const std::vector<double>& upper, const Strategy* only = nullptr);
+                                     Order order, const KeptBounds& known, const Strategy* only = nullptr);
 
-  // Bounds to begin with, by state, of costs. The lower ones are taken if no sweep would lower one: of a strategy that
-  // is sure to arrive they are lower bounds then. The upper ones are tried first if they are close enough.
-  void start_from(const std::vector<double>& lower, const std::vector<double>& upper);
+  // Values to begin with: the bound, by state, that a strategy like this one attains, proved with this tolerance. The
+  // nearer to the truth they are, from whichever side, the sooner it is found.
+  void start_from(const std::vector<double>& attained, double tolerance);
   // nullopt: stopped, out of sweeps, or the bounds do not meet in doubles.
   std::optional<std::uint64_t> solve(const IterationLimits& limits);
-  double lower(std::uint32_t cell) const { return lower_[cell + margin_]; }
-  double upper(std::uint32_t cell) const { return upper_[cell + margin_]; }
+  template <class Visit>  // visit(state, lower, upper), once they are solved
+  void for_each(Visit&& visit) const {
+    for (std::uint32_t cell : cells_)
+      visit(product_.state(Product::Compact{cell, task_}).index, lower_[cell + margin_],
+            upper_[cell + margin_]);
+  }
 
  private:
   struct Row {                                    // of a cell with these barred moves and these choices
@@ -49,21 +58,35 @@ class GridBlock {
     std::array<double, 4> chance;
     double cost;
   };
-  GridBlock(const Product& product, Measure measure, const Order& order, const Strategy* only);
-  bool read(const Unknowns& unknowns, const std::vector<double>& lower, const std::vector<double>& upper);
-  bool read_cell(std::uint32_t cell, const Unknowns& unknowns, const std::vector<double>& lower,
-                 const std::vector<double>& upper);
+  GridBlock(const Product& product, Measure measure, Order order, const Strategy* only);
+  bool read(const Unknowns& unknowns, const KeptBounds& known);
+  bool read_cell(std::uint32_t cell, const Unknowns& unknowns, const KeptBounds& known);
   std::uint32_t counted(std::uint32_t open, std::uint32_t good) const;
   void tabulate();
   double chance(std::uint32_t choice, std::uint32_t direction) const;
   std::array<double, 4> around(std::uint32_t cell, const std::vector<double>& x) const;
   double best(std::uint32_t cell, const std::vector<double>& x) const;
   double of_strategy(std::uint32_t cell, const std::vector<double>& x) const;
-  void start_from_best_luck();
-  double raise();
+  struct Around {  // a cell next to the block
+    std::uint32_t cell;
+    double lower, upper;
+  };
+  enum class Side : std::uint8_t { Middle, Bounds };
+  void set_around(Side side);
+  struct Relaxation {
+    double change = 0;          // up to which a cell has settled
+    double stride = 1;          // what a step is multiplied by
+    double chunks_a_sweep = 1;  // by which the front moves on
+  };
+  void guess_costs();
+  void start_from_nothing(bool guess);
+  std::size_t chunk_size();
+  double stride() const;
+  double sweep(std::size_t first, std::size_t last, double stride);
+  bool relax(const Relaxation& how, const IterationLimits& limits);
+  void guess_bounds(double tolerance);
   bool close_from_above();
-  void guess_above(double tolerance);
-  bool closer_than(double tolerance) const;
+  bool close_from_below();
   bool prove(std::uint64_t sweeps);
 
   const Product& product_;
@@ -74,6 +97,7 @@ class GridBlock {
   std::vector<std::uint8_t> code_;    // by cell: bit d, move d is open; bit 4 + k, choice k counts
   std::vector<std::uint8_t>
       known_;  // by cell: bit d, the neighbour that way is known and allowed, or is an unknown of the block
+  std::vector<Around> around_;   // of what is known already, some of them more than once
   std::vector<bool> unknown_;    // by cell
   std::vector<Row> rows_;        // by code
   std::vector<Only> only_rows_;  // by code, of strategies

@@ -60,6 +60,33 @@ class PairSet {  // of places and states of the task: one bit for every pair the
   std::vector<std::uint64_t> bits_;
 };
 
+// By state of the task: every route to a goal comes into it, and can do so in one cell only. Once a search arrives there,
+// nothing that it has met before matters any more: the task is cut into legs. From the first state on, for as long as each
+// can be left for one other alone, in one cell alone.
+std::vector<bool> gates(const GridWorld& grid, const TaskTable& task, std::uint32_t first) {
+  std::vector<std::uint32_t> cells(grid.letters().size(), 0);  // by letter
+  for (std::uint32_t cell = 0; cell < grid.states(); ++cell)
+    if (!grid.is_wall(cell)) ++cells[grid.letter(cell).index];
+  std::vector<bool> out(task.states(), false);
+  for (std::uint32_t q = first; !task.is_goal(q);) {
+    std::uint32_t next = nothing, ways = 0;
+    for (std::uint32_t l = 0; l < cells.size(); ++l)
+      if (const std::uint32_t target = task.next(q, {l}).target;
+          cells[l] > 0 && target != q && target != TaskTable::lost) {
+        ways += cells[l];
+        next = target;
+      }
+    if (ways != 1 || next == first || out[next]) break;
+    out[next] = true;
+    q = next;
+  }
+  return out;
+}
+std::vector<bool> gates(const Mdp&, const TaskTable& task,
+                        std::uint32_t) {  // letters sit on moves, not in places
+  return std::vector<bool>(task.states(), false);
+}
+
 // Every pair may be on a shortest route.
 struct Everywhere {
   bool operator()(std::uint32_t, std::uint32_t, std::uint32_t) const { return true; }
@@ -70,8 +97,12 @@ struct Everywhere {
 template <class Model, class MayLie>
 class BreadthFirst {
  public:
-  BreadthFirst(const Model& model, const TaskTable& task, const MayLie& may_lie)
-      : model_(model), task_(task), may_lie_(may_lie), seen_(model.states(), task.states()) {}
+  BreadthFirst(const Model& model, const TaskTable& task, std::vector<bool> gates, const MayLie& may_lie)
+      : model_(model),
+        task_(task),
+        may_lie_(may_lie),
+        gates_(std::move(gates)),
+        seen_(model.states(), task.states()) {}
 
   std::optional<SearchAnswer> run(std::uint32_t first, std::size_t limit, const std::stop_token& stop) {
     meet(model_.initial(), first, nothing);
@@ -86,11 +117,16 @@ class BreadthFirst {
       const Met from = met_[i];
       const std::uint32_t choices = model_.choices(from.place);
       answer.effort.edges += choices;
-      for (std::uint32_t k = 0; k < choices && goal_ == nothing; ++k)
+      for (std::uint32_t k = 0; k < choices && goal_ == nothing && through_ == nothing; ++k)
         model_.for_each_outcome(from.place, k, [&](std::uint32_t place, LetterId letter, double) {
           if (const std::uint32_t q = task_.next(from.task, letter).target; q != TaskTable::lost)
             meet(place, q, i);
         });
+      if (through_ != nothing) {  // on from there, and from nowhere else
+        layer_ends = through_;
+        i = through_ - 1;
+        through_ = nothing;
+      }
     }
     answer.effort.met = met_.size();
     if (goal_ != nothing) answer.route = route();
@@ -104,6 +140,8 @@ class BreadthFirst {
   void meet(std::uint32_t place, std::uint32_t q, std::uint32_t from) {
     if (!may_lie_(place, q, depth_) || !seen_.insert(place, q)) return;
     if (goal_ == nothing && task_.is_goal(q)) goal_ = static_cast<std::uint32_t>(met_.size());
+    if (gates_[q]) through_ = static_cast<std::uint32_t>(met_.size());
+    gates_[q] = false;
     met_.push_back({place, q, from});
   }
   ChoiceRoute route() const {
@@ -124,18 +162,23 @@ class BreadthFirst {
   const Model& model_;
   const TaskTable& task_;
   const MayLie& may_lie_;
+  std::vector<bool> gates_;  // those that have not been met
   PairSet seen_;
-  std::deque<Met> met_;      // never copied to grow
-  std::uint32_t depth_ = 0;  // of the pairs met at the moment
-  std::uint32_t goal_ = nothing;
+  std::deque<Met> met_;                               // never copied to grow
+  std::uint32_t depth_ = 0;                           // of the pairs met at the moment
+  std::uint32_t goal_ = nothing, through_ = nothing;  // a goal; a gate just met
 };
 
 // The moves of a shortest route by A* [HNR68]: pairs by depth and bound together, in buckets, deepest first. A pair is
 // settled when it is taken out, since the bound is consistent; a bit each and eight bytes for those in buckets.
 class BestFirst {
  public:
-  BestFirst(const GridWorld& grid, const TaskTable& task, const GridBound& bound)
-      : grid_(grid), task_(task), bound_(bound), settled_(grid.states(), task.states()) {}
+  BestFirst(const GridWorld& grid, const TaskTable& task, std::vector<bool> gates, const GridBound& bound)
+      : grid_(grid),
+        task_(task),
+        bound_(bound),
+        gates_(std::move(gates)),
+        settled_(grid.states(), task.states()) {}
 
   // nullopt: stopped, no route, or given up: `most` pairs were settled, or the way is more than twice as long as the bound
   // had it, so that walls decide and the bound hardly helps.
@@ -148,6 +191,8 @@ class BestFirst {
         buckets_[f].pop_back();
         if (!settled_.insert(place, q)) continue;
         if (task_.is_goal(q)) return f;
+        if (gates_[q]) buckets_ = std::vector<std::vector<Pair>>(buckets_.size());
+        gates_[q] = false;
         if (++effort_.met > most || (effort_.met % polling_interval == 0 && stop.stop_requested()))
           return std::nullopt;
         effort_.edges += 4;
@@ -177,6 +222,7 @@ class BestFirst {
   const GridWorld& grid_;
   const TaskTable& task_;
   const GridBound& bound_;
+  std::vector<bool> gates_;  // those that have not been settled
   PairSet settled_;
   std::vector<std::vector<Pair>> buckets_;  // by depth + bound
   SearchEffort effort_;
@@ -194,7 +240,7 @@ Bounded by_best_first(const GridWorld& grid, const TaskTable& task, std::uint32_
   if (pairs < worth_a_bound) return out;
   out.bound = GridBound::of(grid, task);
   if (!out.bound) return out;
-  BestFirst search(grid, task, *out.bound);
+  BestFirst search(grid, task, gates(grid, task, first), *out.bound);
   out.moves = search.moves(first, std::min<std::uint64_t>(limit, pairs / 4), stop);
   out.effort = search.effort();
   return out;
@@ -213,8 +259,9 @@ std::optional<SearchAnswer> in_layers(const Model& model, const TaskTable& task,
     const std::uint32_t rest = (*known.bound)(place, q);
     return rest != GridBound::never && depth + rest <= *known.moves;
   };
-  auto answer = known.moves ? BreadthFirst(model, task, within).run(first, limit, stop)
-                            : BreadthFirst(model, task, Everywhere{}).run(first, limit, stop);
+  const std::vector<bool> legs = gates(model, task, first);
+  auto answer = known.moves ? BreadthFirst(model, task, legs, within).run(first, limit, stop)
+                            : BreadthFirst(model, task, legs, Everywhere{}).run(first, limit, stop);
   if (answer) {
     answer->effort.met += known.effort.met;
     answer->effort.edges += known.effort.edges;

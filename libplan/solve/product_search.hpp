@@ -2,7 +2,8 @@
 //
 // Breadth first when all costs are equal: twelve bytes a pair that was met, one bit a pair that could be; on large grids
 // within what A* [HNR68] has found to be worth a look (GridBound). Otherwise Dijkstra [Dij59] with a heap, thirty-two
-// bytes a pair that was met. Among least-cost routes of breadth-first search the one whose choices come first
+// bytes a pair that was met. Where every route passes one cell of a grid, as between waypoints, nothing met before is
+// looked at any more. Among least-cost routes of breadth-first search the one whose choices come first
 // (docs/conventions.md 4).
 #pragma once
 #include <cstdint>

@@ -5,6 +5,7 @@
 // the first question, O(edges · rounds) for the second, where every round but the last removes states. [BK08, Sec. 10.6.1]
 #pragma once
 #include <cstdint>
+#include <deque>
 #include <utility>
 #include <vector>
 
@@ -16,13 +17,12 @@ using StateSet = std::vector<bool>;
 template <class Product, class Usable>
 StateSet backward(const Product& product, const StateSet& targets, const Usable& usable) {
   StateSet reached = targets;
-  std::vector<typename Product::Compact> open;
+  std::deque<typename Product::Compact> open;  // first in, first out: some layers of distance, not the set
   product.for_each_state([&](const auto& s) {
     if (targets[s.index]) open.push_back(product.compact(s));
   });
-  while (!open.empty()) {
-    const auto joined = product.state(open.back());
-    open.pop_back();
+  for (; !open.empty(); open.pop_front()) {
+    const auto joined = product.state(open.front());
     product.for_each_predecessor(joined, [&](const auto& source) {
       if (reached[source.index]) return;
       const std::uint32_t choices = product.choices(source);
@@ -77,7 +77,7 @@ bool closed(const Product& product, const StateSet& set) {
 // Takes states out of the set that no choice keeps inside, until there are none; targets stay.
 template <class Product>
 void keep_safe(const Product& product, const StateSet& targets, StateSet& set) {
-  std::vector<typename Product::Compact> open;
+  std::deque<typename Product::Compact> open;
   const auto look_at = [&](const auto& s) {
     if (!set[s.index] || targets[s.index]) return;
     const std::uint32_t choices = product.choices(s);
@@ -86,12 +86,11 @@ void keep_safe(const Product& product, const StateSet& targets, StateSet& set) {
     set[s.index] = false;
     open.push_back(product.compact(s));
   };
-  product.for_each_state(look_at);
-  while (!open.empty()) {
-    const auto removed = product.state(open.back());
-    open.pop_back();
-    product.for_each_predecessor(removed, look_at);
-  }
+  product.for_each_state([&](const auto& s) {
+    look_at(s);
+    for (; !open.empty(); open.pop_front())
+      product.for_each_predecessor(product.state(open.front()), look_at);
+  });
 }
 
 // Some strategy reaches them with probability 1: the greatest set from which they can be reached by choices that never

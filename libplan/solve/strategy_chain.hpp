@@ -7,15 +7,9 @@
 #include <vector>
 
 #include "libplan/solve/reachability.hpp"
+#include "libplan/solve/strategy.hpp"
 
 namespace waymark::plan {
-
-// By state of the product: which choice is made. `none`: a goal, or a state that the strategy never meets.
-struct Strategy {
-  static constexpr std::uint32_t none = UINT32_MAX;
-  std::vector<std::uint32_t> choice;
-  std::uint32_t start = 0;  // in which of the product's starts it begins
-};
 
 // Product and strategy must outlive it.
 template <class Product>

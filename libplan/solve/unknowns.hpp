@@ -67,9 +67,10 @@ class MergedUnknowns {
         });
       if (near) meet(s);
     });
-    for (std::size_t i = 0; i < queue.size(); ++i) {
+    for (std::size_t i = 0; i < queue.size(); ++i) {  // where nothing is merged, the queue is the order
       const State s = product_.state(queue[i]);
-      if (const std::uint32_t own = component(s.index); own == EndComponents::none || !met[own]) {
+      const std::uint32_t own = component(s.index);
+      if (!members_.empty() && (own == EndComponents::none || !met[own])) {
         if (own != EndComponents::none) met[own] = true;
         order.push_back(queue[i]);
       }
@@ -77,7 +78,7 @@ class MergedUnknowns {
         if (source.index >= first && source.index < last && unknowns_.unknown[source.index]) meet(source);
       });
     }
-    return order;
+    return members_.empty() ? queue : order;
   }
 
  private:

@@ -17,33 +17,47 @@
 #include <optional>
 #include <stop_token>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 #include "libplan/solve/best_value.hpp"
 #include "libplan/solve/equations.hpp"
 #include "libplan/solve/grid_block.hpp"
+#include "libplan/solve/kept_bounds.hpp"
+#include "libplan/solve/swept_block.hpp"
 #include "libplan/solve/unknowns.hpp"
 
 namespace waymark::plan {
 
 struct Values {
-  std::vector<double> lower, upper;  // by state; of targets 1 (probability) or 0 (cost)
+  KeptBounds bounds;  // of targets 1 (probability) or 0 (cost)
+  std::vector<double>
+      attained;  // by state: the bound that some choice attains, the lower one of probabilities
   std::uint64_t sweeps = 0;
+};
+
+// What is remembered of states whose block has been solved.
+struct Keep {
+  const StateSet* bounds =
+      nullptr;  // of which states; those that other blocks lead into among them. None: of all
+  bool attained = false;
 };
 
 template <class Product, Measure measure>
 class ValueIteration {
  public:
-  // claimed: bounds by state that may be tried first (GridBlock::start_from), and are written over; or none
+  // claimed: values by state that blocks of grids may begin with (GridBlock::start_from), or nothing
   ValueIteration(const Product& product, const Unknowns& unknowns, const IterationLimits& limits,
-                 std::optional<Values> claimed = std::nullopt)
+                 const Keep& keep = {}, const std::vector<double>* claimed = nullptr)
       : product_(product),
         unknowns_(unknowns),
         limits_(limits),
         merged_(product, unknowns),
         best_(product, unknowns, merged_),
-        has_claims_(claimed.has_value()),
-        values_(claimed ? std::move(*claimed) : Values{}) {}
+        claimed_(claimed) {
+    values_.bounds = keep.bounds != nullptr ? KeptBounds(*keep.bounds) : KeptBounds(product.states());
+    if (keep.attained) values_.attained.assign(product.states(), 0);
+  }
 
   std::optional<Values> run() {  // nullopt: stopped, out of sweeps, or the bounds do not meet in doubles
     begin();
@@ -57,81 +71,58 @@ class ValueIteration {
   using State = typename Product::State;
   using Compact = typename Product::Compact;
 
-  // Unknowns are 0, or what is claimed of them until their block is solved.
+  static constexpr double target_value = is_probability(measure) ? 1 : 0;
+  // Unknowns are 0 until their block is solved.
   void begin() {
-    const double target_value = is_probability(measure) ? 1 : 0;
-    values_.lower.resize(product_.states());
-    values_.upper.resize(product_.states());
-    values_.sweeps = 0;
     for (std::uint32_t i = 0; i < product_.states(); ++i)
-      if (!unknowns_.unknown[i] || unknowns_.targets[i])
-        values_.lower[i] = values_.upper[i] = unknowns_.targets[i] ? target_value : 0;
+      if (unknowns_.targets[i]) set(i, target_value, target_value);
   }
-
-  // The greatest change: absolute for probabilities, relative for costs.
-  double raise(const std::vector<Compact>& order) {
-    double change = 0;
-    for (const Compact& c : order) {
-      const State s = product_.state(c);
-      const double old = values_.lower[s.index], value = std::max(old, best_.of_all(s, values_.lower));
-      if (value == old) continue;
-      change = std::max(change, is_probability(measure) ? value - old : (value - old) / value);
-      merged_.set(s, values_.lower, value);
-    }
-    return change;
+  void set(std::uint32_t i, double lower, double upper) {
+    values_.bounds.set(i, lower, upper);
+    if (!values_.attained.empty()) values_.attained[i] = is_probability(measure) ? lower : upper;
   }
-
-  void guess_upper(const std::vector<Compact>& order) {
-    const double gap = limits_.tolerance / 2;
-    for (const Compact& c : order) {
-      const State s = product_.state(c);
-      const double lower = values_.lower[s.index];
-      merged_.set(s, values_.upper, is_probability(measure) ? std::min(1.0, lower + gap) : lower * (1 + gap));
-    }
+  void set_merged(const State& s, double lower, double upper) {  // with those that have one value with it
+    if (const std::uint32_t own = merged_.component(s.index); own == EndComponents::none)
+      set(s.index, lower, upper);
+    else
+      for (const Compact& member : merged_.members(own)) set(product_.state(member).index, lower, upper);
   }
-
-  // One sweep of the upper values; true: it would have raised none.
-  bool lower_upper(const std::vector<Compact>& order) {
-    bool inductive = true;
-    for (const Compact& c : order) {
-      const State s = product_.state(c);
-      const double old = values_.upper[s.index], value = best_.of_all(s, values_.upper);
-      inductive = inductive && (!raises(old, value) || (is_probability(measure) && old == 1));
-      if (value < old) merged_.set(s, values_.upper, value);
-    }
-    return inductive;
+  double lower(std::uint32_t i) const {  // of what is known
+    return unknowns_.unknown[i] ? values_.bounds.lower(i) : unknowns_.targets[i] ? target_value : 0;
+  }
+  double upper(std::uint32_t i) const {
+    return unknowns_.unknown[i] ? values_.bounds.upper(i) : unknowns_.targets[i] ? target_value : 0;
   }
 
   bool solve_block(std::uint32_t first, std::uint32_t last) {
-    const std::vector<Compact> order = merged_.in_order(first, last);
+    std::vector<Compact> order = merged_.in_order(first, last);
     if (order.empty()) return true;
     if constexpr (std::is_same_v<Product, GridBlock::Product> ||
                   std::is_same_v<Product, StrategyChain<GridBlock::Product>>)
-      if (order.size() > limits_.on_grid && !limits_.linear_solves)
-        if (auto block = grid_block(order)) {
-          if (solve_on_grid(order, *block)) return true;
-          if (order.size() > Equations::factored || limits_.stop.stop_requested()) return false;
+      if (order.size() > limits_.on_grid && !limits_.linear_solves) {
+        const std::size_t size = order.size();
+        if (auto block = grid_block(std::move(order))) {
+          if (solve_on_grid(*block)) return true;
+          if (size > Equations::factored || limits_.stop.stop_requested()) return false;
         }
+        order = merged_.in_order(first, last);
+      }
     return order.size() <= limits_.written_out ? solve_equations(order, first, last) : sweep(order);
   }
 
-  std::optional<GridBlock> grid_block(const std::vector<Compact>& order) const {
+  std::optional<GridBlock> grid_block(std::vector<Compact> order) const {
     if constexpr (std::is_same_v<Product, GridBlock::Product>)
-      return GridBlock::of(product_, unknowns_, measure, order, values_.lower, values_.upper);
+      return GridBlock::of(product_, unknowns_, measure, std::move(order), values_.bounds);
     else
-      return GridBlock::of(product_.product(), unknowns_, measure, order, values_.lower, values_.upper,
+      return GridBlock::of(product_.product(), unknowns_, measure, std::move(order), values_.bounds,
                            &product_.strategy());
   }
 
-  bool solve_on_grid(const std::vector<Compact>& order, GridBlock& block) {
-    if (has_claims_) block.start_from(values_.lower, values_.upper);
+  bool solve_on_grid(GridBlock& block) {
+    if (claimed_ != nullptr) block.start_from(*claimed_, limits_.tolerance);
     const auto sweeps = block.solve(limits_);
     if (!sweeps) return false;
-    for (const Compact& c : order) {
-      const std::uint32_t i = product_.state(c).index;
-      values_.lower[i] = block.lower(c.place);
-      values_.upper[i] = block.upper(c.place);
-    }
+    block.for_each([&](std::uint32_t i, double lower, double upper) { set(i, lower, upper); });
     values_.sweeps += *sweeps;
     return true;
   }
@@ -154,9 +145,9 @@ class ValueIteration {
     if (!solution) return false;
     for (std::uint32_t i = 0; i < order.size(); ++i) {
       const State s = product_.state(order[i]);
-      merged_.set(s, values_.lower, solution->lower[i]);
-      merged_.set(s, values_.upper, solution->upper[i]);
+      set_merged(s, solution->lower[i], solution->upper[i]);
     }
+    std::vector<std::uint32_t>().swap(row_);
     values_.sweeps += solution->sweeps;
     return true;
   }
@@ -182,9 +173,9 @@ class ValueIteration {
           stays += p;
         } else if (t != Product::lost && row(t) == no_row &&
                    (is_probability(measure) || unknowns_.unknown[t] || unknowns_.targets[t])) {
-          below += p * values_.lower[t];
-          above += p * values_.upper[t];
-          least_known = std::min(least_known, values_.lower[t]);
+          below += p * lower(t);
+          above += p * upper(t);
+          least_known = std::min(least_known, lower(t));
         } else if (t == Product::lost || row(t) == no_row) {
           counts = counts && is_probability(measure);
         }
@@ -202,26 +193,17 @@ class ValueIteration {
   }
 
   bool sweep(const std::vector<Compact>& order) {
-    if (has_claims_)
-      for (const Compact& c : order) merged_.set(product_.state(c), values_.lower, 0);
-    std::uint64_t swept = 0;
-    for (double fine = limits_.tolerance / 16;; fine = fine < 1e-18 ? 0 : fine / 64) {
-      std::uint64_t sweeps = 1;
-      while (raise(order) > fine) {
-        ++sweeps;
-        if (sweeps + swept > limits_.sweeps || limits_.stop.stop_requested()) return false;
-      }
-      guess_upper(order);
-      bool proved = false;
-      for (std::uint64_t tries = 0; tries < sweeps + 8 && !proved; ++tries, ++values_.sweeps) {
-        proved = lower_upper(order);
-        if (limits_.stop.stop_requested()) return false;
-      }
-      values_.sweeps += sweeps;
-      swept += sweeps;
-      if (proved) return true;
-      if (fine == 0) return false;
+    SweptBlock<Product, measure> block(product_, merged_, best_);
+    for (std::uint32_t i = 0; i < product_.states(); ++i)
+      if (!unknowns_.unknown[i] || values_.bounds.keeps(i)) block.know(i, lower(i), upper(i));
+    const auto sweeps = block.solve(order, limits_);
+    if (!sweeps) return false;
+    for (const Compact& c : order) {
+      const State s = product_.state(c);
+      set_merged(s, block.lower(s.index), block.upper(s.index));
     }
+    values_.sweeps += *sweeps;
+    return true;
   }
 
   const Product& product_;
@@ -229,7 +211,7 @@ class ValueIteration {
   const IterationLimits& limits_;
   const MergedUnknowns<Product> merged_;
   const BestValue<Product, measure> best_;
-  const bool has_claims_;
+  const std::vector<double>* claimed_;
   Values values_;
   static constexpr std::uint32_t no_row = UINT32_MAX;
   std::uint32_t first_ = 0;         // of the block at hand

@@ -2,17 +2,22 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "libltl/diagnostic.hpp"
 #include "libltl/print.hpp"
+#include "libparser/corpus/token.hpp"
+#include "libparser/experiment/grounding_follower.hpp"
 #include "libparser/weights_file.hpp"
 #include "libplan/solve/plan_of.hpp"
 #include "tests/libparser/maps.hpp"
+#include "tests/support/sanitizers.hpp"
 
 namespace waymark::parser {
 namespace {
 
 // With the shipped model, on sentences of our own.
-class Ground : public testing::Test {
+class Ground : public ::testing::Test {
  protected:
   static const Grounder& model() {
     static const Grounder shipped =
@@ -51,6 +56,43 @@ TEST_F(Ground, PlainInstructionsAreCarriedOut) {
 
 TEST_F(Ground, SentencesAreReadOneAfterTheOther) {
   EXPECT_EQ(actions("Turn right. Turn right. Turn left.", shipped_maps().front(), {1, 9, 0}), "RRL");
+}
+
+// All but the last sentence are read as a follower reads the paragraph.
+TEST_F(Ground, WhatFollowsHasASayInWhatWentBefore) {
+  const std::string texts[] = {
+      "Walk to the lamp. Turn left. You should see a chair.",
+      "Go forward. There is a sofa here. Take the blue hall to the easel.",
+      "Face the brick hall. Go to the end of it. Turn right. Walk to the hatrack.",
+      "Turn around. Move to the intersection. A chair is on your left.",
+  };
+  const GroundingFollower whole({model()}, {}), settling({model()}, {.paragraph = {.alive = 1}});
+  std::size_t unsettled = 0, paragraphs = 0;
+  for (const plan::Map& map : shipped_maps()) {
+    const Executor executor(map);
+    for (const std::string& text : texts)
+      for (std::uint32_t pose = 0; pose < map.poses(); pose += testing::sanitized ? 160 : 48) {
+        std::vector<SentenceInput> inputs;
+        for (const std::string& sentence : split_sentences(text))
+          inputs.push_back({tokenize(sentence), false});
+        const plan::PoseId start{pose};
+        const auto answers = whole.follow_all(executor, inputs, start);
+        Program want;
+        for (std::size_t k = 0; k + 1 < answers.size(); ++k)
+          for (const Step& step : answers[k].program)
+            if (step.kind != StepKind::Stay) want.push_back(step);
+        const auto readings = ground(model(), text, executor, {&start, 1}, arena);
+        ASSERT_FALSE(readings.empty());
+        const Program& got = readings.front().program;
+        ASSERT_GE(got.size(), want.size());
+        EXPECT_TRUE(std::equal(want.begin(), want.end(), got.begin()))
+            << map.name() << ' ' << pose << ' ' << text;
+        const auto settled = settling.follow_all(executor, inputs, start);
+        unsettled += settled[settled.size() - 2].end != answers[answers.size() - 2].end ? 1U : 0U;
+        ++paragraphs;
+      }
+  }
+  EXPECT_GT(20 * unsettled, paragraphs);
 }
 
 TEST_F(Ground, ProbabilitiesSumToOneAndFormulasDiffer) {

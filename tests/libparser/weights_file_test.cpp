@@ -23,6 +23,7 @@ LinearModel some_model() {
     for (std::size_t c = 0; c < model.reader.columns(); c += 1 + f % 3)
       row[c] = static_cast<float>(static_cast<double>(random() % 10'000) / 1000.0 - 5.0);
     *model.chooser.row(model.chooser.add(f + 7)) = static_cast<float>(f) - 20.0F;
+    *model.locator.row(model.locator.add(f + 9)) = static_cast<float>(f) - 30.5F;
   }
   return model;
 }
@@ -43,6 +44,9 @@ TEST(WeightsFile, KeepsWordsAndWeightsToHalfPrecision) {
     }
   }
   EXPECT_EQ(read.chooser.rows(), 39U);  // the zero weight needs no row
+  ASSERT_EQ(read.locator.rows(), 40U);
+  for (std::uint32_t r = 0; r < model.locator.rows(); ++r)
+    EXPECT_EQ(read.locator.weight(read.locator.find(model.locator.key(r)), 0), model.locator.weight(r, 0));
 }
 
 TEST(WeightsFile, WritingWhatWasReadGivesTheSameBytes) {

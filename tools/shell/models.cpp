@@ -103,6 +103,12 @@ void add_training_options(Command command, TrainingOptions& options, const std::
       .show_default();
   command.add_flag("--chooser,!--no-chooser", train.chooser,
                    "a chooser on the map decides between the ends that readings lead to (on)");
+  command
+      .add_option("--alive", train.alive,
+                  "poses kept along a paragraph; 1: each sentence is settled before the next is heard")
+      .type_name("N")
+      .between(1, 1000)
+      .show_default();
   command.add_flag(
       "--plain", options.plain,
       "as the paper has it: no lexicon, no prior on wording, no mirror images, every route alike");

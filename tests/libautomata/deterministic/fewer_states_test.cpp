@@ -4,6 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include "libautomata/deterministic/colours.hpp"
+#include "libautomata/deterministic/inclusion.hpp"
+#include "libautomata/deterministic/one_language.hpp"
 #include "libautomata/deterministic/parity.hpp"
 #include "libautomata/omega/emptiness.hpp"
 #include "libautomata/omega/hoa.hpp"
@@ -11,6 +14,7 @@
 #include "libautomata/omega/random_automaton.hpp"
 #include "tests/libautomata/omega/referee.hpp"
 #include "tests/support/generate.hpp"
+#include "tests/support/sanitizers.hpp"
 
 namespace waymark::automata {
 namespace {
@@ -61,6 +65,34 @@ TEST(FewerStates, KeepTheLanguageOfRandomAutomata) {
     if (made.states() < trim(from).states()) ++smaller;
   }
   EXPECT_GT(smaller, 100);
+}
+
+// Whatever few words and pairs say, against inclusion both ways.
+TEST(Languages, AreThoseThatIncludeEachOther) {
+  constexpr std::uint64_t seed = 93;
+  ltl::Random random(seed);
+  int shared = 0, apart = 0;
+  for (int i = 0; i < testing::scaled(600); ++i) {
+    const Branching from = random_parity(random, {.states = static_cast<std::uint32_t>(2 + i % 9),
+                                                  .sets = static_cast<std::uint32_t>(1 + i % 4),
+                                                  .branches = 1,
+                                                  .marked = i % 3 == 0 ? 0.5 : 0.05,
+                                                  .empty = i % 4 == 0 ? 0.1 : 0.0,
+                                                  .generic = false});
+    const Branching complete = completed_parity(from);
+    Effort effort;
+    const std::vector<std::uint32_t> language = languages(complete, effort);
+    const std::vector<std::vector<bool>> included = inclusions(complete, complete, effort);
+    for (std::uint32_t q = 0; q < complete.states(); ++q)
+      for (std::uint32_t r = 0; r < q; ++r) {
+        const bool same = included[q][r] && included[r][q];
+        ASSERT_EQ(language[q] == language[r], same)
+            << "seed " << seed << ", automaton " << i << ", " << q << ' ' << r;
+        ++(same ? shared : apart);
+      }
+  }
+  EXPECT_GT(shared, apart / 20);
+  EXPECT_GT(apart, shared / 20);
 }
 
 // Reducing what was reduced changes nothing; states are counted against the words of the original.

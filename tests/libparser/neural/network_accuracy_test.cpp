@@ -44,7 +44,8 @@ TEST(NetworkAccuracy, AsThePaperHasItLearnsSomethingFromItsOwnBeam) {
     options.other_route = 1;
     options.mirrored = false;
     const Grounder grounder = train(clauses, lesson_maps(), options);
-    EXPECT_GE(accuracy(GroundingFollower({grounder}, {.trust = 0}), 1), 20) << static_cast<int>(objective);
+    EXPECT_GE(accuracy(GroundingFollower({grounder}, {.deciding = {.trust = 0}}), 1), 20)
+        << static_cast<int>(objective);
   }
 }
 

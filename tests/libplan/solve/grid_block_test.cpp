@@ -4,9 +4,12 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <sstream>
+#include <variant>
 
 #include "libautomata/ltlf_to_dfa.hpp"
 #include "libltl/parse.hpp"
+#include "libplan/model/generate_grid.hpp"
 #include "libplan/solve/decide.hpp"
 #include "libplan/solve/reachability.hpp"
 #include "tests/libplan/solve/random_grids.hpp"
@@ -24,14 +27,14 @@ std::size_t swept_in_place(const GridBlock::Product& product) {
   unknowns.unknown = almost_surely(product, unknowns.targets);
   for (std::uint32_t i = 0; i < product.states(); ++i)
     if (unknowns.targets[i]) unknowns.unknown[i] = false;
-  const std::vector<double> values(product.states(), 0);
+  const KeptBounds values(product.states());
   std::size_t count = 0;
   const auto& blocks = product.blocks();
   for (std::size_t b = 0; b + 1 < blocks.size(); ++b) {
     const auto order =
         MergedUnknowns<GridBlock::Product>(product, unknowns).in_order(blocks[b], blocks[b + 1]);
     if (order.empty()) continue;
-    count += GridBlock::of(product, unknowns, Measure::MinCost, order, values, values).has_value() ? 1 : 0;
+    count += GridBlock::of(product, unknowns, Measure::MinCost, order, values).has_value() ? 1 : 0;
   }
   return count;
 }
@@ -72,6 +75,52 @@ TEST(GridBlock, AgreesWithLinearSolves) {
   EXPECT_GT(in_place, 200U);
   EXPECT_GT(finite, 100U);
   EXPECT_GT(unsure, 20U);
+}
+
+// Grids on which sweeps move on in a window, of many layers of distance: what equations written out say.
+TEST(GridBlock, AgreesWithEquationsWhereAWindowMovesOn) {
+  std::size_t finite = 0, unsure = 0;
+  for (const GridKind kind : all_grid_kinds)
+    for (const double noise : {0.02, 0.1, 0.2}) {
+      std::ostringstream text;
+      write_case(text, generate_grid({.kind = kind,
+                                      .width = 48,
+                                      .height = 40,
+                                      .landmarks = 2,
+                                      .noise = noise,
+                                      .seed = 9,
+                                      .tasks = true}));
+      const PlanningCase read = parse_case(text.str());
+      const auto& grid = std::get<GridWorld>(read.model);
+      for (const CaseTask& asked : read.tasks) {
+        if (asked.id != "seq" && asked.id != "avoidseq") continue;
+        const std::string what = read.name + " " + asked.id + "  noise " + std::to_string(noise);
+        ltl::Arena arena(grid.letters().vocabulary());
+        const automata::Dfa dfa = automata::ltlf_to_dfa(ltl::parse(asked.formula, arena));
+        const TaskTable task(dfa, grid.letters());
+        const auto product = GridBlock::Product::explore(grid, task);
+        ASSERT_TRUE(product);
+        const DecisionLimits in_place{.tolerance = tolerance, .on_grid = 0};
+        const DecisionLimits written{.tolerance = tolerance, .on_grid = SIZE_MAX};
+        const auto cost = least_cost(*product, in_place), cost_too = least_cost(*product, written);
+        ASSERT_TRUE(cost && cost_too) << what;
+        EXPECT_EQ(std::isinf(cost->value.lower), std::isinf(cost_too->value.lower)) << what;
+        if (!std::isinf(cost->value.lower)) {
+          ++finite;
+          EXPECT_LE(cost->value.lower, cost_too->value.upper * rounding) << what;
+          EXPECT_GE(cost->value.upper * rounding, cost_too->value.lower) << what;
+          EXPECT_LE(cost->value.upper, cost->value.lower * (1 + 2 * tolerance)) << what;
+        }
+        const auto chance = greatest_probability(*product, in_place),
+                   chance_too = greatest_probability(*product, written);
+        ASSERT_TRUE(chance && chance_too) << what;
+        EXPECT_LE(chance->value.lower, chance_too->value.upper * rounding) << what;
+        EXPECT_GE(chance->value.upper * rounding, chance_too->value.lower) << what;
+        unsure += chance->value.middle() > tolerance && chance->value.middle() < 1 - tolerance ? 1 : 0;
+      }
+    }
+  EXPECT_GT(finite, 9U);
+  EXPECT_GT(unsure, 3U);
 }
 
 }  // namespace

@@ -117,5 +117,56 @@ TEST(GridBound, RoutesAreThoseOfAPlainSearch) {
   EXPECT_LT(bounded, plain / 2);
 }
 
+// Few walls, each landmark on one cell or on two, one cell with two of them.
+GridWorld grid_of_landmarks(ltl::Random& random) {
+  const ltl::Vocabulary names({"a", "b", "c"});
+  std::vector<GridCell> palette(6);
+  palette[1].wall = true;
+  for (std::uint32_t p = 0; p < 3; ++p) palette[2 + p].label = {ltl::Proposition{p}};
+  palette[5].label = {ltl::Proposition{0}, ltl::Proposition{1}};
+  std::vector<std::uint16_t> cells(42);
+  for (std::uint16_t& cell : cells) cell = random.below(5) == 0 ? 1 : 0;
+  cells[0] = 0;
+  for (std::uint16_t kind = 2; kind < 6; ++kind)
+    for (std::size_t n = random.below(4) == 0 ? 2 : kind == 5 ? random.below(2) : 1; n > 0; --n)
+      cells[1 + random.below(cells.size() - 1)] = kind;
+  return GridWorld({.width = 7, .height = 6}, names, palette, cells, 0);
+}
+
+// A search of a grid is cut into legs where everything passes one cell; of the same grid written out it is not.
+TEST(ProductSearch, LegsMakeTheRouteOfTheWhole) {
+  constexpr std::uint64_t seed = 16;
+  ltl::Random random(seed);
+  std::size_t routes = 0, cut = 0, uncut = 0;
+  for (int i = 0; i < waymark::testing::scaled(300); ++i) {
+    const GridWorld grid = grid_of_landmarks(random);
+    const Mdp mdp = written_out(grid);
+    ltl::Arena arena(grid.letters().vocabulary());
+    std::vector<ltl::Formula> tasks{
+        ltl::random_formula(random, arena, {.size = 3 + random.below(9), .atoms = 3})};
+    for (const char* text : {"F (a & F (b & F c))", "!b U (a & X (!a U (b & X F c)))", "F (a & F (b | c))",
+                             "F (a & F (b & X F a))", "F a & F b", "F (a & N F b)"})
+      tasks.push_back(ltl::parse(text, arena));
+    for (const ltl::Formula f : tasks) {
+      const automata::Dfa dfa = automata::ltlf_to_dfa(f);
+      const auto on_grid = search(grid, TaskTable(dfa, grid.letters()));
+      const auto on_mdp = search(mdp, TaskTable(dfa, mdp.letters()));
+      ASSERT_TRUE(on_grid && on_mdp);
+      ASSERT_EQ(on_grid->route.has_value(), on_mdp->route.has_value())
+          << ltl::print(f) << ", seed " << seed << ", grid " << i;
+      ASSERT_LE(on_grid->effort.met, on_mdp->effort.met) << ltl::print(f) << ", seed " << seed;
+      if (!on_grid->route) continue;
+      ++routes;
+      ++(on_grid->effort.met < on_mdp->effort.met ? cut : uncut);
+      ASSERT_EQ(on_grid->route->places, on_mdp->route->places)
+          << ltl::print(f) << ", seed " << seed << ", grid " << i;
+      ASSERT_EQ(on_grid->route->choices, on_mdp->route->choices)
+          << ltl::print(f) << ", seed " << seed << ", grid " << i;
+    }
+  }
+  EXPECT_GT(cut, routes / 8);
+  EXPECT_GT(uncut, routes / 8);
+}
+
 }  // namespace
 }  // namespace waymark::plan

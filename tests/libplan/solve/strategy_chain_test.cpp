@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "libautomata/ltlf_to_dfa.hpp"
@@ -35,9 +36,9 @@ Unknowns unknowns_of(const AnyChain& chain) {
 }
 
 Strategy random_strategy(const Product& product, ltl::Random& random) {
-  Strategy out{std::vector<std::uint32_t>(product.states(), Strategy::none), product.starts().front()};
+  Strategy out{Choices(product.states()), product.starts().front()};
   product.for_each_state([&](const auto& s) {
-    if (!product.is_goal(s)) out.choice[s.index] = static_cast<std::uint32_t>(random.below(4));
+    if (!product.is_goal(s)) out.choice.set(s.index, static_cast<std::uint32_t>(random.below(4)));
   });
   return out;
 }
@@ -91,8 +92,8 @@ std::size_t compare(const Product& product, const Strategy& strategy, const std:
   for (std::uint32_t i = 0; i < written.states(); ++i) {
     const std::uint32_t o = written.origin(i);
     EXPECT_EQ(unknowns.unknown[o], same.unknown[i]) << what;
-    EXPECT_LE(found->lower[o], solved->upper[i] * rounding) << what;
-    EXPECT_GE(found->upper[o] * rounding, solved->lower[i]) << what;
+    EXPECT_LE(found->bounds.lower(o), solved->bounds.upper(i) * rounding) << what;
+    EXPECT_GE(found->bounds.upper(o) * rounding, solved->bounds.lower(i)) << what;
     count += unknowns.unknown[o] ? 1 : 0;
   }
   return count;
@@ -108,40 +109,83 @@ TEST(StrategyChain, IsWorthWhatTheChainWrittenOutIs) {
   EXPECT_GT(costs, 100U);
 }
 
-// Costs, with the true bounds times `wrong` claimed of all states.
-std::optional<Values> with_claim(const Chain& chain, const Unknowns& unknowns, const Values& exact,
-                                 double wrong) {
-  Values claimed = exact;
-  for (double& x : claimed.lower) x *= wrong;
-  for (double& x : claimed.upper) x *= wrong;
-  return ValueIteration<Chain, Measure::MinCost>(
-             chain, unknowns, {.tolerance = tolerance, .sweeps = sweeps, .on_grid = 0}, std::move(claimed))
-      .run();
+struct Counts {
+  std::size_t tried = 0, sooner = 0;
+};
+
+// With what is attained, times `wrong`, claimed of all states.
+template <Measure measure>
+void claim(const Product& product, const Strategy& strategy, const std::string& what, Counts& counts) {
+  const Chain chain(product, strategy);
+  const Unknowns unknowns = unknowns_of<measure>(chain);
+  const IterationLimits limits{.tolerance = tolerance, .sweeps = sweeps, .on_grid = 0};
+  const auto exact = ValueIteration<Chain, measure>(chain, unknowns, limits, {.attained = true}).run();
+  if (!exact) return;
+  for (double wrong : {0.5, 1.0, 2.0}) {
+    std::vector<double> claimed = exact->attained;
+    for (double& x : claimed) x = is_probability(measure) ? std::min(x * wrong, 1.0) : x * wrong;
+    const auto found = ValueIteration<Chain, measure>(chain, unknowns, limits, {}, &claimed).run();
+    ASSERT_TRUE(found) << what;
+    for (std::uint32_t i = 0; i < product.states(); ++i) {
+      const double lower = found->bounds.lower(i), upper = found->bounds.upper(i);
+      EXPECT_LE(lower, exact->bounds.upper(i) * rounding) << what << "  claim " << wrong;
+      EXPECT_GE(upper * rounding, exact->bounds.lower(i)) << what << "  claim " << wrong;
+      EXPECT_LE(upper - lower, 4 * tolerance * (is_probability(measure) ? 1 : lower)) << what;
+      counts.tried += unknowns.unknown[i] ? 1 : 0;
+    }
+    counts.sooner += wrong == 1.0 && found->sweeps < exact->sweeps ? 1 : 0;
+  }
 }
 
-// What is claimed is checked: bounds that are too great from below, or too small from above, change nothing.
+// What is claimed is where sweeps begin, no more: claims that are too great or too small change no value.
 TEST(StrategyChain, TakesNoFalseClaims) {
-  std::size_t tried = 0, sooner = 0;
+  Counts chances, costs;
+  for_each_strategy([&](const Product& product, const Strategy& strategy, const std::string& what) {
+    claim<Measure::MaxProbability>(product, strategy, what, chances);
+    claim<Measure::MinCost>(product, strategy, what, costs);
+  });
+  EXPECT_GT(chances.tried, 1000U);
+  EXPECT_GT(chances.sooner, 20U);
+  EXPECT_GT(costs.tried, 300U);
+  EXPECT_GT(costs.sooner, 10U);
+}
+
+// What is kept of some states is what is kept of all.
+TEST(StrategyChain, KeepsTheBoundsOfEntries) {
+  std::size_t kept = 0, others = 0;
   for_each_strategy([&](const Product& product, const Strategy& strategy, const std::string& what) {
     const Chain chain(product, strategy);
-    const Unknowns unknowns = unknowns_of<Measure::MinCost>(chain);
+    const Unknowns unknowns = unknowns_of<Measure::MaxProbability>(chain);
+    const StateSet some = entries(chain, unknowns.unknown, product.starts());
     const IterationLimits limits{.tolerance = tolerance, .sweeps = sweeps, .on_grid = 0};
-    const auto exact = ValueIteration<Chain, Measure::MinCost>(chain, unknowns, limits).run();
-    if (!exact) return;
-    for (double wrong : {0.5, 1.0, 2.0}) {
-      const auto found = with_claim(chain, unknowns, *exact, wrong);
-      ASSERT_TRUE(found) << what;
-      for (std::uint32_t i = 0; i < product.states(); ++i) {
-        EXPECT_LE(found->lower[i], exact->upper[i] * rounding) << what << "  claim " << wrong;
-        EXPECT_GE(found->upper[i] * rounding, exact->lower[i]) << what << "  claim " << wrong;
-        EXPECT_LE(found->upper[i], found->lower[i] * (1 + 4 * tolerance)) << what << "  claim " << wrong;
-        tried += unknowns.unknown[i] ? 1 : 0;
-      }
-      sooner += wrong == 1.0 && found->sweeps < exact->sweeps ? 1 : 0;
+    const auto all = ValueIteration<Chain, Measure::MaxProbability>(chain, unknowns, limits).run();
+    const auto found =
+        ValueIteration<Chain, Measure::MaxProbability>(chain, unknowns, limits, {.bounds = &some}).run();
+    ASSERT_EQ(all.has_value(), found.has_value()) << what;
+    if (!all) return;
+    for (std::uint32_t i = 0; i < product.states(); ++i) {
+      ++(some[i] ? kept : others);
+      ASSERT_EQ(found->bounds.keeps(i), some[i]);
+      if (!some[i]) continue;
+      EXPECT_EQ(found->bounds.lower(i), all->bounds.lower(i)) << what;
+      EXPECT_EQ(found->bounds.upper(i), all->bounds.upper(i)) << what;
     }
   });
-  EXPECT_GT(tried, 300U);
-  EXPECT_GT(sooner, 10U);
+  EXPECT_GT(kept, 150U);
+  EXPECT_GT(others, kept);
+}
+
+TEST(Choices, WidenWhereABytesWorthIsNotEnough) {
+  constexpr std::array<std::uint32_t, 7> made{0, 3, 254, 255, Choices::none, 256, 70'000};
+  Choices choices(made.size());
+  for (std::size_t i = 0; i < made.size(); ++i) EXPECT_EQ(choices[i], Choices::none);
+  for (std::size_t i = 0; i < made.size(); ++i) {
+    choices.set(i, made[i]);
+    for (std::size_t j = 0; j <= i; ++j) EXPECT_EQ(choices[j], made[j]) << j << " of " << i;
+  }
+  choices.set(6, Choices::none);
+  EXPECT_EQ(choices[6], Choices::none);
+  EXPECT_EQ(choices.size(), made.size());
 }
 
 }  // namespace

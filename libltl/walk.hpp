@@ -1,0 +1,30 @@
+// The subformulas of a formula, as far in as one wants to go.
+#pragma once
+#include <algorithm>
+#include <vector>
+
+#include "libltl/formula.hpp"
+
+namespace waymark::ltl {
+
+// f and what lies below it, each formula once, operands of g only where enter(g): those with great ids first, so
+// operators before operands. O(DAG · log DAG).
+template <class Enter>
+std::vector<Formula> walk(Formula f, const Enter& enter) {
+  std::vector<Formula> out, heap{f};  // the largest id first: operands have smaller ones
+  while (!heap.empty()) {
+    std::pop_heap(heap.begin(), heap.end());
+    const Formula g = heap.back();
+    heap.pop_back();
+    if (!out.empty() && out.back() == g) continue;
+    out.push_back(g);
+    if (!enter(g)) continue;
+    for (Formula operand : g.operands()) {
+      heap.push_back(operand);
+      std::push_heap(heap.begin(), heap.end());
+    }
+  }
+  return out;
+}
+
+}  // namespace waymark::ltl

@@ -1,0 +1,60 @@
+// Bounds of values, by state: of all states, or of those alone that somebody will ask for again.
+#pragma once
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "libplan/product/product_mdp.hpp"
+#include "libplan/solve/reachability.hpp"
+
+namespace waymark::plan {
+
+// Sixteen bytes a state that is kept, and two bits a state there is, unless all are.
+class KeptBounds {
+ public:
+  KeptBounds() = default;
+  explicit KeptBounds(std::uint32_t states) : lower_(states, 0), upper_(states, 0) {}  // of all
+  explicit KeptBounds(const StateSet& kept) : kept_(kept.size()) {
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < kept.size(); ++i)
+      if (kept[i]) count += kept_->insert(i) ? 1 : 0;
+    kept_->rank();
+    lower_.assign(count, 0);
+    upper_.assign(count, 0);
+  }
+
+  bool keeps(std::uint32_t state) const { return !kept_ || kept_->contains(state); }
+  double lower(std::uint32_t state) const { return lower_[place(state)]; }  // of states that are kept
+  double upper(std::uint32_t state) const { return upper_[place(state)]; }
+  void set(std::uint32_t state, double lower, double upper) {  // of others nothing is remembered
+    if (!keeps(state)) return;
+    lower_[place(state)] = lower;
+    upper_[place(state)] = upper;
+  }
+
+ private:
+  std::uint32_t place(std::uint32_t state) const { return kept_ ? kept_->rank(state) : state; }
+  std::optional<RankedSet> kept_;
+  std::vector<double> lower_, upper_;
+};
+
+// The unknown states that outcomes lead into from a block above theirs, and the starts: whose values are asked for after
+// their block has been solved.
+template <class Product>
+StateSet entries(const Product& product, const StateSet& unknown, const std::vector<std::uint32_t>& starts) {
+  StateSet out(product.states(), false);
+  for (std::uint32_t i : starts) out[i] = true;
+  const std::vector<std::uint32_t>& blocks = product.blocks();
+  for (std::size_t b = 0; b + 1 < blocks.size(); ++b)
+    product.for_each_state(blocks[b], blocks[b + 1], [&](const auto& s) {
+      if (!unknown[s.index]) return;
+      const std::uint32_t choices = product.choices(s);
+      for (std::uint32_t k = 0; k < choices; ++k)
+        product.for_each_outcome(s, k, [&](std::uint32_t t, double, bool) {
+          if (t < blocks[b]) out[t] = true;
+        });
+    });
+  return out;
+}
+
+}  // namespace waymark::plan
