@@ -24,6 +24,7 @@ JsonObject json_of(const StreetScores& scores) {
       .add("goal", scores.goal.value())
       .add("floor", scores.floor.value())
       .add("supply", scores.supply.value())
+      .add("together", scores.together.value())
       .add("n", scores.exact_path.total);
 }
 
@@ -75,15 +76,17 @@ void print_row(const std::string& name, std::initializer_list<double> values, st
 
 void print_table(const StreetEvaluation& evaluation, double seconds) {
   std::cout << "per cent, all instructions\n\n"
-            << "left out          exact path        goal       floor      supply  instructions\n";
+            << "left out          exact path        goal       floor      supply    together  instructions\n";
   const auto row = [](const std::string& name, const StreetScores& s) {
-    print_row(name, {s.exact_path.value(), s.goal.value(), s.floor.value(), s.supply.value()},
+    print_row(name,
+              {s.exact_path.value(), s.goal.value(), s.floor.value(), s.supply.value(), s.together.value()},
               s.exact_path.total);
   };
   for (const auto& [map, scores] : evaluation.by_map) row(map, scores);
   row("all", evaluation.all);
   std::cout << "\nmean over cities: exact path " << fixed(evaluation.mean_exact_path, 2) << ", goal "
-            << fixed(evaluation.mean_goal, 2) << "; " << fixed(seconds, 1) << " s of training and testing\n";
+            << fixed(evaluation.mean_goal, 2) << ", together " << fixed(evaluation.mean_together, 2) << "; "
+            << fixed(seconds, 1) << " s of training and testing\n";
 }
 
 }  // namespace
@@ -113,6 +116,7 @@ ExitCode evaluate_streets(const StreetExperiment& experiment, const Session& ses
   std::cout << JsonObject()
                    .add("exact_path", evaluation->mean_exact_path)
                    .add("goal", evaluation->mean_goal)
+                   .add("together", evaluation->mean_together)
                    .add("by_map", cities)
                    .add("all", json_of(evaluation->all))
                    .add("seconds", seconds)

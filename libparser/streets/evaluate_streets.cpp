@@ -3,6 +3,7 @@
 #include <stdexcept>
 
 #include "libparser/parallel.hpp"
+#include "libparser/streets/read_together.hpp"
 
 namespace waymark::streets {
 namespace {
@@ -15,6 +16,29 @@ struct Fold {
   std::vector<StreetPrediction> predictions;
 };
 
+// Texts of a figure are read as one; each of them counts, as in exact_path.
+parser::Percent read_figures(const std::vector<StreetPrediction>& predictions) {
+  std::map<int, std::vector<const StreetPrediction*>> figures;
+  std::vector<std::vector<const StreetPrediction*>> groups;
+  for (const StreetPrediction& prediction : predictions)
+    if (prediction.instruction->figure)
+      figures[*prediction.instruction->figure].push_back(&prediction);
+    else
+      groups.push_back({&prediction});
+  for (auto& [figure, texts] : figures) groups.push_back(std::move(texts));
+  parser::Percent right;
+  for (const auto& group : groups) {
+    std::vector<std::vector<StreetReading>> texts;
+    for (const StreetPrediction* prediction : group) texts.push_back(prediction->readings);
+    const std::vector<StreetReading> readings = read_together(texts);
+    right.total += group.size();
+    for (const StreetPrediction* prediction : group)
+      if (!readings.empty() && readings.front().route.landmarks == prediction->instruction->path)
+        ++right.hits;
+  }
+  return right;
+}
+
 void test(Fold& fold, const StreetModel& model, const StreetCorpus& corpus) {
   StreetReader reader(corpus.maps[fold.map], model.common, model.limits);
   for (const StreetInstruction& instruction : corpus.instructions) {
@@ -22,7 +46,7 @@ void test(Fold& fold, const StreetModel& model, const StreetCorpus& corpus) {
     const auto found = reader.candidates(instruction.tokens, instruction.start);
     StreetPrediction prediction{&instruction, found.mentions,
                                 reader.read(model, instruction.tokens, instruction.start)};
-    StreetScores one{{0, 1}, {0, 1}, {0, 1}, {0, 1}};
+    StreetScores one{{0, 1}, {0, 1}, {0, 1}, {0, 1}, {0, 0}};
     if (!prediction.readings.empty()) {
       const StreetRoute& route = prediction.readings.front().route.landmarks;
       one.exact_path.hits = route == instruction.path ? 1 : 0;
@@ -32,9 +56,11 @@ void test(Fold& fold, const StreetModel& model, const StreetCorpus& corpus) {
     for (const CandidateRoute& route : found.routes)
       one.supply.hits |= route.landmarks == instruction.path ? 1U : 0U;
     fold.scores += one;
-    if (prediction.readings.size() > readings_kept) prediction.readings.resize(readings_kept);
     fold.predictions.push_back(std::move(prediction));
   }
+  fold.scores.together = read_figures(fold.predictions);
+  for (StreetPrediction& prediction : fold.predictions)
+    if (prediction.readings.size() > readings_kept) prediction.readings.resize(readings_kept);
 }
 
 std::vector<const StreetInstruction*> training_part(const StreetCorpus& train, const std::string& left_out,
@@ -54,6 +80,7 @@ StreetScores& StreetScores::operator+=(const StreetScores& other) {
   goal += other.goal;
   floor += other.floor;
   supply += other.supply;
+  together += other.together;
   return *this;
 }
 
@@ -80,6 +107,7 @@ std::optional<StreetEvaluation> evaluate_streets(const StreetCorpus& train, cons
     evaluation.all += fold.scores;
     evaluation.mean_exact_path += fold.scores.exact_path.value() / static_cast<double>(folds.size());
     evaluation.mean_goal += fold.scores.goal.value() / static_cast<double>(folds.size());
+    evaluation.mean_together += fold.scores.together.value() / static_cast<double>(folds.size());
     for (StreetPrediction& prediction : fold.predictions)
       evaluation.predictions.push_back(std::move(prediction));
   }

@@ -3,6 +3,8 @@
 //   exact_path  the route read is the route described, landmark by landmark
 //   goal        it ends where that one ends
 //   floor       exact_path of the rough count that supplies the candidates: no learning at all
+//   together    exact_path where all texts about one figure are read as descriptions of one route (read_together.hpp):
+//               no number to be compared with systems that read one text, but how much of the error one text leaves open
 #pragma once
 #include <functional>
 #include <map>
@@ -15,7 +17,7 @@
 namespace waymark::streets {
 
 struct StreetScores {
-  parser::Percent exact_path, goal, floor, supply;  // supply: the right route was among the candidates
+  parser::Percent exact_path, goal, floor, supply, together;  // supply: the right route was a candidate
   StreetScores& operator+=(const StreetScores& other);
 };
 
@@ -27,8 +29,8 @@ struct StreetPrediction {  // of one instruction
 
 struct StreetEvaluation {
   std::map<std::string, StreetScores> by_map;
-  StreetScores all;                           // weighted by instructions
-  double mean_exact_path = 0, mean_goal = 0;  // over maps, in percent
+  StreetScores all;                                              // weighted by instructions
+  double mean_exact_path = 0, mean_goal = 0, mean_together = 0;  // over maps, in percent
   std::vector<StreetPrediction>
       predictions;  // in the order of maps, then of the test corpus; readings cut to 3
 };

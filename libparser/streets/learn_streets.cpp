@@ -4,6 +4,7 @@
 #include <bit>
 #include <cmath>
 #include <numeric>
+#include <optional>
 #include <random>
 
 namespace waymark::streets {
@@ -15,6 +16,7 @@ struct Example {
   std::size_t map;
   std::vector<RouteFeatures> routes;
   std::size_t gold;
+  std::optional<std::size_t> rival;  // of the gold route
 };
 
 class Learner {
@@ -23,6 +25,7 @@ class Learner {
       : weights_(model.weights),
         rate_(static_cast<float>(options.rate)),
         decay_(static_cast<float>(options.decay)),
+        against_rival_(static_cast<float>(options.against_rival)),
         squares_(weights_.size(), 0.0F),
         gradient_(weights_.size(), 0.0F) {}
 
@@ -30,11 +33,14 @@ class Learner {
     scores_.assign(example.routes.size(), 0.0F);
     for (std::size_t i = 0; i < scores_.size(); ++i)
       for (const WeighedFeature& f : example.routes[i]) scores_[i] += weights_[f.index] * f.value;
+    const float behind = example.rival ? scores_[*example.rival] - scores_[example.gold] : 0;
+    const float push = example.rival ? against_rival_ / (1 + std::exp(-behind - margin)) : 0;
     const float best = *std::max_element(scores_.begin(), scores_.end());
     float sum = 0;
     for (float& score : scores_) sum += score = std::exp(score - best);
     for (std::size_t i = 0; i < scores_.size(); ++i) {
-      const float wanted = i == example.gold ? 1.0F : 0.0F, g = wanted - scores_[i] / sum;
+      float g = (i == example.gold ? 1.0F + push : 0.0F) - scores_[i] / sum;
+      if (i == example.rival) g -= push;
       if (std::abs(g) < least_gradient) continue;
       for (const WeighedFeature& f : example.routes[i]) {
         if (gradient_[f.index] == 0) touched_.push_back(f.index);
@@ -47,6 +53,7 @@ class Learner {
 
  private:
   static constexpr float least_gradient = 1e-5F;
+  static constexpr float margin = 1;  // by which the rival is to score less
 
   void step(std::uint32_t index) {
     const float g = gradient_[index] - decay_ * weights_[index];
@@ -57,10 +64,16 @@ class Learner {
   }
 
   std::vector<float>& weights_;
-  float rate_, decay_;
+  float rate_, decay_, against_rival_;
   std::vector<float> squares_, gradient_, scores_;
   std::vector<std::uint32_t> touched_;
 };
+
+std::optional<std::size_t> candidate(const std::vector<CandidateRoute>& routes, const StreetRoute& route) {
+  for (std::size_t i = 0; i < routes.size(); ++i)
+    if (routes[i].landmarks == route) return i;
+  return std::nullopt;
+}
 
 std::vector<Example> examples(std::span<const StreetInstruction* const> instructions,
                               const std::vector<StreetMap>& maps, const StreetModel& model,
@@ -72,11 +85,10 @@ std::vector<Example> examples(std::span<const StreetInstruction* const> instruct
     auto& reader = readers[instruction->map];
     if (!reader) reader.emplace(maps[instruction->map], model.common, model.limits);
     auto found = reader->candidates(instruction->tokens, instruction->start);
-    for (std::size_t i = 0; i < found.routes.size(); ++i)
-      if (found.routes[i].landmarks == instruction->path) {
-        out.push_back({instruction->map, std::move(found.features), i});
-        break;
-      }
+    const auto gold = candidate(found.routes, instruction->path);
+    if (!gold) continue;
+    const auto rival = candidate(found.routes, found.routes[*gold].rival);
+    out.push_back({instruction->map, std::move(found.features), *gold, rival});
   }
   return out;
 }

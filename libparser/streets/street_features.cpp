@@ -3,103 +3,45 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
-#include <string_view>
 
+#include "libparser/streets/pragmatic_features.hpp"
 #include "libparser/streets/street_directions.hpp"
 
 namespace waymark::streets {
 namespace {
 
-enum class Kind : std::uint8_t {
-  Bias,
-  Move,
-  MoveWord,
-  MoveGap,
-  MoveMove,
-  Beside,
-  BesideWord,
-  Silent,
-  SilentRival,
-  SilentCount,
-  Unnamed,
-  Rank,
-  RankAll,
-  Detour,
-  Legs,
-  Goal,
-  GoalWord,
-  StartWord,
-  Angle,
-  AngleFirst,
-  Fit,
-  Rival,
-  Coverage,
-  Order,
-  FirstMention,
-  Turns,
-  Confused,
-  Exact,
-  Cue,
-  CoarseWord,
-  CoarsePair,
-  Reading,
-  PassedBy
-};
-
-std::uint64_t mix(std::uint64_t hash, std::uint64_t value) {
-  hash ^= value + 0x9E3779B97F4A7C15ULL + (hash << 6U) + (hash >> 2U);
-  hash *= 0xFF51AFD7ED558CCDULL;
-  return hash ^ (hash >> 33U);
-}
-
-std::uint64_t hash_of(std::string_view word) {
-  std::uint64_t hash = 0xCBF29CE484222325ULL;
-  for (char c : word) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001B3ULL;
-  return hash;
-}
-
-// 0, 1, …, bins: which of the growing thresholds a value passes.
-unsigned bin(double value, std::initializer_list<double> thresholds) {
-  unsigned b = 0;
-  for (double t : thresholds) b += value >= t ? 1U : 0U;
-  return b;
-}
+using Kind = FeatureKind;
 
 class Writer {
  public:
-  Writer(const StreetMap& map, double unit, const std::vector<std::string>& tokens,
-         const std::vector<Mention>& mentions, const std::vector<MentionCue>& cues,
-         const CandidateRoute& route)
-      : map_(map),
-        unit_(unit),
-        tokens_(tokens),
-        mentions_(mentions),
-        cues_(cues),
-        route_(route),
-        nodes_(route.landmarks),
-        placed_(place(mentions, route.landmarks)),
-        named_(nodes_.size(), 0) {
+  Writer(FeatureList& out, const TextOnRoute& text)
+      : map_(text.map),
+        unit_(text.unit),
+        tokens_(text.tokens),
+        mentions_(text.mentions),
+        cues_(text.cues),
+        route_(text.route),
+        nodes_(text.route.landmarks),
+        placed_(text.placed),
+        named_(nodes_.size(), 0),
+        out_(out) {
     for (const PlacedMention& m : placed_)
       if (m.position != off_route) ++named_[m.position];
     as_read();
     take_for_neighbours();
   }
 
-  RouteFeatures write() {
+  void write() {
     moves();
     silent_landmarks();
     rank_and_length();
     coverage();
-    return std::move(out_);
   }
 
  private:
   template <typename... Parts>
   void add(Kind kind, double value, Parts... parts) {
-    std::uint64_t hash = static_cast<std::uint64_t>(kind) + 1;
-    ((hash = mix(hash, static_cast<std::uint64_t>(parts))), ...);
-    out_.push_back(
-        {static_cast<std::uint32_t>(hash & ((1U << feature_bits) - 1)), static_cast<float>(value)});
+    out_.add(kind, value, parts...);
   }
 
   static constexpr double most_apart = 0.5;  // mean ways
@@ -109,19 +51,7 @@ class Writer {
     return std::atan2(to.up - from.up, to.right - from.right) * 57.29577951308232;
   }
 
-  // How far a landmark is from the nearest leg of the route.
-  double beside(LandmarkIndex l) const {
-    const Landmark& p = map_.landmarks[l];
-    double best = 1e9;
-    for (std::size_t i = 1; i < nodes_.size(); ++i) {
-      const Landmark &a = map_.landmarks[nodes_[i - 1]], &b = map_.landmarks[nodes_[i]];
-      const double dx = b.right - a.right, dy = b.up - a.up, square = dx * dx + dy * dy;
-      const double t = square == 0 ? 0 : ((p.right - a.right) * dx + (p.up - a.up) * dy) / square;
-      const double s = std::clamp(t, 0.0, 1.0);
-      best = std::min(best, std::hypot(a.right + s * dx - p.right, a.up + s * dy - p.up));
-    }
-    return best / unit_;
-  }
+  double beside(LandmarkIndex l) const { return distance_from(map_, nodes_, l) / unit_; }
 
   std::uint32_t nearest_on_route(LandmarkIndex l) const {
     std::uint32_t best = 0;
@@ -383,7 +313,7 @@ class Writer {
   const StreetRoute& nodes_;
   std::vector<PlacedMention> placed_;
   std::vector<std::size_t> named_;  // how often each landmark of the route is
-  RouteFeatures out_;
+  FeatureList& out_;
 };
 
 }  // namespace
@@ -391,7 +321,12 @@ class Writer {
 RouteFeatures street_features(const StreetMap& map, double unit, const std::vector<std::string>& tokens,
                               const std::vector<Mention>& mentions, const std::vector<MentionCue>& cues,
                               const CandidateRoute& route) {
-  return Writer(map, unit, tokens, mentions, cues, route).write();
+  const TextOnRoute text{map, unit, tokens, mentions, cues, route, place(mentions, route.landmarks)};
+  FeatureList out;
+  Writer(out, text).write();
+  add_sight(out, text);
+  add_walk(out, text);
+  return out.take();
 }
 
 }  // namespace waymark::streets

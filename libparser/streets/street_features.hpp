@@ -5,20 +5,12 @@
 // named and not passed with how near the route comes; directions with the angle of the leg in the picture. Nothing is about
 // a city: distances are in units of its mean way.
 #pragma once
-#include <cstdint>
 #include <vector>
 
+#include "libparser/streets/feature_list.hpp"
 #include "libparser/streets/street_readings.hpp"
 
 namespace waymark::streets {
-
-constexpr std::uint32_t feature_bits = 20;  // features are hashed into a table of that many bits
-
-struct WeighedFeature {
-  std::uint32_t index;
-  float value;
-};
-using RouteFeatures = std::vector<WeighedFeature>;  // in no order; one may stand more than once
 
 RouteFeatures street_features(const StreetMap& map, double unit, const std::vector<std::string>& tokens,
                               const std::vector<Mention>& mentions, const std::vector<MentionCue>& cues,

@@ -29,23 +29,29 @@ std::vector<std::size_t> walking_order(LandmarkIndex start, const std::vector<Pl
   return order;
 }
 
+bool ends_clause(std::string_view word) {
+  return word == "." || word == "," || word == "then" || word == "and" || word == "but" || word == "until";
+}
+
 bool dropped(Cue cue) { return cue == Cue::Past || cue == Cue::Not; }
 
 }  // namespace
 
 Cue cue_of(std::string_view word) {
   static const std::unordered_map<std::string_view, Cue> cues{
-      {"via", Cue::Via},        {"through", Cue::Via},  {"thru", Cue::Via},       {"way", Cue::Via},
-      {"traversing", Cue::Via}, {"stopping", Cue::Via}, {"past", Cue::Past},      {"pass", Cue::Past},
-      {"passing", Cue::Past},   {"passes", Cue::Past},  {"passed", Cue::Past},    {"by", Cue::Past},
-      {"not", Cue::Not},        {"n't", Cue::Not},      {"avoid", Cue::Not},      {"avoiding", Cue::Not},
-      {"without", Cue::Not},    {"bypass", Cue::Not},   {"bypassing", Cue::Not},  {"skip", Cue::Not},
-      {"before", Cue::Before},  {"after", Cue::After},  {"first", Cue::First},    {"from", Cue::From},
-      {"starting", Cue::From},  {"start", Cue::From},   {"beginning", Cue::From}, {"begin", Cue::From},
-      {"leave", Cue::From},     {"leaving", Cue::From}, {"to", Cue::To},          {"until", Cue::To},
-      {"reach", Cue::To},       {"towards", Cue::To},   {"toward", Cue::To},      {"onto", Cue::To},
-      {"end", Cue::End},        {"ending", Cue::End},   {"finish", Cue::End},     {"finally", Cue::End},
-      {"lastly", Cue::End},     {"stop", Cue::End},     {"back", Cue::Back},      {"return", Cue::Back}};
+      {"via", Cue::Via},        {"through", Cue::Via},   {"thru", Cue::Via},      {"way", Cue::Via},
+      {"traversing", Cue::Via}, {"stopping", Cue::Via},  {"past", Cue::Past},     {"pass", Cue::Past},
+      {"passing", Cue::Past},   {"passes", Cue::Past},   {"passed", Cue::Past},   {"by", Cue::Past},
+      {"not", Cue::Not},        {"n't", Cue::Not},       {"avoid", Cue::Not},     {"avoiding", Cue::Not},
+      {"without", Cue::Not},    {"bypass", Cue::Not},    {"bypassing", Cue::Not}, {"skip", Cue::Not},
+      {"skipping", Cue::Not},   {"ignore", Cue::Not},    {"ignoring", Cue::Not},  {"instead", Cue::Not},
+      {"miss", Cue::Not},       {"before", Cue::Before}, {"after", Cue::After},   {"first", Cue::First},
+      {"from", Cue::From},      {"starting", Cue::From}, {"start", Cue::From},    {"beginning", Cue::From},
+      {"begin", Cue::From},     {"leave", Cue::From},    {"leaving", Cue::From},  {"to", Cue::To},
+      {"until", Cue::To},       {"reach", Cue::To},      {"towards", Cue::To},    {"toward", Cue::To},
+      {"onto", Cue::To},        {"end", Cue::End},       {"ending", Cue::End},    {"finish", Cue::End},
+      {"finally", Cue::End},    {"lastly", Cue::End},    {"stop", Cue::End},      {"back", Cue::Back},
+      {"return", Cue::Back}};
   const auto at = cues.find(word);
   return at == cues.end() ? Cue::None : at->second;
 }
@@ -55,16 +61,19 @@ std::vector<MentionCue> mention_cues(const std::vector<std::string>& tokens,
   std::vector<MentionCue> out(mentions.size());
   std::size_t begin = 0;
   for (std::size_t m = 0; m < mentions.size(); ++m) {
-    bool joined = m > 0, via = false;
+    bool joined = m > 0, via = false,
+         denied = false;  // "without going to b": what is denied, is so to the end of its clause
     for (std::size_t i = begin; i < mentions[m].begin; ++i) {
       const std::string& word = tokens[i];
       const Cue cue = cue_of(word);
       via = via || cue == Cue::Via;
+      denied = (denied || cue == Cue::Not) && !ends_clause(word);
       if (cue != Cue::None) out[m].cue = cue;
       joined = joined && (word == "and" || word == "," || word == "the" || word == "&");
     }
     if (via && out[m].cue != Cue::Not && out[m].cue != Cue::End)
       out[m].cue = Cue::Via;  // "by way of", "passing through"
+    if (denied) out[m].cue = Cue::Not;
     if (joined) out[m].cue = out[m - 1].cue;
     begin = mentions[m].end;
   }

@@ -1,6 +1,7 @@
 #include "libparser/streets/street_routes.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <set>
 
@@ -94,6 +95,19 @@ StreetRoute shortest_street_route(const StreetMap& map, LandmarkIndex start, Lan
   std::vector<bool> closed = avoided;
   closed[start] = closed[goal] = false;
   return shortest(map, start, goal, closed, {});
+}
+
+double distance_from(const StreetMap& map, const StreetRoute& route, LandmarkIndex landmark) {
+  const Landmark& p = map.landmarks[landmark];
+  double best = unreachable;
+  for (std::size_t i = 1; i < route.size(); ++i) {
+    const Landmark &a = map.landmarks[route[i - 1]], &b = map.landmarks[route[i]];
+    const double dx = b.right - a.right, dy = b.up - a.up, square = dx * dx + dy * dy;
+    const double t = square == 0 ? 0 : ((p.right - a.right) * dx + (p.up - a.up) * dy) / square;
+    const double s = std::clamp(t, 0.0, 1.0);
+    best = std::min(best, std::hypot(a.right + s * dx - p.right, a.up + s * dy - p.up));
+  }
+  return best;
 }
 
 const std::vector<RankedRoute>& RouteTable::routes(LandmarkIndex start, LandmarkIndex goal) {

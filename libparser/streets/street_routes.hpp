@@ -25,6 +25,9 @@ std::vector<RankedRoute> shortest_simple_routes(const StreetMap& map, LandmarkIn
 StreetRoute shortest_street_route(const StreetMap& map, LandmarkIndex start, LandmarkIndex goal,
                                   const std::vector<bool>& avoided);
 
+// How far a landmark stands from the nearest leg of a route, in the picture. Infinite for a route without legs.
+double distance_from(const StreetMap& map, const StreetRoute& route, LandmarkIndex landmark);
+
 // The ranked routes of one map, computed when they are first asked for and kept.
 class RouteTable {
  public:

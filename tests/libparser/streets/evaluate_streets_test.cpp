@@ -75,6 +75,28 @@ TEST(Streets, AreReadInTownsNeverSeen) {
   }
 }
 
+// Every route is described thrice, once by somebody who says nothing.
+TEST(Streets, TextsAboutOneFigureAreReadTogether) {
+  StreetCorpus corpus = invented(4, 60);
+  const std::vector<StreetInstruction> alone = corpus.instructions;
+  const auto one_by_one = evaluate_streets(corpus, corpus, false, 1, {});
+  ASSERT_TRUE(one_by_one);
+  EXPECT_EQ(one_by_one->all.together.hits, one_by_one->all.exact_path.hits);  // no figures: each alone
+  EXPECT_EQ(one_by_one->all.together.total, one_by_one->all.exact_path.total);
+  corpus.instructions.clear();
+  for (std::size_t i = 0; i < alone.size(); ++i)
+    for (int version = 0; version < 3; ++version) {
+      corpus.instructions.push_back(alone[i]);
+      corpus.instructions.back().figure = static_cast<int>(i / 3);  // the same numbers in every town
+      if (version == 1) corpus.instructions.back().tokens = {"what", "a", "nice", "picture"};
+    }
+  const auto evaluation = evaluate_streets(corpus, corpus, false, 1, {});
+  ASSERT_TRUE(evaluation);
+  EXPECT_EQ(evaluation->all.together.total, evaluation->all.exact_path.total);
+  EXPECT_LT(evaluation->all.exact_path.value(), 75);
+  EXPECT_GT(evaluation->all.together.value(), 90);
+}
+
 TEST(Streets, AreReadTheSameByAnyNumberOfThreads) {
   const StreetCorpus corpus = invented(2, 60);
   const auto one = evaluate_streets(corpus, corpus, false, 1, {}),
@@ -86,6 +108,33 @@ TEST(Streets, AreReadTheSameByAnyNumberOfThreads) {
               three->predictions[i].readings[0].route.landmarks);
     EXPECT_EQ(one->predictions[i].readings[0].probability, three->predictions[i].readings[0].probability);
   }
+}
+
+TEST(Streets, TheRivalIsPushedAway) {
+  const StreetCorpus corpus = invented(6, 60);
+  std::vector<const StreetInstruction*> texts;
+  for (const StreetInstruction& text : corpus.instructions) texts.push_back(&text);
+  // Of what the route described does not get, the part that the next longer one to its goal gets.
+  const auto share = [&](double against_rival) {
+    StreetOptions options;
+    options.epochs = 1;
+    options.against_rival = against_rival;
+    const auto model = learn_streets(texts, corpus.maps, options);
+    double rival = 0, wrong = 0;
+    for (const StreetInstruction& text : corpus.instructions) {
+      StreetReader reader(corpus.maps[text.map], model->common, model->limits);
+      const auto readings = reader.read(*model, text.tokens, text.start);
+      for (const StreetReading& gold : readings) {
+        if (gold.route.landmarks != text.path) continue;
+        wrong += 1 - gold.probability;
+        for (const StreetReading& r : readings)
+          if (r.route.landmarks == gold.route.rival) rival += r.probability;
+      }
+    }
+    return rival / wrong;
+  };
+  EXPECT_GT(share(0), 0);
+  EXPECT_LT(share(4), 0.9 * share(0));
 }
 
 TEST(Streets, AskForSomethingToLearnFrom) {
@@ -144,6 +193,12 @@ TEST(StreetCorpus, LinesSayWhatIsWrongWithThem) {
   EXPECT_NE(
       complaint(R"({"id": "1", "map": "town", "start": 1, "text": "", "path": [0, 1]})").find("the start"),
       std::string::npos);
+  EXPECT_NE(complaint(R"({"id": "1", "map": "town", "start": 0, "text": "", "path": [0, 1], "figure": "2"})")
+                .find("figure"),
+            std::string::npos);
+  const auto about = [&](const char* line) { return parse_street_instructions(line, maps)[0].figure; };
+  EXPECT_EQ(about(R"({"id": "1", "map": "town", "start": 0, "text": "", "path": [0, 1], "figure": 2})"), 2);
+  EXPECT_EQ(about(R"({"id": "1", "map": "town", "start": 0, "text": "", "path": [0, 1]})"), std::nullopt);
   EXPECT_NE(complaint("[").find("town.jsonl:1"), std::string::npos);
 }
 

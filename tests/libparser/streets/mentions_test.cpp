@@ -92,6 +92,11 @@ TEST(Readings, FollowWhatIsSaidOfOrder) {
   const auto past = sequences("from the church go past the bakery to the museum", church);
   EXPECT_TRUE(has(past, {church, museum}));
   EXPECT_TRUE(has(past, {church, bakery, museum}));
+  const auto without = sequences("go to the museum without going to the bakery", church);
+  EXPECT_TRUE(has(without, {church, museum}));
+  const auto instead = sequences("do not stop at the bakery , go to the museum", church);
+  EXPECT_TRUE(has(instead, {church, museum}));  // the denial ends with its clause
+  EXPECT_FALSE(has(instead, {church}));
 }
 
 TEST(Readings, SpeakOfEveryCandidateOnTheirOwn) {
