@@ -156,9 +156,10 @@ inline double GridBlock::best(std::uint32_t cell, const std::vector<double>& x) 
 void GridBlock::guess_costs() {
   const GridWorld& grid = product_.model();
   set_around(Side::Middle);
+  const double forward = likely();
   double step = INFINITY;
   for (std::uint32_t k = 0; k < 4; ++k)
-    step = std::min(step, grid.shape().cost[k] / std::max(chance(k, k) - chance(k, (k + 2) % 4), 0.25));
+    step = std::min(step, grid.shape().cost[k] / std::max(forward - chance(k, (k + 2) % 4), 0.25));
   using Entry = std::pair<double, std::uint32_t>;
   std::priority_queue<Entry, std::vector<Entry>, std::greater<>> heap;
   for (std::uint32_t cell : cells_) {
@@ -221,14 +222,20 @@ std::size_t GridBlock::chunk_size() {
   return std::max(smallest, layers_of_a_chunk * cells_.size() / static_cast<std::size_t>(deepest));
 }
 
-// The greatest change: absolute for probabilities, relative for costs.
+// The greatest change: absolute for probabilities; for costs relative to the value, or to so many moves where it is more:
+// bounds a share of the value apart are inductive where what is left to change is that share of a move.
 double GridBlock::sweep(std::size_t first, std::size_t last, double stride) {
+  constexpr double many_moves = 512;
+  const auto& costs = product_.model().shape().cost;
+  const double least = *std::min_element(costs.begin(), costs.end());
+  const double most = least > 0 ? many_moves * least : INFINITY;
   double change = 0;
   for (std::size_t i = first; i < last; ++i) {
     const std::uint32_t cell = cells_[i];
     double& value = lower_[cell + margin_];
     const double now = best(cell, lower_), step = now - value;
-    change = std::max(change, is_probability(measure_) ? std::abs(step) : std::abs(step) / std::abs(now));
+    change = std::max(
+        change, is_probability(measure_) ? std::abs(step) : std::abs(step) / std::min(std::abs(now), most));
     value += stride * step;
   }
   return change;
@@ -305,13 +312,21 @@ bool GridBlock::prove(std::uint64_t sweeps) {
   return above && below;
 }
 
-// Strides beyond what a sweep says, the greater the likelier moves slip: where they hardly do, cells follow each other in
-// long chains, along which a stride too great would grow.
-double GridBlock::stride() const {
-  double forward = 0;
-  for (std::uint32_t k = 0; k < 4; ++k) forward = std::max(forward, chance(k, k));
-  return std::clamp(0.85 / forward, 1.0, 1.1);
+// With which chance a move goes where it should, once it goes anywhere: the best choice, the mean over the cells.
+double GridBlock::likely() const {
+  double sum = 0;
+  for (std::uint32_t cell : cells_) {
+    const Row& row = rows_[code_[cell]];
+    double best = 0;
+    for (std::size_t k = 0; k < 4; ++k) best = std::max(best, row.chance[k][k]);
+    sum += best;
+  }
+  return sum / static_cast<double>(cells_.size());
 }
+
+// Strides beyond what a sweep says, where moves are likely to slip: where they are not, cells follow each other in long
+// chains, along which a stride too great would grow.
+double GridBlock::stride() const { return std::clamp(0.85 / likely(), 1.0, 1.1); }
 
 // Much finer than the tolerance asks for: guesses are proved in a few sweeps then, or not at all. From what is claimed or
 // guessed first, in strides; where that comes to nothing, as value iteration goes about it.

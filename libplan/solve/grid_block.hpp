@@ -81,6 +81,7 @@ class GridBlock {
   void guess_costs();
   void start_from_nothing(bool guess);
   std::size_t chunk_size();
+  double likely() const;
   double stride() const;
   double sweep(std::size_t first, std::size_t last, double stride);
   bool relax(const Relaxation& how, const IterationLimits& limits);

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <chrono>
+#include <iostream>
 #include <stdexcept>
 #include <thread>
 
@@ -82,6 +83,14 @@ TEST(Parallel, WhatIsNoBadTextEndsEverything) {
   TextReader more({.arguments = numbers(3), .file = ""}, "text");
   const auto fine = [](const Text&, const Patience&) { return Reply{}; };
   EXPECT_THROW(answer_in_parallel(more, stop.get_token(), {}, fine, {}), Interrupted);
+}
+
+// Reading flushes what std::cin is tied to: a line that another thread had half written came out twice.
+TEST(Parallel, WhoReadsStandardInputLeavesStandardOutputAlone) {
+  std::ostream* before = std::cin.tie(&std::cout);
+  const TextReader reader({.arguments = {"-"}, .file = ""}, "text");
+  EXPECT_EQ(std::cin.tie(), nullptr);
+  std::cin.tie(before);
 }
 
 }  // namespace

@@ -60,6 +60,7 @@ TextReader::TextReader(TextOptions options, const std::string& what)
   source_ = source_name(path);
   if (path != "-") file_ = open(path);
   stream_ = file_ ? file_.get() : &std::cin;
+  std::cin.tie(nullptr);  // else who reads would flush std::cout, which another thread is writing to
 }
 
 TextReader::~TextReader() = default;
