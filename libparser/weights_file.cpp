@@ -78,8 +78,8 @@ std::string serialize(const EncoderDecoder& network, const LinearModel& model, d
   const neural::Vector& values = network.parameters().values();
   out.floats({values.data(), static_cast<std::size_t>(values.size())});
   out.strings(model.words.words());
-  out.table(model.chooser, threshold);
-  out.table(model.locator, threshold);
+  out.table(model.chooser, least_of_choosers * threshold);
+  out.table(model.locator, least_of_choosers * threshold);
   return out.finish();
 }
 
@@ -99,8 +99,8 @@ std::string serialize(const LinearModel& model, double threshold) {
   out.strings(model.vocabulary().names());
   out.strings(model.words.words());
   out.table(model.reader, threshold);
-  out.table(model.chooser, threshold);
-  out.table(model.locator, threshold);
+  out.table(model.chooser, least_of_choosers * threshold);
+  out.table(model.locator, least_of_choosers * threshold);
   return out.finish();
 }
 
