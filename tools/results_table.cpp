@@ -51,15 +51,18 @@ Moments moments(const std::vector<Scores>& runs, const Value& value) {
   return out;
 }
 
+// Null where nothing was counted, as under a convention that was not asked for.
+Json json_of(const Percent& percent) { return percent.total == 0 ? Json() : Json(percent.value()); }
+
 Json json_of(const parser::ConventionScores& scores) {
-  return JsonObject().add("absolute", scores.absolute.value()).add("relative", scores.relative.value());
+  return JsonObject().add("absolute", json_of(scores.absolute)).add("relative", json_of(scores.relative));
 }
 
 Json json_of(const parser::PathScores& path) {
   return JsonObject()
-      .add("precision", path.precision.value())
-      .add("recall", path.recall.value())
-      .add("accuracy", path.accuracy.value());
+      .add("precision", json_of(path.precision))
+      .add("recall", json_of(path.recall))
+      .add("accuracy", json_of(path.accuracy));
 }
 
 // Of every cell one of the two moments.
@@ -80,11 +83,12 @@ JsonObject& add_scores(JsonObject& json, const Scores& scores) {
       .add("paragraph", json_of(scores.paragraph))
       .add("path", json_of(scores.path))
       .add("paragraph_path", json_of(scores.paragraph_path))
-      .add("satisfiable", scores.satisfiable.total == 0 ? Json() : Json(scores.satisfiable.value()))
-      .add("n", JsonObject()
-                    .add("sentences", scores.sentence.absolute.total)
-                    .add("paragraphs", scores.paragraph.absolute.total)
-                    .add("unsegmented_paragraphs_skipped", scores.skipped_paragraphs));
+      .add("satisfiable", json_of(scores.satisfiable))
+      .add("n",
+           JsonObject()
+               .add("sentences", std::max(scores.sentence.absolute.total, scores.sentence.relative.total))
+               .add("paragraphs", std::max(scores.paragraph.absolute.total, scores.paragraph.relative.total))
+               .add("unsegmented_paragraphs_skipped", scores.skipped_paragraphs));
 }
 
 JsonObject json_of(const ResultRow& row) {
