@@ -146,7 +146,8 @@ void ChooserSentence::add_sights(const Executor& executor, const Walk& walk,
                                  std::vector<Property>& out) const {
   const Columns& columns = model_->columns();
   const auto crossing = model_->vocabulary().find("intersection");
-  for (std::uint16_t p = 0; p < images_.size(); ++p) {
+  const auto propositions = static_cast<std::uint16_t>(images_.size());
+  for (std::uint16_t p = 0; p < propositions; ++p) {
     const std::uint16_t image = images_[p];
     if (hidden_[image]) continue;
     const auto holds = [&](std::uint32_t at) { return executor.holds(p, at); };
