@@ -23,13 +23,7 @@ std::vector<StreetReading> read_together(std::span<const std::vector<StreetReadi
     for (std::size_t i = 0; i < together.size(); ++i)
       together[i].probability += std::log((1 - heedless) * said[i] + idle);
   }
-  std::stable_sort(together.begin(), together.end(), [](const StreetReading& a, const StreetReading& b) {
-    return a.probability > b.probability;
-  });
-  double sum = 0;
-  const double best = together.empty() ? 0 : together.front().probability;
-  for (StreetReading& reading : together) sum += reading.probability = std::exp(reading.probability - best);
-  for (StreetReading& reading : together) reading.probability /= sum;
+  settle(together);
   return together;
 }
 

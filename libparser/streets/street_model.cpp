@@ -25,12 +25,7 @@ StreetReader::Candidates StreetReader::candidates(const std::vector<std::string>
   return out;
 }
 
-std::vector<StreetReading> StreetReader::read(const StreetModel& model,
-                                              const std::vector<std::string>& tokens, LandmarkIndex start) {
-  Candidates found = candidates(tokens, start);
-  std::vector<StreetReading> readings;
-  for (std::size_t i = 0; i < found.routes.size(); ++i)
-    readings.push_back({std::move(found.routes[i]), static_cast<double>(model.score(found.features[i]))});
+void settle(std::vector<StreetReading>& readings) {
   std::stable_sort(readings.begin(), readings.end(), [](const StreetReading& a, const StreetReading& b) {
     return a.probability > b.probability;
   });
@@ -38,6 +33,15 @@ std::vector<StreetReading> StreetReader::read(const StreetModel& model,
   const double best = readings.empty() ? 0 : readings.front().probability;
   for (StreetReading& reading : readings) sum += reading.probability = std::exp(reading.probability - best);
   for (StreetReading& reading : readings) reading.probability /= sum;
+}
+
+std::vector<StreetReading> StreetReader::read(const StreetModel& model,
+                                              const std::vector<std::string>& tokens, LandmarkIndex start) {
+  Candidates found = candidates(tokens, start);
+  std::vector<StreetReading> readings;
+  for (std::size_t i = 0; i < found.routes.size(); ++i)
+    readings.push_back({std::move(found.routes[i]), static_cast<double>(model.score(found.features[i]))});
+  settle(readings);
   return readings;
 }
 

@@ -20,6 +20,9 @@ struct StreetReading {
   double probability = 0;  // among the candidates
 };
 
+// Where `probability` holds its logarithm up to a constant: probabilities that sum to 1, best first, ties as they stood.
+void settle(std::vector<StreetReading>& readings);
+
 // Reads texts on one map. Map and common words must outlive it; not for two threads at once, for it remembers.
 class StreetReader {
  public:
