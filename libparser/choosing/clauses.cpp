@@ -50,7 +50,8 @@ std::vector<Candidate> in_parts(const Reader& reader, const SentenceInput& input
     std::vector<std::vector<Candidate>> parts;  // that end here
     std::vector<Joint> joints;
     for (std::size_t begin = end - std::min(end, most_clauses); begin < end; ++begin) {
-      if (begin == 0 && end == n) continue;  // that is no part
+      if (begin == 0 && end == n) continue;                                    // that is no part
+      if (begin > 0 && *token(clauses[begin].begin) == "otherwise") continue;  // goes on with what "if" began
       parts.push_back(reader.read(
           {{token(clauses[begin].begin), token(clauses[end - 1].end)}, input.heading_unknown && begin == 0},
           kept));

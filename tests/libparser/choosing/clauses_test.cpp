@@ -53,6 +53,7 @@ void cut(const Reader& reader, const SentenceInput& input, const std::vector<Cla
   }
   for (std::size_t to = from + 1; to <= std::min(from + 4, clauses.size()); ++to) {
     if (from == 0 && to == clauses.size()) continue;
+    if (from > 0 && input.tokens[clauses[from].begin] == "otherwise") return;
     const auto token = [&](std::size_t i) { return input.tokens.begin() + static_cast<std::ptrdiff_t>(i); };
     const SentenceInput part{{token(clauses[from].begin), token(clauses[to - 1].end)},
                              input.heading_unknown && from == 0};
@@ -74,9 +75,13 @@ Mass by_definition(const Reader& reader, const SentenceInput& input) {
 }
 
 TEST(Clauses, ProbabilitiesAreThoseOfTheDefinition) {
-  const char* const sentences[] = {"a and b",           "a , then b",
-                                   "a and b , c",       "a then b and c , d",
-                                   "a ; b ; c ; d ; e", "a and b and c and d and e and f"};
+  const char* const sentences[] = {"a and b",
+                                   "a , then b",
+                                   "a and b , c",
+                                   "a then b and c , d",
+                                   "a ; b ; c ; d ; e",
+                                   "a and b and c and d and e and f",
+                                   "if a , b , otherwise c and d"};
   ltl::Random random(1);
   for (int round = 0; round < 200; ++round)
     for (const std::string text : sentences) {
