@@ -1,9 +1,12 @@
 #include "libparser/weights_bytes.hpp"
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <limits>
+#include <utility>
 
 #include "libltl/diagnostic.hpp"
 
@@ -53,23 +56,33 @@ void WeightsWriter::strings(const std::vector<std::string>& list) {
   }
 }
 
+void WeightsWriter::gap(std::uint64_t value) {
+  for (; value >= 0x80U; value >>= 7U) number(static_cast<std::uint8_t>(value | 0x80U));
+  number(static_cast<std::uint8_t>(value));
+}
+
 void WeightsWriter::table(const WeightTable& table, double threshold) {
-  std::vector<std::pair<std::uint32_t, std::vector<std::pair<std::uint16_t, std::uint16_t>>>> rows;
+  using Kept = std::vector<std::pair<std::size_t, std::uint16_t>>;  // columns and weights
+  std::vector<std::pair<std::uint64_t, Kept>> rows;
   for (std::uint32_t r = 0; r < table.rows(); ++r) {
-    std::vector<std::pair<std::uint16_t, std::uint16_t>> kept;
+    Kept kept;
     for (std::size_t c = 0; c < table.columns(); ++c) {
       const std::uint16_t half = to_half(table.weight(r, c));
-      if (std::abs(from_half(half)) >= threshold) kept.emplace_back(static_cast<std::uint16_t>(c), half);
+      if (const float kept_as = from_half(half); kept_as != 0 && std::abs(kept_as) >= threshold)
+        kept.emplace_back(c, half);
     }
-    if (!kept.empty()) rows.emplace_back(r, std::move(kept));
+    if (!kept.empty()) rows.emplace_back(table.key(r), std::move(kept));
   }
+  std::sort(rows.begin(), rows.end());
   number(static_cast<std::uint32_t>(table.columns()));
   number(static_cast<std::uint32_t>(rows.size()));
-  for (const auto& [r, kept] : rows) {
-    number(table.key(r));
-    number(static_cast<std::uint16_t>(kept.size()));
+  std::uint64_t last = 0;
+  for (const auto& [feature, kept] : rows) {
+    gap(feature - std::exchange(last, feature));
+    if (table.columns() > 1) gap(kept.size());
+    std::size_t next = 0;
     for (const auto& [column, half] : kept) {
-      number(column);
+      if (table.columns() > 1) gap(column - std::exchange(next, column + 1));
       number(half);
     }
   }
@@ -94,8 +107,8 @@ WeightsReader::WeightsReader(std::string_view bytes, std::string_view source)
   bytes_ = bytes.substr(0, bytes.size() - 8);
   at_ = magic.size();
   version_ = number<std::uint32_t>();
-  if (version_ < 5 || version_ > 8)  // 1 to 4 had other features, and no locator
-    fail("weights file of version " + std::to_string(version_) + ", this waymark reads versions 5 to 8");
+  if (version_ < 9 || version_ > 12)  // 1 to 8 had other features or wider tables
+    fail("weights file of version " + std::to_string(version_) + ", this waymark reads versions 9 to 12");
   if (sum != checksum(bytes_)) fail("the weights file is damaged: its checksum does not fit");
 }
 
@@ -135,19 +148,36 @@ WordTable WeightsReader::words() {
   return words;
 }
 
+std::uint64_t WeightsReader::gap() {
+  std::uint64_t value = 0;
+  for (unsigned shift = 0; shift < 64; shift += 7) {
+    const std::uint64_t byte = number<std::uint8_t>();
+    if (shift == 63 && byte > 1) break;
+    value |= (byte & 0x7FU) << shift;
+    if (byte < 0x80U) return value;
+  }
+  fail("a number takes more than 64 bits");
+}
+
 void WeightsReader::table(WeightTable& table) {
   if (number<std::uint32_t>() != table.columns()) fail("a table's width does not fit the vocabulary");
-  const std::size_t rows = count(10);
+  const std::size_t rows = count(3);
   if (rows > most_weights / table.columns()) fail("a table is too large");
   table.reserve(rows);
   std::vector<WeightTable::Weight> weights;
+  std::uint64_t feature = 0;
   for (std::size_t r = 0; r < rows; ++r) {
-    const auto feature = number<std::uint64_t>();
+    const std::uint64_t further = gap();
+    if (further > std::numeric_limits<std::uint64_t>::max() - feature)
+      fail("a feature takes more than 64 bits");
+    feature += further;
     weights.clear();
-    for (std::size_t left = number<std::uint16_t>(); left > 0; --left) {
-      const auto column = number<std::uint16_t>();
-      if (column >= table.columns()) fail("a weight lies outside its table");
-      weights.push_back({column, from_half(number<std::uint16_t>())});
+    std::uint64_t next = 0;  // column
+    for (std::uint64_t left = table.columns() > 1 ? gap() : 1; left > 0; --left, ++next) {
+      const std::uint64_t skipped = table.columns() > 1 ? gap() : 0;
+      if (skipped >= table.columns() - next) fail("a weight lies outside its table");
+      next += skipped;
+      weights.push_back({static_cast<std::uint16_t>(next), from_half(number<std::uint16_t>())});
     }
     if (!table.add_row(feature, weights)) fail("a feature stands twice");
   }

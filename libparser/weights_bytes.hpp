@@ -22,8 +22,9 @@ class WeightsWriter {
       bytes_ += static_cast<char>(static_cast<std::uint64_t>(value) >> (8 * k) & 0xFFU);
   }
   void strings(const std::vector<std::string>& list);
-  void table(const WeightTable& table,
-             double threshold);                // as 16-bit floats, without those below the threshold
+  void gap(std::uint64_t value);  // small ones in few bytes: seven bits each, the lowest first (LEB128)
+  // By ascending features, as gaps, with weights as 16-bit floats; without those below the threshold.
+  void table(const WeightTable& table, double threshold);
   void floats(std::span<const float> values);  // as they are
   std::string finish();                        // with the checksum
 
@@ -46,6 +47,7 @@ class WeightsReader {
       value |= std::uint64_t{static_cast<unsigned char>(s[k])} << (8 * k);
     return static_cast<Unsigned>(value);
   }
+  std::uint64_t gap();
   std::vector<std::string> strings();
   ltl::Vocabulary vocabulary();
   WordTable words();

@@ -11,7 +11,7 @@
 namespace waymark::parser {
 namespace {
 
-constexpr std::uint32_t linear = 5, encoder_decoder = 6;  // versions; + 2 in the temporal dialect
+constexpr std::uint32_t linear = 9, encoder_decoder = 10;  // versions; + 2 in the temporal dialect
 
 std::uint32_t version_of(std::uint32_t kind, const LinearModel& model) {
   return kind + (model.dialect() == Dialect::Temporal ? 2 : 0);

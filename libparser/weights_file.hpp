@@ -12,10 +12,10 @@
 
 namespace waymark::parser {
 
-inline constexpr double least_weight = 0.02;
+inline constexpr double least_weight = 0.0085;
 // Of the chooser and the locator, whose many small weights add up, the threshold is this share of what it is for others.
 inline constexpr double least_of_choosers = 0.6;
-inline constexpr std::size_t most_bytes = 4'500'000;
+inline constexpr std::size_t most_bytes = 6'000'000;
 
 // Weights of tables smaller than `threshold` in absolute value are dropped. Throws std::invalid_argument on a reader that is
 // neither linear nor an encoder-decoder.

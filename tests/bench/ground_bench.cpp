@@ -31,7 +31,7 @@ struct Workload {
       }
   }
   plan::Map map = plan::read_map("grid", data);
-  Grounder model = load_grounder(data + "/models/linear.waymark");
+  Grounder model = load_grounder(data + "/models/encoder-decoder.waymark");
   std::vector<std::string> texts;
   std::vector<plan::PoseId> starts;
 };
@@ -42,7 +42,7 @@ const Workload& workload() {
 }
 
 void load(benchmark::State& state) {
-  for (auto _ : state) benchmark::DoNotOptimize(load_grounder(data + "/models/linear.waymark"));
+  for (auto _ : state) benchmark::DoNotOptimize(load_grounder(data + "/models/encoder-decoder.waymark"));
 }
 BENCHMARK(load)->Unit(benchmark::kMillisecond);
 

@@ -21,7 +21,7 @@ class Ground : public ::testing::Test {
  protected:
   static const Grounder& model() {
     static const Grounder shipped =
-        load_grounder(std::filesystem::path(WAYMARK_SOURCE_DIR) / "data" / "models" / "linear.waymark");
+        load_grounder(std::filesystem::path(WAYMARK_SOURCE_DIR) / "data" / "models" / "encoder-decoder.waymark");
     return shipped;
   }
 

@@ -6,9 +6,11 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <random>
 
 #include "libltl/diagnostic.hpp"
+#include "libparser/weights_bytes.hpp"
 
 namespace waymark::parser {
 namespace {
@@ -39,8 +41,7 @@ TEST(WeightsFile, KeepsWordsAndWeightsToHalfPrecision) {
     for (std::size_t c = 0; c < model.reader.columns(); ++c) {
       const double want = static_cast<double>(model.reader.weight(r, c)),
                    got = static_cast<double>(read.reader.weight(there, c));
-      EXPECT_NEAR(got, std::abs(want) < 0.02 ? got * 0.0 + want : want,
-                  0.0005 * std::abs(want) + 0.021 * (got == 0.0));
+      EXPECT_NEAR(got, want, got == 0.0 ? least_weight : 0.0005 * std::abs(want));
     }
   }
   EXPECT_EQ(read.chooser.rows(), 39U);  // the zero weight needs no row
@@ -52,6 +53,82 @@ TEST(WeightsFile, KeepsWordsAndWeightsToHalfPrecision) {
 TEST(WeightsFile, WritingWhatWasReadGivesTheSameBytes) {
   const std::string bytes = serialize(some_model());
   EXPECT_EQ(serialize(parse_linear_model(bytes)), bytes);
+}
+
+std::string message_of(const std::string& bytes) {
+  try {
+    parse_linear_model(bytes, "a.waymark");
+  } catch (const ltl::FormatError& error) {
+    return error.what();
+  }
+  return {};
+}
+
+TEST(WeightsFile, FeaturesThatAreNeighboursTakeThreeBytes) {
+  LinearModel model(ltl::Vocabulary({"chair"}));
+  const auto add = [&](std::uint64_t from, std::uint64_t step) {
+    for (std::uint64_t k = 0; k < 1000; ++k) *model.chooser.row(model.chooser.add(from + k * step)) = 0.5F;
+    return serialize(model).size();
+  };
+  const std::size_t none = serialize(model).size(), near = add(1, 127), far = add(UINT64_MAX / 2, 1U << 20U);
+  EXPECT_EQ(near - none, 3000U);
+  EXPECT_EQ(far - near, 5 * 999U + 11U);
+}
+
+TEST(WeightsFile, WithoutAThresholdWhatIsNotZeroIsKept) {
+  LinearModel model(ltl::Vocabulary({"chair"}));
+  for (const float weight : {0.0F, 1e-4F, -0.01F, 0.02F})
+    *model.locator.row(model.locator.add(model.locator.rows())) = weight;
+  model.reader.row(model.reader.add(5))[2] = 1e-3F;
+  const LinearModel all = parse_linear_model(serialize(model, 0)),
+                    some = parse_linear_model(serialize(model, 0.02));
+  EXPECT_EQ(all.locator.rows(), 3U);
+  EXPECT_EQ(all.locator.find(0), WeightTable::absent);
+  EXPECT_EQ(all.reader.rows(), 1U);
+  EXPECT_EQ(some.locator.rows(), 1U);  // 0.012 and more
+  EXPECT_EQ(some.reader.rows(), 0U);
+}
+
+// What no writer writes, under a checksum that fits.
+TEST(WeightsFile, TablesThatCannotBeAreRefused) {
+  const LinearModel empty(ltl::Vocabulary({"chair"}));
+  const auto columns = static_cast<std::uint32_t>(empty.reader.columns());
+  const auto file = [&](std::uint32_t rows, const std::function<void(WeightsWriter&)>& write) {
+    WeightsWriter out(9);
+    out.strings(empty.vocabulary().names());
+    out.strings(empty.words.words());
+    out.number(columns);
+    out.number(rows);
+    write(out);
+    for (int table = 0; table < 2; ++table) {
+      out.number(1U);
+      out.number(0U);
+    }
+    return message_of(out.finish());
+  };
+  const auto row = [](WeightsWriter& out, std::uint64_t feature, std::uint64_t column) {
+    out.gap(feature);
+    out.gap(1);
+    out.gap(column);
+    out.number(std::uint16_t{0x3C00});
+  };
+  EXPECT_EQ(file(0, [](WeightsWriter&) {}), "");
+  EXPECT_EQ(file(1, [&](WeightsWriter& out) { row(out, UINT64_MAX, columns - 1); }), "");
+  EXPECT_NE(file(1, [&](WeightsWriter& out) { row(out, 1, columns); }).find("outside its table"),
+            std::string::npos);
+  EXPECT_NE(file(1, [&](WeightsWriter& out) { row(out, 1, UINT64_MAX); }).find("outside its table"),
+            std::string::npos);
+  EXPECT_NE(file(2, [&](WeightsWriter& out) { row(out, 1, 0), row(out, 0, 0); }).find("stands twice"),
+            std::string::npos);
+  EXPECT_NE(file(2, [&](WeightsWriter& out) { row(out, 2, 0), row(out, UINT64_MAX - 1, 0); }).find("64 bits"),
+            std::string::npos);
+  EXPECT_NE(file(1,
+                 [](WeightsWriter& out) {
+                   for (int byte = 0; byte < 12; ++byte) out.number(std::uint8_t{0xFF});
+                 })
+                .find("64 bits"),
+            std::string::npos);
+  EXPECT_NE(file(1U << 20U, [](WeightsWriter&) {}).find("promises more"), std::string::npos);
 }
 
 TEST(WeightsFile, EveryCutAndEveryFlippedBitIsNoticed) {
@@ -67,22 +144,14 @@ TEST(WeightsFile, EveryCutAndEveryFlippedBitIsNoticed) {
 }
 
 TEST(WeightsFile, MessagesSayWhatIsWrong) {
-  const auto message = [](const std::string& bytes) {
-    try {
-      parse_linear_model(bytes, "a.waymark");
-    } catch (const ltl::FormatError& error) {
-      return std::string(error.what());
-    }
-    return std::string();
-  };
   const std::string bytes = serialize(some_model());
   std::string version = bytes;
-  version[8] = 9;
-  EXPECT_NE(message("no such thing").find("no weights file"), std::string::npos);
-  EXPECT_NE(message(version).find("version 9"), std::string::npos);
-  EXPECT_NE(message(bytes.substr(0, 100)).find("damaged"), std::string::npos);
-  EXPECT_NE(message(bytes.substr(0, 10)).find("cut short"), std::string::npos);
-  EXPECT_NE(message(bytes.substr(0, 10)).find("a.waymark"), std::string::npos);
+  version[8] = 8;
+  EXPECT_NE(message_of("no such thing").find("no weights file"), std::string::npos);
+  EXPECT_NE(message_of(version).find("version 8"), std::string::npos);
+  EXPECT_NE(message_of(bytes.substr(0, 100)).find("damaged"), std::string::npos);
+  EXPECT_NE(message_of(bytes.substr(0, 10)).find("cut short"), std::string::npos);
+  EXPECT_NE(message_of(bytes.substr(0, 10)).find("a.waymark"), std::string::npos);
 }
 
 TEST(WeightsFile, IsWrittenWholeOrNotAtAll) {

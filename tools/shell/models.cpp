@@ -13,13 +13,13 @@ namespace waymark::tools {
 void add_model_options(Command command, ModelOptions& options) {
   command
       .add_option("--model-file", options.file,
-                  "a model of one's own (else models/linear.waymark of the data)")
+                  "a model of one's own (else models/encoder-decoder.waymark of the data)")
       .type_name("FILE");
 }
 
 parser::Grounder read_model(const ModelOptions& options, const std::string& data) {
   const std::string file =
-      options.file.empty() ? (data_directory(data) / "models" / "linear.waymark").string() : options.file;
+      options.file.empty() ? (data_directory(data) / "models" / "encoder-decoder.waymark").string() : options.file;
   return parser::parse_grounder(read_file(file), file);
 }
 

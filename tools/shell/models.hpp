@@ -14,7 +14,7 @@
 namespace waymark::tools {
 
 struct ModelOptions {
-  std::string file;  // empty: models/linear.waymark of the data directory
+  std::string file;  // empty: models/encoder-decoder.waymark of the data directory
 };
 void add_model_options(Command command, ModelOptions& options);
 parser::Grounder read_model(const ModelOptions& options, const std::string& data);
