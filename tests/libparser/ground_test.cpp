@@ -20,8 +20,8 @@ namespace {
 class Ground : public ::testing::Test {
  protected:
   static const Grounder& model() {
-    static const Grounder shipped =
-        load_grounder(std::filesystem::path(WAYMARK_SOURCE_DIR) / "data" / "models" / "encoder-decoder.waymark");
+    static const Grounder shipped = load_grounder(std::filesystem::path(WAYMARK_SOURCE_DIR) / "data" /
+                                                  "models" / "encoder-decoder.waymark");
     return shipped;
   }
 

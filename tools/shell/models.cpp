@@ -18,8 +18,9 @@ void add_model_options(Command command, ModelOptions& options) {
 }
 
 parser::Grounder read_model(const ModelOptions& options, const std::string& data) {
-  const std::string file =
-      options.file.empty() ? (data_directory(data) / "models" / "encoder-decoder.waymark").string() : options.file;
+  const std::string file = options.file.empty()
+                               ? (data_directory(data) / "models" / "encoder-decoder.waymark").string()
+                               : options.file;
   return parser::parse_grounder(read_file(file), file);
 }
 
