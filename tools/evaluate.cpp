@@ -4,11 +4,11 @@
 #include <memory>
 
 #include "libltl/print.hpp"
-#include "libparser/corpus/sail_corpus.hpp"
 #include "libparser/experiment/evaluate.hpp"
 #include "libparser/learned/learned_follower.hpp"
 #include "libparser/streets/street_corpus.hpp"
 #include "tools/formula_table.hpp"
+#include "tools/learning.hpp"
 #include "tools/results_table.hpp"
 #include "tools/shell/models.hpp"
 #include "tools/shell/options.hpp"
@@ -111,6 +111,9 @@ void check_what_is_held_out(const Options& options) {
     throw UsageError("say what is held out: --leave-one-map-out, or --train-all with --test-corpus");
   if (options.train_all && options.test_corpus.empty())
     throw UsageError("--train-all asks for --test-corpus");
+  if (!options.pairs.model.file.empty())
+    throw UsageError("--model-file is scored by --pairs; what --corpus tests is learned first");
+  check_writable(options.predictions);
   if (options.training.model != "actions") return;
   if (options.ensemble > 1) throw UsageError("--ensemble is for readers of formulas, not for actions");
   if (options.planner != "exact") throw UsageError("--planner is for readers of formulas, not for actions");
@@ -133,9 +136,9 @@ ExitCode run_evaluate(const Options& options, const Session& session) {
     return evaluate_pairs({options.pairs.pairs, options.pairs.model, options.data, options.json}, session);
   check_what_is_held_out(options);
   if (streets::is_street_corpus(options.corpus)) return run_on_streets(options, session);
-  const parser::Corpus corpus = parser::read_sail_corpus(options.corpus);
+  const parser::Corpus corpus = read_hallway_corpus(options.corpus);
   std::optional<parser::Corpus> test;
-  if (!options.test_corpus.empty()) test = parser::read_sail_corpus(options.test_corpus);
+  if (!options.test_corpus.empty()) test = read_hallway_corpus(options.test_corpus);
   parser::EvaluateOptions evaluate;
   evaluate.train = options.training.settled();
   evaluate.ensemble = options.ensemble;
@@ -151,17 +154,14 @@ ExitCode run_evaluate(const Options& options, const Session& session) {
   evaluate.train.progress = [&](double fraction, std::string_view what) { bar.show(fraction, what); };
   const std::vector<plan::Map> maps = maps_of(corpus, options.data);
   const std::vector<plan::Map> test_maps = options.train_all ? maps_of(*test, options.data) : maps;
-  std::optional<parser::Evaluation> evaluation;
-  try {
-    evaluation = options.train_all
-                     ? parser::evaluate_train_all(corpus, maps, *test, test_maps, evaluate)
-                     : parser::evaluate_leave_one_map_out(corpus, test ? &*test : nullptr, maps, evaluate);
-  } catch (const parser::Stopped&) {
-    throw Interrupted();
-  }
+  const parser::Evaluation evaluation = learn_from(options.corpus, [&] {
+    return options.train_all
+               ? parser::evaluate_train_all(corpus, maps, *test, test_maps, evaluate)
+               : parser::evaluate_leave_one_map_out(corpus, test ? &*test : nullptr, maps, evaluate);
+  });
   bar.wipe();
-  if (!options.predictions.empty()) write_predictions(options.predictions, *evaluation, test_maps);
-  print_scores(*evaluation, test ? *test : corpus, test_maps, evaluate, options.json);
+  if (!options.predictions.empty()) write_predictions(options.predictions, evaluation, test_maps);
+  print_scores(evaluation, test ? *test : corpus, test_maps, evaluate, options.json);
   return ExitCode::Done;
 }
 

@@ -74,6 +74,7 @@ std::string plot_of(const FeedbackCosts& costs) {
 }
 
 ExitCode run_table2(const Table2Options& options, const Session& session) {
+  check_writable(options.svg);
   FeedbackCostOptions measure = options.measure;
   measure.stop = session.stop;
   const FeedbackCosts costs = measure_feedback(measure);

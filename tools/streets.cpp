@@ -4,8 +4,10 @@
 #include <iostream>
 #include <stdexcept>
 
+#include "libltl/diagnostic.hpp"
 #include "libltl/print.hpp"
 #include "libparser/streets/evaluate_streets.hpp"
+#include "libparser/streets/street_corpus.hpp"
 #include "libparser/streets/street_formula.hpp"
 #include "tools/corridor.hpp"
 #include "tools/shell/json.hpp"
@@ -93,9 +95,12 @@ void print_table(const StreetEvaluation& evaluation, double seconds) {
 
 ExitCode evaluate_streets(const StreetExperiment& experiment, const Session& session) {
   StopWatch watch;
+  const bool elsewhere = !experiment.test_corpus.empty();
+  if (elsewhere && !streets::is_street_corpus(experiment.test_corpus))
+    throw ltl::FormatError(experiment.test_corpus, 0, 0, "is no corpus of streets, and --corpus is one");
   const streets::StreetCorpus corpus = streets::read_street_corpus(experiment.corpus);
   std::optional<streets::StreetCorpus> other;
-  if (!experiment.test_corpus.empty()) other = streets::read_street_corpus(experiment.test_corpus);
+  if (elsewhere) other = streets::read_street_corpus(experiment.test_corpus);
   const streets::StreetCorpus& test = other ? *other : corpus;
   if (!experiment.train_all && corpus.maps.size() < 2 && !other)
     throw UsageError("there is one city only: nothing is left to train on when it is left out");

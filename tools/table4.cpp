@@ -3,8 +3,8 @@
 
 #include <iostream>
 
-#include "libparser/corpus/sail_corpus.hpp"
 #include "libparser/experiment/evaluate.hpp"
+#include "tools/learning.hpp"
 #include "tools/results_table.hpp"
 #include "tools/shell/models.hpp"
 
@@ -102,15 +102,11 @@ void print_json(const Table4Options& options, const Held& held, const std::vecto
 }  // namespace
 
 ExitCode run_table4(const Table4Options& options, const Session& session) {
-  Held held{parser::read_sail_corpus(options.corpus), {}, {}};
-  if (!options.test_corpus.empty()) held.test = parser::read_sail_corpus(options.test_corpus);
+  Held held{read_hallway_corpus(options.corpus), {}, {}};
+  if (!options.test_corpus.empty()) held.test = read_hallway_corpus(options.test_corpus);
   held.maps = maps_of(held.corpus, options.data);
-  std::vector<ResultRow> rows;
-  try {
-    rows = rows_of(options, held, session);
-  } catch (const parser::Stopped&) {
-    throw Interrupted();
-  }
+  const std::vector<ResultRow> rows =
+      learn_from(options.corpus, [&] { return rows_of(options, held, session); });
   if (options.json) {
     print_json(options, held, rows);
     return ExitCode::Done;

@@ -5,12 +5,12 @@
 #include "libparser/annotations.hpp"
 #include "libparser/corpus/corpus_file.hpp"
 #include "libparser/corpus/corpus_output.hpp"
-#include "libparser/corpus/sail_corpus.hpp"
 #include "libparser/language/generate.hpp"
 #include "libparser/learn.hpp"
 #include "libparser/weights_file.hpp"
 #include "tools/corridor.hpp"
 #include "tools/formula_table.hpp"
+#include "tools/learning.hpp"
 #include "tools/shell/models.hpp"
 #include "tools/shell/options.hpp"
 #include "tools/shell/output.hpp"
@@ -55,7 +55,7 @@ Lessons lessons_of(const Options& options, parser::Dialect dialect) {
     lessons.corpus = parser::generate_corpus(shipped_maps(options.data), parser::own_language);
     lessons.corpus.checksum = parser::fnv1a(parser::json_lines(lessons.corpus));
   } else {
-    lessons.corpus = parser::read_sail_corpus(options.corpus);
+    lessons.corpus = read_hallway_corpus(options.corpus);
   }
   lessons.maps = maps_of(lessons.corpus, options.data);
   lessons.checksum = lessons.corpus.checksum;
@@ -92,6 +92,7 @@ ExitCode run_train(const Options& options, const Session& session) {
   StopWatch watch;
   if (!options.corpus.empty() && !options.supervised.empty())
     throw UsageError("--corpus and --supervised: learning from trajectories, or from formulas?");
+  check_writable(options.out);
   parser::TrainOptions train =
       options.training.settled(options.corpus.empty() ? parser::Dialect::Temporal : parser::Dialect::Plain);
   train.stop = session.stop;
@@ -100,15 +101,12 @@ ExitCode run_train(const Options& options, const Session& session) {
   ProgressBar bar;
   train.progress = [&](double fraction, std::string_view what) { bar.show(fraction, what); };
   const Lessons lessons = lessons_of(options, train.dialect);
-  std::string bytes;
-  try {
-    const parser::Grounder grounder =
-        lessons.pairs.empty() ? parser::train(lessons.corpus, lessons.maps, train)
-                              : parser::train_supervised(lessons.pairs, lessons.maps.front(), train);
-    bytes = parser::serialize_within(grounder, parser::most_bytes);
-  } catch (const parser::Stopped&) {
-    throw Interrupted();
-  }
+  const std::string& source = options.supervised.empty() ? options.corpus : options.supervised;
+  const parser::Grounder grounder = learn_from(source, [&] {
+    return lessons.pairs.empty() ? parser::train(lessons.corpus, lessons.maps, train)
+                                 : parser::train_supervised(lessons.pairs, lessons.maps.front(), train);
+  });
+  const std::string bytes = parser::serialize_within(grounder, parser::most_bytes);
   bar.wipe();
   write_file(options.out, bytes);
   report(options, train, lessons, bytes.size(), watch.lap());

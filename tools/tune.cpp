@@ -6,8 +6,8 @@
 #include <sstream>
 
 #include "libltl/diagnostic.hpp"
-#include "libparser/corpus/sail_corpus.hpp"
 #include "libparser/experiment/tune.hpp"
+#include "tools/learning.hpp"
 #include "tools/shell/models.hpp"
 #include "tools/shell/options.hpp"
 #include "tools/subcommand.hpp"
@@ -140,20 +140,16 @@ void print_head(const std::string& convention, const std::vector<plan::Map>& map
 // By map left out. `source`: whose corpus it is, for messages.
 std::vector<double> validated(const parser::Corpus& corpus, const std::vector<plan::Map>& maps,
                               const parser::TrainOptions& train, const std::string& source) {
-  std::vector<double> left_out;
-  try {
+  return learn_from(source, [&] {
+    std::vector<double> left_out;
     const auto pairs = parser::validate(corpus, maps, train);
     for (std::size_t m = 0; m < maps.size(); ++m) left_out.push_back(parser::without_map(pairs, m).value());
-  } catch (const parser::Stopped&) {
-    throw Interrupted();
-  } catch (const std::invalid_argument& error) {
-    throw ltl::FormatError(source, 0, 0, error.what());
-  }
-  return left_out;
+    return left_out;
+  });
 }
 
 ExitCode run_tune(const Options& options, const Session& session) {
-  const parser::Corpus corpus = parser::read_sail_corpus(options.corpus);
+  const parser::Corpus corpus = read_hallway_corpus(options.corpus);
   const std::vector<plan::Map> maps = maps_of(corpus, options.data);
   const std::vector<Setting> settings = settings_of(options.grid);
   for (const Setting& setting : settings) {  // what is wrong with a grid is said before anything is learned

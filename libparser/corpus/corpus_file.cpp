@@ -11,7 +11,8 @@ namespace waymark::parser {
 std::string read_corpus_file(const std::filesystem::path& file) {
   std::ifstream in(file, std::ios::binary);
   std::ostringstream bytes;
-  bytes << in.rdbuf();
+  if (in && in.peek() != std::ifstream::traits_type::eof())
+    bytes << in.rdbuf();  // of an empty file, << fails
   if (!in || !bytes) throw ltl::FormatError(file.string(), 0, 0, "cannot be read");
   return std::move(bytes).str();
 }

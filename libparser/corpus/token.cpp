@@ -9,10 +9,10 @@ bool is_space(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r' |
 bool is_mark(char c) { return std::string_view(",;:.?!()\"%").find(c) != std::string_view::npos; }
 char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
 
-// "isn't" → is n't, "it's" → it s, "walls'" → walls.
+// "isn't" → is n't, "n't" → n't (words split before stay so), "it's" → it s, "walls'" → walls.
 void add_word(std::string_view word, std::vector<std::string>& tokens) {
-  if (word.size() > 3 && word.substr(word.size() - 3) == "n't") {
-    tokens.emplace_back(word.substr(0, word.size() - 3));
+  if (word.size() >= 3 && word.substr(word.size() - 3) == "n't") {
+    if (word.size() > 3) tokens.emplace_back(word.substr(0, word.size() - 3));
     tokens.emplace_back("n't");
     return;
   }

@@ -12,15 +12,23 @@ bool same_place(const Pose& a, const Pose& b) { return a.x == b.x && a.y == b.y;
 
 class Check {
  public:
-  Check(ReleasedParagraph& paragraph, const ReleasedMap* map) : p_(paragraph), map_(map) {}
+  Check(ReleasedParagraph& paragraph, const ReleasedMap* map)
+      : p_(paragraph), map_(map), found_(std::move(paragraph.noted)) {}
 
   std::vector<Irregularity> run() {
     if (map_ == nullptr) report(here(), "unknown-map", "there is no map called " + p_.map);
     if (p_.sentences.empty())
       report(here(), "unsegmented", "no sentences, only text and path of the paragraph");
-    for (ReleasedSentence& sentence : p_.sentences) check_path(sentence.path, of(sentence));
-    check_path(p_.path, here());
+    std::vector<ReleasedSentence> kept;
+    for (ReleasedSentence& sentence : p_.sentences) {
+      check_labels(sentence);
+      if (check_path(sentence.trace.poses, of(sentence)))
+        kept.push_back(sentence);
+      else
+        report(of(sentence), "left-out", "the sentence \"" + sentence.text + "\", whose trajectory is none");
+    }
     numbers();
+    p_.sentences = std::move(kept);
     joins();
     against_paragraph();
     return std::move(found_);
@@ -34,8 +42,17 @@ class Check {
   At here() const { return {p_.file, p_.line}; }
   static At of(const ReleasedSentence& sentence) { return {sentence.file, sentence.line}; }
 
+  static std::string not_at(const Pose& place) {
+    return "not at (" + std::to_string(place.x) + ", " + std::to_string(place.y) + ")";
+  }
+
   void report(At at, const char* kind, std::string message) {
     found_.push_back({at.file, at.line, kind, p_.id + ": " + std::move(message)});
+  }
+
+  bool stands(const Pose& a) const {
+    return std::any_of(map_->nodes.begin(), map_->nodes.end(),
+                       [&](const plan::Node& node) { return node.x == a.x && node.y == a.y; });
   }
 
   bool joined(const Pose& a, const Pose& b) const {
@@ -46,44 +63,57 @@ class Check {
     });
   }
 
-  void check_path(std::vector<Pose>& path, At at) {
-    for (std::size_t i = 1; i < path.size(); ++i) {
-      const Pose a = path[i - 1], b = path[i];
-      const int turn = std::abs(a.heading - b.heading);
-      if (b.heading < 0)
-        report(at, "heading-unknown-inside", "the heading is left open after a step, at " + show(b));
-      if (a.heading < 0 || b.heading < 0) {
-        if (!same_place(a, b)) report(at, "illegal-step", "a move with an open heading, to " + show(b));
-      } else if (same_place(a, b) && turn == 180) {
-        report(at, "uturn-expanded", "a turn of 180 degrees, written as two LEFT, at " + show(a));
-        path.insert(path.begin() + static_cast<std::ptrdiff_t>(i), {a.x, a.y, (a.heading + 270) % 360});
-      } else if (!(same_place(a, b) && (turn == 90 || turn == 270)) && !is_forward(a, b)) {
-        report(at, "illegal-step", "no single action leads from " + show(a) + " to " + show(b));
-      } else if (map_ != nullptr && !same_place(a, b) && !joined(a, b)) {
-        report(at, "no-hallway", "no hallway leads from " + show(a) + " to " + show(b));
-      }
-    }
+  void check_labels(const ReleasedSentence& sentence) {
+    const std::vector<Pose>& poses = sentence.trace.poses;
+    for (const std::size_t k : sentence.trace.mislabelled)
+      report(of(sentence), "action-differs",
+             "the action from " + show(poses[k]) + " to " + show(poses[k + 1]) + " is " +
+                 std::string(action_between(poses[k], poses[k + 1])) + ", and is called something else");
   }
 
-  static bool is_forward(const Pose& a, const Pose& b) {
-    const int dx = a.heading == 90    ? 1
-                   : a.heading == 270 ? -1
-                                      : 0,
-              dy = a.heading == 180 ? 1
-                   : a.heading == 0 ? -1
-                                    : 0;
-    return a.heading == b.heading && b.x == a.x + dx && b.y == a.y + dy;
+  // Is it, as mended, a trajectory of the map (of any map, where it is not known)?
+  bool check_path(std::vector<Pose>& path, At at) {
+    bool fine = true;
+    const auto fault = [&](const char* kind, std::string message) {
+      report(at, kind, std::move(message));
+      fine = false;
+    };
+    if (map_ != nullptr && !stands(path[0])) fault("off-map", "no node of the map is at " + show(path[0]));
+    for (std::size_t i = 1; i < path.size(); ++i) {
+      const Pose a = path[i - 1], b = path[i];
+      const bool stays = same_place(a, b);
+      if (b.heading < 0)
+        fault("heading-unknown-inside", "the heading is left open after a step, at " + show(b));
+      else if (a.heading < 0 && !stays)
+        fault("illegal-step", "a move with an open heading, to " + show(b));
+      else if (a == b) {
+        report(at, "stands-still", "an action that changes nothing, at " + show(a));
+        path.erase(path.begin() + static_cast<std::ptrdiff_t>(i--));
+      } else if (a.heading >= 0 && stays && std::abs(a.heading - b.heading) == 180) {
+        report(at, "uturn-expanded", "a turn of 180 degrees, written as two LEFT, at " + show(a));
+        path.insert(path.begin() + static_cast<std::ptrdiff_t>(i), {a.x, a.y, (a.heading + 270) % 360});
+      } else if (a.heading >= 0 && action_between(a, b).empty())
+        fault("illegal-step", "no single action leads from " + show(a) + " to " + show(b));
+      else if (map_ != nullptr && !stays && !joined(a, b))
+        fault("no-hallway", "no hallway leads from " + show(a) + " to " + show(b));
+    }
+    return fine;
   }
 
   void numbers() {  // "12-3": sentences that nobody could align are left out, their numbers missing
+    if (p_.number == 0) return;  // navi numbers nothing
     std::string missing;
     int expected = 1;
     for (const ReleasedSentence& sentence : p_.sentences) {
       const std::size_t dash = sentence.id.rfind('-');
       if (dash == std::string::npos) return;
       const int number = std::atoi(sentence.id.c_str() + dash + 1);
-      for (; expected < number; ++expected) missing += " " + std::to_string(expected);
-      expected = number + 1;
+      if (number < expected)
+        report(of(sentence), "sentence-order",
+               "sentence " + sentence.id + " stands after one that follows it");
+      constexpr int most = 1000;  // beyond, it is no number that counts sentences
+      for (; expected < number && number < most; ++expected) missing += " " + std::to_string(expected);
+      expected = std::max(expected, number + 1);
     }
     if (!missing.empty())
       report(of(p_.sentences.front()), "sentence-numbers-missing",
@@ -93,16 +123,19 @@ class Check {
   void joins() {
     for (std::size_t i = 0; i < p_.sentences.size(); ++i) {
       const ReleasedSentence& sentence = p_.sentences[i];
-      const bool open = sentence.path.front().heading < 0;
+      const Pose& start = sentence.trace.poses.front();
+      const bool open = start.heading < 0;
       if (i == 0) {
-        if (!open && !p_.sentences[0].id.empty())
+        if (p_.start && !same_place(start, *p_.start))
+          report(of(sentence), "start-differs", "starts at " + show(start) + ", " + not_at(*p_.start));
+        if (!open && p_.number != 0)  // navi's set traces have no open headings
           report(of(sentence), "first-heading-known",
-                 "the first sentence starts with a heading, " + show(sentence.path.front()));
+                 "the first sentence starts with a heading, " + show(start));
         continue;
       }
       if (open)
         report(of(sentence), "heading-unknown-inside", "a later sentence starts with an open heading");
-      const Pose &end = p_.sentences[i - 1].path.back(), &start = sentence.path.front();
+      const Pose& end = p_.sentences[i - 1].trace.poses.back();
       if (!same_place(end, start))
         report(of(sentence), "gap",
                "starts at " + show(start) + ", the sentence before ends at " + show(end));
@@ -113,20 +146,23 @@ class Check {
   }
 
   void against_paragraph() {
-    if (p_.sentences.empty()) return;
+    if (p_.sentences.empty()) {
+      if (!p_.path.empty()) check_path(p_.path, here());
+      return;
+    }
     std::vector<Pose> whole;
     for (const ReleasedSentence& sentence : p_.sentences)
-      for (const Pose& pose : sentence.path)
+      for (const Pose& pose : sentence.trace.poses)
         if (whole.empty() || whole.back() != pose) whole.push_back(pose);
     const Pose end = whole.back();
     if (p_.goal && !same_place(end, *p_.goal))
-      report(of(p_.sentences.back()), "goal-not-reached",
-             "ends at " + show(end) + ", the goal is (" + std::to_string(p_.goal->x) + ", " +
-                 std::to_string(p_.goal->y) + ")");
+      report(of(p_.sentences.back()), "goal-not-reached", "ends at " + show(end) + ", " + not_at(*p_.goal));
     if (p_.path.empty()) {
       p_.path = std::move(whole);
       return;
     }
+    if (whole == p_.path) return;  // its steps were looked at
+    check_path(p_.path, here());
     if (whole != p_.path)
       report(here(), "differs-from-paragraph-path",
              "the trajectories of its sentences, joined, are not its path");

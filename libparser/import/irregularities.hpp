@@ -6,8 +6,9 @@
 
 namespace waymark::parser {
 
-// Two poses with a U-turn between them get the pose in the middle (LEFT, LEFT), everywhere; reported.
-// All others are reported only. `map`: null when the release has no map of that name.
+// What no reader of ours could take is mended, and reported: two poses with a U-turn between them get the pose in the
+// middle (LEFT, LEFT); a pose that comes twice in a row stands once; a sentence whose trajectory is still none of the map is
+// left out. All else is reported only. `map`: null when the release has no map of that name.
 std::vector<Irregularity> find_irregularities(ReleasedParagraph& paragraph, const ReleasedMap* map);
 
 }  // namespace waymark::parser

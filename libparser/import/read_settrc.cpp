@@ -10,8 +10,8 @@ namespace waymark::parser {
 namespace {
 
 struct TextLine {
-  std::string_view text;
-  std::size_t number;
+  std::string_view text;  // without blanks at its ends
+  std::size_t number, column;
 };
 
 std::string_view trimmed(std::string_view text) {
@@ -28,8 +28,9 @@ std::vector<std::vector<TextLine>> blocks_of(std::string_view text) {
     const std::size_t newline = text.find('\n', begin);
     const std::size_t end = newline == std::string_view::npos ? text.size() : newline;
     const std::string_view line = trimmed(text.substr(begin, end - begin));
+    const std::size_t column = line.empty() ? 1 : 1 + static_cast<std::size_t>(line.data() - &text[begin]);
     if (line.empty() && !blocks.back().empty()) blocks.emplace_back();
-    if (!line.empty() && line.substr(0, 2) != "//") blocks.back().push_back({line, number});
+    if (!line.empty() && line.substr(0, 2) != "//") blocks.back().push_back({line, number, column});
     begin = end + 1;
   }
   if (blocks.back().empty()) blocks.pop_back();
@@ -46,7 +47,9 @@ std::map<std::string, std::string, std::less<>> properties_of(const TextLine& li
     const std::size_t equals = property.find('=');
     if (equals == std::string_view::npos)
       throw ltl::FormatError(file, line.number, 0, "expected properties key=value, separated by tabs");
-    properties.emplace(property.substr(0, equals), property.substr(equals + 1));
+    if (!properties.emplace(property.substr(0, equals), property.substr(equals + 1)).second)
+      throw ltl::FormatError(file, line.number, 0,
+                             "the property " + std::string(property.substr(0, equals)) + " stands twice");
   }
   return properties;
 }
@@ -78,17 +81,20 @@ std::vector<SettrcParagraph> parse_settrc(std::string_view text, std::string_vie
       throw ltl::FormatError(file, block[1].number, 0, "the property map is missing");
     SettrcParagraph out;
     out.paragraph.id = block[0].text;
-    out.paragraph.map = map->second;
+    out.paragraph.map = lower(map->second);
     out.paragraph.file = file;
     out.paragraph.line = block[0].number;
     out.start_place = place(properties, "y", block[1], file);
     out.goal_place = place(properties, "x", block[1], file);
+    for (const auto& [key, value] : properties)
+      if (key != "map" && key != "x" && key != "y") out.paragraph.properties.emplace(key, value);
     for (std::size_t i = 2; i < block.size(); i += 2)
-      out.paragraph.sentences.push_back({{},
-                                         std::string(block[i].text),
-                                         parse_trace(block[i + 1].text, file, block[i + 1].number),
-                                         std::string(file),
-                                         block[i].number});
+      out.paragraph.sentences.push_back(
+          {{},
+           std::string(block[i].text),
+           parse_trace(block[i + 1].text, file, block[i + 1].number, block[i + 1].column),
+           std::string(file),
+           block[i].number});
     paragraphs.push_back(std::move(out));
   }
   return paragraphs;

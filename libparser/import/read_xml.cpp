@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <charconv>
-#include <map>
 #include <pugixml.hpp>
 #include <set>
+#include <stdexcept>
 
 #include "libltl/diagnostic.hpp"
 
@@ -13,8 +13,12 @@ namespace {
 
 class Xml {  // a document that knows the lines of its nodes
  public:
-  Xml(std::string_view text, std::string_view file) : text_(text), file_(file) {
-    const pugi::xml_parse_result result = document_.load_buffer(text.data(), text.size());
+  Xml(std::string_view text, std::string_view file) : file_(file) {
+    for (std::size_t i = 0; i < text.size(); ++i)
+      if (text[i] == '\n') newlines_.push_back(static_cast<std::ptrdiff_t>(i));
+    const pugi::xml_parse_result result =  // blanks beside comments and elements belong to the text
+        document_.load_buffer(text.data(), text.size(), pugi::parse_default | pugi::parse_ws_pcdata,
+                              pugi::encoding_utf8);
     if (!result)
       throw ltl::FormatError(file, line_of(result.offset), 0,
                              std::string("malformed XML: ") + result.description());
@@ -40,33 +44,33 @@ class Xml {  // a document that knows the lines of its nodes
   }
   std::vector<pugi::xml_node> all(const std::string& name) const {  // at any depth, in the order of the file
     std::vector<pugi::xml_node> found;
-    collect(document_, name, found);
+    for (pugi::xml_node node = after(document_, document_); node; node = after(node, document_))
+      if (node.name() == name) found.push_back(node);
     return found;
+  }
+  static std::string text(const pugi::xml_node& root) {  // all of it, whatever stands between
+    std::string out;
+    for (pugi::xml_node node = after(root, root); node; node = after(node, root)) out += node.value();
+    return out;
   }
 
  private:
-  static void collect(const pugi::xml_node& node, const std::string& name,
-                      std::vector<pugi::xml_node>& found) {
-    for (const pugi::xml_node& child : node.children()) {
-      if (child.name() == name) found.push_back(child);
-      collect(child, name, found);
-    }
+  // The next below root in the order of the file, without recursion: files nest as deep as they like. Null: none.
+  static pugi::xml_node after(pugi::xml_node node, const pugi::xml_node& root) {
+    if (const pugi::xml_node child = node.first_child()) return child;
+    while (node != root && !node.next_sibling()) node = node.parent();
+    return node == root ? pugi::xml_node() : node.next_sibling();
   }
   std::size_t line_of(std::ptrdiff_t offset) const {
     if (offset < 0) return 0;
-    const auto end = text_.begin() + std::min<std::ptrdiff_t>(offset, std::ssize(text_));
-    return 1 + static_cast<std::size_t>(std::count(text_.begin(), end, '\n'));
+    const auto before = std::lower_bound(newlines_.begin(), newlines_.end(), offset);
+    return 1 + static_cast<std::size_t>(before - newlines_.begin());
   }
 
-  std::string_view text_, file_;
+  std::string_view file_;
+  std::vector<std::ptrdiff_t> newlines_;  // where they stand
   pugi::xml_document document_;
 };
-
-std::string lower(std::string text) {
-  for (char& c : text)
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  return text;
-}
 
 std::string squeezed(std::string_view text) {
   std::string out;
@@ -93,6 +97,8 @@ class MapReader {
     const auto roots = in_.all("map");
     if (roots.empty()) in_.fail({}, "expected a <map>");
     map_.name = lower(in_.attribute(roots[0], "name"));
+    if (map_.name.empty() || map_.name.find_first_of("/\\") != std::string::npos || map_.name[0] == '.')
+      in_.fail(roots[0], "name: expected one that a file can have");
     for (const pugi::xml_node& node : in_.all("node")) add_node(node);
     for (const pugi::xml_node& edge : in_.all("edge")) add_edge(edge);
     if (map_.nodes.empty()) in_.fail(roots[0], "a map without nodes");
@@ -108,8 +114,7 @@ class MapReader {
       read.object = item;
     }
     if (node.attribute("id")) read.place = in_.integer(node, "id");
-    const auto index = static_cast<std::uint32_t>(map_.nodes.size());
-    if (!index_.try_emplace({read.x, read.y}, index).second) in_.fail(node, "two nodes stand at this place");
+    checked(node, [&] { hallways_.add_node(read); });
     map_.nodes.push_back(std::move(read));
   }
 
@@ -124,33 +129,44 @@ class MapReader {
     while (second != last && *second == ' ') ++second;
     if (std::from_chars(second, last, y).ec != std::errc())
       in_.fail(edge, std::string(name) + ": expected x,y");
-    const auto at = index_.find({x, y});
-    if (at == index_.end()) in_.fail(edge, std::string(name) + ": there is no node at " + text);
-    return at->second;
+    const auto node = hallways_.node_at(x, y);
+    if (!node) in_.fail(edge, std::string(name) + ": there is no node at " + text);
+    return *node;
   }
 
   void add_edge(const pugi::xml_node& edge) {
     plan::Edge read{end(edge, "node1"), end(edge, "node2"), in_.attribute(edge, "floor"),
                     in_.attribute(edge, "wall")};
+    checked(edge, [&] { hallways_.add_edge(read); });
     floors_.insert(read.floor);
     walls_.insert(read.wall);
     map_.edges.push_back(std::move(read));
   }
 
+  template <typename Step>
+  void checked(const pugi::xml_node& node, Step step) const {
+    try {
+      step();
+    } catch (const std::invalid_argument& error) {
+      in_.fail(node, error.what());
+    }
+  }
+
   Xml in_;
   ReleasedMap map_;
-  std::map<std::pair<int, int>, std::uint32_t> index_;
+  plan::Hallways hallways_;  // says what is wrong with a node or an edge
   std::set<std::string> objects_, floors_, walls_;
 };
 
-std::optional<plan::Pose> place(const Xml& in, const pugi::xml_node& node, const char* name) {
+std::optional<plan::Pose> place(const Xml& in, const pugi::xml_node& node, const char* name,
+                                std::string_view file) {
   const pugi::xml_attribute value = node.attribute(name);
   if (!value) return std::nullopt;
   const std::string text = value.value();
   const std::size_t close = text.find(')');
   if (close == std::string::npos) in.fail(node, std::string(name) + ": expected (x, y)");
   const std::string pose = "[" + text.substr(0, close) + ", 0)]";
-  return parse_pose_list(pose, std::string(name) + "=\"" + text + "\"", in.line(node)).front();
+  return parse_pose_list(pose, file, in.line(node)).front();
 }
 
 }  // namespace
@@ -168,12 +184,13 @@ std::vector<XmlExample> parse_xml_examples(std::string_view xml, std::string_vie
     const pugi::xml_node instruction = node.child("instruction"), path = node.child("path");
     if (!instruction || !path) in.fail(node, "expected an <instruction> and a <path> in this example");
     example.file_name = in.attribute(instruction, "filename");
-    example.text = squeezed(instruction.child_value());
-    example.path = parse_pose_list(path.child_value(), file, in.line(path));
-    example.start = place(in, node, "start");
-    example.end = place(in, node, "end");
+    example.text = squeezed(Xml::text(instruction));
+    example.path = parse_pose_list(Xml::text(path), file, in.line(path));
+    example.start = place(in, node, "start", file);
+    example.end = place(in, node, "end", file);
     examples.push_back(std::move(example));
   }
+  if (examples.empty()) throw ltl::FormatError(file, 0, 0, "holds no <example>");
   return examples;
 }
 

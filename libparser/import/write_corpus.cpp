@@ -3,7 +3,6 @@
 #include <charconv>
 #include <nlohmann/json.hpp>
 
-#include "libparser/corpus/corpus_file.hpp"
 #include "libparser/corpus/token.hpp"
 
 namespace waymark::parser {
@@ -29,14 +28,15 @@ std::vector<Pose> resolved(const std::vector<Pose>& path, int from) {
 }
 
 json json_of(const ReleasedSentence& sentence) {
+  const std::vector<Pose>& path = sentence.trace.poses;
   json out{{"id", sentence.id},
            {"text", sentence.text},
            {"tokens", tokenize(sentence.text)},
-           {"path", json_of(sentence.path)}};
-  if (sentence.path.front().heading >= 0) return out;
-  const int known = sentence.path.size() > 1 ? sentence.path[1].heading : 90;
-  out["path_north"] = json_of(resolved(sentence.path, 0));
-  out["path_right90"] = json_of(resolved(sentence.path, (known + 270) % 360));
+           {"path", json_of(path)}};
+  if (path.front().heading >= 0) return out;
+  const int known = path.size() > 1 ? path[1].heading : 90;
+  out["path_north"] = json_of(resolved(path, 0));
+  out["path_right90"] = json_of(resolved(path, (known + 270) % 360));
   return out;
 }
 
@@ -72,21 +72,11 @@ std::string json_line(const ReleasedParagraph& p, const std::vector<Irregularity
   out["path"] = json_of(p.path);
   out["sentences"] = json::array();
   for (const ReleasedSentence& sentence : p.sentences) out["sentences"].push_back(json_of(sentence));
+  if (!p.properties.empty()) out["properties"] = p.properties;
   out["flags"] = json::array();
   for (const Irregularity& flag : flags)
     out["flags"].push_back({{"kind", flag.kind}, {"message", flag.message}});
   return out.dump();
-}
-
-std::vector<Irregularity> flags_of(std::string_view json_lines, const std::string& file) {
-  std::vector<Irregularity> out;
-  each_line(json_lines, [&](std::string_view line, std::size_t number) {
-    const json paragraph = json::parse(line);
-    for (const json& flag : paragraph.value("flags", json::array()))
-      out.push_back({file, number, flag.value("kind", ""),
-                     paragraph.value("id", "") + ": " + flag.value("message", flag.dump())});
-  });
-  return out;
 }
 
 std::string json_map(const ReleasedMap& map) {

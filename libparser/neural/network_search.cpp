@@ -41,9 +41,8 @@ struct Open {
 }  // namespace
 
 std::vector<Candidate> best_programs(const EncoderDecoder& network, const NetworkSentence& sentence,
-                                     std::size_t beam, std::size_t expansions) {
+                                     ChoiceMasks& masks, std::size_t beam, std::size_t expansions) {
   const TypedPostfix& symbols = network.symbols();
-  ChoiceMasks masks(symbols);
   EncoderDecoder::Pass pass;
   const NetworkSentence* const only = &sentence;
   pass.encode(network, network.parameters(), {&only, 1});
@@ -155,6 +154,23 @@ std::vector<std::vector<Candidate>> randomised_beam(const EncoderDecoder& networ
     std::stable_sort(candidates.begin(), candidates.end(), [](const Candidate& a, const Candidate& b) {
       return a.log_probability > b.log_probability;
     });
+  return found;
+}
+
+std::vector<Candidate> NetworkReader::read(const SentenceInput& input, std::size_t beam) const {
+  const auto taken = [&] {
+    const std::lock_guard lock(mutex_);
+    if (masks_.empty()) return ChoiceMasks(network_.symbols());
+    ChoiceMasks last = std::move(masks_.back());
+    masks_.pop_back();
+    return last;
+  };
+  ChoiceMasks masks = taken();
+  std::vector<Candidate> found = best_programs(network_, network_.sentence(input), masks, beam);
+  if (masks.size() <= most_masks) {
+    const std::lock_guard lock(mutex_);
+    masks_.push_back(std::move(masks));
+  }
   return found;
 }
 

@@ -25,6 +25,7 @@ class ChoiceMasks {
   explicit ChoiceMasks(const TypedPostfix& symbols) : symbols_(&symbols) {}
   const TypedPostfix& symbols() const { return *symbols_; }
   const ChoiceMask& of(const TypedState& state);
+  std::size_t size() const { return made_.size(); }
 
  private:
   const TypedPostfix* symbols_;

@@ -63,6 +63,16 @@ mode_t usual_mode() {  // what open(…, 0666) would give; mkstemp gives 0600
 
 }  // namespace
 
+void check_writable(const std::filesystem::path& path) {
+  if (path.empty() || path == "-") return;
+  std::error_code ignored;
+  if (std::filesystem::is_directory(path, ignored)) fail(path, EISDIR);
+  const auto folder = path.has_parent_path() ? path.parent_path() : std::filesystem::path(".");
+  const bool device =
+      std::filesystem::exists(path, ignored) && !std::filesystem::is_regular_file(path, ignored);
+  if (::access((device ? path : folder).c_str(), W_OK) != 0) fail(path, errno);
+}
+
 void write_file(const std::filesystem::path& path, std::string_view contents) {
   if (path == "-") {
     std::cout << contents;  // in order with what was printed before

@@ -10,6 +10,9 @@ namespace waymark::tools {
 // Throws ltl::FormatError naming the path and the reason when that fails; the old file is then untouched.
 void write_file(const std::filesystem::path& path, std::string_view contents);
 
+// Throws the same where write_file could not succeed, as far as it can be told: before the work, not after it. Empty: nothing to write.
+void check_writable(const std::filesystem::path& path);
+
 // Removes the temporary files of writes that are under way: for a process that is about to be ended.
 void discard_unfinished_files();
 

@@ -1,68 +1,9 @@
-#include "libparser/import/import_sail.hpp"
+#include <algorithm>
 
-#include <gtest/gtest.h>
-
-#include <filesystem>
-#include <fstream>
-
-#include "libltl/diagnostic.hpp"
-#include "libparser/corpus/sail_corpus.hpp"
+#include "tests/libparser/import/import_fixture.hpp"
 
 namespace waymark::parser {
 namespace {
-
-namespace fs = std::filesystem;
-
-class ImportSail : public testing::Test {
- protected:
-  void SetUp() override {
-    const auto* test = testing::UnitTest::GetInstance()->current_test_info();
-    folder_ = fs::path(testing::TempDir()) / (std::string("waymark-import-") + test->name());
-    fs::remove_all(folder_);
-    fs::create_directories(folder_);
-  }
-  void TearDown() override { fs::remove_all(folder_); }
-
-  void write(const std::string& name, const std::string& text) const {
-    fs::create_directories((folder_ / name).parent_path());
-    std::ofstream(folder_ / name) << text;
-  }
-  // What is imported, written and read again: the reader of corpora takes it.
-  Corpus read_back(const ImportedCorpus& corpus) const {
-    write("out/instructions.jsonl", corpus.instructions);
-    for (const auto& [name, text] : corpus.maps) write("out/maps/" + name + ".json", text);
-    return read_sail_corpus(folder_ / "out");
-  }
-  static std::string kinds(const ImportedCorpus& corpus) {
-    std::string out;
-    for (const Irregularity& i : corpus.irregularities)
-      out += fs::path(i.file).filename().string() + ":" + std::to_string(i.line) + " " + i.kind + "\n";
-    return out;
-  }
-
-  fs::path folder_;
-};
-
-const char* const nested_map = R"(<?xml version="1.0"?>
-  <map name="Yard">
-    <nodes>
-      <node x="0" y="1" item=""></node>
-      <node x="0" y="0" item="lamp"></node>
-      <node x="1" y="0" item=""></node>
-    </nodes>
-    <edges>
-      <edge node1="0,1" node2="0,0" wall="fish" floor="blue"></edge>
-      <edge node1="0,0" node2="1,0" wall="fish" floor="wood"></edge>
-    </edges>
-  </map>
-)";
-const char* const flat_map = R"(<map name="Yard" xplus="90">
-  <node x="0" y="1" id="1" item="" /><node x="0" y="0" item="lamp" /><node x="1" y="0" id="2" item="" />
-  <edge node1="0,1" node2="0,0" wall="fish" floor="blue" />
-  <edge floor="wood" node1="0,0" node2="1,0" wall="fish" />
-</map>
-)";
-
 TEST_F(ImportSail, ReadsTheReleaseInXml) {
   write("maps/map-yard.xml", nested_map);
   write("SingleSentence.xml", R"(<?xml version="1.0"?>
@@ -151,17 +92,9 @@ TEST_F(ImportSail, PassesOurOwnLinesOn) {
 }
 
 TEST_F(ImportSail, ComplainsWithFileAndLine) {
-  const auto complaint = [&] {
-    try {
-      import_sail(folder_);
-    } catch (const ltl::FormatError& error) {
-      return std::string(error.what());
-    }
-    return std::string("nothing");
-  };
   EXPECT_NE(complaint().find("holds neither"), std::string::npos);
-  write("a.settrc", "id\nmap=yard\tx=1\ty=2\nwalk\nFORWARD(0,1,0;(0, 0, 0)\n");
-  EXPECT_NE(complaint().find("a.settrc:4:14"), std::string::npos) << complaint();
+  write("a.settrc", "id\nmap=yard\tx=1\ty=2\nwalk\n  FORWARD(0,1,0;(0, 0, 0)\n");
+  EXPECT_NE(complaint().find("a.settrc:4:16"), std::string::npos) << complaint();
   write("a.settrc", "id\nmap=yard\tx=1\ty=2\nwalk\n");
   EXPECT_NE(complaint().find("a.settrc:3"), std::string::npos) << complaint();
   write("map-a.xml",
@@ -170,6 +103,30 @@ TEST_F(ImportSail, ComplainsWithFileAndLine) {
   EXPECT_NE(complaint().find("map-a.xml:3"), std::string::npos) << complaint();
   write("map-a.xml", "<map name=\"A\">\n<node x=\"0\" y=\"0\">");
   EXPECT_NE(complaint().find("malformed XML"), std::string::npos) << complaint();
+  for (const std::string name : {"../a", "", ".a", "a/b"}) {  // it becomes the name of a file
+    write("map-a.xml", "\n<map name=\"" + name + "\"><node x=\"0\" y=\"0\"/></map>");
+    EXPECT_NE(complaint().find("map-a.xml:2"), std::string::npos) << complaint();
+  }
+}
+
+// The map of the fixture, and one thing more in its third line.
+TEST_F(ImportSail, RefusesMapsThatAreNoHallways) {
+  for (const char* const more : {
+           R"(<node x="4" y="0"/><edge node1="1,0" node2="4,0" floor="" wall=""/>)",  // too long
+           R"(<edge node1="1,0" node2="0,0" floor="" wall=""/>)",                     // a second time
+           R"(<edge node1="0,0" node2="0,0" floor="" wall=""/>)",                     // a loop
+           R"(<edge node1="0,1" node2="1,0" floor="" wall=""/>)",                     // slanting
+           R"(<node x="0" y="0" item="sofa"/>)",                                      // a node twice
+           R"(<edge node1="0,0" node2="0,1" wall=""/>)",                              // no floor
+           R"(<node x="9" y="9" id="0"/>)",                                           // no place
+       }) {
+    std::string map = flat_map;
+    map.insert(map.rfind("</map>"), "\n" + std::string(more));
+    const auto lines = std::count(map.begin(), map.end(), '\n');
+    write("map-yard.xml", map);
+    EXPECT_NE(complaint().find("map-yard.xml:" + std::to_string(lines)), std::string::npos)
+        << more << ": " << complaint();
+  }
 }
 
 }  // namespace

@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+#include <thread>
+
 #include <cmath>
 #include <set>
 
@@ -22,7 +25,8 @@ TEST(NetworkSearch, ProbabilitiesOfAllProgramsSumToOne) {
 TEST(NetworkSearch, BestFirstIsTheSortedList) {
   SmallNetwork small;
   const auto all = small.all();
-  const auto best = best_programs(small.network, small.sentence, 30);
+  ChoiceMasks masks(small.network.symbols());
+  const auto best = best_programs(small.network, small.sentence, masks, 30);
   ASSERT_EQ(best.size(), 30U);
   std::vector<double> sorted;
   for (const auto& [program, log_p] : all) sorted.push_back(log_p);
@@ -32,6 +36,43 @@ TEST(NetworkSearch, BestFirstIsTheSortedList) {
     EXPECT_NEAR(best[i].log_probability, all.at(best[i].program), 1e-4)
         << small.grammar.show(best[i].program);
   }
+}
+
+// What was read before, and in which thread, makes no difference.
+TEST(NetworkSearch, AReaderReadsTheSameAgainAndInSeveralThreads) {
+  const SmallNetwork small;
+  const NetworkReader reader(small.network);
+  std::vector<SentenceInput> inputs;
+  for (const char* text :
+       {"walk to the chair and turn left", "left", "walk", "to place 1", "chair left chair"})
+    for (const bool unknown : {false, true}) inputs.push_back({tokenize(text), unknown});
+  const auto read = [&](const SentenceInput& input) {
+    std::vector<std::pair<Program, double>> out;
+    for (const Candidate& c : reader.read(input, 20)) out.emplace_back(c.program, c.log_probability);
+    return out;
+  };
+  std::vector<std::vector<std::pair<Program, double>>> fresh;
+  for (const SentenceInput& input : inputs) {
+    ChoiceMasks masks(small.network.symbols());
+    auto& programs = fresh.emplace_back();
+    for (const Candidate& c : best_programs(small.network, small.network.sentence(input), masks, 20))
+      programs.emplace_back(c.program, c.log_probability);
+    EXPECT_EQ(programs.size(), 20U);
+  }
+  EXPECT_NE(fresh.front(), fresh.back());
+  std::array<bool, 4> same{};
+  {
+    std::vector<std::jthread> threads;
+    for (std::size_t t = 0; t < same.size(); ++t)
+      threads.emplace_back([&, t] {
+        same[t] = true;
+        for (std::size_t i = 0; i < 3 * inputs.size(); ++i) {
+          const std::size_t k = (i * (2 * t + 1) + t) % inputs.size();
+          same[t] = same[t] && read(inputs[k]) == fresh[k];
+        }
+      });
+  }
+  EXPECT_EQ(same, (std::array<bool, 4>{true, true, true, true}));
 }
 
 TEST(NetworkSearch, AWideBeamFindsEverythingAndANarrowOneWhatIsLikely) {
