@@ -133,7 +133,9 @@ ExitCode run_on_streets(const Options& options, const Session& session) {
 
 ExitCode run_evaluate(const Options& options, const Session& session) {
   if (!options.pairs.pairs.empty())
-    return evaluate_pairs({options.pairs.pairs, options.pairs.model, options.data, options.json}, session);
+    return evaluate_pairs({options.pairs.pairs, options.pairs.model, options.data, options.json,
+                           options.training.train.clauses},
+                          session);
   check_what_is_held_out(options);
   if (streets::is_street_corpus(options.corpus)) return run_on_streets(options, session);
   const parser::Corpus corpus = read_hallway_corpus(options.corpus);
