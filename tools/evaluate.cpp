@@ -81,13 +81,14 @@ void write_predictions(const std::string& file, const parser::Evaluation& evalua
 
 void print_table(const parser::Evaluation& evaluation, const parser::Scores& staying,
                  const parser::FormulaScores& formulas) {
-  print_results_head("left out");
-  for (const auto& [map, scores] : evaluation.folds) print_result({map, {scores}});
-  print_result({"all", {evaluation.all}});
+  std::vector<ResultRow> rows;
+  for (const auto& [map, scores] : evaluation.folds) rows.push_back({map, {scores}});
+  rows.push_back({"all", {evaluation.all}});
   for (std::size_t i = 0; i < evaluation.singles.size(); ++i)
-    print_result({"single " + std::to_string(i + 1), {evaluation.singles[i]}});
-  if (evaluation.singles.size() > 1) print_result({"singles, mean", evaluation.singles});
-  print_result({"who stays put", {staying}});
+    rows.push_back({"single " + std::to_string(i + 1), {evaluation.singles[i]}});
+  if (evaluation.singles.size() > 1) rows.push_back({"singles, mean", evaluation.singles});
+  rows.push_back({"who stays put", {staying}});
+  print_results("left out", rows);
   if (formulas.all.same.total == 0) print_published_results();  // they are for a corpus without formulas
   std::cout << "\nunsegmented paragraphs skipped: " << evaluation.all.skipped_paragraphs << "; "
             << fixed(evaluation.seconds, 1) << " s of training and testing\n";
