@@ -43,7 +43,8 @@ struct TrainOptions {
   double chooser_rate = 0.03;  // AdaGrad
   double chooser_decay = 0.2;  // L2
   std::size_t beam = 64;
-  double trust = 1;  // in wording when deciding: 0 takes the reader's word for everything
+  double trust = 1;     // in wording when deciding: 0 takes the reader's word for everything
+  bool clauses = true;  // when deciding, sentences of several are also read clause by clause
   std::size_t alive =
       12;  // poses kept along a paragraph; 1: each sentence is settled before the next is heard
   // Called from the calling thread, fraction in [0, 1], never decreasing.

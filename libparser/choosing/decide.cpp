@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "libparser/choosing/clauses.hpp"
 #include "libparser/programs/lexicon.hpp"
 #include "libparser/programs/wording.hpp"
 
@@ -12,7 +13,8 @@ std::vector<Weighed> likely_programs(const Grounder& grounder, const SentenceInp
                                      const Deciding& how) {
   const Wording wording(*grounder.model, mentions(input.tokens));
   std::vector<Weighed> weighed;
-  for (Candidate& candidate : grounder.reader->read(input, how.beam)) {
+  for (Candidate& candidate : how.clauses ? read_by_clauses(*grounder.reader, input, how.beam)
+                                          : grounder.reader->read(input, how.beam)) {
     const double disagreement = how.trust * wording.disagreement(candidate.program),
                  p = candidate.log_probability;
     weighed.push_back({std::move(candidate.program), p - trust_in_wording * disagreement,

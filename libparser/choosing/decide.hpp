@@ -33,7 +33,8 @@ struct Decision {
 struct Deciding {
   std::size_t beam = 64;  // programs a reader gives
   Then then = Then::WholePlan;
-  double trust = 1;  // in wording, of what is usual: 0 takes the reader's word for everything
+  double trust = 1;     // in wording, of what is usual: 0 takes the reader's word for everything
+  bool clauses = true;  // sentences of several are also read clause by clause: clauses.hpp
 };
 
 // The reader's `beam` likeliest programs of a sentence, most weight first.

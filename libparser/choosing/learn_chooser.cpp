@@ -129,7 +129,7 @@ void add_dilemmas(const Grounder& reader, std::span<const Example* const> exampl
     const Executor& executor = executors[example.map];
     const plan::PoseId start = example.gold.start;
     const std::vector<Weighed> programs =
-        likely_programs(reader, example.input, {options.beam, options.then, options.trust});
+        likely_programs(reader, example.input, {options.beam, options.then, options.trust, options.clauses});
     Decision decision = decide(programs, executor, {&start, 1}, options.then);
     Dilemma dilemma{&example, {}, {}};
     add_options(decision, start, dilemma);

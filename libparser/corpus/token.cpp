@@ -1,7 +1,6 @@
 #include "libparser/corpus/token.hpp"
 
 #include <algorithm>
-#include <cstddef>
 
 namespace waymark::parser {
 namespace {
@@ -22,6 +21,12 @@ void add_word(std::string_view word, std::vector<std::string>& tokens) {
     if (end > begin) tokens.emplace_back(word.substr(begin, end - begin));
     begin = end + 1;
   }
+}
+
+bool cuts_clause(const std::string& word) {
+  for (const char* cut : {"and", "then", ",", ";", ":", "."})
+    if (word == cut) return true;
+  return false;
 }
 
 }  // namespace
@@ -54,6 +59,18 @@ std::vector<std::string> split_sentences(std::string_view text) {
     begin = cut + 1;
   }
   return sentences;
+}
+
+std::vector<Clause> clauses_of(const std::vector<std::string>& tokens) {
+  std::vector<Clause> clauses;
+  std::size_t begin = 0;
+  for (std::size_t i = 0; i <= tokens.size(); ++i) {
+    if (i < tokens.size() && !cuts_clause(tokens[i])) continue;
+    if (i > begin) clauses.push_back({begin, i});
+    begin = i + 1;
+  }
+  if (clauses.empty()) clauses.push_back({0, tokens.size()});
+  return clauses;
 }
 
 std::vector<std::string> mirror(std::vector<std::string> tokens) {

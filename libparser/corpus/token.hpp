@@ -3,6 +3,7 @@
 //   "It's the chair, isn't it?"  →  it s the chair , is n't it ?
 // The convention is that of the SAIL corpus as released [CM11], so that its token lists and ours agree.
 #pragma once
+#include <cstddef>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -13,6 +14,13 @@ std::vector<std::string> tokenize(std::string_view text);  // O(|text|)
 
 // The sentences of an instruction: cut after . ; ! ? (each cut mark stays with its sentence), empty ones dropped.
 std::vector<std::string> split_sentences(std::string_view text);
+
+// The clauses of a sentence, [begin, end) in its tokens: cut at "and", "then" and the marks , ; : . — the cuts are in none, and each has
+// a word at least; the whole sentence when there is no other word.
+struct Clause {
+  std::size_t begin, end;
+};
+std::vector<Clause> clauses_of(const std::vector<std::string>& tokens);
 
 // Left and right exchanged, every other word kept: the mirror image of an instruction.
 std::vector<std::string> mirror(std::vector<std::string> tokens);

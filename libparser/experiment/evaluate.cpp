@@ -113,7 +113,8 @@ Scores& Scores::operator+=(const Scores& other) {
 }
 
 Following following(const TrainOptions& options) {
-  return {.deciding = {options.beam, options.then, options.trust}, .paragraph = {.alive = options.alive}};
+  return {.deciding = {options.beam, options.then, options.trust, options.clauses},
+          .paragraph = {.alive = options.alive}};
 }
 
 std::shared_ptr<const Follower> follower_of(std::vector<Grounder> systems, const EvaluateOptions& options) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "libparser/corpus/token.hpp"
 #include "libparser/programs/lexicon.hpp"
 
 namespace waymark::parser {
@@ -32,29 +33,6 @@ std::uint64_t context_of(std::size_t kind, std::size_t step) {
   return kind * choice_steps + std::min(step, choice_steps - 1);
 }
 
-bool cuts_clause(const std::string& word) {
-  for (const char* cut : {"and", "then", ",", ";", ":", "."})
-    if (word == cut) return true;
-  return false;
-}
-
-struct Range {
-  std::size_t begin, end;
-};
-
-// Clauses with at least one word besides their cuts; the whole sentence when there is none.
-std::vector<Range> clauses_of(const std::vector<std::string>& tokens) {
-  std::vector<Range> clauses;
-  std::size_t begin = 0;
-  for (std::size_t i = 0; i <= tokens.size(); ++i) {
-    if (i < tokens.size() && !cuts_clause(tokens[i])) continue;
-    if (i > begin) clauses.push_back({begin, i});
-    begin = i + 1;
-  }
-  if (clauses.empty()) clauses.push_back({0, tokens.size()});
-  return clauses;
-}
-
 class Extractor {
  public:
   Extractor(const SentenceInput& input, std::vector<std::uint32_t> ids)
@@ -76,19 +54,19 @@ class Extractor {
   }
 
  private:
-  std::uint32_t id(std::size_t i, const Range& range) const {  // i counts from 1, 0 is the beginning
-    if (i == range.begin) return WordTable::begin;
-    return i == range.end + 1 ? WordTable::end : ids_[i - 1];
+  std::uint32_t id(std::size_t i, const Clause& clause) const {  // i counts from 1, 0 is the beginning
+    if (i == clause.begin) return WordTable::begin;
+    return i == clause.end + 1 ? WordTable::end : ids_[i - 1];
   }
 
-  void add_words(std::vector<std::uint64_t>& keys, const Range& range, std::uint64_t context, Template word,
+  void add_words(std::vector<std::uint64_t>& keys, const Clause& clause, std::uint64_t context, Template word,
                  Template pair, bool skips) const {
-    for (std::size_t i = range.begin; i <= range.end; ++i) {
-      const std::uint32_t a = id(i, range), b = id(i + 1, range);
-      if (i > range.begin && a != WordTable::unknown) keys.push_back(key(word, context, a));
+    for (std::size_t i = clause.begin; i <= clause.end; ++i) {
+      const std::uint32_t a = id(i, clause), b = id(i + 1, clause);
+      if (i > clause.begin && a != WordTable::unknown) keys.push_back(key(word, context, a));
       if (a != WordTable::unknown && b != WordTable::unknown) keys.push_back(key(pair, context, a, b));
-      if (!skips || i + 1 > range.end) continue;
-      const std::uint32_t c = id(i + 2, range);
+      if (!skips || i + 1 > clause.end) continue;
+      const std::uint32_t c = id(i + 2, clause);
       if (a != WordTable::unknown && c != WordTable::unknown) keys.push_back(key(SkipPair, context, a, c));
     }
   }
@@ -112,7 +90,7 @@ class Extractor {
 
   const SentenceInput& input_;
   std::vector<std::uint32_t> ids_;
-  std::vector<Range> clauses_;
+  std::vector<Clause> clauses_;
 };
 
 }  // namespace

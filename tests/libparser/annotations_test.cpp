@@ -50,7 +50,8 @@ const Annotations& lessons() {
 FormulaScores scores_on_lessons(const Grounder& grounder) {
   FormulaJudge judge(vocabulary(), Dialect::Temporal);
   for (const Annotation& pair : lessons().pairs) {
-    const auto read = likely_programs(grounder, {tokenize(pair.text), false});
+    const auto read = likely_programs(grounder, {tokenize(pair.text), false},
+                                      {.clauses = false});  // as its reader reads it
     judge.judge(pair.formula, read.empty() ? Program{} : read.front().program);
   }
   return judge.scores();

@@ -104,6 +104,8 @@ void add_training_options(Command command, TrainingOptions& options, const std::
       .show_default();
   command.add_flag("--chooser,!--no-chooser", train.chooser,
                    "a chooser on the map decides between the ends that readings lead to (on)");
+  command.add_flag("--clauses,!--no-clauses", train.clauses,
+                   "sentences of several clauses are also read clause by clause (on)");
   command
       .add_option("--alive", train.alive,
                   "poses kept along a paragraph; 1: each sentence is settled before the next is heard")
@@ -112,7 +114,8 @@ void add_training_options(Command command, TrainingOptions& options, const std::
       .show_default();
   command.add_flag(
       "--plain", options.plain,
-      "as the paper has it: no lexicon, no prior on wording, no mirror images, every route alike");
+      "as the paper has it: no lexicon, no prior on wording, no mirror images, every route alike, "
+      "sentences as a whole");
   add_network_options(command, train.network);
 }
 
@@ -127,6 +130,7 @@ parser::TrainOptions TrainingOptions::settled(parser::Dialect usual) const {
     out.wording = 0;
     out.other_route = 1;
     out.trust = 0;
+    out.clauses = false;
     out.mirrored = false;
   }
   return out;

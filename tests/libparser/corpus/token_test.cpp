@@ -60,5 +60,23 @@ TEST(Lexicon, NumbersAreReadInWordsAndDigits) {
   EXPECT_EQ(number_named("99999999999999999999999"), 0U);
 }
 
+TEST(Token, ClausesAreCutAtJointsAndMarks) {
+  const auto clauses = [](const std::string& text) {
+    const std::vector<std::string> tokens = tokenize(text);
+    std::string out;
+    for (const Clause& clause : clauses_of(tokens)) {
+      for (std::size_t i = clause.begin; i < clause.end; ++i) out += tokens[i] + ' ';
+      out += '|';
+    }
+    return out;
+  };
+  EXPECT_EQ(clauses("Turn left, and then walk on; go to the chair."),
+            "turn left |walk on |go to the chair |");
+  EXPECT_EQ(clauses("then turn"), "turn |");
+  EXPECT_EQ(clauses("the sand, the band"), "the sand |the band |");
+  EXPECT_EQ(clauses("and then,"), "and then , |");
+  EXPECT_EQ(clauses(""), "|");
+}
+
 }  // namespace
 }  // namespace waymark::parser
