@@ -1,7 +1,6 @@
 #include "libparser/neural/learn_network.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <thread>
 
 #include "libneural/adam.hpp"
