@@ -20,7 +20,7 @@ namespace waymark::tools {
 namespace {
 
 struct Options {
-  std::string corpus, test_corpus, data, predictions, convention = "both";
+  std::string corpus, test_corpus, data, predictions, paragraph_predictions, convention = "both";
   TrainingOptions training;
   PairsExperiment pairs;  // instead of a corpus
   std::size_t ensemble = 1;
@@ -52,11 +52,13 @@ Json json_of(const parser::Evaluation& evaluation, const parser::Scores& staying
   return json.add("seconds", evaluation.seconds);
 }
 
-// One object a line, so that anyone can score the answers again.
-void write_predictions(const std::string& file, const parser::Evaluation& evaluation,
+// One object a line, so that anyone can score the answers again: those to sentences by themselves, or in their paragraphs.
+void write_predictions(const std::string& file, bool in_paragraphs, const parser::Evaluation& evaluation,
                        std::span<const plan::Map> maps) {
+  if (file.empty()) return;
   std::string lines;
   for (const parser::Prediction& prediction : evaluation.predictions) {
+    if (prediction.paragraph.has_value() != in_paragraphs) continue;
     const plan::Map& map = *std::find_if(maps.begin(), maps.end(),
                                          [&](const plan::Map& m) { return m.name() == prediction.map; });
     ltl::Arena arena(map.vocabulary());
@@ -65,6 +67,7 @@ void write_predictions(const std::string& file, const parser::Evaluation& evalua
       return JsonArray().add(at.x).add(at.y).add(at.heading);
     };
     JsonObject line;
+    if (in_paragraphs) line.add("paragraph", *prediction.paragraph);
     line.add("id", prediction.id)
         .add("map", prediction.map)
         .add("convention", std::string(parser::name(prediction.convention)))
@@ -115,6 +118,7 @@ void check_what_is_held_out(const Options& options) {
   if (!options.pairs.model.file.empty())
     throw UsageError("--model-file is scored by --pairs; what --corpus tests is learned first");
   check_writable(options.predictions);
+  check_writable(options.paragraph_predictions);
   if (options.training.model != "actions") return;
   if (options.ensemble > 1) throw UsageError("--ensemble is for readers of formulas, not for actions");
   if (options.planner != "exact") throw UsageError("--planner is for readers of formulas, not for actions");
@@ -161,7 +165,8 @@ ExitCode run_evaluate(const Options& options, const Session& session) {
                : parser::evaluate_leave_one_map_out(corpus, test ? &*test : nullptr, maps, evaluate);
   });
   bar.wipe();
-  if (!options.predictions.empty()) write_predictions(options.predictions, evaluation, test_maps);
+  write_predictions(options.predictions, false, evaluation, test_maps);
+  write_predictions(options.paragraph_predictions, true, evaluation, test_maps);
   print_scores(evaluation, test ? *test : corpus, test_maps, evaluate, options.json);
   return ExitCode::Done;
 }
@@ -201,6 +206,10 @@ Runner setup_evaluate(Command command) {
   command
       .add_option("--predictions", options->predictions,
                   "write what was answered to every sentence, as JSON Lines")
+      .type_name("FILE");
+  command
+      .add_option("--paragraph-predictions", options->paragraph_predictions,
+                  "the same of sentences in their paragraphs, each from where the one before it had ended")
       .type_name("FILE");
   command.add_flag("--json", options->json, "one JSON object");
   return [options](const Session& session) { return run_evaluate(*options, session); };
