@@ -25,7 +25,7 @@ class Reader {
  public:
   explicit Reader(const Eigen::VectorXd& values) : values_(values) {}
   Real take(Index rows, Index columns) {
-    const Real m = Eigen::Map<const Real>(values_.data() + at_, rows, columns);
+    Real m = Eigen::Map<const Real>(values_.data() + at_, rows, columns);
     at_ += rows * columns;
     return m;
   }

@@ -87,8 +87,8 @@ class Definition {
       if (std::count(allowed.begin(), allowed.end(), true) > 1) {
         const Real score = scores(sentence, masks, history);
         double total = 0;
-        for (Symbol v = 0; v < allowed.size(); ++v)
-          if (allowed[v] && !sentence.forbidden[v]) total += std::exp(score(v));
+        for (std::size_t v = 0; v < allowed.size(); ++v)
+          if (allowed[v] && !sentence.forbidden[v]) total += std::exp(score(static_cast<Index>(v)));
         out += score(symbol) - std::log(total);
       }
       state = symbols.after(state, symbol);
