@@ -26,4 +26,9 @@ void Adam::step(Parameters& parameters) {
   g = 0.0F;
 }
 
+void clip_gradients(Parameters& parameters, double longest) {
+  const double norm = parameters.gradients().cast<double>().norm();
+  if (norm > longest) parameters.gradients() *= static_cast<float>(longest / norm);
+}
+
 }  // namespace waymark::neural

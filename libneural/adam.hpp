@@ -23,4 +23,7 @@ class Adam {
   double power1_ = 1, power2_ = 1;  // β₁ᵗ, β₂ᵗ
 };
 
+// Gradients longer than that, in the Euclidean norm, are shortened to it. Source: [PMB13, Alg. 1].
+void clip_gradients(Parameters& parameters, double longest);
+
 }  // namespace waymark::neural

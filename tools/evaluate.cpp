@@ -20,7 +20,7 @@ namespace waymark::tools {
 namespace {
 
 struct Options {
-  std::string corpus, test_corpus, data, predictions, convention = "both";
+  std::string corpus, test_corpus, data, predictions, paragraph_predictions, convention = "both";
   TrainingOptions training;
   PairsExperiment pairs;  // instead of a corpus
   std::size_t ensemble = 1;
@@ -52,11 +52,13 @@ Json json_of(const parser::Evaluation& evaluation, const parser::Scores& staying
   return json.add("seconds", evaluation.seconds);
 }
 
-// One object a line, so that anyone can score the answers again.
-void write_predictions(const std::string& file, const parser::Evaluation& evaluation,
+// One object a line, so that anyone can score the answers again: those to sentences by themselves, or in their paragraphs.
+void write_predictions(const std::string& file, bool in_paragraphs, const parser::Evaluation& evaluation,
                        std::span<const plan::Map> maps) {
+  if (file.empty()) return;
   std::string lines;
   for (const parser::Prediction& prediction : evaluation.predictions) {
+    if (prediction.paragraph.has_value() != in_paragraphs) continue;
     const plan::Map& map = *std::find_if(maps.begin(), maps.end(),
                                          [&](const plan::Map& m) { return m.name() == prediction.map; });
     ltl::Arena arena(map.vocabulary());
@@ -65,6 +67,7 @@ void write_predictions(const std::string& file, const parser::Evaluation& evalua
       return JsonArray().add(at.x).add(at.y).add(at.heading);
     };
     JsonObject line;
+    if (in_paragraphs) line.add("paragraph", *prediction.paragraph);
     line.add("id", prediction.id)
         .add("map", prediction.map)
         .add("convention", std::string(parser::name(prediction.convention)))
@@ -81,13 +84,14 @@ void write_predictions(const std::string& file, const parser::Evaluation& evalua
 
 void print_table(const parser::Evaluation& evaluation, const parser::Scores& staying,
                  const parser::FormulaScores& formulas) {
-  print_results_head("left out");
-  for (const auto& [map, scores] : evaluation.folds) print_result({map, {scores}});
-  print_result({"all", {evaluation.all}});
+  std::vector<ResultRow> rows;
+  for (const auto& [map, scores] : evaluation.folds) rows.push_back({map, {scores}});
+  rows.push_back({"all", {evaluation.all}});
   for (std::size_t i = 0; i < evaluation.singles.size(); ++i)
-    print_result({"single " + std::to_string(i + 1), {evaluation.singles[i]}});
-  if (evaluation.singles.size() > 1) print_result({"singles, mean", evaluation.singles});
-  print_result({"who stays put", {staying}});
+    rows.push_back({"single " + std::to_string(i + 1), {evaluation.singles[i]}});
+  if (evaluation.singles.size() > 1) rows.push_back({"singles, mean", evaluation.singles});
+  rows.push_back({"who stays put", {staying}});
+  print_results("left out", rows);
   if (formulas.all.same.total == 0) print_published_results();  // they are for a corpus without formulas
   std::cout << "\nunsegmented paragraphs skipped: " << evaluation.all.skipped_paragraphs << "; "
             << fixed(evaluation.seconds, 1) << " s of training and testing\n";
@@ -114,6 +118,7 @@ void check_what_is_held_out(const Options& options) {
   if (!options.pairs.model.file.empty())
     throw UsageError("--model-file is scored by --pairs; what --corpus tests is learned first");
   check_writable(options.predictions);
+  check_writable(options.paragraph_predictions);
   if (options.training.model != "actions") return;
   if (options.ensemble > 1) throw UsageError("--ensemble is for readers of formulas, not for actions");
   if (options.planner != "exact") throw UsageError("--planner is for readers of formulas, not for actions");
@@ -162,7 +167,8 @@ ExitCode run_evaluate(const Options& options, const Session& session) {
                : parser::evaluate_leave_one_map_out(corpus, test ? &*test : nullptr, maps, evaluate);
   });
   bar.wipe();
-  if (!options.predictions.empty()) write_predictions(options.predictions, evaluation, test_maps);
+  write_predictions(options.predictions, false, evaluation, test_maps);
+  write_predictions(options.paragraph_predictions, true, evaluation, test_maps);
   print_scores(evaluation, test ? *test : corpus, test_maps, evaluate, options.json);
   return ExitCode::Done;
 }
@@ -202,6 +208,10 @@ Runner setup_evaluate(Command command) {
   command
       .add_option("--predictions", options->predictions,
                   "write what was answered to every sentence, as JSON Lines")
+      .type_name("FILE");
+  command
+      .add_option("--paragraph-predictions", options->paragraph_predictions,
+                  "the same of sentences in their paragraphs, each from where the one before it had ended")
       .type_name("FILE");
   command.add_flag("--json", options->json, "one JSON object");
   return [options](const Session& session) { return run_evaluate(*options, session); };

@@ -99,8 +99,7 @@ ExitCode run_generate_corpus(const CorpusOptions& options) {
     return ExitCode::Done;
   }
   const std::filesystem::path folder = options.out;
-  std::filesystem::create_directories(folder);
-  if (!options.maps.empty()) std::filesystem::create_directories(folder / "maps");
+  make_directory(options.maps.empty() ? folder : folder / "maps");
   for (std::size_t m = 0; m < options.maps.size(); ++m)
     write_file(folder / "maps" / (maps[m].name() + ".json"),
                read_file(map_file(options.maps[m], options.data).string()));

@@ -24,7 +24,7 @@ Json json_of(const parser::Irregularity& irregularity) {
 }
 
 void write_corpus(const std::filesystem::path& folder, const parser::ImportedCorpus& corpus) {
-  std::filesystem::create_directories(folder / "maps");
+  make_directory(folder / "maps");
   for (const auto& [name, text] : corpus.maps) write_file(folder / "maps" / (name + ".json"), text);
   write_file(folder / "instructions.jsonl", corpus.instructions);
 }

@@ -111,8 +111,7 @@ ExitCode run_table4(const Table4Options& options, const Session& session) {
     print_json(options, held, rows);
     return ExitCode::Done;
   }
-  print_results_head("one map left out, weighted");
-  for (const ResultRow& row : rows) print_result(row);
+  print_results("one map left out, weighted", rows);
   print_published_results();
   return ExitCode::Done;
 }

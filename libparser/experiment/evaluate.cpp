@@ -53,10 +53,11 @@ class Test {
     }
     if (predictions_ != nullptr)
       predictions_->push_back(
-          {id, map().name(), convention_, example.gold.start, example.gold.end, std::move(answer)});
+          {id, map().name(), convention_, example.gold.start, example.gold.end, std::move(answer), {}});
   }
 
-  void paragraph(std::span<const Example> sentences) {
+  void paragraph(std::span<const Example> sentences, std::span<const std::string> ids,
+                 const std::string& id) {
     plan::PoseId pose = sentences.front().gold.start;
     Nodes want, got;
     std::vector<SentenceInput> inputs;
@@ -66,8 +67,15 @@ class Test {
       walk(map(), gold, sentence.gold.actions, want);
     }
     if (stop_.stop_requested()) throw Stopped{};
-    for (const Answer& answer : follower_.follow_all(executor_, inputs, pose))
+    std::size_t k = 0;
+    for (Answer& answer : follower_.follow_all(executor_, inputs, pose)) {
+      const plan::PoseId from = pose;
       walk(map(), pose, answer.actions, got);
+      if (predictions_ != nullptr)
+        predictions_->push_back(
+            {ids[k], map().name(), convention_, from, sentences[k].gold.end, std::move(answer), id});
+      ++k;
+    }
     of(scores_.paragraph) += {map().node_of(pose) == map().node_of(sentences.back().gold.end) ? 1U : 0U, 1};
     if (convention_ == Convention::Absolute)
       scores_.paragraph_path += compared(map(), sentences.front().gold.start, want, got);
@@ -131,7 +139,9 @@ Scores evaluate(const Follower& follower, const Corpus& corpus, const plan::Map&
     test.sentence(examples.sentences[i], examples.ids[i]);
   for (std::size_t begin = 0, end = 0; begin < examples.sentences.size(); begin = end) {
     while (end < examples.sentences.size() && examples.paragraph[end] == examples.paragraph[begin]) ++end;
-    test.paragraph(std::span(examples.sentences).subspan(begin, end - begin));
+    test.paragraph(std::span(examples.sentences).subspan(begin, end - begin),
+                   std::span(examples.ids).subspan(begin, end - begin),
+                   corpus.paragraphs[examples.paragraph[begin]].id);
   }
   for (const Paragraph& paragraph : corpus.paragraphs)
     if (paragraph.map == map.name() && paragraph.sentences.empty()) test.skip_paragraph();

@@ -14,6 +14,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -54,12 +55,13 @@ struct Scores {
   Scores& operator+=(const Scores& other);
 };
 
-// One sentence that was tested, from its gold start.
+// One sentence that was tested: by itself, from its gold start, or in its paragraph, from where the one before it had ended.
 struct Prediction {
   std::string id, map;
   Convention convention;
   plan::PoseId start, gold_end;
   Answer answer;
+  std::optional<std::string> paragraph = {};  // its id; nothing: by itself
 };
 
 struct Evaluation {

@@ -85,6 +85,7 @@ FormulaScores formula_scores(const std::vector<Prediction>& predictions, const C
   if (gold.empty()) return {};
   FormulaJudge judge(maps.front().vocabulary(), Dialect::Temporal);
   for (const Prediction& prediction : predictions) {
+    if (prediction.paragraph) continue;
     if ((prediction.convention == Convention::Absolute) != absolute) continue;
     const auto formula = gold.find({prediction.map, prediction.id});
     if (formula != gold.end()) judge.judge(*formula->second, prediction.answer.program);

@@ -43,7 +43,7 @@ class FormulaJudge {
   FormulaScores scores_;
 };
 
-// Of the predictions to sentences of the corpus that have a formula; sentences go by map and id. Where both conventions
+// Of the predictions to sentences by themselves, of the corpus, that have a formula; sentences go by map and id. Where both conventions
 // were asked about, under the absolute one.
 FormulaScores formula_scores(const std::vector<Prediction>& predictions, const Corpus& corpus,
                              std::span<const plan::Map> maps, bool absolute);

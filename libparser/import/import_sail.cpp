@@ -22,9 +22,13 @@ namespace fs = std::filesystem;
 
 std::vector<fs::path> files_of(const fs::path& directory) {
   std::vector<fs::path> files;
-  if (!fs::is_directory(directory)) throw ltl::FormatError(directory.string(), 0, 0, "is no directory");
-  for (const auto& entry : fs::recursive_directory_iterator(directory))
-    if (entry.is_regular_file()) files.push_back(entry.path());
+  std::error_code error;
+  if (!fs::is_directory(directory, error))
+    throw ltl::FormatError(directory.string(), 0, 0, "is no directory");
+  for (fs::recursive_directory_iterator at(directory, error);
+       !error && at != fs::recursive_directory_iterator(); at.increment(error))
+    if (std::error_code unknown; at->is_regular_file(unknown)) files.push_back(at->path());
+  if (error) throw ltl::FormatError(directory.string(), 0, 0, "cannot be read: " + error.message());
   std::sort(files.begin(), files.end());
   return files;
 }
@@ -309,7 +313,8 @@ ImportedCorpus import_lines(const fs::path& directory) {
 }  // namespace
 
 ImportedCorpus import_sail(const std::filesystem::path& directory) {
-  if (fs::exists(directory / "instructions.jsonl")) return import_lines(directory);
+  std::error_code unknown;
+  if (fs::exists(directory / "instructions.jsonl", unknown)) return import_lines(directory);
   return Import(directory).run();
 }
 

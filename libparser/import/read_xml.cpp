@@ -44,7 +44,8 @@ class Xml {  // a document that knows the lines of its nodes
   }
   std::vector<pugi::xml_node> all(const std::string& name) const {  // at any depth, in the order of the file
     std::vector<pugi::xml_node> found;
-    for (pugi::xml_node node = after(document_, document_); node; node = after(node, document_))
+    const pugi::xml_node root = document_.root();
+    for (pugi::xml_node node = after(root, root); node; node = after(node, root))
       if (node.name() == name) found.push_back(node);
     return found;
   }

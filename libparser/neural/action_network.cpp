@@ -281,8 +281,7 @@ class Learner {
       }
     dscores /= static_cast<float>(which.size());
     network_.backward(pass_, moments, dscores);
-    const double norm = network_.parameters.gradients().cast<double>().norm();
-    if (norm > how_.clip) network_.parameters.gradients() *= static_cast<float>(how_.clip / norm);
+    neural::clip_gradients(network_.parameters, how_.clip);
     adam_.set_rate(how_.rate * (1 - done));
     adam_.step(network_.parameters);
   }

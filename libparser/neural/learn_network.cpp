@@ -1,37 +1,19 @@
 #include "libparser/neural/learn_network.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <thread>
 
 #include "libneural/adam.hpp"
 #include "libparser/corpus/token.hpp"
 #include "libparser/lesson.hpp"
 #include "libparser/neural/feedback.hpp"
+#include "libparser/neural/objective.hpp"
 #include "libparser/programs/wording.hpp"
 
 namespace waymark::parser {
 namespace {
 
 using neural::Index;
-
-// ∂ objective / ∂ log p of each program.
-std::vector<float> gradient_of(const NetworkTraining& how, std::span<const float> log_p,
-                               std::span<const float> log_r) {
-  std::vector<float> g(log_p.size());
-  if (g.empty()) return g;
-  for (std::size_t z = 0; z < g.size(); ++z) g[z] = log_p[z] + log_r[z];
-  if (how.objective == Objective::Reinforce) {
-    for (float& x : g) x = std::exp(x);
-    return g;
-  }
-  const auto beta = static_cast<float>(how.objective == Objective::Meritocratic ? how.beta : 1.0);
-  const float highest = *std::max_element(g.begin(), g.end());
-  float total = 0;
-  for (float& x : g) total += x = std::exp(beta * (x - highest));
-  for (float& x : g) x /= total;
-  return g;
-}
 
 // A sentence, or its mirror image, while it is learned from.
 struct Lesson {
@@ -152,8 +134,7 @@ class Learner {
     }
     for (const Shard& shard : shards_) parameters.gradients() += shard.parameters.gradients();
     parameters.gradients() /= static_cast<float>(lessons.size());
-    const double norm = parameters.gradients().cast<double>().norm();
-    if (norm > how_.clip) parameters.gradients() *= static_cast<float>(how_.clip / norm);
+    neural::clip_gradients(parameters, how_.clip);
     adam_.set_rate(how_.rate * (1 - done));
     adam_.step(parameters);
   }
@@ -177,7 +158,8 @@ class Learner {
       Lesson& lesson = *lessons[i];
       if (lesson.trie.programs() == 0) continue;
       const auto likelihoods = lesson.trie.likelihoods(scores, begin[i], lesson.sentence.forbidden);
-      std::vector<float> gradient = gradient_of(how_, likelihoods.log_p, lesson.trie.log_weights());
+      std::vector<float> gradient =
+          objective_gradient(how_.objective, how_.beta, likelihoods.log_p, lesson.trie.log_weights());
       for (float& g : gradient) g = -g;  // Adam goes down
       lesson.trie.backpropagate(likelihoods, gradient, dscores, begin[i]);
     }

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "libltl/random.hpp"
@@ -40,6 +41,20 @@ TEST(Adam, IsTheDefinition) {
   }
   for (Index i = 0; i < 6; ++i)
     EXPECT_NEAR(parameters.value(block)(i % 2, i / 2), expected[static_cast<std::size_t>(i)].theta, 1e-4);
+}
+
+TEST(ClipGradients, ShortensWhatIsTooLongAndTurnsNothing) {
+  ltl::Random random(4);
+  for (const double longest : {0.5, 5.0, 50.0}) {
+    Parameters parameters;
+    parameters.add(4, 5);
+    for (Index i = 0; i < 20; ++i) parameters.gradients()[i] = static_cast<float>(6 * random.unit() - 3);
+    const Eigen::VectorXd before = parameters.gradients().cast<double>();
+    clip_gradients(parameters, longest);
+    const double share = std::min(1.0, longest / before.norm());
+    EXPECT_LT((parameters.gradients().cast<double>() - share * before).cwiseAbs().maxCoeff(), 1e-6);
+    EXPECT_EQ(share < 1, longest < 10);
+  }
 }
 
 TEST(Adam, FindsTheMinimumOfABadlyScaledQuadratic) {

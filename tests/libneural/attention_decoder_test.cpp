@@ -16,20 +16,10 @@ constexpr std::array<Index, 4> elements{0, 3, 4, 8},
 
 constexpr std::array<Index, 5> said{2, 0, 0, 1, 2};  // columns of x
 
-// Scores of one choice x of a sequence h with summary e and marks m.
 Real scores_of(const Eigen::VectorXd& theta, const Real& h, const Real& e, const Real& m, const Real& x) {
   Reader read(theta);
-  const Real phi = read.take(sizes.symbol, sizes.symbols), from_e = read.take(sizes.width, sizes.encoded),
-             from_x = read.take(sizes.width, sizes.inputs), bias = read.take(sizes.width, 1),
-             attend = read.take(sizes.width, sizes.encoded),
-             say = read.take(sizes.symbol, sizes.width + sizes.encoded), beta = read.take(sizes.symbols, 1),
-             u = read.take(sizes.width + sizes.encoded, 1), u0 = read.take(1, 1);
-  const Real q = (from_e * e + from_x * x + bias).cwiseMax(0);
-  Real alpha = (q.transpose() * attend * h).array().exp();
-  alpha /= alpha.sum();
-  Real both(sizes.width + sizes.encoded, 1);
-  both << q, h * alpha.transpose();
-  return phi.transpose() * say * both + beta + m * (u.transpose() * both + u0)(0, 0);
+  const Real phi = read.take(sizes.symbol, sizes.symbols);
+  return reference::attention(read, phi, sizes.width, h, e, m, x);
 }
 
 void check_against_definition(bool marked) {

@@ -25,7 +25,7 @@ class Reader {
  public:
   explicit Reader(const Eigen::VectorXd& values) : values_(values) {}
   Real take(Index rows, Index columns) {
-    const Real m = Eigen::Map<const Real>(values_.data() + at_, rows, columns);
+    Real m = Eigen::Map<const Real>(values_.data() + at_, rows, columns);
     at_ += rows * columns;
     return m;
   }
@@ -51,6 +51,22 @@ inline Real lstm(Reader& theta, const Real& x, Index width) {
     all.col(t) = h;
   }
   return all;
+}
+
+// Scores of one choice x of a sequence h with summary e and marks m; φ: a column for each symbol.
+inline Real attention(Reader& theta, const Real& phi, Index width, const Real& h, const Real& e,
+                      const Real& m, const Real& x) {
+  const Index encoded = h.rows();
+  const Real from_e = theta.take(width, encoded), from_x = theta.take(width, x.rows()),
+             bias = theta.take(width, 1), attend = theta.take(width, encoded),
+             say = theta.take(phi.rows(), width + encoded), beta = theta.take(phi.cols(), 1),
+             u = theta.take(width + encoded, 1), u0 = theta.take(1, 1);
+  const Real q = (from_e * e + from_x * x + bias).cwiseMax(0);
+  Real alpha = (q.transpose() * attend * h).array().exp();
+  alpha /= alpha.sum();
+  Real both(width + encoded, 1);
+  both << q, h * alpha.transpose();
+  return phi.transpose() * say * both + beta + m * (u.transpose() * both + u0)(0, 0);
 }
 
 // Central differences of `loss` at every entry of `values` beside the gradient that was computed.

@@ -63,6 +63,12 @@ mode_t usual_mode() {  // what open(…, 0666) would give; mkstemp gives 0600
 
 }  // namespace
 
+void make_directory(const std::filesystem::path& path) {
+  std::error_code error;
+  std::filesystem::create_directories(path, error);
+  if (error) throw ltl::FormatError(path.string(), 0, 0, "cannot be made: " + error.message());
+}
+
 void check_writable(const std::filesystem::path& path) {
   if (path.empty() || path == "-") return;
   std::error_code ignored;

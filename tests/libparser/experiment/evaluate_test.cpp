@@ -2,6 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <map>
+#include <optional>
+
 #include "libparser/corpus/sail_corpus.hpp"
 #include "libparser/language/generate.hpp"
 #include "libparser/linear/beam.hpp"
@@ -42,6 +46,58 @@ TEST(Evaluate, CountsSentencesParagraphsAndNodesByHand) {
   EXPECT_EQ(s.path.recall.hits, 0U);
   EXPECT_EQ(s.path.accuracy.total, 3 * (grid.nodes().size() - 1));
   EXPECT_EQ(s.path.accuracy.total - s.path.accuracy.hits, 2U);
+}
+
+// Does one thing, whatever is said, where the map lets it.
+class OneStep : public Follower {
+ public:
+  Answer follow(const Executor& executor, const SentenceInput& input, plan::PoseId start) const override {
+    const plan::Action action = input.tokens.size() % 2 == 0 ? plan::Action::Forward : plan::Action::Left;
+    const auto end = executor.map().successor(start, action);
+    return end ? Answer{*end, {action}, {}, 1} : Answer{start, {}, {}, 1};
+  }
+  bool reads_formulas() const override { return false; }
+};
+
+TEST(Evaluate, PredictionsCanBeScoredAgain) {
+  const plan::Map& grid = shipped_maps().front();
+  const Corpus corpus = generate_corpus(shipped_maps(), {.seed = 8, .paragraphs = 30, .sentences = 3});
+  for (const Convention convention : {Convention::Absolute, Convention::Relative}) {
+    std::vector<Prediction> predictions;
+    const Scores s = evaluate(OneStep(), corpus, grid, convention, &predictions);
+    std::size_t sentences = 0, right = 0, elsewhere = 0;
+    std::map<std::string, bool> paragraphs;  // does its last sentence end where it should?
+    std::optional<std::string> before;
+    plan::PoseId ended{};
+    for (const Prediction& p : predictions) {
+      EXPECT_EQ(p.convention, convention);
+      EXPECT_EQ(p.map, "grid");
+      if (!p.paragraph) {
+        ++sentences;
+        right += p.answer.end == p.gold_end ? 1 : 0;
+        continue;
+      }
+      if (p.paragraph == before) {
+        EXPECT_EQ(p.start, ended);
+      }
+      before = p.paragraph;
+      ended = p.answer.end;
+      paragraphs[*p.paragraph] = grid.node_of(ended) == grid.node_of(p.gold_end);
+      elsewhere += ended == p.gold_end ? 0 : 1;
+    }
+    const bool absolute = convention == Convention::Absolute;
+    const Percent by_sentence = absolute ? s.sentence.absolute : s.sentence.relative,
+                  by_paragraph = absolute ? s.paragraph.absolute : s.paragraph.relative;
+    EXPECT_EQ(by_sentence.total, sentences);
+    EXPECT_EQ(by_sentence.hits, right);
+    EXPECT_EQ(by_paragraph.total, paragraphs.size());
+    EXPECT_EQ(by_paragraph.hits,
+              static_cast<std::size_t>(std::count_if(paragraphs.begin(), paragraphs.end(),
+                                                     [](const auto& p) { return p.second; })));
+    EXPECT_EQ(predictions.size(), 2 * sentences);
+    EXPECT_GT(right, 0U);
+    EXPECT_GT(elsewhere, 0U);
+  }
 }
 
 TEST(Evaluate, LearnsItsOwnLanguageAcrossMaps) {

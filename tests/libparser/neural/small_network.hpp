@@ -57,11 +57,12 @@ struct SmallNetwork {
     const neural::Index begin[] = {0, 1};
     const neural::Matrix scores = pass.decode(begin, {&history, 1});
     double total = 0;
-    for (Symbol v = 0; v < allowed.size(); ++v) {
+    const auto symbols_there = static_cast<Symbol>(allowed.size());
+    for (Symbol v = 0; v < symbols_there; ++v) {
       if (!forced) allowed[v] = allowed[v] && !sentence.forbidden[v];
       if (allowed[v]) total += std::exp(static_cast<double>(scores(v, 0)));
     }
-    for (Symbol v = 0; v < allowed.size(); ++v) {
+    for (Symbol v = 0; v < symbols_there; ++v) {
       if (!allowed[v]) continue;
       History longer = history;
       EncoderDecoder::remember(longer, v);
