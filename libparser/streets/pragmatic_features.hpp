@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "libparser/streets/feature_list.hpp"
+#include "libparser/streets/naming_habits.hpp"
 #include "libparser/streets/street_readings.hpp"
 #include "libparser/streets/street_walk.hpp"
 
@@ -20,6 +21,7 @@ struct TextOnRoute {
   const std::vector<Mention>& mentions;
   const std::vector<MentionCue>& cues;
   const CandidateRoute& route;
+  const NamingHabits& habits;
   std::vector<PlacedMention> placed;  // place(mentions, route.landmarks)
 };
 
@@ -29,5 +31,7 @@ double closeness(const StreetMap& map, LandmarkIndex a, LandmarkIndex b);
 
 void add_sight(FeatureList& out, const TextOnRoute& text);
 void add_walk(FeatureList& out, const TextOnRoute& text);
+// How usual it is for this city to name, and to leave out, what the text does if the route is meant. Requires habits.known().
+void add_habits(FeatureList& out, const TextOnRoute& text);
 
 }  // namespace waymark::streets
