@@ -75,7 +75,7 @@ constexpr double least_rate = 0.02;
 
 void add_landmark_habits(FeatureList& out, const TextOnRoute& text) {
   const StreetRoute& route = text.route.landmarks;
-  const NamingHabits& habits = text.habits;
+  const NamingHabits& habits = *text.habits;
   const double usual_rate = std::max(least_rate, habits.usual_named);
   Unusual naming(0.95, usual_rate);
   for (std::size_t i = 1; i < route.size(); ++i) {
@@ -99,7 +99,7 @@ void add_landmark_habits(FeatureList& out, const TextOnRoute& text) {
 
 void add_way_habits(FeatureList& out, const TextOnRoute& text) {
   const StreetRoute& route = text.route.landmarks;
-  const NamingHabits& habits = text.habits;
+  const NamingHabits& habits = *text.habits;
   std::set<WayEnds> said;
   LandmarkIndex last = route[0];
   for (const PlacedMention& mention : text.placed) {

@@ -321,7 +321,7 @@ class Writer {
 RouteFeatures street_features(const StreetMap& map, double unit, const std::vector<std::string>& tokens,
                               const std::vector<Mention>& mentions, const std::vector<MentionCue>& cues,
                               const CandidateRoute& route, const NamingHabits& habits) {
-  const TextOnRoute text{map, unit, tokens, mentions, cues, route, habits, place(mentions, route.landmarks)};
+  const TextOnRoute text{map, unit, tokens, mentions, cues, route, place(mentions, route.landmarks), &habits};
   FeatureList out;
   Writer(out, text).write();
   add_sight(out, text);
