@@ -118,7 +118,7 @@ TEST(Streets, ACityReadAtOnceIsReadBetterThanTextByText) {
   ASSERT_TRUE(by_text && at_once);
   EXPECT_EQ(at_once->all.exact_path.total, by_text->all.exact_path.total);
   EXPECT_EQ(at_once->all.supply.hits, by_text->all.supply.hits);
-  EXPECT_GT(at_once->all.exact_path.value(), by_text->all.exact_path.value() + 3);
+  EXPECT_GT(at_once->all.exact_path.value(), by_text->all.exact_path.value() + 8);
   std::stop_source stop;
   stop.request_stop();
   options.stop = stop.get_token();
