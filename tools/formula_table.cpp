@@ -56,7 +56,8 @@ ExitCode evaluate_pairs(const PairsExperiment& experiment, const Session& sessio
   parser::FormulaJudge judge(vocabulary, parser::Dialect::Temporal);
   for (const parser::Annotation& pair : annotations.pairs) {
     if (session.stop.stop_requested()) throw Interrupted();
-    const auto programs = parser::likely_programs(grounder, {parser::tokenize(pair.text), false}, {});
+    const auto programs = parser::likely_programs(grounder, {parser::tokenize(pair.text), false},
+                                                  {.clauses = experiment.clauses});
     judge.judge(pair.formula, programs.empty() ? parser::Program{} : programs.front().program);
   }
   if (experiment.json)

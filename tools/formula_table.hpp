@@ -22,6 +22,7 @@ struct PairsExperiment {
   ModelOptions model;
   std::string data;
   bool json = false;
+  bool clauses = true;  // sentences of several are also read clause by clause
 };
 ExitCode evaluate_pairs(const PairsExperiment& experiment, const Session& session);
 

@@ -4,6 +4,7 @@
 
 #include "libparser/parallel.hpp"
 #include "libparser/streets/read_together.hpp"
+#include "libparser/streets/second_look.hpp"
 
 namespace waymark::streets {
 namespace {
@@ -41,11 +42,14 @@ parser::Percent read_figures(const std::vector<StreetPrediction>& predictions) {
 
 void test(Fold& fold, const StreetModel& model, const StreetCorpus& corpus) {
   StreetReader reader(corpus.maps[fold.map], model.common, model.limits);
-  for (const StreetInstruction& instruction : corpus.instructions) {
-    if (instruction.map != fold.map) continue;
+  std::vector<const StreetInstruction*> texts;
+  for (const StreetInstruction& instruction : corpus.instructions)
+    if (instruction.map == fold.map) texts.push_back(&instruction);
+  auto readings = look_again({model.second_look}, read_texts(model, corpus.maps[fold.map], texts));
+  for (std::size_t t = 0; t < texts.size(); ++t) {
+    const StreetInstruction& instruction = *texts[t];
     const auto found = reader.candidates(instruction.tokens, instruction.start);
-    StreetPrediction prediction{&instruction, found.mentions,
-                                reader.read(model, instruction.tokens, instruction.start)};
+    StreetPrediction prediction{&instruction, found.mentions, std::move(readings[t])};
     StreetScores one{{0, 1}, {0, 1}, {0, 1}, {0, 1}, {0, 0}};
     if (!prediction.readings.empty()) {
       const StreetRoute& route = prediction.readings.front().route.landmarks;

@@ -53,7 +53,8 @@ enum class FeatureKind : std::uint8_t {
   RivalExact,  // the text taken at its word is the rival
   Step,        // one mention as a step of the walk
   StepWord,    // … with the words before it
-  Walk         // the walk as a whole
+  Walk,        // the walk as a whole
+  Habit        // what is named and what is not, by the habits of the city
 };
 
 // Of a word, to be a part of a feature.

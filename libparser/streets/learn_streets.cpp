@@ -7,6 +7,8 @@
 #include <optional>
 #include <random>
 
+#include "libparser/streets/second_look.hpp"
+
 namespace waymark::streets {
 namespace {
 
@@ -75,15 +77,27 @@ std::optional<std::size_t> candidate(const std::vector<CandidateRoute>& routes, 
   return std::nullopt;
 }
 
+using Texts = std::vector<std::vector<const StreetInstruction*>>;  // by map
+
+Texts texts_by_map(std::span<const StreetInstruction* const> instructions, std::size_t maps) {
+  Texts texts(maps);
+  for (const StreetInstruction* instruction : instructions) texts[instruction->map].push_back(instruction);
+  return texts;
+}
+
 std::vector<Example> examples(std::span<const StreetInstruction* const> instructions,
                               const std::vector<StreetMap>& maps, const StreetModel& model,
                               const std::stop_token& stop) {
   std::vector<Example> out;
   std::vector<std::optional<StreetReader>> readers(maps.size());
+  const auto by_map = model.observes ? texts_by_map(instructions, maps.size()) : Texts{};
   for (const StreetInstruction* instruction : instructions) {
     if (stop.stop_requested()) break;
     auto& reader = readers[instruction->map];
-    if (!reader) reader.emplace(maps[instruction->map], model.common, model.limits);
+    if (!reader) {
+      reader.emplace(maps[instruction->map], model.common, model.limits);
+      if (model.observes) reader->observe(by_map[instruction->map]);
+    }
     auto found = reader->candidates(instruction->tokens, instruction->start);
     const auto gold = candidate(found.routes, instruction->path);
     if (!gold) continue;
@@ -108,12 +122,11 @@ void keep_what_is_shared(std::vector<Example>& examples) {
       features.erase(std::remove_if(features.begin(), features.end(), alone), features.end());
 }
 
-}  // namespace
-
-std::optional<StreetModel> learn_streets(std::span<const StreetInstruction* const> instructions,
+std::optional<StreetModel> learn_chooser(std::span<const StreetInstruction* const> instructions,
                                          const std::vector<StreetMap>& maps, const StreetOptions& options) {
   StreetModel model;
   model.limits = options.limits;
+  model.observes = options.adapt;
   model.common = common_words(instructions, maps);
   std::vector<Example> all = examples(instructions, maps, model, options.stop);
   keep_what_is_shared(all);
@@ -129,6 +142,37 @@ std::optional<StreetModel> learn_streets(std::span<const StreetInstruction* cons
     }
   }
   if (options.stop.stop_requested()) return std::nullopt;
+  return model;
+}
+
+// Each city read by a chooser that was learned in the others, as a city never seen is; empty when there is one city only.
+std::optional<std::vector<ReadCity>> read_by_others(std::span<const StreetInstruction* const> instructions,
+                                                    const std::vector<StreetMap>& maps,
+                                                    const StreetOptions& options) {
+  std::vector<ReadCity> cities;
+  const Texts by_map = texts_by_map(instructions, maps.size());
+  for (std::size_t m = 0; m < maps.size(); ++m) {
+    std::vector<const StreetInstruction*> others;
+    for (const StreetInstruction* instruction : instructions)
+      if (instruction->map != m) others.push_back(instruction);
+    if (by_map[m].empty() || others.empty()) continue;
+    const auto chooser = learn_chooser(others, maps, options);
+    if (!chooser) return std::nullopt;
+    ReadCity& city = cities.emplace_back(ReadCity{read_texts(*chooser, maps[m], by_map[m]), {}});
+    for (const StreetInstruction* instruction : by_map[m]) city.right.push_back(instruction->path);
+  }
+  return cities;
+}
+
+}  // namespace
+
+std::optional<StreetModel> learn_streets(std::span<const StreetInstruction* const> instructions,
+                                         const std::vector<StreetMap>& maps, const StreetOptions& options) {
+  auto model = learn_chooser(instructions, maps, options);
+  if (!model || !options.adapt) return model;
+  const auto cities = read_by_others(instructions, maps, options);
+  if (!cities) return std::nullopt;
+  model->second_look = learn_second_look(*cities).weights;
   return model;
 }
 

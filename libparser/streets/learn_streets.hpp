@@ -20,6 +20,9 @@ struct StreetOptions {
   int epochs = 8;
   double rate = 0.05, decay = 4e-2;  // AdaGrad's step and L2, for every update
   double against_rival = 0.5;        // 0: the rival is a candidate like any other
+  // For cities whose texts are all there, unread: naming habits (naming_habits.hpp) and a second look (second_look.hpp). Costs
+  // a training more for each city.
+  bool adapt = false;
   CandidateLimits limits;
   std::stop_token stop;
 };

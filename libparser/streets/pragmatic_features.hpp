@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "libparser/streets/feature_list.hpp"
+#include "libparser/streets/naming_habits.hpp"
 #include "libparser/streets/street_readings.hpp"
 #include "libparser/streets/street_walk.hpp"
 
@@ -20,7 +21,8 @@ struct TextOnRoute {
   const std::vector<Mention>& mentions;
   const std::vector<MentionCue>& cues;
   const CandidateRoute& route;
-  std::vector<PlacedMention> placed;  // place(mentions, route.landmarks)
+  std::vector<PlacedMention> placed;     // place(mentions, route.landmarks)
+  const NamingHabits* habits = nullptr;  // of the city; null: unknown
 };
 
 // How near two landmarks stand in the picture, of which each axis was stretched to fit: 0 where they coincide, 1 across the
@@ -29,5 +31,7 @@ double closeness(const StreetMap& map, LandmarkIndex a, LandmarkIndex b);
 
 void add_sight(FeatureList& out, const TextOnRoute& text);
 void add_walk(FeatureList& out, const TextOnRoute& text);
+// How usual it is for this city to name, and to leave out, what the text does if the route is meant. Requires known habits.
+void add_habits(FeatureList& out, const TextOnRoute& text);
 
 }  // namespace waymark::streets

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "libparser/streets/route_prior.hpp"
+
 namespace waymark::streets {
 namespace {
 
@@ -77,7 +79,8 @@ std::vector<CandidateRoute> candidate_routes(const StreetMap& map, RouteTable& r
     const RankedRoute& route = ranked[scored[i].rank];
     const bool last = scored[i].rank + 1 == ranked.size();
     out.push_back({route.landmarks, scored[i].rank, route.length, ranked[0].length,
-                   last ? StreetRoute{} : ranked[scored[i].rank + 1].landmarks});
+                   last ? StreetRoute{} : ranked[scored[i].rank + 1].landmarks,
+                   rank_probability(scored[i].rank, ranked.size(), routes.most())});
   }
   return out;
 }

@@ -21,8 +21,18 @@ StreetReader::Candidates StreetReader::candidates(const std::vector<std::string>
   out.routes = candidate_routes(map_, routes_, start, out.mentions, limits_);
   const std::vector<MentionCue> cues = mention_cues(tokens, out.mentions);
   for (const CandidateRoute& route : out.routes)
-    out.features.push_back(street_features(map_, unit_, tokens, out.mentions, cues, route));
+    out.features.push_back(street_features(map_, unit_, tokens, out.mentions, cues, route, habits_));
   return out;
+}
+
+void StreetReader::observe(std::span<const StreetInstruction* const> texts) {
+  std::vector<UnreadText> unread;
+  for (const StreetInstruction* text : texts) {
+    UnreadText& one = unread.emplace_back(UnreadText{text->start, {}});
+    for (const Mention& mention : finder_.find(text->tokens))
+      one.named.push_back(mention.fits.front().landmark);
+  }
+  habits_ = naming_habits(map_, routes_, unread);
 }
 
 void settle(std::vector<StreetReading>& readings) {
@@ -43,6 +53,15 @@ std::vector<StreetReading> StreetReader::read(const StreetModel& model,
     readings.push_back({std::move(found.routes[i]), static_cast<double>(model.score(found.features[i]))});
   settle(readings);
   return readings;
+}
+
+std::vector<std::vector<StreetReading>> read_texts(const StreetModel& model, const StreetMap& map,
+                                                   std::span<const StreetInstruction* const> texts) {
+  StreetReader reader(map, model.common, model.limits);
+  if (model.observes) reader.observe(texts);
+  std::vector<std::vector<StreetReading>> out;
+  for (const StreetInstruction* text : texts) out.push_back(reader.read(model, text->tokens, text->start));
+  return out;
 }
 
 }  // namespace waymark::streets

@@ -1,5 +1,6 @@
 // A log-linear chooser among the routes of a text: p(route | text) ∝ exp(w · f(text, route)).
 #pragma once
+#include <span>
 #include <string>
 #include <vector>
 
@@ -11,6 +12,9 @@ struct StreetModel {
   CommonWords common;
   std::vector<float> weights = std::vector<float>(std::size_t{1} << feature_bits, 0.0F);
   CandidateLimits limits;
+  // Learned from readings that knew the naming habits of each city: readers are to observe the texts before they read.
+  bool observes = false;
+  std::vector<double> second_look;  // weights of a second look (second_look.hpp); empty: there is none
 
   float score(const RouteFeatures& features) const;
 };
@@ -27,6 +31,9 @@ void settle(std::vector<StreetReading>& readings);
 class StreetReader {
  public:
   StreetReader(const StreetMap& map, const CommonWords& common, const CandidateLimits& limits);
+
+  // Learns the naming habits of the city from words and starts of all its texts; what is read later is read with them.
+  void observe(std::span<const StreetInstruction* const> texts);
 
   struct Candidates {
     std::vector<Mention> mentions;
@@ -45,6 +52,11 @@ class StreetReader {
   CandidateLimits limits_;
   MentionFinder finder_;
   RouteTable routes_;
+  NamingHabits habits_;
 };
+
+// All candidates of each text, all about this map; observed first if the model asks for it.
+std::vector<std::vector<StreetReading>> read_texts(const StreetModel& model, const StreetMap& map,
+                                                   std::span<const StreetInstruction* const> texts);
 
 }  // namespace waymark::streets

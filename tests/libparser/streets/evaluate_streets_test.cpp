@@ -97,6 +97,34 @@ TEST(Streets, TextsAboutOneFigureAreReadTogether) {
   EXPECT_GT(evaluation->all.together.value(), 90);
 }
 
+// Every route is described thrice, once by somebody who names its ends alone.
+TEST(Streets, ACityReadAtOnceIsReadBetterThanTextByText) {
+  StreetCorpus corpus = invented(5, 90);
+  const std::vector<StreetInstruction> alone = corpus.instructions;
+  corpus.instructions.clear();
+  for (const StreetInstruction& text : alone)
+    for (int version = 0; version < 3; ++version) {
+      corpus.instructions.push_back(text);
+      if (version != 1) continue;
+      const auto name = [&](LandmarkIndex l) { return corpus.maps[text.map].landmarks[l].name; };
+      corpus.instructions.back().text =
+          "from the " + name(text.path[0]) + " go to the " + name(text.path.back());
+      corpus.instructions.back().tokens = parser::tokenize(corpus.instructions.back().text);
+    }
+  StreetOptions options;
+  const auto by_text = evaluate_streets(corpus, corpus, false, 1, options);
+  options.adapt = true;
+  const auto at_once = evaluate_streets(corpus, corpus, false, 1, options);
+  ASSERT_TRUE(by_text && at_once);
+  EXPECT_EQ(at_once->all.exact_path.total, by_text->all.exact_path.total);
+  EXPECT_EQ(at_once->all.supply.hits, by_text->all.supply.hits);
+  EXPECT_GT(at_once->all.exact_path.value(), by_text->all.exact_path.value() + 8);
+  std::stop_source stop;
+  stop.request_stop();
+  options.stop = stop.get_token();
+  EXPECT_FALSE(evaluate_streets(corpus, corpus, false, 1, options));
+}
+
 TEST(Streets, AreReadTheSameByAnyNumberOfThreads) {
   const StreetCorpus corpus = invented(2, 60);
   const auto one = evaluate_streets(corpus, corpus, false, 1, {}),
