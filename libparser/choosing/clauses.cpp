@@ -9,7 +9,7 @@
 namespace waymark::parser {
 namespace {
 
-constexpr std::size_t most_clauses = 4, kept = 16, most_steps = 120;
+constexpr std::size_t most_clauses = 4, most_kept = 16, most_steps = 120;
 
 // A beginning of the sentence with one more part.
 struct Joint {
@@ -43,7 +43,7 @@ std::vector<Candidate> likeliest(std::vector<Joint> joints, std::size_t most) {
 std::vector<Candidate> in_parts(const Reader& reader, const SentenceInput& input,
                                 const std::vector<Clause>& clauses, std::size_t beam) {
   const auto token = [&](std::size_t i) { return input.tokens.begin() + static_cast<std::ptrdiff_t>(i); };
-  const std::size_t n = clauses.size();
+  const std::size_t n = clauses.size(), kept = std::min(beam, most_kept);
   std::vector<std::vector<Candidate>> beginnings(n + 1);  // by number of clauses
   beginnings[0] = {Candidate{}};
   for (std::size_t end = 1; end <= n; ++end) {

@@ -9,7 +9,7 @@
 
 namespace waymark::parser {
 
-// The programs of p, the likeliest first, at most `beam`; of parts only the 16 likeliest beginnings are kept, and programs of more
+// The programs of p, the likeliest first, at most `beam`; of parts and beginnings only the 16 likeliest are kept, or `beam`, and programs of more
 // steps than 120 are not made. Probabilities need not sum to 1. O(clauses · 4) readings.
 std::vector<Candidate> read_by_clauses(const Reader& reader, const SentenceInput& input, std::size_t beam);
 
