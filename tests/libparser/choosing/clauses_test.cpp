@@ -127,7 +127,7 @@ TEST(Clauses, TheHeadingIsUnknownInTheFirstPartAlone) {
   Told reader;
   reader.draw = [] { return std::vector<Candidate>{{{forward(1)}, 0}}; };
   read_by_clauses(reader, {{"x", "and", "y", "and", "z"}, true}, 5);
-  for (const std::string& text : reader.asked) EXPECT_EQ(text.find('?') == 0, text.find("x") <= 2) << text;
+  for (const std::string& text : reader.asked) EXPECT_EQ(text.find('?') == 0, text.find('x') <= 2) << text;
 }
 
 TEST(Clauses, AsManyAsAskedForAndNoneTooLong) {
