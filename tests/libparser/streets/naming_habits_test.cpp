@@ -62,7 +62,7 @@ TEST(NamingHabits, WhatIsLeftOutOrNamedForOthersStandsOut) {
         for (LandmarkIndex& l : text.named)
           if (l == new_mill) l = wall;
         const double times = 100 * rank_probability(rank, ranked.size(), routes.most());
-        for (int i = 0; i < static_cast<int>(times + 0.5); ++i) texts.push_back(text);
+        for (int i = 0; i < std::lround(times); ++i) texts.push_back(text);
       }
     }
   const NamingHabits habits = naming_habits(map, routes, texts);
