@@ -22,7 +22,17 @@ struct Ended {
   std::string messages;
 };
 
-// Starts waymark, sends the signal after a while, waits for the end.
+// Is there a handler by now? How long a process takes to get there is nobody's promise.
+bool catches(pid_t process, int signal) {
+  std::ifstream status("/proc/" + std::to_string(process) + "/status");
+  const std::string key = "SigCgt:";
+  for (std::string line; std::getline(status, line);)
+    if (line.compare(0, key.size(), key) == 0)
+      return (std::stoull(line.substr(key.size()), nullptr, 16) >> (signal - 1) & 1U) != 0;
+  return false;
+}
+
+// Starts waymark, sends the signal when it has been at work for a while, waits for the end.
 Ended interrupt(const std::vector<std::string>& arguments, int signal) {
   std::string name = (std::filesystem::temp_directory_path() / "waymark-interrupt-XXXXXX").string();
   const int messages = ::mkstemp(name.data());
@@ -35,6 +45,9 @@ Ended interrupt(const std::vector<std::string>& arguments, int signal) {
     ::execv(WAYMARK_EXECUTABLE, argv.data());
     ::_exit(127);
   }
+  const auto started = Clock::now();
+  while (!catches(child, signal) && Clock::now() - started < std::chrono::seconds(60))
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
   std::this_thread::sleep_for(std::chrono::milliseconds(300));
   const auto sent = Clock::now();
   ::kill(child, signal);
