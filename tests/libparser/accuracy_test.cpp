@@ -20,7 +20,7 @@ TEST(Evaluate, ReachesTheAccuracyThatIsPublished) {
   double mean = 0;
   for (const auto& [map, scores] : result.folds) mean += scores.sentence.absolute.value() / 3;
   EXPECT_EQ(result.folds.size(), 3U);
-  EXPECT_GE(mean, 74.5);  // docs/results.md: 76.64, and room for another machine's arithmetic
+  EXPECT_GE(mean, 74.5);  // docs/results.md: 77.00, and room for another machine's arithmetic
   EXPECT_GE(result.all.paragraph.absolute.value(), 57.5);  // 60.75; sentence by sentence it was 54.48
 }
 
