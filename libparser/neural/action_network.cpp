@@ -36,8 +36,8 @@ class ActionNetwork {
         seen_(parameters.add_for_relu(o.symbol, static_cast<Index>(propositions), 60, uniform)),
         encoder_(parameters, words_.words().size(), o.word, o.width, uniform),
         decoder_(parameters,
-                 {.encoded = 2 * o.width,
-                  .inputs = (o.history + 1) * o.symbol,
+                 {.encoded = Index{2} * o.width,
+                  .inputs = (o.history + Index{1}) * o.symbol,
                   .width = o.query,
                   .symbol = o.symbol,
                   .symbols = symbols},
@@ -86,8 +86,8 @@ class ActionNetwork {
       for (Index k = 0; k < options_.history; ++k)
         column.segment(k * size, size) =
             parameters.value(phi_).col(moments[c].history[static_cast<std::size_t>(k)]);
-      for (std::uint16_t p = 0; p < seen[sentence].images.size(); ++p)
-        if (seen[sentence].executor->holds(p, moments[c].pose))
+      for (std::size_t p = 0; p < seen[sentence].images.size(); ++p)
+        if (seen[sentence].executor->holds(static_cast<std::uint16_t>(p), moments[c].pose))
           pass.rows[c].push_back(seen[sentence].images[p]);
       for (Index p : pass.rows[c]) column.tail(size) += parameters.value(seen_).col(p);
     }
@@ -159,7 +159,7 @@ class ActionFollower : public Follower {
     const SentenceEncoder::Words words = network_.words_of(input);
     const SentenceEncoder::Words* const only = &words;
     std::vector<std::uint16_t> images(executor.propositions());
-    for (std::uint16_t p = 0; p < images.size(); ++p) images[p] = p;
+    std::iota(images.begin(), images.end(), std::uint16_t{0});
     const ActionNetwork::Seen seen{&executor, images};
     ActionNetwork::Pass pass;
     network_.encode(pass, {&only, 1}, {});
@@ -218,7 +218,7 @@ class Learner {
         identity_(images_.size()),
         network_(how_.sizes, words_met_twice(examples), images_.size(), [this] { return random_.unit(); }),
         adam_(network_.parameters, {.rate = how_.rate}) {
-    for (std::uint16_t p = 0; p < identity_.size(); ++p) identity_[p] = p;
+    std::iota(identity_.begin(), identity_.end(), std::uint16_t{0});
     for (const Example* example : examples) {
       add_lesson(*example, executors[example->map], false);
       if (options.mirrored) add_lesson(*example, executors[example->map], true);

@@ -27,7 +27,8 @@ StreetCorpus invented(std::uint64_t seed, std::size_t texts) {
     map.name = parser::tokenize(town[0])[0];
     for (std::size_t i = 0; i < town.size(); ++i) {
       const double right = static_cast<double>(i % 3) + 0.1 * static_cast<double>(random() % 5);
-      const double up = static_cast<double>(i / 3) + 0.1 * static_cast<double>(random() % 5);
+      const std::size_t row = i / 3;
+      const double up = static_cast<double>(row) + 0.1 * static_cast<double>(random() % 5);
       map.landmarks.push_back({static_cast<int>(i), town[i], {town[i]}, right, up});
     }
     map.ways.resize(town.size());
