@@ -6,9 +6,9 @@
 #include <queue>
 
 #include "libltl/diagnostic.hpp"
-#include "libparser/choosing/chooser.hpp"
-#include "libparser/choosing/paragraph.hpp"
 #include "libparser/corpus/token.hpp"
+#include "libparser/rerank/paragraph.hpp"
+#include "libparser/rerank/reranker.hpp"
 
 namespace waymark::parser {
 namespace {
@@ -120,7 +120,7 @@ class Hearing {
     choose_end(*grounder_.model, executor_, inputs_[k], from, decision);
     return decision;
   }
-  Outlook outlook(std::size_t k, plan::PoseId from) const {
+  TransitionDistribution outlook(std::size_t k, plan::PoseId from) const {
     Decision decision = decide(programs_[k], executor_, {&from, 1}, options_.then);
     const double evidence = choose_and_locate(*grounder_.model, executor_, inputs_[k], from, decision);
     return {shares(decision), evidence};

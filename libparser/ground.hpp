@@ -11,8 +11,8 @@
 #include <string_view>
 #include <vector>
 
+#include "libparser/decode/reader.hpp"
 #include "libparser/programs/execute.hpp"
-#include "libparser/reader.hpp"
 
 namespace waymark::parser {
 

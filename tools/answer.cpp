@@ -3,7 +3,7 @@
 #include <iomanip>
 #include <ostream>
 
-#include "libltl/print.hpp"
+#include "libltl/text/print.hpp"
 
 namespace waymark::tools {
 namespace {
@@ -36,8 +36,8 @@ std::string in_words(plan::Action action, plan::PoseId from, plan::PoseId to, co
 }
 
 // What the certificate rests on.
-std::string certifier(const Journey& journey) {
-  return std::holds_alternative<plan::CertifiedRoute>(journey.destination) ? "definition" : "automaton";
+std::string certifier(const CorridorRun& corridor_run) {
+  return std::holds_alternative<plan::CertifiedRoute>(corridor_run.destination) ? "definition" : "automaton";
 }
 
 }  // namespace
@@ -102,25 +102,27 @@ JsonObject json_of(const Answer& answer, const plan::Map& map) {
           JsonObject().add("formula", ltl::print(reading.formula)).add("probability", reading.probability));
     json.add("readings", readings);
   }
-  const Journey& journey = answer.journey;
-  json.add("map", map.name()).add("automaton", json_of(journey.automaton));
-  json.add("product", JsonObject().add("states", journey.product_states).add("edges", journey.product_edges));
-  if (const plan::Route* route = route_of(journey))
+  const CorridorRun& corridor_run = answer.corridor_run;
+  json.add("map", map.name()).add("automaton", json_of(corridor_run.automaton));
+  json.add("product",
+           JsonObject().add("states", corridor_run.product_states).add("edges", corridor_run.product_edges));
+  if (const plan::Route* route = route_of(corridor_run))
     json.add("status", "solved")
         .add("route", json_of(*route, map))
         .add("cost", route->cost)
         .add("certified", true)
-        .add("certified_by", certifier(journey));
+        .add("certified_by", certifier(corridor_run));
   else
-    json.add("status", "infeasible").add("reason", std::get<plan::Infeasible>(journey.destination).reason);
-  return json.add("seconds", json_of(journey.seconds, answer.instruction.has_value()));
+    json.add("status", "infeasible")
+        .add("reason", std::get<plan::Infeasible>(corridor_run.destination).reason);
+  return json.add("seconds", json_of(corridor_run.seconds, answer.instruction.has_value()));
 }
 
 void print(std::ostream& out, const Terminal& terminal, const Answer& answer, const plan::Map& map) {
   const auto label = [&](const std::string& text) {
     return terminal.paint(Paint::Bold, text + std::string(13 - text.size(), ' '));
   };
-  const Journey& journey = answer.journey;
+  const CorridorRun& corridor_run = answer.corridor_run;
   if (answer.instruction) out << label("instruction") << *answer.instruction << '\n';
   if (answer.formula)
     out << label("formula") << terminal.paint(Paint::Blue, shown(*answer.formula, terminal)) << '\n';
@@ -128,20 +130,20 @@ void print(std::ostream& out, const Terminal& terminal, const Answer& answer, co
     for (const WeighedFormula& reading : answer.readings)
       out << label("  reading") << fixed(100 * reading.probability, 1) << " %  "
           << shown(reading.formula, terminal) << '\n';
-  out << label("automaton") << counted(journey.automaton.states, "state") << ", "
-      << counted(journey.automaton.edges, "edge") << '\n';
-  if (journey.product_states > 0)  // a route that was given needs none
-    out << label("product") << counted(journey.product_states, "state") << " met, "
-        << counted(journey.product_edges, "edge") << ", with the map " << map.name() << '\n';
-  if (const plan::Route* route = route_of(journey)) {
+  out << label("automaton") << counted(corridor_run.automaton.states, "state") << ", "
+      << counted(corridor_run.automaton.edges, "edge") << '\n';
+  if (corridor_run.product_states > 0)  // a route that was given needs none
+    out << label("product") << counted(corridor_run.product_states, "state") << " met, "
+        << counted(corridor_run.product_edges, "edge") << ", with the map " << map.name() << '\n';
+  if (const plan::Route* route = route_of(corridor_run)) {
     out << label("route") << counted(route->actions.size(), "action") << ", cost " << Json(route->cost).text()
-        << ", " << terminal.paint(Paint::Green, "certified") << " by " << certifier(journey) << '\n';
+        << ", " << terminal.paint(Paint::Green, "certified") << " by " << certifier(corridor_run) << '\n';
     print_start(out, terminal, route->poses.front(), map);
     print_steps(out, *route, map);
   } else {
-    out << label("route") << "none: " << std::get<plan::Infeasible>(journey.destination).reason << '\n';
+    out << label("route") << "none: " << std::get<plan::Infeasible>(corridor_run.destination).reason << '\n';
   }
-  const Seconds& s = journey.seconds;
+  const Seconds& s = corridor_run.seconds;
   out << label("time") << "load " << milliseconds(s.load);
   if (answer.instruction) out << ", ground " << milliseconds(s.ground);
   out << ", translate " << milliseconds(s.translate) << ", compose " << milliseconds(s.compose) << ", solve "

@@ -20,7 +20,7 @@ struct Answer {
   std::optional<std::string> instruction = {};
   std::optional<ltl::Formula> formula = {};
   std::vector<WeighedFormula> readings = {};  // best first; of an instruction only
-  Journey journey;
+  CorridorRun corridor_run;
 };
 
 JsonObject json_of(const Answer& answer, const plan::Map& map);

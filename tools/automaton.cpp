@@ -5,14 +5,14 @@
 #include <iostream>
 #include <memory>
 
-#include "libautomata/hoa_claims.hpp"
+#include "libautomata/hoa/claims.hpp"
 #include "libautomata/limit_deterministic/ltl_to_ldba.hpp"
 #include "libltl/diagnostic.hpp"
 #include "tools/automaton_output.hpp"
 #include "tools/automaton_request.hpp"
 #include "tools/shell/deadline.hpp"
 #include "tools/shell/input.hpp"
-#include "tools/subcommand.hpp"
+#include "tools/shell/subcommand.hpp"
 
 namespace waymark::tools {
 namespace {
@@ -35,16 +35,16 @@ void check_claims(automata::HoaAutomaton& file, const std::string& source, bool 
 }
 
 Reply reply_to(automata::HoaAutomaton file, const std::string& source, std::size_t number,
-               const Options& options, automata::Effort& effort, const std::stop_token& stop) {
+               const Options& options, automata::Budget& budget, const std::stop_token& stop) {
   check_claims(file, source, options.strict);
   Shown about{.line = number, .name = file.name, .unicode_name = file.name};
-  AnyAutomaton any = understood(std::move(file), source, effort);
+  AnyAutomaton any = understood(std::move(file), source, budget);
   about.semantics = std::holds_alternative<automata::Dfa>(any) ? "finite" : "infinite";
   const AutomatonRequest& request = options.request;
-  any = transformed(std::move(any), request, effort, about);
+  any = transformed(std::move(any), request, budget, about);
   if (request.changes_language()) about.name = about.unicode_name = "";
-  if (!request.satisfies.empty()) return satisfies(any, request, effort, stop);
-  if (request.asks()) return asked_of(any, request, effort);
+  if (!request.satisfies.empty()) return satisfies(any, request, budget, stop);
+  if (request.asks()) return asked_of(any, request, budget);
   if (request.kind == "ldba" && std::holds_alternative<automata::Automaton>(any))
     return show(automata::limit_deterministic(*automata::Dpa::checked(std::get<automata::Automaton>(any))),
                 about, options.output);
@@ -55,12 +55,12 @@ Reply reply_to(automata::HoaAutomaton file, const std::string& source, std::size
 Reply limited_reply(automata::HoaAutomaton file, const std::string& source, std::size_t number,
                     const Options& options, const Session& session) {
   const Deadline deadline(options.seconds, session.stop);
-  automata::Effort effort(SIZE_MAX, options.request.states, deadline.token());
+  automata::Budget budget(SIZE_MAX, options.request.states, deadline.token());
   try {
-    return reply_to(std::move(file), source, number, options, effort, deadline.token());
-  } catch (const automata::Effort::Spent& spent) {
+    return reply_to(std::move(file), source, number, options, budget, deadline.token());
+  } catch (const automata::Budget::Exceeded& spent) {
     if (session.stop.stop_requested()) throw Interrupted();
-    const std::string reason = spent.reason == automata::Effort::Spent::Reason::Stopped
+    const std::string reason = spent.reason == automata::Budget::Exceeded::Reason::Stopped
                                    ? "gave up: the time is over"
                                    : "gave up: too many states or acceptance sets";
     return {ExitCode::GaveUp, show_none(number, 0, "limit", reason, options.output), reason};

@@ -2,14 +2,14 @@
 
 #include <optional>
 
-#include "libautomata/dot.hpp"
-#include "libautomata/guard.hpp"
-#include "libautomata/hoa.hpp"
-#include "libautomata/omega/dot.hpp"
+#include "libautomata/finite/guard.hpp"
+#include "libautomata/hoa/dot_finite.hpp"
+#include "libautomata/hoa/dot_omega.hpp"
+#include "libautomata/hoa/exchange.hpp"
+#include "libautomata/hoa/finite.hpp"
+#include "libautomata/hoa/omega.hpp"
 #include "libautomata/omega/edges.hpp"
-#include "libautomata/omega/exchange.hpp"
-#include "libautomata/omega/hoa.hpp"
-#include "libltl/print.hpp"
+#include "libltl/text/print.hpp"
 #include "tools/answer.hpp"
 #include "tools/shell/json.hpp"
 
@@ -120,8 +120,8 @@ std::optional<std::string> exchanged(const automata::Automaton& automaton, const
     throw UsageError("--format " + options.format + " takes generalised Büchi automata, not " +
                      automata::print(automaton.acceptance().condition));
   if (options.format == "lbtt") return automata::write_lbtt(automaton, options.edges);
-  automata::Effort effort;
-  const automata::Automaton states = *automata::make_state_based(automaton, effort);
+  automata::Budget budget;
+  const automata::Automaton states = *automata::make_state_based(automaton, budget);
   if (options.format == "ba") return automata::write_ba(states, options.edges);
   return automata::write_never_claim(states, options.edges, about.name);
 }

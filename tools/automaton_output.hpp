@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "libautomata/dfa.hpp"
+#include "libautomata/finite/dfa.hpp"
 #include "libautomata/limit_deterministic/ldba.hpp"
 #include "libautomata/omega/automaton.hpp"
 #include "tools/shell/command.hpp"

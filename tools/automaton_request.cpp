@@ -4,18 +4,18 @@
 #include <utility>
 
 #include "libautomata/deterministic/to_parity.hpp"
-#include "libautomata/ltlf_to_dfa.hpp"
-#include "libautomata/minimize.hpp"
-#include "libautomata/omega/exchange.hpp"
-#include "libautomata/omega/hoa.hpp"
+#include "libautomata/finite/ltlf_to_dfa.hpp"
+#include "libautomata/finite/minimize.hpp"
+#include "libautomata/finite/product.hpp"
+#include "libautomata/finite/run.hpp"
+#include "libautomata/hoa/exchange.hpp"
+#include "libautomata/hoa/omega.hpp"
 #include "libautomata/omega/lasso.hpp"
-#include "libautomata/omega/ltl_to_buchi.hpp"
 #include "libautomata/omega/operations.hpp"
 #include "libautomata/omega/reduce.hpp"
 #include "libautomata/omega/without_fin.hpp"
-#include "libautomata/product.hpp"
-#include "libautomata/run.hpp"
-#include "libltl/parse.hpp"
+#include "libautomata/translation/ltl_to_buchi.hpp"
+#include "libltl/text/parse.hpp"
 #include "tools/shell/input.hpp"
 
 namespace waymark::tools {
@@ -27,14 +27,14 @@ bool is_finite(const automata::HoaAutomaton& file) {
   return false;
 }
 
-AnyAutomaton read_one(const std::string& path, automata::Effort& effort) {
+AnyAutomaton read_one(const std::string& path, automata::Budget& budget) {
   const std::string text = read_file(path), source = source_name(path);
-  return understood(automata::parse_hoa(text, source), source, effort);
+  return understood(automata::parse_hoa(text, source), source, budget);
 }
 
 // All words that are not accepted; nondeterministic automata are determinised first.
-automata::Automaton complement_of(const automata::Automaton& automaton, automata::Effort& effort) {
-  return automata::complement(automata::determinized(automaton, effort)).automaton();
+automata::Automaton complement_of(const automata::Automaton& automaton, automata::Budget& budget) {
+  return automata::complement(automata::determinized(automaton, budget)).automaton();
 }
 
 [[noreturn]] void mixed() {
@@ -43,8 +43,8 @@ automata::Automaton complement_of(const automata::Automaton& automaton, automata
 
 // All words that are left: those of the second automaton taken away from the first.
 std::optional<ltl::Lasso> word_left(const automata::Automaton& a, const automata::Automaton& b,
-                                    automata::Effort& effort, ltl::Vocabulary& vocabulary) {
-  const automata::Automaton rest = automata::intersection(a, complement_of(b, effort), effort);
+                                    automata::Budget& budget, ltl::Vocabulary& vocabulary) {
+  const automata::Automaton rest = automata::intersection(a, complement_of(b, budget), budget);
   vocabulary = rest.vocabulary();
   return automata::find_lasso(rest);
 }
@@ -65,110 +65,110 @@ automata::Dfa all_words() {
 }
 
 Reply compare(const automata::Dfa& a, const automata::Dfa& b, const AutomatonRequest& request,
-              automata::Effort& effort) {
+              automata::Budget& budget) {
   if (!request.equivalent.empty()) {
-    const auto found = automata::difference(a, b, effort);
+    const auto found = automata::difference(a, b, budget);
     if (!found) return {ExitCode::Done, "equivalent\n"};
     const char* which = found->first_accepts ? "only the first accepts " : "only the second accepts ";
     return {ExitCode::No, which + ltl::show(found->word, found->vocabulary) + '\n'};
   }
-  const automata::Dfa rest = automata::product(a, b, difference_of, effort);
+  const automata::Dfa rest = automata::product(a, b, difference_of, budget);
   return answer("included", "only the first accepts ", automata::shortest_word(rest), rest.vocabulary());
 }
 
 Reply compare(const automata::Automaton& a, const automata::Automaton& b, const AutomatonRequest& request,
-              automata::Effort& effort) {
+              automata::Budget& budget) {
   ltl::Vocabulary vocabulary;
-  const auto more = word_left(a, b, effort, vocabulary);
+  const auto more = word_left(a, b, budget, vocabulary);
   if (more || request.equivalent.empty())
     return answer(request.equivalent.empty() ? "included" : "equivalent", "only the first accepts ", more,
                   vocabulary);
-  const auto less = word_left(b, a, effort, vocabulary);
+  const auto less = word_left(b, a, budget, vocabulary);
   return answer("equivalent", "only the second accepts ", less, vocabulary);
 }
 
 // By components and simulation where marks are only asked for infinitely often; a deterministic automaton also as one
 // with a parity condition, minimal when its language is an obligation. The smaller one.
-automata::Automaton reduced(const automata::Automaton& automaton, automata::Effort& effort, Shown& about) {
+automata::Automaton reduced(const automata::Automaton& automaton, automata::Budget& budget, Shown& about) {
   std::optional<automata::Automaton> best;
   if (automaton.acceptance().is_generalized_buchi()) {
-    automata::Reduced result = automata::reduce(automaton.transitions(), automata::MarksOn::Edges, effort);
+    automata::Reduced result = automata::reduce(automaton.transitions(), automata::MarksOn::Edges, budget);
     if (!result.complete) about.status = "unreduced";
     best = automata::as_automaton(result.automaton, automaton.vocabulary(), automaton.reads());
   }
   if (automata::is_deterministic(automaton.transitions())) {
-    const automata::Automaton parity = automata::to_parity(automaton, effort).automaton();
+    const automata::Automaton parity = automata::to_parity(automaton, budget).automaton();
     if (parity.states() < (best ? best->states() : automaton.states())) best = parity;
   }
   if (!best) about.status = "unreduced";
   return best ? *best : automaton;
 }
 
-AnyAutomaton changed(automata::Dfa dfa, const AutomatonRequest& request, automata::Effort& effort) {
+AnyAutomaton changed(automata::Dfa dfa, const AutomatonRequest& request, automata::Budget& budget) {
   if (!request.kind.empty()) throw UsageError("--to " + request.kind + " is about infinite words");
   const auto with = [&](const std::string& path, automata::Verdict verdict) {
-    const AnyAutomaton other = read_one(path, effort);
+    const AnyAutomaton other = read_one(path, budget);
     if (!std::holds_alternative<automata::Dfa>(other)) mixed();
-    dfa = automata::product(dfa, std::get<automata::Dfa>(other), verdict, effort);
+    dfa = automata::product(dfa, std::get<automata::Dfa>(other), verdict, budget);
   };
-  if (request.complement) dfa = automata::product(all_words(), dfa, difference_of, effort);
+  if (request.complement) dfa = automata::product(all_words(), dfa, difference_of, budget);
   if (!request.product.empty()) with(request.product, conjunction_of);
   if (!request.either.empty()) with(request.either, disjunction_of);
   if (!request.difference.empty()) with(request.difference, difference_of);
-  if (request.minimize || request.reduce) dfa = automata::minimize(dfa, effort);
+  if (request.minimize || request.reduce) dfa = automata::minimize(dfa, budget);
   return dfa;
 }
 
-automata::Automaton other_omega(const std::string& path, automata::Effort& effort) {
-  AnyAutomaton other = read_one(path, effort);
+automata::Automaton other_omega(const std::string& path, automata::Budget& budget) {
+  AnyAutomaton other = read_one(path, budget);
   if (!std::holds_alternative<automata::Automaton>(other)) mixed();
   return std::get<automata::Automaton>(std::move(other));
 }
 
 automata::Automaton united(const automata::Automaton& a, const automata::Automaton& b,
-                           automata::Effort& effort) {
+                           automata::Budget& budget) {
   const auto first = automata::Deterministic::checked(a), second = automata::Deterministic::checked(b);
-  if (first && second) return automata::either(*first, *second, effort).automaton();
+  if (first && second) return automata::either(*first, *second, budget).automaton();
   return automata::sum(a, b);
 }
 
 // The kinds that `waymark translate --to` makes, from an automaton instead of a formula.
 automata::Automaton converted(const automata::Automaton& a, const std::string& kind,
-                              automata::Effort& effort) {
-  if (kind == "parity" || kind == "ldba") return automata::to_parity(a, effort).automaton();
+                              automata::Budget& budget) {
+  if (kind == "parity" || kind == "ldba") return automata::to_parity(a, budget).automaton();
   const automata::Automaton general = automata::as_automaton(
-      automata::reduce(automata::without_fin(a.transitions(), effort), automata::MarksOn::Edges, effort)
+      automata::reduce(automata::without_fin(a.transitions(), budget), automata::MarksOn::Edges, budget)
           .automaton,
       a.vocabulary(), a.reads());
-  return kind == "buchi" ? *automata::make_state_based(general, effort) : general;
+  return kind == "buchi" ? *automata::make_state_based(general, budget) : general;
 }
 
-AnyAutomaton changed(automata::Automaton a, const AutomatonRequest& request, automata::Effort& effort,
+AnyAutomaton changed(automata::Automaton a, const AutomatonRequest& request, automata::Budget& budget,
                      Shown& about) {
-  if (request.complement) a = complement_of(a, effort);
-  if (!request.product.empty()) a = automata::intersection(a, other_omega(request.product, effort), effort);
-  if (!request.either.empty()) a = united(a, other_omega(request.either, effort), effort);
+  if (request.complement) a = complement_of(a, budget);
+  if (!request.product.empty()) a = automata::intersection(a, other_omega(request.product, budget), budget);
+  if (!request.either.empty()) a = united(a, other_omega(request.either, budget), budget);
   if (!request.difference.empty())
-    a = automata::intersection(a, complement_of(other_omega(request.difference, effort), effort), effort);
-  if (request.minimize || request.reduce) a = reduced(a, effort, about);
-  return request.kind.empty() ? a : converted(a, request.kind, effort);
+    a = automata::intersection(a, complement_of(other_omega(request.difference, budget), budget), budget);
+  if (request.minimize || request.reduce) a = reduced(a, budget, about);
+  return request.kind.empty() ? a : converted(a, request.kind, budget);
 }
 
 }  // namespace
 
-AnyAutomaton understood(automata::HoaAutomaton file, const std::string& source, automata::Effort& effort) {
+AnyAutomaton understood(automata::HoaAutomaton file, const std::string& source, automata::Budget& budget) {
   if (is_finite(file)) return automata::to_dfa(std::move(file), source);
-  return automata::to_automaton(std::move(file), source, effort);
+  return automata::to_automaton(std::move(file), source, budget);
 }
 
-AnyAutomaton transformed(AnyAutomaton any, const AutomatonRequest& request, automata::Effort& effort,
+AnyAutomaton transformed(AnyAutomaton any, const AutomatonRequest& request, automata::Budget& budget,
                          Shown& about) {
-  if (auto* dfa = std::get_if<automata::Dfa>(&any)) return changed(std::move(*dfa), request, effort);
-  return changed(std::get<automata::Automaton>(std::move(any)), request, effort, about);
+  if (auto* dfa = std::get_if<automata::Dfa>(&any)) return changed(std::move(*dfa), request, budget);
+  return changed(std::get<automata::Automaton>(std::move(any)), request, budget, about);
 }
 
 // Against the automaton of the negation, which always exists.
-Reply satisfies(const AnyAutomaton& any, const AutomatonRequest& request, automata::Effort& effort,
+Reply satisfies(const AnyAutomaton& any, const AutomatonRequest& request, automata::Budget& budget,
                 std::stop_token stop) {
   ltl::Arena arena;
   const ltl::Formula no = ltl::negate(ltl::parse(request.satisfies, arena));
@@ -178,39 +178,39 @@ Reply satisfies(const AnyAutomaton& any, const AutomatonRequest& request, automa
   };
   const auto automaton_of = [](auto result) {
     if (std::holds_alternative<automata::Exhausted>(result))
-      throw automata::Effort::Spent{automata::Effort::Spent::Reason::States};
+      throw automata::Budget::Exceeded{automata::Budget::Exceeded::Reason::States};
     return std::get<0>(std::move(result));
   };
   if (const auto* dfa = std::get_if<automata::Dfa>(&any)) {
     const automata::Dfa rest =
-        automata::product(*dfa, automaton_of(automata::ltlf_to_dfa(no, limits)), conjunction_of, effort);
+        automata::product(*dfa, automaton_of(automata::ltlf_to_dfa(no, limits)), conjunction_of, budget);
     return answer_to(rest, automata::shortest_word(rest));
   }
   const automata::Automaton rest = automata::intersection(
-      std::get<automata::Automaton>(any), automaton_of(automata::ltl_to_tgba(no, limits)).automaton, effort);
+      std::get<automata::Automaton>(any), automaton_of(automata::ltl_to_tgba(no, limits)).automaton, budget);
   return answer_to(rest, automata::find_lasso(rest));
 }
 
-Reply asked_of(const AnyAutomaton& any, const AutomatonRequest& request, automata::Effort& effort) {
+Reply asked_of(const AnyAutomaton& any, const AutomatonRequest& request, automata::Budget& budget) {
   if (const auto* dfa = std::get_if<automata::Dfa>(&any)) {
     if (request.empty) return answer("empty", "accepts ", automata::shortest_word(*dfa), dfa->vocabulary());
     if (request.universal) {
-      const automata::Dfa rest = automata::product(all_words(), *dfa, difference_of, effort);
+      const automata::Dfa rest = automata::product(all_words(), *dfa, difference_of, budget);
       return answer("universal", "rejects ", automata::shortest_word(rest), rest.vocabulary());
     }
     const AnyAutomaton other =
-        read_one(request.equivalent.empty() ? request.included : request.equivalent, effort);
+        read_one(request.equivalent.empty() ? request.included : request.equivalent, budget);
     if (!std::holds_alternative<automata::Dfa>(other)) mixed();
-    return compare(*dfa, std::get<automata::Dfa>(other), request, effort);
+    return compare(*dfa, std::get<automata::Dfa>(other), request, budget);
   }
   const auto& a = std::get<automata::Automaton>(any);
   if (request.empty) return answer("empty", "accepts ", automata::find_lasso(a), a.vocabulary());
   if (request.universal) {
-    const automata::Automaton rest = complement_of(a, effort);
+    const automata::Automaton rest = complement_of(a, budget);
     return answer("universal", "rejects ", automata::find_lasso(rest), rest.vocabulary());
   }
-  return compare(a, other_omega(request.equivalent.empty() ? request.included : request.equivalent, effort),
-                 request, effort);
+  return compare(a, other_omega(request.equivalent.empty() ? request.included : request.equivalent, budget),
+                 request, budget);
 }
 
 }  // namespace waymark::tools

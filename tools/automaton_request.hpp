@@ -7,12 +7,12 @@
 #include <string>
 #include <variant>
 
-#include "libautomata/dfa.hpp"
-#include "libautomata/effort.hpp"
-#include "libautomata/hoa.hpp"
+#include "libautomata/budget.hpp"
+#include "libautomata/finite/dfa.hpp"
+#include "libautomata/hoa/finite.hpp"
 #include "libautomata/omega/automaton.hpp"
 #include "tools/automaton_output.hpp"
-#include "tools/subcommand.hpp"
+#include "tools/shell/subcommand.hpp"
 
 namespace waymark::tools {
 
@@ -32,14 +32,14 @@ struct AutomatonRequest {
 };
 
 // A DFA when the file says finite-words.
-AnyAutomaton understood(automata::HoaAutomaton file, const std::string& source, automata::Effort& effort);
+AnyAutomaton understood(automata::HoaAutomaton file, const std::string& source, automata::Budget& budget);
 // All operations asked for, in a fixed order: complement, product, union, difference, reduction, change of kind.
-AnyAutomaton transformed(AnyAutomaton any, const AutomatonRequest& request, automata::Effort& effort,
+AnyAutomaton transformed(AnyAutomaton any, const AutomatonRequest& request, automata::Budget& budget,
                          Shown& about);
 // Do all words that are accepted satisfy request.satisfies?
-Reply satisfies(const AnyAutomaton& any, const AutomatonRequest& request, automata::Effort& effort,
+Reply satisfies(const AnyAutomaton& any, const AutomatonRequest& request, automata::Budget& budget,
                 std::stop_token stop);
 // The one question of asks() that was asked.
-Reply asked_of(const AnyAutomaton& any, const AutomatonRequest& request, automata::Effort& effort);
+Reply asked_of(const AnyAutomaton& any, const AutomatonRequest& request, automata::Budget& budget);
 
 }  // namespace waymark::tools

@@ -3,14 +3,14 @@
 #include <stdexcept>
 
 #include "libautomata/deterministic/to_parity.hpp"
+#include "libautomata/finite/product.hpp"
+#include "libautomata/finite/run.hpp"
 #include "libautomata/omega/emptiness.hpp"
 #include "libautomata/omega/lasso.hpp"
 #include "libautomata/omega/operations.hpp"
-#include "libautomata/product.hpp"
-#include "libautomata/run.hpp"
-#include "libltl/print.hpp"
-#include "libltl/random.hpp"
-#include "libltl/semantics.hpp"
+#include "libltl/meaning/semantics.hpp"
+#include "libltl/structure/random.hpp"
+#include "libltl/text/print.hpp"
 
 namespace waymark::tools {
 namespace {
@@ -54,17 +54,17 @@ void prove(ltl::Formula formula, const Dfa& positive, const Dfa& negative) {
 // more than was given to it.
 std::optional<bool> prove_universal(ltl::Formula formula, const Automaton& positive,
                                     const Automaton& negative, const automata::TranslationLimits& limits) {
-  automata::Effort effort(determinization_steps, limits.states, limits.stop);
+  automata::Budget budget(determinization_steps, limits.states, limits.stop);
   try {
-    const automata::Deterministic a = automata::determinized(positive, effort);
-    const automata::Deterministic b = automata::determinized(negative, effort);
+    const automata::Deterministic a = automata::determinized(positive, budget);
+    const automata::Deterministic b = automata::determinized(negative, budget);
     const Automaton neither = automata::intersection(automata::complement(a).automaton(),
-                                                     automata::complement(b).automaton(), effort);
-    if (const auto word = automata::find_lasso(neither, effort))
+                                                     automata::complement(b).automaton(), budget);
+    if (const auto word = automata::find_lasso(neither, budget))
       wrong(formula, "neither it nor its negation accepts", ltl::show(*word, neither.vocabulary()));
     return true;
-  } catch (const automata::Effort::Spent& spent) {
-    if (spent.reason == automata::Effort::Spent::Reason::Stopped) throw;
+  } catch (const automata::Budget::Exceeded& spent) {
+    if (spent.reason == automata::Budget::Exceeded::Reason::Stopped) throw;
     return std::nullopt;
   }
 }
@@ -97,9 +97,9 @@ const Automaton& omega_of(const Translated& result) {
 
 Certificate certify_omega(ltl::Formula formula, const Automaton& positive, const Automaton& negative,
                           const automata::TranslationLimits& limits) {
-  automata::Effort effort(SIZE_MAX, limits.states, limits.stop);
-  const Automaton both = automata::intersection(positive, negative, effort);
-  if (const auto word = automata::find_lasso(both, effort))
+  automata::Budget budget(SIZE_MAX, limits.states, limits.stop);
+  const Automaton both = automata::intersection(positive, negative, budget);
+  if (const auto word = automata::find_lasso(both, budget))
     wrong(formula, "it and its negation accept", ltl::show(*word, both.vocabulary()));
   if (prove_universal(formula, positive, negative, limits)) return {.proved = true};
   return {.words = try_words(formula, positive, negative)};
@@ -111,7 +111,7 @@ Certificate certify(ltl::Formula formula, const Translated& result, const Transl
                     const automata::TranslationLimits& limits) {
   const Translated negated = translation.run(ltl::negate(formula), limits);
   if (std::holds_alternative<automata::Exhausted>(negated))
-    throw automata::Effort::Spent{automata::Effort::Spent::Reason::States};
+    throw automata::Budget::Exceeded{automata::Budget::Exceeded::Reason::States};
   if (const auto* dfa = std::get_if<Dfa>(&result)) {
     prove(formula, *dfa, std::get<Dfa>(negated));
     try_words(formula, *dfa);

@@ -2,12 +2,12 @@
 #include <iostream>
 #include <memory>
 
-#include "libltl/print.hpp"
-#include "libltl/progress.hpp"
+#include "libltl/meaning/progress.hpp"
+#include "libltl/text/print.hpp"
 #include "tools/answer.hpp"
 #include "tools/shell/batch.hpp"
 #include "tools/shell/options.hpp"
-#include "tools/subcommand.hpp"
+#include "tools/shell/subcommand.hpp"
 
 namespace waymark::tools {
 namespace {

@@ -3,7 +3,7 @@
 #include <memory>
 
 #include "libltl/diagnostic.hpp"
-#include "libltl/parse.hpp"
+#include "libltl/text/parse.hpp"
 #include "libplan/product/task_table.hpp"
 #include "libplan/solve/product_search.hpp"
 #include "libplan/solve/route_planner.hpp"
@@ -14,7 +14,7 @@
 #include "tools/shell/noise.hpp"
 #include "tools/shell/options.hpp"
 #include "tools/shell/output.hpp"
-#include "tools/subcommand.hpp"
+#include "tools/shell/subcommand.hpp"
 
 namespace waymark::tools {
 namespace {

@@ -6,8 +6,8 @@
 #include <stdexcept>
 #include <thread>
 
-#include "libltl/print.hpp"
-#include "libparser/parallel.hpp"
+#include "libltl/text/print.hpp"
+#include "libparser/training/parallel.hpp"
 #include "tools/answer.hpp"
 #include "tools/render/learning_curves.hpp"
 #include "tools/shell/output.hpp"

@@ -10,7 +10,7 @@
 #include "libplan/learn/comparison.hpp"
 #include "tools/comparing.hpp"
 #include "tools/shell/exit_code.hpp"
-#include "tools/subcommand.hpp"
+#include "tools/shell/subcommand.hpp"
 
 namespace waymark::tools {
 

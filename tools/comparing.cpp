@@ -4,7 +4,7 @@
 #include <iomanip>
 #include <iostream>
 
-#include "libltl/print.hpp"
+#include "libltl/text/print.hpp"
 #include "tools/answer.hpp"
 
 namespace waymark::tools {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "libltl/print.hpp"
+#include "libltl/text/print.hpp"
 #include "libplan/learn/comparison.hpp"
 #include "tools/shell/json.hpp"
 #include "tools/shell/terminal.hpp"

@@ -2,17 +2,17 @@
 #include <iostream>
 #include <memory>
 
-#include "libautomata/hoa.hpp"
-#include "libltl/print.hpp"
-#include "libltl/simplify.hpp"
+#include "libautomata/hoa/finite.hpp"
+#include "libltl/rewriting/simplify.hpp"
+#include "libltl/text/print.hpp"
+#include "libplan/model/formats/read_model.hpp"
 #include "libplan/model/map_mdp.hpp"
-#include "libplan/model/read_model.hpp"
 #include "libplan/product/compose.hpp"
 #include "tools/answer.hpp"
 #include "tools/compose_model.hpp"
 #include "tools/shell/batch.hpp"
 #include "tools/shell/options.hpp"
-#include "tools/subcommand.hpp"
+#include "tools/shell/subcommand.hpp"
 
 namespace waymark::tools {
 namespace {

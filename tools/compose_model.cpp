@@ -3,7 +3,7 @@
 #include <iostream>
 #include <variant>
 
-#include "libplan/model/write_prism.hpp"
+#include "libplan/model/prism/write_prism.hpp"
 #include "libplan/product/explicit_product.hpp"
 #include "tools/answer.hpp"
 #include "tools/shell/exit_code.hpp"

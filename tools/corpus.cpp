@@ -5,9 +5,9 @@
 
 #include "libparser/corpus/sail_corpus.hpp"
 #include "libparser/corpus/statistics.hpp"
-#include "libparser/streets/street_corpus.hpp"
+#include "libparser/domain/streets/street_corpus.hpp"
 #include "tools/shell/json.hpp"
-#include "tools/subcommand.hpp"
+#include "tools/shell/subcommand.hpp"
 
 namespace waymark::tools {
 namespace {

@@ -1,7 +1,7 @@
 #include "tools/corridor.hpp"
 
-#include "libautomata/guard.hpp"
-#include "libautomata/ltlf_to_dfa.hpp"
+#include "libautomata/finite/guard.hpp"
+#include "libautomata/finite/ltlf_to_dfa.hpp"
 #include "libplan/solve/explain.hpp"
 #include "libplan/solve/route_planner.hpp"
 #include "tools/shell/exit_code.hpp"
@@ -32,30 +32,30 @@ automata::Dfa translate(ltl::Formula formula, const std::stop_token& stop) {
                " states before minimisation");
 }
 
-Journey travel(const plan::Map& map, const automata::Dfa& dfa, std::optional<ltl::Formula> formula,
-               std::span<const plan::PoseId> starts, const std::stop_token& stop) {
+CorridorRun run_corridor(const plan::Map& map, const automata::Dfa& dfa, std::optional<ltl::Formula> formula,
+                         std::span<const plan::PoseId> starts, const std::stop_token& stop) {
   StopWatch watch;
   Seconds seconds;
   plan::RoutePlanner planner(map, dfa);
   seconds.compose = watch.lap();
   plan::RoutePlanner::Answer answer = planner.plan(starts, stop);
   seconds.solve = watch.lap();
-  const auto journey = [&](Destination destination) {
+  const auto corridor_run = [&](Destination destination) {
     seconds.certify = watch.lap();
-    return Journey{size_of(dfa), planner.met(), planner.edges(), std::move(destination), seconds};
+    return CorridorRun{size_of(dfa), planner.met(), planner.edges(), std::move(destination), seconds};
   };
   if (const auto* infeasible = std::get_if<plan::Infeasible>(&answer))
-    return journey(formula ? plan::explain_infeasible(map, *formula, starts, stop) : *infeasible);
+    return corridor_run(formula ? plan::explain_infeasible(map, *formula, starts, stop) : *infeasible);
   auto* route = std::get_if<plan::Route>(&answer);
   if (route == nullptr) throw Interrupted();
-  if (formula) return journey(plan::certify(std::move(*route), map, *formula));
-  return journey(plan::certify_acceptance(std::move(*route), map, dfa));
+  if (formula) return corridor_run(plan::certify(std::move(*route), map, *formula));
+  return corridor_run(plan::certify_acceptance(std::move(*route), map, dfa));
 }
 
-const plan::Route* route_of(const Journey& journey) {
-  if (const auto* certified = std::get_if<plan::CertifiedRoute>(&journey.destination))
+const plan::Route* route_of(const CorridorRun& corridor_run) {
+  if (const auto* certified = std::get_if<plan::CertifiedRoute>(&corridor_run.destination))
     return &certified->route();
-  if (const auto* accepted = std::get_if<plan::AcceptedRoute>(&journey.destination))
+  if (const auto* accepted = std::get_if<plan::AcceptedRoute>(&corridor_run.destination))
     return &accepted->route();
   return nullptr;
 }

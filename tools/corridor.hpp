@@ -11,9 +11,9 @@
 #include <string>
 #include <variant>
 
-#include "libautomata/dfa.hpp"
+#include "libautomata/finite/dfa.hpp"
 #include "libltl/formula.hpp"
-#include "libplan/solve/certify.hpp"
+#include "libplan/certify.hpp"
 #include "libplan/solve/outcome.hpp"
 
 namespace waymark::tools {
@@ -41,7 +41,7 @@ automata::Dfa translate(ltl::Formula formula, const std::stop_token& stop);
 
 using Destination = std::variant<plan::CertifiedRoute, plan::AcceptedRoute, plan::Infeasible>;
 
-struct Journey {
+struct CorridorRun {
   AutomatonSize automaton;
   std::size_t product_states, product_edges;  // pairs that the search met, edges that it looked at
   Destination destination;
@@ -50,10 +50,10 @@ struct Journey {
 
 // The certified route of least cost. `formula`: of the automaton, when there is one; without it the route is checked
 // against the automaton by a run of its own. Throws Interrupted when a stop was requested.
-Journey travel(const plan::Map& map, const automata::Dfa& dfa, std::optional<ltl::Formula> formula,
-               std::span<const plan::PoseId> starts, const std::stop_token& stop);
+CorridorRun run_corridor(const plan::Map& map, const automata::Dfa& dfa, std::optional<ltl::Formula> formula,
+                         std::span<const plan::PoseId> starts, const std::stop_token& stop);
 
 // The route that was found, nullptr when there is none.
-const plan::Route* route_of(const Journey& journey);
+const plan::Route* route_of(const CorridorRun& corridor_run);
 
 }  // namespace waymark::tools

@@ -5,7 +5,7 @@
 #include "tools/picture.hpp"
 #include "tools/shell/options.hpp"
 #include "tools/shell/output.hpp"
-#include "tools/subcommand.hpp"
+#include "tools/shell/subcommand.hpp"
 
 namespace waymark::tools {
 namespace {
@@ -22,13 +22,15 @@ ExitCode draw_plan(const Options& options, const plan::Map& map, const Session& 
   const ltl::Formula formula = parse_formula({.text = options.formula, .source = ""}, arena,
                                              parse_options(options.notation, ltl::Unknown::Reject));
   const automata::Dfa dfa = translate(formula, session.stop);
-  const Journey journey = travel(map, dfa, formula, start_poses(options.start, map), session.stop);
-  const plan::Route* route = route_of(journey);
+  const CorridorRun corridor_run =
+      run_corridor(map, dfa, formula, start_poses(options.start, map), session.stop);
+  const plan::Route* route = route_of(corridor_run);
   Picture picture{.map = &map, .dfa = &dfa, .formula = formula, .certified = route != nullptr};
   if (route != nullptr) picture.route = *route;
   draw(picture, options.svg);
   if (route != nullptr) return ExitCode::Done;
-  complain("note", "the picture has no route: " + std::get<plan::Infeasible>(journey.destination).reason);
+  complain("note",
+           "the picture has no route: " + std::get<plan::Infeasible>(corridor_run.destination).reason);
   return ExitCode::No;
 }
 

@@ -3,18 +3,18 @@
 #include <iostream>
 #include <memory>
 
-#include "libltl/print.hpp"
+#include "libltl/text/print.hpp"
+#include "libparser/domain/streets/street_corpus.hpp"
 #include "libparser/experiment/evaluate.hpp"
-#include "libparser/learned/learned_follower.hpp"
-#include "libparser/streets/street_corpus.hpp"
+#include "libparser/experiment/learned/learned_follower.hpp"
 #include "tools/formula_table.hpp"
-#include "tools/learning.hpp"
 #include "tools/results_table.hpp"
+#include "tools/shell/learning.hpp"
 #include "tools/shell/models.hpp"
 #include "tools/shell/options.hpp"
 #include "tools/shell/output.hpp"
+#include "tools/shell/subcommand.hpp"
 #include "tools/streets.hpp"
-#include "tools/subcommand.hpp"
 
 namespace waymark::tools {
 namespace {

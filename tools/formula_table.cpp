@@ -3,8 +3,8 @@
 #include <iomanip>
 #include <iostream>
 
-#include "libparser/choosing/decide.hpp"
 #include "libparser/corpus/token.hpp"
+#include "libparser/rerank/decide.hpp"
 #include "tools/shell/input.hpp"
 #include "tools/shell/terminal.hpp"
 

@@ -2,11 +2,11 @@
 #pragma once
 #include <string>
 
-#include "libparser/annotations.hpp"
 #include "libparser/experiment/formula_scores.hpp"
+#include "libparser/training/annotations.hpp"
 #include "tools/shell/json.hpp"
 #include "tools/shell/models.hpp"
-#include "tools/subcommand.hpp"
+#include "tools/shell/subcommand.hpp"
 
 namespace waymark::tools {
 

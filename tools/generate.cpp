@@ -9,13 +9,13 @@
 
 #include "libparser/corpus/corpus_output.hpp"
 #include "libparser/language/generate.hpp"
-#include "libplan/model/generate_grid.hpp"
+#include "libplan/model/formats/generate_grid.hpp"
 #include "libplan/world/generate_hallways.hpp"
 #include "tools/shell/data_directory.hpp"
 #include "tools/shell/models.hpp"
 #include "tools/shell/options.hpp"
 #include "tools/shell/output.hpp"
-#include "tools/subcommand.hpp"
+#include "tools/shell/subcommand.hpp"
 
 namespace waymark::tools {
 namespace {

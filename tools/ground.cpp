@@ -6,18 +6,18 @@
 #include <sstream>
 
 #include "libltl/diagnostic.hpp"
-#include "libltl/print.hpp"
-#include "libparser/choosing/decide.hpp"
+#include "libltl/text/print.hpp"
 #include "libparser/corpus/token.hpp"
+#include "libparser/decode/explain.hpp"
+#include "libparser/decode/network_search.hpp"
 #include "libparser/ground.hpp"
-#include "libparser/instruction.hpp"
-#include "libparser/neural/explain.hpp"
-#include "libparser/neural/network_search.hpp"
+#include "libparser/grounding/instruction.hpp"
+#include "libparser/rerank/decide.hpp"
 #include "tools/answer.hpp"
 #include "tools/shell/models.hpp"
 #include "tools/shell/options.hpp"
 #include "tools/shell/parallel.hpp"
-#include "tools/subcommand.hpp"
+#include "tools/shell/subcommand.hpp"
 
 namespace waymark::tools {
 namespace {
@@ -173,7 +173,7 @@ ExitCode run_ground(const Options& options, const Session& session) {
   Grounding grounding(options, session);
   return answer_in_parallel(
       texts, session.stop, options.parallel,
-      [&](const Text& text, const Patience&) { return grounding(text); },
+      [&](const Text& text, const TextDeadline&) { return grounding(text); },
       [&](const Text& text, const std::string& message) {
         return options.json ? json_error(text.line, message).text() + '\n' : std::string();
       });

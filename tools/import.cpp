@@ -2,10 +2,10 @@
 #include <iostream>
 #include <memory>
 
-#include "libparser/import/import_sail.hpp"
+#include "libparser/corpus/import/import_sail.hpp"
 #include "tools/shell/json.hpp"
 #include "tools/shell/output.hpp"
-#include "tools/subcommand.hpp"
+#include "tools/shell/subcommand.hpp"
 
 namespace waymark::tools {
 namespace {

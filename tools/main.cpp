@@ -15,7 +15,7 @@
 #include "libltl/diagnostic.hpp"
 #include "libltl/vocabulary.hpp"
 #include "tools/shell/interrupt.hpp"
-#include "tools/subcommand.hpp"
+#include "tools/shell/subcommand.hpp"
 
 namespace waymark::tools {
 namespace {

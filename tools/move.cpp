@@ -5,9 +5,9 @@
 #include <iostream>
 #include <memory>
 
-#include "libautomata/dot.hpp"
-#include "libltl/print.hpp"
-#include "libltl/semantics.hpp"
+#include "libautomata/hoa/dot_finite.hpp"
+#include "libltl/meaning/semantics.hpp"
+#include "libltl/text/print.hpp"
 #include "libplan/motion/read_motion.hpp"
 #include "tools/answer.hpp"
 #include "tools/render/motion_picture.hpp"
@@ -17,7 +17,7 @@
 #include "tools/shell/output.hpp"
 #include "tools/shell/process.hpp"
 #include "tools/shell/robot_options.hpp"
-#include "tools/subcommand.hpp"
+#include "tools/shell/subcommand.hpp"
 #include "tools/tour.hpp"
 
 namespace waymark::tools {
@@ -78,7 +78,7 @@ JsonArray json_of(const plan::Route& route, const plan::Map& map) {
 }
 
 JsonObject json_of(const Moved& moved, const Options& options, const plan::Map& map) {
-  const Journey& journey = moved.answer.journey;
+  const CorridorRun& corridor_run = moved.answer.corridor_run;
   JsonObject json;
   json.add("formula", ltl::print(*moved.answer.formula)).add("map", map.name());
   json.add("robot", options.robot.robot);
@@ -90,11 +90,12 @@ JsonObject json_of(const Moved& moved, const Options& options, const plan::Map& 
         .add("motion", line_of(moved.motion->motion()))
         .add("length", plan::length(moved.motion->motion()))
         .add("certified", true);
-  else if (const plan::Route* route = route_of(journey))
+  else if (const plan::Route* route = route_of(corridor_run))
     json.add("status", "exhausted").add("route", json_of(*route, map)).add("certified", false);
   else
-    json.add("status", "infeasible").add("reason", std::get<plan::Infeasible>(journey.destination).reason);
-  const Seconds& s = journey.seconds;
+    json.add("status", "infeasible")
+        .add("reason", std::get<plan::Infeasible>(corridor_run.destination).reason);
+  const Seconds& s = corridor_run.seconds;
   return json.add("seconds", JsonObject()
                                  .add("load", s.load)
                                  .add("translate", s.translate)
@@ -162,19 +163,20 @@ ExitCode move_along(const plan::Route& route, const Options& options, const plan
 }
 
 // The route of the corridor, or the one given, which must satisfy the formula.
-Journey journey_of(const Options& options, const plan::Map& map, const automata::Dfa& dfa,
-                   ltl::Formula formula, const Session& session) {
-  if (options.route.empty()) return travel(map, dfa, formula, start_poses(options.start, map), session.stop);
+CorridorRun journey_of(const Options& options, const plan::Map& map, const automata::Dfa& dfa,
+                       ltl::Formula formula, const Session& session) {
+  if (options.route.empty())
+    return run_corridor(map, dfa, formula, start_poses(options.start, map), session.stop);
   StopWatch watch;
-  Journey journey{size_of(dfa), 0, 0, plan::Infeasible{}, {}};
+  CorridorRun corridor_run{size_of(dfa), 0, 0, plan::Infeasible{}, {}};
   const plan::Route route =
       priced(plan::parse_trajectory(read_file(options.route), map, source_name(options.route)), map);
   if (ltl::holds(word_for(formula, route, map), formula))
-    journey.destination = certify(route, map, formula);
+    corridor_run.destination = certify(route, map, formula);
   else
-    journey.destination = plan::Infeasible{"the route given does not satisfy the formula"};
-  journey.seconds.certify = watch.lap();
-  return journey;
+    corridor_run.destination = plan::Infeasible{"the route given does not satisfy the formula"};
+  corridor_run.seconds.certify = watch.lap();
+  return corridor_run;
 }
 
 ExitCode run_move(const Options& options, const Session& session) {
@@ -196,10 +198,11 @@ ExitCode run_move(const Options& options, const Session& session) {
       parse_formula(formula_text, arena, parse_options(options.notation, ltl::Unknown::Reject));
   const automata::Dfa dfa = translate(formula, session.stop);
   const double translating = watch.lap();
-  Moved moved{.answer = {.formula = formula, .journey = journey_of(options, map, dfa, formula, session)}};
-  moved.answer.journey.seconds.load = load;
-  moved.answer.journey.seconds.translate = translating;
-  const plan::Route* route = route_of(moved.answer.journey);
+  Moved moved{
+      .answer = {.formula = formula, .corridor_run = journey_of(options, map, dfa, formula, session)}};
+  moved.answer.corridor_run.seconds.load = load;
+  moved.answer.corridor_run.seconds.translate = translating;
+  const plan::Route* route = route_of(moved.answer.corridor_run);
   const ExitCode code =
       route == nullptr ? ExitCode::No : move_along(*route, options, workspace, formula, moved);
   const bool answered = code == ExitCode::Done || code == ExitCode::No || code == ExitCode::GaveUp;

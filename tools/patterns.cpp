@@ -2,10 +2,10 @@
 #include <iostream>
 #include <memory>
 
-#include "libltl/patterns.hpp"
-#include "libltl/print.hpp"
+#include "libltl/patterns/patterns.hpp"
+#include "libltl/text/print.hpp"
 #include "tools/shell/json.hpp"
-#include "tools/subcommand.hpp"
+#include "tools/shell/subcommand.hpp"
 
 namespace waymark::tools {
 namespace {

@@ -1,8 +1,8 @@
 #include "tools/picture.hpp"
 
-#include "libautomata/dot.hpp"
-#include "libautomata/omega/dot.hpp"
-#include "libltl/print.hpp"
+#include "libautomata/hoa/dot_finite.hpp"
+#include "libautomata/hoa/dot_omega.hpp"
+#include "libltl/text/print.hpp"
 #include "tools/answer.hpp"
 #include "tools/render/page.hpp"
 #include "tools/shell/output.hpp"

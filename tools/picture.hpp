@@ -3,7 +3,7 @@
 #include <optional>
 #include <string>
 
-#include "libautomata/dfa.hpp"
+#include "libautomata/finite/dfa.hpp"
 #include "libautomata/omega/automaton.hpp"
 #include "libltl/formula.hpp"
 #include "libplan/world/trajectory.hpp"

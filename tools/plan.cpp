@@ -2,10 +2,10 @@
 #include <iostream>
 #include <memory>
 
-#include "libautomata/hoa.hpp"
+#include "libautomata/hoa/finite.hpp"
 #include "libltl/diagnostic.hpp"
-#include "libltl/print.hpp"
-#include "libplan/model/read_model.hpp"
+#include "libltl/text/print.hpp"
+#include "libplan/model/formats/read_model.hpp"
 #include "tools/answer.hpp"
 #include "tools/picture.hpp"
 #include "tools/plan_case.hpp"
@@ -14,7 +14,7 @@
 #include "tools/shell/noise.hpp"
 #include "tools/shell/options.hpp"
 #include "tools/shell/output.hpp"
-#include "tools/subcommand.hpp"
+#include "tools/shell/subcommand.hpp"
 
 namespace waymark::tools {
 namespace {
@@ -77,16 +77,17 @@ class Planning {
             translating};
   }
   ExitCode answer(const automata::Dfa& dfa, std::optional<ltl::Formula> formula, double translating) {
-    Answer answer{.formula = formula, .journey = travel(map_, dfa, formula, starts_, session_.stop)};
-    answer.journey.seconds.load = load_;
-    answer.journey.seconds.translate = translating;
+    Answer answer{.formula = formula,
+                  .corridor_run = run_corridor(map_, dfa, formula, starts_, session_.stop)};
+    answer.corridor_run.seconds.load = load_;
+    answer.corridor_run.seconds.translate = translating;
     if (options_.json)
       std::cout << json_of(answer, map_).text() << '\n';
     else
       print(std::cout, session_.out, answer, map_);
     if (!options_.hoa.empty())
       write_file(options_.hoa, automata::write_hoa(dfa, {.name = formula ? ltl::print(*formula) : ""}));
-    const plan::Route* route = route_of(answer.journey);
+    const plan::Route* route = route_of(answer.corridor_run);
     if (!options_.svg.empty()) {
       Picture picture{.map = &map_, .dfa = &dfa, .formula = formula, .certified = route != nullptr};
       if (route != nullptr) picture.route = *route;

@@ -3,11 +3,11 @@
 #pragma once
 #include <string>
 
-#include "libplan/model/read_case.hpp"
+#include "libplan/model/formats/read_case.hpp"
 #include "tools/shell/command.hpp"
 #include "tools/shell/exit_code.hpp"
 #include "tools/shell/input.hpp"
-#include "tools/subcommand.hpp"
+#include "tools/shell/subcommand.hpp"
 
 namespace waymark::tools {
 

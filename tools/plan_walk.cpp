@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <iostream>
 
-#include "libltl/print.hpp"
+#include "libltl/text/print.hpp"
+#include "libplan/certify.hpp"
 #include "libplan/model/map_mdp.hpp"
-#include "libplan/solve/certify.hpp"
 #include "libplan/solve/least_lasso.hpp"
 #include "libplan/solve/least_routes.hpp"
 #include "tools/answer.hpp"
@@ -51,7 +51,7 @@ std::string poses_of(std::span<const plan::PoseId> starts, const plan::Map& map)
 struct FoundLasso {
   std::optional<plan::CertifiedLasso> lasso;
   plan::Route prefix, cycle;
-  plan::SearchEffort effort;  // of all starts
+  plan::SearchEffort budget;  // of all starts
   double translating = 0, solving = 0;
 };
 
@@ -91,8 +91,8 @@ class LassoPlanning {
     auto answer = plan::least_lasso(mdp, automaton_, order, 100'000'000, session_.stop);
     if (!answer && session_.stop.stop_requested()) throw Interrupted();
     if (!answer) throw GaveUp("the search for a lasso met its limit");
-    found_.effort.met += answer->effort.met;
-    found_.effort.edges += answer->effort.edges;
+    found_.budget.met += answer->budget.met;
+    found_.budget.edges += answer->budget.edges;
     if (!answer->route) return;
     if (found_.lasso && !(rank(*answer->route, order) < rank(found_.lasso->route(), order))) return;
     found_.lasso = task_.formula ? plan::certify(std::move(*answer->route), mdp, *task_.formula)
@@ -118,7 +118,7 @@ class LassoPlanning {
                               .add("edges", automata::count_edges(automaton_.transitions()))
                               .add("sets", automaton_.acceptance().sets)
                               .add("propositions", automaton_.reads().size()))
-        .add("product", JsonObject().add("states", found_.effort.met).add("edges", found_.effort.edges));
+        .add("product", JsonObject().add("states", found_.budget.met).add("edges", found_.budget.edges));
     if (found_.lasso)
       out.add("status", "solved")
           .add("prefix", json_of(found_.prefix, task_.map))
@@ -146,8 +146,8 @@ class LassoPlanning {
           << '\n';
     out << label(terminal, "automaton") << counted(automaton_.states(), "state") << ", "
         << counted(automata::count_edges(automaton_.transitions()), "edge") << ", over infinite words\n"
-        << label(terminal, "product") << counted(found_.effort.met, "state") << ", "
-        << counted(found_.effort.edges, "edge") << ", with the map " << task_.map.name() << '\n';
+        << label(terminal, "product") << counted(found_.budget.met, "state") << ", "
+        << counted(found_.budget.edges, "edge") << ", with the map " << task_.map.name() << '\n';
     if (found_.lasso) {
       out << label(terminal, "prefix") << counted(found_.prefix.actions.size(), "action") << ", cost "
           << Json(found_.prefix.cost).text() << '\n';
@@ -195,7 +195,7 @@ plan::Route certified(plan::Route route, const WalkTask& task, const automata::D
 
 struct FoundRoutes {
   std::vector<plan::Route> routes;
-  plan::SearchEffort effort;  // of all starts
+  plan::SearchEffort budget;  // of all starts
   double solving = 0;
 };
 
@@ -209,8 +209,8 @@ FoundRoutes cheapest(const WalkTask& task, const automata::Dfa& dfa, std::size_t
         plan::least_routes(mdp, plan::TaskTable(dfa, mdp.letters()), most, 100'000'000, session.stop);
     if (!answer && session.stop.stop_requested()) throw Interrupted();
     if (!answer) throw GaveUp("the search for routes met its limit");
-    found.effort.met += answer->effort.met;
-    found.effort.edges += answer->effort.edges;
+    found.budget.met += answer->budget.met;
+    found.budget.edges += answer->budget.edges;
     for (const plan::ChoiceRoute& route : answer->routes)
       found.routes.push_back(certified(on_map(task.map, mdp, route), task, dfa));
   }
@@ -230,7 +230,7 @@ JsonObject routes_json(const FoundRoutes& found, const WalkTask& task, const aut
   json.add("formula", task.formula ? Json(ltl::print(*task.formula)) : Json())
       .add("map", task.map.name())
       .add("automaton", json_of(size_of(dfa)))
-      .add("product", JsonObject().add("states", found.effort.met).add("edges", found.effort.edges))
+      .add("product", JsonObject().add("states", found.budget.met).add("edges", found.budget.edges))
       .add("status", found.routes.empty() ? "infeasible" : "solved")
       .add("routes", list);
   if (!found.routes.empty())

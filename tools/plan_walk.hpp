@@ -9,7 +9,7 @@
 #include "libplan/world/map.hpp"
 #include "tools/shell/exit_code.hpp"
 #include "tools/shell/json.hpp"
-#include "tools/subcommand.hpp"
+#include "tools/shell/subcommand.hpp"
 
 namespace waymark::tools {
 

@@ -4,11 +4,11 @@
 #include <memory>
 #include <unordered_set>
 
-#include "libautomata/omega/hoa.hpp"
+#include "libautomata/hoa/omega.hpp"
 #include "libautomata/omega/random_automaton.hpp"
-#include "libltl/print.hpp"
-#include "libltl/random.hpp"
-#include "tools/subcommand.hpp"
+#include "libltl/structure/random.hpp"
+#include "libltl/text/print.hpp"
+#include "tools/shell/subcommand.hpp"
 
 namespace waymark::tools {
 namespace {

@@ -2,8 +2,8 @@
 #include <iostream>
 #include <memory>
 
-#include "libautomata/hoa.hpp"
-#include "libltl/print.hpp"
+#include "libautomata/hoa/finite.hpp"
+#include "libltl/text/print.hpp"
 #include "libparser/ground.hpp"
 #include "tools/answer.hpp"
 #include "tools/picture.hpp"
@@ -11,7 +11,7 @@
 #include "tools/shell/models.hpp"
 #include "tools/shell/options.hpp"
 #include "tools/shell/output.hpp"
-#include "tools/subcommand.hpp"
+#include "tools/shell/subcommand.hpp"
 
 namespace waymark::tools {
 namespace {
@@ -60,11 +60,11 @@ class Running {
                   .readings = weighed(readings, options_.top > 0 ? options_.top
                                                 : options_.json  ? 5
                                                                  : 1),
-                  .journey = travel(map_, dfa, formula, starts_, session_.stop)};
-    Seconds& seconds = answer.journey.seconds;
+                  .corridor_run = run_corridor(map_, dfa, formula, starts_, session_.stop)};
+    Seconds& seconds = answer.corridor_run.seconds;
     seconds.load = load_, seconds.ground = grounding, seconds.translate = translating;
     show(answer, dfa);
-    return route_of(answer.journey) != nullptr ? ExitCode::Done : ExitCode::No;
+    return route_of(answer.corridor_run) != nullptr ? ExitCode::Done : ExitCode::No;
   }
 
  private:
@@ -76,7 +76,7 @@ class Running {
     if (!options_.hoa.empty())
       write_file(options_.hoa, automata::write_hoa(dfa, {.name = ltl::print(*answer.formula)}));
     if (options_.svg.empty()) return;
-    const plan::Route* route = route_of(answer.journey);
+    const plan::Route* route = route_of(answer.corridor_run);
     Picture picture{.map = &map_,
                     .dfa = &dfa,
                     .instruction = *answer.instruction,

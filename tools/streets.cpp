@@ -5,10 +5,10 @@
 #include <stdexcept>
 
 #include "libltl/diagnostic.hpp"
-#include "libltl/print.hpp"
-#include "libparser/streets/evaluate_streets.hpp"
-#include "libparser/streets/street_corpus.hpp"
-#include "libparser/streets/street_formula.hpp"
+#include "libltl/text/print.hpp"
+#include "libparser/domain/streets/evaluate_streets.hpp"
+#include "libparser/domain/streets/street_corpus.hpp"
+#include "libparser/domain/streets/street_formula.hpp"
 #include "tools/corridor.hpp"
 #include "tools/shell/json.hpp"
 #include "tools/shell/output.hpp"

@@ -2,8 +2,8 @@
 #pragma once
 #include <string>
 
-#include "libparser/streets/learn_streets.hpp"
-#include "tools/subcommand.hpp"
+#include "libparser/domain/streets/learn_streets.hpp"
+#include "tools/shell/subcommand.hpp"
 
 namespace waymark::tools {
 

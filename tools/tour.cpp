@@ -3,8 +3,8 @@
 #include <iostream>
 #include <optional>
 
-#include "libautomata/dot.hpp"
-#include "libltl/print.hpp"
+#include "libautomata/hoa/dot_finite.hpp"
+#include "libltl/text/print.hpp"
 #include "libplan/motion/read_motion.hpp"
 #include "libplan/motion/read_terrain.hpp"
 #include "libplan/motion/tour.hpp"

@@ -6,7 +6,7 @@
 #include "tools/shell/input.hpp"
 #include "tools/shell/options.hpp"
 #include "tools/shell/robot_options.hpp"
-#include "tools/subcommand.hpp"
+#include "tools/shell/subcommand.hpp"
 
 namespace waymark::tools {
 

@@ -2,19 +2,19 @@
 #include <iostream>
 #include <memory>
 
-#include "libparser/annotations.hpp"
 #include "libparser/corpus/corpus_file.hpp"
 #include "libparser/corpus/corpus_output.hpp"
 #include "libparser/language/generate.hpp"
-#include "libparser/learn.hpp"
-#include "libparser/weights_file.hpp"
+#include "libparser/model_file.hpp"
+#include "libparser/training/annotations.hpp"
+#include "libparser/training/learn.hpp"
 #include "tools/corridor.hpp"
 #include "tools/formula_table.hpp"
-#include "tools/learning.hpp"
+#include "tools/shell/learning.hpp"
 #include "tools/shell/models.hpp"
 #include "tools/shell/options.hpp"
 #include "tools/shell/output.hpp"
-#include "tools/subcommand.hpp"
+#include "tools/shell/subcommand.hpp"
 
 namespace waymark::tools {
 namespace {
@@ -35,44 +35,44 @@ struct Lessons {
 };
 
 Lessons lessons_of(const Options& options, parser::Dialect dialect) {
-  Lessons lessons;
+  Lessons instances;
   if (!options.supervised.empty()) {
     const std::string text = read_file(options.supervised);
-    lessons.maps = shipped_maps(options.data);
-    if (lessons.maps.empty())
+    instances.maps = shipped_maps(options.data);
+    if (instances.maps.empty())
       throw ltl::FormatError(options.data, 0, 0, "there are no maps whose vocabulary formulas could be over");
-    parser::Annotations annotations = parser::parse_annotations(text, lessons.maps.front().vocabulary(),
+    parser::Annotations annotations = parser::parse_annotations(text, instances.maps.front().vocabulary(),
                                                                 dialect, source_name(options.supervised));
     report_refused(annotations, options.supervised);
     if (annotations.pairs.empty())
       throw ltl::FormatError(source_name(options.supervised), 0, 0, "holds no pair to learn from");
-    lessons.pairs = std::move(annotations.pairs);
-    lessons.checksum = parser::fnv1a(text);
-    lessons.sentences = lessons.pairs.size();
-    return lessons;
+    instances.pairs = std::move(annotations.pairs);
+    instances.checksum = parser::fnv1a(text);
+    instances.sentences = instances.pairs.size();
+    return instances;
   }
   if (options.corpus.empty()) {
-    lessons.corpus = parser::generate_corpus(shipped_maps(options.data), parser::own_language);
-    lessons.corpus.checksum = parser::fnv1a(parser::json_lines(lessons.corpus));
+    instances.corpus = parser::generate_corpus(shipped_maps(options.data), parser::own_language);
+    instances.corpus.checksum = parser::fnv1a(parser::json_lines(instances.corpus));
   } else {
-    lessons.corpus = read_hallway_corpus(options.corpus);
+    instances.corpus = read_hallway_corpus(options.corpus);
   }
-  lessons.maps = maps_of(lessons.corpus, options.data);
-  lessons.checksum = lessons.corpus.checksum;
-  lessons.sentences = lessons.corpus.sentences();
-  return lessons;
+  instances.maps = maps_of(instances.corpus, options.data);
+  instances.checksum = instances.corpus.checksum;
+  instances.sentences = instances.corpus.sentences();
+  return instances;
 }
 
-void report(const Options& options, const parser::TrainOptions& train, const Lessons& lessons,
+void report(const Options& options, const parser::TrainOptions& train, const Lessons& instances,
             std::size_t bytes, double seconds) {
   const bool supervised = !options.supervised.empty();
   if (options.json)
     std::cout << JsonObject()
                      .add("model", options.training.model)
                      .add("out", options.out)
-                     .add("paragraphs", lessons.corpus.paragraphs.size())
-                     .add("sentences", lessons.sentences)
-                     .add("corpus_checksum", hexadecimal(lessons.checksum))
+                     .add("paragraphs", instances.corpus.paragraphs.size())
+                     .add("sentences", instances.sentences)
+                     .add("corpus_checksum", hexadecimal(instances.checksum))
                      .add("seed", train.seed)
                      .add("convention", options.convention)
                      .add("bytes", bytes)
@@ -80,10 +80,10 @@ void report(const Options& options, const parser::TrainOptions& train, const Les
                      .text()
               << '\n';
   else
-    std::cout << "trained " << options.training.model << " on " << lessons.sentences << " sentences "
+    std::cout << "trained " << options.training.model << " on " << instances.sentences << " sentences "
               << (supervised ? "with their formulas"
-                             : "of " + std::to_string(lessons.corpus.paragraphs.size()) + " paragraphs")
-              << " (checksum " << hexadecimal(lessons.checksum) << ", "
+                             : "of " + std::to_string(instances.corpus.paragraphs.size()) + " paragraphs")
+              << " (checksum " << hexadecimal(instances.checksum) << ", "
               << (supervised ? "" : "unknown headings " + options.convention + ", ") << "seed " << train.seed
               << "), " << bytes << " bytes, " << fixed(seconds, 1) << " s: " << options.out << '\n';
 }
@@ -100,16 +100,16 @@ ExitCode run_train(const Options& options, const Session& session) {
       options.convention == "relative" ? parser::Convention::Relative : parser::Convention::Absolute;
   ProgressBar bar;
   train.progress = [&](double fraction, std::string_view what) { bar.show(fraction, what); };
-  const Lessons lessons = lessons_of(options, train.dialect);
+  const Lessons instances = lessons_of(options, train.dialect);
   const std::string& source = options.supervised.empty() ? options.corpus : options.supervised;
   const parser::Grounder grounder = learn_from(source, [&] {
-    return lessons.pairs.empty() ? parser::train(lessons.corpus, lessons.maps, train)
-                                 : parser::train_supervised(lessons.pairs, lessons.maps.front(), train);
+    return instances.pairs.empty() ? parser::train(instances.corpus, instances.maps, train)
+                                   : parser::train_supervised(instances.pairs, instances.maps.front(), train);
   });
   const std::string bytes = parser::serialize_within(grounder, parser::most_bytes);
   bar.wipe();
   write_file(options.out, bytes);
-  report(options, train, lessons, bytes.size(), watch.lap());
+  report(options, train, instances, bytes.size(), watch.lap());
   return ExitCode::Done;
 }
 

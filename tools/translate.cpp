@@ -1,15 +1,15 @@
 // waymark translate: formula → automaton.
 #include <memory>
 
-#include "libautomata/effort.hpp"
-#include "libltl/print.hpp"
-#include "libltl/shape_memo.hpp"
+#include "libautomata/budget.hpp"
+#include "libltl/structure/shape_memo.hpp"
+#include "libltl/text/print.hpp"
 #include "tools/answer.hpp"
 #include "tools/automaton_output.hpp"
 #include "tools/certificate.hpp"
 #include "tools/shell/options.hpp"
 #include "tools/shell/parallel.hpp"
-#include "tools/subcommand.hpp"
+#include "tools/shell/subcommand.hpp"
 #include "tools/translations.hpp"
 
 namespace waymark::tools {
@@ -36,7 +36,7 @@ std::string certificate(ltl::Formula formula, const Translated& result, const Tr
   try {
     const Certificate certificate = certify(formula, result, translation, limits);
     return certificate.proved ? "proved" : counted(certificate.words, "word");
-  } catch (const automata::Effort::Spent&) {
+  } catch (const automata::Budget::Exceeded&) {
     return "none";
   }
 }
@@ -68,11 +68,11 @@ std::shared_ptr<const Translated> renamed(Translated result, const ltl::Vocabula
 }
 
 Reply translate_one(const Text& text, const Options& options, const Translation& translation, Memo& memo,
-                    const Patience& patience) {
+                    const TextDeadline& deadline) {
   ltl::Arena arena;
   StopWatch watch;
   const ltl::Formula formula = parse_formula(text, arena, parse_options(options.notation, ltl::Unknown::Add));
-  const automata::TranslationLimits limits{.states = options.states, .stop = patience.token()};
+  const automata::TranslationLimits limits{.states = options.states, .stop = deadline.token()};
   const auto run = [&](ltl::Formula f) { return translation.run(f, limits); };
   auto [made, known] = memo(formula, run, worth_keeping);
   const bool shows_names = options.output.format != "stats" || options.certify;
@@ -95,7 +95,7 @@ Reply translate_one(const Text& text, const Options& options, const Translation&
   const std::size_t states = std::get<automata::Exhausted>(result).states;
   return gave_up(
       text, about.seconds, options,
-      patience.passed()
+      deadline.passed()
           ? "gave up after " + fixed(options.parallel.seconds, 1) + " s, with " + counted(states, "state")
           : "gave up: more than " + counted(options.states, "state") + " before minimisation");
 }
@@ -106,8 +106,8 @@ ExitCode run_translate(const Options& options, const Session& session) {
   Memo memo(texts.is_batch() ? most_shapes : 0);
   return answer_in_parallel(
       texts, session.stop, options.parallel,
-      [&](const Text& text, const Patience& patience) {
-        return translate_one(text, options, translation, memo, patience);
+      [&](const Text& text, const TextDeadline& deadline) {
+        return translate_one(text, options, translation, memo, deadline);
       },
       [&](const Text& text, const std::string& message) {
         return show_none(text.line, 0, "error", message, options.output);

@@ -4,11 +4,11 @@
 #include <string_view>
 #include <variant>
 
-#include "libautomata/deterministic/ltl_to_parity.hpp"
-#include "libautomata/dfa.hpp"
+#include "libautomata/finite/dfa.hpp"
+#include "libautomata/finite/ltlf_to_dfa.hpp"
 #include "libautomata/limit_deterministic/ltl_to_ldba.hpp"
-#include "libautomata/ltlf_to_dfa.hpp"
-#include "libautomata/omega/ltl_to_buchi.hpp"
+#include "libautomata/translation/ltl_to_buchi.hpp"
+#include "libautomata/translation/ltl_to_parity.hpp"
 #include "libltl/formula.hpp"
 
 namespace waymark::tools {

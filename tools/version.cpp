@@ -2,7 +2,7 @@
 #include <iostream>
 
 #include "tools/shell/data_directory.hpp"
-#include "tools/subcommand.hpp"
+#include "tools/shell/subcommand.hpp"
 
 namespace waymark::tools {
 

@@ -42,7 +42,7 @@ std::vector<Edges> connected(const EdgeList& list, const Edges& edges) {
 // The largest strongly connected subsets of edges whose marks satisfy a condition.
 class LargestCycles {
  public:
-  LargestCycles(const EdgeList& list, Effort& effort) : list_(list), effort_(effort) {}
+  LargestCycles(const EdgeList& list, Budget& budget) : list_(list), budget_(budget) {}
 
   std::vector<Edges> run(const Edges& edges, const Condition& condition) {
     search(edges, condition);
@@ -52,7 +52,7 @@ class LargestCycles {
 
  private:
   void search(const Edges& edges, const Condition& condition) {
-    effort_.step(edges.size() + 1);
+    budget_.step(edges.size() + 1);
     for (const Edges& one : connected(list_, edges)) {
       if (std::any_of(found_.begin(), found_.end(), [&](const Edges& known) { return within(one, known); }))
         continue;
@@ -103,13 +103,13 @@ class LargestCycles {
   }
 
   EdgeList list_;
-  Effort& effort_;
+  Budget& budget_;
   std::vector<Edges> found_;
 };
 
 }  // namespace
 
-AlternatingCycles::AlternatingCycles(const Branching& automaton, Effort& effort)
+AlternatingCycles::AlternatingCycles(const TransitionRelation& automaton, Budget& budget)
     : graph_(automaton), root_(automaton.states(), none) {
   for (std::uint32_t q = 0; q < graph_.size(); ++q) {
     first_edge_.push_back(static_cast<std::uint32_t>(branch_.size()));
@@ -128,13 +128,13 @@ AlternatingCycles::AlternatingCycles(const Branching& automaton, Effort& effort)
     const Node root = add(std::move(edges), none, accepting ? 0 : 1, accepting);
     for (std::uint32_t q : nodes_[root].states) root_[q] = root;
     for (Node node = root; node < nodes_.size(); ++node)
-      grow(node, condition, effort);  // they double as queue
+      grow(node, condition, budget);  // they double as queue
   }
 }
 
 AlternatingCycles::Node AlternatingCycles::add(Edges edges, Node parent, std::uint32_t colour,
                                                bool accepting) {
-  if (colour + 2 > Marks::most) throw Effort::Spent{Effort::Spent::Reason::States};
+  if (colour + 2 > Marks::most) throw Budget::Exceeded{Budget::Exceeded::Reason::States};
   Cycle made;
   made.parent = parent;
   made.colour = colour;
@@ -147,11 +147,11 @@ AlternatingCycles::Node AlternatingCycles::add(Edges edges, Node parent, std::ui
   return static_cast<Node>(nodes_.size() - 1);
 }
 
-void AlternatingCycles::grow(Node node, const Condition& condition, Effort& effort) {
-  effort.state();
+void AlternatingCycles::grow(Node node, const Condition& condition, Budget& budget) {
+  budget.state();
   const bool accepting = nodes_[node].accepting;
   const Condition other = accepting ? condition.negated() : condition;
-  std::vector<Edges> inside = LargestCycles({source_, branch_}, effort).run(nodes_[node].edges, other);
+  std::vector<Edges> inside = LargestCycles({source_, branch_}, budget).run(nodes_[node].edges, other);
   for (Edges& edges : inside) {
     const Node child = add(std::move(edges), node, nodes_[node].colour + 1, !accepting);
     nodes_[node].children.push_back(child);

@@ -9,7 +9,7 @@
 #include <optional>
 #include <vector>
 
-#include "libautomata/effort.hpp"
+#include "libautomata/budget.hpp"
 #include "libautomata/omega/emptiness.hpp"
 
 namespace waymark::automata {
@@ -19,8 +19,8 @@ class AlternatingCycles {
   using Node = std::uint32_t;
   static constexpr Node none = UINT32_MAX;
 
-  // Any condition. One step of effort per edge looked at; more levels than Marks::most count as too many states.
-  AlternatingCycles(const Branching& automaton, Effort& effort);
+  // Any condition. One step of budget per edge looked at; more levels than Marks::most count as too many states.
+  AlternatingCycles(const TransitionRelation& automaton, Budget& budget);
 
   // Where a run stands that enters a component at q, none when q lies on no cycle: nodes are entered by their first
   // child that has q.
@@ -48,7 +48,7 @@ class AlternatingCycles {
 
   bool has(Node node, std::uint32_t q) const;
   Node descend(Node node, std::uint32_t q) const;
-  void grow(Node node, const Condition& condition, Effort& effort);
+  void grow(Node node, const Condition& condition, Budget& budget);
   Node add(Edges edges, Node parent, std::uint32_t colour, bool accepting);
 
   BranchGraph graph_;

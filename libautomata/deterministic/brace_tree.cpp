@@ -79,7 +79,7 @@ BraceStep settled(const std::map<std::uint32_t, Brace>& places, const std::vecto
 
 }  // namespace
 
-BraceRules::BraceRules(const Branching& automaton, std::vector<std::vector<bool>> above)
+BraceRules::BraceRules(const TransitionRelation& automaton, std::vector<std::vector<bool>> above)
     : automaton_(automaton),
       live_(live_components(BranchGraph(automaton), automaton.acceptance.condition)),
       deterministic_(live_.components.count, true),

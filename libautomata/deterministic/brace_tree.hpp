@@ -7,8 +7,8 @@
 #include <span>
 #include <vector>
 
-#include "libautomata/omega/branching.hpp"
 #include "libautomata/omega/emptiness.hpp"
+#include "libautomata/omega/transition_relation.hpp"
 
 namespace waymark::automata {
 
@@ -31,7 +31,7 @@ struct BraceStep {
 class BraceRules {
  public:
   // above[q][r]: r simulates q. Büchi with marks on edges.
-  BraceRules(const Branching& automaton, std::vector<std::vector<bool>> above);
+  BraceRules(const TransitionRelation& automaton, std::vector<std::vector<bool>> above);
 
   BraceTree initial() const;
   // choices[i]: what the letter offers to tree.runs[i].
@@ -43,7 +43,7 @@ class BraceRules {
   bool accepting(std::uint32_t q) const { return live_.accepting[component(q)]; }
   void prune(Places& places, const std::vector<Brace>& parent) const;
 
-  const Branching& automaton_;
+  const TransitionRelation& automaton_;
   LiveComponents live_;
   std::vector<bool> deterministic_;  // by component: inside it no choice has two branches
   std::vector<std::vector<bool>> above_;

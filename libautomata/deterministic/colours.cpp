@@ -18,7 +18,7 @@ struct Edge {
 class Heights {
  public:
   // lowest: of a component that accepts, and of one that rejects: 0 and 1, or 2 and 1.
-  Heights(const Branching& automaton, std::uint32_t accepting) : accepting_(accepting) {
+  Heights(const TransitionRelation& automaton, std::uint32_t accepting) : accepting_(accepting) {
     const BranchGraph graph(automaton);
     states_ = graph.size();
     for (std::uint32_t q = 0; q < states_; ++q)
@@ -42,14 +42,14 @@ class Heights {
   bool weak() const { return weak_; }
   std::uint32_t colours() const { return most_ - least_; }
 
-  Branching applied(const Branching& automaton) const {
+  TransitionRelation applied(const TransitionRelation& automaton) const {
     const std::uint32_t top = most_ + most_ % 2, sets = top - least_;
     std::map<std::tuple<std::uint32_t, std::uint32_t, std::uint32_t>, std::uint32_t> colour;
     for (const Edge& e : edges_)
       colour[{e.source, e.target, e.colour}] = top - (e.height == unset ? least_ : e.height);
     std::vector<std::uint32_t> all(automaton.states());
     std::iota(all.begin(), all.end(), 0U);
-    Branching out = rebuild(automaton, all, [&](std::uint32_t q, std::span<const Branch> choice) {
+    TransitionRelation out = rebuild(automaton, all, [&](std::uint32_t q, std::span<const Branch> choice) {
       std::vector<Branch> branches;
       for (const Branch& b : choice)
         branches.push_back(
@@ -104,20 +104,20 @@ class Heights {
 
 }  // namespace
 
-std::uint32_t colour_of(const Branching& automaton, Marks marks) {
+std::uint32_t colour_of(const TransitionRelation& automaton, Marks marks) {
   return marks.empty() ? automaton.acceptance.sets : marks.members().front();
 }
 Marks mark_of(std::uint32_t colour, std::uint32_t sets) {
   return colour < sets ? Marks::of(colour) : Marks();
 }
 
-Branching completed_parity(const Branching& automaton) {
+TransitionRelation completed_parity(const TransitionRelation& automaton) {
   if (is_complete(automaton)) return automaton;
   const auto sink = static_cast<std::uint32_t>(automaton.states());
   const std::uint32_t sets = std::max(automaton.acceptance.sets, 2U);
   std::vector<std::uint32_t> all(automaton.states());
   std::iota(all.begin(), all.end(), 0U);
-  Branching out = rebuild(automaton, all, [&](std::uint32_t, std::span<const Branch> choice) {
+  TransitionRelation out = rebuild(automaton, all, [&](std::uint32_t, std::span<const Branch> choice) {
     if (choice.empty()) return std::vector<Branch>{{sink, {}}};
     return std::vector<Branch>{
         {choice.front().target, mark_of(colour_of(automaton, choice.front().marks), sets)}};
@@ -127,7 +127,7 @@ Branching completed_parity(const Branching& automaton) {
   return out;
 }
 
-Recoloured with_fewest_colours(const Branching& automaton) {
+Recoloured with_fewest_colours(const TransitionRelation& automaton) {
   const Heights from_even(automaton, 0), from_odd(automaton, 2);
   const Heights& best = from_odd.colours() < from_even.colours() ? from_odd : from_even;
   return {best.applied(automaton), best.weak()};

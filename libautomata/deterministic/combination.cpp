@@ -6,8 +6,8 @@
 #include <string>
 #include <utility>
 
-#include "libautomata/joint_choices.hpp"
-#include "libautomata/numbering.hpp"
+#include "libautomata/bdd/joint_choices.hpp"
+#include "libautomata/graph/numbering.hpp"
 #include "libautomata/omega/emptiness.hpp"
 #include "libautomata/omega/recurrence.hpp"
 
@@ -28,13 +28,13 @@ std::optional<Marks> marks_for(const Acceptance& acceptance, bool answer) {
 }
 
 // With one set more, which all branches have, when no loop could be rejected.
-Branching rejectable(const Branching& automaton) {
+TransitionRelation rejectable(const TransitionRelation& automaton) {
   if (marks_for(automaton.acceptance, false)) return automaton;
   const std::uint32_t mark = automaton.acceptance.sets;
-  if (mark >= Marks::most) throw Effort::Spent{Effort::Spent::Reason::States};
+  if (mark >= Marks::most) throw Budget::Exceeded{Budget::Exceeded::Reason::States};
   std::vector<std::uint32_t> all(automaton.states());
   for (std::uint32_t q = 0; q < all.size(); ++q) all[q] = q;
-  Branching out = rebuild(automaton, all, [&](std::uint32_t, std::span<const Branch> choice) {
+  TransitionRelation out = rebuild(automaton, all, [&](std::uint32_t, std::span<const Branch> choice) {
     std::vector<Branch> branches(choice.begin(), choice.end());
     for (Branch& b : branches) b.marks = b.marks | Marks::of(mark);
     return branches;
@@ -45,7 +45,7 @@ Branching rejectable(const Branching& automaton) {
 
 // A part, and of its states whether they accept nothing or everything.
 struct Followed {
-  Branching automaton;
+  TransitionRelation automaton;
   bool late;
   std::uint32_t first_mark;
   std::vector<bool> nothing, everything;
@@ -56,7 +56,7 @@ struct Followed {
         late(part.late),
         first_mark(mark) {
     const std::uint32_t sets = automaton.acceptance.sets;
-    if (mark + sets >= Marks::most) throw Effort::Spent{Effort::Spent::Reason::States};
+    if (mark + sets >= Marks::most) throw Budget::Exceeded{Budget::Exceeded::Reason::States};
     BranchGraph graph(automaton);
     const auto sink = static_cast<std::uint32_t>(graph.size());
     graph.add_state();
@@ -95,16 +95,16 @@ struct Question {
 
 class Combination {
  public:
-  Combination(const std::vector<Part>& parts, const Condition& over, Effort& effort)
-      : effort_(effort), over_(over) {
-    if (parts.size() > Marks::most) throw Effort::Spent{Effort::Spent::Reason::States};
+  Combination(const std::vector<Part>& parts, const Condition& over, Budget& budget)
+      : budget_(budget), over_(over) {
+    if (parts.size() > Marks::most) throw Budget::Exceeded{Budget::Exceeded::Reason::States};
     for (const Part& part : parts) {
       parts_.emplace_back(part, sets_);
       sets_ += parts_.back().automaton.acceptance.sets;
     }
   }
 
-  Branching run() {
+  TransitionRelation run() {
     const Acceptance acceptance{sets_, answered(over_)};
     early_.acceptance = acceptance;
     make_early();
@@ -172,14 +172,14 @@ class Combination {
 
   void make_early() {
     for (Followed& part : parts_) part.move_to(early_.diagram);
-    JointChoices joint(early_.diagram, effort_);
+    JointChoices joint(early_.diagram, budget_);
     States start;
     for (const Followed& part : parts_) start.push_back(part.automaton.initial);
     number_of(over_, Marks());
     State first = settled(0, std::move(start));
     for (std::uint32_t i = 0; i < parts_.size(); ++i)
       if (parts_[i].late) first.states[i] = absent;
-    numbering_.of(std::move(first), effort_);
+    numbering_.of(std::move(first), budget_);
     for (std::size_t s = 0; s < numbering_.size(); ++s) {  // doubles as the queue
       const State& state = numbering_[s];
       Node tuples = JointChoices::empty();
@@ -205,7 +205,7 @@ class Combination {
     }
     State target = settled(state.question, std::move(next));
     if (questions_[target.question].over.op() == Condition::Op::False) return Choices::none;
-    const std::uint32_t number = numbering_.of(std::move(target), effort_);
+    const std::uint32_t number = numbering_.of(std::move(target), budget_);
     return early_.choices.intern({{number, marks}});
   }
 
@@ -257,9 +257,9 @@ class Combination {
     const std::vector<Node> roots = late_.diagram.import(
         early_.diagram, early_.roots, [](std::uint32_t c) { return Mtbdd::terminal(c); },
         [](Mtbdd::Variable v) { return v; });
-    JointChoices joint(late_.diagram, effort_);
+    JointChoices joint(late_.diagram, budget_);
     Numbering<State> numbering;
-    numbering.of(entered(early_.initial), effort_);
+    numbering.of(entered(early_.initial), budget_);
     for (std::size_t s = 0; s < numbering.size(); ++s) {  // doubles as the queue
       const State& state = numbering[s];
       Node tuples = joint.extended(JointChoices::empty(), roots[state.question]);
@@ -283,7 +283,7 @@ class Combination {
     if (choices[0] == Choices::none) return Choices::none;
     const Branch& b = early_.choices[choices[0]].front();
     if (found_.of[b.target] != component)
-      return late_.choices.intern({{numbering.of(entered(b.target), effort_), {}}});
+      return late_.choices.intern({{numbering.of(entered(b.target), budget_), {}}});
     State next{b.target, States(parts_.size(), absent)};
     Marks marks = b.marks;
     for (std::size_t k = 0; k < late.size(); ++k) {
@@ -293,15 +293,15 @@ class Combination {
       next.states[late[k]] = branch->target;
       marks = marks | parts_[late[k]].shifted(branch->marks);
     }
-    const std::uint32_t number = numbering.of(std::move(next), effort_);
+    const std::uint32_t number = numbering.of(std::move(next), budget_);
     return late_.choices.intern({{number, marks}});
   }
 
-  Effort& effort_;
+  Budget& budget_;
   Condition over_;
   std::vector<Followed> parts_;
   std::uint32_t sets_ = 0;
-  Branching early_, late_;
+  TransitionRelation early_, late_;
   std::vector<Question> questions_;
   std::vector<Marks> answers_;  // by question: the settled parts that accept
   std::map<std::string, std::uint32_t> question_;
@@ -312,8 +312,8 @@ class Combination {
 
 }  // namespace
 
-Branching combination(const std::vector<Part>& parts, const Condition& over, Effort& effort) {
-  return Combination(parts, over, effort).run();
+TransitionRelation combination(const std::vector<Part>& parts, const Condition& over, Budget& budget) {
+  return Combination(parts, over, budget).run();
 }
 
 }  // namespace waymark::automata

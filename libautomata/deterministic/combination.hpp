@@ -8,18 +8,18 @@
 #pragma once
 #include <vector>
 
-#include "libautomata/effort.hpp"
-#include "libautomata/omega/branching.hpp"
+#include "libautomata/budget.hpp"
+#include "libautomata/omega/transition_relation.hpp"
 
 namespace waymark::automata {
 
 struct Part {
-  Branching automaton;  // deterministic, any condition
-  bool late = false;    // it accepts uv exactly when it accepts v
+  TransitionRelation automaton;  // deterministic, any condition
+  bool late = false;             // it accepts uv exactly when it accepts v
 };
 
 // over: Inf(i) stands for "part i accepts", Fin(i) for "it does not". All parts over the same variables. One state of
-// effort per state; more than Marks::most parts or marks count as too many.
-Branching combination(const std::vector<Part>& parts, const Condition& over, Effort& effort);
+// budget per state; more than Marks::most parts or marks count as too many.
+TransitionRelation combination(const std::vector<Part>& parts, const Condition& over, Budget& budget);
 
 }  // namespace waymark::automata

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <utility>
 
+#include "libautomata/bdd/joint_choices.hpp"
 #include "libautomata/deterministic/brace_tree.hpp"
-#include "libautomata/joint_choices.hpp"
-#include "libautomata/numbering.hpp"
+#include "libautomata/graph/numbering.hpp"
 #include "libautomata/omega/emptiness.hpp"
 #include "libautomata/omega/simulation.hpp"
 
@@ -16,14 +16,14 @@ using Node = Mtbdd::Node;
 
 class EdgeLevels {
  public:
-  EdgeLevels(const Branching& automaton, Effort& effort)
+  EdgeLevels(const TransitionRelation& automaton, Budget& budget)
       : from_(automaton),
-        effort_(effort),
+        budget_(budget),
         live_(live_components(BranchGraph(automaton), automaton.acceptance.condition)),
         sets_(automaton.acceptance.sets) {}
 
-  Branching run() {
-    Branching out;
+  TransitionRelation run() {
+    TransitionRelation out;
     out.acceptance = Acceptance::buchi();
     copy(from_.initial, 0);
     RootCopier copier(from_, out);
@@ -53,10 +53,10 @@ class EdgeLevels {
     next = b.marks == Marks::first(sets_) ? 0 : advanced(0);  // what is left over counts for the next round
     return {copy(b.target, next), Marks::of(0)};
   }
-  std::uint32_t copy(std::uint32_t q, std::uint32_t level) { return copies_.of({q, level}, effort_); }
+  std::uint32_t copy(std::uint32_t q, std::uint32_t level) { return copies_.of({q, level}, budget_); }
 
-  const Branching& from_;
-  Effort& effort_;
+  const TransitionRelation& from_;
+  Budget& budget_;
   LiveComponents live_;
   std::uint32_t sets_;
   Numbering<std::pair<std::uint32_t, std::uint32_t>> copies_;
@@ -64,14 +64,14 @@ class EdgeLevels {
 
 class Determinization {
  public:
-  Determinization(const Branching& buchi, Effort& effort)
-      : effort_(effort), rules_(buchi, direct_simulation(buchi, effort)), joint_(out_.diagram, effort) {
+  Determinization(const TransitionRelation& buchi, Budget& budget)
+      : budget_(budget), rules_(buchi, direct_simulation(buchi, budget)), joint_(out_.diagram, budget) {
     from_roots_ = out_.diagram.import(
         buchi.diagram, buchi.roots, [](std::uint32_t c) { return Mtbdd::terminal(c); },
         [](Mtbdd::Variable v) { return v; });
   }
 
-  Branching run() {
+  TransitionRelation run() {
     number(rules_.initial());
     for (std::size_t i = 0; i < trees_.size(); ++i) out_.roots.push_back(successors(trees_[i]));
     out_.acceptance = Acceptance::parity(Acceptance::Extreme::Min, Acceptance::Parity::Even, colours_);
@@ -85,25 +85,25 @@ class Determinization {
     return joint_.settled(offered, [&](std::uint32_t offer) { return step(tree, offer); });
   }
   std::uint32_t step(const BraceTree& tree, std::uint32_t offer) {
-    effort_.step(tree.runs.size() * tree.runs.size() * 8);
+    budget_.step(tree.runs.size() * tree.runs.size() * 8);
     std::vector<std::uint32_t> choices(tree.runs.size());
     joint_.read(offer, choices);
     BraceStep next = rules_.successor(tree, choices);
     if (next.tree.runs.empty()) return Choices::none;
     Marks marks;
     if (next.colour != BraceStep::nothing) {
-      if (next.colour + 3 > Marks::most) throw Effort::Spent{Effort::Spent::Reason::States};
+      if (next.colour + 3 > Marks::most) throw Budget::Exceeded{Budget::Exceeded::Reason::States};
       marks = Marks::of(next.colour);
       colours_ =
           std::max(colours_, (next.colour | 1U) + 2);  // odd: a branch without mark counts as rejecting
     }
     return out_.choices.intern({{number(std::move(next.tree)), marks}});
   }
-  std::uint32_t number(BraceTree tree) { return trees_.of(std::move(tree), effort_); }
+  std::uint32_t number(BraceTree tree) { return trees_.of(std::move(tree), budget_); }
 
-  Effort& effort_;
+  Budget& budget_;
   BraceRules rules_;
-  Branching out_;
+  TransitionRelation out_;
   std::vector<Node> from_roots_;
   JointChoices joint_;
   std::uint32_t colours_ = 1;
@@ -112,15 +112,15 @@ class Determinization {
 
 }  // namespace
 
-Branching degeneralize_on_edges(const Branching& automaton, Effort& effort) {
-  return EdgeLevels(automaton, effort).run();
+TransitionRelation degeneralize_on_edges(const TransitionRelation& automaton, Budget& budget) {
+  return EdgeLevels(automaton, budget).run();
 }
 
-Branching determinize(const Branching& automaton, Effort& effort) {
-  const Branching buchi = bisimulation_quotient(
-      automaton.acceptance.is_buchi() ? canonical(automaton) : degeneralize_on_edges(automaton, effort),
-      effort);
-  return Determinization(buchi, effort).run();
+TransitionRelation determinize(const TransitionRelation& automaton, Budget& budget) {
+  const TransitionRelation buchi = bisimulation_quotient(
+      automaton.acceptance.is_buchi() ? canonical(automaton) : degeneralize_on_edges(automaton, budget),
+      budget);
+  return Determinization(buchi, budget).run();
 }
 
 }  // namespace waymark::automata

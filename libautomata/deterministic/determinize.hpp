@@ -9,18 +9,18 @@
 // deterministic component start one each, so such a component is never determinised again; a state goes when another
 // one simulates it in a component that comes later, or in the same one in a brace that is no worse.
 #pragma once
-#include "libautomata/effort.hpp"
-#include "libautomata/omega/branching.hpp"
+#include "libautomata/budget.hpp"
+#include "libautomata/omega/transition_relation.hpp"
 
 namespace waymark::automata {
 
 // Generalised Büchi to Büchi, marks on edges: levels as in degeneralize(), acceptance on the branch that ends a round.
-// Deterministic in, deterministic out. One state of effort per copy.
-Branching degeneralize_on_edges(const Branching& automaton, Effort& effort);
+// Deterministic in, deterministic out. One state of budget per copy.
+TransitionRelation degeneralize_on_edges(const TransitionRelation& automaton, Budget& budget);
 
 // Generalised Büchi in, deterministic out: parity(Min, Even, ·), at most one mark on a branch, none being the worst.
-// Not complete: where no run goes on there is no branch. One state of effort per macro-state; more colours than
+// Not complete: where no run goes on there is no branch. One state of budget per macro-state; more colours than
 // Marks::most count as too many.
-Branching determinize(const Branching& automaton, Effort& effort);
+TransitionRelation determinize(const TransitionRelation& automaton, Budget& budget);
 
 }  // namespace waymark::automata

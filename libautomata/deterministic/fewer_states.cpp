@@ -8,10 +8,10 @@
 #include <utility>
 #include <vector>
 
+#include "libautomata/bdd/joint_choices.hpp"
 #include "libautomata/deterministic/colours.hpp"
 #include "libautomata/deterministic/one_language.hpp"
-#include "libautomata/joint_choices.hpp"
-#include "libautomata/scc.hpp"
+#include "libautomata/graph/scc.hpp"
 
 namespace waymark::automata {
 namespace {
@@ -33,8 +33,8 @@ using Colours = std::vector<std::vector<std::uint32_t>>;
 
 class Merging {
  public:
-  Merging(const Branching& complete, const std::vector<std::uint32_t>& language, Effort& effort)
-      : from_(complete), effort_(effort), joint_(diagram_, effort), image_(from_.states()) {
+  Merging(const TransitionRelation& complete, const std::vector<std::uint32_t>& language, Budget& budget)
+      : from_(complete), budget_(budget), joint_(diagram_, budget), image_(from_.states()) {
     std::map<std::uint32_t, std::uint32_t> number;
     for (std::uint32_t q = 0; q < from_.states(); ++q) {
       const auto [at, fresh] = number.try_emplace(language[q], static_cast<std::uint32_t>(classes_.size()));
@@ -63,13 +63,13 @@ class Merging {
   }
   // The structure, coloured; nullopt when nothing was merged. States that went, and those that nothing reaches, have
   // no branches.
-  std::optional<Branching> result() const {
+  std::optional<TransitionRelation> result() const {
     if (!merged_) return std::nullopt;
     std::uint32_t sets = 1;
     for (const auto& of_state : colours_)
       for (std::uint32_t colour : of_state)
         if (colour != unset) sets = std::max(sets, colour + 1);
-    Branching out;
+    TransitionRelation out;
     out.acceptance = Acceptance::parity(Acceptance::Extreme::Min, Acceptance::Parity::Even, sets);
     out.initial = image_[from_.initial];
     for (std::uint32_t s = 0; s < from_.states(); ++s)
@@ -155,7 +155,7 @@ class Merging {
     for (std::uint32_t i = 0; i < found.size(); ++i) {  // the pairs double as the queue
       const auto [s, d] = found[i];
       const Class& one = classes_[class_of_[s]];
-      effort_.step(one.branches.size());
+      budget_.step(one.branches.size());
       for (std::uint32_t t = 0; t < one.branches.size(); ++t) {
         const Branch& mine = one.branches[t][position_[s]];
         const Branch& theirs = one.branches[t][position_[d]];
@@ -170,7 +170,7 @@ class Merging {
   std::vector<bool> on_cycles(const std::vector<Edge>& edges, std::uint32_t parity) {
     std::vector<bool> out(edges.size(), false);
     for (std::uint32_t least = parity; least <= from_.acceptance.sets; least += 2) {
-      effort_.step(edges.size());
+      budget_.step(edges.size());
       if (std::none_of(edges.begin(), edges.end(), [&](const Edge& e) { return e.colour == least; }))
         continue;
       const Components found = components(Graph(edges, least));
@@ -213,7 +213,7 @@ class Merging {
     return out;
   }
 
-  Node coloured(std::uint32_t s, std::uint32_t sets, Branching& out) const {
+  Node coloured(std::uint32_t s, std::uint32_t sets, TransitionRelation& out) const {
     const Class& one = classes_[class_of_[s]];
     const auto leaf = [&](std::uint32_t tuple) {
       const std::uint32_t t = one.of_tuple.at(tuple);
@@ -224,8 +224,8 @@ class Merging {
     return out.diagram.import(diagram_, letters, leaf, [](Mtbdd::Variable v) { return v; })[0];
   }
 
-  const Branching& from_;
-  Effort& effort_;
+  const TransitionRelation& from_;
+  Budget& budget_;
   Mtbdd diagram_;
   JointChoices joint_;
   std::vector<Class> classes_;
@@ -238,27 +238,27 @@ class Merging {
 
 }  // namespace
 
-Reduced with_fewer_states(const Branching& complete, const std::vector<std::uint32_t>& language,
-                          Effort& effort) {
+Reduced with_fewer_states(const TransitionRelation& complete, const std::vector<std::uint32_t>& language,
+                          Budget& budget) {
   std::optional<Merging> merging;
   bool all_tried = true;
   try {
-    merging.emplace(complete, language, effort);
+    merging.emplace(complete, language, budget);
     merging->run();
-  } catch (const Effort::Spent& spent) {
-    if (spent.reason == Effort::Spent::Reason::Stopped) throw;
+  } catch (const Budget::Exceeded& spent) {
+    if (spent.reason == Budget::Exceeded::Reason::Stopped) throw;
     all_tried = false;
   }
-  std::optional<Branching> made = merging ? merging->result() : std::nullopt;
+  std::optional<TransitionRelation> made = merging ? merging->result() : std::nullopt;
   return {made ? *std::move(made) : complete, all_tried};
 }
 
-Reduced with_fewer_states(const Branching& automaton, Effort& effort) {
-  const Branching complete = completed_parity(automaton);
+Reduced with_fewer_states(const TransitionRelation& automaton, Budget& budget) {
+  const TransitionRelation complete = completed_parity(automaton);
   try {
-    return with_fewer_states(complete, languages(complete, effort), effort);
-  } catch (const Effort::Spent& spent) {
-    if (spent.reason == Effort::Spent::Reason::Stopped) throw;
+    return with_fewer_states(complete, languages(complete, budget), budget);
+  } catch (const Budget::Exceeded& spent) {
+    if (spent.reason == Budget::Exceeded::Reason::Stopped) throw;
     return {automaton, false};
   }
 }

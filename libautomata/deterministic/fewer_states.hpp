@@ -10,16 +10,16 @@
 #include <cstdint>
 #include <vector>
 
-#include "libautomata/effort.hpp"
+#include "libautomata/budget.hpp"
 #include "libautomata/omega/reduce.hpp"
 
 namespace waymark::automata {
 
 // parity(Min, Even, ·) in and out, deterministic; complete when something was merged. States are tried pair by pair.
-// Never throws Spent except when stopped: what was reached is returned.
-Reduced with_fewer_states(const Branching& automaton, Effort& effort);
+// Never throws Budget::Exceeded except when stopped: what was reached is returned.
+Reduced with_fewer_states(const TransitionRelation& automaton, Budget& budget);
 // … of a complete automaton whose languages() are known.
-Reduced with_fewer_states(const Branching& complete, const std::vector<std::uint32_t>& language,
-                          Effort& effort);
+Reduced with_fewer_states(const TransitionRelation& complete, const std::vector<std::uint32_t>& language,
+                          Budget& budget);
 
 }  // namespace waymark::automata

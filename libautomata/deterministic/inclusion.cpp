@@ -1,7 +1,7 @@
 #include "libautomata/deterministic/inclusion.hpp"
 
+#include "libautomata/bdd/pair_walk.hpp"
 #include "libautomata/omega/emptiness.hpp"
-#include "libautomata/pair_walk.hpp"
 
 namespace waymark::automata {
 namespace {
@@ -9,11 +9,11 @@ namespace {
 // Pairs (q, r), live when some word is accepted from q and not from r.
 class Differences {
  public:
-  Differences(const Branching& a, const Branching& b, Effort& effort) : a_(a), b_(b) {
+  Differences(const TransitionRelation& a, const TransitionRelation& b, Budget& budget) : a_(a), b_(b) {
     if (a.acceptance.sets + b.acceptance.sets > Marks::most)
-      throw Effort::Spent{Effort::Spent::Reason::States};
+      throw Budget::Exceeded{Budget::Exceeded::Reason::States};
     for (std::size_t i = 0; i < a.states() * b.states(); ++i) graph_.add_state();
-    PairWalk pairs(a.diagram, b.diagram, effort);
+    PairWalk pairs(a.diagram, b.diagram, budget);
     for (std::uint32_t q = 0; q < a.states(); ++q)
       for (std::uint32_t r = 0; r < b.states(); ++r) {
         if (trivial(q, r)) continue;
@@ -37,15 +37,16 @@ class Differences {
                           p.marks | Marks::from_bits(q.marks.bits() << a_.acceptance.sets)});
   }
 
-  const Branching &a_, &b_;
+  const TransitionRelation &a_, &b_;
   BranchGraph graph_;
   std::vector<bool> live_;
 };
 
 }  // namespace
 
-std::vector<std::vector<bool>> inclusions(const Branching& a, const Branching& b, Effort& effort) {
-  const Differences differences(a, b, effort);
+std::vector<std::vector<bool>> inclusions(const TransitionRelation& a, const TransitionRelation& b,
+                                          Budget& budget) {
+  const Differences differences(a, b, budget);
   std::vector<std::vector<bool>> out(a.states(), std::vector<bool>(b.states()));
   for (std::uint32_t q = 0; q < a.states(); ++q)
     for (std::uint32_t r = 0; r < b.states(); ++r) out[q][r] = !differences.differ(q, r);

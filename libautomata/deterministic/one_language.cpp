@@ -7,9 +7,9 @@
 #include <utility>
 #include <vector>
 
+#include "libautomata/bdd/pair_walk.hpp"
 #include "libautomata/omega/emptiness.hpp"
-#include "libautomata/pair_walk.hpp"
-#include "libltl/random.hpp"
+#include "libltl/structure/random.hpp"
 
 namespace waymark::automata {
 
@@ -18,7 +18,7 @@ namespace {
 constexpr int sample_words = 32;
 
 // By state, one bit a word vʷ, drawn from a fixed seed: is it accepted? States that differ have different languages.
-std::vector<std::uint32_t> verdicts(const Branching& complete) {
+std::vector<std::uint32_t> verdicts(const TransitionRelation& complete) {
   const Mtbdd& diagram = complete.diagram;
   Mtbdd::Variable variables = 0;
   for (Mtbdd::Node n : diagram.reachable(complete.roots))
@@ -67,13 +67,13 @@ std::vector<std::uint32_t> verdicts(const Branching& complete) {
 // them only.
 class Differences {
  public:
-  Differences(const Branching& complete, Effort& effort)
+  Differences(const TransitionRelation& complete, Budget& budget)
       : automaton_(complete),
         verdict_(verdicts(complete)),
-        pairs_(complete.diagram, complete.diagram, effort),
+        pairs_(complete.diagram, complete.diagram, budget),
         number_(complete.states() * complete.states(), none) {
     const std::uint32_t sets = complete.acceptance.sets;
-    if (2 * sets > Marks::most) throw Effort::Spent{Effort::Spent::Reason::States};
+    if (2 * sets > Marks::most) throw Budget::Exceeded{Budget::Exceeded::Reason::States};
     const auto states = static_cast<std::uint32_t>(complete.states());
     for (std::uint32_t q = 0; q < states; ++q)
       for (std::uint32_t r = q + 1; r < states; ++r)
@@ -133,7 +133,7 @@ class Differences {
     }
   }
 
-  const Branching& automaton_;
+  const TransitionRelation& automaton_;
   std::vector<std::uint32_t> verdict_;
   PairWalk pairs_;
   std::vector<std::uint32_t> number_;  // of pairs, by place
@@ -144,8 +144,8 @@ class Differences {
 
 }  // namespace
 
-std::vector<std::uint32_t> languages(const Branching& complete, Effort& effort) {
-  const Differences differences(complete, effort);
+std::vector<std::uint32_t> languages(const TransitionRelation& complete, Budget& budget) {
+  const Differences differences(complete, budget);
   std::vector<std::uint32_t> first(complete.states());
   for (std::uint32_t q = 0; q < first.size(); ++q)
     for (first[q] = 0; first[q] < q; ++first[q])
@@ -153,8 +153,8 @@ std::vector<std::uint32_t> languages(const Branching& complete, Effort& effort) 
   return first;
 }
 
-std::optional<Branching> one_component_each(const Branching& complete,
-                                            const std::vector<std::uint32_t>& language) {
+std::optional<TransitionRelation> one_component_each(const TransitionRelation& complete,
+                                                     const std::vector<std::uint32_t>& language) {
   const Components found = components(BranchGraph(complete));
   std::vector<std::uint32_t> all(complete.states()), image(complete.states());
   std::iota(all.begin(), all.end(), 0U);
@@ -163,7 +163,7 @@ std::optional<Branching> one_component_each(const Branching& complete,
     for (std::uint32_t r : all)
       if (found.of[r] < found.of[image[q]] && language[q] == language[r]) image[q] = r;
   if (image == all) return std::nullopt;
-  Branching out = rebuild(complete, all, [&](std::uint32_t, std::span<const Branch> choice) {
+  TransitionRelation out = rebuild(complete, all, [&](std::uint32_t, std::span<const Branch> choice) {
     return std::vector<Branch>{{image[choice.front().target], choice.front().marks}};
   });
   out.initial = image[complete.initial];

@@ -8,18 +8,18 @@
 #include <optional>
 #include <vector>
 
-#include "libautomata/effort.hpp"
-#include "libautomata/omega/branching.hpp"
+#include "libautomata/budget.hpp"
+#include "libautomata/omega/transition_relation.hpp"
 
 namespace waymark::automata {
 
 // By state: the first state that accepts the same words. Deterministic, complete, any acceptance. A few words tell most
-// states apart; of the others all pairs are compared: one step of effort per pair of nodes.
-std::vector<std::uint32_t> languages(const Branching& complete, Effort& effort);
+// states apart; of the others all pairs are compared: one step of budget per pair of nodes.
+std::vector<std::uint32_t> languages(const TransitionRelation& complete, Budget& budget);
 
 // Deterministic and complete; `language` as languages() gives it. States may be left that nothing reaches; nullopt when
 // every branch stays where it is.
-std::optional<Branching> one_component_each(const Branching& complete,
-                                            const std::vector<std::uint32_t>& language);
+std::optional<TransitionRelation> one_component_each(const TransitionRelation& complete,
+                                                     const std::vector<std::uint32_t>& language);
 
 }  // namespace waymark::automata

@@ -7,7 +7,7 @@
 
 #include "libautomata/deterministic/alternating_cycles.hpp"
 #include "libautomata/deterministic/colours.hpp"
-#include "libautomata/numbering.hpp"
+#include "libautomata/graph/numbering.hpp"
 
 namespace waymark::automata {
 namespace {
@@ -16,10 +16,10 @@ using Node = Mtbdd::Node;
 
 class Copies {
  public:
-  Copies(const Branching& automaton, Effort& effort)
-      : from_(automaton), effort_(effort), cycles_(automaton, effort), sets_(cycles_.colours() + 1) {}
+  Copies(const TransitionRelation& automaton, Budget& budget)
+      : from_(automaton), budget_(budget), cycles_(automaton, budget), sets_(cycles_.colours() + 1) {}
 
-  Branching run() {
+  TransitionRelation run() {
     const std::vector<Node> roots = out_.diagram.import(
         from_.diagram, from_.roots, [](std::uint32_t c) { return Mtbdd::terminal(c); },
         [](Mtbdd::Variable v) { return v; });
@@ -28,7 +28,7 @@ class Copies {
     for (std::size_t i = 0; i < copies_.size(); ++i) {  // the copies double as the queue
       const Copy at = copies_[i];
       const auto decide = [&](const std::array<Node, 1>& n) -> std::optional<Node> {
-        effort_.step();
+        budget_.step();
         if (!Mtbdd::is_terminal(n[0])) return std::nullopt;
         return Mtbdd::terminal(choice(at, from_.choices[Mtbdd::payload(n[0])]));
       };
@@ -47,18 +47,20 @@ class Copies {
     const Marks marks = step.colour == AlternatingCycles::no_colour ? Marks() : mark_of(step.colour, sets_);
     return out_.choices.intern({{copy(b.target, step.node), marks}});
   }
-  std::uint32_t copy(std::uint32_t q, AlternatingCycles::Node node) { return copies_.of({q, node}, effort_); }
+  std::uint32_t copy(std::uint32_t q, AlternatingCycles::Node node) { return copies_.of({q, node}, budget_); }
 
-  const Branching& from_;
-  Effort& effort_;
+  const TransitionRelation& from_;
+  Budget& budget_;
   AlternatingCycles cycles_;
   std::uint32_t sets_;
-  Branching out_;
+  TransitionRelation out_;
   Numbering<Copy> copies_;
 };
 
 }  // namespace
 
-Branching paritise(const Branching& automaton, Effort& effort) { return Copies(automaton, effort).run(); }
+TransitionRelation paritise(const TransitionRelation& automaton, Budget& budget) {
+  return Copies(automaton, budget).run();
+}
 
 }  // namespace waymark::automata

@@ -6,15 +6,15 @@
 #include <stdexcept>
 #include <utility>
 
+#include "libautomata/bdd/transitions.hpp"
 #include "libautomata/deterministic/colours.hpp"
 #include "libautomata/deterministic/fewer_states.hpp"
 #include "libautomata/deterministic/one_language.hpp"
-#include "libautomata/minimize.hpp"
+#include "libautomata/finite/minimize.hpp"
 #include "libautomata/omega/emptiness.hpp"
 #include "libautomata/omega/scc_filter.hpp"
 #include "libautomata/omega/simulation.hpp"
 #include "libautomata/omega/weak.hpp"
-#include "libautomata/transitions.hpp"
 
 namespace waymark::automata {
 namespace {
@@ -24,7 +24,7 @@ constexpr std::size_t merging_steps = 10'000'000;
 using Extreme = Acceptance::Extreme;
 using Parity = Acceptance::Parity;
 
-std::vector<std::uint32_t> all_states(const Branching& automaton) {
+std::vector<std::uint32_t> all_states(const TransitionRelation& automaton) {
   std::vector<std::uint32_t> out(automaton.states());
   std::iota(out.begin(), out.end(), 0U);
   return out;
@@ -32,7 +32,7 @@ std::vector<std::uint32_t> all_states(const Branching& automaton) {
 
 // By state of an automaton whose components each have one colour: the largest colours that decrease along edges, even
 // where cycles accept and odd where they reject; accepting are the even ones. [Loe01, Sec. 3]
-std::vector<bool> weak_acceptance(const Branching& automaton) {
+std::vector<bool> weak_acceptance(const TransitionRelation& automaton) {
   const BranchGraph graph(automaton);
   const LiveComponents live = live_components(graph, automaton.acceptance.condition);
   const Components& found = live.components;
@@ -55,8 +55,8 @@ std::vector<bool> weak_acceptance(const Branching& automaton) {
   return out;
 }
 
-Branching minimal_weak(const Branching& automaton, Effort& effort) {
-  const Branching complete = completed_parity(automaton);
+TransitionRelation minimal_weak(const TransitionRelation& automaton, Budget& budget) {
+  const TransitionRelation complete = completed_parity(automaton);
   Transitions weak;
   weak.roots = weak.diagram.import(
       complete.diagram, complete.roots,
@@ -64,11 +64,11 @@ Branching minimal_weak(const Branching& automaton, Effort& effort) {
       [](Mtbdd::Variable v) { return v; });
   weak.accepting = weak_acceptance(complete);
   weak.initial = complete.initial;
-  return as_buchi(minimize(weak, effort), {});
+  return as_buchi(minimize(weak, budget), {});
 }
 
 // One mark at most on a branch, one branch at most in a choice.
-bool has_single_colours(const Branching& automaton) {
+bool has_single_colours(const TransitionRelation& automaton) {
   if (!is_deterministic(automaton)) return false;
   for (std::uint32_t q = 0; q < automaton.states(); ++q)
     for (const Branch& b : branches_of(automaton, q))
@@ -91,51 +91,51 @@ std::optional<Dpa> Dpa::checked(Automaton automaton) {
   return Dpa(std::move(automaton));
 }
 
-Reduced reduce_parity(const Branching& automaton, Effort& effort, std::size_t compared) {
+Reduced reduce_parity(const TransitionRelation& automaton, Budget& budget, std::size_t compared) {
   Reduced out{trim(automaton), true};
-  Branching& live = out.automaton;
+  TransitionRelation& live = out.automaton;
   try {
     while (true) {
       const std::size_t states = live.states();
       const Recoloured coloured = with_fewest_colours(live);
       if (coloured.weak)
-        return {with_fewest_colours(minimal_weak(coloured.automaton, effort)).automaton, true};
-      live = canonical(bisimulation_quotient(coloured.automaton, effort));
+        return {with_fewest_colours(minimal_weak(coloured.automaton, budget)).automaton, true};
+      live = canonical(bisimulation_quotient(coloured.automaton, budget));
       if (live.states() > compared || 2 * live.acceptance.sets > Marks::most) {
         if (live.states() == states) break;
         continue;
       }
-      const Branching complete = completed_parity(live);
-      const std::vector<std::uint32_t> language = languages(complete, effort);
-      const std::optional<Branching> moved = one_component_each(complete, language);
+      const TransitionRelation complete = completed_parity(live);
+      const std::vector<std::uint32_t> language = languages(complete, budget);
+      const std::optional<TransitionRelation> moved = one_component_each(complete, language);
       if (moved) live = trim(*moved);
       if (live.states() < states) continue;
-      Effort some = effort.at_most(merging_steps);
+      Budget some = budget.at_most(merging_steps);
       Reduced merged = moved ? with_fewer_states(live, some) : with_fewer_states(complete, language, some);
       live = trim(merged.automaton);
       out.complete = merged.complete;
       if (live.states() == states) break;
     }
     live = with_fewest_colours(live).automaton;
-  } catch (const Effort::Spent& spent) {
-    if (spent.reason == Effort::Spent::Reason::Stopped) throw;
+  } catch (const Budget::Exceeded& spent) {
+    if (spent.reason == Budget::Exceeded::Reason::Stopped) throw;
     out.complete = false;
   }
   return out;
 }
 
-std::size_t count_languages(const Branching& automaton, Effort& effort) {
-  const std::vector<std::uint32_t> first = languages(completed_parity(automaton), effort);
+std::size_t count_languages(const TransitionRelation& automaton, Budget& budget) {
+  const std::vector<std::uint32_t> first = languages(completed_parity(automaton), budget);
   const auto live = static_cast<std::ptrdiff_t>(automaton.states());
   return std::set<std::uint32_t>(first.begin(), first.begin() + live).size();
 }
 
-Branching complement_parity(const Branching& automaton) {
+TransitionRelation complement_parity(const TransitionRelation& automaton) {
   const auto sink = static_cast<std::uint32_t>(automaton.states());
   const std::uint32_t sets = automaton.acceptance.sets + 1;
-  if (sets > Marks::most) throw Effort::Spent{Effort::Spent::Reason::States};
+  if (sets > Marks::most) throw Budget::Exceeded{Budget::Exceeded::Reason::States};
   const bool complete = is_complete(automaton);
-  Branching out =
+  TransitionRelation out =
       rebuild(automaton, all_states(automaton), [&](std::uint32_t, std::span<const Branch> choice) {
         if (choice.empty()) return std::vector<Branch>{{sink, {}}};
         const Branch& b = choice.front();
@@ -147,7 +147,7 @@ Branching complement_parity(const Branching& automaton) {
 }
 
 // Min odd: one more. Max: counted from the other end, so that what accepts stays even; no mark is the colour −1.
-Branching min_even_parity(const Branching& automaton) {
+TransitionRelation min_even_parity(const TransitionRelation& automaton) {
   const auto kind = parity_kind(automaton.acceptance);
   if (!kind) throw std::invalid_argument("not a parity condition");
   const Extreme extreme = kind->first;
@@ -157,9 +157,9 @@ Branching min_even_parity(const Branching& automaton) {
   const std::uint32_t top =  // the colour that 0 becomes when counted from the other end
       sets + (sets % 2 == (parity == Parity::Even ? 0U : 1U) ? 0 : 1);
   const std::uint32_t new_sets = sets + 1 + (extreme == Extreme::Max ? top - sets : 0);
-  if (new_sets > Marks::most) throw Effort::Spent{Effort::Spent::Reason::States};
+  if (new_sets > Marks::most) throw Budget::Exceeded{Budget::Exceeded::Reason::States};
   const auto renamed = [&](std::uint32_t c) { return extreme == Extreme::Min ? c + 1 : top - c; };
-  Branching out =
+  TransitionRelation out =
       rebuild(automaton, all_states(automaton), [&](std::uint32_t, std::span<const Branch> choice) {
         std::vector<Branch> branches;
         for (const Branch& b : choice) {
@@ -172,13 +172,13 @@ Branching min_even_parity(const Branching& automaton) {
   return out;
 }
 
-Branching plain_parity(const Branching& automaton) {
+TransitionRelation plain_parity(const TransitionRelation& automaton) {
   const std::uint32_t sets = automaton.acceptance.sets;
   if (sets == 0) return automaton;
   for (std::uint32_t q = 0; q < automaton.states(); ++q)
     for (const Branch& b : branches_of(automaton, q))
       if (b.marks.contains(0)) return automaton;
-  Branching out =
+  TransitionRelation out =
       rebuild(automaton, all_states(automaton), [&](std::uint32_t, std::span<const Branch> choice) {
         std::vector<Branch> branches;
         for (const Branch& b : choice) branches.push_back({b.target, Marks::from_bits(b.marks.bits() >> 1U)});
@@ -188,10 +188,10 @@ Branching plain_parity(const Branching& automaton) {
   return out;
 }
 
-Branching as_rabin(const Branching& automaton) {
+TransitionRelation as_rabin(const TransitionRelation& automaton) {
   const std::uint32_t sets = automaton.acceptance.sets, pairs = sets / 2 + 1;
-  if (2 * pairs > Marks::most) throw Effort::Spent{Effort::Spent::Reason::States};
-  Branching out =
+  if (2 * pairs > Marks::most) throw Budget::Exceeded{Budget::Exceeded::Reason::States};
+  TransitionRelation out =
       rebuild(automaton, all_states(automaton), [&](std::uint32_t, std::span<const Branch> choice) {
         std::vector<Branch> branches;
         for (const Branch& b : choice) {

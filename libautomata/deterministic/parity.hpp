@@ -5,7 +5,7 @@
 #pragma once
 #include <optional>
 
-#include "libautomata/effort.hpp"
+#include "libautomata/budget.hpp"
 #include "libautomata/omega/automaton.hpp"
 #include "libautomata/omega/reduce.hpp"
 
@@ -24,7 +24,7 @@ class Dpa {
 };
 
 // Any of the four parity conditions as parity(Min, Even, n), the same language.
-Branching min_even_parity(const Branching& automaton);
+TransitionRelation min_even_parity(const TransitionRelation& automaton);
 
 // The functions below take and give deterministic automata with parity(Min, Even, n).
 
@@ -32,22 +32,23 @@ Branching min_even_parity(const Branching& automaton);
 constexpr std::size_t compared_states = 120;
 
 // Languages of the states: no deterministic automaton of the same language has fewer live states, whatever its
-// condition. Trimmed in; one step of effort per pair of nodes.
-std::size_t count_languages(const Branching& automaton, Effort& effort);
+// condition. Trimmed in; one step of budget per pair of nodes.
+std::size_t count_languages(const TransitionRelation& automaton, Budget& budget);
 
 // Trimmed; as few colours as the components need [CM99, Sec. 4]; states with one signature merged, and those of one
 // language where fewer_states.hpp finds colours. When every component accepts or rejects as a whole the language is an
-// obligation, and the result is the minimal automaton [Loe01]. Never throws Spent except when stopped: what was
+// obligation, and the result is the minimal automaton [Loe01]. Never throws Budget::Exceeded except when stopped: what was
 // reached is returned.
-Reduced reduce_parity(const Branching& automaton, Effort& effort, std::size_t compared = compared_states);
+Reduced reduce_parity(const TransitionRelation& automaton, Budget& budget,
+                      std::size_t compared = compared_states);
 
 // The words that it rejects. Complete, one state more at most.
-Branching complement_parity(const Branching& automaton);
+TransitionRelation complement_parity(const TransitionRelation& automaton);
 
 // The same automaton with the plainest name: colours from 1 on are counted from 0, odd ones accepting.
-Branching plain_parity(const Branching& automaton);
+TransitionRelation plain_parity(const TransitionRelation& automaton);
 
 // Pair i: the colours below 2i finitely often, 2i infinitely often.
-Branching as_rabin(const Branching& automaton);
+TransitionRelation as_rabin(const TransitionRelation& automaton);
 
 }  // namespace waymark::automata

@@ -4,10 +4,10 @@
 #include <span>
 #include <utility>
 
-#include "libautomata/effort.hpp"
-#include "libltl/fragment.hpp"
-#include "libltl/nnf.hpp"
-#include "libltl/separate.hpp"
+#include "libautomata/budget.hpp"
+#include "libltl/rewriting/nnf.hpp"
+#include "libltl/rewriting/separate.hpp"
+#include "libltl/structure/fragment.hpp"
 
 namespace waymark::automata {
 namespace {
@@ -96,7 +96,7 @@ Condition Split::literal(Formula f) {
     if (parts_[i] == f) return Condition::inf(i);
     if (parts_[i] == opposite) return Condition::fin(i);
   }
-  if (parts_.size() == Marks::most) throw Effort::Spent{Effort::Spent::Reason::States};
+  if (parts_.size() == Marks::most) throw Budget::Exceeded{Budget::Exceeded::Reason::States};
   parts_.push_back(f);
   return Condition::inf(static_cast<std::uint32_t>(parts_.size() - 1));
 }

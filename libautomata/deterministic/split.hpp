@@ -21,7 +21,7 @@ class Split {
     Each,
     Together
   };  // conjunctions of G F e, disjunctions of F G ¬e: one part or many
-  // f in negation normal form. Throws Effort::Spent when there are more than Marks::most parts.
+  // f in negation normal form. Throws Budget::Exceeded when there are more than Marks::most parts.
   Split(ltl::Formula f, Late late);
   const std::vector<ltl::Formula>& parts() const { return parts_; }
   // Inf(i) for part i, Fin(i) for its negation: no part is another one's.

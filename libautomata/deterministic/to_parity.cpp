@@ -10,22 +10,22 @@
 namespace waymark::automata {
 namespace {
 
-Branching deterministic_parity(const Branching& automaton, Effort& effort) {
-  if (is_deterministic(automaton)) return paritise(trim(automaton), effort);
-  return determinize(reduce(without_fin(automaton, effort), MarksOn::Edges, effort).automaton, effort);
+TransitionRelation deterministic_parity(const TransitionRelation& automaton, Budget& budget) {
+  if (is_deterministic(automaton)) return paritise(trim(automaton), budget);
+  return determinize(reduce(without_fin(automaton, budget), MarksOn::Edges, budget).automaton, budget);
 }
 
 }  // namespace
 
-Dpa to_parity(const Automaton& automaton, Effort& effort) {
-  const Branching parity =
-      reduce_parity(deterministic_parity(automaton.transitions(), effort), effort).automaton;
+Dpa to_parity(const Automaton& automaton, Budget& budget) {
+  const TransitionRelation parity =
+      reduce_parity(deterministic_parity(automaton.transitions(), budget), budget).automaton;
   return *Dpa::checked(as_automaton(plain_parity(parity), automaton.vocabulary(), automaton.reads()));
 }
 
-Deterministic determinized(const Automaton& automaton, Effort& effort) {
+Deterministic determinized(const Automaton& automaton, Budget& budget) {
   if (std::optional<Deterministic> same = Deterministic::checked(automaton)) return *std::move(same);
-  return *Deterministic::checked(to_parity(automaton, effort).automaton());
+  return *Deterministic::checked(to_parity(automaton, budget).automaton());
 }
 
 }  // namespace waymark::automata

@@ -5,7 +5,7 @@
 #include <unordered_map>
 #include <utility>
 
-#include "libltl/by_subformula.hpp"
+#include "libltl/structure/by_subformula.hpp"
 
 namespace waymark::automata {
 namespace {

@@ -37,8 +37,8 @@ std::vector<std::uint32_t> order_of(const LimitDeterministic& ldba, const std::v
   return order;
 }
 
-Branching branches_of_runs(const LimitDeterministic& ldba) {
-  Effort unlimited;
+TransitionRelation branches_of_runs(const LimitDeterministic& ldba) {
+  Budget unlimited;
   return without_jumps(ldba, unlimited);
 }
 
@@ -66,12 +66,12 @@ LimitDeterministic canonical(const LimitDeterministic& ldba) {
   return out;
 }
 
-Branching without_jumps(const LimitDeterministic& ldba, Effort& effort) {
-  Branching out = ldba.automaton;
+TransitionRelation without_jumps(const LimitDeterministic& ldba, Budget& budget) {
+  TransitionRelation out = ldba.automaton;
   const Mtbdd::Operation operation = out.diagram.operation();
   for (std::uint32_t q = 0; q < out.states(); ++q)
     for (std::uint32_t target : ldba.jumps[q])
-      out.roots[q] = unite(out, operation, out.roots[q], ldba.automaton.roots[target], effort);
+      out.roots[q] = unite(out, operation, out.roots[q], ldba.automaton.roots[target], budget);
   return out;
 }
 

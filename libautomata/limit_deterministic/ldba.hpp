@@ -1,8 +1,8 @@
 // Limit-deterministic Büchi automata whose nondeterminism is harmless in Markov decision processes.
 //
 // An initial part and an accepting part, both deterministic; marks in the accepting part only. In between, a state of
-// the initial part offers jumps to states of the accepting one, taken at no cost and reading no letter: a guess of what
-// will hold for ever. A run that guesses wrong is rejected; how often it may guess is what makes an automaton usable:
+// the initial part offers jumps to states of the accepting one, taken at no cost and reading no letter: a jump of what
+// will hold for ever. A run that jumps wrong is rejected; how often it may jump is what makes an automaton usable:
 // in the product with any MDP the best strategy must win with the probability of the formula. That is a theorem about a
 // construction [SEJK16], not something to be seen on the automaton, so only our constructions make an MdpSafe.
 #pragma once
@@ -12,14 +12,14 @@
 #include <utility>
 #include <vector>
 
-#include "libautomata/effort.hpp"
+#include "libautomata/budget.hpp"
 #include "libautomata/omega/automaton.hpp"
 
 namespace waymark::automata {
 
 // The same while it is being built.
 struct LimitDeterministic {
-  Branching automaton;                            // one branch at most in a choice; Büchi
+  TransitionRelation automaton;                   // one branch at most in a choice; Büchi
   std::vector<std::vector<std::uint32_t>> jumps;  // by state; none from states of the accepting part
   std::vector<bool> accepting_part;               // by state; its successors are in it too
 };
@@ -28,7 +28,7 @@ struct LimitDeterministic {
 LimitDeterministic canonical(const LimitDeterministic& ldba);
 
 // Jumps become branches: what a target offers on a letter is offered where the jump starts. Same numbering.
-Branching without_jumps(const LimitDeterministic& ldba, Effort& effort);
+TransitionRelation without_jumps(const LimitDeterministic& ldba, Budget& budget);
 
 class MdpSafe {
  public:
@@ -42,9 +42,9 @@ class MdpSafe {
   std::size_t states() const { return branches_.states(); }
   StateId initial() const { return branches_.initial(); }
   bool in_accepting_part(StateId q) const { return accepting_part_[q.index]; }
-  bool is_deterministic() const;  // nothing to guess
+  bool is_deterministic() const;  // nothing to jump
 
-  // Where a run may go before it reads the next letter, in a fixed order: the index names the guess.
+  // Where a run may go before it reads the next letter, in a fixed order: the index names the jump.
   std::span<const StateId> jumps(StateId q) const { return jumps_[q.index]; }
   // The step on a letter; none: the run is rejected. O(|reads|).
   std::optional<Step> next(StateId q, const ltl::Letter& letter) const;
@@ -55,7 +55,7 @@ class MdpSafe {
   // A nondeterministic Büchi automaton of the same language and numbering, a branch for every jump.
   const Automaton& automaton() const { return branches_; }
   // What a run does between two jumps: deterministic, same numbering.
-  const Branching& steps() const { return steps_; }
+  const TransitionRelation& steps() const { return steps_; }
 
  private:
   friend class ProvedConstructions;  // ltl_to_ldba.cpp
@@ -63,7 +63,7 @@ class MdpSafe {
   MdpSafe(LimitDeterministic ldba, const ltl::Vocabulary& vocabulary, std::vector<ltl::Proposition> reads);
 
   Automaton branches_;
-  Branching steps_;  // without the jumps
+  TransitionRelation steps_;  // without the jumps
   std::vector<std::vector<StateId>> jumps_;
   std::vector<bool> accepting_part_;
 };

@@ -6,11 +6,11 @@
 #include <utility>
 
 #include "libautomata/deterministic/colours.hpp"
-#include "libautomata/deterministic/ltl_to_parity.hpp"
-#include "libautomata/limit_deterministic/guess_colour.hpp"
+#include "libautomata/limit_deterministic/jump_on_colour.hpp"
 #include "libautomata/limit_deterministic/master_theorem.hpp"
 #include "libautomata/omega/operations.hpp"
-#include "libltl/simplify.hpp"
+#include "libautomata/translation/ltl_to_parity.hpp"
+#include "libltl/rewriting/simplify.hpp"
 
 namespace waymark::automata {
 
@@ -36,12 +36,12 @@ struct Candidate {
 
 template <class Make>
 auto within(std::size_t steps, const TranslationLimits& limits, const Make& make)
-    -> std::optional<decltype(make(std::declval<Effort&>()))> {
-  Effort effort(steps, limits.states, limits.stop);
+    -> std::optional<decltype(make(std::declval<Budget&>()))> {
+  Budget budget(steps, limits.states, limits.stop);
   try {
-    return make(effort);
-  } catch (const Effort::Spent& spent) {
-    if (spent.reason == Effort::Spent::Reason::Stopped) throw;
+    return make(budget);
+  } catch (const Budget::Exceeded& spent) {
+    if (spent.reason == Budget::Exceeded::Reason::Stopped) throw;
     return std::nullopt;
   }
 }
@@ -52,34 +52,34 @@ bool smaller(const LimitDeterministic& a, const LimitDeterministic& b) {
 
 class Construction {
  public:
-  // parity(Min, Even, ·), deterministic. Throws Spent when the pool has more states than the limit.
-  Construction(const Branching& parity, TranslationLimits limits)
+  // parity(Min, Even, ·), deterministic. Throws Budget::Exceeded when the accepting_part has more states than the limit.
+  Construction(const TransitionRelation& parity, TranslationLimits limits)
       : parity_(completed_parity(parity)),
         limits_(std::move(limits)),
-        by_colours_(guess_colour(parity_, pool_)) {
-    if (too_large()) throw Effort::Spent{Effort::Spent::Reason::States};
+        by_colours_(jump_on_colour(parity_, accepting_part_)) {
+    if (too_large()) throw Budget::Exceeded{Budget::Exceeded::Reason::States};
     if (parity_.states() <= compared_states) take(compared({by_colours_}));
     if (!best_) {
-      Effort effort(SIZE_MAX, SIZE_MAX, limits_.stop);
-      best_ = Candidate{hosted(parity_, pool_, {by_colours_}, false, effort).front(), false};
+      Budget budget(SIZE_MAX, SIZE_MAX, limits_.stop);
+      best_ = Candidate{assembled(parity_, accepting_part_, {by_colours_}, false, budget).front(), false};
     }
   }
-  // Two more ways where the first one has something to guess: its guesses over a larger pool, and the theorem's.
+  // Two more ways where the first one has something to jump: its jumps over a larger accepting_part, and the theorem's.
   void try_the_theorem(ltl::Formula f, const std::vector<ltl::Proposition>& reads) {
     if (!best_->reduced || parity_.states() > compared_states || is_deterministic()) return;
-    auto guesses = within(theorem_steps, limits_, [&](Effort& effort) {
-      return guess_by_master_theorem(f, parity_, reads, pool_, effort);
+    auto jumps = within(theorem_steps, limits_, [&](Budget& budget) {
+      return jump_by_master_theorem(f, parity_, reads, accepting_part_, budget);
     });
-    if (!guesses || !*guesses || too_large()) return;
-    take(compared({by_colours_, **guesses}));
+    if (!jumps || !*jumps || too_large()) return;
+    take(compared({by_colours_, **jumps}));
   }
   Candidate best() && { return *std::move(best_); }
 
  private:
   // Languages compared; none when that takes too much.
-  std::vector<LimitDeterministic> compared(std::vector<std::vector<Guess>> guesses) const {
-    auto made = within(comparison_steps, limits_, [&](Effort& effort) {
-      return hosted(parity_, pool_, std::move(guesses), true, effort);
+  std::vector<LimitDeterministic> compared(std::vector<std::vector<Jump>> jumps) const {
+    auto made = within(comparison_steps, limits_, [&](Budget& budget) {
+      return assembled(parity_, accepting_part_, std::move(jumps), true, budget);
     });
     return made ? *std::move(made) : std::vector<LimitDeterministic>();
   }
@@ -87,17 +87,17 @@ class Construction {
     for (LimitDeterministic& made : all)
       if (!best_ || smaller(made, best_->ldba)) best_ = Candidate{std::move(made), true};
   }
-  bool too_large() const { return pool_.automaton.states() > limits_.states; }
+  bool too_large() const { return accepting_part_.automaton.states() > limits_.states; }
   bool is_deterministic() const {
     for (const auto& jumps : best_->ldba.jumps)
       if (!jumps.empty()) return false;
     return true;
   }
 
-  Branching parity_;
+  TransitionRelation parity_;
   TranslationLimits limits_;
-  Pool pool_;
-  std::vector<Guess> by_colours_;
+  AcceptingPart accepting_part_;
+  std::vector<Jump> by_colours_;
   std::optional<Candidate> best_;
 };
 
@@ -119,13 +119,13 @@ std::variant<TranslatedForMdps, Exhausted> ltl_to_ldba(ltl::Formula f, const Tra
   const std::vector<ltl::Proposition> reads = together(ltl::propositions(simple), parity.automaton.reads());
   try {
     const Automaton& from = parity.automaton;
-    const Branching transitions = renamed(from.transitions(), from.reads(), reads);
+    const TransitionRelation transitions = renamed(from.transitions(), from.reads(), reads);
     Construction construction(min_even_parity(transitions), limits);
     construction.try_the_theorem(simple, reads);
     Candidate best = std::move(construction).best();
     return TranslatedForMdps{ProvedConstructions::made(std::move(best.ldba), f.arena().vocabulary(), reads),
                              best.reduced && parity.reduced};
-  } catch (const Effort::Spent&) {  // stopped, or the pool is too large
+  } catch (const Budget::Exceeded&) {  // stopped, or the accepting_part is too large
     return Exhausted{parity.automaton.states()};
   }
 }

@@ -3,8 +3,8 @@
 #include <variant>
 
 #include "libautomata/deterministic/parity.hpp"
+#include "libautomata/finite/ltlf_to_dfa.hpp"
 #include "libautomata/limit_deterministic/ldba.hpp"
-#include "libautomata/ltlf_to_dfa.hpp"
 #include "libltl/formula.hpp"
 
 namespace waymark::automata {

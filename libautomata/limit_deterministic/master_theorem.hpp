@@ -5,20 +5,20 @@
 // turn. Sound for MDPs: in an end component of the product almost all words share X and Y, which holds for ever there
 // and so from every state of it on [SEJK16], [EKS20]; the argument asks nothing of the formula but its
 // language, so one formula for each language will do. Beside each entry stands one whose weak untils wait for nothing
-// (Advice::narrow): no jump is owed to it, but one that covers several entries may serve them all (host.hpp).
+// (Advice::narrow): no jump is owed to it, but one that covers several entries may serve them all (assembly.hpp).
 #pragma once
 #include <optional>
 #include <vector>
 
-#include "libautomata/limit_deterministic/host.hpp"
+#include "libautomata/limit_deterministic/assembly.hpp"
 #include "libltl/formula.hpp"
 
 namespace waymark::automata {
 
-// parity: complete, deterministic, of φ. Adds entries to the pool, with guesses for each state of `parity`. reads[v] is
-// the proposition of variable v of both. nullopt when there are too many choices; throws what the effort throws.
-std::optional<std::vector<Guess>> guess_by_master_theorem(ltl::Formula f, const Branching& parity,
-                                                          const std::vector<ltl::Proposition>& reads,
-                                                          Pool& pool, Effort& effort);
+// parity: complete, deterministic, of φ. Adds entries to the accepting_part, with jumps for each state of `parity`. reads[v] is
+// the proposition of variable v of both. nullopt when there are too many choices; throws what the budget throws.
+std::optional<std::vector<Jump>> jump_by_master_theorem(ltl::Formula f, const TransitionRelation& parity,
+                                                        const std::vector<ltl::Proposition>& reads,
+                                                        AcceptingPart& accepting_part, Budget& budget);
 
 }  // namespace waymark::automata

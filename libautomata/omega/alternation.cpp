@@ -4,7 +4,7 @@
 #include <array>
 #include <map>
 
-#include "libautomata/boolean.hpp"
+#include "libautomata/bdd/boolean.hpp"
 
 namespace waymark::automata {
 namespace {
@@ -58,14 +58,14 @@ class Interned {
 
 class Breakpoints {
  public:
-  Breakpoints(AlternatingBuchi automaton, Effort& effort)
+  Breakpoints(AlternatingBuchi automaton, Budget& budget)
       : automaton_(std::move(automaton)),
-        effort_(effort),
+        budget_(budget),
         step_(2, std::vector<Node>(automaton_.edges.size())),
         done_(2, std::vector<bool>(automaton_.edges.size(), false)),
         join_(automaton_.diagram.operation()) {}
 
-  Branching build() {
+  TransitionRelation build() {
     Alternatives starts;
     for (const auto& start : automaton_.starts) {
       Set all = start;
@@ -91,7 +91,7 @@ class Breakpoints {
   std::uint32_t number(const Owed& owed) {
     const std::size_t before = states_.size();
     const std::uint32_t id = states_.id(owed);
-    if (states_.size() != before) effort_.state();
+    if (states_.size() != before) budget_.state();
     return id;
   }
 
@@ -120,7 +120,7 @@ class Breakpoints {
     Alternatives out;
     for (const Owed& a : alternatives_[f])
       for (const Owed& b : alternatives_[g]) {
-        effort_.step();
+        budget_.step();
         add(out, {united(a.all, b.all), united(a.unmarked, b.unmarked)});
       }
     std::sort(out.begin(), out.end());
@@ -184,20 +184,20 @@ class Breakpoints {
   }
 
   AlternatingBuchi automaton_;
-  Effort& effort_;
+  Budget& budget_;
   Interned<Alternatives> alternatives_;
   Interned<Owed> states_;
   std::vector<std::vector<Node>> step_;  // by `unmarked`, then state
   std::vector<std::vector<bool>> done_;
   Mtbdd::Operation join_;
   std::map<std::uint32_t, std::uint32_t> choices_;  // of alternatives
-  Branching out_;
+  TransitionRelation out_;
 };
 
 }  // namespace
 
-Branching without_alternation(AlternatingBuchi automaton, Effort& effort) {
-  return Breakpoints(std::move(automaton), effort).build();
+TransitionRelation without_alternation(AlternatingBuchi automaton, Budget& budget) {
+  return Breakpoints(std::move(automaton), budget).build();
 }
 
 }  // namespace waymark::automata

@@ -9,8 +9,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "libautomata/effort.hpp"
-#include "libautomata/omega/branching.hpp"
+#include "libautomata/budget.hpp"
+#include "libautomata/omega/transition_relation.hpp"
 
 namespace waymark::automata {
 
@@ -26,8 +26,8 @@ struct AlternatingBuchi {
   std::vector<std::vector<std::uint32_t>> starts;  // conjunctions; several: nondeterminism
 };
 
-// A nondeterministic Büchi automaton of the same language; at most 3ⁿ states. One state and some steps of effort for
+// A nondeterministic Büchi automaton of the same language; at most 3ⁿ states. One state and some steps of budget for
 // each. The variables stay.
-Branching without_alternation(AlternatingBuchi automaton, Effort& effort);
+TransitionRelation without_alternation(AlternatingBuchi automaton, Budget& budget);
 
 }  // namespace waymark::automata

@@ -10,7 +10,7 @@ void require(bool condition, const char* message) {
   if (!condition) throw std::invalid_argument(message);
 }
 
-void check_choices(const Branching& automaton) {
+void check_choices(const TransitionRelation& automaton) {
   const Marks known = Marks::first(automaton.acceptance.sets);
   for (std::uint32_t c = 0; c < automaton.choices.size(); ++c)
     for (const Branch& branch : automaton.choices[c]) {
@@ -21,7 +21,8 @@ void check_choices(const Branching& automaton) {
 
 }  // namespace
 
-Automaton::Automaton(ltl::Vocabulary vocabulary, std::vector<ltl::Proposition> reads, Branching transitions)
+Automaton::Automaton(ltl::Vocabulary vocabulary, std::vector<ltl::Proposition> reads,
+                     TransitionRelation transitions)
     : vocabulary_(std::move(vocabulary)), reads_(std::move(reads)), transitions_(std::move(transitions)) {
   require(transitions_.initial < states(), "the initial state of an automaton must be one of its states");
   require(acceptance().sets <= Marks::most, "an automaton with more than 64 acceptance sets");
@@ -53,7 +54,8 @@ std::span<const Branch> Automaton::next(StateId q, const ltl::Letter& letter) co
   return transitions_.choices[Mtbdd::payload(diagram().evaluate(root(q), holds))];
 }
 
-std::vector<ltl::Proposition> keep_asked(Branching& transitions, const std::vector<ltl::Proposition>& reads) {
+std::vector<ltl::Proposition> keep_asked(TransitionRelation& transitions,
+                                         const std::vector<ltl::Proposition>& reads) {
   std::vector<bool> asked(reads.size(), false);
   for (Mtbdd::Node n : transitions.diagram.reachable(transitions.roots))
     asked[transitions.diagram.variable(n)] = true;
@@ -71,9 +73,9 @@ std::vector<ltl::Proposition> keep_asked(Branching& transitions, const std::vect
   return kept;
 }
 
-Automaton as_automaton(const Branching& transitions, const ltl::Vocabulary& vocabulary,
+Automaton as_automaton(const TransitionRelation& transitions, const ltl::Vocabulary& vocabulary,
                        const std::vector<ltl::Proposition>& reads) {
-  Branching numbered = canonical(transitions);
+  TransitionRelation numbered = canonical(transitions);
   std::vector<ltl::Proposition> kept = keep_asked(numbered, reads);
   return Automaton(vocabulary, std::move(kept), std::move(numbered));
 }

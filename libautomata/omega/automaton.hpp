@@ -8,8 +8,8 @@
 #include <span>
 #include <vector>
 
-#include "libautomata/dfa.hpp"
-#include "libautomata/omega/branching.hpp"
+#include "libautomata/finite/dfa.hpp"
+#include "libautomata/omega/transition_relation.hpp"
 #include "libltl/vocabulary.hpp"
 #include "libltl/word.hpp"
 
@@ -19,7 +19,7 @@ class Automaton {
  public:
   // The diagram's variables are positions in `reads`. Throws std::invalid_argument when a branch leads to no state or
   // carries a mark that the acceptance does not have, or a variable is not read.
-  Automaton(ltl::Vocabulary vocabulary, std::vector<ltl::Proposition> reads, Branching transitions);
+  Automaton(ltl::Vocabulary vocabulary, std::vector<ltl::Proposition> reads, TransitionRelation transitions);
 
   const ltl::Vocabulary& vocabulary() const { return vocabulary_; }
   const std::vector<ltl::Proposition>& reads() const { return reads_; }  // only these matter, in BDD order
@@ -32,22 +32,23 @@ class Automaton {
   // Other names for the same positions. Throws std::invalid_argument when one that is read has none.
   void rename(ltl::Vocabulary names);
 
-  const Branching& transitions() const { return transitions_; }
+  const TransitionRelation& transitions() const { return transitions_; }
   const Mtbdd& diagram() const { return transitions_.diagram; }
   Mtbdd::Node root(StateId q) const { return transitions_.roots[q.index]; }
 
  private:
   ltl::Vocabulary vocabulary_;
   std::vector<ltl::Proposition> reads_;
-  Branching transitions_;
+  TransitionRelation transitions_;
 };
 
 // Renames the variables so that only those stay which some edge asks for; their propositions. reads[v]: that of v.
-std::vector<ltl::Proposition> keep_asked(Branching& transitions, const std::vector<ltl::Proposition>& reads);
+std::vector<ltl::Proposition> keep_asked(TransitionRelation& transitions,
+                                         const std::vector<ltl::Proposition>& reads);
 
 // The same automaton in canonical numbering, reading only the propositions that an edge asks for.
 // reads[v]: the proposition of variable v.
-Automaton as_automaton(const Branching& transitions, const ltl::Vocabulary& vocabulary,
+Automaton as_automaton(const TransitionRelation& transitions, const ltl::Vocabulary& vocabulary,
                        const std::vector<ltl::Proposition>& reads);
 
 }  // namespace waymark::automata

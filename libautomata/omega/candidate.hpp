@@ -3,18 +3,18 @@
 #include <optional>
 #include <utility>
 
-#include "libautomata/omega/branching.hpp"
+#include "libautomata/omega/transition_relation.hpp"
 
 namespace waymark::automata {
 
 struct Candidate {
-  Branching automaton;
+  TransitionRelation automaton;
   bool reduced = true;
   bool weak = false;  // a minimal weak deterministic automaton: marks are on states already
 };
 
 // Fewer states, or as many and fewer edges.
-inline bool smaller(const Branching& a, const Branching& b) {
+inline bool smaller(const TransitionRelation& a, const TransitionRelation& b) {
   return a.states() < b.states() || (a.states() == b.states() && count_edges(a) < count_edges(b));
 }
 // The first one unless the second is smaller.

@@ -1,16 +1,16 @@
 #include "libautomata/omega/containment.hpp"
 
 #include "libautomata/omega/emptiness.hpp"
-#include "libltl/nnf.hpp"
-#include "libltl/random.hpp"
+#include "libltl/rewriting/nnf.hpp"
+#include "libltl/structure/random.hpp"
 
 namespace waymark::automata {
 
 using ltl::Formula;
 using ltl::Op;
 
-Containment::Containment(const std::vector<ltl::Proposition>& reads, Effort& effort)
-    : reads_(reads), effort_(effort) {
+Containment::Containment(const std::vector<ltl::Proposition>& reads, Budget& budget)
+    : reads_(reads), budget_(budget) {
   ltl::Random random(1);  // fixed: same formula, same automaton
   for (std::size_t i = 0; i < lassos; ++i) {
     const std::size_t start = i % letters;
@@ -36,12 +36,12 @@ bool Containment::operator()(Formula from, Formula to) {
 bool Containment::prove(Formula from, Formula to) {
   const Formula both = ltl::nnf(conjunction(from, negate(to)));
   for (const bool afresh : {false, true}) {  // many questions may promise more than there are marks
-    if (!satisfiable_ || afresh) satisfiable_.emplace(from.arena(), reads_, effort_);
+    if (!satisfiable_ || afresh) satisfiable_.emplace(from.arena(), reads_, budget_);
     try {
       return !(*satisfiable_)(both);
-    } catch (const Effort::Spent& spent) {
-      if (spent.reason == Effort::Spent::Reason::Stopped) throw;
-      if (spent.reason == Effort::Spent::Reason::Steps) break;
+    } catch (const Budget::Exceeded& spent) {
+      if (spent.reason == Budget::Exceeded::Reason::Stopped) throw;
+      if (spent.reason == Budget::Exceeded::Reason::Steps) break;
     }
   }
   spent_ = true;

@@ -9,7 +9,7 @@
 #include <optional>
 #include <unordered_map>
 
-#include "libautomata/effort.hpp"
+#include "libautomata/budget.hpp"
 #include "libautomata/omega/tableau.hpp"
 #include "libltl/formula.hpp"
 
@@ -17,9 +17,9 @@ namespace waymark::automata {
 
 class Containment {
  public:
-  // reads: at least the propositions of the formulas to come. The effort is shared by all questions; once it has run
+  // reads: at least the propositions of the formulas to come. The budget is shared by all questions; once it has run
   // out, the answer is no.
-  Containment(const std::vector<ltl::Proposition>& reads, Effort& effort);
+  Containment(const std::vector<ltl::Proposition>& reads, Budget& budget);
   bool operator()(ltl::Formula from, ltl::Formula to);
 
  private:
@@ -31,7 +31,7 @@ class Containment {
   bool prove(ltl::Formula from, ltl::Formula to);
 
   const std::vector<ltl::Proposition>& reads_;
-  Effort& effort_;
+  Budget& budget_;
   std::array<std::uint8_t, lassos * letters> successor_{};  // of every position
   std::unordered_map<std::uint32_t, std::uint64_t> atoms_;  // by proposition
   std::unordered_map<ltl::Formula, std::uint64_t> verdicts_;

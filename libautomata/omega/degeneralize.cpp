@@ -4,7 +4,7 @@
 #include <numeric>
 #include <unordered_map>
 
-#include "libautomata/numbered_pairs.hpp"
+#include "libautomata/graph/numbered_pairs.hpp"
 #include "libautomata/omega/emptiness.hpp"
 
 namespace waymark::automata {
@@ -12,10 +12,10 @@ namespace {
 
 class Levels {
  public:
-  Levels(const Branching& automaton, const LevelRule& rule, Effort& effort)
+  Levels(const TransitionRelation& automaton, const LevelRule& rule, Budget& budget)
       : from_(automaton),
         rule_(rule),
-        effort_(effort),
+        budget_(budget),
         graph_(automaton),
         live_(live_components(graph_, automaton.acceptance.condition)),
         sets_(automaton.acceptance.sets),
@@ -38,8 +38,8 @@ class Levels {
   }  // the highest levels that a component's own branches lead to
   void enter_at(const ByState& levels) { entries_ = levels; }
 
-  Branching run() {
-    Branching out;
+  TransitionRelation run() {
+    TransitionRelation out;
     out.acceptance = Acceptance::buchi();
     out.initial = entry(from_.initial);
     RootCopier copier(from_, out);
@@ -91,11 +91,11 @@ class Levels {
     return rule_.look_ahead ? advance(0, common_[q]) : 0;
   }
   std::uint32_t entry(std::uint32_t q) { return copy(q, entry_level(q)); }
-  std::uint32_t copy(std::uint32_t q, std::uint32_t level) { return copies_.number(q, level, effort_); }
+  std::uint32_t copy(std::uint32_t q, std::uint32_t level) { return copies_.number(q, level, budget_); }
 
-  const Branching& from_;
+  const TransitionRelation& from_;
   LevelRule rule_;
-  Effort& effort_;
+  Budget& budget_;
   BranchGraph graph_;
   LiveComponents live_;
   std::uint32_t sets_;
@@ -108,19 +108,19 @@ class Levels {
 
 }  // namespace
 
-Branching degeneralize(const Branching& automaton, const LevelRule& rule, Effort& effort) {
-  Levels first(automaton, rule, effort);
+TransitionRelation degeneralize(const TransitionRelation& automaton, const LevelRule& rule, Budget& budget) {
+  Levels first(automaton, rule, budget);
   first.run();
-  Levels second(automaton, rule, effort);  // into copies that are there anyway
+  Levels second(automaton, rule, budget);  // into copies that are there anyway
   second.enter_at(first.reached());
   return second.run();
 }
 
-Branching with_one_set(Branching automaton) {
+TransitionRelation with_one_set(TransitionRelation automaton) {
   if (automaton.acceptance.sets > 0) return automaton;
   std::vector<std::uint32_t> all;
   for (std::uint32_t q = 0; q < automaton.states(); ++q) all.push_back(q);
-  Branching out = rebuild(automaton, all, [](std::uint32_t, std::span<const Branch> choice) {
+  TransitionRelation out = rebuild(automaton, all, [](std::uint32_t, std::span<const Branch> choice) {
     std::vector<Branch> branches(choice.begin(), choice.end());
     for (Branch& b : branches) b.marks = Marks::of(0);
     return branches;

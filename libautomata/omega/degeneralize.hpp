@@ -4,8 +4,8 @@
 // accepts. Levels start afresh in every component, a component that needs no counting has none, and a branch into
 // another component goes to a copy that exists. [BBDLF13, Sec. 4]
 #pragma once
-#include "libautomata/effort.hpp"
-#include "libautomata/omega/branching.hpp"
+#include "libautomata/budget.hpp"
+#include "libautomata/omega/transition_relation.hpp"
 
 namespace waymark::automata {
 
@@ -16,10 +16,10 @@ struct LevelRule {
 };
 
 // Generalised Büchi with marks on edges in, Büchi out; all branches of a state carry the same marks.
-// One state of effort per copy.
-Branching degeneralize(const Branching& automaton, const LevelRule& rule, Effort& effort);
+// One state of budget per copy.
+TransitionRelation degeneralize(const TransitionRelation& automaton, const LevelRule& rule, Budget& budget);
 
 // A set on all branches where every run accepts and there is none.
-Branching with_one_set(Branching automaton);
+TransitionRelation with_one_set(TransitionRelation automaton);
 
 }  // namespace waymark::automata

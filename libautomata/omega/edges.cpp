@@ -7,7 +7,7 @@ namespace waymark::automata {
 
 using Node = Mtbdd::Node;
 
-std::optional<std::size_t> count_edges(const Branching& automaton, std::size_t most) {
+std::optional<std::size_t> count_edges(const TransitionRelation& automaton, std::size_t most) {
   std::size_t sum = 0;
   for (std::uint32_t q = 0; q < automaton.states(); ++q) {
     sum += branches_of(automaton, q).size();
@@ -16,7 +16,7 @@ std::optional<std::size_t> count_edges(const Branching& automaton, std::size_t m
   return sum;
 }
 
-BranchLetters::BranchLetters(const Branching& automaton)
+BranchLetters::BranchLetters(const TransitionRelation& automaton)
     : automaton_(automaton), scratch_(automaton.diagram), logic_(scratch_) {}
 
 Node BranchLetters::letters(std::uint32_t source, const Branch& branch) {
@@ -28,7 +28,7 @@ Node BranchLetters::letters(std::uint32_t source, const Branch& branch) {
   return scratch_.apply(scratch_.operation(), std::array{automaton_.roots[source]}, decide);
 }
 
-std::optional<std::vector<std::vector<BranchEdge>>> edges_by_state(const Branching& automaton,
+std::optional<std::vector<std::vector<BranchEdge>>> edges_by_state(const TransitionRelation& automaton,
                                                                    std::size_t most) {
   if (!count_edges(automaton, most)) return std::nullopt;
   BranchLetters letters(automaton);

@@ -7,18 +7,18 @@
 #include <optional>
 #include <vector>
 
-#include "libautomata/guard.hpp"
+#include "libautomata/finite/guard.hpp"
 #include "libautomata/omega/automaton.hpp"
 
 namespace waymark::automata {
 
 // Distinct (source, marks, target); nullopt when there are more than that. Stops there.
-std::optional<std::size_t> count_edges(const Branching& automaton, std::size_t most);
+std::optional<std::size_t> count_edges(const TransitionRelation& automaton, std::size_t most);
 
 // The branches of states as Boolean diagrams over the propositions that are read.
 class BranchLetters {
  public:
-  explicit BranchLetters(const Branching& automaton);  // which must outlive it
+  explicit BranchLetters(const TransitionRelation& automaton);  // which must outlive it
   BranchLetters(const BranchLetters&) = delete;
   BranchLetters& operator=(const BranchLetters&) = delete;
   Mtbdd::Node letters(std::uint32_t source, const Branch& branch);  // on which q may take it
@@ -26,7 +26,7 @@ class BranchLetters {
   Boolean& logic() { return logic_; }
 
  private:
-  const Branching& automaton_;
+  const TransitionRelation& automaton_;
   Mtbdd scratch_;  // the automaton's diagram, and the Boolean ones
   Boolean logic_;
 };
@@ -36,7 +36,7 @@ struct BranchEdge {
   Guard guard;
 };
 // By source, then target, then marks. nullopt when there are more than that, or a guard has more cubes.
-std::optional<std::vector<std::vector<BranchEdge>>> edges_by_state(const Branching& automaton,
+std::optional<std::vector<std::vector<BranchEdge>>> edges_by_state(const TransitionRelation& automaton,
                                                                    std::size_t most);
 
 // The letter of a cube, propositions that do not matter being false.

@@ -60,7 +60,7 @@ bool component_accepts(const BranchGraph& graph, const States& states, const Con
 
 }  // namespace
 
-BranchGraph::BranchGraph(const Branching& automaton) {
+BranchGraph::BranchGraph(const TransitionRelation& automaton) {
   ChoiceLists choices(automaton);
   for (; states_ < automaton.states(); ++states_) {
     for (std::uint32_t c : choices.of(static_cast<std::uint32_t>(states_))) {
@@ -111,7 +111,7 @@ LiveComponents live_components(const BranchGraph& graph, const Condition& condit
   return out;
 }
 
-bool is_empty(const Branching& automaton) {
+bool is_empty(const TransitionRelation& automaton) {
   return !live_components(BranchGraph(automaton), automaton.acceptance.condition).live[automaton.initial];
 }
 

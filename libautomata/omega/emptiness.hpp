@@ -7,8 +7,8 @@
 #include <span>
 #include <vector>
 
+#include "libautomata/graph/scc.hpp"
 #include "libautomata/omega/automaton.hpp"
-#include "libautomata/scc.hpp"
 #include "libltl/word.hpp"
 
 namespace waymark::automata {
@@ -42,7 +42,7 @@ class BranchGraph {
   };
 
   BranchGraph() = default;
-  explicit BranchGraph(const Branching& automaton);
+  explicit BranchGraph(const TransitionRelation& automaton);
   void add_state() { ++states_; }
   // O(1) as long as sources ascend, else O(size). The spans given out before are not valid any more.
   void add(std::uint32_t source, Branch branch);
@@ -66,7 +66,7 @@ struct LiveComponents {
 };
 LiveComponents live_components(const BranchGraph& graph, const Condition& condition);
 
-bool is_empty(const Branching& automaton);
+bool is_empty(const TransitionRelation& automaton);
 bool accepts(const Automaton& automaton, const ltl::Lasso& word);  // O(|uv| · branches)
 
 }  // namespace waymark::automata

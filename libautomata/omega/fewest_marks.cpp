@@ -13,7 +13,7 @@ class Unmarked {
  public:
   explicit Unmarked(std::size_t states) : successors_(states) {}
   void add(std::uint32_t from, std::uint32_t to) { successors_[from].push_back(to); }
-  bool reaches(std::uint32_t from, std::uint32_t to, Effort& effort) const {
+  bool reaches(std::uint32_t from, std::uint32_t to, Budget& budget) const {
     std::vector<bool> seen(successors_.size(), false);
     std::vector<std::uint32_t> stack{from};
     while (!stack.empty()) {
@@ -22,7 +22,7 @@ class Unmarked {
       if (q == to) return true;
       if (seen[q]) continue;
       seen[q] = true;
-      effort.step();
+      budget.step();
       stack.insert(stack.end(), successors_[q].begin(), successors_[q].end());
     }
     return false;
@@ -34,7 +34,7 @@ class Unmarked {
 
 }  // namespace
 
-std::optional<Branching> fewest_marks(const Branching& automaton, Effort& effort) {
+std::optional<TransitionRelation> fewest_marks(const TransitionRelation& automaton, Budget& budget) {
   const BranchGraph graph(automaton);
   std::map<std::pair<std::uint32_t, Branch>, Marks> lost;
   for (std::uint32_t mark = 0; mark < automaton.acceptance.sets; ++mark) {
@@ -44,7 +44,7 @@ std::optional<Branching> fewest_marks(const Branching& automaton, Effort& effort
         if (!b.marks.contains(mark)) unmarked.add(q, b.target);
     for (std::uint32_t q = 0; q < graph.size(); ++q)
       for (const Branch& b : graph.branches(q)) {
-        if (!b.marks.contains(mark) || unmarked.reaches(b.target, q, effort)) continue;
+        if (!b.marks.contains(mark) || unmarked.reaches(b.target, q, budget)) continue;
         unmarked.add(q, b.target);
         Marks& all = lost[{q, b}];
         all = all | Marks::of(mark);

@@ -2,14 +2,14 @@
 #pragma once
 #include <optional>
 
-#include "libautomata/effort.hpp"
-#include "libautomata/omega/branching.hpp"
+#include "libautomata/budget.hpp"
+#include "libautomata/omega/transition_relation.hpp"
 
 namespace waymark::automata {
 
 // A branch loses mark i when every cycle through it meets i on another branch too. One at a time, in the order of
 // (source, target, marks), so of several that could go some stay. Generalised Büchi in and out, the same language.
 // O(marked branches · branches). nullopt when there is none to lose.
-std::optional<Branching> fewest_marks(const Branching& automaton, Effort& effort);
+std::optional<TransitionRelation> fewest_marks(const TransitionRelation& automaton, Budget& budget);
 
 }  // namespace waymark::automata

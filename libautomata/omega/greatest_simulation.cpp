@@ -6,9 +6,9 @@
 #include <optional>
 #include <unordered_map>
 
-#include "libautomata/omega/letter_kinds.hpp"
-#include "libltl/pair_memo.hpp"
-#include "libltl/random.hpp"
+#include "libautomata/omega/alphabet_classes.hpp"
+#include "libltl/rewriting/pair_memo.hpp"
+#include "libltl/structure/random.hpp"
 
 namespace waymark::automata {
 namespace {
@@ -28,10 +28,10 @@ bool is_covered(std::span<const Branch> branches, std::span<const Branch> better
 
 class OnKinds {
  public:
-  OnKinds(const LetterKinds& table, StatePairs& below, Effort& effort)
+  OnKinds(const AlphabetClasses& table, StatePairs& below, Budget& budget)
       : table_(table),
         below_(below),
-        effort_(effort),
+        budget_(budget),
         choices_(table.choices.size()),
         known_(choices_ <= most_remembered ? choices_ * choices_ : 0, Answer::Unknown) {}
 
@@ -48,7 +48,7 @@ class OnKinds {
   bool round() {
     bool changed = false;
     for (std::uint32_t q = 0; q < table_.states; ++q) {
-      effort_.step(table_.states / 4 + 1);
+      budget_.step(table_.states / 4 + 1);
       for (std::uint32_t r = 0; r < table_.states; ++r) {
         if (q == r || !below_(q, r) || is_below(table_.row(q), table_.row(r))) continue;
         below_.remove(q, r);
@@ -75,9 +75,9 @@ class OnKinds {
     return known == Answer::Yes;
   }
 
-  const LetterKinds& table_;
+  const AlphabetClasses& table_;
   StatePairs& below_;
-  Effort& effort_;
+  Budget& budget_;
   std::size_t choices_;
   std::size_t telling_ = 0;    // a kind that has just told two states apart is looked at first
   std::vector<Answer> known_;  // [c · choices + d]: is c covered by d?
@@ -85,8 +85,8 @@ class OnKinds {
 
 class OnDiagrams {
  public:
-  OnDiagrams(const Branching& automaton, StatePairs& below, Effort& effort)
-      : automaton_(automaton), below_(below), effort_(effort) {}
+  OnDiagrams(const TransitionRelation& automaton, StatePairs& below, Budget& budget)
+      : automaton_(automaton), below_(below), budget_(budget) {}
 
   void run() {
     if (automaton_.states() >= many_states) look_at_some_letters();
@@ -117,7 +117,7 @@ class OnDiagrams {
     for (bool changed = true; changed;) {
       changed = false;
       for (std::uint32_t q = 0; q < choice.size(); ++q) {
-        effort_.step(choice.size());
+        budget_.step(choice.size());
         for (std::uint32_t r = 0; r < choice.size(); ++r)
           for (std::size_t i = 0; i < letters && q != r && below_(q, r); ++i)
             if (choice[q][i] != choice[r][i] && !covered(choice[q][i], choice[r][i])) {
@@ -131,7 +131,7 @@ class OnDiagrams {
   bool round() {
     bool changed = false;
     for (std::uint32_t q = 0; q < automaton_.states(); ++q) {
-      effort_.step(automaton_.states() / 16);
+      budget_.step(automaton_.states() / 16);
       for (std::uint32_t r = 0; r < automaton_.states(); ++r) {
         if (q == r || !below_(q, r) || compare(automaton_.roots[q], automaton_.roots[r])) continue;
         below_.remove(q, r);
@@ -144,7 +144,7 @@ class OnDiagrams {
     if (x == y) return true;
     if (const Answer* known = known_.find(x.id, y.id))
       if (!known->yes || known->round == rounds_) return known->yes;
-    effort_.step();
+    budget_.step();
     const bool yes = look(x, y);
     known_.store(x.id, y.id, {rounds_, yes});
     return yes;
@@ -162,9 +162,9 @@ class OnDiagrams {
     return is_covered(automaton_.choices[c], automaton_.choices[d], below_);
   }
 
-  const Branching& automaton_;
+  const TransitionRelation& automaton_;
   StatePairs& below_;
-  Effort& effort_;
+  Budget& budget_;
   ltl::PairMemo<Answer> known_;
   std::uint32_t rounds_ = 0;
 };
@@ -172,7 +172,7 @@ class OnDiagrams {
 // δ⁻¹: the branches of q are (marks, p) for the branches (marks, q) of p.
 class Reversal {
  public:
-  Reversal(const Branching& automaton, Effort& effort) : from_(automaton), effort_(effort) {
+  Reversal(const TransitionRelation& automaton, Budget& budget) : from_(automaton), budget_(budget) {
     out_.roots.assign(automaton.states(), Mtbdd::terminal(Choices::none));
     out_.initial = automaton.initial;
     out_.acceptance = automaton.acceptance;
@@ -180,17 +180,17 @@ class Reversal {
     for (std::uint32_t p = 0; p < automaton.states(); ++p) {
       known_.clear();
       for (const auto& [q, root] : into(p, automaton.roots[p]))
-        out_.roots[q] = unite(out_, union_, out_.roots[q], root, effort_);
+        out_.roots[q] = unite(out_, union_, out_.roots[q], root, budget_);
     }
   }
-  Branching result() && { return std::move(out_); }
+  TransitionRelation result() && { return std::move(out_); }
 
  private:
   using ByTarget = std::map<std::uint32_t, Node>;
 
   const ByTarget& into(std::uint32_t p, Node n) {
     if (const auto at = known_.find(n.id); at != known_.end()) return at->second;
-    effort_.step();
+    budget_.step();
     ByTarget out;
     if (Mtbdd::is_terminal(n)) {
       std::map<std::uint32_t, std::vector<Branch>> branches;
@@ -209,35 +209,35 @@ class Reversal {
     }
     return known_.emplace(n.id, std::move(out)).first->second;
   }
-  const Branching& from_;
-  Effort& effort_;
-  Branching out_;
+  const TransitionRelation& from_;
+  Budget& budget_;
+  TransitionRelation out_;
   Mtbdd::Operation union_;
   std::unordered_map<std::uint32_t, ByTarget> known_;
 };
 
 }  // namespace
 
-StatePairs greatest_simulation(const Branching& automaton, Effort& effort, Comparison how) {
+StatePairs greatest_simulation(const TransitionRelation& automaton, Budget& budget, Comparison how) {
   StatePairs below(automaton.states(), true);
   if (const auto table =
-          how == Comparison::Cheapest ? letter_kinds(automaton, few_kinds, effort) : std::nullopt)
-    OnKinds(*table, below, effort).run();
+          how == Comparison::Cheapest ? alphabet_classes(automaton, few_kinds, budget) : std::nullopt)
+    OnKinds(*table, below, budget).run();
   else
-    OnDiagrams(automaton, below, effort).run();
+    OnDiagrams(automaton, below, budget).run();
   return below;
 }
 
-StatePairs greatest_reverse_simulation(const Branching& automaton, Effort& effort, Comparison how) {
+StatePairs greatest_reverse_simulation(const TransitionRelation& automaton, Budget& budget, Comparison how) {
   StatePairs below(automaton.states(), true);
   for (std::uint32_t r = 0; r < automaton.states(); ++r)
     if (r != automaton.initial) below.remove(automaton.initial, r);
   if (const auto table =
-          how == Comparison::Cheapest ? letter_kinds(automaton, few_kinds, effort) : std::nullopt) {
-    OnKinds(reversed(*table, effort), below, effort).run();
+          how == Comparison::Cheapest ? alphabet_classes(automaton, few_kinds, budget) : std::nullopt) {
+    OnKinds(reversed(*table, budget), below, budget).run();
   } else {
-    const Branching reverse = Reversal(automaton, effort).result();
-    OnDiagrams(reverse, below, effort).run();
+    const TransitionRelation reverse = Reversal(automaton, budget).result();
+    OnDiagrams(reverse, below, budget).run();
   }
   return below;
 }

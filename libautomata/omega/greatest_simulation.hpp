@@ -9,8 +9,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "libautomata/effort.hpp"
-#include "libautomata/omega/branching.hpp"
+#include "libautomata/budget.hpp"
+#include "libautomata/omega/transition_relation.hpp"
 
 namespace waymark::automata {
 
@@ -30,9 +30,9 @@ class StatePairs {  // a relation between the states of one automaton
 // How pairs are compared; ByKinds only where the kinds are few. For tests: the relation is the same.
 enum class Comparison : std::uint8_t { Cheapest, OfDiagrams };
 
-StatePairs greatest_simulation(const Branching& automaton, Effort& effort,
+StatePairs greatest_simulation(const TransitionRelation& automaton, Budget& budget,
                                Comparison how = Comparison::Cheapest);
-StatePairs greatest_reverse_simulation(const Branching& automaton, Effort& effort,
+StatePairs greatest_reverse_simulation(const TransitionRelation& automaton, Budget& budget,
                                        Comparison how = Comparison::Cheapest);
 
 }  // namespace waymark::automata

@@ -4,9 +4,9 @@
 #include <span>
 #include <utility>
 
-#include "libautomata/boolean.hpp"
+#include "libautomata/bdd/boolean.hpp"
+#include "libautomata/graph/scc.hpp"
 #include "libautomata/omega/edges.hpp"
-#include "libautomata/scc.hpp"
 
 namespace waymark::automata {
 namespace {
@@ -85,7 +85,7 @@ struct Accepting {
   Marks marks;
 };
 
-std::optional<Accepting> accepting_part(const Part& part, const Condition& condition, Effort& effort) {
+std::optional<Accepting> accepting_part(const Part& part, const Condition& condition, Budget& budget) {
   if (condition.op() == Condition::Op::False) return std::nullopt;
   const Components found = components(part);
   for (std::size_t i = 0; i < found.order.size();) {
@@ -99,7 +99,7 @@ std::optional<Accepting> accepting_part(const Part& part, const Condition& condi
     Marks marks;
     bool cyclic = false;
     for (std::uint32_t v : members) {
-      effort.step(1 + part.edges(v).size());
+      budget.step(1 + part.edges(v).size());
       for (std::size_t e = 0; e < part.edges(v).size(); ++e) {
         if (found.of[part.successors(v)[e]] != name) continue;
         const Step& step = part.edges(v)[e];
@@ -117,8 +117,8 @@ std::optional<Accepting> accepting_part(const Part& part, const Condition& condi
     for (std::uint32_t v = 0; v < inside.size(); ++v)
       for (const Step& step : inside.edges(v))
         if (!step.branch.marks.contains(mark)) avoiding.add(step);
-    if (std::optional<Accepting> avoided = accepting_part(avoiding, condition, effort)) return avoided;
-    if (std::optional<Accepting> met = accepting_part(inside, without_fin(condition, mark), effort))
+    if (std::optional<Accepting> avoided = accepting_part(avoiding, condition, budget)) return avoided;
+    if (std::optional<Accepting> met = accepting_part(inside, without_fin(condition, mark), budget))
       return met;
   }
   return std::nullopt;
@@ -157,7 +157,7 @@ ltl::Letter letter(const Step& step, BranchLetters& letters, const Automaton& au
 }
 
 // The part that the initial state reaches.
-Part reachable(const Branching& automaton) {
+Part reachable(const TransitionRelation& automaton) {
   std::vector<bool> seen(automaton.states(), false);
   std::vector<std::uint32_t> states{automaton.initial};
   std::vector<Step> steps;
@@ -179,14 +179,14 @@ Part reachable(const Branching& automaton) {
 }  // namespace
 
 std::optional<ltl::Lasso> find_lasso(const Automaton& automaton) {
-  Effort effort;
-  return find_lasso(automaton, effort);
+  Budget budget;
+  return find_lasso(automaton, budget);
 }
 
-std::optional<ltl::Lasso> find_lasso(const Automaton& automaton, Effort& effort) {
-  const Branching& transitions = automaton.transitions();
+std::optional<ltl::Lasso> find_lasso(const Automaton& automaton, Budget& budget) {
+  const TransitionRelation& transitions = automaton.transitions();
   const Part all = reachable(transitions);
-  const std::optional<Accepting> accepting = accepting_part(all, automaton.acceptance().condition, effort);
+  const std::optional<Accepting> accepting = accepting_part(all, automaton.acceptance().condition, budget);
   if (!accepting) return std::nullopt;
   const auto inside = [&](std::uint32_t q) { return accepting->part.leaves(q); };
   std::vector<Step> prefix;

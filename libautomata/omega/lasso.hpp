@@ -5,7 +5,7 @@
 #pragma once
 #include <optional>
 
-#include "libautomata/effort.hpp"
+#include "libautomata/budget.hpp"
 #include "libautomata/omega/automaton.hpp"
 #include "libltl/word.hpp"
 
@@ -14,7 +14,7 @@ namespace waymark::automata {
 // Shortest way to an accepting component, propositions that do not matter false. Exponential in the Fin marks that
 // occur in one component, linear in the rest; the cycle has at most |component| · (marks + 1) letters.
 std::optional<ltl::Lasso> find_lasso(const Automaton& automaton);
-// … one step of effort for each edge that is looked at.
-std::optional<ltl::Lasso> find_lasso(const Automaton& automaton, Effort& effort);
+// … one step of budget for each edge that is looked at.
+std::optional<ltl::Lasso> find_lasso(const Automaton& automaton, Budget& budget);
 
 }  // namespace waymark::automata

@@ -5,7 +5,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "libautomata/boolean.hpp"
+#include "libautomata/bdd/boolean.hpp"
 #include "libautomata/omega/product.hpp"
 
 namespace waymark::automata {
@@ -22,7 +22,8 @@ struct Aligned {
 };
 
 // The diagrams of an automaton with variable v renamed to name[v], which need not keep their order.
-std::vector<Node> renamed(const Branching& from, const std::vector<Mtbdd::Variable>& name, Mtbdd& to) {
+std::vector<Node> renamed(const TransitionRelation& from, const std::vector<Mtbdd::Variable>& name,
+                          Mtbdd& to) {
   Boolean logic(to);
   std::vector<Node> image(from.diagram.size());
   const auto of = [&](Node n) { return Mtbdd::is_terminal(n) ? n : image[n.id]; };
@@ -59,8 +60,9 @@ Aligned align(const Automaton& a, const Automaton& b) {
 }
 
 // One of the two, over the common variables.
-Branching over(const Aligned& both, const std::vector<Node>& roots, const Branching& automaton) {
-  Branching out;
+TransitionRelation over(const Aligned& both, const std::vector<Node>& roots,
+                        const TransitionRelation& automaton) {
+  TransitionRelation out;
   out.diagram = both.diagram;
   out.choices = automaton.choices;
   out.roots = roots;
@@ -95,7 +97,7 @@ std::optional<Marks> rejecting_marks(const Acceptance& acceptance) {
 
 // Letters without a branch lead to a state whose loop is rejected: with the marks found, or with a new one, which the
 // condition then excludes.
-Branching completed(const Branching& automaton) {
+TransitionRelation completed(const TransitionRelation& automaton) {
   if (is_complete(automaton)) return automaton;
   const std::optional<Marks> known = rejecting_marks(automaton.acceptance);
   if (!known) require_sets(std::size_t{automaton.acceptance.sets} + 1);
@@ -107,7 +109,7 @@ Branching completed(const Branching& automaton) {
     return choice.empty() ? std::vector<Branch>{{sink, Marks()}}
                           : std::vector<Branch>(choice.begin(), choice.end());
   };
-  Branching out = rebuild(automaton, all, to_sink);
+  TransitionRelation out = rebuild(automaton, all, to_sink);
   out.roots.push_back(Mtbdd::terminal(out.choices.intern({{sink, marks}})));
   if (!known) {
     const std::uint32_t mark = out.acceptance.sets++;
@@ -116,7 +118,7 @@ Branching completed(const Branching& automaton) {
   return out;
 }
 
-Automaton with(const Automaton& automaton, const Branching& transitions) {
+Automaton with(const Automaton& automaton, const TransitionRelation& transitions) {
   return as_automaton(transitions, automaton.vocabulary(), automaton.reads());
 }
 
@@ -127,20 +129,20 @@ std::optional<Deterministic> Deterministic::checked(Automaton automaton) {
   return Deterministic(std::move(automaton));
 }
 
-Automaton intersection(const Automaton& a, const Automaton& b, Effort& effort) {
+Automaton intersection(const Automaton& a, const Automaton& b, Budget& budget) {
   const Aligned both = align(a, b);
   return as_automaton(
-      intersection(over(both, both.first, a.transitions()), over(both, both.second, b.transitions()), effort),
+      intersection(over(both, both.first, a.transitions()), over(both, both.second, b.transitions()), budget),
       both.vocabulary, both.reads);
 }
 
-Deterministic either(const Deterministic& a, const Deterministic& b, Effort& effort) {
-  const Automaton neither = intersection(complement(a).automaton(), complement(b).automaton(), effort);
+Deterministic either(const Deterministic& a, const Deterministic& b, Budget& budget) {
+  const Automaton neither = intersection(complement(a).automaton(), complement(b).automaton(), budget);
   return complement(*Deterministic::checked(neither));
 }
 
 Deterministic complement(const Deterministic& a) {
-  Branching out = completed(a.automaton().transitions());
+  TransitionRelation out = completed(a.automaton().transitions());
   out.acceptance.condition = out.acceptance.condition.negated();
   return *Deterministic::checked(with(a.automaton(), out));
 }
@@ -151,7 +153,7 @@ Automaton sum(const Automaton& a, const Automaton& b) {
   require_sets(std::size_t{sets} + 2);
   const auto states_a = static_cast<std::uint32_t>(a.states());
   const Marks in_a = Marks::of(sets), in_b = Marks::of(sets + 1);
-  Branching out;
+  TransitionRelation out;
   out.acceptance = {sets + 2,
                     Condition::any_of({Condition::all_of({Condition::inf(sets), a.acceptance().condition}),
                                        Condition::all_of({Condition::inf(sets + 1),
@@ -167,7 +169,7 @@ Automaton sum(const Automaton& a, const Automaton& b) {
   const auto second = [&](std::uint32_t c) { return Mtbdd::terminal(of_b(c)); };
   out.roots = out.diagram.import(both.diagram, both.first, first, keep);
   for (Node root : out.diagram.import(both.diagram, both.second, second, keep)) out.roots.push_back(root);
-  Effort unlimited;
+  Budget unlimited;
   const Node start = unite(out, out.diagram.operation(), out.roots[a.initial().index],
                            out.roots[states_a + b.initial().index], unlimited);
   out.initial = static_cast<std::uint32_t>(out.roots.size());
@@ -175,9 +177,9 @@ Automaton sum(const Automaton& a, const Automaton& b) {
   return as_automaton(out, both.vocabulary, both.reads);
 }
 
-Branching renamed(const Branching& automaton, const std::vector<ltl::Proposition>& from,
-                  const std::vector<ltl::Proposition>& to) {
-  Branching out;
+TransitionRelation renamed(const TransitionRelation& automaton, const std::vector<ltl::Proposition>& from,
+                           const std::vector<ltl::Proposition>& to) {
+  TransitionRelation out;
   out.choices = automaton.choices;
   out.initial = automaton.initial;
   out.acceptance = automaton.acceptance;

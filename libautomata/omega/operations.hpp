@@ -6,7 +6,7 @@
 #pragma once
 #include <optional>
 
-#include "libautomata/effort.hpp"
+#include "libautomata/budget.hpp"
 #include "libautomata/omega/automaton.hpp"
 
 namespace waymark::automata {
@@ -22,18 +22,18 @@ class Deterministic {
   Automaton automaton_;
 };
 
-// Throws what the effort throws: a state for every pair, and more than 64 sets count as too many.
-Automaton intersection(const Automaton& a, const Automaton& b, Effort& effort);
+// Throws what the budget throws: a state for every pair, and more than 64 sets count as too many.
+Automaton intersection(const Automaton& a, const Automaton& b, Budget& budget);
 // A new initial state that may start as either; two marks say which one the run is in. One pass. Throws
 // std::length_error when more than 64 sets are needed.
 Automaton sum(const Automaton& a, const Automaton& b);
 // The pairs of both, complete: deterministic again. By complement(complement(a) ∩ complement(b)).
-Deterministic either(const Deterministic& a, const Deterministic& b, Effort& effort);
+Deterministic either(const Deterministic& a, const Deterministic& b, Budget& budget);
 Deterministic complement(const Deterministic& a);  // complete; at most one state and one set more
 
 // An automaton whose variables are positions in `from`, over the positions in `to`. Both ascend, and `to` has all that
 // the automaton asks for.
-Branching renamed(const Branching& automaton, const std::vector<ltl::Proposition>& from,
-                  const std::vector<ltl::Proposition>& to);
+TransitionRelation renamed(const TransitionRelation& automaton, const std::vector<ltl::Proposition>& from,
+                           const std::vector<ltl::Proposition>& to);
 
 }  // namespace waymark::automata

@@ -3,9 +3,9 @@
 #include <optional>
 
 #include "libautomata/omega/containment.hpp"
-#include "libltl/nnf.hpp"
-#include "libltl/separate.hpp"
-#include "libltl/simplify.hpp"
+#include "libltl/rewriting/nnf.hpp"
+#include "libltl/rewriting/separate.hpp"
+#include "libltl/rewriting/simplify.hpp"
 
 namespace waymark::automata {
 namespace {
@@ -18,8 +18,8 @@ constexpr std::size_t containment_steps = 500'000;
 
 // Two rounds because each makes work for the other, unless separation found none.
 Prepared prepared_forms(Formula f, const std::vector<ltl::Proposition>& reads, const std::stop_token& stop) {
-  Effort effort(containment_steps, SIZE_MAX, stop);
-  Containment implies(reads, effort);
+  Budget budget(containment_steps, SIZE_MAX, stop);
+  Containment implies(reads, budget);
   std::optional<Formula> plain;
   f = ltl::simplify(f, ltl::Over::Infinite);
   for (int round = 0; round < 2; ++round) {

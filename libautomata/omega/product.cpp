@@ -1,6 +1,6 @@
 #include "libautomata/omega/product.hpp"
 
-#include "libautomata/numbered_pairs.hpp"
+#include "libautomata/graph/numbered_pairs.hpp"
 
 namespace waymark::automata {
 namespace {
@@ -9,9 +9,10 @@ using Node = Mtbdd::Node;
 
 class Intersection {
  public:
-  Intersection(const Branching& a, const Branching& b, Effort& effort) : a_(a), b_(b), effort_(effort) {
+  Intersection(const TransitionRelation& a, const TransitionRelation& b, Budget& budget)
+      : a_(a), b_(b), budget_(budget) {
     if (a.acceptance.sets + b.acceptance.sets > Marks::most)
-      throw Effort::Spent{Effort::Spent::Reason::States};
+      throw Budget::Exceeded{Budget::Exceeded::Reason::States};
     const auto same = [](std::uint32_t payload) { return Mtbdd::terminal(payload); };
     const auto keep = [](Mtbdd::Variable v) { return v; };
     a_roots_ = out_.diagram.import(a.diagram, a.roots, same, keep);
@@ -31,11 +32,11 @@ class Intersection {
   }
 
  private:
-  std::uint32_t number(std::uint32_t p, std::uint32_t q) { return pairs_.number(p, q, effort_); }
+  std::uint32_t number(std::uint32_t p, std::uint32_t q) { return pairs_.number(p, q, budget_); }
   // Terminals: choices of a on the left, of b on the right, of the product in the result.
   Node both(Node f, Node g) {
     const auto decide = [&](const std::array<Node, 2>& n) -> std::optional<Node> {
-      effort_.step();
+      budget_.step();
       const Node none = Mtbdd::terminal(Choices::none);
       if (n[0] == none || n[1] == none) return none;
       if (!Mtbdd::is_terminal(n[0]) || !Mtbdd::is_terminal(n[1])) return std::nullopt;
@@ -49,9 +50,9 @@ class Intersection {
     return out_.diagram.apply(operation_, std::array{f, g}, decide);
   }
 
-  const Branching &a_, &b_;
-  Effort& effort_;
-  Branching out_;
+  const TransitionRelation &a_, &b_;
+  Budget& budget_;
+  TransitionRelation out_;
   std::vector<Node> a_roots_, b_roots_;
   Mtbdd::Operation operation_;
   NumberedPairs pairs_;
@@ -59,11 +60,11 @@ class Intersection {
 
 }  // namespace
 
-Pairs pairs_of(const Branching& a, const Branching& b, Effort& effort) {
-  return Intersection(a, b, effort).run();
+Pairs pairs_of(const TransitionRelation& a, const TransitionRelation& b, Budget& budget) {
+  return Intersection(a, b, budget).run();
 }
-Branching intersection(const Branching& a, const Branching& b, Effort& effort) {
-  return pairs_of(a, b, effort).automaton;
+TransitionRelation intersection(const TransitionRelation& a, const TransitionRelation& b, Budget& budget) {
+  return pairs_of(a, b, budget).automaton;
 }
 
 }  // namespace waymark::automata

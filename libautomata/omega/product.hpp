@@ -3,19 +3,19 @@
 #include <utility>
 #include <vector>
 
-#include "libautomata/effort.hpp"
-#include "libautomata/omega/branching.hpp"
+#include "libautomata/budget.hpp"
+#include "libautomata/omega/transition_relation.hpp"
 
 namespace waymark::automata {
 
 struct Pairs {
-  Branching automaton;
+  TransitionRelation automaton;
   std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs;  // by state: those of a and b
 };
 
-// L(a) ∩ L(b): reachable pairs, the marks of b after those of a, the conditions joined by ∧. One state of effort per
+// L(a) ∩ L(b): reachable pairs, the marks of b after those of a, the conditions joined by ∧. One state of budget per
 // pair; more than Marks::most sets count as too many states.
-Pairs pairs_of(const Branching& a, const Branching& b, Effort& effort);
-Branching intersection(const Branching& a, const Branching& b, Effort& effort);
+Pairs pairs_of(const TransitionRelation& a, const TransitionRelation& b, Budget& budget);
+TransitionRelation intersection(const TransitionRelation& a, const TransitionRelation& b, Budget& budget);
 
 }  // namespace waymark::automata

@@ -20,7 +20,7 @@ class Maker {
  public:
   Maker(ltl::Random& random, const RandomAutomaton& options) : random_(random), options_(options) {}
 
-  Branching make() {
+  TransitionRelation make() {
     const std::uint32_t sets = options_.sets;
     out_.acceptance = options_.generic && sets > 0 ? Acceptance{sets, random_condition(random_, sets, 2)}
                                                    : Acceptance::generalized_buchi(sets);
@@ -52,7 +52,7 @@ class Maker {
 
   ltl::Random& random_;
   const RandomAutomaton& options_;
-  Branching out_;
+  TransitionRelation out_;
 };
 
 }  // namespace

@@ -1,7 +1,7 @@
 // Random automata: same seed, same automaton, on every machine. For tests, and for those who test other tools.
 #pragma once
 #include "libautomata/omega/automaton.hpp"
-#include "libltl/random.hpp"
+#include "libltl/structure/random.hpp"
 
 namespace waymark::automata {
 

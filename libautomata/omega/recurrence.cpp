@@ -4,8 +4,8 @@
 #include <map>
 #include <utility>
 
-#include "libautomata/boolean.hpp"
-#include "libautomata/joint_choices.hpp"
+#include "libautomata/bdd/boolean.hpp"
+#include "libautomata/bdd/joint_choices.hpp"
 #include "libautomata/omega/emptiness.hpp"
 #include "libautomata/omega/product.hpp"
 #include "libautomata/omega/weak.hpp"
@@ -15,8 +15,8 @@ namespace {
 
 using Node = Mtbdd::Node;
 
-Branching without_marks(const Transitions& structure) {
-  Branching out;
+TransitionRelation without_marks(const Transitions& structure) {
+  TransitionRelation out;
   const auto leaf = [&](std::uint32_t target) { return Mtbdd::terminal(out.choices.intern({{target, {}}})); };
   out.roots =
       out.diagram.import(structure.diagram, structure.roots, leaf, [](Mtbdd::Variable v) { return v; });
@@ -27,8 +27,8 @@ Branching without_marks(const Transitions& structure) {
 // By state of the structure: on which letters its edge lies in an accepting component of the product. The diagram
 // receives them, with payloads 0 and 1.
 std::vector<Node> taken_by_rejected_words(const Pairs& product, std::size_t states, Mtbdd& diagram,
-                                          Effort& effort) {
-  const Branching& pairs = product.automaton;
+                                          Budget& budget) {
+  const TransitionRelation& pairs = product.automaton;
   const LiveComponents live = live_components(BranchGraph(pairs), pairs.acceptance.condition);
   const std::vector<std::uint32_t>& component = live.components.of;
   const std::vector<Node> roots = diagram.import(
@@ -39,7 +39,7 @@ std::vector<Node> taken_by_rejected_words(const Pairs& product, std::size_t stat
   for (std::uint32_t i = 0; i < roots.size(); ++i) {
     if (!live.accepting[component[i]]) continue;
     const auto decide = [&](const std::array<Node, 1>& n) -> std::optional<Node> {
-      effort.step();
+      budget.step();
       if (!Mtbdd::is_terminal(n[0])) return std::nullopt;
       bool inside = false;
       for (const Branch& b : pairs.choices[Mtbdd::payload(n[0])])
@@ -54,10 +54,10 @@ std::vector<Node> taken_by_rejected_words(const Pairs& product, std::size_t stat
 
 class Windows {
  public:
-  Windows(const Transitions& cosafe, Effort& effort)
-      : from_(cosafe), effort_(effort), joint_(out_.diagram, effort) {}
+  Windows(const Transitions& cosafe, Budget& budget)
+      : from_(cosafe), budget_(budget), joint_(out_.diagram, budget) {}
 
-  Branching run() {
+  TransitionRelation run() {
     roots_ = out_.diagram.import(
         from_.diagram, from_.roots, [](std::uint32_t q) { return Mtbdd::terminal(q); },
         [](Mtbdd::Variable v) { return v; });
@@ -87,15 +87,15 @@ class Windows {
   std::uint32_t number(std::vector<std::uint32_t> set) {
     const auto [at, fresh] = number_.try_emplace(std::move(set), static_cast<std::uint32_t>(sets_.size()));
     if (fresh) {
-      effort_.state();
+      budget_.state();
       sets_.push_back(at->first);
     }
     return at->second;
   }
 
   const Transitions& from_;
-  Effort& effort_;
-  Branching out_;
+  Budget& budget_;
+  TransitionRelation out_;
   JointChoices joint_;
   std::vector<Node> roots_;
   std::map<std::vector<std::uint32_t>, std::uint32_t> number_;
@@ -104,26 +104,27 @@ class Windows {
 
 }  // namespace
 
-std::optional<Branching> recurring(const Transitions& cosafe, Effort& effort) {
+std::optional<TransitionRelation> recurring(const Transitions& cosafe, Budget& budget) {
   if (cosafe.accepting[cosafe.initial] && cosafe.roots[cosafe.initial] == Mtbdd::terminal(cosafe.initial))
     return std::nullopt;
-  return Windows(cosafe, effort).run();
+  return Windows(cosafe, budget).run();
 }
 
 std::optional<OnProgression> on_progression(ltl::Formula f, const std::vector<ltl::Proposition>& reads,
-                                            const Branching& yes, const Branching& no, Effort& effort) {
-  const Transitions structure = progression(f, reads, effort);
-  const Transitions guess = weak_deterministic(f, reads, structure, effort);
-  Branching inside = as_buchi(guess, {.complement = false, .trim = true});
-  const Branching outside = as_buchi(guess, {.complement = true, .trim = false});
-  if (is_empty(intersection(yes, outside, effort)) && is_empty(intersection(inside, no, effort)))
+                                            const TransitionRelation& yes, const TransitionRelation& no,
+                                            Budget& budget) {
+  const Transitions structure = progression(f, reads, budget);
+  const Transitions guess = weak_deterministic(f, reads, structure, budget);
+  TransitionRelation inside = as_buchi(guess, {.complement = false, .trim = true});
+  const TransitionRelation outside = as_buchi(guess, {.complement = true, .trim = false});
+  if (is_empty(intersection(yes, outside, budget)) && is_empty(intersection(inside, no, budget)))
     return OnProgression{std::move(inside), true};
-  std::optional<Branching> marked = deterministic_buchi(structure, yes, no, effort);
+  std::optional<TransitionRelation> marked = deterministic_buchi(structure, yes, no, budget);
   if (!marked) return std::nullopt;
   return OnProgression{*std::move(marked), false};
 }
 
-Branching started_inside(Branching automaton) {
+TransitionRelation started_inside(TransitionRelation automaton) {
   const BranchGraph graph(automaton);
   const Components found = components(graph);
   std::vector<std::uint32_t> size(found.count, 0);
@@ -141,19 +142,20 @@ Branching started_inside(Branching automaton) {
   return automaton;
 }
 
-std::optional<Branching> deterministic_buchi(const Transitions& structure, const Branching& yes,
-                                             const Branching& no, Effort& effort) {
-  const Branching bare = without_marks(structure);
-  Branching out;
+std::optional<TransitionRelation> deterministic_buchi(const Transitions& structure,
+                                                      const TransitionRelation& yes,
+                                                      const TransitionRelation& no, Budget& budget) {
+  const TransitionRelation bare = without_marks(structure);
+  TransitionRelation out;
   out.initial = bare.initial;
   const std::vector<Node> rejected =
-      taken_by_rejected_words(pairs_of(bare, no, effort), bare.states(), out.diagram, effort);
+      taken_by_rejected_words(pairs_of(bare, no, budget), bare.states(), out.diagram, budget);
   const std::vector<Node> roots = out.diagram.import(
       bare.diagram, bare.roots, [](std::uint32_t choice) { return Mtbdd::terminal(choice); },
       [](Mtbdd::Variable v) { return v; });
   const Mtbdd::Operation mark = out.diagram.operation();
   const auto decide = [&](const std::array<Node, 2>& n) -> std::optional<Node> {
-    effort.step();
+    budget.step();
     if (!Mtbdd::is_terminal(n[0]) || !Mtbdd::is_terminal(n[1])) return std::nullopt;
     const Branch edge = bare.choices[Mtbdd::payload(n[0])].front();
     const Marks marks = n[1] == Boolean::constant(true) ? Marks() : Marks::of(0);
@@ -162,7 +164,7 @@ std::optional<Branching> deterministic_buchi(const Transitions& structure, const
   for (std::uint32_t q = 0; q < bare.states(); ++q)
     out.roots.push_back(out.diagram.apply(mark, std::array{roots[q], rejected[q]}, decide));
   out.acceptance = Acceptance::co_buchi();  // its complement: the structure is deterministic and complete
-  if (!is_empty(intersection(out, yes, effort))) return std::nullopt;
+  if (!is_empty(intersection(out, yes, budget))) return std::nullopt;
   out.acceptance = Acceptance::buchi();
   return out;
 }

@@ -6,33 +6,35 @@
 #pragma once
 #include <optional>
 
-#include "libautomata/effort.hpp"
-#include "libautomata/omega/branching.hpp"
-#include "libautomata/transitions.hpp"
+#include "libautomata/bdd/transitions.hpp"
+#include "libautomata/budget.hpp"
+#include "libautomata/omega/transition_relation.hpp"
 #include "libltl/formula.hpp"
 
 namespace waymark::automata {
 
 // yes, no: generalised Büchi automata of φ and ¬φ. nullopt when the structure cannot carry the marks.
-std::optional<Branching> deterministic_buchi(const Transitions& structure, const Branching& yes,
-                                             const Branching& no, Effort& effort);
+std::optional<TransitionRelation> deterministic_buchi(const Transitions& structure,
+                                                      const TransitionRelation& yes,
+                                                      const TransitionRelation& no, Budget& budget);
 
 // G F e from the minimal weak automaton of e, co-safe: every position starts a run, those that have seen a good prefix
 // go, with a mark, and so do those that cannot. Unlike restarted() (weak.hpp) it forgets nothing when it marks: of an e
-// of depth n it is the last n letters that count, so that automata of several e go in step. One state of effort per
+// of depth n it is the last n letters that count, so that automata of several e go in step. One state of budget per
 // set of states. nullopt when e is valid.
-std::optional<Branching> recurring(const Transitions& cosafe, Effort& effort);
+std::optional<TransitionRelation> recurring(const Transitions& cosafe, Budget& budget);
 
 // On the structure of progression: the weak automaton when φ turns out to be an obligation, else a deterministic Büchi
-// automaton where there is one. yes, no: generalised Büchi automata of φ and ¬φ. Throws what the effort throws.
+// automaton where there is one. yes, no: generalised Büchi automata of φ and ¬φ. Throws what the budget throws.
 struct OnProgression {
-  Branching automaton;
+  TransitionRelation automaton;
   bool weak;
 };
 std::optional<OnProgression> on_progression(ltl::Formula f, const std::vector<ltl::Proposition>& reads,
-                                            const Branching& yes, const Branching& no, Effort& effort);
+                                            const TransitionRelation& yes, const TransitionRelation& no,
+                                            Budget& budget);
 
 // An automaton whose states all accept the same words, started in its smallest component that nothing leaves.
-Branching started_inside(Branching automaton);
+TransitionRelation started_inside(TransitionRelation automaton);
 
 }  // namespace waymark::automata

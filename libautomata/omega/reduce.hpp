@@ -1,23 +1,23 @@
 // Reduction of generalised Büchi automata: components and simulation in both directions, until nothing changes. The
 // cheapest step that helps goes first: states are merged, then branches pruned, then both are tried with other marks.
 #pragma once
-#include "libautomata/effort.hpp"
-#include "libautomata/omega/branching.hpp"
+#include "libautomata/budget.hpp"
 #include "libautomata/omega/scc_filter.hpp"
+#include "libautomata/omega/transition_relation.hpp"
 
 namespace waymark::automata {
 
 struct Reduced {
-  Branching automaton;
-  bool complete = true;  // false: the effort ran out; the automaton is valid, and larger than it could be
+  TransitionRelation automaton;
+  bool complete = true;  // false: the budget ran out; the automaton is valid, and larger than it could be
 };
 
-// Never throws Spent except when stopped: what was reached is returned.
-Reduced reduce(Branching automaton, MarksOn marks, Effort& effort);
+// Never throws Budget::Exceeded except when stopped: what was reached is returned.
+Reduced reduce(TransitionRelation automaton, MarksOn marks, Budget& budget);
 
 // The same for marks on edges as a construction gave them. Marks that scc_filter adds let some states simulate others, and
 // tell apart some that were equal: where they do, and where the result is small, states are merged and branches pruned
 // by the given marks first.
-Reduced reduce_as_marked(const Branching& automaton, Effort& effort);
+Reduced reduce_as_marked(const TransitionRelation& automaton, Budget& budget);
 
 }  // namespace waymark::automata

@@ -15,11 +15,11 @@ constexpr std::uint32_t absent = UINT32_MAX;
 class ComponentMarks {
  public:
   ComponentMarks(const BranchGraph& graph, const std::vector<std::uint32_t>& states, std::uint32_t sets,
-                 MarksOn marks, Effort& effort)
+                 MarksOn marks, Budget& budget)
       : graph_(graph), states_(states), sets_(sets), marks_(marks) {
     for (std::uint32_t i = 0; i < states.size(); ++i) number_.emplace(states[i], i);
     for (std::uint32_t mark = 0; mark < sets; ++mark) {
-      effort.step(states.size());
+      budget.step(states.size());
       without(mark);
     }
     if (marks == MarksOn::States) {
@@ -107,14 +107,14 @@ bool has_cycle(const BranchGraph& graph, const Components& found, std::uint32_t 
 
 }  // namespace
 
-Branching nothing_accepted() {
-  Branching out;
+TransitionRelation nothing_accepted() {
+  TransitionRelation out;
   out.roots.push_back(Mtbdd::terminal(Choices::none));
   return out;
 }
 
-Branching trim(const Branching& automaton) {
-  const Branching reached = canonical(automaton);
+TransitionRelation trim(const TransitionRelation& automaton) {
+  const TransitionRelation reached = canonical(automaton);
   const LiveComponents live = live_components(BranchGraph(reached), reached.acceptance.condition);
   if (!live.live[reached.initial]) return nothing_accepted();
   std::vector<std::uint32_t> kept, number(reached.states(), 0);
@@ -123,7 +123,7 @@ Branching trim(const Branching& automaton) {
     number[q] = static_cast<std::uint32_t>(kept.size());
     kept.push_back(q);
   }
-  Branching out = rebuild(reached, kept, [&](std::uint32_t, std::span<const Branch> choice) {
+  TransitionRelation out = rebuild(reached, kept, [&](std::uint32_t, std::span<const Branch> choice) {
     std::vector<Branch> branches;
     for (const Branch& b : choice)
       if (live.live[b.target]) branches.push_back({number[b.target], b.marks});
@@ -133,10 +133,10 @@ Branching trim(const Branching& automaton) {
   return out;
 }
 
-Branching scc_filter(const Branching& automaton, MarksOn marks_on, Effort& effort) {
+TransitionRelation scc_filter(const TransitionRelation& automaton, MarksOn marks_on, Budget& budget) {
   if (!automaton.acceptance.is_generalized_buchi())
     throw std::invalid_argument("scc_filter: the acceptance is not generalised Büchi");
-  const Branching reached = canonical(automaton);
+  const TransitionRelation reached = canonical(automaton);
   const BranchGraph graph(reached);
   const LiveComponents live = live_components(graph, reached.acceptance.condition);
   if (!live.live[reached.initial]) return nothing_accepted();
@@ -155,17 +155,17 @@ Branching scc_filter(const Branching& automaton, MarksOn marks_on, Effort& effor
   bool rejecting_cycle = false;
   for (std::uint32_t c = 0; c < found.count; ++c) {
     if (live.accepting[c]) {
-      marks[c].emplace(graph, states[c], reached.acceptance.sets, marks_on, effort);
+      marks[c].emplace(graph, states[c], reached.acceptance.sets, marks_on, budget);
       sets = std::max(sets, marks[c]->needed());
     } else if (live.live[states[c].front()]) {
       rejecting_cycle = rejecting_cycle || has_cycle(graph, found, c);
     }
   }
   if (sets == 0 && rejecting_cycle) sets = 1;
-  Branching out = rebuild(reached, kept, [&](std::uint32_t source, std::span<const Branch> choice) {
+  TransitionRelation out = rebuild(reached, kept, [&](std::uint32_t source, std::span<const Branch> choice) {
     std::vector<Branch> branches;
     for (const Branch& b : choice) {
-      effort.step();
+      budget.step();
       if (number[b.target] == absent) continue;
       const std::uint32_t c = found.of[source];
       const bool inside = live.accepting[c] && (marks_on == MarksOn::States || c == found.of[b.target]);
@@ -178,13 +178,13 @@ Branching scc_filter(const Branching& automaton, MarksOn marks_on, Effort& effor
   return out;
 }
 
-std::optional<Branching> with_free_marks(const Branching& automaton) {
+std::optional<TransitionRelation> with_free_marks(const TransitionRelation& automaton) {
   const Components found = components(BranchGraph(automaton));
   const Marks full = Marks::first(automaton.acceptance.sets);
   std::vector<std::uint32_t> all(automaton.states());
   std::iota(all.begin(), all.end(), 0U);
   bool changed = false;
-  Branching out = rebuild(automaton, all, [&](std::uint32_t source, std::span<const Branch> choice) {
+  TransitionRelation out = rebuild(automaton, all, [&](std::uint32_t source, std::span<const Branch> choice) {
     std::vector<Branch> branches(choice.begin(), choice.end());
     for (Branch& b : branches) {
       if (found.of[source] == found.of[b.target] || b.marks == full) continue;

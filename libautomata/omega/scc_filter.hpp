@@ -7,26 +7,26 @@
 #pragma once
 #include <optional>
 
-#include "libautomata/effort.hpp"
-#include "libautomata/omega/branching.hpp"
+#include "libautomata/budget.hpp"
+#include "libautomata/omega/transition_relation.hpp"
 
 namespace waymark::automata {
 
 enum class MarksOn : std::uint8_t { Edges, States };  // States: all branches of a state carry the same marks
 
 // Without what no accepting run visits; any condition. One state without branches when nothing is accepted.
-Branching trim(const Branching& automaton);
+TransitionRelation trim(const TransitionRelation& automaton);
 
 // Generalised Büchi in (std::invalid_argument otherwise), generalised Büchi out. The empty language is one state
 // without branches. With marks on states sets stay as they are, and a state gets mark i when no cycle through it avoids
 // the states that have it.
-Branching scc_filter(const Branching& automaton, MarksOn marks, Effort& effort);
+TransitionRelation scc_filter(const TransitionRelation& automaton, MarksOn marks, Budget& budget);
 
 // All marks on all branches that leave their component: a run takes such ones finitely often. scc_filter takes them off
 // again; in between, states may be equal that were not. nullopt where nothing changes.
-std::optional<Branching> with_free_marks(const Branching& automaton);
+std::optional<TransitionRelation> with_free_marks(const TransitionRelation& automaton);
 
 // One state without branches.
-Branching nothing_accepted();
+TransitionRelation nothing_accepted();
 
 }  // namespace waymark::automata

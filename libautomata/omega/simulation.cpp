@@ -68,10 +68,10 @@ Merging merging(const std::vector<std::uint32_t>& representative) {
   return out;
 }
 
-Branching merged(const Branching& automaton, const StatePairs& below,
-                 const std::vector<std::uint32_t>& representative) {
+TransitionRelation merged(const TransitionRelation& automaton, const StatePairs& below,
+                          const std::vector<std::uint32_t>& representative) {
   const Merging merge = merging(representative);
-  Branching out = rebuild(automaton, merge.kept, [&](std::uint32_t, std::span<const Branch> choice) {
+  TransitionRelation out = rebuild(automaton, merge.kept, [&](std::uint32_t, std::span<const Branch> choice) {
     std::vector<Branch> branches(choice.begin(), choice.end());
     for (Branch& b : branches) b.target = representative[b.target];
     branches = unique(std::move(branches));
@@ -87,7 +87,7 @@ Branching merged(const Branching& automaton, const StatePairs& below,
 
 // No two states simulate each other. A branch that leaves its component may carry any marks: a run takes such ones
 // finitely often. So it may replace a branch with marks whose target it simulates.
-Branching pruned(const Branching& automaton, const StatePairs& below) {
+TransitionRelation pruned(const TransitionRelation& automaton, const StatePairs& below) {
   const BranchGraph graph(automaton);
   const Components found = components(graph);
   std::vector<std::uint32_t> all(automaton.states());
@@ -104,14 +104,14 @@ Branching pruned(const Branching& automaton, const StatePairs& below) {
 
 }  // namespace
 
-Quotient bisimulation(const Branching& automaton, Effort& effort) {
+Quotient bisimulation(const TransitionRelation& automaton, Budget& budget) {
   std::vector<std::uint32_t> class_of(automaton.states(), 0);
   std::size_t classes = 1;
   while (true) {
     Mtbdd images;
     Choices choices;
     const auto leaf = [&](std::uint32_t c) {
-      effort.step();
+      budget.step();
       std::vector<Branch> branches(automaton.choices[c].begin(), automaton.choices[c].end());
       for (Branch& b : branches) b.target = class_of[b.target];
       return Mtbdd::terminal(choices.intern(std::move(branches)));
@@ -131,11 +131,12 @@ Quotient bisimulation(const Branching& automaton, Effort& effort) {
     if (names.size() == automaton.states()) return {automaton, std::move(representative)};
     if (names.size() == classes) {
       Merging merge = merging(representative);
-      Branching out = rebuild(automaton, merge.kept, [&](std::uint32_t, std::span<const Branch> choice) {
-        std::vector<Branch> branches(choice.begin(), choice.end());
-        for (Branch& b : branches) b.target = merge.number[b.target];
-        return branches;
-      });
+      TransitionRelation out =
+          rebuild(automaton, merge.kept, [&](std::uint32_t, std::span<const Branch> choice) {
+            std::vector<Branch> branches(choice.begin(), choice.end());
+            for (Branch& b : branches) b.target = merge.number[b.target];
+            return branches;
+          });
       out.initial = merge.number[automaton.initial];
       return {std::move(out), std::move(merge.number)};
     }
@@ -143,7 +144,7 @@ Quotient bisimulation(const Branching& automaton, Effort& effort) {
   }
 }
 
-std::vector<bool> marked_states(const Branching& automaton) {
+std::vector<bool> marked_states(const TransitionRelation& automaton) {
   std::vector<bool> out(automaton.states(), false);
   ChoiceLists lists(automaton);
   for (std::uint32_t q = 0; q < automaton.states(); ++q)
@@ -151,12 +152,12 @@ std::vector<bool> marked_states(const Branching& automaton) {
   return out;
 }
 
-Branching united(const Branching& automaton, const std::vector<std::uint32_t>& representative,
-                 Effort& effort) {
+TransitionRelation united(const TransitionRelation& automaton,
+                          const std::vector<std::uint32_t>& representative, Budget& budget) {
   const Merging merge = merging(representative);
   std::vector<std::uint32_t> all(automaton.states());
   std::iota(all.begin(), all.end(), 0U);
-  Branching out = rebuild(automaton, all, [&](std::uint32_t, std::span<const Branch> choice) {
+  TransitionRelation out = rebuild(automaton, all, [&](std::uint32_t, std::span<const Branch> choice) {
     std::vector<Branch> branches(choice.begin(), choice.end());
     for (Branch& b : branches) b.target = merge.number[b.target];
     return branches;
@@ -165,15 +166,15 @@ Branching united(const Branching& automaton, const std::vector<std::uint32_t>& r
   std::vector<Node> roots(merge.kept.size(), Mtbdd::terminal(Choices::none));
   for (std::uint32_t q = 0; q < automaton.states(); ++q) {
     Node& root = roots[merge.number[q]];
-    root = unite(out, operation, root, out.roots[q], effort);
+    root = unite(out, operation, root, out.roots[q], budget);
   }
   out.roots = std::move(roots);
   out.initial = merge.number[automaton.initial];
   return out;
 }
 
-std::vector<std::vector<bool>> direct_simulation(const Branching& automaton, Effort& effort) {
-  const StatePairs below = greatest_simulation(automaton, effort);
+std::vector<std::vector<bool>> direct_simulation(const TransitionRelation& automaton, Budget& budget) {
+  const StatePairs below = greatest_simulation(automaton, budget);
   std::vector<std::vector<bool>> out(automaton.states(), std::vector<bool>(automaton.states()));
   for (std::uint32_t q = 0; q < automaton.states(); ++q)
     for (std::uint32_t r = 0; r < automaton.states(); ++r) out[q][r] = below(q, r);
@@ -184,26 +185,26 @@ struct Simulations::Relations {
   std::optional<StatePairs> forwards, backwards;
 };
 
-Simulations::Simulations(const Branching& automaton, Effort& effort)
-    : automaton_(automaton), effort_(effort), relations_(std::make_unique<Relations>()) {}
+Simulations::Simulations(const TransitionRelation& automaton, Budget& budget)
+    : automaton_(automaton), budget_(budget), relations_(std::make_unique<Relations>()) {}
 Simulations::~Simulations() = default;
 
 const Simulations::Relations& Simulations::with_forwards() {
-  if (!relations_->forwards) relations_->forwards = greatest_simulation(automaton_, effort_);
+  if (!relations_->forwards) relations_->forwards = greatest_simulation(automaton_, budget_);
   return *relations_;
 }
 const Simulations::Relations& Simulations::with_backwards() {
-  if (!relations_->backwards) relations_->backwards = greatest_reverse_simulation(automaton_, effort_);
+  if (!relations_->backwards) relations_->backwards = greatest_reverse_simulation(automaton_, budget_);
   return *relations_;
 }
 
-Branching Simulations::quotient() {
+TransitionRelation Simulations::quotient() {
   const StatePairs& below = *with_forwards().forwards;
   const std::vector<std::uint32_t> representative = representatives(below);
   return is_identity(representative) ? pruned(automaton_, below) : merged(automaton_, below, representative);
 }
 
-Branching Simulations::reverse_quotient(const std::vector<bool>& colour) {
+TransitionRelation Simulations::reverse_quotient(const std::vector<bool>& colour) {
   const StatePairs& below = *with_backwards().backwards;
   std::vector<std::uint32_t> representative(automaton_.states());
   for (std::uint32_t q = 0; q < representative.size(); ++q) {
@@ -211,16 +212,16 @@ Branching Simulations::reverse_quotient(const std::vector<bool>& colour) {
     for (std::uint32_t r = 0; r < q && representative[q] == q; ++r)
       if (colour[q] == colour[r] && below(q, r) && below(r, q)) representative[q] = r;
   }
-  return is_identity(representative) ? automaton_ : united(automaton_, representative, effort_);
+  return is_identity(representative) ? automaton_ : united(automaton_, representative, budget_);
 }
 
-Branching Simulations::without_overtaken() {
+TransitionRelation Simulations::without_overtaken() {
   const StatePairs &after = *with_forwards().forwards, &before = *with_backwards().backwards;
-  Branching out = automaton_;
+  TransitionRelation out = automaton_;
   const Mtbdd::Operation operation = out.diagram.operation();
   const auto decide = [&](const std::array<Node, 2>& n) -> std::optional<Node> {
     const Node none = Mtbdd::terminal(Choices::none);
-    effort_.step();
+    budget_.step();
     if (n[0] == none || n[1] == none) return n[0];
     if (!Mtbdd::is_terminal(n[0]) || !Mtbdd::is_terminal(n[1])) return std::nullopt;
     const auto mine = out.choices[Mtbdd::payload(n[0])], theirs = out.choices[Mtbdd::payload(n[1])];

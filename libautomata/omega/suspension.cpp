@@ -1,6 +1,6 @@
 #include "libautomata/omega/suspension.hpp"
 
-#include "libautomata/numbered_pairs.hpp"
+#include "libautomata/graph/numbered_pairs.hpp"
 #include "libautomata/omega/emptiness.hpp"
 
 namespace waymark::automata {
@@ -10,13 +10,13 @@ using Node = Mtbdd::Node;
 
 class LateProduct {
  public:
-  LateProduct(const Branching& automaton, const Branching& late, Effort& effort)
+  LateProduct(const TransitionRelation& automaton, const TransitionRelation& late, Budget& budget)
       : a_(automaton),
         b_(late),
-        effort_(effort),
+        budget_(budget),
         live_(live_components(BranchGraph(automaton), automaton.acceptance.condition)) {
     const std::uint32_t sets = a_.acceptance.sets + b_.acceptance.sets;
-    if (sets > Marks::most) throw Effort::Spent{Effort::Spent::Reason::States};
+    if (sets > Marks::most) throw Budget::Exceeded{Budget::Exceeded::Reason::States};
     out_.acceptance = Acceptance::generalized_buchi(sets);
     const auto same = [](std::uint32_t payload) { return Mtbdd::terminal(payload); };
     const auto keep = [](Mtbdd::Variable v) { return v; };
@@ -24,7 +24,7 @@ class LateProduct {
     b_roots_ = out_.diagram.import(b_.diagram, b_.roots, same, keep);
   }
 
-  Branching run() {
+  TransitionRelation run() {
     out_.initial = entry(a_.initial);
     for (std::size_t i = 0; i < pairs_.size(); ++i) {  // the pairs double as the queue
       const auto [p, q] = pairs_[i];
@@ -41,13 +41,13 @@ class LateProduct {
   std::uint32_t entry(std::uint32_t p) {
     return number(p, live_.accepting[component(p)] ? b_.initial : alone);
   }
-  std::uint32_t number(std::uint32_t p, std::uint32_t q) { return pairs_.number(p, q, effort_); }
+  std::uint32_t number(std::uint32_t p, std::uint32_t q) { return pairs_.number(p, q, budget_); }
 
   // What a letter means depends on the component of p, so an operation serves one state.
   Node successors(std::uint32_t p, Node f, Node g) {
     const bool paired = live_.accepting[component(p)];
     const auto decide = [&](const std::array<Node, 2>& n) -> std::optional<Node> {
-      effort_.step();
+      budget_.step();
       if (n[0] == Mtbdd::terminal(Choices::none)) return n[0];
       if (!Mtbdd::is_terminal(n[0]) || !Mtbdd::is_terminal(n[1])) return std::nullopt;
       std::vector<Branch> branches;
@@ -65,18 +65,19 @@ class LateProduct {
     return out_.diagram.apply(out_.diagram.operation(), std::array{f, g}, decide);
   }
 
-  const Branching &a_, &b_;
-  Effort& effort_;
+  const TransitionRelation &a_, &b_;
+  Budget& budget_;
   LiveComponents live_;
-  Branching out_;
+  TransitionRelation out_;
   std::vector<Node> a_roots_, b_roots_;
   NumberedPairs pairs_;
 };
 
 }  // namespace
 
-Branching compose_late(const Branching& automaton, const Branching& late, Effort& effort) {
-  return LateProduct(automaton, late, effort).run();
+TransitionRelation compose_late(const TransitionRelation& automaton, const TransitionRelation& late,
+                                Budget& budget) {
+  return LateProduct(automaton, late, budget).run();
 }
 
 }  // namespace waymark::automata

@@ -6,9 +6,9 @@
 #include <unordered_map>
 
 #include "libautomata/omega/emptiness.hpp"
-#include "libltl/implication.hpp"
-#include "libltl/pair_memo.hpp"
-#include "libltl/separate.hpp"
+#include "libltl/rewriting/implication.hpp"
+#include "libltl/rewriting/pair_memo.hpp"
+#include "libltl/rewriting/separate.hpp"
 
 namespace waymark::automata {
 namespace {
@@ -19,10 +19,10 @@ using Node = Mtbdd::Node;
 
 class Construction {
  public:
-  Construction(ltl::Arena& arena, const std::vector<ltl::Proposition>& reads, Effort& effort)
+  Construction(ltl::Arena& arena, const std::vector<ltl::Proposition>& reads, Budget& budget)
       : arena_(arena),
         reads_(reads),
-        effort_(effort),
+        budget_(budget),
         and_(diagram_.operation()),
         or_(diagram_.operation()) {}
 
@@ -35,7 +35,7 @@ class Construction {
       for (std::uint32_t c : leaves(order_[i]))
         for (std::size_t b = 0; b < choices_[c].size(); ++b) state_of(arena_.formula(choices_[c][b].target));
     }
-    Branching out;
+    TransitionRelation out;
     const Marks all = Marks::first(static_cast<std::uint32_t>(promises_.size()));
     const auto leaf = [&](std::uint32_t c) {
       std::vector<Branch> branches;
@@ -133,7 +133,7 @@ class Construction {
     const std::uint32_t* before = number_.find(root.id, 0);
     const auto number = before != nullptr ? *before : static_cast<std::uint32_t>(order_.size());
     if (before == nullptr) {
-      effort_.state();
+      budget_.state();
       order_.push_back(root);
       meaning_.push_back(f);
       number_.store(root.id, 0, number);
@@ -236,14 +236,14 @@ class Construction {
     Formula right = until[1];
     while (right.op() == Op::Until) right = right[1];
     const auto [at, fresh] = promises_.try_emplace(right, static_cast<std::uint32_t>(promises_.size()));
-    if (fresh && promises_.size() > Marks::most) throw Effort::Spent{Effort::Spent::Reason::States};
+    if (fresh && promises_.size() > Marks::most) throw Budget::Exceeded{Budget::Exceeded::Reason::States};
     return Marks::of(at->second);
   }
 
   Node both(Node f, Node g) {
     const Node nothing = Mtbdd::terminal(Choices::none), free = one(arena_.constant(true), {});
     const auto decide = [&](const std::array<Node, 2>& a) -> std::optional<Node> {
-      effort_.step();
+      budget_.step();
       if (a[0] == nothing || a[1] == nothing) return nothing;
       if (a[0] == free || a[0] == a[1]) return a[1];
       if (a[1] == free) return a[0];
@@ -255,7 +255,7 @@ class Construction {
   Node either(Node f, Node g) {
     const Node nothing = Mtbdd::terminal(Choices::none), free = one(arena_.constant(true), {});
     const auto decide = [&](const std::array<Node, 2>& a) -> std::optional<Node> {
-      effort_.step();
+      budget_.step();
       if (a[0] == free || a[1] == free) return free;
       if (a[0] == nothing || a[0] == a[1]) return a[1];
       if (a[1] == nothing) return a[0];
@@ -270,7 +270,7 @@ class Construction {
     std::vector<Branch> all;
     for (const Branch& a : choices_[f])
       for (const Branch& b : choices_[g]) {
-        effort_.step();
+        budget_.step();
         const Formula next = conjunction(arena_.formula(a.target), arena_.formula(b.target));
         if (next.op() != Op::False) all.push_back({next.id(), a.marks | b.marks});
       }
@@ -291,7 +291,7 @@ class Construction {
     for (std::size_t i = 0; i < all.size();) {
       const Branch b = all[i];
       const auto better = [&](const Branch& a) {
-        effort_.step();
+        budget_.step();
         return a != b && b.marks.includes(a.marks) &&
                implies_(arena_.formula(b.target), arena_.formula(a.target));
       };
@@ -306,7 +306,7 @@ class Construction {
 
   ltl::Arena& arena_;
   const std::vector<ltl::Proposition>& reads_;
-  Effort& effort_;
+  Budget& budget_;
   ltl::Implication implies_;
   Mtbdd diagram_;    // terminals are choices
   Choices choices_;  // branches: target is the id of a formula, marks are promises
@@ -326,8 +326,8 @@ class Construction {
 
 }  // namespace
 
-Tableau tableau(Formula f, const std::vector<ltl::Proposition>& reads, Effort& effort) {
-  return Construction(f.arena(), reads, effort).tableau(f);
+Tableau tableau(Formula f, const std::vector<ltl::Proposition>& reads, Budget& budget) {
+  return Construction(f.arena(), reads, budget).tableau(f);
 }
 
 class Satisfiability::Shared : public Construction {
@@ -335,8 +335,8 @@ class Satisfiability::Shared : public Construction {
   using Construction::Construction;
 };
 
-Satisfiability::Satisfiability(ltl::Arena& arena, const std::vector<ltl::Proposition>& reads, Effort& effort)
-    : shared_(std::make_unique<Shared>(arena, reads, effort)) {}
+Satisfiability::Satisfiability(ltl::Arena& arena, const std::vector<ltl::Proposition>& reads, Budget& budget)
+    : shared_(std::make_unique<Shared>(arena, reads, budget)) {}
 Satisfiability::~Satisfiability() = default;
 bool Satisfiability::operator()(Formula f) { return shared_->is_satisfiable(f); }
 

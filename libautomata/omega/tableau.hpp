@@ -11,29 +11,29 @@
 #include <memory>
 #include <vector>
 
-#include "libautomata/effort.hpp"
-#include "libautomata/omega/branching.hpp"
+#include "libautomata/budget.hpp"
+#include "libautomata/omega/transition_relation.hpp"
 #include "libltl/formula.hpp"
 
 namespace waymark::automata {
 
 struct Tableau {
-  Branching automaton;                // neither trimmed nor reduced
+  TransitionRelation automaton;       // neither trimmed nor reduced
   std::vector<ltl::Formula> meaning;  // by state: what is accepted from it
 };
 
 // φ in negation normal form, without ↔. reads[v] is the proposition of variable v.
-// Throws what the effort throws; too many promises count as too many states.
-Tableau tableau(ltl::Formula f, const std::vector<ltl::Proposition>& reads, Effort& effort);
+// Throws what the budget throws; too many promises count as too many states.
+Tableau tableau(ltl::Formula f, const std::vector<ltl::Proposition>& reads, Budget& budget);
 
 // Whether formulas can be satisfied. Their tableaux are one, which grows from question to question: many questions
 // about parts of one formula cost little more than the largest of them.
 class Satisfiability {
  public:
   // Formulas of that arena, over these propositions; all three must stay.
-  Satisfiability(ltl::Arena& arena, const std::vector<ltl::Proposition>& reads, Effort& effort);
+  Satisfiability(ltl::Arena& arena, const std::vector<ltl::Proposition>& reads, Budget& budget);
   ~Satisfiability();
-  bool operator()(ltl::Formula f);  // in negation normal form, without ↔. Throws what the effort throws
+  bool operator()(ltl::Formula f);  // in negation normal form, without ↔. Throws what the budget throws
 
  private:
   class Shared;

@@ -4,11 +4,11 @@
 #include <numeric>
 #include <unordered_map>
 
-#include "libautomata/minimize.hpp"
+#include "libautomata/finite/minimize.hpp"
+#include "libautomata/finite/residual.hpp"
+#include "libautomata/graph/scc.hpp"
 #include "libautomata/omega/emptiness.hpp"
-#include "libautomata/residual.hpp"
-#include "libautomata/scc.hpp"
-#include "libltl/semantics.hpp"
+#include "libltl/meaning/semantics.hpp"
 
 namespace waymark::automata {
 namespace {
@@ -60,14 +60,14 @@ class Paths {
 class Colouring {
  public:
   Colouring(ltl::Formula f, const Transitions& automaton, const std::vector<ltl::Proposition>& reads,
-            Effort& effort)
+            Budget& budget)
       : formula_(f),
         automaton_(automaton),
         graph_(automaton.diagram, automaton.roots),
         found_(components(graph_)),
         reach_(graph_, automaton.diagram, reads),
         loop_(graph_, automaton.diagram, reads),
-        effort_(effort) {
+        budget_(budget) {
     reach_.explore(graph_.of_state(automaton.initial), [](Vertex) { return true; });
   }
 
@@ -100,7 +100,7 @@ class Colouring {
     const Vertex start = graph_.of_state(automaton_.initial);
     loop_.explore(state, [&](Vertex v) { return found_.of[v] == component; });
     const ltl::Lasso word(state == start ? Letters{} : reach_.to(state), loop_.to(state));
-    effort_.step(word.size() * word.size() * 16);
+    budget_.step(word.size() * word.size() * 16);
     return ltl::holds(word, formula_);
   }
 
@@ -109,38 +109,38 @@ class Colouring {
   TransitionGraph graph_;
   Components found_;
   Paths reach_, loop_;
-  Effort& effort_;
+  Budget& budget_;
 };
 
 }  // namespace
 
-Transitions progression(ltl::Formula f, const std::vector<ltl::Proposition>& reads, Effort& effort) {
-  Residuals residuals(f, reads, effort);
+Transitions progression(ltl::Formula f, const std::vector<ltl::Proposition>& reads, Budget& budget) {
+  Residuals residuals(f, reads, budget);
   std::vector<std::uint32_t> leaves;
-  return close(residuals, ltl::Semantics::Infinite, leaves, effort);
+  return close(residuals, ltl::Semantics::Infinite, leaves, budget);
 }
 
 Progression progression_with_meaning(ltl::Formula f, const std::vector<ltl::Proposition>& reads,
-                                     Effort& effort) {
-  Residuals residuals(f, reads, effort);
+                                     Budget& budget) {
+  Residuals residuals(f, reads, budget);
   std::vector<std::uint32_t> leaves;
-  Progression out{close(residuals, ltl::Semantics::Infinite, leaves, effort), {}};
+  Progression out{close(residuals, ltl::Semantics::Infinite, leaves, budget), {}};
   for (std::uint32_t leaf : leaves)
     out.meaning.push_back(residuals.formula(residuals.leaf(leaf).residual, f.arena()));
   return out;
 }
 
-Transitions weak_deterministic(ltl::Formula f, const std::vector<ltl::Proposition>& reads, Effort& effort) {
-  return weak_deterministic(f, reads, progression(f, reads, effort), effort);
+Transitions weak_deterministic(ltl::Formula f, const std::vector<ltl::Proposition>& reads, Budget& budget) {
+  return weak_deterministic(f, reads, progression(f, reads, budget), budget);
 }
 
 Transitions weak_deterministic(ltl::Formula f, const std::vector<ltl::Proposition>& reads,
-                               Transitions structure, Effort& effort) {
-  structure.accepting = Colouring(f, structure, reads, effort).accepting();
-  return minimize(structure, effort);
+                               Transitions structure, Budget& budget) {
+  structure.accepting = Colouring(f, structure, reads, budget).accepting();
+  return minimize(structure, budget);
 }
 
-Branching as_buchi(const Transitions& weak, const AsBuchi& options) {
+TransitionRelation as_buchi(const Transitions& weak, const AsBuchi& options) {
   const auto accepts = [&](std::uint32_t q) { return weak.accepting[q] != options.complement; };
   const auto is_sink = [&](std::uint32_t q) { return !accepts(q) && weak.roots[q] == Mtbdd::terminal(q); };
   std::vector<std::uint32_t> kept, number(weak.roots.size(), 0);
@@ -151,7 +151,7 @@ Branching as_buchi(const Transitions& weak, const AsBuchi& options) {
     kept.push_back(q);
     all = all && (accepts(q) || (options.trim && is_sink(q)));
   }
-  Branching out;
+  TransitionRelation out;
   out.roots.resize(kept.size());
   for (const bool accepting : {false, true}) {  // marks belong to states
     std::vector<Mtbdd::Node> sources;
@@ -173,7 +173,7 @@ Branching as_buchi(const Transitions& weak, const AsBuchi& options) {
   return out;
 }
 
-std::optional<Branching> restarted(const Branching& automaton) {
+std::optional<TransitionRelation> restarted(const TransitionRelation& automaton) {
   const Marks full = Marks::first(automaton.acceptance.sets);
   const auto is_sink = [&](std::uint32_t q) {
     const Mtbdd::Node root = automaton.roots[q];
@@ -187,7 +187,7 @@ std::optional<Branching> restarted(const Branching& automaton) {
   if (is_sink(automaton.initial)) return std::nullopt;
   std::vector<std::uint32_t> all(automaton.states());
   std::iota(all.begin(), all.end(), 0U);
-  Branching out = rebuild(automaton, all, [&](std::uint32_t, std::span<const Branch> choice) {
+  TransitionRelation out = rebuild(automaton, all, [&](std::uint32_t, std::span<const Branch> choice) {
     std::vector<Branch> branches;
     for (const Branch& b : choice)
       branches.push_back(is_sink(b.target) ? Branch{automaton.initial, Marks::of(0)} : Branch{b.target, {}});

@@ -7,15 +7,15 @@
 #pragma once
 #include <optional>
 
-#include "libautomata/effort.hpp"
-#include "libautomata/omega/branching.hpp"
-#include "libautomata/transitions.hpp"
+#include "libautomata/bdd/transitions.hpp"
+#include "libautomata/budget.hpp"
+#include "libautomata/omega/transition_relation.hpp"
 #include "libltl/formula.hpp"
 
 namespace waymark::automata {
 
 // Progression closed off: deterministic, complete, nothing accepting.
-Transitions progression(ltl::Formula f, const std::vector<ltl::Proposition>& reads, Effort& effort);
+Transitions progression(ltl::Formula f, const std::vector<ltl::Proposition>& reads, Budget& budget);
 
 // … and what is left to satisfy, by state: formulas of the same arena, in no normal form.
 struct Progression {
@@ -23,12 +23,12 @@ struct Progression {
   std::vector<ltl::Formula> meaning;
 };
 Progression progression_with_meaning(ltl::Formula f, const std::vector<ltl::Proposition>& reads,
-                                     Effort& effort);
+                                     Budget& budget);
 
 // Complete; accepting states are those whose loops accept. The language is φ's when φ is an obligation, else any.
-Transitions weak_deterministic(ltl::Formula f, const std::vector<ltl::Proposition>& reads, Effort& effort);
+Transitions weak_deterministic(ltl::Formula f, const std::vector<ltl::Proposition>& reads, Budget& budget);
 Transitions weak_deterministic(ltl::Formula f, const std::vector<ltl::Proposition>& reads,
-                               Transitions structure, Effort& effort);  // on the structure of progression()
+                               Transitions structure, Budget& budget);  // on the structure of progression()
 
 // The same as Büchi automaton with marks on states; all runs accept where no state rejects. `complement` exchanges
 // accepting and rejecting states; `trim` removes the rejecting sink.
@@ -36,11 +36,11 @@ struct AsBuchi {
   bool complement = false;
   bool trim = true;
 };
-Branching as_buchi(const Transitions& weak, const AsBuchi& options);
+TransitionRelation as_buchi(const Transitions& weak, const AsBuchi& options);
 
 // G e from the automaton of e, eventual and co-safe: a good prefix of e is read over and over. A branch into the state
 // that accepts everything leads back to the initial state with a mark. nullopt when some run accepts elsewhere, or the
 // initial state is that state.
-std::optional<Branching> restarted(const Branching& automaton);
+std::optional<TransitionRelation> restarted(const TransitionRelation& automaton);
 
 }  // namespace waymark::automata

@@ -53,7 +53,7 @@ std::vector<Clause> clauses(const Condition& condition) {
   return {};  // unreachable: -Werror=switch
 }
 
-Branching without_fin(const Branching& automaton, Effort& effort) {
+TransitionRelation without_fin(const TransitionRelation& automaton, Budget& budget) {
   if (automaton.acceptance.is_generalized_buchi()) return automaton;
   const std::vector<Clause> all = clauses(automaton.acceptance.condition);
   const auto states = static_cast<std::uint32_t>(automaton.states());
@@ -66,13 +66,13 @@ Branching without_fin(const Branching& automaton, Effort& effort) {
       if (marks.contains(wanted[i])) out = out | Marks::of(i);
     return out;
   };
-  Branching out;
+  TransitionRelation out;
   out.initial = automaton.initial;
   out.acceptance = Acceptance::generalized_buchi(sets);
   RootCopier copier(automaton, out);
   for (std::uint32_t copy = 0; copy <= all.size(); ++copy)  // the first one waits
     for (std::uint32_t q = 0; q < states; ++q) {
-      effort.state();
+      budget.state();
       const auto leaf = [&](std::uint32_t c) {
         std::vector<Branch> branches;
         for (const Branch& b : automaton.choices[c]) {
@@ -85,7 +85,7 @@ Branching without_fin(const Branching& automaton, Effort& effort) {
       };
       out.roots.push_back(copier.copy(automaton.roots[q], leaf));
     }
-  return scc_filter(out, MarksOn::Edges, effort);
+  return scc_filter(out, MarksOn::Edges, budget);
 }
 
 }  // namespace waymark::automata

@@ -6,8 +6,8 @@
 #pragma once
 #include <vector>
 
-#include "libautomata/effort.hpp"
-#include "libautomata/omega/branching.hpp"
+#include "libautomata/budget.hpp"
+#include "libautomata/omega/transition_relation.hpp"
 
 namespace waymark::automata {
 
@@ -17,7 +17,7 @@ struct Clause {
 std::vector<Clause> clauses(
     const Condition& condition);  // none is implied by another one; exponential in the worst case
 
-// Generalised Büchi as it is; else trimmed. One state of effort per copy of a state.
-Branching without_fin(const Branching& automaton, Effort& effort);
+// Generalised Büchi as it is; else trimmed. One state of budget per copy of a state.
+TransitionRelation without_fin(const TransitionRelation& automaton, Budget& budget);
 
 }  // namespace waymark::automata

@@ -4,7 +4,7 @@
 #include <sstream>
 
 #include "libltl/diagnostic.hpp"
-#include "libparser/weights_bytes.hpp"
+#include "libparser/model/weights_bytes.hpp"
 
 namespace waymark::parser {
 namespace {

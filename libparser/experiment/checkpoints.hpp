@@ -1,7 +1,7 @@
 // Finished parts of a long experiment, kept in a directory: a run that was killed goes on after the last of them.
 //
 // A part is a file under the name it was given, written to a temporary name and renamed: there whole or not at all,
-// whatever ends the process. Parts are whatever bytes they are; models carry their own checksum (weights_file.hpp).
+// whatever ends the process. Parts are whatever bytes they are; models carry their own checksum (model_file.hpp).
 #pragma once
 #include <filesystem>
 #include <optional>

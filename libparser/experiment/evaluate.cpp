@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <set>
 
-#include "libparser/programs/examples.hpp"
+#include "libparser/supervision/examples.hpp"
 
 namespace waymark::parser {
 namespace {
@@ -122,7 +122,7 @@ Scores& Scores::operator+=(const Scores& other) {
 
 Following following(const TrainOptions& options) {
   return {.deciding = {options.beam, options.then, options.trust, options.clauses},
-          .paragraph = {.alive = options.alive}};
+          .paragraph = {.beam_width = options.beam_width}};
 }
 
 std::shared_ptr<const Follower> follower_of(std::vector<Grounder> systems, const EvaluateOptions& options) {

@@ -21,7 +21,7 @@
 
 #include "libparser/experiment/checkpoints.hpp"
 #include "libparser/experiment/grounding_follower.hpp"
-#include "libparser/learn.hpp"
+#include "libparser/training/learn.hpp"
 
 namespace waymark::parser {
 
@@ -79,7 +79,7 @@ struct EvaluateOptions {
   // Who carries out what the systems read; nobody: their own plans count.
   std::function<std::shared_ptr<const Follower>(std::shared_ptr<const Follower>)> carried_out = {};
   std::size_t ensemble = 1;  // systems of seeds train.seed, train.seed + 1, …
-  // Where finished readers, choosers and scores are kept, if anywhere: a run that finds them there goes on from them, to
+  // Where finished readers, rerankers and scores are kept, if anywhere: a run that finds them there goes on from them, to
   // the same scores as one that was never stopped. Tables of weights are rounded as in a weights file then.
   const Checkpoints* checkpoints = nullptr;
   std::string system = {};  // with which the names of those parts begin

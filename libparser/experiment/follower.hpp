@@ -3,8 +3,8 @@
 #include <span>
 #include <vector>
 
-#include "libparser/choosing/decide.hpp"
-#include "libparser/reader.hpp"
+#include "libparser/decode/reader.hpp"
+#include "libparser/rerank/decide.hpp"
 
 namespace waymark::parser {
 

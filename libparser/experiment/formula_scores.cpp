@@ -4,9 +4,9 @@
 #include <set>
 #include <unordered_map>
 
-#include "libautomata/ltlf_to_dfa.hpp"
-#include "libautomata/product.hpp"
-#include "libltl/parse.hpp"
+#include "libautomata/finite/ltlf_to_dfa.hpp"
+#include "libautomata/finite/product.hpp"
+#include "libltl/text/parse.hpp"
 #include "libparser/programs/recognise.hpp"
 
 namespace waymark::parser {

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "libparser/choosing/chooser.hpp"
+#include "libparser/rerank/reranker.hpp"
 
 namespace waymark::parser {
 GroundingFollower::Readings GroundingFollower::read(const SentenceInput& input) const {
@@ -57,7 +57,8 @@ Answer GroundingFollower::follow(const Executor& executor, const SentenceInput& 
 std::vector<Answer> GroundingFollower::follow_all(const Executor& executor,
                                                   std::span<const SentenceInput> paragraph,
                                                   plan::PoseId start) const {
-  if (how_.paragraph.alive <= 1 || paragraph.empty()) return Follower::follow_all(executor, paragraph, start);
+  if (how_.paragraph.beam_width <= 1 || paragraph.empty())
+    return Follower::follow_all(executor, paragraph, start);
   std::vector<SentenceInput> inputs(paragraph.begin(), paragraph.end());
   std::vector<Readings> readings;
   for (SentenceInput& input : inputs) {
@@ -69,11 +70,11 @@ std::vector<Answer> GroundingFollower::follow_all(const Executor& executor,
   };
   const auto outlook = [&](std::size_t k, plan::PoseId from) {
     const Verdict verdict = judged(k, from);
-    Outlook out{{}, verdict.evidence};
+    TransitionDistribution out{{}, verdict.evidence};
     for (const Answer& answer : verdict.answers) out.ends.emplace_back(answer.end, answer.probability);
     return out;
   };
-  Outlook first = outlook(0, start);
+  TransitionDistribution first = outlook(0, start);
   if (first.ends.empty()) first.ends.emplace_back(start, 1);
   std::vector<Answer> answers;
   for (const plan::PoseId end :

@@ -3,8 +3,8 @@
 // Several grounders vote: the probabilities of ends are averaged, and the first of those that give the winning end the
 // most says how it is read. Paragraphs are read as a whole (choosing/paragraph.hpp); evidence is a mean over the grounders.
 #pragma once
-#include "libparser/choosing/paragraph.hpp"
 #include "libparser/experiment/follower.hpp"
+#include "libparser/rerank/paragraph.hpp"
 
 namespace waymark::parser {
 
@@ -18,7 +18,7 @@ class GroundingFollower : public Follower {
   GroundingFollower(std::vector<Grounder> grounders, const Following& how)
       : grounders_(std::move(grounders)), how_(how) {}
   Answer follow(const Executor& executor, const SentenceInput& input, plan::PoseId start) const override;
-  // O(sentences · alive · what one sentence costs); a sentence is read once for all poses.
+  // O(sentences · hypotheses · what one sentence costs); a sentence is read once for all poses.
   std::vector<Answer> follow_all(const Executor& executor, std::span<const SentenceInput> paragraph,
                                  plan::PoseId start) const override;
 

@@ -1,5 +1,5 @@
 // The experiment: for each convention one search for programs; for each seed one reader for every one or two maps,
-// shared by the folds that need it, and for each map left out a chooser; then the tests. What a run before this one has
+// shared by the folds that need it, and for each map left out a reranker; then the tests. What a run before this one has
 // kept is taken from there.
 #include <algorithm>
 #include <chrono>
@@ -7,23 +7,23 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "libparser/choosing/learn_chooser.hpp"
+#include "libparser/experiment/action_network.hpp"
 #include "libparser/experiment/evaluate.hpp"
 #include "libparser/experiment/scores_text.hpp"
-#include "libparser/neural/action_network.hpp"
-#include "libparser/programs/examples.hpp"
-#include "libparser/weights_file.hpp"
+#include "libparser/model_file.hpp"
+#include "libparser/supervision/examples.hpp"
+#include "libparser/training/learn_reranker.hpp"
 
 namespace waymark::parser {
 namespace {
 
 struct Fold {
   Convention convention;
-  std::size_t map;                   // left out
-  std::vector<std::size_t> lessons;  // maps that are learned from
-  bool scored;                       // by a run before this one
-  Scores scores;                     // of all members together
-  std::vector<Scores> singles;       // of each, when there are several
+  std::size_t map;                     // left out
+  std::vector<std::size_t> instances;  // maps that are learned from
+  bool scored;                         // by a run before this one
+  Scores scores;                       // of all members together
+  std::vector<Scores> singles;         // of each, when there are several
   std::vector<Prediction> predictions;
 };
 
@@ -74,17 +74,17 @@ class Experiment {
     for (std::size_t left_out = 0; left_out < maps_.size(); ++left_out) {
       const bool tested = std::any_of(test_.paragraphs.begin(), test_.paragraphs.end(),
                                       [&](const Paragraph& p) { return p.map == maps_[left_out].name(); });
-      Maps lessons;
+      Maps instances;
       for (std::size_t m = 0; m < maps_.size(); ++m)
-        if (m != left_out && !on(convention, {m}).empty()) lessons.push_back(m);
-      if (!tested || lessons.empty()) continue;
-      folds_.push_back({convention, left_out, lessons, false, {}, {}, {}});
+        if (m != left_out && !on(convention, {m}).empty()) instances.push_back(m);
+      if (!tested || instances.empty()) continue;
+      folds_.push_back({convention, left_out, instances, false, {}, {}, {}});
       if (find_scores(folds_.back())) continue;
-      for (std::size_t member = 0; lessons.size() > 1 && !options_.actions && member < options_.ensemble;
+      for (std::size_t member = 0; instances.size() > 1 && !options_.actions && member < options_.ensemble;
            ++member) {
-        readers_[{member, convention, lessons}];
-        if (!options_.train.chooser) continue;
-        for (std::size_t m : lessons) readers_[{member, convention, without(lessons, m)}];
+        readers_[{member, convention, instances}];
+        if (!options_.train.reranker) continue;
+        for (std::size_t m : instances) readers_[{member, convention, without(instances, m)}];
       }
     }
     if (!options_.actions && something_to_learn(convention)) search(examples);
@@ -125,15 +125,15 @@ class Experiment {
     return part(key.convention, std::to_string(options_.train.seed + key.member) + '-' + maps + ".reader");
   }
 
-  std::string chooser_part(const Fold& fold, std::size_t member) const {
+  std::string reranker_part(const Fold& fold, std::size_t member) const {
     return part(fold.convention, std::to_string(options_.train.seed + member) + "-without-" +
-                                     maps_[fold.map].name() + ".chooser");
+                                     maps_[fold.map].name() + ".reranker");
   }
 
   std::string scores_part(const Fold& fold) const {
     return part(fold.convention,
                 std::to_string(options_.train.seed) + '-' + std::to_string(options_.ensemble) +
-                    (options_.train.chooser ? "-chooser-" : "-") + maps_[fold.map].name() + ".scores");
+                    (options_.train.reranker ? "-reranker-" : "-") + maps_[fold.map].name() + ".scores");
   }
 
   bool has(const std::string& name) const {
@@ -170,7 +170,7 @@ class Experiment {
     for (const Fold& fold : folds_)
       for (std::size_t member = 0; member < options_.ensemble; ++member)
         if (fold.convention == convention && !fold.scored &&
-            (options_.train.chooser || fold.lessons.size() == 1) && !has(chooser_part(fold, member)))
+            (options_.train.reranker || fold.instances.size() == 1) && !has(reranker_part(fold, member)))
           return true;
     return false;
   }
@@ -204,7 +204,7 @@ class Experiment {
   void score(Fold& fold, const JobProgress& progress) {
     if (options_.actions) {
       const auto follower =
-          learn_actions(on(fold.convention, fold.lessons), executors_, options_for(fold.convention, 0),
+          learn_actions(on(fold.convention, fold.instances), executors_, options_for(fold.convention, 0),
                         [&](double f) { progress(0.9 * f); });
       fold.scores = evaluate(*follower, test_, maps_[fold.map], fold.convention, &fold.predictions,
                              options_.train.stop);
@@ -226,22 +226,22 @@ class Experiment {
 
   Grounder member_of(const Fold& fold, std::size_t member) const {
     const TrainOptions options = options_for(fold.convention, member);
-    if (fold.lessons.size() > 1 && !options.chooser)
-      return readers_.at({member, fold.convention, fold.lessons});
-    return kept_or(chooser_part(fold, member), [&] {
-      return fold.lessons.size() > 1 ? choosing(fold, member, options)
-                                     : train_on(on(fold.convention, fold.lessons), executors_, options);
+    if (fold.instances.size() > 1 && !options.reranker)
+      return readers_.at({member, fold.convention, fold.instances});
+    return kept_or(reranker_part(fold, member), [&] {
+      return fold.instances.size() > 1 ? choosing(fold, member, options)
+                                       : train_on(on(fold.convention, fold.instances), executors_, options);
     });
   }
 
-  // The fold's reader and a chooser that learned from readers of fewer maps.
+  // The fold's reader and a reranker that learned from readers of fewer maps.
   Grounder choosing(const Fold& fold, std::size_t member, const TrainOptions& options) const {
-    Dilemmas dilemmas;
-    for (std::size_t m : fold.lessons)
-      add_dilemmas(readers_.at({member, fold.convention, without(fold.lessons, m)}), on(fold.convention, {m}),
-                   executors_, options, dilemmas);
-    return with_chooser(readers_.at({member, fold.convention, fold.lessons}), dilemmas, executors_, options,
-                        [](double) {});
+    RankingInstances instances;
+    for (std::size_t m : fold.instances)
+      add_ranking_instances(readers_.at({member, fold.convention, without(fold.instances, m)}),
+                            on(fold.convention, {m}), executors_, options, instances);
+    return with_reranker(readers_.at({member, fold.convention, fold.instances}), instances, executors_,
+                         options, [](double) {});
   }
 
   const Corpus &train_, &test_;

@@ -3,8 +3,8 @@
 #include <chrono>
 #include <stdexcept>
 
+#include "libparser/experiment/action_network.hpp"
 #include "libparser/experiment/evaluate.hpp"
-#include "libparser/neural/action_network.hpp"
 
 namespace waymark::parser {
 namespace {

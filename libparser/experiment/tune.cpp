@@ -11,18 +11,18 @@ std::vector<ValidationPair> validate(const Corpus& corpus, std::span<const plan:
   Examples examples = make_examples(corpus, executors, options.convention);
   find_programs(examples.sentences, executors, PostfixGrammar(maps.front().vocabulary(), options.dialect),
                 options.threads, [&](double) { return !options.stop.stop_requested(); });
-  std::vector<std::vector<const Example*>> lessons(maps.size());
-  for (const Example& example : examples.sentences) lessons[example.map].push_back(&example);
+  std::vector<std::vector<const Example*>> instances(maps.size());
+  for (const Example& example : examples.sentences) instances[example.map].push_back(&example);
   std::vector<std::size_t> learned;
   for (std::size_t m = 0; m < maps.size(); ++m)
-    if (!lessons[m].empty()) learned.push_back(m);
+    if (!instances[m].empty()) learned.push_back(m);
   if (learned.size() < 2) throw std::invalid_argument("validation needs sentences on at least two maps");
   std::vector<std::vector<ValidationPair>> found(learned.size());
   TrainOptions single = options;
   single.threads = 1;
   run_jobs(learned.size(), options.threads, options.progress, "validating",
            [&](std::size_t i, const JobProgress& progress) {
-             const Grounder reader = learn_reader(lessons[learned[i]], executors, single,
+             const Grounder reader = learn_reader(instances[learned[i]], executors, single,
                                                   [&](double fraction) { progress(0.8 * fraction); });
              const GroundingFollower follower({reader}, following(options));
              for (const std::size_t other : learned) {

@@ -14,7 +14,7 @@ struct ValidationPair {
   Percent sentence;             // under the convention of the options
 };
 
-// All ordered pairs of maps with sentences. Readers decide alone, without a chooser: to learn one takes two maps.
+// All ordered pairs of maps with sentences. Readers decide alone, without a reranker: to learn one takes two maps.
 // Throws std::invalid_argument when fewer than two maps have paragraphs; Stopped when a stop was requested.
 std::vector<ValidationPair> validate(const Corpus& corpus, std::span<const plan::Map> maps,
                                      const TrainOptions& options);

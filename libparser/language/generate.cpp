@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "libltl/print.hpp"
-#include "libltl/semantics.hpp"
+#include "libltl/meaning/semantics.hpp"
+#include "libltl/text/print.hpp"
 #include "libparser/corpus/corpus_file.hpp"
 #include "libparser/corpus/token.hpp"
 #include "libparser/programs/execute.hpp"

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "libltl/random.hpp"
+#include "libltl/structure/random.hpp"
 #include "libparser/programs/postfix_grammar.hpp"
 #include "libplan/world/map.hpp"
 

@@ -5,7 +5,7 @@
 #pragma once
 #include <algorithm>
 
-#include "libltl/random.hpp"
+#include "libltl/structure/random.hpp"
 #include "libplan/learn/tabular_product.hpp"
 
 namespace waymark::plan {

@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <unordered_map>
 
-#include "libltl/nnf.hpp"
+#include "libltl/rewriting/nnf.hpp"
 
 namespace waymark::plan {
 namespace {

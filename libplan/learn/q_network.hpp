@@ -7,7 +7,7 @@
 #include <optional>
 #include <span>
 
-#include "libltl/random.hpp"
+#include "libltl/structure/random.hpp"
 #include "libneural/perceptron.hpp"
 #include "libplan/learn/task_trees.hpp"
 

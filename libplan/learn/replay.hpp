@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "libltl/random.hpp"
+#include "libltl/structure/random.hpp"
 
 namespace waymark::plan {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "libltl/random.hpp"
+#include "libltl/structure/random.hpp"
 
 namespace waymark::plan {
 namespace {

@@ -7,8 +7,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "libautomata/dfa.hpp"
-#include "libplan/model/letters.hpp"
+#include "libautomata/finite/dfa.hpp"
+#include "libplan/world/letters.hpp"
 
 namespace waymark::plan {
 

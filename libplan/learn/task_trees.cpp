@@ -3,8 +3,8 @@
 #include <map>
 #include <unordered_map>
 
-#include "libltl/progress.hpp"
-#include "libltl/simplify.hpp"
+#include "libltl/meaning/progress.hpp"
+#include "libltl/rewriting/simplify.hpp"
 
 namespace waymark::plan {
 namespace {

@@ -11,7 +11,7 @@
 #include <stop_token>
 #include <vector>
 
-#include "libltl/random.hpp"
+#include "libltl/structure/random.hpp"
 #include "libplan/learn/policy_value.hpp"
 
 namespace waymark::plan {

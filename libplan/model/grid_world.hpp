@@ -13,7 +13,7 @@
 #include <string_view>
 #include <vector>
 
-#include "libplan/model/letters.hpp"
+#include "libplan/world/letters.hpp"
 
 namespace waymark::plan {
 

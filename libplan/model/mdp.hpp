@@ -16,7 +16,7 @@
 
 #include "libltl/vocabulary.hpp"
 #include "libltl/word.hpp"
-#include "libplan/model/letters.hpp"
+#include "libplan/world/letters.hpp"
 
 namespace waymark::plan {
 

@@ -10,7 +10,7 @@
 #include <functional>
 #include <variant>
 
-#include "libautomata/dfa.hpp"
+#include "libautomata/finite/dfa.hpp"
 #include "libplan/motion/ltl_bridge.hpp"
 #include "libplan/motion/motion.hpp"
 

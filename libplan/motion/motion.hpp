@@ -14,8 +14,8 @@
 #include <variant>
 #include <vector>
 
+#include "libplan/certify.hpp"
 #include "libplan/motion/workspace.hpp"
-#include "libplan/solve/certify.hpp"
 #include "libplan/world/trajectory.hpp"
 
 namespace waymark::plan {

@@ -134,7 +134,7 @@ ob::RealVectorBounds bounds(Point low, Point high) {
 // The states of the path that the sampler found, read by `read`; empty when there is none.
 template <typename Value, typename Read>
 std::vector<Value> search(const ob::StateSpacePtr& states, const IsFree& is_free, const Value& start,
-                          const std::vector<Value>& goals, const Effort& effort, Read read) {
+                          const std::vector<Value>& goals, const SamplingBudget& budget, Read read) {
   const auto space = std::make_shared<ob::SpaceInformation>(states);
   space->setStateValidityChecker([&](const ob::State* state) { return is_free(state, state); });
   space->setMotionValidator(std::make_shared<Validator>(space, is_free));
@@ -150,10 +150,10 @@ std::vector<Value> search(const ob::StateSpacePtr& states, const IsFree& is_free
   }
   definition->setGoal(goal);
   definition->setOptimizationObjective(std::make_shared<PathLength>(space));
-  const ob::PlannerPtr planner = planner_for(effort.sampler, space);
+  const ob::PlannerPtr planner = planner_for(budget.sampler, space);
   planner->setProblemDefinition(definition);
-  ob::IterationTerminationCondition budget(static_cast<unsigned int>(effort.iterations));
-  planner->solve(budget);
+  ob::IterationTerminationCondition stop(static_cast<unsigned int>(budget.iterations));
+  planner->solve(stop);
   std::vector<Value> found;
   if (!definition->hasExactSolution()) return found;
   for (const ob::State* on_path : definition->getSolutionPath()->as<og::PathGeometric>()->getStates())
@@ -186,14 +186,14 @@ Line driven(const ob::ReedsSheppStateSpace& space, const ob::State* a, const ob:
 
 }  // namespace
 
-std::vector<Point> sample_path(const PathProblem& problem, const Effort& effort) {
-  begin_random_numbers(effort.seed);
+std::vector<Point> sample_path(const PathProblem& problem, const SamplingBudget& budget) {
+  begin_random_numbers(budget.seed);
   const auto plane = std::make_shared<ob::RealVectorStateSpace>(2);
   plane->setBounds(bounds(problem.low, problem.high));
   const IsFree is_free = [&](const ob::State* a, const ob::State* b) {
     return problem.is_free(point_of(a), point_of(b));
   };
-  return search(plane, is_free, problem.start, problem.goals, effort, point_of);
+  return search(plane, is_free, problem.start, problem.goals, budget, point_of);
 }
 
 Line shortest_drive(const Configuration& from, const Configuration& to, double turning_radius) {
@@ -208,15 +208,15 @@ Line shortest_drive(const Configuration& from, const Configuration& to, double t
   return line;
 }
 
-Line sample_drive(const DriveProblem& problem, const Effort& effort) {
-  begin_random_numbers(effort.seed);
+Line sample_drive(const DriveProblem& problem, const SamplingBudget& budget) {
+  begin_random_numbers(budget.seed);
   const auto space = std::make_shared<CarSpace>(problem);
   space->setBounds(bounds(problem.low, problem.high));
   const IsFree is_free = [&](const ob::State* a, const ob::State* b) {
     return problem.is_free(driven(*space, a, b, problem.turning_radius));
   };
   const std::vector<Configuration> corners =
-      search(space, is_free, problem.start, problem.goals, effort, configuration_of);
+      search(space, is_free, problem.start, problem.goals, budget, configuration_of);
   Line line;
   for (std::size_t i = 0; i < corners.size(); ++i) {
     if (i == 0) {

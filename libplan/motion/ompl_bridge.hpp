@@ -16,7 +16,7 @@ namespace waymark::plan {
 
 enum class Sampler : std::uint8_t { InformedRrtStar, BitStar };
 
-struct Effort {
+struct SamplingBudget {
   Sampler sampler = Sampler::InformedRrtStar;
   std::size_t iterations = 1'000;  // of RRT*: samples; of BIT*: edges taken from its queue, and batches
   std::uint32_t seed = 1;
@@ -30,7 +30,7 @@ struct PathProblem {
 };
 // The points of the path, start and goal included; empty when none was found. O(iterations²), calls of is_free
 // O(iterations · log iterations).
-std::vector<Point> sample_path(const PathProblem& problem, const Effort& effort);
+std::vector<Point> sample_path(const PathProblem& problem, const SamplingBudget& budget);
 
 using Line = std::vector<Configuration>;  // each leads to the next by an arc of at most an eighth of a circle
 
@@ -46,6 +46,6 @@ struct DriveProblem {
   Configuration start;
   std::vector<Configuration> goals;
 };
-Line sample_drive(const DriveProblem& problem, const Effort& effort);  // empty when none was found
+Line sample_drive(const DriveProblem& problem, const SamplingBudget& budget);  // empty when none was found
 
 }  // namespace waymark::plan

@@ -2,8 +2,8 @@
 
 #include <cassert>
 
-#include "libplan/motion/drive.hpp"
-#include "libplan/motion/glide.hpp"
+#include "libplan/motion/steer_car.hpp"
+#include "libplan/motion/steer_disc.hpp"
 
 namespace waymark::plan {
 

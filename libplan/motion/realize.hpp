@@ -1,6 +1,6 @@
 // Route → motion: the last arrow of the corridor.
 //
-// How it is made depends on the robot: a disc glides and turns in place (glide.hpp), a car drives (drive.hpp). Both plan
+// How it is made depends on the robot: a disc glides and turns in place (steer_disc.hpp), a car drives (steer_car.hpp). Both plan
 // leg by leg inside cells where no other label can be read, and both answer with what route_of reads as the route.
 #pragma once
 #include "libplan/motion/sampling.hpp"

@@ -5,7 +5,7 @@
 #include <map>
 #include <stdexcept>
 
-#include "libplan/motion/glide.hpp"
+#include "libplan/motion/steer_disc.hpp"
 
 namespace waymark::plan {
 namespace {
@@ -67,9 +67,9 @@ class TourMaker {
   bool go(const Leg& leg, std::size_t index, Line& line) const {
     const std::vector<Point> ends = ends_of(leg);
     if (ends.empty()) return false;
-    const Effort effort = effort_of(sampling_, index);
+    const SamplingBudget budget = sampling_budget(sampling_, index);
     Line way =
-        car_ == nullptr ? glided(leg, line.back(), ends, effort) : driven(leg, line.back(), ends, effort);
+        car_ == nullptr ? glided(leg, line.back(), ends, budget) : driven(leg, line.back(), ends, budget);
     if (way.size() < 2 || !reads(way, {leg.now, leg.next})) return false;
     line.insert(line.end(), way.begin() + 1, way.end());
     return true;
@@ -103,7 +103,7 @@ class TourMaker {
   }
 
   Line glided(const Leg& leg, const Configuration& from, const std::vector<Point>& ends,
-              const Effort& effort) const {
+              const SamplingBudget& budget) const {
     const auto line_of = [&](const std::vector<Point>& points) {
       Line line;
       for (const Point& p : points) line.push_back({p.x, p.y, from.heading});
@@ -116,11 +116,11 @@ class TourMaker {
     for (const Point& end : ends)
       if (is_free(position(from), end)) return line_of({position(from), end});
     const PathProblem problem{terrain_.low(), terrain_.high(), is_free, position(from), ends};
-    return line_of(rounded(tightened(sample_path(problem, effort), is_free), is_free));
+    return line_of(rounded(tightened(sample_path(problem, budget), is_free), is_free));
   }
 
   Line driven(const Leg& leg, const Configuration& from, const std::vector<Point>& ends,
-              const Effort& effort) const {
+              const SamplingBudget& budget) const {
     const auto is_free = [&](const Line& line) { return reads(line, {leg.now, leg.next}, true); };
     std::vector<Configuration> goals;
     const Point c = cells_.cells()[leg.into].centre,
@@ -144,7 +144,7 @@ class TourMaker {
     std::vector<Configuration> spread;  // every goal costs the sampler a drive for every state it considers
     for (std::size_t i = 0; i < most_goals; ++i) spread.push_back(goals[i * goals.size() / most_goals]);
     return sample_drive(
-        {terrain_.low(), terrain_.high(), 0, 180, car_->turning_radius, is_free, from, spread}, effort);
+        {terrain_.low(), terrain_.high(), 0, 180, car_->turning_radius, is_free, from, spread}, budget);
   }
 
   const Terrain& terrain_;

@@ -2,7 +2,7 @@
 
 namespace waymark::plan {
 
-Effort effort_of(const Sampling& sampling, std::size_t leg) {  // SplitMix64 [SLF14]
+SamplingBudget sampling_budget(const Sampling& sampling, std::size_t leg) {  // SplitMix64 [SLF14]
   std::uint64_t z = sampling.seed + 0x9E3779B97F4A7C15ULL * (leg + 1);
   z = (z ^ (z >> 30U)) * 0xBF58476D1CE4E5B9ULL;
   z = (z ^ (z >> 27U)) * 0x94D049BB133111EBULL;

@@ -15,7 +15,7 @@ struct Sampling {
   Robot robot = Disc{};
   Sampler sampler = Sampler::InformedRrtStar;
 };
-Effort effort_of(const Sampling& sampling, std::size_t leg);  // every leg has a seed of its own
+SamplingBudget sampling_budget(const Sampling& sampling, std::size_t leg);  // every leg has a seed of its own
 
 struct Unreached {  // nothing proved: a leg for which no path was found
   PoseId from, to;

@@ -7,7 +7,7 @@
 #include <queue>
 #include <stdexcept>
 
-#include "libltl/semantics.hpp"
+#include "libltl/meaning/semantics.hpp"
 
 namespace waymark::plan {
 namespace {

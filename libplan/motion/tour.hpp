@@ -8,7 +8,7 @@
 #include <variant>
 #include <vector>
 
-#include "libautomata/dfa.hpp"
+#include "libautomata/finite/dfa.hpp"
 #include "libltl/formula.hpp"
 #include "libplan/motion/cells.hpp"
 #include "libplan/motion/motion.hpp"

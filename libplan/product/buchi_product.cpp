@@ -3,7 +3,7 @@
 #include <stdexcept>
 #include <unordered_map>
 
-#include "libplan/product/letter_classes.hpp"
+#include "libplan/product/alphabet_classes.hpp"
 
 namespace waymark::plan {
 namespace {
@@ -13,10 +13,10 @@ using automata::Branch;
 template <class Model>
 class Composer {
  public:
-  Composer(const Model& model, const automata::Automaton& automaton, automata::Effort& effort)
+  Composer(const Model& model, const automata::Automaton& automaton, automata::Budget& budget)
       : model_(model),
         automaton_(automaton),
-        effort_(effort),
+        budget_(budget),
         classes_(letter_classes(model.letters(), automaton.vocabulary(), automaton.reads())) {}
 
   BuchiProduct run() {
@@ -36,7 +36,7 @@ class Composer {
     const std::uint64_t pair = std::uint64_t{task} * model_.states() + place;
     const auto [at, fresh] = number_.try_emplace(pair, static_cast<std::uint32_t>(out_.places.size()));
     if (fresh) {
-      effort_.state();
+      budget_.state();
       out_.places.push_back(place);
       out_.tasks.push_back(task);
     }
@@ -46,7 +46,7 @@ class Composer {
     out_.graph.first.push_back(static_cast<std::uint32_t>(out_.graph.edges.size()));
     const std::uint32_t place = out_.places[v], task = out_.tasks[v];
     for (std::uint32_t k = 0; k < model_.choices(place); ++k) {
-      effort_.step();
+      budget_.step();
       model_.for_each_outcome(place, k, [&](std::uint32_t to, LetterId letter, double) {
         for (const Branch& branch : steps(task, letter))
           out_.graph.edges.push_back({v, meet(to, branch.target), k, branch.marks, model_.cost(place, k)});
@@ -56,7 +56,7 @@ class Composer {
 
   const Model& model_;
   const automata::Automaton& automaton_;
-  automata::Effort& effort_;
+  automata::Budget& budget_;
   const LetterClasses classes_;
   std::unordered_map<std::uint64_t, std::uint32_t> number_;
   BuchiProduct out_;
@@ -65,14 +65,14 @@ class Composer {
 }  // namespace
 
 template <class Model>
-BuchiProduct compose(const Model& model, const automata::Automaton& automaton, automata::Effort& effort) {
+BuchiProduct compose(const Model& model, const automata::Automaton& automaton, automata::Budget& budget) {
   if (!model.is_deterministic()) throw std::invalid_argument("a lasso needs a deterministic model");
   if (!automaton.acceptance().is_generalized_buchi())
     throw std::invalid_argument("a lasso needs a generalised Büchi automaton");
-  return Composer<Model>(model, automaton, effort).run();
+  return Composer<Model>(model, automaton, budget).run();
 }
 
-template BuchiProduct compose(const Mdp&, const automata::Automaton&, automata::Effort&);
-template BuchiProduct compose(const GridWorld&, const automata::Automaton&, automata::Effort&);
+template BuchiProduct compose(const Mdp&, const automata::Automaton&, automata::Budget&);
+template BuchiProduct compose(const GridWorld&, const automata::Automaton&, automata::Budget&);
 
 }  // namespace waymark::plan

@@ -9,7 +9,7 @@
 #include <span>
 #include <vector>
 
-#include "libautomata/effort.hpp"
+#include "libautomata/budget.hpp"
 #include "libautomata/omega/automaton.hpp"
 #include "libplan/model/grid_world.hpp"
 #include "libplan/model/mdp.hpp"
@@ -41,12 +41,12 @@ struct BuchiProduct {
   std::vector<std::uint32_t> places, tasks;  // by vertex
 };
 
-// The reachable part, breadth first from the start, whose letter is read. One state of effort a vertex; throws what the
-// effort throws, and std::invalid_argument for a model that is not deterministic or another acceptance condition.
+// The reachable part, breadth first from the start, whose letter is read. One state of budget a vertex; throws what the
+// budget throws, and std::invalid_argument for a model that is not deterministic or another acceptance condition.
 template <class Model>
-BuchiProduct compose(const Model& model, const automata::Automaton& automaton, automata::Effort& effort);
+BuchiProduct compose(const Model& model, const automata::Automaton& automaton, automata::Budget& budget);
 
-extern template BuchiProduct compose(const Mdp&, const automata::Automaton&, automata::Effort&);
-extern template BuchiProduct compose(const GridWorld&, const automata::Automaton&, automata::Effort&);
+extern template BuchiProduct compose(const Mdp&, const automata::Automaton&, automata::Budget&);
+extern template BuchiProduct compose(const GridWorld&, const automata::Automaton&, automata::Budget&);
 
 }  // namespace waymark::plan

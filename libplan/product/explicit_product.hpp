@@ -3,7 +3,7 @@
 // Letters say what matters for acceptance: `goal` where a goal of a finite task was entered, `marked` where the edge was
 // marked. Hence Pmax of the task is Pmax of F goal, or of G F marked; its least cost is that of F goal.
 #pragma once
-#include "libplan/model/state_labels.hpp"
+#include "libplan/model/prism/state_labels.hpp"
 #include "libplan/product/product_mdp.hpp"
 
 namespace waymark::plan {

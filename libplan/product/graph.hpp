@@ -2,7 +2,7 @@
 #pragma once
 #include <boost/graph/adjacency_list.hpp>
 
-#include "libautomata/dfa.hpp"
+#include "libautomata/finite/dfa.hpp"
 #include "libplan/world/map.hpp"
 
 namespace waymark::plan {

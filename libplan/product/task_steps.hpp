@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "libautomata/dfa.hpp"
+#include "libautomata/finite/dfa.hpp"
 #include "libplan/world/map.hpp"
 
 namespace waymark::plan {

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <utility>
 
-#include "libautomata/scc.hpp"
-#include "libplan/product/letter_classes.hpp"
+#include "libautomata/graph/scc.hpp"
+#include "libplan/product/alphabet_classes.hpp"
 
 namespace waymark::plan {
 

@@ -8,9 +8,9 @@
 #include <span>
 #include <vector>
 
-#include "libautomata/dfa.hpp"
+#include "libautomata/finite/dfa.hpp"
 #include "libautomata/limit_deterministic/ldba.hpp"
-#include "libplan/model/letters.hpp"
+#include "libplan/world/letters.hpp"
 
 namespace waymark::plan {
 

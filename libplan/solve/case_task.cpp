@@ -5,14 +5,14 @@
 #include <stdexcept>
 #include <variant>
 
-#include "libautomata/dfa.hpp"
-#include "libltl/fragment.hpp"
-#include "libltl/parse.hpp"
-#include "libltl/print.hpp"
-#include "libltl/semantics.hpp"
-#include "libltl/simplify.hpp"
-#include "libltl/trace_check.hpp"
-#include "libplan/product/letter_classes.hpp"
+#include "libautomata/finite/dfa.hpp"
+#include "libltl/meaning/semantics.hpp"
+#include "libltl/meaning/trace_check.hpp"
+#include "libltl/rewriting/simplify.hpp"
+#include "libltl/structure/fragment.hpp"
+#include "libltl/text/parse.hpp"
+#include "libltl/text/print.hpp"
+#include "libplan/product/alphabet_classes.hpp"
 #include "libplan/solve/discounted.hpp"
 #include "libplan/solve/drop_conjuncts.hpp"
 #include "libplan/solve/landmark_tour.hpp"
@@ -117,7 +117,7 @@ class TaskSolver {
     solve(made(task_automaton(*given_, task_.query, limits())), std::nullopt, negated, clock);
     if (answer_.status == Status::Infeasible)
       answer_.reason = is_cost() ? "no strategy is sure to be accepted by the automaton"
-                                 : "no strategy has a chance to be accepted by the automaton";
+                                 : "no strategy has a qualitative to be accepted by the automaton";
   }
 
   void solve(const TaskAutomaton& automaton, std::optional<ltl::Formula> f, bool negated, Clock& clock) {
@@ -168,22 +168,22 @@ class TaskSolver {
   void find_routes(const TaskTable& task, const TaskAutomaton& automaton, std::optional<ltl::Formula> f,
                    Clock& clock) {
     std::vector<ChoiceRoute> routes;
-    SearchEffort effort;
+    SearchEffort budget;
     if (options_.top > 1) {
       auto found = least_routes(model_, task, options_.top, options_.states, options_.stop);
       if (!found) throw Spent{"the search met its limit"};
       routes = std::move(found->routes);
-      effort = found->effort;
+      budget = found->budget;
     } else {
       auto found = search(model_, task, options_.states, options_.stop);
       if (!found) throw Spent{"the search met its limit"};
       if (found->route) routes.push_back(std::move(*found->route));
-      effort = found->effort;
+      budget = found->budget;
     }
     answer_.seconds.solve = clock.lap();
     answer_.method = CaseMethod::Search;
-    answer_.product_states = effort.met;
-    answer_.product_edges = effort.edges;
+    answer_.product_states = budget.met;
+    answer_.product_edges = budget.edges;
     if (routes.empty()) return infeasible(INFINITY);
     for (const ChoiceRoute& route : routes) {
       certify_route(route, automaton, f);
@@ -223,8 +223,8 @@ class TaskSolver {
     answer_.seconds.solve = clock.lap();
     if (!found) throw Spent{"the search for a lasso met its limit"};
     answer_.method = CaseMethod::Search;
-    answer_.product_states = found->effort.met;
-    answer_.product_edges = found->effort.edges;
+    answer_.product_states = found->budget.met;
+    answer_.product_edges = found->budget.edges;
     if (!found->route) {
       infeasible(INFINITY);
       answer_.reason = "no walk without end satisfies the task";
@@ -284,8 +284,8 @@ class TaskSolver {
       const TaskTable task = table_of(made(task_automaton(part, task_.logic, task_.query, limits())));
       const auto product = ProductMdp<Model>::explore(model_, task, options_.states, options_.stop);
       if (!product) throw Spent{"the product met its limit"};
-      const Chance found = product->starts().empty() ? Chance::None : chance(*product);
-      return is_cost() ? found == Chance::Sure : found != Chance::None;
+      const Qualitative found = product->starts().empty() ? Qualitative::None : qualitative(*product);
+      return is_cost() ? found == Qualitative::Sure : found != Qualitative::None;
     };
     const Violation violation = fewest_dropped(f, possible);
     answer_.reason = reason(violation);
@@ -293,7 +293,8 @@ class TaskSolver {
   }
 
   std::string reason(const Violation& violation) const {
-    std::string out = is_cost() ? "no strategy is sure to satisfy " : "no strategy has a chance to satisfy ";
+    std::string out =
+        is_cost() ? "no strategy is sure to satisfy " : "no strategy has a qualitative to satisfy ";
     for (std::size_t i = 0; i < violation.conflict.size(); ++i)
       out += (i == 0                               ? ""
               : i + 1 == violation.conflict.size() ? " and "

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "libplan/model/read_case.hpp"
+#include "libplan/model/formats/read_case.hpp"
 #include "libplan/solve/decide.hpp"
 #include "libplan/solve/least_lasso.hpp"
 #include "libplan/solve/task_automaton.hpp"

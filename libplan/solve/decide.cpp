@@ -1,6 +1,6 @@
 // A strategy must make progress: among choices that are worth the same, one that never arrives must not be taken. So it
 // is read off backwards from the targets: a state joins by a choice that is worth its value and has an outcome that has
-// joined before. What counts as the same worth is made no wider than it takes for every state to join.
+// attracted before. What counts as the same worth is made no wider than it takes for every state to attractor.
 #include "libplan/solve/decide.hpp"
 
 #include <algorithm>
@@ -32,10 +32,10 @@ bool meets_mark(const Product& product, const typename Product::State& s, std::u
   return mark && stays(product, s, k, components);
 }
 
-// What is won once it is reached: goals, and end components in which a marked edge can be met for ever.
+// What is winning once it is reached: goals, and end components in which a marked edge can be met for ever.
 template <class Product>
-struct Won {
-  explicit Won(const Product& product) : states(goals(product)) {
+struct WinningRegion {
+  explicit WinningRegion(const Product& product) : states(goals(product)) {
     bool any_mark = false;
     StateSet open(product.states());
     product.for_each_state([&](const auto& s) {
@@ -61,10 +61,10 @@ struct Won {
 };
 
 // Backwards from `from`, nearest first: a state joins by that choice among the `good` ones which most likely leads to
-// what has joined before it. (Some chance would do for arriving in the end; against the drift it may take for ever.)
+// what has attracted before it. (Some qualitative would do for arriving in the end; against the drift it may take for ever.)
 template <class Product, class Good>
-StateSet join(const Product& product, const StateSet& from, Strategy& strategy, const Good& good) {
-  StateSet joined = from;
+StateSet attractor(const Product& product, const StateSet& from, Strategy& strategy, const Good& good) {
+  StateSet attracted = from;
   std::deque<typename Product::Compact> queue;  // of those whose predecessors have not been looked at
   product.for_each_state([&](const auto& s) {
     if (from[s.index]) queue.push_back(product.compact(s));
@@ -74,7 +74,7 @@ StateSet join(const Product& product, const StateSet& from, Strategy& strategy, 
     for (std::uint32_t k = 0; k < product.choices(s); ++k) {
       double nearer = 0;
       product.for_each_outcome(s, k, [&](std::uint32_t t, double p, bool) {
-        if (t != Product::lost && joined[t]) nearer += p;
+        if (t != Product::lost && attracted[t]) nearer += p;
       });
       if (nearer <= best || !good(s, k)) continue;
       best = nearer;
@@ -84,27 +84,27 @@ StateSet join(const Product& product, const StateSet& from, Strategy& strategy, 
   };
   for (; !queue.empty(); queue.pop_front())
     product.for_each_predecessor(product.state(queue.front()), [&](const auto& source) {
-      if (joined[source.index] || !look_at(source)) return;
-      joined[source.index] = true;
+      if (attracted[source.index] || !look_at(source)) return;
+      attracted[source.index] = true;
       queue.push_back(product.compact(source));
     });
-  return joined;
+  return attracted;
 }
 
-// Inside the end components that are won: to a marked edge and through it, again and again.
+// Inside the end components that are winning: to a marked edge and through it, again and again.
 template <class Product>
-void play_for_ever(const Product& product, const Won<Product>& won, Strategy& strategy) {
+void play_for_ever(const Product& product, const WinningRegion<Product>& winning, Strategy& strategy) {
   StateSet at_mark(product.states(), false);
   product.for_each_state([&](const auto& s) {
-    if (!won.states[s.index] || product.is_goal(s)) return;
+    if (!winning.states[s.index] || product.is_goal(s)) return;
     for (std::uint32_t k = 0; k < product.choices(s) && !at_mark[s.index]; ++k)
-      if (meets_mark(product, s, k, won.components)) {
+      if (meets_mark(product, s, k, winning.components)) {
         at_mark[s.index] = true;
         strategy.choice.set(s.index, k);
       }
   });
-  join(product, at_mark, strategy, [&](const auto& s, std::uint32_t k) {
-    return won.states[s.index] && stays(product, s, k, won.components);
+  attractor(product, at_mark, strategy, [&](const auto& s, std::uint32_t k) {
+    return winning.states[s.index] && stays(product, s, k, winning.components);
   });
 }
 
@@ -127,14 +127,15 @@ double worth(const Product& product, const typename Product::State& s, std::uint
 template <Measure measure, class Product>
 bool choose(const Product& product, const Unknowns& unknowns, const std::vector<double>& values, double slack,
             Strategy& strategy) {
-  const StateSet joined = join(product, unknowns.targets, strategy, [&](const auto& s, std::uint32_t k) {
-    if (!unknowns.unknown[s.index]) return false;
-    const double value = values[s.index], offered = worth<measure>(product, s, k, unknowns, values);
-    return measure == Measure::MaxProbability ? offered >= value * (1 - slack)
-                                              : offered <= value * (1 + slack);
-  });
+  const StateSet attracted =
+      attractor(product, unknowns.targets, strategy, [&](const auto& s, std::uint32_t k) {
+        if (!unknowns.unknown[s.index]) return false;
+        const double value = values[s.index], offered = worth<measure>(product, s, k, unknowns, values);
+        return measure == Measure::MaxProbability ? offered >= value * (1 - slack)
+                                                  : offered <= value * (1 + slack);
+      });
   for (std::uint32_t i = 0; i < product.states(); ++i)
-    if (unknowns.unknown[i] && !joined[i]) return false;
+    if (unknowns.unknown[i] && !attracted[i]) return false;
   return true;
 }
 
@@ -168,7 +169,7 @@ EndComponents merged(const Product& product, const StateSet& unknown) {
   });
 }
 
-// Least probabilities are 1 where no strategy has a chance of staying for ever away from the targets, nor of being lost.
+// Least probabilities are 1 where no strategy has a qualitative of staying for ever away from the targets, nor of being lost.
 // By the graph, since sweeps would take as long as a strategy can put off what must come.
 template <class Product>
 Unknowns unknowns_of_least(const Product& product, const StateSet& targets) {
@@ -228,7 +229,7 @@ std::optional<Bounds> evaluate(const Product& product, const Strategy& strategy,
                                const std::vector<double>* claimed = nullptr) {
   using Chain = StrategyChain<Product>;
   const Chain chain(product, strategy);
-  const Unknowns unknowns = unknowns_in<measure>(chain, Won<Chain>(chain).states);
+  const Unknowns unknowns = unknowns_in<measure>(chain, WinningRegion<Chain>(chain).states);
   const std::uint32_t start = strategy.start;
   if (measure == Measure::MinCost && !unknowns.unknown[start] && !unknowns.targets[start])
     return Bounds{INFINITY, INFINITY};
@@ -282,8 +283,9 @@ bool choose_and_evaluate(const Product& product, const Unknowns& unknowns,
 }
 
 template <Measure measure, class Product>
-std::optional<Decided> decide(const Product& product, const Won<Product>& won, const DecisionLimits& limits) {
-  const Unknowns unknowns = unknowns_of<measure>(product, won.states);
+std::optional<Decided> decide(const Product& product, const WinningRegion<Product>& winning,
+                              const DecisionLimits& limits) {
+  const Unknowns unknowns = unknowns_of<measure>(product, winning.states);
   const StateSet kept = entries(product, unknowns.unknown, product.starts());
   const auto values = ValueIteration<Product, measure>(product, unknowns, iteration(limits, UINT64_MAX),
                                                        {.bounds = &kept, .attained = true})
@@ -311,10 +313,10 @@ std::optional<Decided> decide(const Product& product, const Won<Product>& won, c
       throw std::logic_error("a strategy that is not worth what was claimed");
     return out;
   }
-  play_for_ever(product, won, out.strategy);
-  if (measure == Measure::MaxProbability)  // almost surely: to what is won, never leaving what is sure
-    join(product, won.states, out.strategy, [&](const auto& s, std::uint32_t k) {
-      return unknowns.targets[s.index] && !won.states[s.index] &&
+  play_for_ever(product, winning, out.strategy);
+  if (measure == Measure::MaxProbability)  // almost surely: to what is winning, never leaving what is sure
+    attractor(product, winning.states, out.strategy, [&](const auto& s, std::uint32_t k) {
+      return unknowns.targets[s.index] && !winning.states[s.index] &&
              all_outcomes_in(product, s, k, unknowns.targets);
     });
   if (!choose_and_evaluate<measure>(product, unknowns, values->attained, kept, limits, out))
@@ -325,36 +327,36 @@ std::optional<Decided> decide(const Product& product, const Won<Product>& won, c
 }  // namespace
 
 template <class Model>
-Chance chance(const ProductMdp<Model>& product) {
-  const StateSet won = Won<ProductMdp<Model>>(product).states;
-  const StateSet sure = almost_surely(product, won), some = can_reach(product, won);
+Qualitative qualitative(const ProductMdp<Model>& product) {
+  const StateSet winning = WinningRegion<ProductMdp<Model>>(product).states;
+  const StateSet sure = almost_surely(product, winning), some = can_reach(product, winning);
   const auto any = [&](const StateSet& set) {
     return std::any_of(product.starts().begin(), product.starts().end(),
                        [&](std::uint32_t i) { return set[i]; });
   };
-  return any(sure) ? Chance::Sure : any(some) ? Chance::Some : Chance::None;
+  return any(sure) ? Qualitative::Sure : any(some) ? Qualitative::Some : Qualitative::None;
 }
 
 template <class Model>
 std::optional<Decided> least_probability(const ProductMdp<Model>& product, const DecisionLimits& limits) {
   if (product.starts().empty()) return Decided{};
-  return decide<Measure::MinProbability>(product, Won<ProductMdp<Model>>(product), limits);
+  return decide<Measure::MinProbability>(product, WinningRegion<ProductMdp<Model>>(product), limits);
 }
 
 template <class Model>
 std::optional<Decided> greatest_probability(const ProductMdp<Model>& product, const DecisionLimits& limits) {
   if (product.starts().empty()) return Decided{};
-  return decide<Measure::MaxProbability>(product, Won<ProductMdp<Model>>(product), limits);
+  return decide<Measure::MaxProbability>(product, WinningRegion<ProductMdp<Model>>(product), limits);
 }
 
 template <class Model>
 std::optional<Decided> least_cost(const ProductMdp<Model>& product, const DecisionLimits& limits) {
   if (product.starts().empty()) return Decided{{INFINITY, INFINITY}, {}, {INFINITY, INFINITY}, 0};
-  return decide<Measure::MinCost>(product, Won<ProductMdp<Model>>(product), limits);
+  return decide<Measure::MinCost>(product, WinningRegion<ProductMdp<Model>>(product), limits);
 }
 
-template Chance chance(const ProductMdp<Mdp>&);
-template Chance chance(const ProductMdp<GridWorld>&);
+template Qualitative qualitative(const ProductMdp<Mdp>&);
+template Qualitative qualitative(const ProductMdp<GridWorld>&);
 template std::optional<Decided> least_probability(const ProductMdp<Mdp>&, const DecisionLimits&);
 template std::optional<Decided> least_probability(const ProductMdp<GridWorld>&, const DecisionLimits&);
 template std::optional<Decided> greatest_probability(const ProductMdp<Mdp>&, const DecisionLimits&);

@@ -35,9 +35,9 @@ struct DecisionLimits {
 };
 
 // Is Pmax above 0, and is it 1? By the graph alone.
-enum class Chance : std::uint8_t { None, Some, Sure };
+enum class Qualitative : std::uint8_t { None, Some, Sure };
 template <class Model>
-Chance chance(const ProductMdp<Model>& product);
+Qualitative qualitative(const ProductMdp<Model>& product);
 
 // Pmax: the greatest probability of reaching a goal (finite tasks) or of meeting marked edges for ever (infinite ones;
 // that this is the probability of the formula is what MdpSafe stands for). [BK08, Thm. 10.56]
@@ -55,8 +55,8 @@ std::optional<Decided> least_probability(const ProductMdp<Model>& product, const
 template <class Model>
 std::optional<Decided> least_cost(const ProductMdp<Model>& product, const DecisionLimits& limits = {});
 
-extern template Chance chance(const ProductMdp<Mdp>&);
-extern template Chance chance(const ProductMdp<GridWorld>&);
+extern template Qualitative qualitative(const ProductMdp<Mdp>&);
+extern template Qualitative qualitative(const ProductMdp<GridWorld>&);
 extern template std::optional<Decided> greatest_probability(const ProductMdp<Mdp>&, const DecisionLimits&);
 extern template std::optional<Decided> greatest_probability(const ProductMdp<GridWorld>&,
                                                             const DecisionLimits&);

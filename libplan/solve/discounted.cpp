@@ -14,7 +14,7 @@ std::optional<Decided> greatest_discounted(const ProductMdp<Model>& product, dou
   Decided out;
   out.strategy.start = product.starts().front();
   out.strategy.choice = Choices(product.states());
-  if (chance(product) == Chance::None) return out;
+  if (qualitative(product) == Qualitative::None) return out;
   const double error = limits.tolerance * (1 - discount) / 4;
   DiscountedSweeps sweeps(product, discount);
   if (!sweeps.run(discounted_change(error, discount), limits.stop)) return std::nullopt;

@@ -7,7 +7,7 @@
 
 #include "libltl/formula.hpp"
 #include "libltl/word.hpp"
-#include "libplan/model/letters.hpp"
+#include "libplan/world/letters.hpp"
 
 namespace waymark::plan {
 

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "libautomata/ltlf_to_dfa.hpp"
-#include "libltl/print.hpp"
+#include "libautomata/finite/ltlf_to_dfa.hpp"
+#include "libltl/text/print.hpp"
 #include "libplan/solve/route_planner.hpp"
 
 namespace waymark::plan {

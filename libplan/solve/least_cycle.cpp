@@ -5,7 +5,7 @@
 #include <functional>
 #include <unordered_map>
 
-#include "libautomata/scc.hpp"
+#include "libautomata/graph/scc.hpp"
 
 namespace waymark::plan {
 
@@ -38,11 +38,11 @@ double cost_of(const MarkedGraph& graph, const std::vector<std::uint32_t>& edges
   return cost;
 }
 
-LeastCycles::LeastCycles(const MarkedGraph& graph, const AcceptingPart& part, automata::Effort& effort)
-    : graph_(graph), part_(part), effort_(effort) {
+LeastCycles::LeastCycles(const MarkedGraph& graph, const AcceptingPart& part, automata::Budget& budget)
+    : graph_(graph), part_(part), budget_(budget) {
   const std::uint64_t size = graph.sets < 32 ? std::uint64_t{graph.vertices()} << graph.sets : UINT64_MAX;
-  if (size >= none) throw automata::Effort::Spent{automata::Effort::Spent::Reason::States};
-  for (std::uint64_t i = graph.vertices(); i < size; ++i) effort.state();
+  if (size >= none) throw automata::Budget::Exceeded{automata::Budget::Exceeded::Reason::States};
+  for (std::uint64_t i = graph.vertices(); i < size; ++i) budget.state();
   distance_.assign(size, INFINITY);
   best_.resize(size);
 }
@@ -57,7 +57,7 @@ void LeastCycles::reset() {
 void LeastCycles::relax(std::uint32_t from, std::uint32_t edge, Marks met, double cost) {
   const MarkedEdge& e = graph_.edges[edge];
   if (!part_.keeps(e)) return;
-  effort_.step();
+  budget_.step();
   const std::uint32_t to = layered(e.to, met | (e.marks & graph_.all()));
   if (cost > distance_[to]) return;
   relaxations_.push_back({from, edge, to});

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "libautomata/effort.hpp"
+#include "libautomata/budget.hpp"
 #include "libplan/product/buchi_product.hpp"
 
 namespace waymark::plan {
@@ -32,8 +32,8 @@ double cost_of(const MarkedGraph& graph, const std::vector<std::uint32_t>& edges
 
 class LeastCycles {
  public:
-  // Throws what the effort throws: a state for every (vertex, set of marks).
-  LeastCycles(const MarkedGraph& graph, const AcceptingPart& part, automata::Effort& effort);
+  // Throws what the budget throws: a state for every (vertex, set of marks).
+  LeastCycles(const MarkedGraph& graph, const AcceptingPart& part, automata::Budget& budget);
 
   // The least cost of a closed walk from v that meets every mark; ∞ when it is more than `most`.
   double through(std::uint32_t v, double most);
@@ -57,7 +57,7 @@ class LeastCycles {
 
   const MarkedGraph& graph_;
   const AcceptingPart& part_;
-  automata::Effort& effort_;
+  automata::Budget& budget_;
   std::uint32_t target_ = none;
   std::vector<double> distance_;         // by layered vertex
   std::vector<Relaxation> best_;         // the last to lower it

@@ -6,10 +6,10 @@
 #include <stdexcept>
 
 #include "libautomata/omega/emptiness.hpp"
-#include "libltl/print.hpp"
-#include "libltl/semantics.hpp"
+#include "libltl/meaning/semantics.hpp"
+#include "libltl/text/print.hpp"
+#include "libplan/product/alphabet_classes.hpp"
 #include "libplan/product/buchi_product.hpp"
-#include "libplan/product/letter_classes.hpp"
 #include "libplan/solve/least_cycle.hpp"
 #include "libplan/solve/mean_cycle.hpp"
 
@@ -47,8 +47,8 @@ struct Distances {
 
 class LassoSearch {
  public:
-  LassoSearch(const MarkedGraph& graph, automata::Effort& effort)
-      : graph_(graph), effort_(effort), part_(graph), distances_(graph), cycles_(graph, part_, effort) {}
+  LassoSearch(const MarkedGraph& graph, automata::Budget& budget)
+      : graph_(graph), budget_(budget), part_(graph), distances_(graph), cycles_(graph, part_, budget) {}
 
   // The cycle begins where the prefix ends; no edges: there is none.
   MeanCycle run(LassoOrder order) {
@@ -59,7 +59,7 @@ class LassoSearch {
     }
     const Cycle known = prefix_first();
     if (known.edges.empty()) return {known, 1};
-    return least_mean_cycle(graph_, part_, known, distances_.cost, effort_);
+    return least_mean_cycle(graph_, part_, known, distances_.cost, budget_);
   }
   std::vector<std::uint32_t> way_to(std::uint32_t v) const {
     std::vector<std::uint32_t> edges;
@@ -113,7 +113,7 @@ class LassoSearch {
   }
 
   const MarkedGraph& graph_;
-  automata::Effort& effort_;
+  automata::Budget& budget_;
   const AcceptingPart part_;
   const Distances distances_;
   LeastCycles cycles_;
@@ -162,10 +162,10 @@ template <class Model>
 std::optional<LassoAnswer> least_lasso(const Model& model, const automata::Automaton& automaton,
                                        LassoOrder order, std::size_t limit, const std::stop_token& stop) {
   try {
-    automata::Effort effort(SIZE_MAX, limit, stop);
-    const BuchiProduct product = compose(model, automaton, effort);
+    automata::Budget budget(SIZE_MAX, limit, stop);
+    const BuchiProduct product = compose(model, automaton, budget);
     LassoAnswer answer{std::nullopt, {product.places.size(), product.graph.edges.size()}};
-    LassoSearch search(product.graph, effort);
+    LassoSearch search(product.graph, budget);
     const MeanCycle found = search.run(order);
     if (found.cycle.edges.empty()) return answer;
     const std::uint32_t entry = product.graph.edges[found.cycle.edges.front()].from;
@@ -174,7 +174,7 @@ std::optional<LassoAnswer> least_lasso(const Model& model, const automata::Autom
     answer.route =
         LassoRoute{route_of(product, start, way), route_of(product, entry, found.cycle.edges), found.rounds};
     return answer;
-  } catch (const automata::Effort::Spent&) {
+  } catch (const automata::Budget::Exceeded&) {
     return std::nullopt;
   }
 }

@@ -33,7 +33,7 @@ struct LassoRoute {
 };
 struct LassoAnswer {
   std::optional<LassoRoute> route;  // nullopt: proved that there is none
-  SearchEffort effort;              // vertices and edges of the product
+  SearchEffort budget;              // vertices and edges of the product
 };
 
 // nullopt: stopped, or more vertices than the limit; (vertex, set of marks) count. Throws std::invalid_argument for a model that is not

@@ -23,16 +23,16 @@ class WalkSearch {
     heap_.push({0, 0});
     while (!heap_.empty() && answer.routes.size() < most_) {
       if (walks_.size() > std::min<std::size_t>(limit, nothing - 1) ||
-          (answer.effort.met % polling_interval == 0 && stop.stop_requested()))
+          (answer.budget.met % polling_interval == 0 && stop.stop_requested()))
         return std::nullopt;
       const std::uint32_t i = heap_.top().second;
       heap_.pop();
       if (!settle(walks_[i])) continue;
-      ++answer.effort.met;
+      ++answer.budget.met;
       if (task_.is_goal(walks_[i].task))
         answer.routes.push_back(route(i));
       else
-        expand(i, answer.effort);
+        expand(i, answer.budget);
     }
     return answer;
   }
@@ -49,10 +49,10 @@ class WalkSearch {
            settled_[walk.task * std::uint64_t{model_.states()} + walk.place]++ < most_;
   }
 
-  void expand(std::uint32_t i, SearchEffort& effort) {
+  void expand(std::uint32_t i, SearchEffort& budget) {
     next_.clear();
     const Walk from = walks_[i];
-    for (std::uint32_t k = 0; k < model_.choices(from.place); ++k, ++effort.edges)
+    for (std::uint32_t k = 0; k < model_.choices(from.place); ++k, ++budget.edges)
       model_.for_each_outcome(from.place, k, [&](std::uint32_t place, LetterId letter, double) {
         const std::uint32_t q = task_.next(from.task, letter).target;
         if (q == TaskTable::lost) return;

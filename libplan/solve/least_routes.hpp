@@ -16,7 +16,7 @@ namespace waymark::plan {
 
 struct RoutesAnswer {
   std::vector<ChoiceRoute> routes;  // fewer than asked for: proved that there are no more
-  SearchEffort effort;              // walks settled, edges looked at
+  SearchEffort budget;              // walks settled, edges looked at
 };
 
 // By cost; of routes of as many choices, all equally dear, those whose choices come first. 24 bytes a walk. nullopt: stopped, or

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <optional>
 
-#include "libautomata/scc.hpp"
+#include "libautomata/graph/scc.hpp"
 
 namespace waymark::plan {
 namespace {
@@ -15,10 +15,10 @@ constexpr std::uint32_t none = UINT32_MAX;
 class RatioSearch {
  public:
   RatioSearch(const MarkedGraph& graph, const AcceptingPart& part, const Cycle& known,
-              automata::Effort& effort)
+              automata::Budget& budget)
       : graph_(graph),
         part_(part),
-        effort_(effort),
+        budget_(budget),
         best_{known, rounds_of(graph, known.edges)},
         potential_(std::size_t{graph.vertices()} << graph.sets),
         parent_(potential_.size()) {
@@ -65,7 +65,7 @@ class RatioSearch {
     for (bool changed = true; changed;) {
       changed = false;
       for (std::uint32_t node = 0; node < nodes(); ++node) {
-        effort_.step();
+        budget_.step();
         for_each_step(node, [&](const Step& s) {
           if (!(potential_[node] + s.weight < potential_[s.to] - slack)) return;
           potential_[s.to] = potential_[node] + s.weight;
@@ -160,7 +160,7 @@ class RatioSearch {
 
   const MarkedGraph& graph_;
   const AcceptingPart& part_;
-  automata::Effort& effort_;
+  automata::Budget& budget_;
   MeanCycle best_;
   double dearest_ = 0;
   std::vector<double> potential_;  // by node: vertex and marks met
@@ -182,8 +182,8 @@ std::uint64_t rounds_of(const MarkedGraph& graph, const std::vector<std::uint32_
 }
 
 MeanCycle least_mean_cycle(const MarkedGraph& graph, const AcceptingPart& part, const Cycle& known,
-                           const std::vector<double>& distance, automata::Effort& effort) {
-  return RatioSearch(graph, part, known, effort).run(distance);
+                           const std::vector<double>& distance, automata::Budget& budget) {
+  return RatioSearch(graph, part, known, budget).run(distance);
 }
 
 }  // namespace waymark::plan

@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "libautomata/effort.hpp"
+#include "libautomata/budget.hpp"
 #include "libplan/solve/least_cycle.hpp"
 
 namespace waymark::plan {
@@ -22,8 +22,8 @@ struct MeanCycle {
 };
 
 // `known`: some closed walk that meets every mark. Of all closed walks of least ratio one that begins at the vertex
-// nearest by `distance`. Throws what the effort throws.
+// nearest by `distance`. Throws what the budget throws.
 MeanCycle least_mean_cycle(const MarkedGraph& graph, const AcceptingPart& part, const Cycle& known,
-                           const std::vector<double>& distance, automata::Effort& effort);
+                           const std::vector<double>& distance, automata::Budget& budget);
 
 }  // namespace waymark::plan

@@ -116,7 +116,7 @@ class BreadthFirst {
       }
       const Met from = met_[i];
       const std::uint32_t choices = model_.choices(from.place);
-      answer.effort.edges += choices;
+      answer.budget.edges += choices;
       for (std::uint32_t k = 0; k < choices && goal_ == nothing && through_ == nothing; ++k)
         model_.for_each_outcome(from.place, k, [&](std::uint32_t place, LetterId letter, double) {
           if (const std::uint32_t q = task_.next(from.task, letter).target; q != TaskTable::lost)
@@ -128,7 +128,7 @@ class BreadthFirst {
         through_ = nothing;
       }
     }
-    answer.effort.met = met_.size();
+    answer.budget.met = met_.size();
     if (goal_ != nothing) answer.route = route();
     return answer;
   }
@@ -193,9 +193,9 @@ class BestFirst {
         if (task_.is_goal(q)) return f;
         if (gates_[q]) buckets_ = std::vector<std::vector<Pair>>(buckets_.size());
         gates_[q] = false;
-        if (++effort_.met > most || (effort_.met % polling_interval == 0 && stop.stop_requested()))
+        if (++budget_.met > most || (budget_.met % polling_interval == 0 && stop.stop_requested()))
           return std::nullopt;
-        effort_.edges += 4;
+        budget_.edges += 4;
         const std::uint32_t depth = f - bound_(place, q);
         for (std::uint32_t k = 0; k < 4; ++k) {
           const auto target = target_of(grid_, place, k);
@@ -206,7 +206,7 @@ class BestFirst {
       }
     return std::nullopt;
   }
-  const SearchEffort& effort() const { return effort_; }
+  const SearchEffort& budget() const { return budget_; }
 
  private:
   struct Pair {
@@ -225,13 +225,13 @@ class BestFirst {
   std::vector<bool> gates_;  // those that have not been settled
   PairSet settled_;
   std::vector<std::vector<Pair>> buckets_;  // by depth + bound
-  SearchEffort effort_;
+  SearchEffort budget_;
 };
 
 struct Bounded {  // what A* found: the moves of a shortest route, and the bound that it found them by
   std::optional<GridBound> bound;
   std::optional<std::uint32_t> moves;
-  SearchEffort effort;
+  SearchEffort budget;
 };
 Bounded by_best_first(const GridWorld& grid, const TaskTable& task, std::uint32_t first, std::size_t limit,
                       const std::stop_token& stop) {
@@ -242,7 +242,7 @@ Bounded by_best_first(const GridWorld& grid, const TaskTable& task, std::uint32_
   if (!out.bound) return out;
   BestFirst search(grid, task, gates(grid, task, first), *out.bound);
   out.moves = search.moves(first, std::min<std::uint64_t>(limit, pairs / 4), stop);
-  out.effort = search.effort();
+  out.budget = search.budget();
   return out;
 }
 Bounded by_best_first(const Mdp&, const TaskTable&, std::uint32_t, std::size_t, const std::stop_token&) {
@@ -263,8 +263,8 @@ std::optional<SearchAnswer> in_layers(const Model& model, const TaskTable& task,
   auto answer = known.moves ? BreadthFirst(model, task, legs, within).run(first, limit, stop)
                             : BreadthFirst(model, task, legs, Everywhere{}).run(first, limit, stop);
   if (answer) {
-    answer->effort.met += known.effort.met;
-    answer->effort.edges += known.effort.edges;
+    answer->budget.met += known.budget.met;
+    answer->budget.edges += known.budget.edges;
   }
   return answer;
 }
@@ -287,13 +287,13 @@ class Dijkstra {
         break;
       }
       const std::uint32_t place = met_[i].place, q = met_[i].task;
-      for (std::uint32_t k = 0; k < model_.choices(place); ++k, ++answer.effort.edges) {
+      for (std::uint32_t k = 0; k < model_.choices(place); ++k, ++answer.budget.edges) {
         const auto target = target_of(model_, place, k);
         const std::uint32_t next = task_.next(q, target.letter).target;
         if (next != TaskTable::lost) relax(target.place, next, cost + model_.cost(place, k), i, k);
       }
     }
-    answer.effort.met = met_.size();
+    answer.budget.met = met_.size();
     return answer;
   }
 

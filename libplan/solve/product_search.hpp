@@ -31,7 +31,7 @@ struct SearchEffort {
 };
 struct SearchAnswer {
   std::optional<ChoiceRoute> route;  // nullopt: proved that there is none
-  SearchEffort effort;
+  SearchEffort budget;
 };
 
 // nullopt: stopped, or more pairs met than the limit. Throws std::invalid_argument for a model that is not deterministic.

@@ -8,7 +8,7 @@
 #include <optional>
 #include <vector>
 
-#include "libplan/solve/best_value.hpp"
+#include "libplan/solve/bellman_operator.hpp"
 #include "libplan/solve/equations.hpp"
 #include "libplan/solve/unknowns.hpp"
 
@@ -20,8 +20,8 @@ class SweptBlock {  // all of them must outlive it
   using State = typename Product::State;
   using Compact = typename Product::Compact;
 
-  SweptBlock(const Product& product, const MergedUnknowns<Product>& merged,
-             const BestValue<Product, measure>& best)
+  SweptBlock(const Product& product, const EndComponentQuotient<Product>& merged,
+             const BellmanOperator<Product, measure>& best)
       : product_(product), merged_(merged), best_(best), lower_(product.states(), 0), upper_(lower_) {}
 
   void know(std::uint32_t state, double lower, double upper) {  // of states outside
@@ -89,8 +89,8 @@ class SweptBlock {  // all of them must outlive it
   }
 
   const Product& product_;
-  const MergedUnknowns<Product>& merged_;
-  const BestValue<Product, measure>& best_;
+  const EndComponentQuotient<Product>& merged_;
+  const BellmanOperator<Product, measure>& best_;
   std::vector<double> lower_, upper_;
 };
 

@@ -7,21 +7,21 @@
 
 #include "libautomata/deterministic/parity.hpp"
 #include "libautomata/deterministic/to_parity.hpp"
-#include "libautomata/hoa.hpp"
+#include "libautomata/hoa/finite.hpp"
+#include "libautomata/hoa/omega.hpp"
 #include "libautomata/limit_deterministic/ltl_to_ldba.hpp"
-#include "libautomata/omega/hoa.hpp"
-#include "libautomata/omega/ltl_to_buchi.hpp"
-#include "libautomata/omega/monitor.hpp"
+#include "libautomata/monitor/monitor.hpp"
 #include "libautomata/omega/without_fin.hpp"
-#include "libltl/fragment.hpp"
-#include "libltl/nnf.hpp"
+#include "libautomata/translation/ltl_to_buchi.hpp"
+#include "libltl/rewriting/nnf.hpp"
+#include "libltl/structure/fragment.hpp"
 
 namespace waymark::plan {
 namespace {
 
 using Query = CaseTask::Query;
 using automata::Automaton;
-using automata::Effort;
+using automata::Budget;
 
 template <class Result>
 auto* found(Result& result) {
@@ -60,27 +60,27 @@ ltl::Formula with_strong_nexts(ltl::Formula f) {
 
 bool asks_for_prefix(Query query) { return query == Query::MinCost || query == Query::Discounted; }
 
-// Runs a construction that may run out of effort.
+// Runs a construction that may run out of budget.
 template <class Construct>
 auto within(const automata::TranslationLimits& limits, const Construct& construct)
-    -> std::optional<decltype(construct(std::declval<Effort&>()))> {
+    -> std::optional<decltype(construct(std::declval<Budget&>()))> {
   try {
-    Effort effort(SIZE_MAX, limits.states, limits.stop);
-    return construct(effort);
-  } catch (const Effort::Spent&) {
+    Budget budget(SIZE_MAX, limits.states, limits.stop);
+    return construct(budget);
+  } catch (const Budget::Exceeded&) {
     return std::nullopt;
   }
 }
 
-Automaton complement_of(const Automaton& automaton, Effort& effort) {
-  return automata::complement(automata::determinized(automaton, effort)).automaton();
+Automaton complement_of(const Automaton& automaton, Budget& budget) {
+  return automata::complement(automata::determinized(automaton, budget)).automaton();
 }
 
 // The finite words of which every continuation is accepted.
-automata::Dfa good_prefixes(const Automaton& automaton, Effort& effort) {
-  const Automaton rest = complement_of(automaton, effort);
+automata::Dfa good_prefixes(const Automaton& automaton, Budget& budget) {
+  const Automaton rest = complement_of(automaton, budget);
   return automata::bad_prefixes(
-      automata::as_automaton(automata::trim(rest.transitions()), rest.vocabulary(), rest.reads()), effort);
+      automata::as_automaton(automata::trim(rest.transitions()), rest.vocabulary(), rest.reads()), budget);
 }
 
 }  // namespace
@@ -110,8 +110,8 @@ GivenAutomaton read_given_automaton(std::string_view hoa, std::string_view sourc
   automata::HoaAutomaton file = automata::parse_hoa(hoa, source);
   for (const automata::HoaToken& property : file.properties)
     if (property.text == "finite-words") return automata::to_dfa(std::move(file), source);
-  Effort effort;
-  return automata::to_automaton(std::move(file), source, effort);
+  Budget budget;
+  return automata::to_automaton(std::move(file), source, budget);
 }
 
 std::optional<TaskAutomaton> task_automaton(const GivenAutomaton& given, Query query,
@@ -121,10 +121,10 @@ std::optional<TaskAutomaton> task_automaton(const GivenAutomaton& given, Query q
     throw std::invalid_argument("query steps is about finite words, the automaton about infinite ones");
   const Automaton& automaton = std::get<Automaton>(given);
   if (asks_for_prefix(query))
-    return within(limits, [&](Effort& effort) -> TaskAutomaton { return good_prefixes(automaton, effort); });
-  return within(limits, [&](Effort& effort) -> TaskAutomaton {
+    return within(limits, [&](Budget& budget) -> TaskAutomaton { return good_prefixes(automaton, budget); });
+  return within(limits, [&](Budget& budget) -> TaskAutomaton {
     return automata::limit_deterministic(automata::to_parity(
-        query == Query::MinProbability ? complement_of(automaton, effort) : automaton, effort));
+        query == Query::MinProbability ? complement_of(automaton, budget) : automaton, budget));
   });
 }
 
@@ -139,8 +139,8 @@ std::optional<Automaton> lasso_automaton(const GivenAutomaton& given,
   const auto* automaton = std::get_if<Automaton>(&given);
   if (automaton == nullptr)
     throw std::invalid_argument("a lasso is an infinite word, the automaton is about finite ones");
-  return within(limits, [&](Effort& effort) {
-    return automata::as_automaton(automata::without_fin(automaton->transitions(), effort),
+  return within(limits, [&](Budget& budget) {
+    return automata::as_automaton(automata::without_fin(automaton->transitions(), budget),
                                   automaton->vocabulary(), automaton->reads());
   });
 }

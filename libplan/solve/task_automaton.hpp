@@ -7,12 +7,12 @@
 #include <string_view>
 #include <variant>
 
-#include "libautomata/dfa.hpp"
+#include "libautomata/finite/dfa.hpp"
+#include "libautomata/finite/ltlf_to_dfa.hpp"
 #include "libautomata/limit_deterministic/ldba.hpp"
-#include "libautomata/ltlf_to_dfa.hpp"
 #include "libautomata/omega/automaton.hpp"
 #include "libltl/formula.hpp"
-#include "libplan/model/read_case.hpp"
+#include "libplan/model/formats/read_case.hpp"
 
 namespace waymark::plan {
 

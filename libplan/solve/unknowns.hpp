@@ -17,12 +17,12 @@ struct Unknowns {
 
 // The merged ones together.
 template <class Product>
-class MergedUnknowns {
+class EndComponentQuotient {
  public:
   using State = typename Product::State;
   using Compact = typename Product::Compact;
 
-  MergedUnknowns(const Product& product, const Unknowns& unknowns)
+  EndComponentQuotient(const Product& product, const Unknowns& unknowns)
       : product_(product), unknowns_(unknowns), members_(unknowns.merged.count) {
     if (unknowns.merged.count == 0) return;
     product.for_each_state([&](const State& s) {

@@ -20,7 +20,7 @@
 #include <utility>
 #include <vector>
 
-#include "libplan/solve/best_value.hpp"
+#include "libplan/solve/bellman_operator.hpp"
 #include "libplan/solve/equations.hpp"
 #include "libplan/solve/grid_block.hpp"
 #include "libplan/solve/kept_bounds.hpp"
@@ -209,8 +209,8 @@ class ValueIteration {
   const Product& product_;
   const Unknowns& unknowns_;
   const IterationLimits& limits_;
-  const MergedUnknowns<Product> merged_;
-  const BestValue<Product, measure> best_;
+  const EndComponentQuotient<Product> merged_;
+  const BellmanOperator<Product, measure> best_;
   const std::vector<double>* claimed_;
   Values values_;
   static constexpr std::uint32_t no_row = UINT32_MAX;

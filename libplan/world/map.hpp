@@ -18,9 +18,9 @@
 
 #include "libltl/vocabulary.hpp"
 #include "libltl/word.hpp"
-#include "libplan/model/letters.hpp"
 #include "libplan/world/hallways.hpp"
 #include "libplan/world/labelling.hpp"
+#include "libplan/world/letters.hpp"
 
 namespace waymark::plan {
 

@@ -10,10 +10,10 @@
 #include <vector>
 
 #include "libparser/corpus/token.hpp"
+#include "libparser/decode/beam.hpp"
 #include "libparser/ground.hpp"
 #include "libparser/language/generate.hpp"
-#include "libparser/linear/beam.hpp"
-#include "libparser/weights_file.hpp"
+#include "libparser/model_file.hpp"
 #include "libplan/world/read_map.hpp"
 
 namespace waymark::parser {

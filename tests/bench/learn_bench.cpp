@@ -7,8 +7,8 @@
 //   deep            one environment step and one gradient step on a batch of 32, by what the network sees
 #include <benchmark/benchmark.h>
 
-#include "libautomata/ltlf_to_dfa.hpp"
-#include "libltl/parse.hpp"
+#include "libautomata/finite/ltlf_to_dfa.hpp"
+#include "libltl/text/parse.hpp"
 #include "libplan/learn/comparison.hpp"
 #include "libplan/world/read_map.hpp"
 

@@ -16,8 +16,8 @@
 #include <thread>
 #include <vector>
 
-#include "libautomata/omega/ltl_to_buchi.hpp"
-#include "libltl/parse.hpp"
+#include "libautomata/translation/ltl_to_buchi.hpp"
+#include "libltl/text/parse.hpp"
 #include "tests/support/places.hpp"
 
 namespace waymark::automata {

@@ -11,9 +11,9 @@
 #include <string>
 #include <vector>
 
-#include "libautomata/ltlf_to_dfa.hpp"
-#include "libltl/random.hpp"
-#include "libplan/solve/plan_of.hpp"
+#include "libautomata/finite/ltlf_to_dfa.hpp"
+#include "libltl/structure/random.hpp"
+#include "libplan/plan_of.hpp"
 #include "libplan/solve/route_planner.hpp"
 #include "libplan/solve/shortest_route.hpp"
 #include "libplan/world/read_map.hpp"

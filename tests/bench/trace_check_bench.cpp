@@ -9,12 +9,12 @@
 #include <string>
 #include <vector>
 
-#include "libautomata/dfa.hpp"
-#include "libautomata/ltlf_to_dfa.hpp"
-#include "libltl/parse.hpp"
-#include "libltl/progress.hpp"
-#include "libltl/random.hpp"
-#include "libltl/trace_check.hpp"
+#include "libautomata/finite/dfa.hpp"
+#include "libautomata/finite/ltlf_to_dfa.hpp"
+#include "libltl/meaning/progress.hpp"
+#include "libltl/meaning/trace_check.hpp"
+#include "libltl/structure/random.hpp"
+#include "libltl/text/parse.hpp"
 
 namespace waymark::ltl {
 namespace {

@@ -15,9 +15,9 @@
 #include <thread>
 #include <vector>
 
-#include "libautomata/guard.hpp"
-#include "libautomata/ltlf_to_dfa.hpp"
-#include "libltl/parse.hpp"
+#include "libautomata/finite/guard.hpp"
+#include "libautomata/finite/ltlf_to_dfa.hpp"
+#include "libltl/text/parse.hpp"
 #include "tests/support/places.hpp"
 
 namespace waymark::automata {

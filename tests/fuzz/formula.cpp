@@ -7,8 +7,8 @@
 #include <string_view>
 
 #include "libltl/diagnostic.hpp"
-#include "libltl/parse.hpp"
-#include "libltl/print.hpp"
+#include "libltl/text/parse.hpp"
+#include "libltl/text/print.hpp"
 
 namespace {
 

@@ -6,9 +6,9 @@
 #include <string>
 #include <string_view>
 
-#include "libautomata/hoa.hpp"
-#include "libautomata/hoa_claims.hpp"
-#include "libautomata/omega/hoa.hpp"
+#include "libautomata/hoa/claims.hpp"
+#include "libautomata/hoa/finite.hpp"
+#include "libautomata/hoa/omega.hpp"
 #include "libltl/diagnostic.hpp"
 
 namespace {
@@ -23,12 +23,12 @@ void read_as_dfa(std::string_view text) {
 }
 
 void read_as_omega(automata::HoaAutomaton file) {
-  automata::Effort effort(100'000, 200, {});
+  automata::Budget budget(100'000, 200, {});
   try {
-    const automata::Automaton automaton = automata::to_automaton(std::move(file), "", effort);
+    const automata::Automaton automaton = automata::to_automaton(std::move(file), "", budget);
     const auto written = automata::write_hoa_within(automaton, 1'000);
     if (written && automata::write_hoa(automata::read_omega_hoa(*written)) != *written) std::abort();
-  } catch (const automata::Effort::Spent&) {
+  } catch (const automata::Budget::Exceeded&) {
   }
 }
 

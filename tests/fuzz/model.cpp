@@ -7,8 +7,8 @@
 #include <string_view>
 
 #include "libltl/diagnostic.hpp"
-#include "libparser/weights_bytes.hpp"
-#include "libparser/weights_file.hpp"
+#include "libparser/model/weights_bytes.hpp"
+#include "libparser/model_file.hpp"
 
 namespace {
 

@@ -5,12 +5,12 @@
 #include <string_view>
 
 #include "libltl/diagnostic.hpp"
+#include "libparser/corpus/import/irregularities.hpp"
+#include "libparser/corpus/import/read_settrc.hpp"
+#include "libparser/corpus/import/read_xml.hpp"
+#include "libparser/corpus/import/released_text.hpp"
+#include "libparser/corpus/import/write_corpus.hpp"
 #include "libparser/corpus/sail_corpus.hpp"
-#include "libparser/import/irregularities.hpp"
-#include "libparser/import/read_settrc.hpp"
-#include "libparser/import/read_xml.hpp"
-#include "libparser/import/released_text.hpp"
-#include "libparser/import/write_corpus.hpp"
 #include "libplan/world/read_map.hpp"
 
 namespace {

@@ -70,6 +70,33 @@ TEST(Includes, FollowTheOrderOfTheList) {
     }
 }
 
+std::string room_of(const std::string& path) {
+  return std::filesystem::path(path).parent_path().generic_string();
+}
+
+// Repeatedly removes the rooms that include no room left; what then remains stands on a circle.
+TEST(Includes, RoomsDoNotIncludeEachOtherInACircle) {
+  std::map<std::string, std::map<std::string, std::string>> edges;  // from → to → an include that makes it
+  for (const SourceFile& file : files("hpp cpp")) {
+    if (folder_of(file.path) == "tests") continue;
+    for (const Include& include : includes(file)) {
+      const std::string from = room_of(file.path), to = room_of(include.path);
+      if (include.quoted && from != to) edges[from].try_emplace(to, at(file, include));
+    }
+  }
+  EXPECT_GT(edges.size(), 10U) << "no include between rooms was read";
+  for (bool removed = true; removed;) {
+    removed = false;
+    for (auto room = edges.begin(); room != edges.end();) {
+      std::erase_if(room->second, [&](const auto& edge) { return !edges.contains(edge.first); });
+      removed = removed || room->second.empty();
+      room = room->second.empty() ? edges.erase(room) : std::next(room);
+    }
+  }
+  for (const auto& [from, targets] : edges)
+    for (const auto& [to, example] : targets) ADD_FAILURE() << from << " and " << to << ": " << example;
+}
+
 TEST(Includes, NobodyIncludesToolsOrTests) {
   for (const SourceFile& file : files("hpp cpp"))
     for (const Include& include : includes(file)) {

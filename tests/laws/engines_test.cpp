@@ -7,18 +7,18 @@
 #include <ostream>
 #include <string>
 
-#include "libautomata/hoa.hpp"
-#include "libautomata/ltlf_to_dfa.hpp"
-#include "libautomata/product.hpp"
-#include "libautomata/run.hpp"
-#include "libltl/nnf.hpp"
-#include "libltl/parse.hpp"
-#include "libltl/print.hpp"
-#include "libltl/progress.hpp"
-#include "libltl/random.hpp"
-#include "libltl/semantics.hpp"
-#include "libltl/simplify.hpp"
-#include "libltl/trace_check.hpp"
+#include "libautomata/finite/ltlf_to_dfa.hpp"
+#include "libautomata/finite/product.hpp"
+#include "libautomata/finite/run.hpp"
+#include "libautomata/hoa/finite.hpp"
+#include "libltl/meaning/progress.hpp"
+#include "libltl/meaning/semantics.hpp"
+#include "libltl/meaning/trace_check.hpp"
+#include "libltl/rewriting/nnf.hpp"
+#include "libltl/rewriting/simplify.hpp"
+#include "libltl/structure/random.hpp"
+#include "libltl/text/parse.hpp"
+#include "libltl/text/print.hpp"
 #include "tests/support/generate.hpp"
 
 namespace waymark::automata {

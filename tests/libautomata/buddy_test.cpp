@@ -6,9 +6,9 @@
 #include <map>
 #include <string>
 
-#include "libautomata/boolean.hpp"
-#include "libautomata/guard.hpp"
-#include "libltl/random.hpp"
+#include "libautomata/bdd/boolean.hpp"
+#include "libautomata/finite/guard.hpp"
+#include "libltl/structure/random.hpp"
 
 namespace waymark::automata {
 namespace {

@@ -6,10 +6,10 @@
 #include <fstream>
 #include <sstream>
 
-#include "libautomata/hoa.hpp"
-#include "libautomata/ltlf_to_dfa.hpp"
-#include "libautomata/product.hpp"
-#include "libltl/parse.hpp"
+#include "libautomata/finite/ltlf_to_dfa.hpp"
+#include "libautomata/finite/product.hpp"
+#include "libautomata/hoa/finite.hpp"
+#include "libltl/text/parse.hpp"
 #include "tests/support/benchmark_sets.hpp"
 
 namespace waymark::automata {

@@ -3,11 +3,11 @@
 
 #include <string>
 
-#include "libautomata/hoa.hpp"
-#include "libautomata/ltlf_to_dfa.hpp"
+#include "libautomata/finite/ltlf_to_dfa.hpp"
+#include "libautomata/hoa/finite.hpp"
 #include "libltl/diagnostic.hpp"
-#include "libltl/parse.hpp"
-#include "libltl/random.hpp"
+#include "libltl/structure/random.hpp"
+#include "libltl/text/parse.hpp"
 
 namespace waymark::automata {
 namespace {

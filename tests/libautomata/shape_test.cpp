@@ -1,19 +1,19 @@
 // Formulas of one shape have one automaton, to the byte, when its propositions are renamed: what a batch relies on.
-#include "libltl/shape.hpp"
+#include "libltl/structure/shape.hpp"
 
 #include <gtest/gtest.h>
 
 #include <stdexcept>
 #include <string>
 
-#include "libautomata/hoa.hpp"
+#include "libautomata/finite/ltlf_to_dfa.hpp"
+#include "libautomata/hoa/finite.hpp"
+#include "libautomata/hoa/omega.hpp"
 #include "libautomata/limit_deterministic/ltl_to_ldba.hpp"
-#include "libautomata/ltlf_to_dfa.hpp"
-#include "libautomata/omega/hoa.hpp"
-#include "libautomata/omega/ltl_to_buchi.hpp"
-#include "libltl/parse.hpp"
-#include "libltl/print.hpp"
-#include "libltl/random.hpp"
+#include "libautomata/translation/ltl_to_buchi.hpp"
+#include "libltl/structure/random.hpp"
+#include "libltl/text/parse.hpp"
+#include "libltl/text/print.hpp"
 #include "tests/support/generate.hpp"
 #include "tests/support/letters.hpp"
 #include "tests/support/sanitizers.hpp"

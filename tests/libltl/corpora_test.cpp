@@ -5,8 +5,8 @@
 #include <filesystem>
 #include <fstream>
 
-#include "libltl/formula_lines.hpp"
-#include "libltl/print.hpp"
+#include "libltl/text/formula_lines.hpp"
+#include "libltl/text/print.hpp"
 
 namespace waymark::ltl {
 namespace {

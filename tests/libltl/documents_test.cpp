@@ -8,8 +8,8 @@
 #include <utility>
 #include <vector>
 
-#include "libltl/parse.hpp"
-#include "libltl/print.hpp"
+#include "libltl/text/parse.hpp"
+#include "libltl/text/print.hpp"
 
 namespace waymark::ltl {
 namespace {

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "libltl/random.hpp"
+#include "libltl/structure/random.hpp"
 
 namespace waymark::neural {
 namespace {

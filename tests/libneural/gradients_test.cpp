@@ -5,7 +5,7 @@
 #include <cmath>
 #include <functional>
 
-#include "libltl/random.hpp"
+#include "libltl/structure/random.hpp"
 #include "libneural/perceptron.hpp"
 #include "libneural/recursive_encoder.hpp"
 

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "libltl/random.hpp"
+#include "libltl/structure/random.hpp"
 
 namespace waymark::neural {
 namespace {

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <functional>
 
-#include "libltl/random.hpp"
+#include "libltl/structure/random.hpp"
 #include "libneural/parameters.hpp"
 
 namespace waymark::neural::reference {

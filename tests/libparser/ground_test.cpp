@@ -5,11 +5,11 @@
 #include <algorithm>
 
 #include "libltl/diagnostic.hpp"
-#include "libltl/print.hpp"
+#include "libltl/text/print.hpp"
 #include "libparser/corpus/token.hpp"
 #include "libparser/experiment/grounding_follower.hpp"
-#include "libparser/weights_file.hpp"
-#include "libplan/solve/plan_of.hpp"
+#include "libparser/model_file.hpp"
+#include "libplan/plan_of.hpp"
 #include "tests/libparser/maps.hpp"
 #include "tests/support/sanitizers.hpp"
 

@@ -1,12 +1,12 @@
-#include "libplan/solve/certify.hpp"
+#include "libplan/certify.hpp"
 
 #include <gtest/gtest.h>
 
 #include <stdexcept>
 
-#include "libautomata/ltlf_to_dfa.hpp"
+#include "libautomata/finite/ltlf_to_dfa.hpp"
 #include "libltl/diagnostic.hpp"
-#include "libltl/parse.hpp"
+#include "libltl/text/parse.hpp"
 #include "tests/libplan/maps.hpp"
 
 namespace waymark::plan {

@@ -5,10 +5,10 @@
 #include <map>
 #include <set>
 
-#include "libautomata/ltlf_to_dfa.hpp"
+#include "libautomata/finite/ltlf_to_dfa.hpp"
 #include "libltl/diagnostic.hpp"
-#include "libltl/parse.hpp"
-#include "libltl/random.hpp"
+#include "libltl/structure/random.hpp"
+#include "libltl/text/parse.hpp"
 #include "libplan/product/task_steps.hpp"
 #include "tests/libplan/maps.hpp"
 

@@ -1,9 +1,9 @@
 // The semantic choices of docs/conventions.md that this library answers for, one named test each.
 #include <gtest/gtest.h>
 
-#include "libltl/parse.hpp"
-#include "libltl/semantics.hpp"
-#include "libplan/solve/plan_of.hpp"
+#include "libltl/meaning/semantics.hpp"
+#include "libltl/text/parse.hpp"
+#include "libplan/plan_of.hpp"
 #include "tests/libplan/maps.hpp"
 
 namespace waymark::plan {

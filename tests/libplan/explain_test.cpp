@@ -3,9 +3,9 @@
 #include <gtest/gtest.h>
 
 #include "libltl/diagnostic.hpp"
-#include "libltl/parse.hpp"
+#include "libltl/text/parse.hpp"
+#include "libplan/plan_of.hpp"
 #include "libplan/product/task_steps.hpp"
-#include "libplan/solve/plan_of.hpp"
 #include "libplan/solve/route_planner.hpp"
 #include "tests/libplan/maps.hpp"
 #include "tests/libplan/solvers.hpp"

@@ -6,9 +6,9 @@
 #include <cmath>
 #include <limits>
 
-#include "libautomata/ltlf_to_dfa.hpp"
-#include "libltl/parse.hpp"
-#include "libltl/random.hpp"
+#include "libautomata/finite/ltlf_to_dfa.hpp"
+#include "libltl/structure/random.hpp"
+#include "libltl/text/parse.hpp"
 #include "libplan/product/compose.hpp"
 #include "tests/libplan/maps.hpp"
 #include "tests/libplan/solvers.hpp"

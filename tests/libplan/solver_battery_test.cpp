@@ -2,9 +2,9 @@
 // on seeded random larger ones.
 #include <gtest/gtest.h>
 
-#include "libltl/parse.hpp"
-#include "libltl/random.hpp"
-#include "libplan/solve/certify.hpp"
+#include "libltl/structure/random.hpp"
+#include "libltl/text/parse.hpp"
+#include "libplan/certify.hpp"
 #include "libplan/solve/route_planner.hpp"
 #include "tests/libplan/maps.hpp"
 #include "tests/libplan/solvers.hpp"

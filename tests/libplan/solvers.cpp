@@ -4,9 +4,9 @@
 
 #include <set>
 
-#include "libltl/print.hpp"
-#include "libltl/progress.hpp"
-#include "libltl/semantics.hpp"
+#include "libltl/meaning/progress.hpp"
+#include "libltl/meaning/semantics.hpp"
+#include "libltl/text/print.hpp"
 #include "libplan/solve/route_planner.hpp"
 
 namespace waymark::plan {

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "libautomata/ltlf_to_dfa.hpp"
+#include "libautomata/finite/ltlf_to_dfa.hpp"
 #include "libltl/formula.hpp"
 #include "libplan/solve/route.hpp"
 #include "libplan/solve/shortest_route.hpp"

@@ -2,7 +2,7 @@
 // A route is called certified by certify() alone.
 #include <utility>
 
-#include "libplan/solve/certify.hpp"
+#include "libplan/certify.hpp"
 
 waymark::plan::CertifiedRoute checked(waymark::plan::Route route, const waymark::plan::Map& map,
                                       waymark::ltl::Formula f) {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <unordered_set>
 
-#include "libltl/print.hpp"
+#include "libltl/text/print.hpp"
 
 namespace waymark::testing {
 namespace {

@@ -39,17 +39,18 @@ TEST(Parallel, RepliesComeInTheOrderOfTheTexts) {
   std::string expected;
   for (const std::string& number : numbers(2'000)) expected += number + '\n';
   for (const std::size_t threads : {1U, 2U, 7U}) {
-    const Outcome result = run(numbers(2'000), {.threads = threads}, [](const Text& text, const Patience&) {
-      if (std::stoi(text.text) % 100 == 0) std::this_thread::sleep_for(std::chrono::milliseconds(2));
-      return Reply{ExitCode::Done, text.text + '\n'};
-    });
+    const Outcome result =
+        run(numbers(2'000), {.threads = threads}, [](const Text& text, const TextDeadline&) {
+          if (std::stoi(text.text) % 100 == 0) std::this_thread::sleep_for(std::chrono::milliseconds(2));
+          return Reply{ExitCode::Done, text.text + '\n'};
+        });
     EXPECT_EQ(result.output, expected) << threads;
     EXPECT_EQ(result.code, ExitCode::Done);
   }
 }
 
 TEST(Parallel, ABadTextEndsNothingButItself) {
-  const Outcome result = run(numbers(4), {.threads = 2}, [](const Text& text, const Patience&) -> Reply {
+  const Outcome result = run(numbers(4), {.threads = 2}, [](const Text& text, const TextDeadline&) -> Reply {
     if (text.text == "1") throw ltl::FormatError("somewhere", 1, 2, "is wrong");
     if (text.text == "2") return {ExitCode::No, "no\n", "a problem"};
     return {ExitCode::Done, "yes\n"};
@@ -62,10 +63,10 @@ TEST(Parallel, ABadTextEndsNothingButItself) {
 
 TEST(Parallel, EveryTextHasItsOwnTime) {
   const Outcome result =
-      run(numbers(6), {.threads = 2, .seconds = 0.05}, [](const Text& text, const Patience& patience) {
+      run(numbers(6), {.threads = 2, .seconds = 0.05}, [](const Text& text, const TextDeadline& deadline) {
         if (std::stoi(text.text) % 2 == 0) return Reply{ExitCode::Done, "soon\n"};
-        while (!patience.token().stop_requested()) std::this_thread::yield();
-        return Reply{ExitCode::GaveUp, patience.passed() ? "late\n" : "stopped\n"};
+        while (!deadline.token().stop_requested()) std::this_thread::yield();
+        return Reply{ExitCode::GaveUp, deadline.passed() ? "late\n" : "stopped\n"};
       });
   EXPECT_EQ(result.output, "soon\nlate\nsoon\nlate\nsoon\nlate\n");
   EXPECT_EQ(result.code, ExitCode::GaveUp);
@@ -73,7 +74,7 @@ TEST(Parallel, EveryTextHasItsOwnTime) {
 
 TEST(Parallel, WhatIsNoBadTextEndsEverything) {
   TextReader reader({.arguments = numbers(50), .file = ""}, "text");
-  const auto bug = [](const Text& text, const Patience&) -> Reply {
+  const auto bug = [](const Text& text, const TextDeadline&) -> Reply {
     if (text.text == "20") throw std::logic_error("a bug");
     return {};
   };
@@ -81,7 +82,7 @@ TEST(Parallel, WhatIsNoBadTextEndsEverything) {
   std::stop_source stop;
   stop.request_stop();
   TextReader more({.arguments = numbers(3), .file = ""}, "text");
-  const auto fine = [](const Text&, const Patience&) { return Reply{}; };
+  const auto fine = [](const Text&, const TextDeadline&) { return Reply{}; };
   EXPECT_THROW(answer_in_parallel(more, stop.get_token(), {}, fine, {}), Interrupted);
 }
 

@@ -10,9 +10,9 @@
 #include <exception>
 #include <iostream>
 
-#include "libautomata/ltlf_to_dfa.hpp"
+#include "libautomata/finite/ltlf_to_dfa.hpp"
 #include "libltl/diagnostic.hpp"
-#include "libltl/parse.hpp"
+#include "libltl/text/parse.hpp"
 #include "libplan/motion/explore.hpp"
 #include "libplan/motion/read_motion.hpp"
 #include "libplan/motion/read_terrain.hpp"

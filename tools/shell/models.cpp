@@ -3,8 +3,8 @@
 #include <map>
 
 #include "libltl/diagnostic.hpp"
-#include "libparser/linear/beam.hpp"
-#include "libparser/weights_file.hpp"
+#include "libparser/decode/beam.hpp"
+#include "libparser/model_file.hpp"
 #include "libplan/world/read_map.hpp"
 #include "tools/shell/data_directory.hpp"
 
@@ -102,12 +102,12 @@ void add_training_options(Command command, TrainingOptions& options, const std::
       .type_name("N")
       .between(1, 256)
       .show_default();
-  command.add_flag("--chooser,!--no-chooser", train.chooser,
-                   "a chooser on the map decides between the ends that readings lead to (on)");
+  command.add_flag("--reranker,!--no-reranker", train.reranker,
+                   "a reranker on the map decides between the ends that readings lead to (on)");
   command.add_flag("--clauses,!--no-clauses", train.clauses,
                    "sentences of several clauses are also read clause by clause (on)");
   command
-      .add_option("--alive", train.alive,
+      .add_option("--pose-beam", train.beam_width,
                   "poses kept along a paragraph; 1: each sentence is settled before the next is heard")
       .type_name("N")
       .between(1, 1000)

@@ -7,7 +7,7 @@
 
 #include "libparser/corpus/corpus.hpp"
 #include "libparser/ground.hpp"
-#include "libparser/learn.hpp"
+#include "libparser/training/learn.hpp"
 #include "tools/shell/command.hpp"
 #include "tools/shell/input.hpp"
 

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "libltl/parse.hpp"
+#include "libltl/text/parse.hpp"
 #include "libplan/world/read_map.hpp"
 #include "libplan/world/trajectory.hpp"
 #include "tools/shell/command.hpp"

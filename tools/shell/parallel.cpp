@@ -21,7 +21,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 // One text's time: a stop of its own, requested by the watch when it is over.
-class Turn : public Patience {
+class WorkerDeadline : public TextDeadline {
  public:
   std::stop_token token() const override { return stop_.get_token(); }
   bool passed() const override { return passed_; }
@@ -65,11 +65,16 @@ class Batch {
  public:
   Batch(TextReader& texts, const std::stop_token& stop, const ParallelOptions& options, const Replier& answer,
         const BadTextReply& bad)
-      : texts_(texts), stop_(stop), options_(options), answer_(answer), bad_(bad), turns_(options.threads) {}
+      : texts_(texts),
+        stop_(stop),
+        options_(options),
+        answer_(answer),
+        bad_(bad),
+        workers_(options.threads) {}
 
   ExitCode run() {
     const std::stop_callback interrupted(stop_, [this] {
-      for (Turn& turn : turns_) turn.interrupt();
+      for (WorkerDeadline& worker : workers_) worker.interrupt();
       room_.notify_all();
     });
     {
@@ -77,8 +82,8 @@ class Batch {
       if (options_.seconds > 0)
         watch = std::jthread([this](const std::stop_token& over) { keep_time(over); });
       std::vector<std::jthread> others;
-      for (std::size_t i = 1; i < turns_.size(); ++i) others.emplace_back([this, i] { work(turns_[i]); });
-      work(turns_.front());
+      for (std::size_t i = 1; i < workers_.size(); ++i) others.emplace_back([this, i] { work(workers_[i]); });
+      work(workers_.front());
     }
     if (failure_) std::rethrow_exception(failure_);
     if (stop_.stop_requested()) throw Interrupted();
@@ -100,16 +105,16 @@ class Batch {
     std::unique_lock lock(mutex);
     while (!over.stop_requested()) {
       never.wait_for(lock, over, pause, [] { return false; });
-      for (Turn& turn : turns_) turn.look(Clock::now());
+      for (WorkerDeadline& worker : workers_) worker.look(Clock::now());
     }
   }
 
-  void work(Turn& turn) {
+  void work(WorkerDeadline& worker) {
     try {
       while (std::optional<Job> job = take()) {
-        turn.begin(options_.seconds, stop_);
-        Reply reply = reply_to(job->text, turn);
-        turn.end();
+        worker.begin(options_.seconds, stop_);
+        Reply reply = reply_to(job->text, worker);
+        worker.end();
         put(job->number, std::move(reply));
       }
     } catch (...) {
@@ -124,7 +129,7 @@ class Batch {
   std::optional<Job> take() {
     {
       std::unique_lock lock(output_);
-      room_.wait(lock, [this] { return waiting_.size() < turns_.size() * 256 || over(); });
+      room_.wait(lock, [this] { return waiting_.size() < workers_.size() * 256 || over(); });
       if (over()) return std::nullopt;
     }
     const std::lock_guard lock(input_);
@@ -133,10 +138,10 @@ class Batch {
     return Job{taken_++, std::move(*text)};
   }
 
-  Reply reply_to(const Text& text, const Turn& turn) const {
-    if (!texts_.is_batch()) return answer_(text, turn);
+  Reply reply_to(const Text& text, const WorkerDeadline& worker) const {
+    if (!texts_.is_batch()) return answer_(text, worker);
     try {
-      return answer_(text, turn);
+      return answer_(text, worker);
     } catch (const ltl::SyntaxError& error) {
       return {ExitCode::BadInput, bad_(text, error.what()), error.what()};
     } catch (const ltl::FormatError& error) {
@@ -166,7 +171,7 @@ class Batch {
   ParallelOptions options_;
   const Replier& answer_;
   const BadTextReply& bad_;
-  std::deque<Turn> turns_;  // one for each thread
+  std::deque<WorkerDeadline> workers_;  // one for each thread
   std::mutex input_, output_;
   std::condition_variable_any room_;
   std::size_t taken_ = 0;                     // under input_

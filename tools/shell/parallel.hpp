@@ -17,14 +17,14 @@ struct Reply {
   std::string problem = {};  // for standard error, before the text; none when empty
 };
 
-class Patience {  // what one text may take
+class TextDeadline {  // what one text may take
  public:
-  virtual ~Patience() = default;
+  virtual ~TextDeadline() = default;
   virtual std::stop_token token() const = 0;
   virtual bool passed() const = 0;  // the time ran out, no other stop was requested
 };
 
-using Replier = std::function<Reply(const Text&, const Patience&)>;
+using Replier = std::function<Reply(const Text&, const TextDeadline&)>;
 // What stands in the place of the answer to a bad text, on standard output.
 using BadTextReply = std::function<std::string(const Text&, const std::string& message)>;
 
@@ -35,7 +35,7 @@ struct ParallelOptions {
 
 // The worst code of all replies, BadInput when a text of a batch was bad: ltl::SyntaxError and ltl::FormatError end one
 // text of a batch only. Any other exception ends everything, and is thrown here. Throws Interrupted when a stop was
-// requested, ltl::FormatError when there was no text at all. At most `threads` · 256 replies wait for their turn.
+// requested, ltl::FormatError when there was no text at all. At most `threads` · 256 replies wait for their worker.
 ExitCode answer_in_parallel(TextReader& texts, const std::stop_token& stop, const ParallelOptions& options,
                             const Replier& answer, const BadTextReply& bad);
 

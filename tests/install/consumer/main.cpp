@@ -1,9 +1,9 @@
 #include <iostream>
 
-#include "libautomata/ltlf_to_dfa.hpp"
-#include "libltl/parse.hpp"
+#include "libautomata/finite/ltlf_to_dfa.hpp"
+#include "libltl/text/parse.hpp"
 #include "libparser/ground.hpp"
-#include "libplan/solve/certify.hpp"
+#include "libplan/certify.hpp"
 #include "libplan/solve/shortest_route.hpp"
 #include "libplan/world/read_map.hpp"
 

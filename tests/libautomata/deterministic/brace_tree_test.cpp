@@ -3,8 +3,8 @@
 #include <gtest/gtest.h>
 
 #include "libautomata/deterministic/determinize.hpp"
+#include "libautomata/hoa/omega.hpp"
 #include "libautomata/omega/emptiness.hpp"
-#include "libautomata/omega/hoa.hpp"
 #include "libautomata/omega/operations.hpp"
 #include "libautomata/omega/random_automaton.hpp"
 #include "tests/support/generate.hpp"
@@ -28,11 +28,11 @@ TEST(Determinize, KeepsTheLanguageOfRandomAutomata) {
                                   .empty = 0.1,
                                   .generic = false};
     const Automaton from = random_automaton(random, one_letter, options);
-    Effort effort;
-    const Automaton made = as_automaton(determinize(from.transitions(), effort), one_letter, from.reads());
+    Budget budget;
+    const Automaton made = as_automaton(determinize(from.transitions(), budget), one_letter, from.reads());
     const auto checked = Deterministic::checked(made);
     ASSERT_TRUE(checked) << write_hoa(from);
-    ASSERT_TRUE(is_empty(intersection(from, complement(*checked).automaton(), effort).transitions()))
+    ASSERT_TRUE(is_empty(intersection(from, complement(*checked).automaton(), budget).transitions()))
         << "seed " << seed << ", automaton " << i << '\n'
         << write_hoa(from);
     for (const ltl::Lasso& word : words)

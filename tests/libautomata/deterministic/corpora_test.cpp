@@ -6,11 +6,11 @@
 #include <filesystem>
 #include <fstream>
 
-#include "libautomata/deterministic/ltl_to_parity.hpp"
 #include "libautomata/omega/emptiness.hpp"
-#include "libltl/parse.hpp"
-#include "libltl/random.hpp"
-#include "libltl/semantics.hpp"
+#include "libautomata/translation/ltl_to_parity.hpp"
+#include "libltl/meaning/semantics.hpp"
+#include "libltl/structure/random.hpp"
+#include "libltl/text/parse.hpp"
 #include "tests/support/benchmark_sets.hpp"
 #include "tests/support/sanitizers.hpp"
 

@@ -4,15 +4,15 @@
 
 #include <gtest/gtest.h>
 
-#include "libautomata/deterministic/ltl_to_parity.hpp"
 #include "libautomata/omega/emptiness.hpp"
 #include "libautomata/omega/operations.hpp"
 #include "libautomata/omega/product.hpp"
 #include "libautomata/omega/tableau.hpp"
-#include "libltl/nnf.hpp"
-#include "libltl/parse.hpp"
-#include "libltl/random.hpp"
-#include "libltl/semantics.hpp"
+#include "libautomata/translation/ltl_to_parity.hpp"
+#include "libltl/meaning/semantics.hpp"
+#include "libltl/rewriting/nnf.hpp"
+#include "libltl/structure/random.hpp"
+#include "libltl/text/parse.hpp"
 #include "tests/libautomata/omega/referee.hpp"
 #include "tests/support/generate.hpp"
 #include "tests/support/sanitizers.hpp"
@@ -34,9 +34,9 @@ Automaton only(const std::variant<Translated, Exhausted>& result) {
 }
 
 // The construction alone, before any reduction and any other route can hide what it does.
-Branching bare(Formula f, const std::vector<ltl::Proposition>& reads) {
-  Effort effort;
-  return determinize(tableau(ltl::nnf(f), reads, effort).automaton, effort);
+TransitionRelation bare(Formula f, const std::vector<ltl::Proposition>& reads) {
+  Budget budget;
+  return determinize(tableau(ltl::nnf(f), reads, budget).automaton, budget);
 }
 
 struct Forms {
@@ -62,7 +62,7 @@ TEST(Determinize, AgreesWithTheDefinitionOnAllSmallPairs) {
   const auto words = testing::all_lassos({.length = 3, .atoms = 2});
   testing::for_each_formula(arena, {.size = 4, .atoms = 2}, [&](Formula f) {
     const auto reads = ltl::propositions(f);
-    const Branching made = bare(f, reads);
+    const TransitionRelation made = bare(f, reads);
     ASSERT_TRUE(is_deterministic(made)) << show(f);
     const Automaton automaton = as_automaton(made, arena.vocabulary(), reads);
     for (const Lasso& word : words) ASSERT_TRUE(agree(f, automaton, word));
@@ -109,12 +109,12 @@ TEST(LtlToParity, HasTheLanguageOfTheTableauOnRandomFormulas) {
     const Forms made = forms(f);
     ASSERT_TRUE(well_formed(f, made));
     const Automaton yes = ltl_to_tgba(f), no = ltl_to_tgba(ltl::negate(f));
-    Effort effort;
+    Budget budget;
     for (const Automaton* automaton : {&made.parity, &made.rabin, &made.generic}) {
       const Automaton outside = complement(*Deterministic::checked(*automaton)).automaton();
-      ASSERT_TRUE(is_empty(intersection(*automaton, no, effort).transitions()))
+      ASSERT_TRUE(is_empty(intersection(*automaton, no, budget).transitions()))
           << show(f) << " accepts too much; seed " << seed << ", formula " << i;
-      ASSERT_TRUE(is_empty(intersection(yes, outside, effort).transitions()))
+      ASSERT_TRUE(is_empty(intersection(yes, outside, budget).transitions()))
           << show(f) << " accepts too little; seed " << seed << ", formula " << i;
     }
     for (int j = 0; j < 20; ++j) {

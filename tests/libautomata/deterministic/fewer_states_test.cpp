@@ -8,8 +8,8 @@
 #include "libautomata/deterministic/inclusion.hpp"
 #include "libautomata/deterministic/one_language.hpp"
 #include "libautomata/deterministic/parity.hpp"
+#include "libautomata/hoa/omega.hpp"
 #include "libautomata/omega/emptiness.hpp"
-#include "libautomata/omega/hoa.hpp"
 #include "libautomata/omega/operations.hpp"
 #include "libautomata/omega/random_automaton.hpp"
 #include "tests/libautomata/omega/referee.hpp"
@@ -22,8 +22,8 @@ namespace {
 const ltl::Vocabulary ab({"a", "b"});
 
 // One mark at most on a branch, of parity(Min, Even, sets).
-Branching random_parity(ltl::Random& random, const RandomAutomaton& options) {
-  Branching out = random_automaton(random, ab, options).transitions();
+TransitionRelation random_parity(ltl::Random& random, const RandomAutomaton& options) {
+  TransitionRelation out = random_automaton(random, ab, options).transitions();
   std::vector<std::uint32_t> all;
   for (std::uint32_t q = 0; q < out.states(); ++q) all.push_back(q);
   out = rebuild(out, all, [](std::uint32_t, std::span<const Branch> choice) {
@@ -37,12 +37,12 @@ Branching random_parity(ltl::Random& random, const RandomAutomaton& options) {
   return out;
 }
 
-bool within(const Branching& a, const Branching& b) {
+bool within(const TransitionRelation& a, const TransitionRelation& b) {
   const std::vector<ltl::Proposition> reads{{0}, {1}};
   const Automaton of_a = as_automaton(a, ab, reads), of_b = as_automaton(b, ab, reads);
-  Effort effort;
+  Budget budget;
   const Automaton outside = complement(*Deterministic::checked(of_b)).automaton();
-  return is_empty(intersection(of_a, outside, effort).transitions());
+  return is_empty(intersection(of_a, outside, budget).transitions());
 }
 
 TEST(FewerStates, KeepTheLanguageOfRandomAutomata) {
@@ -50,18 +50,18 @@ TEST(FewerStates, KeepTheLanguageOfRandomAutomata) {
   ltl::Random random(seed);
   int smaller = 0;
   for (int i = 0; i < 600; ++i) {
-    const Branching from = random_parity(random, {.states = static_cast<std::uint32_t>(2 + i % 7),
-                                                  .sets = static_cast<std::uint32_t>(1 + i % 4),
-                                                  .branches = 1,
-                                                  .marked = i % 3 == 0 ? 0.5 : 0.2,
-                                                  .empty = i % 4 == 0 ? 0.1 : 0.0,
-                                                  .generic = false});
-    Effort effort;
-    const Branching made = trim(with_fewer_states(from, effort).automaton);
+    const TransitionRelation from = random_parity(random, {.states = static_cast<std::uint32_t>(2 + i % 7),
+                                                           .sets = static_cast<std::uint32_t>(1 + i % 4),
+                                                           .branches = 1,
+                                                           .marked = i % 3 == 0 ? 0.5 : 0.2,
+                                                           .empty = i % 4 == 0 ? 0.1 : 0.0,
+                                                           .generic = false});
+    Budget budget;
+    const TransitionRelation made = trim(with_fewer_states(from, budget).automaton);
     ASSERT_TRUE(within(made, from)) << "seed " << seed << ", automaton " << i;
     ASSERT_TRUE(within(from, made)) << "seed " << seed << ", automaton " << i;
     ASSERT_LE(made.states(), from.states());
-    ASSERT_LE(count_languages(trim(from), effort), made.states()) << "seed " << seed << ", automaton " << i;
+    ASSERT_LE(count_languages(trim(from), budget), made.states()) << "seed " << seed << ", automaton " << i;
     if (made.states() < trim(from).states()) ++smaller;
   }
   EXPECT_GT(smaller, 100);
@@ -73,16 +73,16 @@ TEST(Languages, AreThoseThatIncludeEachOther) {
   ltl::Random random(seed);
   int shared = 0, apart = 0;
   for (int i = 0; i < testing::scaled(600); ++i) {
-    const Branching from = random_parity(random, {.states = static_cast<std::uint32_t>(2 + i % 9),
-                                                  .sets = static_cast<std::uint32_t>(1 + i % 4),
-                                                  .branches = 1,
-                                                  .marked = i % 3 == 0 ? 0.5 : 0.05,
-                                                  .empty = i % 4 == 0 ? 0.1 : 0.0,
-                                                  .generic = false});
-    const Branching complete = completed_parity(from);
-    Effort effort;
-    const std::vector<std::uint32_t> language = languages(complete, effort);
-    const std::vector<std::vector<bool>> included = inclusions(complete, complete, effort);
+    const TransitionRelation from = random_parity(random, {.states = static_cast<std::uint32_t>(2 + i % 9),
+                                                           .sets = static_cast<std::uint32_t>(1 + i % 4),
+                                                           .branches = 1,
+                                                           .marked = i % 3 == 0 ? 0.5 : 0.05,
+                                                           .empty = i % 4 == 0 ? 0.1 : 0.0,
+                                                           .generic = false});
+    const TransitionRelation complete = completed_parity(from);
+    Budget budget;
+    const std::vector<std::uint32_t> language = languages(complete, budget);
+    const std::vector<std::vector<bool>> included = inclusions(complete, complete, budget);
     for (std::uint32_t q = 0; q < complete.states(); ++q)
       for (std::uint32_t r = 0; r < q; ++r) {
         const bool same = included[q][r] && included[r][q];
@@ -100,11 +100,11 @@ TEST(FewerStates, AreFoundOnceAndForAll) {
   ltl::Random random(92);
   const auto words = testing::all_lassos({.length = 3, .atoms = 2});
   for (int i = 0; i < 60; ++i) {
-    const Branching from =
+    const TransitionRelation from =
         random_parity(random, {.states = 6, .sets = 3, .branches = 1, .empty = 0, .generic = false});
-    Effort effort;
-    const Branching once = reduce_parity(from, effort).automaton;
-    const Branching twice = reduce_parity(once, effort).automaton;
+    Budget budget;
+    const TransitionRelation once = reduce_parity(from, budget).automaton;
+    const TransitionRelation twice = reduce_parity(once, budget).automaton;
     ASSERT_EQ(once.states(), twice.states()) << i;
     const Automaton before = as_automaton(from, ab, {{0}, {1}}), after = as_automaton(once, ab, {{0}, {1}});
     for (const ltl::Lasso& word : words)
@@ -116,7 +116,7 @@ TEST(FewerStates, AreFoundOnceAndForAll) {
 
 // GF a, spread over three states that count how often a was read: one language, one state.
 TEST(FewerStates, OneLanguageThatColoursCanTell) {
-  Branching from;
+  TransitionRelation from;
   from.acceptance = Acceptance::parity(Acceptance::Extreme::Min, Acceptance::Parity::Even, 2);
   for (std::uint32_t q = 0; q < 3; ++q) {
     const Mtbdd::Node stay = Mtbdd::terminal(from.choices.intern({{q, Marks::of(1)}}));
@@ -124,39 +124,39 @@ TEST(FewerStates, OneLanguageThatColoursCanTell) {
     const Mtbdd::Node go = Mtbdd::terminal(from.choices.intern({{(q + 1) % 3, marks}}));
     from.roots.push_back(from.diagram.make(0, stay, go));
   }
-  Effort effort;
-  EXPECT_EQ(trim(with_fewer_states(from, effort).automaton).states(), 1U);
+  Budget budget;
+  EXPECT_EQ(trim(with_fewer_states(from, budget).automaton).states(), 1U);
 }
 
 // GF a ∧ GF b by turns: one language again, but one state with one colour a branch cannot tell.
 TEST(FewerStates, OneLanguageThatColoursCannotTell) {
-  Branching from;
+  TransitionRelation from;
   from.acceptance = Acceptance::parity(Acceptance::Extreme::Min, Acceptance::Parity::Even, 2);
   for (std::uint32_t q = 0; q < 2; ++q) {
     const Mtbdd::Node stay = Mtbdd::terminal(from.choices.intern({{q, Marks::of(1)}}));
     const Mtbdd::Node go = Mtbdd::terminal(from.choices.intern({{1 - q, Marks::of(q == 1 ? 0 : 1)}}));
     from.roots.push_back(from.diagram.make(q, stay, go));
   }
-  Effort effort;
-  EXPECT_EQ(trim(with_fewer_states(from, effort).automaton).states(), 2U);
+  Budget budget;
+  EXPECT_EQ(trim(with_fewer_states(from, budget).automaton).states(), 2U);
 }
 
-// Whatever the effort, the language stays; too little of it is said.
+// Whatever the budget, the language stays; too little of it is said.
 TEST(FewerStates, AreValidWhereverTheEffortEnds) {
   ltl::Random random(93);
   for (int i = 0; i < 30; ++i) {
-    const Branching from =
+    const TransitionRelation from =
         random_parity(random, {.states = 7, .sets = 3, .branches = 1, .empty = 0, .generic = false});
     for (std::size_t steps = 0; steps < 4'000; steps = steps * 2 + 1) {
-      Effort effort(steps, SIZE_MAX, {});
-      const Reduced made = reduce_parity(from, effort);
+      Budget budget(steps, SIZE_MAX, {});
+      const Reduced made = reduce_parity(from, budget);
       ASSERT_TRUE(within(made.automaton, from)) << i << ", steps " << steps;
       ASSERT_TRUE(within(from, made.automaton)) << i << ", steps " << steps;
     }
   }
-  const Branching from =
+  const TransitionRelation from =
       random_parity(random, {.states = 7, .sets = 3, .branches = 1, .empty = 0, .generic = false});
-  Effort none(0, SIZE_MAX, {}), all;
+  Budget none(0, SIZE_MAX, {}), all;
   EXPECT_FALSE(reduce_parity(from, none).complete);
   EXPECT_TRUE(reduce_parity(from, all).complete);
 }

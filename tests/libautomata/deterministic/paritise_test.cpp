@@ -5,18 +5,18 @@
 #include <gtest/gtest.h>
 
 #include "libautomata/deterministic/combination.hpp"
-#include "libautomata/deterministic/ltl_to_parity.hpp"
 #include "libautomata/deterministic/split.hpp"
+#include "libautomata/hoa/omega.hpp"
 #include "libautomata/omega/emptiness.hpp"
-#include "libautomata/omega/hoa.hpp"
 #include "libautomata/omega/operations.hpp"
 #include "libautomata/omega/random_automaton.hpp"
 #include "libautomata/omega/recurrence.hpp"
 #include "libautomata/omega/weak.hpp"
-#include "libltl/nnf.hpp"
-#include "libltl/parse.hpp"
-#include "libltl/print.hpp"
-#include "libltl/semantics.hpp"
+#include "libautomata/translation/ltl_to_parity.hpp"
+#include "libltl/meaning/semantics.hpp"
+#include "libltl/rewriting/nnf.hpp"
+#include "libltl/text/parse.hpp"
+#include "libltl/text/print.hpp"
 #include "tests/libautomata/omega/referee.hpp"
 #include "tests/support/generate.hpp"
 #include "tests/support/sanitizers.hpp"
@@ -37,9 +37,9 @@ RandomAutomaton shape(int i) {
 }
 
 bool within(const Automaton& a, const Automaton& b) {
-  Effort effort;
+  Budget budget;
   const Automaton outside = complement(*Deterministic::checked(b)).automaton();
-  return is_empty(intersection(a, outside, effort).transitions());
+  return is_empty(intersection(a, outside, budget).transitions());
 }
 
 TEST(Paritise, KeepsTheLanguageOfRandomAutomata) {
@@ -48,8 +48,8 @@ TEST(Paritise, KeepsTheLanguageOfRandomAutomata) {
   const auto words = testing::all_lassos({.length = 3, .atoms = 2});
   for (int i = 0; i < 400; ++i) {
     const Automaton from = random_automaton(random, ab, shape(i));
-    Effort effort;
-    const Automaton made = as_automaton(paritise(from.transitions(), effort), ab, from.reads());
+    Budget budget;
+    const Automaton made = as_automaton(paritise(from.transitions(), budget), ab, from.reads());
     ASSERT_TRUE(Dpa::checked(made)) << "seed " << seed << ", automaton " << i << '\n' << write_hoa(from);
     ASSERT_TRUE(within(made, from)) << "seed " << seed << ", automaton " << i << '\n' << write_hoa(from);
     ASSERT_TRUE(within(from, made)) << "seed " << seed << ", automaton " << i << '\n' << write_hoa(from);
@@ -65,14 +65,14 @@ TEST(Paritise, CopiesNoStateOfAParityAutomaton) {
   ltl::Random random(72);
   for (int i = 0; i < 200; ++i) {
     const std::uint32_t sets = static_cast<std::uint32_t>(i % 5);
-    Branching from =
+    TransitionRelation from =
         random_automaton(random, ab, {.states = 6, .sets = sets, .branches = 1, .generic = false})
             .transitions();
     from.acceptance =
         Acceptance::parity(i % 2 == 0 ? Acceptance::Extreme::Min : Acceptance::Extreme::Max,
                            i % 4 < 2 ? Acceptance::Parity::Even : Acceptance::Parity::Odd, sets);
-    Effort effort;
-    ASSERT_EQ(paritise(from, effort).states(), canonical(from).states()) << i;
+    Budget budget;
+    ASSERT_EQ(paritise(from, budget).states(), canonical(from).states()) << i;
   }
 }
 
@@ -92,7 +92,7 @@ TEST(Paritise, CopiesAStateOncePerLeaf) {
       {Acceptance::co_buchi(), 1},
   };
   for (const auto& row : table) {
-    Branching from;
+    TransitionRelation from;
     from.acceptance = row.acceptance;
     std::vector<Mtbdd::Node> nodes;
     for (std::uint64_t bits = 0; bits < std::uint64_t{1} << row.acceptance.sets; ++bits)
@@ -101,16 +101,16 @@ TEST(Paritise, CopiesAStateOncePerLeaf) {
       for (std::size_t i = 0; i < std::size_t{1} << v; ++i)
         nodes[i] = from.diagram.make(v, nodes[i], nodes[i + (std::size_t{1} << v)]);
     from.roots = {nodes.front()};
-    Effort effort;
-    EXPECT_EQ(paritise(from, effort).states(), row.states) << print(row.acceptance.condition);
+    Budget budget;
+    EXPECT_EQ(paritise(from, budget).states(), row.states) << print(row.acceptance.condition);
   }
 }
 
 TEST(Paritise, StopsAtItsLimits) {
   ltl::Random random(73);
   const Automaton from = random_automaton(random, ab, {.states = 6, .sets = 4, .branches = 1, .empty = 0});
-  Effort few(SIZE_MAX, 3, {});
-  EXPECT_THROW(paritise(from.transitions(), few), Effort::Spent);
+  Budget few(SIZE_MAX, 3, {});
+  EXPECT_THROW(paritise(from.transitions(), few), Budget::Exceeded);
 }
 
 Condition random_combination(ltl::Random& random, std::uint32_t parts, int depth) {
@@ -137,7 +137,7 @@ TEST(Combination, IsTheBooleanOneOfTheLanguages) {
       options.states = std::min(options.states, 3U);
       options.sets = std::min(options.sets, 2U);
       automata.push_back(random_automaton(random, ab, options));
-      Branching all_variables = automata.back().transitions();
+      TransitionRelation all_variables = automata.back().transitions();
       Mtbdd diagram;
       all_variables.roots = diagram.import(
           all_variables.diagram, all_variables.roots, [](std::uint32_t c) { return Mtbdd::terminal(c); },
@@ -146,8 +146,8 @@ TEST(Combination, IsTheBooleanOneOfTheLanguages) {
       parts.push_back({std::move(all_variables), false});
     }
     const Condition over = random_combination(random, count, 3);
-    Effort effort;
-    const Branching product = combination(parts, over, effort);
+    Budget budget;
+    const TransitionRelation product = combination(parts, over, budget);
     ASSERT_TRUE(is_deterministic(product));
     const Automaton made = as_automaton(product, ab, reads);
     for (const ltl::Lasso& word : words) {
@@ -172,8 +172,8 @@ TEST(Recurring, LooksBackAsFarAsItMust) {
   for (const auto& row : table) {
     ltl::Arena arena(testing::letters_vocabulary(2));
     const ltl::Formula e = ltl::parse(row.formula, arena);
-    Effort effort;
-    const auto made = recurring(weak_deterministic(e, reads, effort), effort);
+    Budget budget;
+    const auto made = recurring(weak_deterministic(e, reads, budget), budget);
     ASSERT_TRUE(made) << row.formula;
     EXPECT_EQ(made->states(), row.states) << row.formula;
     const ltl::Formula f = ltl::always(ltl::eventually(e));
@@ -181,8 +181,8 @@ TEST(Recurring, LooksBackAsFarAsItMust) {
       ASSERT_EQ(accepts(as_automaton(*made, ab, reads), word), ltl::holds(word, f)) << testing::show(f, word);
   }
   ltl::Arena arena(testing::letters_vocabulary(2));
-  Effort effort;
-  EXPECT_FALSE(recurring(weak_deterministic(arena.constant(true), reads, effort), effort));
+  Budget budget;
+  EXPECT_FALSE(recurring(weak_deterministic(arena.constant(true), reads, budget), budget));
 }
 
 TEST(Split, ListsNoPartTwice) {
@@ -233,8 +233,8 @@ TEST(LtlToParity, HasTheLanguageOfTheTableauOnBooleanCombinations) {
     const Automaton yes = ltl_to_tgba(f), no = ltl_to_tgba(ltl::negate(f));
     for (const auto& made : {ltl_to_parity(f, {}), ltl_to_generic(f, {})}) {
       const Automaton& automaton = std::get<Translated>(made).automaton;
-      Effort effort;
-      ASSERT_TRUE(is_empty(intersection(automaton, no, effort).transitions()))
+      Budget budget;
+      ASSERT_TRUE(is_empty(intersection(automaton, no, budget).transitions()))
           << ltl::print(f) << " accepts too much; seed " << seed << ", formula " << i;
       ASSERT_TRUE(within(yes, automaton))
           << ltl::print(f) << " accepts too little; seed " << seed << ", formula " << i;

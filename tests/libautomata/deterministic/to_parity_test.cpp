@@ -4,8 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include "libautomata/hoa/omega.hpp"
 #include "libautomata/limit_deterministic/ltl_to_ldba.hpp"
-#include "libautomata/omega/hoa.hpp"
 #include "libautomata/omega/random_automaton.hpp"
 #include "libautomata/omega/without_fin.hpp"
 #include "tests/libautomata/omega/referee.hpp"
@@ -47,8 +47,8 @@ TEST(WithoutFin, KeepsTheLanguage) {
     const Automaton from = random_automaton(
         random, ab,
         {.states = static_cast<std::uint32_t>(1 + i % 4), .sets = static_cast<std::uint32_t>(i % 4)});
-    Effort effort;
-    const Automaton made = as_automaton(without_fin(from.transitions(), effort), ab, from.reads());
+    Budget budget;
+    const Automaton made = as_automaton(without_fin(from.transitions(), budget), ab, from.reads());
     ASSERT_TRUE(made.acceptance().is_generalized_buchi());
     testing::for_each_lasso(small, [&](const ltl::Lasso& word) {
       ASSERT_EQ(referee::accepts(made, word), referee::accepts(from, word)) << i << '\n' << show(from, word);
@@ -63,9 +63,9 @@ TEST(ToParity, KeepsTheLanguageOfAnyAutomaton) {
                                             {.states = static_cast<std::uint32_t>(1 + i % 4),
                                              .sets = static_cast<std::uint32_t>(i % 4),
                                              .branches = 1 + static_cast<std::size_t>(i % 3)});
-    Effort effort;
-    const Dpa parity = to_parity(from, effort);
-    const Deterministic same = determinized(from, effort);
+    Budget budget;
+    const Dpa parity = to_parity(from, budget);
+    const Deterministic same = determinized(from, budget);
     const Automaton jumping = limit_deterministic(parity).automaton();
     testing::for_each_lasso(small, [&](const ltl::Lasso& word) {
       const bool expected = referee::accepts(from, word);
@@ -79,8 +79,8 @@ TEST(ToParity, KeepsTheLanguageOfAnyAutomaton) {
 TEST(ToParity, StopsAtItsLimits) {
   ltl::Random random(34);
   const Automaton from = random_automaton(random, ab, {.states = 6, .sets = 2, .branches = 3});
-  Effort effort(10, 2, {});
-  EXPECT_THROW(to_parity(from, effort), Effort::Spent);
+  Budget budget(10, 2, {});
+  EXPECT_THROW(to_parity(from, budget), Budget::Exceeded);
 }
 
 }  // namespace

@@ -7,9 +7,9 @@
 
 #include "libautomata/limit_deterministic/ltl_to_ldba.hpp"
 #include "libautomata/omega/emptiness.hpp"
-#include "libltl/parse.hpp"
-#include "libltl/random.hpp"
-#include "libltl/semantics.hpp"
+#include "libltl/meaning/semantics.hpp"
+#include "libltl/structure/random.hpp"
+#include "libltl/text/parse.hpp"
 #include "tests/support/benchmark_sets.hpp"
 #include "tests/support/sanitizers.hpp"
 

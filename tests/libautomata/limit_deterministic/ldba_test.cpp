@@ -3,17 +3,17 @@
 #include <gtest/gtest.h>
 
 #include "libautomata/deterministic/determinize.hpp"
-#include "libautomata/deterministic/ltl_to_parity.hpp"
-#include "libautomata/limit_deterministic/guess_colour.hpp"
+#include "libautomata/limit_deterministic/jump_on_colour.hpp"
 #include "libautomata/limit_deterministic/ltl_to_ldba.hpp"
 #include "libautomata/limit_deterministic/master_theorem.hpp"
 #include "libautomata/omega/emptiness.hpp"
 #include "libautomata/omega/operations.hpp"
-#include "libltl/nnf.hpp"
-#include "libltl/parse.hpp"
-#include "libltl/random.hpp"
-#include "libltl/semantics.hpp"
-#include "libltl/simplify.hpp"
+#include "libautomata/translation/ltl_to_parity.hpp"
+#include "libltl/meaning/semantics.hpp"
+#include "libltl/rewriting/nnf.hpp"
+#include "libltl/rewriting/simplify.hpp"
+#include "libltl/structure/random.hpp"
+#include "libltl/text/parse.hpp"
 #include "tests/libautomata/limit_deterministic/mdp_referee.hpp"
 #include "tests/support/generate.hpp"
 #include "tests/support/sanitizers.hpp"
@@ -52,18 +52,19 @@ using testing::show;
   return ::testing::AssertionFailure() << show(f, word) << " holds: " << ltl::holds(word, f);
 }
 
-// One construction alone, hosted with or without comparing languages, over the propositions of the formula.
+// One construction alone, assembled with or without comparing languages, over the propositions of the formula.
 struct Way {
   bool by_theorem, compare;
 };
 LimitDeterministic bare(Formula simple, const std::vector<ltl::Proposition>& reads, Way way) {
-  Effort effort;
+  Budget budget;
   const Automaton dpa = ltl_to_dpa(simple).automaton();
-  const Branching parity = completed_parity(min_even_parity(renamed(dpa.transitions(), dpa.reads(), reads)));
-  Pool pool;
-  const auto guesses = way.by_theorem ? guess_by_master_theorem(simple, parity, reads, pool, effort)
-                                      : std::optional(guess_colour(parity, pool));
-  return hosted(parity, pool, {guesses.value()}, way.compare, effort).front();
+  const TransitionRelation parity =
+      completed_parity(min_even_parity(renamed(dpa.transitions(), dpa.reads(), reads)));
+  AcceptingPart accepting_part;
+  const auto jumps = way.by_theorem ? jump_by_master_theorem(simple, parity, reads, accepting_part, budget)
+                                    : std::optional(jump_on_colour(parity, accepting_part));
+  return assembled(parity, accepting_part, {jumps.value()}, way.compare, budget).front();
 }
 
 class Guessing : public ::testing::TestWithParam<Way> {};
@@ -74,8 +75,8 @@ TEST_P(Guessing, AgreesWithTheDefinitionOnAllSmallPairs) {
   testing::for_each_formula(arena, {.size = 4, .atoms = 2}, [&](Formula f) {
     const Formula simple = ltl::simplify(f, ltl::Over::Infinite);
     const auto reads = ltl::propositions(simple);
-    Effort effort;
-    const Automaton made(arena.vocabulary(), reads, without_jumps(bare(simple, reads, GetParam()), effort));
+    Budget budget;
+    const Automaton made(arena.vocabulary(), reads, without_jumps(bare(simple, reads, GetParam()), budget));
     for (const Lasso& word : words) ASSERT_TRUE(agree(f, made, word));
   });
 }
@@ -130,11 +131,11 @@ TEST(LtlToLdba, HasTheLanguageOfTheTableau) {
     const Formula f = ltl::random_formula(random, arena, {.size = 8 + random.below(14), .atoms = 3});
     const Automaton ldba = ltl_to_ldba(f).automaton();
     const Automaton yes = ltl_to_tgba(f), no = ltl_to_tgba(ltl::negate(f));
-    Effort effort;
-    ASSERT_TRUE(is_empty(intersection(ldba, no, effort).transitions())) << show(f) << " accepts too much";
-    const Branching outside = complement_parity(determinize(ldba.transitions(), effort));
+    Budget budget;
+    ASSERT_TRUE(is_empty(intersection(ldba, no, budget).transitions())) << show(f) << " accepts too much";
+    const TransitionRelation outside = complement_parity(determinize(ldba.transitions(), budget));
     const Automaton rejected(ldba.vocabulary(), ldba.reads(), outside);
-    ASSERT_TRUE(is_empty(intersection(yes, rejected, effort).transitions()))
+    ASSERT_TRUE(is_empty(intersection(yes, rejected, budget).transitions()))
         << show(f) << " accepts too little";
   }
 }
@@ -162,7 +163,7 @@ TEST(LtlToLdba, WinsInMarkovDecisionProcessesWithTheProbabilityOfTheFormula) {
   EXPECT_GT(proper, testing::scaled(50));  // else nothing was tried
 }
 
-// What the type is for: X a | X !a by a guess at the first letter accepts every word and wins half of the time.
+// What the type is for: X a | X !a by a jump at the first letter accepts every word and wins half of the time.
 TEST(LtlToLdba, TheRefereeSeesAGuessThatComesTooEarly) {
   ltl::Letter heads;
   heads.insert(ltl::Proposition{0});

@@ -11,9 +11,9 @@
 
 #include "libautomata/deterministic/colours.hpp"
 #include "libautomata/deterministic/parity.hpp"
+#include "libautomata/graph/scc.hpp"
 #include "libautomata/limit_deterministic/ldba.hpp"
-#include "libautomata/scc.hpp"
-#include "libltl/random.hpp"
+#include "libltl/structure/random.hpp"
 
 namespace waymark::automata::referee {
 
@@ -176,8 +176,9 @@ double greatest_probability(const World& world, std::uint32_t automaton_initial,
 
 using Next = std::optional<std::pair<std::uint32_t, std::uint32_t>>;  // target, colour
 
-inline std::optional<Branch> branch_on(const Branching& automaton, const std::vector<ltl::Proposition>& reads,
-                                       std::uint32_t q, const ltl::Letter& letter) {
+inline std::optional<Branch> branch_on(const TransitionRelation& automaton,
+                                       const std::vector<ltl::Proposition>& reads, std::uint32_t q,
+                                       const ltl::Letter& letter) {
   const auto holds = [&](Mtbdd::Variable v) { return letter.contains(reads[v]); };
   const auto choice =
       automaton.choices[Mtbdd::payload(automaton.diagram.evaluate(automaton.roots[q], holds))];
@@ -186,7 +187,7 @@ inline std::optional<Branch> branch_on(const Branching& automaton, const std::ve
 }
 
 inline double greatest_probability(const World& world, const Dpa& dpa) {
-  const Branching parity = min_even_parity(dpa.automaton().transitions());
+  const TransitionRelation parity = min_even_parity(dpa.automaton().transitions());
   const auto step = [&](std::uint32_t q, const ltl::Letter& letter) {
     const auto b = branch_on(parity, dpa.automaton().reads(), q, letter);
     return b ? Next({b->target, colour_of(parity, b->marks)}) : Next();

@@ -6,10 +6,10 @@
 #include <fstream>
 
 #include "libautomata/omega/emptiness.hpp"
-#include "libautomata/omega/ltl_to_buchi.hpp"
-#include "libltl/parse.hpp"
-#include "libltl/random.hpp"
-#include "libltl/semantics.hpp"
+#include "libautomata/translation/ltl_to_buchi.hpp"
+#include "libltl/meaning/semantics.hpp"
+#include "libltl/structure/random.hpp"
+#include "libltl/text/parse.hpp"
 #include "tests/support/benchmark_sets.hpp"
 #include "tests/support/sanitizers.hpp"
 

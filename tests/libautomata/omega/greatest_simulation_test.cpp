@@ -8,7 +8,7 @@
 #include <set>
 #include <vector>
 
-#include "libautomata/omega/letter_kinds.hpp"
+#include "libautomata/omega/alphabet_classes.hpp"
 #include "libautomata/omega/random_automaton.hpp"
 #include "tests/support/generate.hpp"
 #include "tests/support/sanitizers.hpp"
@@ -24,7 +24,7 @@ struct Step {
   Marks marks;
 };
 
-std::vector<Step> steps(const Branching& automaton) {
+std::vector<Step> steps(const TransitionRelation& automaton) {
   std::vector<Step> out;
   for (std::uint32_t q = 0; q < automaton.states(); ++q)
     for (std::uint32_t letter = 0; letter < letters; ++letter) {
@@ -60,7 +60,7 @@ StatePairs by_definition(std::vector<Step> all, std::size_t states, std::optiona
 TEST(GreatestSimulation, IsTheRelationOfTheDefinitionForwardsAndBackwards) {
   ltl::Random random(seed);
   const auto vocabulary = testing::letters_vocabulary(atoms);
-  Effort effort;
+  Budget budget;
   std::size_t related = 0, pairs = 0;
   for (std::size_t i = 0; i < (testing::sanitized ? 40U : 200U); ++i) {
     const Automaton automaton = random_automaton(random, vocabulary,
@@ -69,12 +69,12 @@ TEST(GreatestSimulation, IsTheRelationOfTheDefinitionForwardsAndBackwards) {
                                                   .sets = static_cast<std::uint32_t>(random.below(3)),
                                                   .empty = 0.4,
                                                   .generic = false});
-    const Branching& a = automaton.transitions();
+    const TransitionRelation& a = automaton.transitions();
     const StatePairs after = by_definition(steps(a), a.states(), {});
     const StatePairs before = by_definition(steps(a), a.states(), a.initial);
     for (const Comparison how : {Comparison::Cheapest, Comparison::OfDiagrams}) {
-      EXPECT_EQ(greatest_simulation(a, effort, how), after) << "seed " << seed << ", automaton " << i;
-      EXPECT_EQ(greatest_reverse_simulation(a, effort, how), before)
+      EXPECT_EQ(greatest_simulation(a, budget, how), after) << "seed " << seed << ", automaton " << i;
+      EXPECT_EQ(greatest_reverse_simulation(a, budget, how), before)
           << "seed " << seed << ", automaton " << i;
     }
     for (std::uint32_t q = 0; q < a.states(); ++q)
@@ -84,15 +84,15 @@ TEST(GreatestSimulation, IsTheRelationOfTheDefinitionForwardsAndBackwards) {
   EXPECT_LT(related, pairs / 2);
 }
 
-TEST(LetterKinds, AreAsManyAsThereAreDifferentColumns) {
+TEST(AlphabetClasses, AreAsManyAsThereAreDifferentColumns) {
   ltl::Random random(seed);
   const auto vocabulary = testing::letters_vocabulary(atoms);
-  Effort effort;
+  Budget budget;
   for (std::size_t i = 0; i < 50; ++i) {
     const Automaton automaton =
         random_automaton(random, vocabulary, {.states = 3, .atoms = atoms, .empty = 0.6});
-    const Branching& a = automaton.transitions();
-    const auto table = letter_kinds(a, letters, effort);
+    const TransitionRelation& a = automaton.transitions();
+    const auto table = alphabet_classes(a, letters, budget);
     ASSERT_TRUE(table.has_value());
     std::set<std::vector<std::uint32_t>> columns;
     for (std::uint32_t letter = 0; letter < letters; ++letter) {
@@ -113,16 +113,16 @@ TEST(LetterKinds, AreAsManyAsThereAreDifferentColumns) {
   }
 }
 
-TEST(LetterKinds, AreNotListedWhereTheyAreMany) {
-  Effort effort;
-  Branching parity;  // two choices on three propositions: eight paths, two kinds
+TEST(AlphabetClasses, AreNotListedWhereTheyAreMany) {
+  Budget budget;
+  TransitionRelation parity;  // two choices on three propositions: eight paths, two kinds
   const std::uint32_t stay = parity.choices.intern({{0, Marks::of(0)}});
   const Mtbdd::Node no = Mtbdd::terminal(Choices::none), yes = Mtbdd::terminal(stay);
   Mtbdd& d = parity.diagram;
   const Mtbdd::Node odd = d.make(2, no, yes), even = d.make(2, yes, no);
   parity.roots = {d.make(0, d.make(1, odd, even), d.make(1, even, odd))};
-  EXPECT_FALSE(letter_kinds(parity, 7, effort).has_value());
-  const auto table = letter_kinds(parity, 8, effort);
+  EXPECT_FALSE(alphabet_classes(parity, 7, budget).has_value());
+  const auto table = alphabet_classes(parity, 8, budget);
   ASSERT_TRUE(table.has_value());
   EXPECT_EQ(table->kinds, 2U);
 }

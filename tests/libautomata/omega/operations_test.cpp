@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "libautomata/omega/hoa.hpp"
+#include "libautomata/hoa/omega.hpp"
 #include "libautomata/omega/lasso.hpp"
 #include "libautomata/omega/random_automaton.hpp"
 #include "tests/libautomata/omega/referee.hpp"
@@ -32,8 +32,8 @@ TEST(OmegaOperations, AreTheBooleanOnesOfTheLanguages) {
   for (int i = 0; i < 60; ++i) {
     const Automaton a = random_automaton(random, ab, shape(i, 2)),
                     b = random_automaton(random, ab, shape(i + 1, 2));
-    Effort effort;
-    const Automaton both = intersection(a, b, effort), any = sum(a, b);
+    Budget budget;
+    const Automaton both = intersection(a, b, budget), any = sum(a, b);
     testing::for_each_lasso(small, [&](const ltl::Lasso& word) {
       const bool p = referee::accepts(a, word), q = referee::accepts(b, word);
       ASSERT_EQ(referee::accepts(both, word), p && q) << i << '\n' << show(a, word) << show(b, word);
@@ -48,8 +48,8 @@ TEST(OmegaOperations, OfDeterministicAutomataAreDeterministic) {
     const auto a = Deterministic::checked(random_automaton(random, ab, shape(i, 1)));
     const auto b = Deterministic::checked(random_automaton(random, ab, shape(i + 1, 1)));
     ASSERT_TRUE(a && b);
-    Effort effort;
-    const Deterministic any = either(*a, *b, effort), not_a = complement(*a);
+    Budget budget;
+    const Deterministic any = either(*a, *b, budget), not_a = complement(*a);
     testing::for_each_lasso(small, [&](const ltl::Lasso& word) {
       const bool p = referee::accepts(a->automaton(), word), q = referee::accepts(b->automaton(), word);
       ASSERT_EQ(referee::accepts(any.automaton(), word), p || q) << i;
@@ -63,19 +63,20 @@ TEST(OmegaOperations, MatchPropositionsByName) {
       read_omega_hoa("HOA: v1 Start: 0 AP: 1 \"b\" Acceptance: 0 t --BODY-- State: 0 [0] 0 --END--");
   const Automaton b =
       read_omega_hoa("HOA: v1 Start: 0 AP: 2 \"a\" \"b\" Acceptance: 0 t --BODY-- State: 0 [0&1] 0 --END--");
-  Effort effort;
-  EXPECT_NE(write_hoa(intersection(a, b, effort)).find("AP: 2 \"b\" \"a\""), std::string::npos);
-  EXPECT_NE(write_hoa(intersection(a, b, effort)).find("[0&1] 0"), std::string::npos);
+  Budget budget;
+  EXPECT_NE(write_hoa(intersection(a, b, budget)).find("AP: 2 \"b\" \"a\""), std::string::npos);
+  EXPECT_NE(write_hoa(intersection(a, b, budget)).find("[0&1] 0"), std::string::npos);
 }
 
 TEST(OmegaOperations, StopAtTheLimits) {
   ltl::Random random(13);
   const Automaton a = random_automaton(random, ab, {.states = 6, .empty = 0});
-  Effort few(SIZE_MAX, 3, {});
-  EXPECT_THROW(intersection(a, random_automaton(random, ab, {.states = 6, .empty = 0}), few), Effort::Spent);
-  Effort any;
+  Budget few(SIZE_MAX, 3, {});
+  EXPECT_THROW(intersection(a, random_automaton(random, ab, {.states = 6, .empty = 0}), few),
+               Budget::Exceeded);
+  Budget any;
   const Automaton many = random_automaton(random, ab, {.sets = 40});
-  EXPECT_THROW(intersection(many, many, any), Effort::Spent);
+  EXPECT_THROW(intersection(many, many, any), Budget::Exceeded);
   EXPECT_THROW(sum(many, many), std::length_error);
 }
 
@@ -130,8 +131,8 @@ TEST(Alternation, IsRemovedWithoutChangingTheLanguage) {
   std::size_t accepted = 0;
   for (int i = 0; i < 150; ++i) {
     const AlternatingBuchi alternating = random_alternating(random, static_cast<std::uint32_t>(1 + i % 4));
-    Effort effort;
-    const Automaton plain = as_automaton(without_alternation(alternating, effort), ab, {{0}, {1}});
+    Budget budget;
+    const Automaton plain = as_automaton(without_alternation(alternating, budget), ab, {{0}, {1}});
     testing::for_each_lasso(small, [&](const ltl::Lasso& word) {
       const bool expected = referee::accepts(alternating, word);
       accepted += expected ? 1 : 0;

@@ -3,15 +3,15 @@
 
 #include <gtest/gtest.h>
 
+#include "libautomata/hoa/omega.hpp"
 #include "libautomata/omega/degeneralize.hpp"
 #include "libautomata/omega/emptiness.hpp"
 #include "libautomata/omega/fewest_marks.hpp"
-#include "libautomata/omega/hoa.hpp"
 #include "libautomata/omega/random_automaton.hpp"
 #include "libautomata/omega/simulation.hpp"
 #include "libautomata/omega/tableau.hpp"
-#include "libltl/nnf.hpp"
-#include "libltl/parse.hpp"
+#include "libltl/rewriting/nnf.hpp"
+#include "libltl/text/parse.hpp"
 #include "tests/support/generate.hpp"
 #include "tests/support/sanitizers.hpp"
 
@@ -23,7 +23,7 @@ class Reductions : public ::testing::Test {
   // What `change` makes of some hundred random automata accepts the same lassos, and seldom nothing or everything.
   template <class Change>
   void keep_the_language(const Change& change) {
-    keep_the_language([](const Branching& a) { return a; }, change);
+    keep_the_language([](const TransitionRelation& a) { return a; }, change);
   }
   template <class Prepare, class Change>
   void keep_the_language(const Prepare& prepare, const Change& change) {
@@ -52,91 +52,92 @@ class Reductions : public ::testing::Test {
     EXPECT_LT(accepted, words.size() * automata * 9 / 10);
     RecordProperty("smaller", static_cast<int>(smaller));
   }
-  Effort effort_;
+  Budget budget_;
 };
 
 TEST_F(Reductions, SccFilterKeepsTheLanguage) {
-  keep_the_language([&](const Branching& a) { return scc_filter(a, MarksOn::Edges, effort_); });
+  keep_the_language([&](const TransitionRelation& a) { return scc_filter(a, MarksOn::Edges, budget_); });
 }
 TEST_F(Reductions, BisimulationKeepsTheLanguage) {
-  keep_the_language([&](const Branching& a) { return bisimulation_quotient(a, effort_); });
+  keep_the_language([&](const TransitionRelation& a) { return bisimulation_quotient(a, budget_); });
 }
 TEST_F(Reductions, SimulationKeepsTheLanguage) {
-  keep_the_language([&](const Branching& a) {
-    const Branching merged = Simulations(a, effort_).quotient();
-    return Simulations(merged, effort_).quotient();  // pruned
+  keep_the_language([&](const TransitionRelation& a) {
+    const TransitionRelation merged = Simulations(a, budget_).quotient();
+    return Simulations(merged, budget_).quotient();  // pruned
   });
 }
 TEST_F(Reductions, ReverseSimulationKeepsTheLanguage) {
-  keep_the_language([&](const Branching& a) {
-    return Simulations(a, effort_).reverse_quotient(std::vector<bool>(a.states()));
+  keep_the_language([&](const TransitionRelation& a) {
+    return Simulations(a, budget_).reverse_quotient(std::vector<bool>(a.states()));
   });
 }
 TEST_F(Reductions, DroppingWhatIsOvertakenKeepsTheLanguage) {
-  keep_the_language([&](const Branching& a) {
-    const Branching merged = Simulations(a, effort_).quotient();
-    return scc_filter(Simulations(merged, effort_).without_overtaken(), MarksOn::Edges, effort_);
+  keep_the_language([&](const TransitionRelation& a) {
+    const TransitionRelation merged = Simulations(a, budget_).quotient();
+    return scc_filter(Simulations(merged, budget_).without_overtaken(), MarksOn::Edges, budget_);
   });
 }
 TEST_F(Reductions, FreeMarksKeepTheLanguage) {
-  keep_the_language([&](const Branching& a) {
-    const Branching loose = with_free_marks(a).value_or(a);
-    const Branching forwards = Simulations(loose, effort_).quotient();
-    const Branching filtered = scc_filter(forwards, MarksOn::Edges, effort_);
-    const Branching freed = with_free_marks(filtered).value_or(filtered);
-    return Simulations(freed, effort_).reverse_quotient(std::vector<bool>(freed.states()));
+  keep_the_language([&](const TransitionRelation& a) {
+    const TransitionRelation loose = with_free_marks(a).value_or(a);
+    const TransitionRelation forwards = Simulations(loose, budget_).quotient();
+    const TransitionRelation filtered = scc_filter(forwards, MarksOn::Edges, budget_);
+    const TransitionRelation freed = with_free_marks(filtered).value_or(filtered);
+    return Simulations(freed, budget_).reverse_quotient(std::vector<bool>(freed.states()));
   });
 }
 TEST_F(Reductions, ReduceKeepsTheLanguage) {
-  keep_the_language([&](const Branching& a) { return reduce(a, MarksOn::Edges, effort_).automaton; });
+  keep_the_language(
+      [&](const TransitionRelation& a) { return reduce(a, MarksOn::Edges, budget_).automaton; });
 }
 TEST_F(Reductions, ReduceAsMarkedKeepsTheLanguage) {
-  keep_the_language([&](const Branching& a) { return reduce_as_marked(a, effort_).automaton; });
+  keep_the_language([&](const TransitionRelation& a) { return reduce_as_marked(a, budget_).automaton; });
 }
 TEST_F(Reductions, FewestMarksKeepsTheLanguage) {
-  keep_the_language([&](const Branching& a) { return fewest_marks(a, effort_).value_or(a); });
+  keep_the_language([&](const TransitionRelation& a) { return fewest_marks(a, budget_).value_or(a); });
 }
 TEST_F(Reductions, DegeneralisationKeepsTheLanguage) {
   for (int rules = 0; rules < 8; ++rules)
-    keep_the_language([&](const Branching& a) {
+    keep_the_language([&](const TransitionRelation& a) {
       const LevelRule rule{(rules & 1) != 0, (rules & 2) != 0, (rules & 4) != 0};
-      return degeneralize(a, rule, effort_);
+      return degeneralize(a, rule, budget_);
     });
 }
 TEST_F(Reductions, DegeneralisedAndReducedKeepsTheLanguage) {
-  keep_the_language([&](const Branching& a) {
-    const Branching general = reduce(a, MarksOn::Edges, effort_).automaton;
-    return reduce(degeneralize(general, {.look_ahead = true}, effort_), MarksOn::States, effort_).automaton;
+  keep_the_language([&](const TransitionRelation& a) {
+    const TransitionRelation general = reduce(a, MarksOn::Edges, budget_).automaton;
+    return reduce(degeneralize(general, {.look_ahead = true}, budget_), MarksOn::States, budget_).automaton;
   });
 }
 
-Branching from_hoa(const char* text) { return read_omega_hoa(text).transitions(); }
+TransitionRelation from_hoa(const char* text) { return read_omega_hoa(text).transitions(); }
 
 // No run needs to stay in 1: as long as it may, another one can wait in 2 and come over later.
 TEST_F(Reductions, ABranchGoesWhenAnotherRunIsAheadOfItOnBothSides) {
-  const Branching before =
+  const TransitionRelation before =
       from_hoa(R"(HOA: v1 States: 4 Start: 0 AP: 2 "a" "b" acc-name: Buchi Acceptance: 1 Inf(0)
     --BODY-- State: 0 [0] 2 State: 1 [0&1] 1 {0} [1] 3 State: 2 [0] 2 {0} [0] 1 {0} State: 3 [t] 3 {0} --END--)");
-  const Branching after = Simulations(before, effort_).without_overtaken();
+  const TransitionRelation after = Simulations(before, budget_).without_overtaken();
   EXPECT_EQ(count_edges(before), 6U);
   EXPECT_EQ(count_edges(after), 5U);  // 1 → 1 is overtaken by 2 → 1
 }
 
 // F(G a ∨ (a ∧ X F b)): the states of G a and X F b are reached by the same beginnings.
 TEST_F(Reductions, AMarkOnABranchThatLeavesItsComponentTellsNothingApart) {
-  const Branching before =
+  const TransitionRelation before =
       from_hoa(R"(HOA: v1 States: 5 Start: 0 AP: 2 "a" "b" acc-name: Buchi Acceptance: 1 Inf(0)
     --BODY-- State: 0 [t] 0 [0] 1 [0] 2 State: 1 [t] 3 State: 2 [0] 1 [0] 2 {0} State: 3 [!1] 3 [1] 4
     State: 4 [t] 4 {0} --END--)");
-  EXPECT_EQ(reduce(before, MarksOn::Edges, effort_).automaton.states(), 4U);
+  EXPECT_EQ(reduce(before, MarksOn::Edges, budget_).automaton.states(), 4U);
 }
 
 TEST_F(Reductions, MarksThatAreAddedMayTellEqualStatesApart) {
   ltl::Arena arena;
   const ltl::Formula f = ltl::nnf(ltl::parse("G((F c & (G !d R !a)) | (G !c & (F d U a)))", arena));
-  const Branching raw = tableau(f, ltl::propositions(f), effort_).automaton;
-  EXPECT_EQ(reduce(raw, MarksOn::Edges, effort_).automaton.states(), 10U);
-  EXPECT_EQ(reduce_as_marked(raw, effort_).automaton.states(), 7U);
+  const TransitionRelation raw = tableau(f, ltl::propositions(f), budget_).automaton;
+  EXPECT_EQ(reduce(raw, MarksOn::Edges, budget_).automaton.states(), 10U);
+  EXPECT_EQ(reduce_as_marked(raw, budget_).automaton.states(), 7U);
 }
 
 }  // namespace

@@ -8,11 +8,11 @@
 #include "libautomata/omega/suspension.hpp"
 #include "libautomata/omega/tableau.hpp"
 #include "libautomata/omega/weak.hpp"
-#include "libltl/fragment.hpp"
-#include "libltl/nnf.hpp"
-#include "libltl/parse.hpp"
-#include "libltl/semantics.hpp"
-#include "libltl/separate.hpp"
+#include "libltl/meaning/semantics.hpp"
+#include "libltl/rewriting/nnf.hpp"
+#include "libltl/rewriting/separate.hpp"
+#include "libltl/structure/fragment.hpp"
+#include "libltl/text/parse.hpp"
 #include "tests/support/generate.hpp"
 
 namespace waymark::automata {
@@ -27,10 +27,10 @@ class Routes : public ::testing::Test {
   const std::vector<ltl::Proposition> reads_{{0}, {1}};
   const std::vector<ltl::Lasso> words_ = testing::all_lassos({.length = 3, .atoms = 2});
   ltl::Arena arena_{testing::letters_vocabulary(2)};
-  Effort effort_;
+  Budget budget_;
 
-  Branching tableau_of(Formula f) { return tableau(ltl::nnf(f), reads_, effort_).automaton; }
-  ::testing::AssertionResult accepts_the_words_of(Formula f, const Branching& transitions) {
+  TransitionRelation tableau_of(Formula f) { return tableau(ltl::nnf(f), reads_, budget_).automaton; }
+  ::testing::AssertionResult accepts_the_words_of(Formula f, const TransitionRelation& transitions) {
     const Automaton automaton = as_automaton(transitions, arena_.vocabulary(), reads_);
     for (const ltl::Lasso& word : words_)
       if (accepts(automaton, word) != ltl::holds(word, f))
@@ -44,7 +44,7 @@ TEST_F(Routes, TheWeakAutomatonOfAnObligationHasItsLanguage) {
   testing::for_each_formula(arena_, {.size = 4, .atoms = 2}, [&](Formula f) {
     if (!ltl::fragments(f, ltl::Semantics::Infinite).obligation) return;
     ++obligations;
-    const Transitions weak = weak_deterministic(f, reads_, effort_);
+    const Transitions weak = weak_deterministic(f, reads_, budget_);
     ASSERT_TRUE(accepts_the_words_of(f, as_buchi(weak, {})));
     ASSERT_TRUE(accepts_the_words_of(negate(f), as_buchi(weak, {.complement = true})));
   });
@@ -55,7 +55,7 @@ TEST_F(Routes, ADeterministicBuchiAutomatonIsFoundWhereTheStructureCarriesIt) {
   for (const char* text : {"G F a", "G(a -> F b)", "G(a | F(b & X a))", "a U b", "G(a -> X F b)"}) {
     const Formula f = ltl::parse(text, arena_);
     const auto found =
-        deterministic_buchi(progression(f, reads_, effort_), tableau_of(f), tableau_of(negate(f)), effort_);
+        deterministic_buchi(progression(f, reads_, budget_), tableau_of(f), tableau_of(negate(f)), budget_);
     ASSERT_TRUE(found) << text;
     EXPECT_TRUE(is_deterministic(*found)) << text;
     EXPECT_TRUE(accepts_the_words_of(f, *found));
@@ -63,7 +63,7 @@ TEST_F(Routes, ADeterministicBuchiAutomatonIsFoundWhereTheStructureCarriesIt) {
   for (const char* text : {"F G a", "F G a | G F b", "G F a & G F b"}) {  // the last one would have to count
     const Formula f = ltl::parse(text, arena_);
     EXPECT_FALSE(
-        deterministic_buchi(progression(f, reads_, effort_), tableau_of(f), tableau_of(negate(f)), effort_))
+        deterministic_buchi(progression(f, reads_, budget_), tableau_of(f), tableau_of(negate(f)), budget_))
         << text;
   }
 }
@@ -74,14 +74,14 @@ TEST_F(Routes, WhatConcernsTheFarEndMayStartLate) {
       const Formula q = ltl::parse(late, arena_);
       ASSERT_TRUE(ltl::purity(q).both()) << late;
       ASSERT_TRUE(
-          accepts_the_words_of(conjunction(f, q), compose_late(tableau_of(f), tableau_of(q), effort_)));
+          accepts_the_words_of(conjunction(f, q), compose_late(tableau_of(f), tableau_of(q), budget_)));
     });
 }
 
 TEST_F(Routes, RestartingReadsGoodPrefixesForEver) {
   for (const char* text : {"F a", "F(a & X b)", "F(a & X(b & X a))", "F(a & F b)"}) {
     const Formula e = ltl::parse(text, arena_);
-    const auto again = restarted(as_buchi(weak_deterministic(e, reads_, effort_), {}));
+    const auto again = restarted(as_buchi(weak_deterministic(e, reads_, budget_), {}));
     ASSERT_TRUE(again) << text;
     EXPECT_TRUE(accepts_the_words_of(ltl::always(e), *again));
   }
@@ -91,7 +91,7 @@ TEST_F(Routes, RestartingReadsGoodPrefixesForEver) {
 
 // Small formulas that no lasso of three letters tells apart do imply each other.
 TEST_F(Routes, ContainmentIsImplicationOnEveryWord) {
-  Containment implies(reads_, effort_);
+  Containment implies(reads_, budget_);
   std::size_t found = 0;
   const auto formulas = testing::all_formulas(arena_, {.size = 3, .atoms = 2});
   for (Formula f : formulas)

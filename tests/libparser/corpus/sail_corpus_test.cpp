@@ -4,7 +4,7 @@
 
 #include "libltl/diagnostic.hpp"
 #include "libparser/corpus/token.hpp"
-#include "libparser/programs/examples.hpp"
+#include "libparser/supervision/examples.hpp"
 #include "tests/libparser/maps.hpp"
 
 namespace waymark::parser {

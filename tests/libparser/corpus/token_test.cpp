@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "libparser/programs/lexicon.hpp"
+#include "libparser/lexicon/lexicon.hpp"
 
 namespace waymark::parser {
 namespace {

@@ -79,10 +79,10 @@ TEST_F(CheckpointDirectory, AnExperimentGoesOnToTheSameScores) {
   };
   const std::string whole = run();
   EXPECT_EQ(files_in(directory, ".reader").size(), 12U);  // of each member: pairs of maps, and single maps
-  EXPECT_EQ(files_in(directory, ".chooser").size(), 6U);
+  EXPECT_EQ(files_in(directory, ".reranker").size(), 6U);
   EXPECT_EQ(files_in(directory, ".scores").size(), 3U);
   EXPECT_EQ(run(), whole);  // nothing is left to do
-  for (const char* kind : {".reader", ".chooser"}) {
+  for (const char* kind : {".reader", ".reranker"}) {
     fs::remove(files_in(directory, ".scores").front());
     fs::remove(files_in(directory, kind).front());
     EXPECT_EQ(run(), whole) << kind;

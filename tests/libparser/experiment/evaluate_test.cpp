@@ -7,8 +7,8 @@
 #include <optional>
 
 #include "libparser/corpus/sail_corpus.hpp"
+#include "libparser/decode/beam.hpp"
 #include "libparser/language/generate.hpp"
-#include "libparser/linear/beam.hpp"
 #include "tests/libparser/maps.hpp"
 #include "tests/support/sanitizers.hpp"
 

@@ -6,7 +6,7 @@
 #include <functional>
 #include <map>
 
-#include "tests/libparser/choosing/random_decisions.hpp"
+#include "tests/libparser/rerank/random_decisions.hpp"
 #include "tests/support/sanitizers.hpp"
 
 namespace waymark::parser {
@@ -20,8 +20,8 @@ class World {
   World() : executor_(map_), model_(std::make_shared<LinearModel>(map_.vocabulary())) {}
 
   Grounder grounder() const { return {std::make_shared<RandomReader>(model_->grammar()), model_}; }
-  GroundingFollower follower(std::size_t alive) const {
-    return {{grounder()}, {.deciding = {.beam = 16, .trust = 0}, .paragraph = {alive, trust}}};
+  GroundingFollower follower(std::size_t beam_width) const {
+    return {{grounder()}, {.deciding = {.beam = 16, .trust = 0}, .paragraph = {beam_width, trust}}};
   }
 
   void draw() {
@@ -39,7 +39,7 @@ class World {
       for (int i = 0; i < 4; ++i) {
         const plan::PoseId from{i == 0 ? start.index : static_cast<std::uint32_t>(random_() % map_.poses())};
         const Decision decision = decide(grounder(), executor_, input, {&from, 1}, {.beam = 16, .trust = 0});
-        for (WeightTable* table : {&model_->chooser, &model_->locator})
+        for (WeightTable* table : {&model_->reranker, &model_->start_pose_model})
           add_weights(*model_, executor_, input, from, decision, *table, random_);
       }
   }
@@ -121,10 +121,10 @@ TEST(GroundingFollower, AnswersGoOnWhereTheLastOneEnded) {
   World world;
   for (int i = 0; i < testing::scaled(40); ++i) {
     world.draw();
-    for (const std::size_t alive : {1U, 3U}) {
+    for (const std::size_t beam_width : {1U, 3U}) {
       plan::PoseId pose = world.start;
       for (const Answer& answer :
-           world.follower(alive).follow_all(world.executor(), world.paragraph, world.start)) {
+           world.follower(beam_width).follow_all(world.executor(), world.paragraph, world.start)) {
         if (!answer.program.empty()) {
           const auto plan = world.executor().run(answer.program, pose);
           ASSERT_TRUE(plan);

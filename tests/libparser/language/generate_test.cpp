@@ -4,13 +4,13 @@
 
 #include <set>
 
-#include "libltl/parse.hpp"
-#include "libltl/semantics.hpp"
+#include "libltl/meaning/semantics.hpp"
+#include "libltl/text/parse.hpp"
 #include "libparser/corpus/corpus_output.hpp"
 #include "libparser/corpus/sail_corpus.hpp"
 #include "libparser/experiment/formula_scores.hpp"
-#include "libparser/programs/examples.hpp"
 #include "libparser/programs/recognise.hpp"
+#include "libparser/supervision/examples.hpp"
 #include "libplan/world/trajectory.hpp"
 #include "tests/libparser/maps.hpp"
 

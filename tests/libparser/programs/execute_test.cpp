@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "libltl/print.hpp"
-#include "libplan/solve/plan_of.hpp"
+#include "libltl/text/print.hpp"
+#include "libplan/plan_of.hpp"
 #include "tests/libparser/maps.hpp"
 
 namespace waymark::parser {

@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "libltl/parse.hpp"
-#include "libltl/print.hpp"
+#include "libltl/text/parse.hpp"
+#include "libltl/text/print.hpp"
 #include "tests/libparser/maps.hpp"
 
 namespace waymark::parser {

@@ -6,7 +6,7 @@
 #include <limits>
 #include <set>
 
-#include "libltl/parse.hpp"
+#include "libltl/text/parse.hpp"
 #include "tests/libplan/learn/tasks.hpp"
 
 namespace waymark::plan {

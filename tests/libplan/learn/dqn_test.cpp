@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "libltl/parse.hpp"
+#include "libltl/text/parse.hpp"
 #include "libplan/learn/observations.hpp"
 #include "libplan/learn/optimum.hpp"
 #include "tests/libplan/learn/tasks.hpp"

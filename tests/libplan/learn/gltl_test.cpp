@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "libltl/parse.hpp"
+#include "libltl/text/parse.hpp"
 #include "libplan/learn/comparison.hpp"
 #include "libplan/learn/optimum.hpp"
 #include "tests/libplan/learn/tasks.hpp"

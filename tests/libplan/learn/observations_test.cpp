@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
-#include "libltl/parse.hpp"
-#include "libltl/progress.hpp"
+#include "libltl/meaning/progress.hpp"
+#include "libltl/text/parse.hpp"
 #include "libplan/learn/task_trees.hpp"
 #include "libplan/solve/route_planner.hpp"
 #include "tests/libplan/learn/tasks.hpp"

@@ -5,8 +5,8 @@
 #include <map>
 
 #include "libltl/diagnostic.hpp"
-#include "libltl/print.hpp"
-#include "libltl/random.hpp"
+#include "libltl/structure/random.hpp"
+#include "libltl/text/print.hpp"
 #include "libplan/learn/environment.hpp"
 #include "libplan/product/compose.hpp"
 #include "libplan/product/product_mdp.hpp"
@@ -105,16 +105,16 @@ TEST(TabularProduct, KeepsTheChancesOfTheModel) {
   EXPECT_FALSE(product.is_deterministic());
   const PoseId centre = pose_at(map, 1, 1, 90);
   double before = 0;
-  std::map<std::uint32_t, double> chance;
+  std::map<std::uint32_t, double> qualitative;
   for (const auto& o : product.outcomes_of(centre.index, 0)) {
-    chance[o.position] += o.up_to - before;
+    qualitative[o.position] += o.up_to - before;
     before = o.up_to;
   }
   EXPECT_EQ(before, 1);
-  EXPECT_NEAR(chance[pose_at(map, 2, 1, 90).index], 0.7, 1e-12);
-  EXPECT_NEAR(chance[pose_at(map, 1, 0, 90).index], 0.1, 1e-12);
-  EXPECT_NEAR(chance[pose_at(map, 1, 2, 90).index], 0.15, 1e-12);
-  EXPECT_NEAR(chance[pose_at(map, 0, 1, 90).index], 0.05, 1e-12);
+  EXPECT_NEAR(qualitative[pose_at(map, 2, 1, 90).index], 0.7, 1e-12);
+  EXPECT_NEAR(qualitative[pose_at(map, 1, 0, 90).index], 0.1, 1e-12);
+  EXPECT_NEAR(qualitative[pose_at(map, 1, 2, 90).index], 0.15, 1e-12);
+  EXPECT_NEAR(qualitative[pose_at(map, 0, 1, 90).index], 0.05, 1e-12);
 }
 
 TEST(TabularProduct, TheLabelOfTheStartIsRead) {

@@ -2,8 +2,8 @@
 #pragma once
 #include <string>
 
-#include "libautomata/ltlf_to_dfa.hpp"
-#include "libltl/parse.hpp"
+#include "libautomata/finite/ltlf_to_dfa.hpp"
+#include "libltl/text/parse.hpp"
 #include "libplan/learn/tabular_product.hpp"
 #include "tests/libplan/maps.hpp"
 

@@ -6,9 +6,9 @@
 #include <sstream>
 
 #include "libltl/diagnostic.hpp"
-#include "libplan/model/generate_grid.hpp"
-#include "libplan/model/read_model.hpp"
-#include "libplan/model/read_streets.hpp"
+#include "libplan/model/formats/generate_grid.hpp"
+#include "libplan/model/formats/read_model.hpp"
+#include "libplan/model/formats/read_streets.hpp"
 #include "libplan/solve/case_task.hpp"
 #include "libplan/world/generate_hallways.hpp"
 #include "libplan/world/read_map.hpp"

@@ -2,8 +2,8 @@
 #include <gtest/gtest.h>
 
 #include "libltl/diagnostic.hpp"
-#include "libplan/model/read_prism.hpp"
-#include "libplan/model/read_prism_explicit.hpp"
+#include "libplan/model/prism/read_prism.hpp"
+#include "libplan/model/prism/read_prism_explicit.hpp"
 
 namespace waymark::plan {
 namespace {

@@ -6,11 +6,11 @@
 #include <fstream>
 #include <iterator>
 
-#include "libltl/parse.hpp"
-#include "libplan/model/read_case.hpp"
-#include "libplan/model/read_prism.hpp"
-#include "libplan/model/read_prism_explicit.hpp"
-#include "libplan/model/write_prism.hpp"
+#include "libltl/text/parse.hpp"
+#include "libplan/model/formats/read_case.hpp"
+#include "libplan/model/prism/read_prism.hpp"
+#include "libplan/model/prism/read_prism_explicit.hpp"
+#include "libplan/model/prism/write_prism.hpp"
 #include "libplan/product/explicit_product.hpp"
 #include "libplan/solve/case_task.hpp"
 #include "libplan/solve/task_automaton.hpp"

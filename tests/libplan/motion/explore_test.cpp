@@ -6,8 +6,8 @@
 #include <functional>
 #include <optional>
 
-#include "libautomata/ltlf_to_dfa.hpp"
-#include "libltl/parse.hpp"
+#include "libautomata/finite/ltlf_to_dfa.hpp"
+#include "libltl/text/parse.hpp"
 #include "tests/libplan/maps.hpp"
 
 namespace waymark::plan {

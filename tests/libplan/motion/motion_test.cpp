@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <type_traits>
 
-#include "libltl/parse.hpp"
+#include "libltl/text/parse.hpp"
 #include "tests/libplan/maps.hpp"
 
 namespace waymark::plan {

@@ -4,8 +4,8 @@
 
 #include <stdexcept>
 
-#include "libautomata/ltlf_to_dfa.hpp"
-#include "libltl/parse.hpp"
+#include "libautomata/finite/ltlf_to_dfa.hpp"
+#include "libltl/text/parse.hpp"
 #include "tests/libplan/motion/terrains.hpp"
 
 namespace waymark::plan {

@@ -5,11 +5,11 @@
 
 #include <array>
 
-#include "libautomata/deterministic/ltl_to_parity.hpp"
+#include "libautomata/finite/ltlf_to_dfa.hpp"
 #include "libautomata/limit_deterministic/ltl_to_ldba.hpp"
-#include "libautomata/ltlf_to_dfa.hpp"
-#include "libltl/parse.hpp"
-#include "libltl/print.hpp"
+#include "libautomata/translation/ltl_to_parity.hpp"
+#include "libltl/text/parse.hpp"
+#include "libltl/text/print.hpp"
 #include "tests/libautomata/limit_deterministic/mdp_referee.hpp"
 #include "tests/libplan/solve/random_models.hpp"
 #include "tests/support/sanitizers.hpp"

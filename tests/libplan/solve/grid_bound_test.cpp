@@ -5,12 +5,12 @@
 
 #include <fstream>
 
-#include "libautomata/ltlf_to_dfa.hpp"
-#include "libltl/parse.hpp"
-#include "libltl/print.hpp"
-#include "libltl/random.hpp"
-#include "libplan/model/generate_grid.hpp"
-#include "libplan/model/read_case.hpp"
+#include "libautomata/finite/ltlf_to_dfa.hpp"
+#include "libltl/structure/random.hpp"
+#include "libltl/text/parse.hpp"
+#include "libltl/text/print.hpp"
+#include "libplan/model/formats/generate_grid.hpp"
+#include "libplan/model/formats/read_case.hpp"
 #include "libplan/solve/product_search.hpp"
 #include "tests/libplan/solve/random_grids.hpp"
 #include "tests/support/sanitizers.hpp"
@@ -110,8 +110,8 @@ TEST(GridBound, RoutesAreThoseOfAPlainSearch) {
       if (!on_grid->route) continue;
       EXPECT_EQ(on_grid->route->places, on_mdp->route->places) << text << " on " << name(kind);
       EXPECT_EQ(on_grid->route->choices, on_mdp->route->choices) << text << " on " << name(kind);
-      plain += on_mdp->effort.met;
-      bounded += on_grid->effort.met;
+      plain += on_mdp->budget.met;
+      bounded += on_grid->budget.met;
     }
   }
   EXPECT_LT(bounded, plain / 2);
@@ -154,10 +154,10 @@ TEST(ProductSearch, LegsMakeTheRouteOfTheWhole) {
       ASSERT_TRUE(on_grid && on_mdp);
       ASSERT_EQ(on_grid->route.has_value(), on_mdp->route.has_value())
           << ltl::print(f) << ", seed " << seed << ", grid " << i;
-      ASSERT_LE(on_grid->effort.met, on_mdp->effort.met) << ltl::print(f) << ", seed " << seed;
+      ASSERT_LE(on_grid->budget.met, on_mdp->budget.met) << ltl::print(f) << ", seed " << seed;
       if (!on_grid->route) continue;
       ++routes;
-      ++(on_grid->effort.met < on_mdp->effort.met ? cut : uncut);
+      ++(on_grid->budget.met < on_mdp->budget.met ? cut : uncut);
       ASSERT_EQ(on_grid->route->places, on_mdp->route->places)
           << ltl::print(f) << ", seed " << seed << ", grid " << i;
       ASSERT_EQ(on_grid->route->choices, on_mdp->route->choices)

@@ -8,10 +8,10 @@
 #include <utility>
 #include <vector>
 
-#include "libautomata/omega/ltl_to_buchi.hpp"
-#include "libltl/parse.hpp"
-#include "libltl/print.hpp"
-#include "libltl/semantics.hpp"
+#include "libautomata/translation/ltl_to_buchi.hpp"
+#include "libltl/meaning/semantics.hpp"
+#include "libltl/text/parse.hpp"
+#include "libltl/text/print.hpp"
 #include "libplan/product/buchi_product.hpp"
 #include "tests/libplan/solve/random_grids.hpp"
 #include "tests/libplan/solve/random_models.hpp"
@@ -143,8 +143,8 @@ TEST(LeastLasso, AgreesWithWalksOfEveryLength) {
     const Mdp mdp = testing::random_model(
         random, {.states = 3, .most_choices = 3, .deterministic = true, .unit_costs = random.below(2) == 0});
     const automata::Automaton automaton = automata::ltl_to_tgba(f);
-    automata::Effort effort;
-    const BuchiProduct product = compose(mdp, automaton, effort);
+    automata::Budget budget;
+    const BuchiProduct product = compose(mdp, automaton, budget);
     if ((product.places.size() << product.graph.sets) > 24) continue;
     for (LassoOrder order : {LassoOrder::Prefix, LassoOrder::Cycle, LassoOrder::Mean}) {
       const auto answer = least_lasso(mdp, automaton, order);

@@ -7,10 +7,10 @@
 #include <set>
 #include <vector>
 
-#include "libautomata/ltlf_to_dfa.hpp"
-#include "libltl/parse.hpp"
-#include "libltl/print.hpp"
-#include "libltl/semantics.hpp"
+#include "libautomata/finite/ltlf_to_dfa.hpp"
+#include "libltl/meaning/semantics.hpp"
+#include "libltl/text/parse.hpp"
+#include "libltl/text/print.hpp"
 #include "tests/libplan/solve/random_grids.hpp"
 #include "tests/libplan/solve/random_models.hpp"
 #include "tests/support/sanitizers.hpp"

@@ -6,9 +6,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "libautomata/ltlf_to_dfa.hpp"
-#include "libltl/print.hpp"
-#include "libltl/semantics.hpp"
+#include "libautomata/finite/ltlf_to_dfa.hpp"
+#include "libltl/meaning/semantics.hpp"
+#include "libltl/text/print.hpp"
 #include "libplan/solve/landmark_tour.hpp"
 #include "tests/libplan/solve/random_grids.hpp"
 #include "tests/libplan/solve/random_models.hpp"

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <vector>
 
-#include "libltl/random.hpp"
+#include "libltl/structure/random.hpp"
 #include "libplan/model/grid_world.hpp"
 
 namespace waymark::plan::testing {

@@ -7,8 +7,8 @@
 #include <utility>
 #include <vector>
 
-#include "libautomata/dfa.hpp"
-#include "libltl/random.hpp"
+#include "libautomata/finite/dfa.hpp"
+#include "libltl/structure/random.hpp"
 #include "libplan/model/mdp.hpp"
 
 namespace waymark::plan::testing {

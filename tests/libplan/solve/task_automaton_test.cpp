@@ -7,12 +7,12 @@
 #include <cmath>
 #include <string>
 
-#include "libautomata/deterministic/ltl_to_parity.hpp"
-#include "libautomata/hoa.hpp"
-#include "libautomata/ltlf_to_dfa.hpp"
-#include "libautomata/omega/hoa.hpp"
-#include "libautomata/omega/ltl_to_buchi.hpp"
-#include "libltl/print.hpp"
+#include "libautomata/finite/ltlf_to_dfa.hpp"
+#include "libautomata/hoa/finite.hpp"
+#include "libautomata/hoa/omega.hpp"
+#include "libautomata/translation/ltl_to_buchi.hpp"
+#include "libautomata/translation/ltl_to_parity.hpp"
+#include "libltl/text/print.hpp"
 #include "libplan/solve/case_task.hpp"
 #include "libplan/solve/discounted.hpp"
 #include "tests/libplan/solve/random_models.hpp"

@@ -1,0 +1,72 @@
+// The transition function of a deterministic automaton while it is being built, and its graph.
+//
+// In the graph the letters are gone: vertices are decision nodes and states, edges lead from a state to its root, from
+// a node to its two children, and a terminal is the state it names. Everything that only asks who reaches whom
+// (components, distances, traps) is linear in this shared graph, never in the number of letters or cubes.
+#pragma once
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "libautomata/bdd/mtbdd.hpp"
+#include "libautomata/budget.hpp"
+
+namespace waymark::automata {
+
+struct Transitions {
+  Mtbdd diagram;                   // terminals are state indices
+  std::vector<Mtbdd::Node> roots;  // δ(q, ·)
+  std::vector<bool> accepting;
+  std::uint32_t initial = 0;
+};
+
+class TransitionGraph {
+ public:
+  using Vertex = std::uint32_t;  // decision nodes first, children before parents, then states
+
+  TransitionGraph(const Mtbdd& diagram, std::span<const Mtbdd::Node> roots);  // O(diagram.size() + states)
+
+  std::size_t size() const { return targets_.size() - nodes_.size(); }
+  std::size_t nodes() const { return nodes_.size(); }
+  std::size_t states() const { return size() - nodes(); }
+  bool is_state(Vertex v) const { return v >= nodes_.size(); }
+  Mtbdd::Node node(Vertex v) const { return nodes_[v]; }  // of a node vertex
+  std::uint32_t state(Vertex v) const { return v - static_cast<Vertex>(nodes_.size()); }
+  Vertex of_state(std::uint32_t q) const { return static_cast<Vertex>(nodes_.size()) + q; }
+  Vertex root(std::uint32_t q) const { return targets_[2 * nodes_.size() + q]; }
+  // {low, high} of a node; {root} of a state.
+  std::span<const Vertex> successors(Vertex v) const {
+    if (is_state(v)) return {&targets_[2 * nodes_.size() + state(v)], 1};
+    return {&targets_[2 * std::size_t{v}], 2};
+  }
+
+ private:
+  std::vector<Mtbdd::Node> nodes_;
+  std::vector<Vertex> targets_;  // two per node, then one per state
+};
+
+// Edges turned round: predecessors of every vertex, in one array. O(vertices + edges).
+class ReversedGraph {
+ public:
+  explicit ReversedGraph(const TransitionGraph& graph);
+  std::span<const TransitionGraph::Vertex> predecessors(TransitionGraph::Vertex v) const {
+    return {sources_.data() + begin_[v], begin_[v + 1] - begin_[v]};
+  }
+
+ private:
+  std::vector<std::uint32_t> begin_;
+  std::vector<TransitionGraph::Vertex> sources_;
+};
+
+// The reachable states, numbered breadth first from the initial state, each state's targets in the order of its
+// diagram (false before true); nodes made afresh in that order, so equal automata over equal variables give equal
+// bytes. The initial state becomes 0. O(size), one step of budget per state.
+Transitions canonical(const Transitions& automaton, Budget& budget);
+inline Transitions canonical(const Transitions& automaton) {
+  Budget unlimited;
+  return canonical(automaton, unlimited);
+}
+
+}  // namespace waymark::automata

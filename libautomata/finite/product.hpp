@@ -1,0 +1,48 @@
+// Products of DFAs: both read the same word, a Boolean function of the two verdicts decides.
+//
+// States are pairs, made as they are reached; both diagrams are merged by one apply whose leaf operation numbers pairs,
+// so the work follows shared nodes, not letters. Pairs of which one half settles the verdict for good are one state.
+// Source: [BK08, Sec. 4.1] for the pairs.
+#pragma once
+#include <optional>
+
+#include "libautomata/bdd/transitions.hpp"
+#include "libautomata/budget.hpp"
+#include "libautomata/finite/dfa.hpp"
+
+namespace waymark::automata {
+
+using Verdict = bool (*)(bool first, bool second);
+
+// A state that is never left and whose acceptance settles the verdict of any pair with it. `first`: of the first
+// automaton of a product.
+std::optional<std::uint32_t> settling_state(const Transitions& automaton, Verdict verdict, bool first);
+
+// Over the same variables. Pairs that differ in the empty word at most, and not in that, are one state: same diagrams,
+// same verdict. Otherwise not minimised; throws what the budget throws. Disjoint, a promise that saves time: no variable
+// occurs in both, and in either automaton different states that letters lead to have different diagrams.
+enum class Alphabets : std::uint8_t { Any, Disjoint };
+Transitions product(const Transitions& a, const Transitions& b, Verdict verdict, Budget& budget,
+                    Alphabets alphabets = Alphabets::Any);
+
+// Propositions are matched by name; the vocabulary is a's, then what b adds. verdict(false, false) must be false: the
+// empty word is no word (std::invalid_argument otherwise).
+Dfa product(const Dfa& a, const Dfa& b, Verdict verdict, Budget& budget);
+inline Dfa product(const Dfa& a, const Dfa& b, Verdict verdict) {
+  Budget unlimited;
+  return product(a, b, verdict, unlimited);
+}
+
+// A shortest word on which the two differ, over the vocabulary of their product; nullopt: they are equivalent.
+struct Difference {
+  ltl::Vocabulary vocabulary;
+  ltl::Trace word;
+  bool first_accepts = false;
+};
+std::optional<Difference> difference(const Dfa& a, const Dfa& b, Budget& budget);
+inline std::optional<Difference> difference(const Dfa& a, const Dfa& b) {
+  Budget unlimited;
+  return difference(a, b, unlimited);
+}
+
+}  // namespace waymark::automata

@@ -1,0 +1,20 @@
+// Graphviz DOT: an automaton for people. Edges grouped by target, guards as short Unicode formulas, accepting states
+// doubly circled, left to right.
+#pragma once
+#include <cstdint>
+#include <string>
+
+#include "libautomata/finite/dfa.hpp"
+
+namespace waymark::automata {
+
+struct DotOptions {
+  enum class Trap : std::uint8_t { Grey, Omit };
+  Trap trap = Trap::Grey;        // states without hope, and the edges to them
+  std::string name = {};         // caption under the drawing, none when empty
+  std::size_t label_width = 36;  // characters after which a guard breaks before ∨ or ∧
+};
+
+std::string write_dot(const Dfa& dfa, const DotOptions& options = {});
+
+}  // namespace waymark::automata

@@ -1,0 +1,49 @@
+// HOA as text: an automaton with explicit edges, ready to be printed.
+//
+// The one place that knows the layout; what the headers say is for the writers of the kinds of automata. With aliases,
+// a label of several literals that occurs more than once is written once, in the header.
+#pragma once
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "libautomata/finite/guard.hpp"
+
+namespace waymark::automata {
+
+struct HoaLayout {
+  bool aliases = false;   // labels that occur more than once get a name
+  bool one_line = false;  // blanks in the place of line ends, but the last one
+};
+
+struct HoaText {
+  struct Edge {
+    Guard guard;
+    std::uint32_t target = 0;
+    std::vector<std::uint32_t> marks;
+  };
+  struct State {
+    std::vector<std::uint32_t> marks;
+    std::vector<Edge> edges;
+  };
+
+  std::string name;  // of the automaton; none when empty
+  std::vector<std::uint32_t> starts;
+  std::vector<std::string> propositions;
+  std::string acceptance_name;  // the whole line behind `acc-name:`, none when empty
+  std::string acceptance;       // the number of sets and the condition
+  std::string properties;
+  std::vector<std::string> headers;  // more of them, whole lines
+  std::vector<State> states;         // numbered from 0
+};
+
+std::string print(const HoaText& automaton, const HoaLayout& layout);
+
+// An automaton that its writer gave up: nothing but the name, ended by --ABORT--.
+std::string aborted_hoa(std::string_view name, const HoaLayout& layout);
+
+std::string quoted(std::string_view text);  // with \" and \\ escaped
+std::string hoa_label(const Guard& guard);  // "0&!1 | 2", "t", "f", without brackets
+
+}  // namespace waymark::automata

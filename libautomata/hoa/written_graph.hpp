@@ -1,0 +1,36 @@
+// The strongly connected components of an automaton as written, edges with the label f left out.
+//
+// Universal branches count as edges to each target, marks are those of state and edge together.
+#pragma once
+#include <cstdint>
+#include <unordered_map>
+#include <vector>
+
+#include "libautomata/hoa/syntax.hpp"
+
+namespace waymark::automata {
+
+class HoaGraph {
+ public:
+  struct Component {
+    std::vector<std::uint64_t> states;      // by number in the file
+    std::vector<std::uint32_t> successors;  // other components, all of smaller index; may repeat
+    bool cyclic = false;                    // some edge stays inside
+    bool uniform = true;                    // all edges that stay inside have the same marks …
+    std::uint64_t marks = 0;                // … these, of the sets 0 … 63
+  };
+
+  explicit HoaGraph(const HoaAutomaton& automaton);  // O(|body|)
+  const std::vector<Component>& components() const { return components_; }
+  // Of a state that occurs in the file.
+  std::uint32_t component_of(std::uint64_t number) const { return of_.at(number); }
+
+ private:
+  void find_components(const HoaAutomaton& automaton);
+  void describe(const HoaAutomaton& automaton);
+
+  std::unordered_map<std::uint64_t, std::uint32_t> of_;
+  std::vector<Component> components_;
+};
+
+}  // namespace waymark::automata

@@ -1,0 +1,54 @@
+// Runtime monitors: what a finite beginning of a word already says of an LTL formula over infinite words.
+//
+// A beginning is bad when no continuation satisfies φ, good when all do; the verdict is false, true, or still open.
+// In a trimmed automaton of φ the set of states reached runs empty exactly on bad beginnings, in that of ¬φ on good
+// ones: two subset constructions, minimised. A state of the monitor is a pair of their states, and since equal
+// futures mean equal pairs, the monitor is the minimal one. [BLS11, Sec. 3]; the sets are leaves of diagrams here.
+#pragma once
+#include <cstdint>
+#include <variant>
+
+#include "libautomata/budget.hpp"
+#include "libautomata/finite/dfa.hpp"
+#include "libautomata/finite/ltlf_to_dfa.hpp"
+#include "libautomata/omega/automaton.hpp"
+
+namespace waymark::automata {
+
+// The non-empty words after which no run of a trimmed automaton is left: the bad prefixes of its language. Minimal.
+// Throws what the budget throws.
+Dfa bad_prefixes(const Automaton& trimmed, Budget& budget);
+
+enum class Foresight : std::uint8_t { False, Open, True };
+
+class Monitor {
+ public:
+  struct State {
+    StateId bad, good;
+    bool started = false;  // some letter was read
+    friend bool operator==(const State&, const State&) = default;
+  };
+
+  Monitor(Dfa bad, Dfa good, Foresight at_first)
+      : bad_(std::move(bad)), good_(std::move(good)), at_first_(at_first) {}
+
+  State initial() const { return {bad_.initial(), good_.initial(), false}; }
+  State next(State q, const ltl::Letter& letter) const {  // letters over vocabulary(), O(|reads|)
+    return {bad_.next(q.bad, letter), good_.next(q.good, letter), true};
+  }
+  Foresight verdict(State q) const;
+  // False where the verdict can no longer change from open: to go on monitoring is of no use.
+  bool is_hopeful(State q) const;
+
+  const ltl::Vocabulary& vocabulary() const { return bad_.vocabulary(); }
+  const Dfa& bad() const { return bad_; }  // accepts the bad prefixes
+  const Dfa& good() const { return good_; }
+
+ private:
+  Dfa bad_, good_;
+  Foresight at_first_;  // the verdict before the first letter
+};
+
+std::variant<Monitor, Exhausted> ltl_to_monitor(ltl::Formula f, const TranslationLimits& limits);
+
+}  // namespace waymark::automata

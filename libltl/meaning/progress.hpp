@@ -1,0 +1,18 @@
+// Progression: what remains to be satisfied after reading one letter. The heart of waymark: automaton states,
+// the learner's reward and the task half of a Q-learning state are all this function.
+//
+//   a·w ⊨ φ  iff  w ⊨ prog(φ, a)        for every letter a and every rest w, the empty one included, where
+//   ε ⊨ φ    iff  accepts_empty(φ):      G, R, N, true and ¬φ with ε ⊭ φ hold, F, U, X, false and atoms do not.
+// Over finite words the difference between the nexts is kept: prog(X φ) = φ ∧ F true, prog(N φ) = φ ∨ G false.
+// Source: [BK00, Table 1] for infinite words, [DV13] for finite ones; the end-of-word test is ours (docs/conventions.md 2).
+#pragma once
+#include "libltl/formula.hpp"
+#include "libltl/meaning/semantics.hpp"
+#include "libltl/word.hpp"
+
+namespace waymark::ltl {
+
+Formula progress(Formula f, const Letter& letter, Semantics semantics = Semantics::Finite);  // O(DAG)
+bool accepts_empty(Formula f);  // ε ⊨ φ, O(DAG)
+
+}  // namespace waymark::ltl

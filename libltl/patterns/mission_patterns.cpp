@@ -1,0 +1,230 @@
+// The mission patterns, and patterns by name. [MTP+21, Tables 2 to 4]
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <initializer_list>
+#include <span>
+#include <stdexcept>
+
+#include "libltl/patterns/patterns.hpp"
+#include "libltl/text/parse.hpp"
+#include "libltl/text/print.hpp"
+
+namespace waymark::ltl {
+namespace {
+
+using Places = std::span<const Formula>;
+
+struct Row {
+  const char* name;
+  const char* parameters;
+  const char* sentence;
+};
+
+constexpr std::array<Row, 22> rows{{
+    {"visit", "l..", "Visit all places, in any order."},
+    {"sequenced-visit", "l..", "Visit the places, each some time after the one before."},
+    {"ordered-visit", "l..", "Visit the places in this order, none before its predecessor."},
+    {"strict-ordered-visit", "l..",
+     "Visit the places in this order, and none a second time before its successor."},
+    {"fair-visit", "l..", "Visit all places, none more often than the others."},
+    {"patrolling", "l..", "Keep visiting all places, in any order."},
+    {"sequenced-patrolling", "l..", "Keep visiting the places, each some time after the one before."},
+    {"ordered-patrolling", "l..", "Keep visiting the places in this order, none before its predecessor."},
+    {"strict-ordered-patrolling", "l..",
+     "Keep visiting the places in this order, and none a second time before its successor."},
+    {"fair-patrolling", "l..", "Keep visiting all places, none more often than the others."},
+    {"global-avoidance", "l", "Never be at l."},
+    {"past-avoidance", "l p", "Do not be at l until p holds, which it will."},
+    {"future-avoidance", "l c", "Once c held, never be at l."},
+    {"upper-restricted-avoidance", "n l", "Be at l at most n times."},
+    {"lower-restricted-avoidance", "n l", "Be at l at least n times."},
+    {"exact-restricted-avoidance", "n l", "Be at l exactly n times."},
+    {"instantaneous-reaction", "p s", "Whenever p holds, s holds at once."},
+    {"delayed-reaction", "p s", "Whenever p holds, s holds then or later."},
+    {"prompt-reaction", "p s", "Whenever p holds, s holds at the next instant."},
+    {"bound-reaction", "p s", "s holds when p does, and only then."},
+    {"bound-delay", "p s", "s holds at the next instant when p holds, and only then."},
+    {"wait", "l p", "Stay at l until p holds, which it will."},
+}};
+
+const Row& row_of(Mission mission) { return rows[static_cast<std::size_t>(mission)]; }
+
+bool counts(const Row& row) { return std::string_view(row.parameters) == "n l"; }
+
+// How many arguments it takes; 0: one or more.
+std::size_t arity(const Row& row) {
+  const std::string_view names = row.parameters;
+  return names == "l.." ? 0 : (names.size() + 1) / 2;
+}
+
+Formula sequence(Places places) {  // F (l₁ ∧ F (l₂ ∧ …))
+  Formula rest = eventually(places.back());
+  for (std::size_t i = places.size() - 1; i-- > 0;) rest = eventually(conjunction(places[i], rest));
+  return rest;
+}
+
+Formula in_order(Places places) {  // ⋀ ¬lᵢ₊₁ U lᵢ
+  std::vector<Formula> all;
+  for (std::size_t i = 0; i + 1 < places.size(); ++i) all.push_back(until(negate(places[i + 1]), places[i]));
+  return conjunction(places.front().arena(), all);
+}
+
+Formula for_all(Places places, Formula (*claim)(Places, std::size_t), std::size_t count) {
+  std::vector<Formula> all;
+  for (std::size_t i = 0; i < count; ++i) all.push_back(claim(places, i));
+  return conjunction(places.front().arena(), all);
+}
+
+Formula visited(Places l, std::size_t i) { return eventually(l[i]); }
+Formula patrolled(Places l, std::size_t i) { return always(eventually(l[i])); }
+Formula after(Places l, std::size_t i) { return l[(i + 1) % l.size()]; }
+// lᵢ is not left behind: not again before its successor.
+Formula successor_first(Places l, std::size_t i) {
+  return until(negate(l[i]), conjunction(l[i], next(until(negate(l[i]), l[i + 1]))));
+}
+Formula fair(Places l, std::size_t i) {
+  return always(implies(l[i], next(weak_until(negate(l[i]), after(l, i)))));
+}
+Formula predecessor_again(Places l, std::size_t i) {
+  return always(implies(after(l, i), next(until(negate(after(l, i)), l[i]))));
+}
+Formula successor_again(Places l, std::size_t i) {
+  return always(implies(l[i], next(until(negate(l[i]), after(l, i)))));
+}
+
+// Braces make the parts from left to right with every compiler; arguments of a call would not be.
+Formula all_of(std::initializer_list<Formula> parts) {
+  return conjunction(parts.begin()->arena(), std::span<const Formula>(parts.begin(), parts.size()));
+}
+
+Formula ordered_patrolling(Places l) {
+  return all_of({always(sequence(l)), in_order(l), for_all(l, predecessor_again, l.size())});
+}
+
+Formula over_places(Mission mission, Places l) {
+  const std::size_t n = l.size();
+  switch (mission) {
+    case Mission::Visit: return for_all(l, visited, n);
+    case Mission::SequencedVisit: return sequence(l);
+    case Mission::OrderedVisit: return all_of({sequence(l), in_order(l)});
+    case Mission::StrictOrderedVisit:
+      return all_of({sequence(l), in_order(l), for_all(l, successor_first, n - 1)});
+    case Mission::FairVisit: return all_of({for_all(l, visited, n), for_all(l, fair, n)});
+    case Mission::Patrolling: return for_all(l, patrolled, n);
+    case Mission::SequencedPatrolling: return always(sequence(l));
+    case Mission::OrderedPatrolling: return ordered_patrolling(l);
+    case Mission::StrictOrderedPatrolling:
+      return all_of({ordered_patrolling(l), for_all(l, successor_again, n - 1)});
+    case Mission::FairPatrolling: return all_of({for_all(l, patrolled, n), for_all(l, fair, n)});
+    case Mission::GlobalAvoidance: return always(negate(l[0]));
+    case Mission::PastAvoidance: return until(negate(l[0]), l[1]);
+    case Mission::FutureAvoidance: return always(implies(l[1], always(negate(l[0]))));
+    case Mission::InstantaneousReaction: return always(implies(l[0], l[1]));
+    case Mission::DelayedReaction: return always(implies(l[0], eventually(l[1])));
+    case Mission::PromptReaction: return always(implies(l[0], next(l[1])));
+    case Mission::BoundReaction: return always(iff(l[0], l[1]));
+    case Mission::BoundDelay: return always(iff(l[0], next(l[1])));
+    case Mission::Wait: return until(l[0], l[1]);
+    case Mission::UpperRestrictedAvoidance:
+    case Mission::LowerRestrictedAvoidance:
+    case Mission::ExactRestrictedAvoidance: break;
+  }
+  throw std::invalid_argument(std::string(row_of(mission).name) + " takes a number and a place");
+}
+
+Formula at_least(std::size_t times, Formula place) {  // F (l ∧ X F (l ∧ …))
+  Formula rest = eventually(place);
+  for (; times > 1; --times) rest = eventually(conjunction(place, next(rest)));
+  return rest;
+}
+
+// After the last time there may be no next instant: the weak next, where [MTP+21] has X for infinite words.
+Formula exactly(std::size_t times, Formula place) {
+  Formula rest = until(negate(place), conjunction(place, weak_next(always(negate(place)))));
+  for (; times > 1; --times) rest = until(negate(place), conjunction(place, next(rest)));
+  return rest;
+}
+
+std::size_t number(const std::string& text) {
+  std::size_t value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  constexpr std::size_t most = most_levels / 4;  // each time adds a few levels
+  if (error != std::errc() || end != text.data() + text.size() || value < 1 || value > most)
+    throw std::invalid_argument("expected a number from 1 to " + std::to_string(most) + ", not '" + text +
+                                "'");
+  return value;
+}
+
+Formula instantiate_mission(Mission mission_, std::span<const std::string> arguments, Arena& arena) {
+  const Row& row = row_of(mission_);
+  if (counts(row)) {
+    if (arguments.size() != 2)
+      throw std::invalid_argument(std::string(row.name) + " takes a number and a place");
+    return restricted_avoidance(mission_, number(arguments[0]), parse(arguments[1], arena));
+  }
+  std::vector<Formula> places;
+  for (const std::string& text : arguments) places.push_back(parse(text, arena));
+  return mission(mission_, places);
+}
+
+}  // namespace
+
+Formula mission(Mission mission, std::span<const Formula> places) {
+  const Row& row = row_of(mission);
+  const std::size_t wanted = arity(row);
+  if (places.empty() || (wanted != 0 && places.size() != wanted))
+    throw std::invalid_argument(std::string(row.name) + " takes " +
+                                (wanted == 0 ? "one or more" : std::to_string(wanted)) + " arguments (" +
+                                row.parameters + "), not " + std::to_string(places.size()));
+  return over_places(mission, places);
+}
+
+Formula restricted_avoidance(Mission mission, std::size_t times, Formula place) {
+  if (times < 1) throw std::invalid_argument("restricted avoidance: at least one time");
+  if (mission == Mission::UpperRestrictedAvoidance) return negate(at_least(times + 1, place));
+  if (mission == Mission::LowerRestrictedAvoidance) return at_least(times, place);
+  if (mission == Mission::ExactRestrictedAvoidance) return exactly(times, place);
+  throw std::invalid_argument(std::string(row_of(mission).name) + " does not count");
+}
+
+std::vector<Pattern> mission_patterns() {
+  std::vector<Pattern> out;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const Row& row = rows[i];
+    std::vector<std::string> arguments;
+    for (std::size_t k = 0; k < arity(row); ++k) arguments.emplace_back(1, row.parameters[2 * k]);
+    if (counts(row)) arguments[0] = "2";
+    if (arity(row) == 0) arguments = {"l1", "l2", "l3"};
+    Arena arena;
+    for (const std::string& name : arguments)
+      if (!counts(row)) arena.add_proposition(name);
+    out.push_back({.name = row.name,
+                   .parameters = row.parameters,
+                   .sentence = row.sentence,
+                   .source = "MTP+21",
+                   .formula = print(instantiate_mission(static_cast<Mission>(i), arguments, arena))});
+  }
+  return out;
+}
+
+Formula instantiate(std::string_view name, std::span<const std::string> arguments, Arena& arena) {
+  Vocabulary names;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    if (rows[i].name == name) return instantiate_mission(static_cast<Mission>(i), arguments, arena);
+    names.add(rows[i].name);
+  }
+  const std::vector<Pattern> properties = property_patterns();
+  for (std::size_t i = 0; i < properties.size(); ++i) {
+    names.add(properties[i].name);
+    if (properties[i].name != name) continue;
+    std::vector<Formula> formulas;
+    for (const std::string& text : arguments) formulas.push_back(parse(text, arena));
+    return property(static_cast<Body>(i / 5), static_cast<Scope>(i % 5), formulas);
+  }
+  const auto nearest = names.nearest(name);
+  throw std::invalid_argument("there is no pattern '" + std::string(name) + "'" +
+                              (nearest ? " (did you mean '" + *nearest + "'?)" : ""));
+}
+
+}  // namespace waymark::ltl

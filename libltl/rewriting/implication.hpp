@@ -1,0 +1,43 @@
+// φ ⇒ ψ at every position of every word, recognised from the syntax alone: sound, far from complete.
+//
+// Holds for finite and infinite words alike (a position of a word is never past its end, so F true counts as true
+// here). After Somenzi and Bloem, Efficient Büchi automata from LTL formulae (CAV 2000), with the weak next added.
+#pragma once
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <unordered_map>
+#include <utility>
+
+#include "libltl/formula.hpp"
+#include "libltl/rewriting/pair_memo.hpp"
+
+namespace waymark::ltl {
+
+class Implication {
+ public:
+  // Asked where the rules find nothing: proves φ ⇒ ψ by other means (automata, say), or says no.
+  using Oracle = std::function<bool(Formula from, Formula to)>;
+  explicit Implication(Oracle oracle = {}) : oracle_(std::move(oracle)) {}
+
+  // Does φ ⇒ ψ follow by the rules? Answers are remembered; formulas nested deeper than `most_depth` in the course
+  // of an answer are not looked into ("no").
+  bool operator()(Formula from, Formula to) {
+    return follows(from, to, most_depth) || (oracle_ && oracle_(from, to));
+  }
+  static constexpr std::size_t most_depth = 24;
+  Formula opposite(
+      Formula f);  // ¬φ with negations pushed inwards, so that it can be looked into. Remembered.
+
+ private:
+  bool follows(Formula from, Formula to, std::size_t depth);
+  bool by_junctions(Formula from, Formula to, std::size_t depth);
+  bool by_temporal(Formula from, Formula to, std::size_t depth);
+  bool by_expansion(Formula from, Formula to, std::size_t depth);
+
+  PairMemo<bool> known_;  // by both ids
+  std::unordered_map<Formula, Formula> opposite_;
+  Oracle oracle_;
+};
+
+}  // namespace waymark::ltl

@@ -1,0 +1,64 @@
+#include "libltl/rewriting/nnf.hpp"
+
+#include <vector>
+
+#include "libltl/structure/by_subformula.hpp"
+
+namespace waymark::ltl {
+namespace {
+
+struct Both {  // normal forms of φ and of ¬φ
+  Formula yes, no;
+};
+
+Both of_iff(Both a, Both b, bool expand) {
+  if (!expand) return {iff(a.yes, b.yes), exclusive_or(a.yes, b.yes)};
+  return {disjunction(conjunction(a.yes, b.yes), conjunction(a.no, b.no)),
+          disjunction(conjunction(a.yes, b.no), conjunction(a.no, b.yes))};
+}
+
+Both of_junction(Formula f, const std::vector<Both>& operands) {
+  std::vector<Formula> yes, no;
+  for (const Both& operand : operands) {
+    yes.push_back(operand.yes);
+    no.push_back(operand.no);
+  }
+  Arena& arena = f.arena();
+  if (f.op() == Op::And) return {conjunction(arena, yes), disjunction(arena, no)};
+  return {disjunction(arena, yes), conjunction(arena, no)};
+}
+
+Both normal_forms(Formula f, const std::vector<Both>& operands, bool expand) {
+  switch (f.op()) {
+    case Op::False:
+    case Op::True:
+    case Op::Atom: return {f, negate(f)};
+    case Op::Not: return {operands[0].no, operands[0].yes};
+    case Op::And:
+    case Op::Or: return of_junction(f, operands);
+    case Op::Iff: return of_iff(operands[0], operands[1], expand);
+    case Op::Next: return {next(operands[0].yes), weak_next(operands[0].no)};
+    case Op::WeakNext: return {weak_next(operands[0].yes), next(operands[0].no)};
+    case Op::Until: return {until(operands[0].yes, operands[1].yes), release(operands[0].no, operands[1].no)};
+    case Op::Release:
+      return {release(operands[0].yes, operands[1].yes), until(operands[0].no, operands[1].no)};
+  }
+  return {f, negate(f)};  // unreachable: -Werror=switch
+}
+
+Formula transform(Formula f, bool expand) {
+  std::vector<Both> operands;
+  const auto both = [&](Formula g, const BySubformula<Both>& known) {
+    operands.clear();
+    for (Formula operand : g.operands()) operands.push_back(known.at(operand));
+    return normal_forms(g, operands, expand);
+  };
+  return BySubformula<Both>(f, both).top().yes;
+}
+
+}  // namespace
+
+Formula nnf(Formula f) { return transform(f, true); }
+Formula nnf_keeping_iff(Formula f) { return transform(f, false); }
+
+}  // namespace waymark::ltl

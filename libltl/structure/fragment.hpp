@@ -1,0 +1,27 @@
+// Which fragments of LTL a formula lies in, read off its syntax. "Yes" is proved, "no" only means "not visibly".
+//
+// Over infinite words these are the classes of the Manna–Pnueli hierarchy ([MP90], [CMP92]):
+//   safety ¬bad prefix   co-safety (guarantee) a good prefix   obligation: Boolean combinations of the two
+//   recurrence (G F)     persistence (F G)
+// Over finite words there is no hierarchy, but safety (a word that satisfies φ does so from its first letter on) and
+// co-safety (it does so however it goes on) remain; there X belongs to co-safety only and N to safety only.
+#pragma once
+#include "libltl/formula.hpp"
+#include "libltl/meaning/semantics.hpp"
+
+namespace waymark::ltl {
+
+struct Fragments {
+  bool propositional = false;  // no temporal operator
+  bool next_free = false;      // no X, no N: stuttering does not matter
+  bool safety = false;
+  bool cosafety = false;
+  bool obligation = false;  // this and the next two: infinite words only, false under Semantics::Finite
+  bool recurrence = false;
+  bool persistence = false;
+  friend bool operator==(const Fragments&, const Fragments&) = default;
+};
+
+Fragments fragments(Formula f, Semantics semantics);  // O(DAG)
+
+}  // namespace waymark::ltl

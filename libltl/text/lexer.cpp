@@ -1,0 +1,216 @@
+#include "libltl/text/lexer.hpp"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+namespace waymark::ltl {
+namespace {
+
+struct Spelling {
+  std::string_view text;
+  Symbol symbol;
+};
+
+// Operators that are no words; longer spellings before their own prefixes.
+constexpr Spelling spellings[] = {
+    {"<->", Symbol::Iff},       {"<=>", Symbol::Iff},
+    {"<>", Symbol::Eventually}, {"->", Symbol::Implies},
+    {"=>", Symbol::Implies},    {"&&", Symbol::And},
+    {"||", Symbol::Or},         {"/\\", Symbol::And},
+    {"\\/", Symbol::Or},        {"[]", Symbol::Always},
+    {"()", Symbol::Next},       {"&", Symbol::And},
+    {"|", Symbol::Or},          {"!", Symbol::Not},
+    {"~", Symbol::Not},         {"^", Symbol::ExclusiveOr},
+    {"¬", Symbol::Not},         {"∧", Symbol::And},
+    {"∨", Symbol::Or},          {"⊕", Symbol::ExclusiveOr},
+    {"⊻", Symbol::ExclusiveOr}, {"→", Symbol::Implies},
+    {"⇒", Symbol::Implies},     {"⟶", Symbol::Implies},
+    {"⟹", Symbol::Implies},     {"↔", Symbol::Iff},
+    {"⇔", Symbol::Iff},         {"⟷", Symbol::Iff},
+    {"⟺", Symbol::Iff},         {"≡", Symbol::Iff},
+    {"◇", Symbol::Eventually},  {"⋄", Symbol::Eventually},
+    {"♢", Symbol::Eventually},  {"⬦", Symbol::Eventually},
+    {"⟡", Symbol::Eventually},  {"□", Symbol::Always},
+    {"◻", Symbol::Always},      {"⬜", Symbol::Always},
+    {"○", Symbol::Next},        {"◯", Symbol::Next},
+    {"●", Symbol::WeakNext},    {"⬤", Symbol::WeakNext},
+    {"𝒰", Symbol::Until},       {"ℛ", Symbol::Release},
+    {"𝒲", Symbol::WeakUntil},   {"ℳ", Symbol::StrongRelease},
+};
+
+constexpr bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; }
+constexpr bool is_digit(char c) { return c >= '0' && c <= '9'; }
+constexpr bool is_space(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; }
+
+bool is_identifier(std::string_view s) {
+  return !s.empty() && is_letter(s[0]) &&
+         std::all_of(s.begin(), s.end(), [](char c) { return is_letter(c) || is_digit(c); });
+}
+
+std::optional<Symbol> unary_letter(char c) {
+  switch (c) {
+    case 'X': return Symbol::Next;
+    case 'N': return Symbol::WeakNext;
+    case 'F': return Symbol::Eventually;
+    case 'G': return Symbol::Always;
+    default: return std::nullopt;  // any other character
+  }
+}
+
+std::optional<Symbol> binary_letter(char c) {
+  switch (c) {
+    case 'U': return Symbol::Until;
+    case 'R':
+    case 'V': return Symbol::Release;
+    case 'W': return Symbol::WeakUntil;
+    case 'M': return Symbol::StrongRelease;
+    default: return std::nullopt;  // any other character
+  }
+}
+
+std::optional<Symbol> operator_word(std::string_view word, Notation notation) {
+  if (word == "xor") return Symbol::ExclusiveOr;
+  if (word == "WX") return Symbol::WeakNext;
+  if (word.size() != 1) return std::nullopt;
+  if (notation == Notation::Lbt && word == "i") return Symbol::Implies;
+  if (notation == Notation::Lbt && word == "e") return Symbol::Iff;
+  return binary_letter(word[0]);
+}
+
+std::optional<bool> constant_word(std::string_view word, Notation notation) {
+  if (word == "true" || word == "tt" || (notation == Notation::Lbt && word == "t")) return true;
+  if (word == "false" || word == "ff" || (notation == Notation::Lbt && word == "f")) return false;
+  return std::nullopt;
+}
+
+bool is_unary_run(std::string_view word) {
+  return std::all_of(word.begin(), word.end(), [](char c) { return unary_letter(c).has_value(); });
+}
+
+}  // namespace
+
+bool is_bare_name(std::string_view name, Notation notation) {
+  return is_identifier(name) && !is_unary_run(name) && !operator_word(name, notation) &&
+         !constant_word(name, notation);
+}
+
+void Lexer::fail(Span where, std::string_view message) const { throw SyntaxError(text_, where, message); }
+
+void Lexer::skip_space() {
+  while (at_ < text_.size() && is_space(text_[at_])) ++at_;
+}
+
+bool Lexer::take(std::string_view expected) {
+  if (text_.substr(at_, expected.size()) != expected) return false;
+  at_ += expected.size();
+  return true;
+}
+
+std::optional<std::size_t> Lexer::number() {
+  constexpr std::size_t most = 1'000'000;  // beyond every bound that can be spelled out
+  if (at_ == text_.size() || !is_digit(text_[at_])) return std::nullopt;
+  std::size_t value = 0;
+  for (; at_ < text_.size() && is_digit(text_[at_]); ++at_)
+    value = std::min(most, 10 * value + static_cast<std::size_t>(text_[at_] - '0'));
+  return value;
+}
+
+// An operator was read; what may follow it directly: [!] or [w] after a next, a bound after F, G and U.
+Token Lexer::operation(Symbol symbol, std::size_t begin) {
+  Token token{
+      .kind = Token::Kind::Operator, .where = {begin, at_}, .symbol = symbol, .bound = {}, .name = {}};
+  if (symbol == Symbol::Next) {
+    if (take("[w]") || (!take("[!]") && dialect_ == Dialect::Spot)) token.symbol = Symbol::WeakNext;
+  } else if (symbol == Symbol::Eventually || symbol == Symbol::Always || symbol == Symbol::Until) {
+    const std::size_t end = at_;
+    skip_space();
+    const bool bracket = take("[<=") || take("[≤") || take("[0:");
+    const bool bare = !bracket && text_.substr(at_, 3) != "<=>" && (take("<=") || take("≤"));
+    if (!bracket && !bare) {
+      at_ = end;
+    } else {
+      skip_space();
+      token.bound = number();
+      if (!token.bound) fail({at_, at_}, "expected a number of steps");
+      skip_space();
+      if (bracket && !take("]")) fail({at_, at_}, "expected ']' after the number of steps");
+    }
+  }
+  token.where.end = at_;
+  return token;
+}
+
+Token Lexer::word() {
+  const std::size_t begin = at_;
+  std::size_t end = at_;
+  while (end < text_.size() && (is_letter(text_[end]) || is_digit(text_[end]))) ++end;
+  const std::string_view word = text_.substr(begin, end - begin);
+  if (is_unary_run(word)) {  // one letter now; the rest is such a word again
+    ++at_;
+    return operation(*unary_letter(word[0]), begin);
+  }
+  at_ = end;
+  Token token{.kind = Token::Kind::Name, .where = {begin, end}, .bound = {}, .name = std::string(word)};
+  if (const auto symbol = operator_word(word, notation_)) {
+    if (*symbol == Symbol::Until) return operation(*symbol, begin);
+    token.kind = Token::Kind::Operator;
+    token.symbol = *symbol;
+  } else if (const auto value = constant_word(word, notation_)) {
+    token.kind = Token::Kind::Constant;
+    token.value = *value;
+  }
+  return token;
+}
+
+Token Lexer::quoted() {
+  const std::size_t begin = at_++;
+  std::string name;
+  while (at_ < text_.size() && text_[at_] != '"') {
+    if (text_[at_] == '\\') {
+      if (++at_ == text_.size()) break;
+      if (text_[at_] != '"' && text_[at_] != '\\' && text_[at_] != 'n')
+        fail({at_ - 1, at_ + 1}, "expected \\\", \\\\ or \\n in a quoted name");
+      name += text_[at_] == 'n' ? '\n' : text_[at_];
+    } else {
+      name += text_[at_];
+    }
+    ++at_;
+  }
+  if (at_ == text_.size()) fail({begin, begin + 1}, "expected a closing '\"' for this one");
+  ++at_;
+  if (name.empty()) fail({begin, at_}, "expected a name between the quotes");
+  return {.kind = Token::Kind::Name, .where = {begin, at_}, .bound = {}, .name = std::move(name)};
+}
+
+void Lexer::fail_on_character() const {
+  std::size_t end = at_ + 1;
+  while (end < text_.size() && (static_cast<unsigned char>(text_[end]) & 0xC0U) == 0x80U) ++end;
+  const Span where{at_, end};
+  const std::string shown(text_.substr(at_, end - at_));
+  if (is_digit(text_[at_]))
+    fail(where, "expected a formula; numbers other than 0 and 1 must follow F<=, G<= or U<=");
+  fail(where, "'" + shown + "' starts no part of a formula (names with such characters go in double quotes)");
+}
+
+Token Lexer::next() {
+  skip_space();
+  const std::size_t begin = at_;
+  if (at_ == text_.size()) return {.where = {begin, begin}, .bound = {}, .name = {}};
+  const char c = text_[at_];
+  if (is_letter(c)) return word();
+  if (c == '"') return quoted();
+  for (const Spelling& spelling : spellings)
+    if (take(spelling.text)) return operation(spelling.symbol, begin);
+  if (take("(")) return {.kind = Token::Kind::Open, .where = {begin, at_}, .bound = {}, .name = {}};
+  if (take(")")) return {.kind = Token::Kind::Close, .where = {begin, at_}, .bound = {}, .name = {}};
+  const bool single = at_ + 1 == text_.size() || !is_digit(text_[at_ + 1]);
+  const bool one = (c == '1' && single) || text_.substr(at_, 3) == "⊤";
+  if (one || (c == '0' && single) || text_.substr(at_, 3) == "⊥") {
+    at_ += is_digit(c) ? 1 : 3;
+    return {.kind = Token::Kind::Constant, .where = {begin, at_}, .bound = {}, .value = one, .name = {}};
+  }
+  fail_on_character();
+}
+
+}  // namespace waymark::ltl

@@ -1,0 +1,55 @@
+// Text → tokens of formulas, in any of the three notations.
+//
+// One operator has many spellings (`&`, `&&`, `/\`, `∧`); after the lexer there is one symbol for each meaning.
+// A word made only of the letters X N F G is that sequence of unary operators (GF is G F); so is a single U R W M V
+// a binary operator. Everything else of the shape [A-Za-z_][A-Za-z0-9_]* is a proposition, as is any text in
+// double quotes (with \" \\ and \n inside).
+#pragma once
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "libltl/diagnostic.hpp"
+#include "libltl/text/symbol.hpp"
+
+namespace waymark::ltl {
+
+struct Token {
+  enum class Kind : std::uint8_t { End, Open, Close, Constant, Name, Operator };
+  Kind kind = Kind::End;
+  Span where;
+  Symbol symbol = Symbol::Not;       // of an Operator
+  std::optional<std::size_t> bound;  // k of F<=k, G<=k and U<=k
+  bool value = false;                // of a Constant
+  std::string name;                  // of a Name, quotes and escapes removed
+};
+
+class Lexer {
+ public:
+  Lexer(std::string_view text, Dialect dialect, Notation notation)
+      : text_(text), dialect_(dialect), notation_(notation) {}
+  Token next();  // throws SyntaxError on a character that starts no token; End at the end, again and again
+  std::string_view text() const { return text_; }
+
+ private:
+  Token word();
+  Token quoted();
+  Token operation(Symbol symbol, std::size_t begin);
+  void skip_space();
+  bool take(std::string_view expected);
+  std::optional<std::size_t> number();
+  [[noreturn]] void fail(Span where, std::string_view message) const;
+  [[noreturn]] void fail_on_character() const;
+
+  std::string_view text_;
+  Dialect dialect_;
+  Notation notation_;
+  std::size_t at_ = 0;
+};
+
+// Would `name` be read back as the proposition of that name without quotes?
+bool is_bare_name(std::string_view name, Notation notation);
+
+}  // namespace waymark::ltl

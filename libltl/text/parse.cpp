@@ -1,0 +1,315 @@
+// Parsing by a stack machine, so that depth of input is never depth of the call stack.
+//
+// All three notations feed one Builder, which applies operators to the formulas on its stack. Chains of one
+// associative operator stay open until something else needs them: a & b & c … makes one node, not one per prefix.
+#include "libltl/text/parse.hpp"
+
+#include <algorithm>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "libltl/diagnostic.hpp"
+#include "libltl/text/lexer.hpp"
+
+namespace waymark::ltl {
+namespace {
+
+// φ U<=k ψ = ψ ∨ (φ ∧ X(ψ ∨ (φ ∧ X …))), k strong nexts.
+Formula until_within(std::size_t k, Formula left, Formula right) {
+  Formula out = right;
+  for (std::size_t i = 0; i < k; ++i) out = disjunction(right, conjunction(left, next(out)));
+  return out;
+}
+
+class Builder {
+ public:
+  Builder(std::string_view text, Arena& arena, Unknown unknown)
+      : text_(text), arena_(arena), unknown_(unknown) {}
+
+  void push(const Token& token) {  // a Name or a Constant
+    stack_.push_back(
+        {{token.kind == Token::Kind::Name ? atom(token) : arena_.constant(token.value)}, Op::Atom, 1});
+  }
+  void apply(const Token& token);  // an Operator, on the last one or two formulas
+  void settle(Symbol next);        // makes the last formula now unless `next` continues its chain
+  std::size_t size() const { return stack_.size(); }
+  Formula result() { return close(std::move(stack_.back())); }
+
+ private:
+  struct Term {  // one formula, or the operands of an And or Or not made yet
+    std::vector<Formula> parts;
+    Op junction;        // And, Or: how to join the parts; Atom: there is one part
+    std::size_t depth;  // levels of the formula
+  };
+
+  Formula atom(const Token& token);
+  Formula close(Term&& term);
+  Term pop();
+  void push(Formula f, std::size_t depth, const Token& token);
+  void join(Op op, Term left, Term right, const Token& token);
+  void apply_unary(const Token& token);
+  void check(std::size_t depth, const Token& token) const;
+
+  std::string_view text_;
+  Arena& arena_;
+  Unknown unknown_;
+  std::vector<Term> stack_;
+};
+
+Formula Builder::atom(const Token& token) {
+  if (unknown_ == Unknown::Add) return arena_.atom(token.name);
+  if (const auto p = arena_.vocabulary().find(token.name)) return arena_.atom(*p);
+  std::string message = "unknown proposition '" + token.name + "'";
+  if (const auto near = arena_.vocabulary().nearest(token.name))
+    message += " (did you mean '" + *near + "'?)";
+  throw SyntaxError(text_, token.where, message);
+}
+
+Formula Builder::close(Term&& term) {
+  if (term.junction == Op::And) return conjunction(arena_, term.parts);
+  if (term.junction == Op::Or) return disjunction(arena_, term.parts);
+  return term.parts.front();
+}
+
+Builder::Term Builder::pop() {
+  Term term = std::move(stack_.back());
+  stack_.pop_back();
+  return term;
+}
+
+void Builder::check(std::size_t depth, const Token& token) const {
+  if (depth > most_levels)
+    throw SyntaxError(text_, token.where, "expected at most 10,000 levels of nesting (bounds count k times)");
+}
+
+void Builder::push(Formula f, std::size_t depth, const Token& token) {
+  check(depth, token);
+  stack_.push_back({{f}, Op::Atom, depth});
+}
+
+// The smaller list joins the larger: a chain of n costs O(n log n) however it is bracketed.
+void Builder::join(Op op, Term left, Term right, const Token& token) {
+  for (Term* term : {&left, &right}) {
+    if (term->junction == op) continue;
+    const std::size_t depth = term->depth + 1;
+    *term = {{close(std::move(*term))}, op, depth};
+  }
+  if (left.parts.size() < right.parts.size()) std::swap(left, right);
+  left.parts.insert(left.parts.end(), right.parts.begin(), right.parts.end());
+  left.depth = std::max(left.depth, right.depth);
+  check(left.depth, token);
+  stack_.push_back(std::move(left));
+}
+
+void Builder::apply_unary(const Token& token) {
+  const std::size_t k = token.bound.value_or(0);
+  const std::size_t depth = stack_.back().depth + (token.bound ? 2 * k : 1);
+  check(depth, token);
+  const Formula f = close(pop());
+  switch (token.symbol) {
+    case Symbol::Not: return push(negate(f), depth, token);
+    case Symbol::Next: return push(next(f), depth, token);
+    case Symbol::WeakNext: return push(weak_next(f), depth, token);
+    case Symbol::Eventually: return push(token.bound ? eventually_within(k, f) : eventually(f), depth, token);
+    case Symbol::Always: return push(token.bound ? always_within(k, f) : always(f), depth, token);
+    case Symbol::And:
+    case Symbol::Or:
+    case Symbol::ExclusiveOr:
+    case Symbol::Implies:
+    case Symbol::Iff:
+    case Symbol::Until:
+    case Symbol::Release:
+    case Symbol::WeakUntil:
+    case Symbol::StrongRelease: break;  // binary: see apply
+  }
+}
+
+void Builder::apply(const Token& token) {
+  if (is_unary(token.symbol)) return apply_unary(token);
+  Term right = pop(), left = pop();
+  if (token.symbol == Symbol::And) return join(Op::And, std::move(left), std::move(right), token);
+  if (token.symbol == Symbol::Or) return join(Op::Or, std::move(left), std::move(right), token);
+  if (token.symbol == Symbol::Implies) {
+    const std::size_t depth = left.depth + 1;
+    return join(Op::Or, {{negate(close(std::move(left)))}, Op::Atom, depth}, std::move(right), token);
+  }
+  const std::size_t depth = std::max(left.depth, right.depth) + (token.bound ? 3 * *token.bound : 1);
+  check(depth, token);
+  const Formula a = close(std::move(left)), b = close(std::move(right));
+  switch (token.symbol) {
+    case Symbol::ExclusiveOr: return push(exclusive_or(a, b), depth, token);
+    case Symbol::Iff: return push(iff(a, b), depth, token);
+    case Symbol::Until:
+      return push(token.bound ? until_within(*token.bound, a, b) : until(a, b), depth, token);
+    case Symbol::Release: return push(release(a, b), depth, token);
+    case Symbol::WeakUntil: return push(weak_until(a, b), depth + 1, token);
+    case Symbol::StrongRelease: return push(strong_release(a, b), depth + 1, token);
+    case Symbol::And:
+    case Symbol::Or:
+    case Symbol::Implies:
+    case Symbol::Not:
+    case Symbol::Next:
+    case Symbol::WeakNext:
+    case Symbol::Eventually:
+    case Symbol::Always: break;  // done above
+  }
+}
+
+// Made now rather than later, a left operand comes before the right one in creation order, and in print.
+void Builder::settle(Symbol next) {
+  Term& last = stack_.back();
+  if (next == (last.junction == Op::And ? Symbol::And : Symbol::Or)) return;
+  if (last.junction == Op::Atom) return;
+  const auto depth = last.depth;
+  last = {{close(std::move(last))}, Op::Atom, depth};
+}
+
+class Parser {
+ public:
+  Parser(std::string_view text, Arena& arena, const ParseOptions& options)
+      : lexer_(text, options.dialect, options.notation), builder_(text, arena, options.unknown) {}
+
+  Formula infix();
+  Formula prefix();
+  Formula postfix();
+
+ private:
+  [[noreturn]] void fail(const Token& token, std::string_view message) const {
+    throw SyntaxError(lexer_.text(), token.where, message);
+  }
+  std::string quote(const Token& token) const {
+    return "'" + std::string(lexer_.text().substr(token.where.begin, token.where.end - token.where.begin)) +
+           "'";
+  }
+  [[noreturn]] void fail_for_operand(const Token& token, const std::optional<Token>& before) const {
+    fail(token, before ? "expected a formula after " + quote(*before) : "expected a formula");
+  }
+  void reduce(int level, bool strictly);
+  void close_parenthesis(const Token& token);
+  void finish(const Token& end);
+
+  Lexer lexer_;
+  Builder builder_;
+  std::vector<Token> waiting_;  // operators and open parentheses, innermost last
+};
+
+// Applies the waiting operators, back to the last open parenthesis, that bind tighter than `level` or, unless
+// `strictly`, as tight.
+void Parser::reduce(int level, bool strictly) {
+  while (!waiting_.empty() && waiting_.back().kind == Token::Kind::Operator) {
+    const int top = precedence(waiting_.back().symbol);
+    if (top < level || (strictly && top == level)) break;
+    builder_.apply(waiting_.back());
+    waiting_.pop_back();
+  }
+}
+
+void Parser::close_parenthesis(const Token& token) {
+  reduce(0, false);
+  if (waiting_.empty())
+    fail(token, "expected the end of the formula or an operator: no '(' is open for this ')'");
+  waiting_.pop_back();
+}
+
+void Parser::finish(const Token& end) {
+  reduce(0, false);
+  if (waiting_.empty()) return;
+  const std::size_t column = SyntaxError(lexer_.text(), waiting_.back().where, "").column();
+  fail(end, "expected ')' for the '(' in column " + std::to_string(column));
+}
+
+Formula Parser::infix() {
+  std::optional<Token> before;
+  bool complete = false;  // the tokens so far end with a whole formula
+  while (true) {
+    Token token = lexer_.next();
+    const bool binary = token.kind == Token::Kind::Operator && !is_unary(token.symbol);
+    const bool ends = binary || token.kind == Token::Kind::Close || token.kind == Token::Kind::End;
+    if (complete && !ends)
+      fail(token, "expected an operator or the end of the formula before " + quote(token));
+    if (!complete && ends) fail_for_operand(token, before);
+    switch (token.kind) {
+      case Token::Kind::Name:
+      case Token::Kind::Constant: builder_.push(token); break;
+      case Token::Kind::Close: close_parenthesis(token); break;
+      case Token::Kind::End: finish(token); return builder_.result();
+      case Token::Kind::Operator:
+        if (binary) {
+          reduce(precedence(token.symbol), is_right_associative(token.symbol));
+          builder_.settle(token.symbol);
+        }
+        waiting_.push_back(token);
+        break;
+      case Token::Kind::Open: waiting_.push_back(token); break;
+    }
+    complete = token.kind == Token::Kind::Name || token.kind == Token::Kind::Constant ||
+               token.kind == Token::Kind::Close;
+    before = std::move(token);
+  }
+}
+
+Formula Parser::prefix() {
+  std::vector<std::size_t> missing;  // operands still to come, for each waiting operator
+  std::optional<Token> before;
+  do {
+    Token token = lexer_.next();
+    if (token.kind == Token::Kind::Open || token.kind == Token::Kind::Close)
+      fail(token, "expected no parentheses: the prefix form needs none");
+    if (token.kind == Token::Kind::End) fail_for_operand(token, before);
+    if (token.kind == Token::Kind::Operator) {
+      missing.push_back(is_unary(token.symbol) ? 1 : 2);
+      waiting_.push_back(token);
+    } else {
+      builder_.push(token);
+      while (!missing.empty() && --missing.back() == 0) {
+        builder_.apply(waiting_.back());
+        waiting_.pop_back();
+        missing.pop_back();
+      }
+    }
+    before = std::move(token);
+  } while (!missing.empty());
+  const Token token = lexer_.next();
+  if (token.kind != Token::Kind::End) fail(token, "expected the end of the formula before " + quote(token));
+  return builder_.result();
+}
+
+Formula Parser::postfix() {
+  while (true) {
+    const Token token = lexer_.next();
+    switch (token.kind) {
+      case Token::Kind::Open:
+      case Token::Kind::Close: fail(token, "expected no parentheses: the postfix form needs none");
+      case Token::Kind::Name:
+      case Token::Kind::Constant: builder_.push(token); break;
+      case Token::Kind::Operator:
+        if (builder_.size() < (is_unary(token.symbol) ? 1 : 2))
+          fail(token, std::string(is_unary(token.symbol) ? "expected a formula" : "expected two formulas") +
+                          " before " + quote(token));
+        builder_.apply(token);
+        break;
+      case Token::Kind::End:
+        if (builder_.size() == 0) fail(token, "expected a formula");
+        if (builder_.size() > 1)
+          fail(token,
+               "expected an operator: " + std::to_string(builder_.size()) + " formulas stand unconnected");
+        return builder_.result();
+    }
+  }
+}
+
+}  // namespace
+
+Formula parse(std::string_view text, Arena& arena, const ParseOptions& options) {
+  Parser parser(text, arena, options);
+  switch (options.notation) {
+    case Notation::Infix: return parser.infix();
+    case Notation::Lbt: return parser.prefix();
+    case Notation::Postfix: return parser.postfix();
+  }
+  return parser.infix();  // unreachable: -Werror=switch
+}
+
+}  // namespace waymark::ltl

@@ -1,0 +1,34 @@
+// A formula as a reader wants to see it: the outermost operator of the concrete syntax and its operands.
+//
+// The inverse of the constructors that spell operators out: true U φ is seen as F φ, ψ R (φ ∨ ψ) as φ W ψ, and so
+// on. Making a view makes no formula: an operand may be part of a stored junction (the φ of W), hence the type.
+#pragma once
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "libltl/formula.hpp"
+#include "libltl/text/symbol.hpp"
+
+namespace waymark::ltl {
+
+struct ViewOperand {           // a formula, or the junction of several
+  std::vector<Formula> parts;  // sorted; at least one
+  Op junction = Op::And;       // And or Or; says nothing when there is one part
+};
+
+struct View {
+  Symbol symbol = Symbol::Not;
+  std::vector<ViewOperand> operands;
+  std::optional<std::size_t> bound;  // F<=k and G<=k, k ≥ 2
+};
+
+struct ViewOptions {
+  bool bounds = true;  // recognise F<=k and G<=k
+};
+
+// f is no atom and no constant. O(operands²) at worst, plus k for bounds.
+View view(Formula f, const ViewOptions& options = {});
+View view(const ViewOperand& operand, const ViewOptions& options = {});
+
+}  // namespace waymark::ltl

@@ -1,0 +1,35 @@
+// The weights file: a trained model in one portable binary file. Layout: docs/formats/corpus-and-models.md.
+//
+// Little endian; tables with only the weights that matter, as 16-bit floats, networks whole in float32; an FNV-1a
+// checksum at the end. Saving is lossy once: what is loaded saves to the same bytes.
+#pragma once
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+#include "libparser/decode/beam.hpp"
+#include "libparser/model/linear_model.hpp"
+
+namespace waymark::parser {
+
+inline constexpr double least_weight = 0.0085;
+// Of the reranker and the start_pose_model, whose many small weights add up, the threshold is this share of what it is for others.
+inline constexpr double least_of_rerankers = 0.6;
+inline constexpr std::size_t most_bytes = 6'000'000;
+
+// Weights of tables smaller than `threshold` in absolute value are dropped. Throws std::invalid_argument on a reader that is
+// neither linear nor an encoder-decoder.
+std::string serialize(const LinearModel& model, double threshold = least_weight);
+std::string serialize(const Grounder& grounder, double threshold = least_weight);
+// The same with the threshold raised by quarters until the file fits; `bytes` must leave room for the rest.
+std::string serialize_within(const Grounder& grounder, std::size_t bytes);
+
+// These throw ltl::FormatError when it is no weights file, of another version, cut short or altered.
+LinearModel parse_linear_model(std::string_view bytes, std::string_view source = "");
+Grounder parse_grounder(std::string_view bytes, std::string_view source = "");
+Grounder load_grounder(const std::filesystem::path& file);
+
+// Within most_bytes; to a temporary name that is renamed. Throws ltl::FormatError when the file cannot be written.
+void save(const Grounder& grounder, const std::filesystem::path& file);
+
+}  // namespace waymark::parser

@@ -1,0 +1,25 @@
+// AdaGrad: each weight has its own step size, learning rate / √(sum of its squared gradients). Source: [DHS11].
+#pragma once
+#include <cstdint>
+#include <vector>
+
+#include "libparser/model/linear_model.hpp"
+
+namespace waymark::parser {
+
+class AdaGrad {
+ public:
+  // The table must outlive it. decay: L2, per update of a row.
+  AdaGrad(WeightTable& table, double rate, double decay)
+      : table_(&table), rate_(static_cast<float>(rate)), decay_(static_cast<float>(decay)) {}
+
+  // Ascends: gradient [columns] of the log-likelihood. O(columns).
+  void update(std::uint32_t row, const float* gradient);
+
+ private:
+  WeightTable* table_;
+  float rate_, decay_;
+  std::vector<float> squares_;
+};
+
+}  // namespace waymark::parser

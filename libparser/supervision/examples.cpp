@@ -1,0 +1,128 @@
+#include "libparser/supervision/examples.hpp"
+
+#include <atomic>
+#include <map>
+#include <stdexcept>
+#include <thread>
+
+#include "libparser/supervision/constrained_search.hpp"
+#include "libplan/world/trajectory.hpp"
+
+namespace waymark::parser {
+namespace {
+
+GoldRoute gold_route(const Sentence& sentence, const plan::Map& map, Convention convention) {
+  const auto fail = [&] {
+    throw std::invalid_argument("sentence " + sentence.id + ": its trajectory is impossible on map " +
+                                map.name());
+  };
+  GoldRoute gold;
+  gold.heading_unknown = sentence.heading_unknown;
+  const std::vector<plan::Pose>& path = sentence.path(convention);
+  for (std::size_t i = 0; i < path.size(); ++i) {
+    const auto pose = map.find(path[i]);
+    if (!pose) fail();
+    if (i == 0) {
+      gold.start = *pose;
+    } else {
+      const auto action = plan::action_between(map, gold.end, *pose);
+      if (!action) fail();
+      gold.actions.push_back(*action);
+    }
+    gold.end = *pose;
+  }
+  return gold;
+}
+
+}  // namespace
+
+WordTable words_met_twice(std::span<const Example* const> examples) {
+  std::map<std::string, int> counts;
+  WordTable words;
+  for (const char* side : {"left", "right"}) words.add(side);
+  for (const Example* example : examples)
+    for (const std::string& word : example->input.tokens)
+      if (++counts[word] == 2) words.add(word);
+  return words;
+}
+
+Examples make_examples(const Corpus& corpus, std::span<const Executor> executors, Convention convention) {
+  Examples examples;
+  for (std::size_t i = 0; i < corpus.paragraphs.size(); ++i) {
+    const Paragraph& paragraph = corpus.paragraphs[i];
+    std::size_t m = 0;
+    while (m < executors.size() && executors[m].map().name() != paragraph.map) ++m;
+    if (m == executors.size()) continue;
+    for (std::size_t k = 0; k < paragraph.sentences.size(); ++k) {
+      const Sentence& sentence = paragraph.sentences[k];
+      if (sentence.path(convention).empty()) continue;
+      examples.sentences.push_back({{sentence.tokens, sentence.heading_unknown},
+                                    m,
+                                    gold_route(sentence, executors[m].map(), convention),
+                                    nullptr,
+                                    i,
+                                    k});
+      examples.paragraph.push_back(i);
+      examples.ids.push_back(sentence.id);
+    }
+  }
+  return examples;
+}
+
+namespace {
+
+// do_one(i, thread) for i < n on so many threads; go_on(share done) is asked on the first.
+template <class DoOne>
+void share_out(std::size_t n, int threads, const std::function<bool(double fraction)>& go_on,
+               const DoOne& do_one) {
+  std::atomic<std::size_t> next{0};
+  std::atomic<bool> stop{false};
+  const auto run = [&](std::size_t thread) {
+    for (std::size_t i = next++; i < n && !stop; i = next++) {
+      do_one(i, thread);
+      if (thread == 0 && !go_on(static_cast<double>(i) / static_cast<double>(n))) stop = true;
+    }
+  };
+  {
+    std::vector<std::jthread> helpers;
+    for (int t = 1; t < threads; ++t) helpers.emplace_back(run, static_cast<std::size_t>(t));
+    run(0);
+  }
+  if (stop) throw Stopped{};
+}
+
+// In the temporal dialect a sentence also has programs of its own.
+void add_said_programs(std::span<Example> examples, std::span<const Executor> executors, int threads,
+                       const std::function<bool(double fraction)>& go_on) {
+  const LinearModel frame(executors.front().map().vocabulary(), Dialect::Temporal);
+  std::vector<std::vector<UnitPlans>> plans(static_cast<std::size_t>(threads),
+                                            std::vector<UnitPlans>(executors.size()));
+  share_out(examples.size(), threads, go_on, [&](std::size_t i, std::size_t thread) {
+    Example& example = examples[i];
+    std::vector<Consistent> all = said_programs(executors[example.map], frame, example.gold,
+                                                example.input.tokens, plans[thread][example.map]);
+    all.insert(all.end(), example.programs->begin(), example.programs->end());
+    example.programs = std::make_shared<const std::vector<Consistent>>(std::move(all));
+  });
+}
+
+}  // namespace
+
+void find_programs(std::span<Example> examples, std::span<const Executor> executors,
+                   const PostfixGrammar& grammar, int threads,
+                   const std::function<bool(double fraction)>& go_on) {
+  std::map<std::pair<std::size_t, GoldRoute>, std::shared_ptr<std::vector<Consistent>>> routes;
+  for (Example& example : examples) {
+    auto& programs = routes[{example.map, example.gold}];
+    if (!programs) programs = std::make_shared<std::vector<Consistent>>();
+    example.programs = programs;
+  }
+  std::vector<std::pair<const std::pair<std::size_t, GoldRoute>*, std::vector<Consistent>*>> work;
+  for (auto& [route, programs] : routes) work.emplace_back(&route, programs.get());
+  share_out(work.size(), threads, go_on, [&](std::size_t i, std::size_t) {
+    *work[i].second = consistent_programs(executors[work[i].first->first], grammar, work[i].first->second);
+  });
+  if (grammar.limits().dialect == Dialect::Temporal) add_said_programs(examples, executors, threads, go_on);
+}
+
+}  // namespace waymark::parser

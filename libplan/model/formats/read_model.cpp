@@ -1,0 +1,45 @@
+#include "libplan/model/formats/read_model.hpp"
+
+#include <fstream>
+#include <iterator>
+
+#include "libltl/diagnostic.hpp"
+#include "libplan/model/formats/read_streets.hpp"
+#include "libplan/model/prism/read_prism.hpp"
+#include "libplan/model/prism/read_prism_explicit.hpp"
+#include "libplan/world/json_reader.hpp"
+
+namespace waymark::plan {
+namespace {
+
+std::string contents(const std::filesystem::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  if (!in) throw ltl::FormatError(file.string(), 0, 0, "cannot read the file");
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+bool is_case(std::string_view text, std::string_view source) {
+  const JsonReader::Value document = JsonReader(text, source).parse();
+  return !document.is_object() || document.contains("format");
+}
+
+}  // namespace
+
+PlanningCase read_model(const std::filesystem::path& file, std::string_view start) {
+  const std::string name = file.stem().string(), source = file.string();
+  const auto no_start = [&] {
+    if (!start.empty()) throw ltl::FormatError(source, 0, 0, "this model says itself where it starts");
+  };
+  if (file.extension() == ".tra") {
+    no_start();
+    return {name, read_prism_explicit(file), {}};
+  }
+  const std::string text = contents(file);
+  if (file.extension() == ".json" && !is_case(text, source))
+    return {name, parse_streets(text, source, start), {}};
+  no_start();
+  if (file.extension() == ".json") return parse_case(text, source);
+  return {name, parse_prism(text, source), {}};
+}
+
+}  // namespace waymark::plan

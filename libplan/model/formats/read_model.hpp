@@ -1,0 +1,15 @@
+// One reader for every kind of file that holds a model, told apart by its name and, of JSON, by what is in it.
+#pragma once
+#include <filesystem>
+#include <string_view>
+
+#include "libplan/model/formats/read_case.hpp"
+
+namespace waymark::plan {
+
+// FILE.tra: PRISM's explicit files with that prefix. FILE.json: a planning case (its tasks come with it), or a street
+// graph. Anything else: the language of PRISM. The name is that of the case, else that of the file without its end.
+// `start`: of street graphs only. Throws ltl::FormatError and ltl::SyntaxError.
+PlanningCase read_model(const std::filesystem::path& file, std::string_view start = "");
+
+}  // namespace waymark::plan

@@ -1,0 +1,111 @@
+// The composed route against products of whole automata, minimised at the end.
+#include "libautomata/finite/portfolio.hpp"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "libautomata/finite/ltlf_to_dfa.hpp"
+#include "libautomata/finite/minimize.hpp"
+#include "libautomata/finite/product.hpp"
+#include "libautomata/hoa/finite.hpp"
+#include "libltl/structure/random.hpp"
+#include "libltl/text/parse.hpp"
+#include "libltl/text/print.hpp"
+
+namespace waymark::automata {
+namespace {
+
+// Conjunctions and disjunctions of random formulas that share some propositions: some so large that a first direct
+// attempt fails.
+TEST(FiniteRoutes, AgreeWithProductsOfTheOperands) {
+  const std::vector<std::string> names{"a", "b", "c", "d", "e", "f", "g", "h"};
+  ltl::Random random(31);
+  std::size_t large = 0;
+  for (int i = 0; i < 150; ++i) {
+    ltl::Arena arena{ltl::Vocabulary(names)};
+    const bool conjunction = random.chance(0.6);
+    std::vector<ltl::Formula> operands;
+    for (std::size_t k = 0; k < 4; ++k) {
+      ltl::Arena own(ltl::Vocabulary({names[2 * k], names[2 * k + 1], names[random.below(8)]}));
+      const std::size_t atoms = own.vocabulary().size();
+      const ltl::Formula goal = ltl::random_formula(random, own, {.size = 8, .atoms = atoms});
+      ltl::Formula late = own.atom(names[2 * k + 1]);
+      for (std::size_t wait = random.below(4); wait > 0; --wait)
+        late = ltl::weak_next(ltl::disjunction(late, goal));
+      const ltl::Formula response = ltl::always(ltl::implies(own.atom(names[2 * k]), late));
+      operands.push_back(ltl::transfer(random.chance(0.8) ? response : goal, arena));
+    }
+    const ltl::Formula f =
+        conjunction ? ltl::conjunction(arena, operands) : ltl::disjunction(arena, operands);
+    const Dfa made = ltlf_to_dfa(f);
+    Dfa expected = ltlf_to_dfa(operands[0]);
+    for (std::size_t k = 1; k < operands.size(); ++k) {
+      const Verdict both = [](bool p, bool q) { return p && q; };
+      const Verdict either = [](bool p, bool q) { return p || q; };
+      const Dfa operand = ltlf_to_dfa(operands[k]);
+      expected = product(expected, operand, conjunction ? both : either);
+    }
+    expected = minimize(expected);
+    ASSERT_EQ(made.states(), expected.states()) << ltl::print(f);
+    ASSERT_FALSE(difference(made, expected).has_value()) << ltl::print(f);
+    large += made.states() > 100 ? 1 : 0;
+  }
+  EXPECT_GT(large, 5U);
+}
+
+// G (a1 -> F b1) & …: neighbours in the order of propositions, or all triggers before all responses.
+TEST(FiniteRoutes, TheOrderOfPropositionsDoesNotMatter) {
+  constexpr std::size_t n = 9;
+  std::vector<std::string> apart;
+  std::string text = "true";
+  for (const char* side : {"a", "b"})
+    for (std::size_t i = 1; i <= n; ++i) apart.push_back(side + std::to_string(i));
+  for (std::size_t i = 1; i <= n; ++i)
+    text += " & G (a" + std::to_string(i) + " -> F b" + std::to_string(i) + ")";
+  ltl::Arena in_pairs, in_halves{ltl::Vocabulary(apart)};
+  const Dfa first = ltlf_to_dfa(ltl::parse(text, in_pairs)),
+            second = ltlf_to_dfa(ltl::parse(text, in_halves));
+  EXPECT_EQ(first.states(), (1U << n) + 1);
+  EXPECT_EQ(second.states(), (1U << n) + 1);
+  EXPECT_FALSE(difference(first, second).has_value());
+}
+
+TEST(FiniteRoutes, OperandsWithoutPropositionsAreOperandsToo) {
+  ltl::Arena arena;
+  const ltl::Formula f = ltl::parse("X X X true & N N N N false & F a & F b & G (c -> F d)", arena);
+  const ltl::Formula g = ltl::parse("F a & X X X true & F b & G (c -> F d) & !X X X X true", arena);
+  const Dfa first = ltlf_to_dfa(f), second = ltlf_to_dfa(g);
+  EXPECT_EQ(first.states(), second.states());
+  EXPECT_FALSE(difference(first, second).has_value());
+}
+
+// Disjoint groups, one of which is settled at once: no product of the others is made.
+TEST(FiniteRoutes, AnImpossibleOperandIsNoticedInTime) {
+  ltl::Arena arena;
+  std::string text = "F (z & !z)";
+  for (int i = 0; i < 12; ++i) text += " & F p" + std::to_string(i);
+  EXPECT_EQ(ltlf_to_dfa(ltl::parse(text, arena)).states(), 1U);
+}
+
+// Operands that share a proposition: neither route stays within the limit, and both are tried once only.
+TEST(FiniteRoutes, LimitsEndBothRoutes) {
+  ltl::Arena arena;
+  std::string text = "true";
+  for (int i = 0; i < 12; ++i) text += " & G (z -> F p" + std::to_string(i) + ")";
+  const ltl::Formula f = ltl::parse(text, arena);
+  const auto limited = ltlf_to_dfa(f, {.states = 1000});
+  ASSERT_TRUE(std::holds_alternative<Exhausted>(limited));
+  EXPECT_GT(std::get<Exhausted>(limited).states, 1000U);
+  EXPECT_EQ(std::get<Dfa>(ltlf_to_dfa(f, {.states = 1'000'000})).states(), (1U << 12U) + 1);
+}
+
+TEST(FiniteRoutes, BytesAreTheSameOnEachRun) {
+  const std::string text =
+      "(F a & G (b -> F c) | G (d -> X a)) & (F e U f) & G (g -> N (h | a)) & (F c <-> F h)";
+  ltl::Arena one, two;
+  EXPECT_EQ(write_hoa(ltlf_to_dfa(ltl::parse(text, one))), write_hoa(ltlf_to_dfa(ltl::parse(text, two))));
+}
+
+}  // namespace
+}  // namespace waymark::automata

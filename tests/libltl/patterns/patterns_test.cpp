@@ -1,0 +1,192 @@
+// The pattern catalogues: against the formulas as collected elsewhere, and against words that show what they mean.
+#include "libltl/patterns/patterns.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <set>
+#include <stdexcept>
+
+#include "libltl/diagnostic.hpp"
+#include "libltl/meaning/semantics.hpp"
+#include "libltl/structure/random.hpp"
+#include "libltl/text/parse.hpp"
+#include "libltl/text/print.hpp"
+#include "tests/support/generate.hpp"
+#include "tests/support/places.hpp"
+
+namespace waymark::ltl {
+namespace {
+
+namespace fs = std::filesystem;
+
+// By odd number of the catalogue: which parameter p0, p1, … of the collected formula is.
+constexpr const char* parameters_of_line[] = {"p",    "qp",    "qrp",  "rp",    "qrp",  "p",     "qp",
+                                              "qpr",  "rp",    "qrp",  "ps",    "qps",  "qrps",  "rps",
+                                              "qrps", "pst",   "qpst", "qprst", "rstp", "qrstp", "stp",
+                                              "qstp", "qsrtp", "rpst", "qrpst", "pszt", "qpszt", "qprszt"};
+
+TEST(Patterns, AgreeWithTheCollectedFormulas) {
+  const fs::path file = testing::shared() / "ltl" / "ltl_dwyer.ltl";
+  if (!fs::exists(file)) GTEST_SKIP() << "benchmark formulas not found: " << file << " (set WAYMARK_SHARED)";
+  std::ifstream in(file);
+  const std::vector<Pattern> patterns = property_patterns();
+  std::size_t line = 0;
+  for (std::string text; std::getline(in, text); ++line) {
+    ASSERT_LT(line, std::size(parameters_of_line));
+    const Pattern& pattern = patterns[2 * line];
+    Arena arena;
+    const std::string order = parameters_of_line[line];
+    std::vector<std::string> arguments;
+    for (char parameter : pattern.parameters)
+      if (parameter != ' ') arguments.push_back("p" + std::to_string(order.find(parameter)));
+    for (std::size_t i = 0; i < order.size(); ++i) arena.atom("p" + std::to_string(i));
+    const Formula ours = instantiate(pattern.name, arguments, arena), theirs = parse(text, arena);
+    if (ours == theirs) continue;
+    Random random(line + 1);
+    for (int i = 0; i < 2'000; ++i) {
+      const Lasso word = random_lasso(
+          random,
+          {.prefix = random.below(6), .cycle = 1 + random.below(4), .atoms = order.size(), .density = 0.3});
+      ASSERT_EQ(holds(word, ours), holds(word, theirs))
+          << pattern.name << " " << print(ours) << " and line " << line + 1 << " " << print(theirs) << " on "
+          << show(word, arena.vocabulary());
+    }
+  }
+  EXPECT_EQ(line, std::size(parameters_of_line));
+}
+
+TEST(Patterns, HaveNamesOfTheirOwnAndFormulasThatInstantiateThem) {
+  std::set<std::string> names;
+  std::vector<Pattern> all = property_patterns();
+  EXPECT_EQ(all.size(), 55U);
+  for (const Pattern& mission : mission_patterns()) all.push_back(mission);
+  for (const Pattern& pattern : all) {
+    EXPECT_TRUE(names.insert(pattern.name).second) << pattern.name;
+    EXPECT_TRUE(pattern.source == "DAC98" || pattern.source == "MTP+21");
+    std::vector<std::string> arguments;
+    for (char parameter : pattern.parameters)
+      if (parameter != ' ') arguments.emplace_back(1, parameter);
+    if (pattern.parameters == "l..") arguments = {"l1", "l2", "l3"};
+    if (pattern.parameters == "n l") arguments = {"2", "l"};
+    Arena arena;
+    EXPECT_EQ(print(parse(pattern.formula, arena)), print(instantiate(pattern.name, arguments, arena)))
+        << pattern.name;
+  }
+}
+
+// Before the first r, every scope "before" is the body on the word up to there; likewise for the others: told apart
+// by words on which absence holds in one scope and not in the next.
+TEST(Patterns, ScopesAreWhatTheySay) {
+  const auto absent = [](Scope scope, std::initializer_list<const char*> letters) {
+    Arena arena(Vocabulary({"p", "q", "r"}));
+    std::vector<Letter> word;
+    for (std::string_view text : letters) {
+      word.emplace_back();
+      for (char c : text) word.back().insert(*arena.vocabulary().find(std::string(1, c)));
+    }
+    std::vector<Formula> arguments{arena.atom("p")};
+    if (scope == Scope::After || scope == Scope::Between || scope == Scope::AfterUntil)
+      arguments.push_back(arena.atom("q"));
+    if (scope == Scope::Before || scope == Scope::Between || scope == Scope::AfterUntil)
+      arguments.push_back(arena.atom("r"));
+    return holds(Lasso(word, {Letter{}}), property(Body::Absence, scope, arguments));
+  };
+  EXPECT_FALSE(absent(Scope::Globally, {"", "p"}));
+  EXPECT_TRUE(absent(Scope::Before, {"", "r", "p"}));
+  EXPECT_FALSE(absent(Scope::Before, {"p", "r"}));
+  EXPECT_TRUE(absent(Scope::Before, {"p", "p"})) << "there is no r";
+  EXPECT_TRUE(absent(Scope::After, {"p", "q"}));
+  EXPECT_FALSE(absent(Scope::After, {"q", "", "p"}));
+  EXPECT_TRUE(absent(Scope::Between, {"q", "p"})) << "there is no r";
+  EXPECT_FALSE(absent(Scope::Between, {"q", "p", "r"}));
+  EXPECT_FALSE(absent(Scope::AfterUntil, {"q", "p"}));
+  EXPECT_TRUE(absent(Scope::AfterUntil, {"q", "r", "p"}));
+}
+
+// Words over places a, b, c: which letters, once or (…) for ever.
+bool achieves(Mission mission_, std::string_view once, std::string_view forever, std::size_t places) {
+  Arena arena(testing::letters_vocabulary(places));
+  const auto letters = [](std::string_view text) {
+    std::vector<Letter> out;
+    for (char c : text)
+      out.push_back(c == '-' ? Letter{} : Letter{Proposition{static_cast<std::uint32_t>(c - 'a')}});
+    return out;
+  };
+  std::vector<Formula> l;
+  for (std::uint32_t i = 0; i < places; ++i) l.push_back(arena.atom(Proposition{i}));
+  return holds(Lasso(letters(once), letters(forever)), mission(mission_, l));
+}
+
+TEST(Patterns, MissionsTellWordsApart) {
+  EXPECT_TRUE(achieves(Mission::Visit, "ba", "-", 2));
+  EXPECT_FALSE(achieves(Mission::Visit, "b", "-", 2));
+  EXPECT_TRUE(achieves(Mission::SequencedVisit, "bab", "-", 2));
+  EXPECT_FALSE(achieves(Mission::SequencedVisit, "ba", "-", 2));
+  EXPECT_TRUE(achieves(Mission::OrderedVisit, "aab", "-", 2));
+  EXPECT_FALSE(achieves(Mission::OrderedVisit, "bab", "-", 2));
+  EXPECT_TRUE(achieves(Mission::StrictOrderedVisit, "a-bab", "-", 2));
+  EXPECT_FALSE(achieves(Mission::StrictOrderedVisit, "aab", "-", 2));
+  EXPECT_TRUE(achieves(Mission::FairVisit, "abc", "-", 3));
+  EXPECT_FALSE(achieves(Mission::FairVisit, "a-abc", "-", 3));
+  EXPECT_TRUE(achieves(Mission::Patrolling, "", "ba", 2));
+  EXPECT_FALSE(achieves(Mission::Patrolling, "ab", "a", 2));
+  EXPECT_TRUE(achieves(Mission::SequencedPatrolling, "b", "aab", 2));
+  EXPECT_FALSE(achieves(Mission::OrderedPatrolling, "b", "ab", 2));
+  EXPECT_TRUE(achieves(Mission::OrderedPatrolling, "", "a-b", 2));
+  EXPECT_FALSE(achieves(Mission::OrderedPatrolling, "", "abb", 2));
+  EXPECT_TRUE(achieves(Mission::StrictOrderedPatrolling, "", "a-b-", 2));
+  EXPECT_FALSE(achieves(Mission::StrictOrderedPatrolling, "", "aab", 2));
+  EXPECT_TRUE(achieves(Mission::FairPatrolling, "", "abc", 3));
+  EXPECT_FALSE(achieves(Mission::FairPatrolling, "", "abcb", 3));
+  EXPECT_FALSE(achieves(Mission::GlobalAvoidance, "--a", "-", 1));
+  EXPECT_TRUE(achieves(Mission::PastAvoidance, "-ba", "-", 2));
+  EXPECT_FALSE(achieves(Mission::FutureAvoidance, "-ba", "-", 2));
+  EXPECT_TRUE(achieves(Mission::PromptReaction, "ab", "-", 2));
+  EXPECT_FALSE(achieves(Mission::PromptReaction, "a-b", "-", 2));
+  EXPECT_TRUE(achieves(Mission::DelayedReaction, "a-b", "-", 2));
+  EXPECT_FALSE(achieves(Mission::InstantaneousReaction, "ab", "-", 2));
+  EXPECT_FALSE(achieves(Mission::BoundReaction, "b", "-", 2));
+  EXPECT_FALSE(achieves(Mission::BoundDelay, "-b-b", "-", 2));
+  EXPECT_TRUE(achieves(Mission::BoundDelay, "abab", "-", 2));
+  EXPECT_TRUE(achieves(Mission::Wait, "aab", "-", 2));
+  EXPECT_FALSE(achieves(Mission::Wait, "a-b", "-", 2));
+}
+
+TEST(Patterns, RestrictedAvoidanceCounts) {
+  Arena arena(testing::letters_vocabulary(1));
+  const Formula a = arena.atom("a");
+  for (std::size_t bound = 1; bound <= 3; ++bound)
+    testing::for_each_lasso({.length = 5, .atoms = 1}, [&](const Lasso& word) {
+      std::size_t times = 0;
+      for (std::size_t i = 0; i < word.size(); ++i)
+        if (!word[i].empty()) times += i < word.loop_start() ? 1 : 100;  // on the cycle: for ever
+      EXPECT_EQ(holds(word, restricted_avoidance(Mission::UpperRestrictedAvoidance, bound, a)),
+                times <= bound);
+      EXPECT_EQ(holds(word, restricted_avoidance(Mission::LowerRestrictedAvoidance, bound, a)),
+                times >= bound);
+      EXPECT_EQ(holds(word, restricted_avoidance(Mission::ExactRestrictedAvoidance, bound, a)),
+                times == bound)
+          << bound << " on " << show(word, arena.vocabulary());
+    });
+}
+
+TEST(Patterns, RefuseWhatDoesNotFit) {
+  Arena arena;
+  const auto make = [&](std::string_view name, std::vector<std::string> arguments) {
+    return instantiate(name, arguments, arena);
+  };
+  EXPECT_THROW(make("absence-sometimes", {"p"}), std::invalid_argument);
+  EXPECT_THROW(make("absence-before", {"p"}), std::invalid_argument);
+  EXPECT_THROW(make("visit", {}), std::invalid_argument);
+  EXPECT_THROW(make("wait", {"a"}), std::invalid_argument);
+  EXPECT_THROW(make("upper-restricted-avoidance", {"0", "a"}), std::invalid_argument);
+  EXPECT_THROW(make("upper-restricted-avoidance", {"2x", "a"}), std::invalid_argument);
+  EXPECT_THROW(make("visit", {"a", "b U"}), SyntaxError);
+  EXPECT_EQ(print(make("response-globally", {"a & b", "F c"})), "G((a & b) -> F F c)");
+}
+
+}  // namespace
+}  // namespace waymark::ltl

@@ -1,0 +1,56 @@
+// What tests of choosing share: sentences of any words, a reader that reads random programs, and models with weights for
+// whatever features their routes have.
+#pragma once
+#include <random>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "libparser/rerank/reranker.hpp"
+#include "tests/libparser/maps.hpp"
+
+namespace waymark::parser {
+
+inline SentenceInput random_sentence(std::mt19937_64& random) {
+  static const std::vector<std::string> words{"left", "right", "chair", "blue",
+                                              "two",  "until", "wall",  "second"};
+  SentenceInput input;
+  for (std::size_t n = 1 + random() % 5; n > 0; --n) input.tokens.push_back(words[random() % words.size()]);
+  return input;
+}
+
+// Programs that depend on the words alone.
+class RandomReader : public Reader {
+ public:
+  explicit RandomReader(const PostfixGrammar& grammar) : grammar_(grammar) {}
+  std::vector<Candidate> read(const SentenceInput& input, std::size_t beam) const override {
+    std::size_t seed = 1;
+    for (const std::string& word : input.tokens) seed = 31 * seed + std::hash<std::string>()(word);
+    std::mt19937_64 random(seed);
+    std::vector<Candidate> out;
+    for (std::size_t i = 0; i < beam; ++i)
+      out.push_back({random_program(grammar_, random), -0.05 * static_cast<double>(i)});
+    return out;
+  }
+
+ private:
+  const PostfixGrammar& grammar_;
+};
+
+// Gives every feature of the ends of this decision that the table does not have a random weight.
+inline void add_weights(const LinearModel& model, const Executor& executor, const SentenceInput& input,
+                        plan::PoseId start, const Decision& decision, WeightTable& table,
+                        std::mt19937_64& random) {
+  RerankerSentence sentence(model, input);
+  for (const End& end : decision.ends)
+    sentence.add_end(executor, start, *decision.plans[end.candidate], end.mass);
+  std::uniform_real_distribution<float> weight(-0.3F, 0.3F);
+  const auto add = [&](std::uint64_t feature) {
+    if (table.find(feature) == WeightTable::absent) *table.row(table.add(feature)) = weight(random);
+  };
+  add(log_mass_feature());
+  for (const auto& bundle : sentence.take().bundles)
+    for (const std::uint64_t feature : bundle) add(feature);
+}
+
+}  // namespace waymark::parser
