@@ -66,7 +66,7 @@ TEST_F(Ground, WhatFollowsHasASayInWhatWentBefore) {
       "Face the brick hall. Go to the end of it. Turn right. Walk to the hatrack.",
       "Turn around. Move to the intersection. A chair is on your left.",
   };
-  const GroundingFollower whole({model()}, {}), settling({model()}, {.paragraph = {.alive = 1}});
+  const GroundingFollower whole({model()}, {}), settling({model()}, {.paragraph = {.beam_width = 1}});
   std::size_t unsettled = 0, paragraphs = 0;
   for (const plan::Map& map : shipped_maps()) {
     const Executor executor(map);

@@ -13,7 +13,7 @@ namespace waymark::parser {
 namespace {
 
 // RankingInstances of one map, by a reader of the others.
-struct Lessons {
+struct Setting {
   std::vector<Executor> executors{shipped_maps().begin(), shipped_maps().end()};
   TrainOptions options;
   Examples examples;
@@ -21,7 +21,7 @@ struct Lessons {
   Grounder reader;
   RankingInstances instances;
 
-  Lessons() {
+  Setting() {
     const Corpus corpus =
         generate_corpus(shipped_maps(), {.seed = 3, .paragraphs = testing::scaled(60), .sentences = 4});
     examples = make_examples(corpus, executors, Convention::Absolute);
@@ -35,22 +35,22 @@ struct Lessons {
   }
 };
 
-const Lessons& instances() {
-  static const Lessons instances;
-  return instances;
+const Setting& setting() {
+  static const Setting setting;
+  return setting;
 }
 
 TEST(LearnReranker, OfEndsTheGoldOneIsRightOfStartsTheGoldOne) {
-  ASSERT_FALSE(instances().instances.of_ends.empty());
-  ASSERT_FALSE(instances().instances.of_starts.empty());
-  for (const RankingInstance& instance : instances().instances.of_ends) {
+  ASSERT_FALSE(setting().instances.of_ends.empty());
+  ASSERT_FALSE(setting().instances.of_starts.empty());
+  for (const RankingInstance& instance : setting().instances.of_ends) {
     ASSERT_EQ(instance.right.size(), 1U);
     for (std::size_t i = 0; i < instance.options.size(); ++i) {
       EXPECT_EQ(instance.options[i].start, instance.example->gold.start);
       EXPECT_EQ(instance.options[i].plan.end == instance.example->gold.end, i == instance.right.front());
     }
   }
-  for (const RankingInstance& instance : instances().instances.of_starts) {
+  for (const RankingInstance& instance : setting().instances.of_starts) {
     ASSERT_LT(instance.right.size(), instance.options.size());
     for (std::size_t i = 0; i < instance.options.size(); ++i)
       EXPECT_EQ(instance.options[i].start == instance.example->gold.start,
@@ -60,10 +60,10 @@ TEST(LearnReranker, OfEndsTheGoldOneIsRightOfStartsTheGoldOne) {
 
 // Sentences that begin a paragraph, or begin elsewhere than where the last one ended, say nothing about starts.
 TEST(LearnReranker, StartsAreAskedForOnlyWhereAParagraphGoesOn) {
-  for (const RankingInstance& instance : instances().instances.of_starts) {
+  for (const RankingInstance& instance : setting().instances.of_starts) {
     const Example& example = *instance.example;
-    const auto it = std::find(instances().heard.begin(), instances().heard.end(), &example);
-    ASSERT_NE(it, instances().heard.begin());
+    const auto it = std::find(setting().heard.begin(), setting().heard.end(), &example);
+    ASSERT_NE(it, setting().heard.begin());
     const Example& before = **(it - 1);
     EXPECT_EQ(before.paragraph, example.paragraph);
     EXPECT_EQ(before.position + 1, example.position);
@@ -78,7 +78,7 @@ double log_likelihood(const LinearModel& model, const WeightTable& table,
   for (const RankingInstance& instance : instances) {
     RerankerSentence sentence(model, instance.example->input);
     for (const RankingInstance::Option& option : instance.options)
-      sentence.add_end(instances().executors[instance.example->map], option.start, option.plan, option.mass);
+      sentence.add_end(setting().executors[instance.example->map], option.start, option.plan, option.mass);
     const EndFeatures features = sentence.take();
     double all = 0, right = 0;
     for (std::size_t i = 0; i < features.ends.size(); ++i) {
@@ -99,10 +99,9 @@ double log_likelihood(const LinearModel& model, const WeightTable& table,
 
 TEST(LearnReranker, WhatIsRightBecomesLikelier) {
   const auto learned = [&](int epochs) {
-    TrainOptions options = instances().options;
+    TrainOptions options = setting().options;
     options.reranker_epochs = epochs;
-    return with_reranker(instances().reader, instances().instances, instances().executors, options,
-                         [](double) {});
+    return with_reranker(setting().reader, setting().instances, setting().executors, options, [](double) {});
   };
   const Grounder before = learned(0), after = learned(6);
   const auto gain = [&](const WeightTable LinearModel::*table,
@@ -110,11 +109,11 @@ TEST(LearnReranker, WhatIsRightBecomesLikelier) {
     return log_likelihood(*after.model, (*after.model).*table, instances) -
            log_likelihood(*before.model, (*before.model).*table, instances);
   };
-  EXPECT_GT(gain(&LinearModel::reranker, instances().instances.of_ends), 0.1);
-  EXPECT_GT(gain(&LinearModel::start_pose_model, instances().instances.of_starts), 0.1);
+  EXPECT_GT(gain(&LinearModel::reranker, setting().instances.of_ends), 0.1);
+  EXPECT_GT(gain(&LinearModel::start_pose_model, setting().instances.of_starts), 0.1);
   // Each from its own instances: the reranker is the worse start_pose_model.
-  EXPECT_GT(log_likelihood(*after.model, after.model->start_pose_model, instances().instances.of_starts),
-            log_likelihood(*after.model, after.model->reranker, instances().instances.of_starts));
+  EXPECT_GT(log_likelihood(*after.model, after.model->start_pose_model, setting().instances.of_starts),
+            log_likelihood(*after.model, after.model->reranker, setting().instances.of_starts));
 }
 
 }  // namespace
