@@ -61,10 +61,8 @@ MethodRuns exact(std::string_view name, const std::vector<double>& seconds) {
 }
 
 std::string why_not(const plan::Method& method, const ComparedTask& compared) {
-  const auto* dqn = std::get_if<plan::DqnMethod>(&method.how);
-  if (!compared.formula && (dqn == nullptr || dqn->trees)) return "it reads a formula";
-  return dqn != nullptr ? "what it sees is on hallway maps only"
-                        : "it takes one start and few temporal operators";
+  const auto* dqn = std::get_if<plan::DqnMethod>(&method.how);  // the others are allowed everywhere
+  return !compared.formula && dqn->trees ? "it reads a formula" : "what it sees is on hallway maps only";
 }
 
 }  // namespace
@@ -76,10 +74,7 @@ Comparison::Comparison(const CompareChoice& choice, const Session& session)
       verdicts_(methods_.size()) {}
 
 plan::LearningTaskOptions Comparison::task_options() const {
-  const bool gltl = std::any_of(methods_.begin(), methods_.end(), [](const plan::Method& method) {
-    return std::holds_alternative<plan::GltlMethod>(method.how);
-  });
-  return {.noise = {}, .discount = choice_.protocol.discount, .gltl = gltl};
+  return {.noise = {}, .discount = choice_.protocol.discount};
 }
 
 ExitCode Comparison::run(ComparedTask compared, const plan::LearningTask& task, bool is_single) {

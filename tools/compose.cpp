@@ -1,4 +1,5 @@
 // waymark compose: formula or automaton, and a map or any model → their product, its sizes or its graph.
+#include <boost/range/iterator_range.hpp>
 #include <iostream>
 #include <memory>
 
@@ -30,56 +31,58 @@ struct Counts {
   std::size_t accepting = 0, traps = 0;
 };
 
-Counts count(const plan::Product& product) {
+Counts count(const plan::MapProduct& product) {
   Counts counts;
-  for (plan::ProductVertex v = 0; v < num_vertices(product.graph); ++v) {
+  for (const plan::ProductState& v : boost::make_iterator_range(vertices(product))) {
     counts.accepting += product.is_accepting(v) ? 1 : 0;
     counts.traps += product.is_trap(v) ? 1 : 0;
   }
   return counts;
 }
 
-Json json_of(const plan::Product& product, std::optional<ltl::Formula> formula) {
+Json json_of(const plan::MapProduct& product, std::optional<ltl::Formula> formula) {
   const Counts counts = count(product);
   return JsonObject()
       .add("formula", formula ? Json(ltl::print(*formula)) : Json())
-      .add("map", product.map->name())
-      .add("automaton", json_of(size_of(*product.dfa)))
+      .add("map", product.map().name())
+      .add("automaton", json_of(size_of(product.dfa())))
       .add("product", JsonObject()
-                          .add("states", num_vertices(product.graph))
-                          .add("edges", num_edges(product.graph))
-                          .add("starts", product.starts.size())
+                          .add("states", num_vertices(product))
+                          .add("edges", num_edges(product))
+                          .add("starts", product.starts().size())
                           .add("accepting", counts.accepting)
                           .add("traps", counts.traps));
 }
 
-void print_text(const plan::Product& product, std::optional<ltl::Formula> formula, const Terminal& terminal) {
+void print_text(const plan::MapProduct& product, std::optional<ltl::Formula> formula,
+                const Terminal& terminal) {
   const Counts counts = count(product);
   if (formula) std::cout << "formula    " << shown(*formula, terminal) << '\n';
-  std::cout << "automaton  " << counted(product.dfa->states(), "state") << '\n'
-            << "product    " << counted(num_vertices(product.graph), "state") << " (" << counts.accepting
-            << " accepting, " << counts.traps << " without hope), "
-            << counted(num_edges(product.graph), "edge") << ", with the map " << product.map->name() << '\n';
+  std::cout << "automaton  " << counted(product.dfa().states(), "state") << '\n'
+            << "product    " << counted(num_vertices(product), "state") << " (" << counts.accepting
+            << " accepting, " << counts.traps << " without hope), " << counted(num_edges(product), "edge")
+            << ", with the map " << product.map().name() << '\n';
 }
 
-void print_dot(const plan::Product& product) {
+void print_dot(const plan::MapProduct& product) {
   std::cout << "digraph product {\n  node [shape=box, style=rounded, fontname=\"Helvetica\", fontsize=11];\n"
             << "  edge [fontname=\"Helvetica\", fontsize=10];\n";
-  for (plan::ProductVertex v = 0; v < num_vertices(product.graph); ++v) {
-    const plan::ProductState& state = product.graph[v];
-    std::cout << "  " << v << " [label=\"" << plan::show(product.map->pose(state.pose)) << " · "
-              << state.task.index << '"' << (product.is_accepting(v) ? ", peripheries=2" : "")
+  for (const plan::ProductState& v : boost::make_iterator_range(vertices(product))) {
+    std::cout << "  " << product.index(v) << " [label=\"" << product.model().name(v.place) << " · " << v.task
+              << '"' << (product.is_accepting(v) ? ", peripheries=2" : "")
               << (product.is_trap(v) ? ", color=gray70" : "") << "];\n";
   }
-  for (std::size_t i = 0; i < product.starts.size(); ++i)
-    std::cout << "  start" << i << " [shape=point]; start" << i << " -> " << product.starts[i] << ";\n";
-  for (const auto edge : boost::make_iterator_range(edges(product.graph)))
-    std::cout << "  " << source(edge, product.graph) << " -> " << target(edge, product.graph) << " [label=\""
-              << plan::name(product.graph[edge].action) << "\"];\n";
+  for (std::size_t i = 0; i < product.starts().size(); ++i)
+    std::cout << "  start" << i << " [shape=point]; start" << i << " -> "
+              << product.index(product.starts()[i]) << ";\n";
+  for (const plan::ProductState& v : boost::make_iterator_range(vertices(product)))
+    for (auto [e, end] = out_edges(v, product); e != end; ++e)
+      std::cout << "  " << product.index(v) << " -> " << product.index(e->to) << " [label=\""
+                << plan::name(product.action(*e)) << "\"];\n";
   std::cout << "}\n";
 }
 
-void answer(const plan::Product& product, std::optional<ltl::Formula> formula, const Options& options,
+void answer(const plan::MapProduct& product, std::optional<ltl::Formula> formula, const Options& options,
             const Session& session) {
   if (options.output.format == "json")
     std::cout << json_of(product, formula).text() << '\n';
@@ -89,9 +92,9 @@ void answer(const plan::Product& product, std::optional<ltl::Formula> formula, c
     print_text(product, formula, session.out);
 }
 
-plan::Product composed(const plan::Map& map, const automata::Dfa& dfa, std::span<const plan::PoseId> starts,
-                       const Session& session) {
-  std::optional<plan::Product> product = plan::compose(map, dfa, starts, {.stop = session.stop});
+plan::MapProduct composed(const plan::Map& map, const automata::Dfa& dfa,
+                          std::span<const plan::PoseId> starts, const Session& session) {
+  std::optional<plan::MapProduct> product = plan::compose(map, dfa, starts, {.stop = session.stop});
   if (!product) throw Interrupted();
   return std::move(*product);
 }

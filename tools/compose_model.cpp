@@ -28,7 +28,7 @@ Json graph_of(const StateLabelled& model) {
     states.add(JsonObject().add("name", model.mdp.name(s)).add("letter", letter_of(model, s)));
     for (std::uint32_t k = 0; k < model.mdp.choices(s); ++k) {
       JsonArray outcomes;
-      for (const plan::MdpOutcome& o : model.mdp.outcomes(s, k))
+      for (const plan::ModelOutcome& o : model.mdp.outcomes(s, k))
         outcomes.add(JsonObject().add("to", o.target).add("probability", o.probability));
       choices.add(JsonObject()
                       .add("from", s)
@@ -60,7 +60,7 @@ void print_dot(const StateLabelled& model) {
       const std::string drawn = 'c' + std::to_string(s) + '_' + std::to_string(k);
       std::cout << "  " << drawn << " [shape=point]; " << s << " -> " << drawn << " [label=" << action
                 << ", dir=none];\n";
-      for (const plan::MdpOutcome& o : outcomes)
+      for (const plan::ModelOutcome& o : outcomes)
         std::cout << "  " << drawn << " -> " << o.target << " [label=\"" << Json(o.probability).text()
                   << "\"];\n";
     }

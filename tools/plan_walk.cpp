@@ -205,8 +205,8 @@ FoundRoutes cheapest(const WalkTask& task, const automata::Dfa& dfa, std::size_t
   FoundRoutes found;
   for (const plan::PoseId start : task.starts) {
     const plan::Mdp mdp = plan::mdp_of(task.map, start);
-    const auto answer =
-        plan::least_routes(mdp, plan::TaskTable(dfa, mdp.letters()), most, 100'000'000, session.stop);
+    const auto answer = plan::least_routes(plan::Product(mdp, plan::TaskTable(dfa, mdp.letters())), most,
+                                           100'000'000, session.stop);
     if (!answer && session.stop.stop_requested()) throw Interrupted();
     if (!answer) throw GaveUp("the search for routes met its limit");
     found.budget.met += answer->budget.met;

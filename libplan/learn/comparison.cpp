@@ -46,10 +46,6 @@ std::vector<Method> learning_methods() {
        QLearning{.shaped = true}, false},
       {"lpopl", "one value function for each progressed formula, sub-tasks easiest first",
        QLearning{.counterfactual = true, .curriculum = true, .replays = replays}},
-      {"hierarchical", "an option for each proposition, and a controller that chooses among them",
-       Hierarchical{}},
-      {"gltl", "`counterfactual` rewarded by geometric LTL: operators expire",
-       GltlMethod{{.counterfactual = true, .replays = replays}}, false},
       {"dqn-objects", "deep Q-learning on distances from the pose to objects", DqnMethod{{}, Sight::Objects}},
       {"dqn-landmarks", "the same, to floors and paintings too", DqnMethod{{}, Sight::Landmarks}},
       {"dqn-literal", "the same, distances from the place whatever the heading",
@@ -74,8 +70,6 @@ LearningTask::LearningTask(const Map& map, const automata::Dfa& dfa, std::option
     : LearningTask(tabulate(map, dfa, starts, options.noise), formula, options.discount) {
   for (const Sight sight : {Sight::Objects, Sight::Landmarks, Sight::Literal})
     observations_[static_cast<std::size_t>(sight)] = observe(map, sight);
-  if (options.gltl && formula && starts.size() == 1)
-    prepare_gltl(mdp_of(map, starts[0], options.noise), *formula);
 }
 
 template <class Model>
@@ -83,7 +77,6 @@ LearningTask::LearningTask(const Model& model, const automata::Dfa& dfa, std::op
                            const LearningTaskOptions& options)
     : LearningTask(compose(model, tabulate(dfa, model.letters())), formula, options.discount) {
   observations_[static_cast<std::size_t>(Sight::Landmarks)] = observe(model);
-  if (options.gltl && formula) prepare_gltl(model, *formula);
 }
 
 template LearningTask::LearningTask(const Mdp&, const automata::Dfa&, std::optional<ltl::Formula>,
@@ -91,33 +84,15 @@ template LearningTask::LearningTask(const Mdp&, const automata::Dfa&, std::optio
 template LearningTask::LearningTask(const GridWorld&, const automata::Dfa&, std::optional<ltl::Formula>,
                                     const LearningTaskOptions&);
 
-template <class Model>
-void LearningTask::prepare_gltl(const Model& model, ltl::Formula formula) {
-  const auto table = gltl_tasks(formula, model.letters());
-  if (!table) return;
-  gltl_ = compose(model, *table);
-  judged_ = compose(model, without_expiry(*table));
-}
-
 bool LearningTask::allows(const Method& method) const {
   if (const auto* dqn = std::get_if<DqnMethod>(&method.how))
     return seen(dqn->sight).has_value() && (!dqn->trees || trees_.has_value());
-  return !std::holds_alternative<GltlMethod>(method.how) || gltl_.has_value();
+  return true;
 }
 
 LearningCurve LearningTask::run(const Method& method, const Training& training) const {
   if (const auto* q_learning = std::get_if<QLearning>(&method.how))
     return learn(product_, *q_learning, training).curve;
-  if (const auto* hierarchical = std::get_if<Hierarchical>(&method.how))
-    return learn(product_, *hierarchical, training);
-  if (const auto* rewarded = std::get_if<GltlMethod>(&method.how)) {
-    Training undiscounted = training;  // expiry is the discount
-    undiscounted.discount = 1;
-    undiscounted.judge = [&](const ActionTable& policy) {
-      return value_of(*judged_, policy, training.discount);
-    };
-    return learn(*gltl_, rewarded->q_learning, undiscounted).curve;
-  }
   const auto& [dqn, sight, trees] = std::get<DqnMethod>(method.how);
   return learn(product_, {&seen(sight)->by_position, trees ? &*trees_ : nullptr}, dqn, training);
 }

@@ -16,8 +16,6 @@
 #include <vector>
 
 #include "libplan/learn/dqn.hpp"
-#include "libplan/learn/gltl.hpp"
-#include "libplan/learn/hierarchical.hpp"
 #include "libplan/learn/observations.hpp"
 #include "libplan/learn/optimum.hpp"
 #include "libplan/learn/q_learning.hpp"
@@ -31,13 +29,9 @@ struct DqnMethod {
   bool trees = false;  // else the task is one-hot
 };
 
-struct GltlMethod {  // rewarded by GLTL, judged by φ itself, as progression reads it on infinite words
-  QLearning q_learning;
-};
-
 struct Method {
   std::string name, summary;
-  std::variant<QLearning, Hierarchical, DqnMethod, GltlMethod> how;
+  std::variant<QLearning, DqnMethod> how;
   bool by_default = true;
 };
 
@@ -47,13 +41,12 @@ std::vector<Method> learning_methods();
 struct LearningTaskOptions {
   MapNoise noise = {};
   double discount = 0.9;
-  bool gltl = false;  // prepare for GltlMethod; one start only
 };
 
 // One task on one map or model, made once and only read by the runs: any number of threads.
 class LearningTask {
  public:
-  // The formula of the automaton, for the methods that read it: GLTL and task trees. Without one they are not allowed.
+  // The formula of the automaton, for task trees, which read it. Without one they are not allowed.
   LearningTask(const Map& map, const automata::Dfa& dfa, std::optional<ltl::Formula> formula,
                std::span<const PoseId> starts, const LearningTaskOptions& options = {});
   // On a model, whose noise is its own. Networks see distances to every proposition there is: Sight::Landmarks.
@@ -64,14 +57,12 @@ class LearningTask {
   const TabularProduct& product() const { return product_; }
   const Optimum& optimum() const { return optimum_; }
   double seconds_of_optimum() const { return seconds_; }
-  // GLTL is for formulas with few temporal operators, the other sights are for maps.
+  // Sights other than Landmarks are for maps.
   bool allows(const Method& method) const;
   LearningCurve run(const Method& method, const Training& training) const;
 
  private:
   LearningTask(TabularProduct product, std::optional<ltl::Formula> formula, double discount);
-  template <class Model>
-  void prepare_gltl(const Model& model, ltl::Formula formula);
   const std::optional<Observations>& seen(Sight sight) const {
     return observations_[static_cast<std::size_t>(sight)];
   }
@@ -79,7 +70,6 @@ class LearningTask {
   Optimum optimum_;
   double seconds_ = 0;
   std::array<std::optional<Observations>, 3> observations_;  // by Sight
-  std::optional<TabularProduct> gltl_, judged_;              // with expiry, and the same states without
   std::optional<TaskTrees> trees_;
 };
 

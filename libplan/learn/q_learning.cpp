@@ -84,8 +84,7 @@ class Learner {
 
   void checkpoint(std::size_t step) {
     const ActionTable policy = greedy(product_, out_.values);
-    out_.curve.checkpoints.push_back(
-        {step, training_.judge ? training_.judge(policy) : value_of(product_, policy, training_.discount)});
+    out_.curve.checkpoints.push_back({step, value_of(product_, policy, training_.discount)});
   }
 
   void begin_episode() {

@@ -54,8 +54,7 @@ template <class Model>
 void add_choice(TabularProduct& product, const Model& model, std::uint32_t s, std::uint32_t k) {
   std::map<std::pair<std::uint32_t, std::uint32_t>, double> merged;  // (target, letter) → probability
   model.for_each_outcome(s, k, [&](std::uint32_t target, LetterId letter, double probability) {
-    for (const TaskRows::Reading& reading : product.task.readings[letter.index])
-      merged[{target, reading.letter}] += probability * reading.probability;
+    merged[{target, product.task.classes.of(letter)}] += probability;
   });
   double sum = 0;
   for (const auto& [outcome, probability] : merged)
@@ -83,10 +82,9 @@ TabularProduct compose_model(const Model& model, TaskRows task) {
     }
   }
   product.first.push_back(static_cast<std::uint32_t>(product.outcomes.size()));
-  for (const TaskRows::Reading& reading : product.task.readings[model.initial_letter().index])
-    product.starts.push_back(
-        {product.state(model.initial(), product.task.after(product.task.initial, reading.letter)),
-         reading.probability});
+  const std::uint32_t first = product.task.classes.of(model.initial_letter());
+  product.starts.push_back(
+      {product.state(model.initial(), product.task.after(product.task.initial, first)), 1});
   return product;
 }
 

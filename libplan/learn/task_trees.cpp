@@ -73,8 +73,8 @@ std::vector<std::optional<ltl::Formula>> formulas_of(const TaskRows& table, ltl:
     for (std::uint32_t letter = 0; letter < table.letters; ++letter) {
       const std::uint32_t next = table.after(queue[head], letter);
       if (formula[next]) continue;
-      formula[next] =
-          ltl::simplify(ltl::progress(*formula[queue[head]], table.carried[letter]), ltl::Over::Rest);
+      formula[next] = ltl::simplify(
+          ltl::progress(*formula[queue[head]], table.classes.representatives()[letter]), ltl::Over::Rest);
       queue.push_back(next);
     }
   return formula;

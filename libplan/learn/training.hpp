@@ -7,7 +7,6 @@
 #pragma once
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <stop_token>
 #include <vector>
 
@@ -24,8 +23,6 @@ struct Training {
   double explore = 0.1, explore_last = 0.1;
   std::size_t explore_steps = 0;
   std::uint64_t seed = 1;
-  // What a policy of a learner in tables is worth, where that is not its value in the product that it learns in.
-  std::function<PolicyValue(const ActionTable&)> judge = {};
   std::stop_token stop = {};  // looked at in every interval; the curve then ends early
 
   double epsilon(std::size_t step) const {

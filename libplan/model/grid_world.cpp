@@ -42,6 +42,8 @@ GridWorld::GridWorld(const Shape& shape, const ltl::Vocabulary& vocabulary,
   for (std::size_t d = 0; d < 4; ++d) {
     const SlipChances& c = shape.motion[d];
     chance_[d] = {c.forward, c.right, c.back, c.left};
+    for (std::uint8_t turn = 0; turn < 4; ++turn)
+      if (chance_[d][turn] != 0) turns_[d][turn_count_[d]++] = turn;
     deterministic_ = deterministic_ && c.forward == 1;
   }
   for (const GridCell& cell : palette) {

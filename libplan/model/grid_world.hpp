@@ -13,7 +13,7 @@
 #include <string_view>
 #include <vector>
 
-#include "libplan/world/letters.hpp"
+#include "libplan/model/model.hpp"
 
 namespace waymark::plan {
 
@@ -70,9 +70,14 @@ class GridWorld {
     return ((open_[cell] >> direction) & 1U) != 0 ? cell + step_[direction] : cell;
   }
 
+  std::uint32_t outcome_count(std::uint32_t, std::uint32_t k) const { return turn_count_[k]; }
+  ModelOutcome outcome(std::uint32_t s, std::uint32_t k, std::uint32_t i) const {
+    const std::uint32_t turn = turns_[k][i], target = move(s, (k + turn) % 4);
+    return {target, letter(target), chance_[k][turn]};
+  }
   template <class Visit>  // visit(target, letter, probability); a target may come twice
   void for_each_outcome(std::uint32_t s, std::uint32_t k, Visit&& visit) const {
-    const std::array<double, 4>& chance = chance_[k];  // by turn to the right: forward, right, back, left
+    const std::array<double, 4>& chance = chance_[k];
     for (std::uint32_t turn = 0; turn < 4; ++turn) {
       if (chance[turn] == 0) continue;
       const std::uint32_t target = move(s, (k + turn) % 4);
@@ -92,13 +97,18 @@ class GridWorld {
   Shape shape_;
   bool deterministic_ = true;
   std::uint32_t start_;
-  std::array<std::uint32_t, 4> step_;            // what a move adds to the number of a cell, modulo 2³²
-  std::array<std::array<double, 4>, 4> chance_;  // by direction meant, by turn to the right
+  std::array<std::uint32_t, 4> step_;  // what a move adds to the number of a cell, modulo 2³²
+  // By direction meant, by turn to the right: forward, right, back, left. The turns that have a chance, ascending.
+  std::array<std::array<double, 4>, 4> chance_;
+  std::array<std::array<std::uint8_t, 4>, 4> turns_{};
+  std::array<std::uint8_t, 4> turn_count_{};
   Letters letters_;
   std::vector<std::uint16_t> kind_;    // by cell: its place in the palette
   std::vector<LetterId> kind_letter_;  // by place in the palette
   std::vector<bool> wall_;
   std::vector<std::uint8_t> open_;  // by cell: bit d, a move in direction d leads on; bit 4 + d, one leads in
 };
+
+static_assert(Model<GridWorld>);
 
 }  // namespace waymark::plan

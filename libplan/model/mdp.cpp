@@ -55,7 +55,7 @@ void MdpBuilder::check_choice(std::uint32_t state, std::uint32_t k) const {
     throw std::invalid_argument("state " + std::to_string(state) + ": " + what);
   };
   double sum = 0;
-  for (const MdpOutcome& o : mdp_.outcomes(state, k)) {
+  for (const ModelOutcome& o : mdp_.outcomes(state, k)) {
     if (o.target >= mdp_.states()) fail("there is no state " + std::to_string(o.target));
     if (!(o.probability > 0 && o.probability <= 1)) fail("a probability outside of (0, 1]");
     sum += o.probability;

@@ -16,15 +16,9 @@
 
 #include "libltl/vocabulary.hpp"
 #include "libltl/word.hpp"
-#include "libplan/world/letters.hpp"
+#include "libplan/model/model.hpp"
 
 namespace waymark::plan {
-
-struct MdpOutcome {
-  std::uint32_t target = 0;
-  LetterId letter;
-  double probability = 1;
-};
 
 class Mdp {
  public:
@@ -33,7 +27,7 @@ class Mdp {
   std::size_t outcomes() const { return outcomes_.size(); }
   bool is_deterministic() const { return outcomes() == choices(); }  // one outcome for every choice
 
-  // What every model answers (GridWorld does too): solvers are written against these.
+  // What every model answers (model.hpp).
   std::uint32_t initial() const { return initial_; }
   LetterId initial_letter() const { return initial_letter_; }
   const Letters& letters() const { return letters_; }
@@ -41,16 +35,22 @@ class Mdp {
   double cost(std::uint32_t s, std::uint32_t k) const { return row(s, k).cost; }  // of the k-th choice of s
   std::string_view action(std::uint32_t s, std::uint32_t k) const { return actions_[row(s, k).action]; }
   std::string name(std::uint32_t s) const { return names_.empty() ? std::to_string(s) : names_[s]; }
+  std::uint32_t outcome_count(std::uint32_t s, std::uint32_t k) const {
+    return static_cast<std::uint32_t>(outcomes(s, k).size());
+  }
+  const ModelOutcome& outcome(std::uint32_t s, std::uint32_t k, std::uint32_t i) const {
+    return outcomes(s, k)[i];
+  }
   template <class Visit>  // visit(target, letter, probability)
   void for_each_outcome(std::uint32_t s, std::uint32_t k, Visit&& visit) const {
-    for (const MdpOutcome& o : outcomes(s, k)) visit(o.target, o.letter, o.probability);
+    for (const ModelOutcome& o : outcomes(s, k)) visit(o.target, o.letter, o.probability);
   }
   template <class Visit>  // visit(source): the states with an outcome into s, each once, ascending
   void for_each_predecessor(std::uint32_t s, Visit&& visit) const {
     for (std::uint32_t i = first_predecessor_[s]; i < first_predecessor_[s + 1]; ++i) visit(predecessors_[i]);
   }
 
-  std::span<const MdpOutcome> outcomes(std::uint32_t s, std::uint32_t k) const {
+  std::span<const ModelOutcome> outcomes(std::uint32_t s, std::uint32_t k) const {
     const std::size_t c = first_choice_[s] + k;
     return {outcomes_.data() + choices_[c].first_outcome, outcomes_.data() + choices_[c + 1].first_outcome};
   }
@@ -70,11 +70,13 @@ class Mdp {
   Letters letters_;
   std::vector<std::uint32_t> first_choice_;  // by state, numbered through all states
   std::vector<ChoiceRow> choices_;           // one more than there are, for the end of the last
-  std::vector<MdpOutcome> outcomes_;
+  std::vector<ModelOutcome> outcomes_;
   std::vector<std::uint32_t> first_predecessor_;
   std::vector<std::uint32_t> predecessors_;
   std::vector<std::string> actions_, names_;
 };
+
+static_assert(Model<Mdp>);
 
 // Builds one state after the other, choices in the order in which they are added.
 class MdpBuilder {

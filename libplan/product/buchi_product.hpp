@@ -1,11 +1,11 @@
-// The product of a deterministic model with a generalised Büchi automaton, as a graph with marks on its edges.
+// The product of a deterministic model with a generalised Büchi automaton, written out with marks on its edges.
 //
 // A run of the automaton may choose, and where nothing is left to chance a planner chooses for it: so the automaton may
 // be nondeterministic here, and nowhere else in libplan. Built in full, 32 bytes an edge: a lasso is looked for in whole
 // components, not on the way to a goal.
 #pragma once
+#include <array>
 #include <cstdint>
-#include <optional>
 #include <span>
 #include <vector>
 
@@ -13,8 +13,32 @@
 #include "libautomata/omega/automaton.hpp"
 #include "libplan/model/grid_world.hpp"
 #include "libplan/model/mdp.hpp"
+#include "libplan/product/alphabet_classes.hpp"
+#include "libplan/product/product.hpp"
 
 namespace waymark::plan {
+
+class BuchiTask {  // any generalised Büchi automaton; it must outlive the object
+ public:
+  // Propositions that the model does not know never hold.
+  BuchiTask(const automata::Automaton& automaton, const Letters& letters)
+      : automaton_(&automaton),
+        classes_(letters, automaton.vocabulary(), automaton.reads(), UnknownProposition::NeverHolds) {}
+
+  std::size_t states() const { return automaton_->states(); }
+  std::array<std::uint32_t, 1> initial_states() const { return {automaton_->initial().index}; }
+  static bool is_goal(std::uint32_t) { return false; }
+  static bool is_over(std::uint32_t) { return false; }
+  std::span<const automata::Branch> steps(std::uint32_t q, LetterId letter) const {
+    return automaton_->next(automata::StateId{q}, classes_.representatives()[classes_.of(letter)]);
+  }
+  static std::span<const std::uint32_t> jumps(std::uint32_t) { return {}; }
+
+ private:
+  const automata::Automaton* automaton_;
+  AlphabetClasses classes_;
+};
+static_assert(Task<BuchiTask>);
 
 struct MarkedEdge {
   std::uint32_t from = 0, to = 0;
@@ -38,13 +62,13 @@ struct MarkedGraph {
 
 struct BuchiProduct {
   MarkedGraph graph;
-  std::vector<std::uint32_t> places, tasks;  // by vertex
+  std::vector<ProductState> states;  // by vertex
 };
 
 // The reachable part, breadth first from the start, whose letter is read. One state of budget a vertex; throws what the
 // budget throws, and std::invalid_argument for a model that is not deterministic or another acceptance condition.
-template <class Model>
-BuchiProduct compose(const Model& model, const automata::Automaton& automaton, automata::Budget& budget);
+template <Model M>
+BuchiProduct compose(const M& model, const automata::Automaton& automaton, automata::Budget& budget);
 
 extern template BuchiProduct compose(const Mdp&, const automata::Automaton&, automata::Budget&);
 extern template BuchiProduct compose(const GridWorld&, const automata::Automaton&, automata::Budget&);

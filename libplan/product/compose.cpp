@@ -1,69 +1,65 @@
 #include "libplan/product/compose.hpp"
 
-#include <unordered_map>
-
-#include "libplan/product/task_steps.hpp"
+#include <boost/graph/breadth_first_search.hpp>
+#include <boost/pending/queue.hpp>
 
 namespace waymark::plan {
 namespace {
 
-class Composer {
- public:
-  Composer(Product& product, const CompositionLimits& limits)
-      : steps_(*product.map, *product.dfa), product_(product), limits_(limits) {}
-
-  bool run(std::span<const PoseId> starts) {  // false: a limit was met
-    for (PoseId s : starts)
-      product_.starts.push_back(vertex({s, steps_.next(product_.dfa->initial(), product_.map->label_id(s))}));
-    for (ProductVertex v = 0; v < num_vertices(product_.graph); ++v) {  // grows while we look: breadth first
-      if (!product_.is_trap(v)) expand(v);
-      if (num_vertices(product_.graph) > limits_.vertices) return false;
-      if (v % polling_interval == 0 && limits_.stop.stop_requested()) return false;
-    }
-    return true;
+// The colour map of the search is the order itself: what has a number is not white.
+struct Colors {
+  using key_type = ProductState;
+  using value_type = boost::default_color_type;
+  using reference = value_type;
+  using category = boost::read_write_property_map_tag;
+  DiscoveryOrder* order;
+  friend value_type get(const Colors& colors, const ProductState& v) {
+    return colors.order->contains(v) ? boost::gray_color : boost::white_color;
   }
-
- private:
-  static constexpr ProductVertex polling_interval = 256;
-
-  ProductVertex vertex(const ProductState& state) {
-    const std::uint64_t key = std::uint64_t{state.task.index} << 32U | state.pose.index;
-    const auto [it, is_new] = vertices_.try_emplace(key, num_vertices(product_.graph));
-    if (is_new) add_vertex(state, product_.graph);
-    return it->second;
+  friend void put(const Colors& colors, const ProductState& v, value_type color) {
+    if (color == boost::gray_color) colors.order->insert(v);
   }
+};
 
-  void expand(ProductVertex v) {
-    const ProductState from = product_.graph[v];
-    for (Action action : all_actions) {
-      const auto pose = product_.map->successor(from.pose, action);
-      if (!pose) continue;
-      const ProductVertex to =
-          vertex({*pose, steps_.next(from.task, product_.map->letter_id(*pose, action))});
-      add_edge(v, to, ProductEdge{action, product_.map->cost(action)}, product_.graph);
-    }
+struct LimitMet {};  // thrown by the visitor: the way out of a Boost.Graph search
+
+struct LimitVisitor : boost::default_bfs_visitor {
+  const DiscoveryOrder* order;
+  const CompositionLimits* limits;
+  std::size_t examined = 0;
+
+  template <class Graph>
+  void examine_vertex(const ProductState&, const Graph&) {
+    constexpr std::size_t polling_interval = 256;
+    if (order->states().size() > limits->vertices ||
+        (examined++ % polling_interval == 0 && limits->stop.stop_requested()))
+      throw LimitMet{};
   }
-
-  TaskSteps steps_;
-  Product& product_;  // built in place: Boost copies graphs, it does not move
-  const CompositionLimits& limits_;
-  std::unordered_map<std::uint64_t, ProductVertex> vertices_;  // pair → vertex
 };
 
 }  // namespace
 
-Product compose(const Map& map, const automata::Dfa& dfa, std::span<const PoseId> starts) {
-  Product product{&map, &dfa, {}, {}};
-  const CompositionLimits none;
-  Composer(product, none).run(starts);
-  return product;
+std::optional<MapProduct> MapProduct::explore(const Map& map, const automata::Dfa& dfa,
+                                              std::span<const PoseId> starts,
+                                              const CompositionLimits& limits) {
+  MapProduct out(std::make_shared<const Parts>(Parts{MapMdp(map), TaskSteps(map, dfa)}));
+  for (const PoseId s : starts)
+    out.for_each_start(s.index, map.label_id(s), [&](const ProductState& v) { out.starts_.push_back(v); });
+  boost::queue<ProductState> open;
+  LimitVisitor visitor;
+  visitor.order = &out.order_;
+  visitor.limits = &limits;
+  try {
+    boost::breadth_first_visit(out, out.starts_.begin(), out.starts_.end(), open, visitor,
+                               Colors{&out.order_});
+  } catch (const LimitMet&) {
+    return std::nullopt;
+  }
+  return out;
 }
 
-std::optional<Product> compose(const Map& map, const automata::Dfa& dfa, std::span<const PoseId> starts,
-                               const CompositionLimits& limits) {
-  std::optional<Product> product(Product{&map, &dfa, {}, {}});
-  if (!Composer(*product, limits).run(starts)) product.reset();
-  return product;
+MapProduct compose(const Map& map, const automata::Dfa& dfa, std::span<const PoseId> starts) {
+  return *MapProduct::explore(map, dfa, starts, {});
 }
 
 }  // namespace waymark::plan

@@ -1,39 +1,78 @@
-// 𝓜 ⊗ 𝒜_φ, reachable part only. The label of the start pose is read, always (conventions.md 1).
+// 𝓜 ⊗ 𝒜_φ of a hallway map, reachable part only. The label of the start pose is read, always (conventions.md 1).
 #pragma once
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <span>
 #include <stop_token>
+#include <utility>
 #include <vector>
 
-#include "libplan/product/graph.hpp"
+#include "libplan/model/map_mdp.hpp"
+#include "libplan/product/discovery_order.hpp"
+#include "libplan/product/task_steps.hpp"
 
 namespace waymark::plan {
-
-struct Product {
-  const Map* map;  // both must outlive the product
-  const automata::Dfa* dfa;
-  ProductGraph graph;                 // out-edges in action order FORWARD, LEFT, RIGHT
-  std::vector<ProductVertex> starts;  // (s, δ(q₀, L(s))) for every start pose s, in the order given
-  bool is_accepting(ProductVertex v) const { return dfa->is_accepting(graph[v].task); }
-  bool is_trap(ProductVertex v) const { return dfa->is_trap(graph[v].task); }
-};
-
-// `starts`: one pose, or several when the heading is unknown (conventions.md 8). The DFA's propositions are matched
-// with the map's by name; throws ltl::FormatError naming a proposition that the map lacks.
-// Traps of the automaton are kept as vertices without out-edges. O(|S| · |Q|) vertices at most, in breadth-first order.
-Product compose(const Map& map, const automata::Dfa& dfa, std::span<const PoseId> starts);
-inline Product compose(const Map& map, const automata::Dfa& dfa, PoseId start) {
-  return compose(map, dfa, {&start, 1});
-}
 
 struct CompositionLimits {
   std::size_t vertices = SIZE_MAX;
   std::stop_token stop = {};  // polled every few hundred vertices
 };
-// The same, or nullopt when the product has more vertices than the limit, or when a stop was requested.
-std::optional<Product> compose(const Map& map, const automata::Dfa& dfa, std::span<const PoseId> starts,
-                               const CompositionLimits& limits);
+
+// The product that routes are searched on, with its reachable pairs numbered breadth first; Boost.Graph's IncidenceGraph and
+// VertexListGraph. Out-edges are in action order FORWARD, LEFT, RIGHT. Traps of the automaton are vertices without out-edges.
+class MapProduct : public Product<MapMdp, TaskSteps> {
+ public:
+  // Map and automaton must outlive it. Throws ltl::FormatError naming a proposition that the map lacks. nullopt: more
+  // vertices than the limit, or stopped. O(|S| · |Q|).
+  static std::optional<MapProduct> explore(const Map& map, const automata::Dfa& dfa,
+                                           std::span<const PoseId> starts, const CompositionLimits& limits);
+
+  const Map& map() const { return task().map(); }
+  const automata::Dfa& dfa() const { return task().dfa(); }
+  const std::vector<ProductState>& starts() const {
+    return starts_;
+  }  // one for every start pose, in that order
+  bool is_accepting(const ProductState& v) const { return is_goal(v); }
+  bool is_trap(const ProductState& v) const { return task().is_over(v.task); }
+  Action action(const ProductEdge& e) const { return model().move(e.from.place, e.choice); }
+  std::uint32_t index(const ProductState& v) const { return order_.number(v); }  // in the order of vertices()
+
+  struct traversal_category : virtual boost::incidence_graph_tag, virtual boost::vertex_list_graph_tag {};
+  using vertices_size_type = std::size_t;
+  using vertex_iterator = std::vector<ProductState>::const_iterator;
+  friend std::pair<vertex_iterator, vertex_iterator> vertices(const MapProduct& g) {
+    return {g.order_.states().begin(), g.order_.states().end()};
+  }
+  friend vertices_size_type num_vertices(const MapProduct& g) { return g.order_.states().size(); }
+  friend std::size_t num_edges(const MapProduct& g) {
+    std::size_t edges = 0;
+    for (const ProductState& v : g.order_.states()) edges += out_degree(v, g);
+    return edges;
+  }
+
+ private:
+  struct Parts {
+    MapMdp model;
+    TaskSteps task;
+  };
+  explicit MapProduct(std::shared_ptr<const Parts> parts)
+      : Product(parts->model, parts->task), parts_(std::move(parts)) {}
+
+  std::shared_ptr<const Parts> parts_;
+  std::vector<ProductState> starts_;
+  DiscoveryOrder order_;
+};
+
+// `starts`: one pose, or several when the heading is unknown (conventions.md 8).
+MapProduct compose(const Map& map, const automata::Dfa& dfa, std::span<const PoseId> starts);
+inline MapProduct compose(const Map& map, const automata::Dfa& dfa, PoseId start) {
+  return compose(map, dfa, {&start, 1});
+}
+inline std::optional<MapProduct> compose(const Map& map, const automata::Dfa& dfa,
+                                         std::span<const PoseId> starts, const CompositionLimits& limits) {
+  return MapProduct::explore(map, dfa, starts, limits);
+}
 
 }  // namespace waymark::plan

@@ -4,7 +4,6 @@
 #include <utility>
 
 #include "libautomata/graph/scc.hpp"
-#include "libplan/product/alphabet_classes.hpp"
 
 namespace waymark::plan {
 
@@ -16,23 +15,16 @@ struct TaskTable::Unordered {
   std::vector<bool> goal;
 };
 
-std::vector<ltl::Letter> TaskTable::classify(const Letters& letters, const ltl::Vocabulary& vocabulary,
-                                             const std::vector<ltl::Proposition>& reads) {
-  LetterClasses classes = letter_classes(letters, vocabulary, reads);
-  class_ = std::move(classes.of);
-  classes_ = static_cast<std::uint32_t>(classes.representatives.size());
-  return std::move(classes.representatives);
-}
-
-TaskTable::TaskTable(const automata::Dfa& dfa, const Letters& letters) {
-  const std::vector<ltl::Letter> representatives = classify(letters, dfa.vocabulary(), dfa.reads());
+TaskTable::TaskTable(const automata::Dfa& dfa, const Letters& letters)
+    : classes_(letters, dfa.vocabulary(), dfa.reads(), UnknownProposition::NeverHolds),
+      row_(static_cast<std::uint32_t>(classes_.size())) {
   Unordered out;
   out.initial = dfa.is_trap(dfa.initial()) ? lost : dfa.initial().index;
   out.jumps.resize(dfa.states());
   for (std::uint32_t q = 0; q < dfa.states(); ++q) {
     out.goal.push_back(dfa.is_accepting(StateId{q}));
     std::vector<std::uint32_t>& row = out.steps.emplace_back();
-    for (const ltl::Letter& letter : representatives) {
+    for (const ltl::Letter& letter : classes_.representatives()) {
       const StateId target = out.goal[q] ? StateId{q} : dfa.next(StateId{q}, letter);
       row.push_back(dfa.is_trap(target) ? lost : target.index);
     }
@@ -40,15 +32,15 @@ TaskTable::TaskTable(const automata::Dfa& dfa, const Letters& letters) {
   adopt(out);
 }
 
-TaskTable::TaskTable(const automata::MdpSafe& automaton, const Letters& letters) {
-  const std::vector<ltl::Letter> representatives =
-      classify(letters, automaton.vocabulary(), automaton.reads());
+TaskTable::TaskTable(const automata::MdpSafe& automaton, const Letters& letters)
+    : classes_(letters, automaton.vocabulary(), automaton.reads(), UnknownProposition::NeverHolds),
+      row_(static_cast<std::uint32_t>(classes_.size())) {
   Unordered out;
   out.initial = automaton.initial().index;
   out.goal.assign(automaton.states(), false);
   for (std::uint32_t q = 0; q < automaton.states(); ++q) {
     std::vector<std::uint32_t>& row = out.steps.emplace_back();
-    for (const ltl::Letter& letter : representatives) {
+    for (const ltl::Letter& letter : classes_.representatives()) {
       const auto step = automaton.next(StateId{q}, letter);
       row.push_back(step ? step->target.index | (step->accepting ? marked : 0) : lost);
     }
@@ -87,7 +79,10 @@ void TaskTable::adopt(const Unordered& unordered) {
   }
   components_.push_back(size);
   origin_ = found.order;
-  if (unordered.initial != lost) initial_ = number[unordered.initial];
+  if (unordered.initial != lost) {
+    initial_states_.push_back(number[unordered.initial]);
+    for (std::uint32_t target : unordered.jumps[unordered.initial]) initial_states_.push_back(number[target]);
+  }
   std::vector<std::vector<std::uint32_t>> jumps(size), sources(size), jump_sources(size);
   for (std::uint32_t i = 0; i < size; ++i) {
     const std::uint32_t q = found.order[i];

@@ -2,7 +2,8 @@
 //
 // Letters that the automaton cannot tell apart form one class. States are renumbered so that strongly connected
 // components stand together and none leads to a higher one: solvers take them in ascending order. States from which
-// nothing is accepted are no states here, a step into one is `lost`. Propositions that the model does not know never hold.
+// nothing is accepted are no states here, a step into one is `lost`. Propositions that the model does not know never
+// hold.
 #pragma once
 #include <cstdint>
 #include <span>
@@ -10,7 +11,8 @@
 
 #include "libautomata/finite/dfa.hpp"
 #include "libautomata/limit_deterministic/ldba.hpp"
-#include "libplan/world/letters.hpp"
+#include "libplan/product/alphabet_classes.hpp"
+#include "libplan/product/task.hpp"
 
 namespace waymark::plan {
 
@@ -28,13 +30,18 @@ class TaskTable {
   TaskTable(const automata::MdpSafe& automaton, const Letters& letters);
 
   std::uint32_t states() const { return static_cast<std::uint32_t>(goal_.size()); }
-  std::uint32_t initial() const { return initial_; }  // has read nothing; `lost` when nothing is accepted
   bool is_goal(std::uint32_t q) const { return goal_[q]; }
   std::uint32_t origin(std::uint32_t q) const { return origin_[q]; }  // as the automaton numbers it
   Step next(std::uint32_t q, LetterId letter) const {
-    const std::uint32_t step = steps_[std::size_t{q} * classes_ + class_[letter.index]];
+    const std::uint32_t step = steps_[std::size_t{q} * row_ + classes_.of(letter)];
     return {step & lost, (step & marked) != 0};
   }
+  AtMostOne<Step> steps(std::uint32_t q, LetterId letter) const {
+    const Step step = next(q, letter);
+    return {step, step.target != lost};
+  }
+  const std::vector<std::uint32_t>& initial_states() const { return initial_states_; }
+  bool is_over(std::uint32_t q) const { return goal_[q]; }
   std::span<const std::uint32_t> jumps(std::uint32_t q) const { return list(jumps_, q); }
   // States with a step into q; states with a jump to q.
   std::span<const std::uint32_t> sources(std::uint32_t q) const { return list(sources_, q); }
@@ -51,19 +58,19 @@ class TaskTable {
   static std::span<const std::uint32_t> list(const Lists& lists, std::uint32_t q) {
     return {lists.values.data() + lists.first[q], lists.values.data() + lists.first[q + 1]};
   }
-  // A letter over the automaton's vocabulary for every class.
-  std::vector<ltl::Letter> classify(const Letters& letters, const ltl::Vocabulary& vocabulary,
-                                    const std::vector<ltl::Proposition>& reads);
   void adopt(const Unordered& unordered);
   static Lists lists_of(const std::vector<std::vector<std::uint32_t>>& rows);
 
-  std::uint32_t initial_ = lost, classes_ = 0;
-  std::vector<std::uint32_t> class_;  // by letter
-  std::vector<std::uint32_t> steps_;  // by state and class: target, and whether it is marked
+  AlphabetClasses classes_;
+  std::uint32_t row_;                          // classes
+  std::vector<std::uint32_t> initial_states_;  // none when nothing is accepted
+  std::vector<std::uint32_t> steps_;           // by state and class: target, and whether it is marked
   std::vector<bool> goal_;
   std::vector<std::uint32_t> origin_;
   Lists jumps_, sources_, jump_sources_;
   std::vector<std::uint32_t> components_;
 };
+
+static_assert(Task<TaskTable>);
 
 }  // namespace waymark::plan

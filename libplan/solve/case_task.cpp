@@ -170,12 +170,12 @@ class TaskSolver {
     std::vector<ChoiceRoute> routes;
     SearchEffort budget;
     if (options_.top > 1) {
-      auto found = least_routes(model_, task, options_.top, options_.states, options_.stop);
+      auto found = least_routes(Product(model_, task), options_.top, options_.states, options_.stop);
       if (!found) throw Spent{"the search met its limit"};
       routes = std::move(found->routes);
       budget = found->budget;
     } else {
-      auto found = search(model_, task, options_.states, options_.stop);
+      auto found = search(Product(model_, task), options_.states, options_.stop);
       if (!found) throw Spent{"the search met its limit"};
       if (found->route) routes.push_back(std::move(*found->route));
       budget = found->budget;

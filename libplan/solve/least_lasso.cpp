@@ -122,11 +122,11 @@ class LassoSearch {
 ChoiceRoute route_of(const BuchiProduct& product, std::uint32_t from,
                      const std::vector<std::uint32_t>& edges) {
   ChoiceRoute out;
-  out.places.push_back(product.places[from]);
+  out.places.push_back(product.states[from].place);
   for (std::uint32_t e : edges) {
     const MarkedEdge& edge = product.graph.edges[e];
     out.choices.push_back(edge.choice);
-    out.places.push_back(product.places[edge.to]);
+    out.places.push_back(product.states[edge.to].place);
     out.cost += edge.cost;
   }
   return out;
@@ -164,7 +164,7 @@ std::optional<LassoAnswer> least_lasso(const Model& model, const automata::Autom
   try {
     automata::Budget budget(SIZE_MAX, limit, stop);
     const BuchiProduct product = compose(model, automaton, budget);
-    LassoAnswer answer{std::nullopt, {product.places.size(), product.graph.edges.size()}};
+    LassoAnswer answer{std::nullopt, {product.states.size(), product.graph.edges.size()}};
     LassoSearch search(product.graph, budget);
     const MeanCycle found = search.run(order);
     if (found.cycle.edges.empty()) return answer;

@@ -10,16 +10,15 @@ namespace {
 
 constexpr std::uint32_t nothing = UINT32_MAX;
 
-template <class Model>
+template <Model M>
 class WalkSearch {
  public:
-  WalkSearch(const Model& model, const TaskTable& task, std::size_t most)
-      : model_(model), task_(task), most_(most) {}
+  WalkSearch(const Product<M, TaskTable>& product, std::size_t most) : product_(product), most_(most) {}
 
-  std::optional<RoutesAnswer> run(std::uint32_t first, std::size_t limit, const std::stop_token& stop) {
+  std::optional<RoutesAnswer> run(const ProductState& first, std::size_t limit, const std::stop_token& stop) {
     constexpr std::uint64_t polling_interval = 1U << 12U;
     RoutesAnswer answer;
-    walks_.push_back({model_.initial(), first, nothing, nothing, 0});
+    walks_.push_back({first, nothing, nothing, 0});
     heap_.push({0, 0});
     while (!heap_.empty() && answer.routes.size() < most_) {
       if (walks_.size() > std::min<std::size_t>(limit, nothing - 1) ||
@@ -29,7 +28,7 @@ class WalkSearch {
       heap_.pop();
       if (!settle(walks_[i])) continue;
       ++answer.budget.met;
-      if (task_.is_goal(walks_[i].task))
+      if (product_.is_goal(walks_[i].state))
         answer.routes.push_back(route(i));
       else
         expand(i, answer.budget);
@@ -39,27 +38,25 @@ class WalkSearch {
 
  private:
   struct Walk {
-    std::uint32_t place, task, from, choice;
+    ProductState state;
+    std::uint32_t from, choice;
     double cost;
   };
   using Entry = std::pair<double, std::uint32_t>;  // cost, number: ties by which walk was met first
 
   bool settle(const Walk& walk) {  // goals end walks of their own, all of them routes
-    return task_.is_goal(walk.task) ||
-           settled_[walk.task * std::uint64_t{model_.states()} + walk.place]++ < most_;
+    return product_.is_goal(walk.state) ||
+           settled_[walk.state.task * std::uint64_t{product_.model().states()} + walk.state.place]++ < most_;
   }
 
   void expand(std::uint32_t i, SearchEffort& budget) {
     next_.clear();
     const Walk from = walks_[i];
-    for (std::uint32_t k = 0; k < model_.choices(from.place); ++k, ++budget.edges)
-      model_.for_each_outcome(from.place, k, [&](std::uint32_t place, LetterId letter, double) {
-        const std::uint32_t q = task_.next(from.task, letter).target;
-        if (q == TaskTable::lost) return;
-        const Walk walk{place, q, i, k, from.cost + model_.cost(from.place, k)};
-        const auto twin = std::find_if(next_.begin(), next_.end(), [&](const Walk& other) {
-          return other.place == place && other.task == q;
-        });
+    for (std::uint32_t k = 0; k < product_.choices(from.state); ++k, ++budget.edges)
+      product_.for_each_successor(from.state, k, [&](const ProductState& to) {
+        const Walk walk{to, i, k, from.cost + product_.cost(from.state, k)};
+        const auto twin =
+            std::find_if(next_.begin(), next_.end(), [&](const Walk& other) { return other.state == to; });
         if (twin == next_.end())
           next_.push_back(walk);
         else if (walk.cost < twin->cost)
@@ -75,7 +72,7 @@ class WalkSearch {
     ChoiceRoute out;
     out.cost = walks_[end].cost;
     for (std::uint32_t i = end; i != nothing; i = walks_[i].from) {
-      out.places.push_back(walks_[i].place);
+      out.places.push_back(walks_[i].state.place);
       if (walks_[i].from != nothing) out.choices.push_back(walks_[i].choice);
     }
     std::reverse(out.places.begin(), out.places.end());
@@ -83,8 +80,7 @@ class WalkSearch {
     return out;
   }
 
-  const Model& model_;
-  const TaskTable& task_;
+  const Product<M, TaskTable>& product_;
   const std::size_t most_;
   std::vector<Walk> walks_, next_;
   std::unordered_map<std::uint64_t, std::size_t> settled_;  // by pair
@@ -93,20 +89,20 @@ class WalkSearch {
 
 }  // namespace
 
-template <class Model>
-std::optional<RoutesAnswer> least_routes(const Model& model, const TaskTable& task, std::size_t most,
+template <Model M>
+std::optional<RoutesAnswer> least_routes(const Product<M, TaskTable>& product, std::size_t most,
                                          std::size_t limit, const std::stop_token& stop) {
-  if (!model.is_deterministic())
+  if (!product.model().is_deterministic())
     throw std::invalid_argument("a search for routes needs a deterministic model");
-  if (task.initial() == TaskTable::lost) return RoutesAnswer{};
-  const std::uint32_t first = task.next(task.initial(), model.initial_letter()).target;
-  if (first == TaskTable::lost) return RoutesAnswer{};
-  return WalkSearch<Model>(model, task, most).run(first, limit, stop);
+  std::optional<ProductState> first;  // one at most: a DFA does not jump
+  product.for_each_start([&](const ProductState& s) { first = s; });
+  if (!first) return RoutesAnswer{};
+  return WalkSearch<M>(product, most).run(*first, limit, stop);
 }
 
-template std::optional<RoutesAnswer> least_routes(const Mdp&, const TaskTable&, std::size_t, std::size_t,
+template std::optional<RoutesAnswer> least_routes(const Product<Mdp, TaskTable>&, std::size_t, std::size_t,
                                                   const std::stop_token&);
-template std::optional<RoutesAnswer> least_routes(const GridWorld&, const TaskTable&, std::size_t,
+template std::optional<RoutesAnswer> least_routes(const Product<GridWorld, TaskTable>&, std::size_t,
                                                   std::size_t, const std::stop_token&);
 
 }  // namespace waymark::plan

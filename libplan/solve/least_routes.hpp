@@ -21,13 +21,13 @@ struct RoutesAnswer {
 
 // By cost; of routes of as many choices, all equally dear, those whose choices come first. 24 bytes a walk. nullopt: stopped, or
 // more walks than the limit. Throws std::invalid_argument for a model that is not deterministic.
-template <class Model>
-std::optional<RoutesAnswer> least_routes(const Model& model, const TaskTable& task, std::size_t most,
+template <Model M>
+std::optional<RoutesAnswer> least_routes(const Product<M, TaskTable>& product, std::size_t most,
                                          std::size_t limit = 1'000'000'000, const std::stop_token& stop = {});
 
-extern template std::optional<RoutesAnswer> least_routes(const Mdp&, const TaskTable&, std::size_t,
+extern template std::optional<RoutesAnswer> least_routes(const Product<Mdp, TaskTable>&, std::size_t,
                                                          std::size_t, const std::stop_token&);
-extern template std::optional<RoutesAnswer> least_routes(const GridWorld&, const TaskTable&, std::size_t,
+extern template std::optional<RoutesAnswer> least_routes(const Product<GridWorld, TaskTable>&, std::size_t,
                                                          std::size_t, const std::stop_token&);
 
 }  // namespace waymark::plan

@@ -10,18 +10,19 @@ namespace waymark::plan {
 
 using automata::StateId;
 
-LowerBound::LowerBound(TaskSteps& steps)
+LowerBound::LowerBound(const TaskSteps& steps)
     : steps_(&steps), cheapest_action_(steps.map().cost(Action::Forward)), bounds_(steps.dfa().states()) {
   for (Action action : all_actions) cheapest_action_ = std::min(cheapest_action_, steps.map().cost(action));
 }
 
 double LowerBound::operator()(const ProductState& state) {
   const automata::Dfa& dfa = steps_->dfa();
-  if (dfa.is_accepting(state.task)) return 0;
-  if (dfa.is_trap(state.task)) return std::numeric_limits<double>::infinity();
-  std::vector<double>& bounds = bounds_[state.task.index];
-  if (bounds.empty()) bounds = by_pose(state.task);
-  return bounds[state.pose.index];
+  const StateId task{state.task};
+  if (dfa.is_accepting(task)) return 0;
+  if (dfa.is_trap(task)) return std::numeric_limits<double>::infinity();
+  std::vector<double>& bounds = bounds_[state.task];
+  if (bounds.empty()) bounds = by_pose(task);
+  return bounds[state.place];
 }
 
 std::vector<double> LowerBound::by_pose(StateId q) {

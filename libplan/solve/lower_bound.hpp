@@ -14,20 +14,20 @@
 #pragma once
 #include <vector>
 
-#include "libplan/product/graph.hpp"
+#include "libplan/product/product.hpp"
 #include "libplan/product/task_steps.hpp"
 
 namespace waymark::plan {
 
 class LowerBound {  // not for two threads at once
  public:
-  explicit LowerBound(TaskSteps& steps);         // steps must outlive the object
+  explicit LowerBound(const TaskSteps& steps);   // steps must outlive the object
   double operator()(const ProductState& state);  // infinity: proved that nothing accepting is reachable
 
  private:
   std::vector<double> by_pose(automata::StateId q);
 
-  TaskSteps* steps_;
+  const TaskSteps* steps_;
   double cheapest_action_;
   std::vector<std::vector<double>> bounds_;  // by state, empty until asked about; by pose
 };

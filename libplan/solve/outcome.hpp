@@ -12,8 +12,8 @@ namespace waymark::plan {
 
 struct Policy {  // on the product: what to do in each vertex
   std::vector<std::optional<Action>>
-      action;               // by vertex; nullopt: stop (accepting), nothing leads on, or not known
-  ProductVertex start = 0;  // the start vertex that the value belongs to
+      action;          // by index of the vertex; nullopt: stop (accepting), nothing leads on, or not known
+  ProductState start;  // the start vertex that the value belongs to
 };
 
 struct Solved {

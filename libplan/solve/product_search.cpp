@@ -94,18 +94,19 @@ struct Everywhere {
 
 // Pairs in the order in which they were met, each with the number of the one it was met from. `may_lie(place, q, depth)`:
 // false for pairs that lie on no shortest route, which are passed over.
-template <class Model, class MayLie>
+template <Model M, class MayLie>
 class BreadthFirst {
  public:
-  BreadthFirst(const Model& model, const TaskTable& task, std::vector<bool> gates, const MayLie& may_lie)
-      : model_(model),
-        task_(task),
+  BreadthFirst(const Product<M, TaskTable>& product, std::vector<bool> gates, const MayLie& may_lie)
+      : product_(product),
+        model_(product.model()),
+        task_(product.task()),
         may_lie_(may_lie),
         gates_(std::move(gates)),
-        seen_(model.states(), task.states()) {}
+        seen_(model_.states(), task_.states()) {}
 
-  std::optional<SearchAnswer> run(std::uint32_t first, std::size_t limit, const std::stop_token& stop) {
-    meet(model_.initial(), first, nothing);
+  std::optional<SearchAnswer> run(const ProductState& first, std::size_t limit, const std::stop_token& stop) {
+    meet(first.place, first.task, nothing);
     SearchAnswer answer;
     std::size_t layer_ends = 0;  // where the pairs of the next depth begin
     for (std::uint32_t i = 0; i < met_.size() && goal_ == nothing; ++i) {
@@ -115,13 +116,11 @@ class BreadthFirst {
         layer_ends = met_.size();
       }
       const Met from = met_[i];
-      const std::uint32_t choices = model_.choices(from.place);
+      const std::uint32_t choices = product_.choices({from.place, from.task});
       answer.budget.edges += choices;
       for (std::uint32_t k = 0; k < choices && goal_ == nothing && through_ == nothing; ++k)
-        model_.for_each_outcome(from.place, k, [&](std::uint32_t place, LetterId letter, double) {
-          if (const std::uint32_t q = task_.next(from.task, letter).target; q != TaskTable::lost)
-            meet(place, q, i);
-        });
+        product_.for_each_successor({from.place, from.task}, k,
+                                    [&](const ProductState& to) { meet(to.place, to.task, i); });
       if (through_ != nothing) {  // on from there, and from nowhere else
         layer_ends = through_;
         i = through_ - 1;
@@ -159,7 +158,8 @@ class BreadthFirst {
     return out;
   }
 
-  const Model& model_;
+  const Product<M, TaskTable>& product_;
+  const M& model_;
   const TaskTable& task_;
   const MayLie& may_lie_;
   std::vector<bool> gates_;  // those that have not been met
@@ -173,17 +173,19 @@ class BreadthFirst {
 // settled when it is taken out, since the bound is consistent; a bit each and eight bytes for those in buckets.
 class BestFirst {
  public:
-  BestFirst(const GridWorld& grid, const TaskTable& task, std::vector<bool> gates, const GridBound& bound)
-      : grid_(grid),
-        task_(task),
+  BestFirst(const Product<GridWorld, TaskTable>& product, std::vector<bool> gates, const GridBound& bound)
+      : product_(product),
+        grid_(product.model()),
+        task_(product.task()),
         bound_(bound),
         gates_(std::move(gates)),
-        settled_(grid.states(), task.states()) {}
+        settled_(grid_.states(), task_.states()) {}
 
   // nullopt: stopped, no route, or given up: `most` pairs were settled, or the way is more than twice as long as the bound
   // had it, so that walls decide and the bound hardly helps.
-  std::optional<std::uint32_t> moves(std::uint32_t first, std::uint64_t most, const std::stop_token& stop) {
-    put(grid_.initial(), first, 0);
+  std::optional<std::uint32_t> moves(const ProductState& first, std::uint64_t most,
+                                     const std::stop_token& stop) {
+    put(first, 0);
     const std::size_t longest = 2 * buckets_.size();
     for (std::uint32_t f = 0; f < buckets_.size() && f < longest; ++f)
       while (!buckets_[f].empty()) {
@@ -191,40 +193,36 @@ class BestFirst {
         buckets_[f].pop_back();
         if (!settled_.insert(place, q)) continue;
         if (task_.is_goal(q)) return f;
-        if (gates_[q]) buckets_ = std::vector<std::vector<Pair>>(buckets_.size());
+        if (gates_[q]) buckets_ = std::vector<std::vector<ProductState>>(buckets_.size());
         gates_[q] = false;
         if (++budget_.met > most || (budget_.met % polling_interval == 0 && stop.stop_requested()))
           return std::nullopt;
         budget_.edges += 4;
         const std::uint32_t depth = f - bound_(place, q);
-        for (std::uint32_t k = 0; k < 4; ++k) {
-          const auto target = target_of(grid_, place, k);
-          const std::uint32_t next = task_.next(q, target.letter).target;
-          if (next != TaskTable::lost && !settled_.contains(target.place, next))
-            put(target.place, next, depth + 1);
-        }
+        for (std::uint32_t k = 0; k < 4; ++k)
+          product_.for_each_successor({place, q}, k, [&](const ProductState& to) {
+            if (!settled_.contains(to.place, to.task)) put(to, depth + 1);
+          });
       }
     return std::nullopt;
   }
   const SearchEffort& budget() const { return budget_; }
 
  private:
-  struct Pair {
-    std::uint32_t place, task;
-  };
-  void put(std::uint32_t place, std::uint32_t q, std::uint32_t depth) {
-    const std::uint32_t rest = bound_(place, q);
+  void put(const ProductState& s, std::uint32_t depth) {
+    const std::uint32_t rest = bound_(s.place, s.task);
     if (rest == GridBound::never) return;
     if (depth + rest >= buckets_.size()) buckets_.resize(depth + rest + 1);
-    buckets_[depth + rest].push_back({place, q});
+    buckets_[depth + rest].push_back(s);
   }
 
+  const Product<GridWorld, TaskTable>& product_;
   const GridWorld& grid_;
   const TaskTable& task_;
   const GridBound& bound_;
   std::vector<bool> gates_;  // those that have not been settled
   PairSet settled_;
-  std::vector<std::vector<Pair>> buckets_;  // by depth + bound
+  std::vector<std::vector<ProductState>> buckets_;  // by depth + bound
   SearchEffort budget_;
 };
 
@@ -233,35 +231,38 @@ struct Bounded {  // what A* found: the moves of a shortest route, and the bound
   std::optional<std::uint32_t> moves;
   SearchEffort budget;
 };
-Bounded by_best_first(const GridWorld& grid, const TaskTable& task, std::uint32_t first, std::size_t limit,
-                      const std::stop_token& stop) {
+Bounded by_best_first(const Product<GridWorld, TaskTable>& product, const ProductState& first,
+                      std::size_t limit, const std::stop_token& stop) {
+  const GridWorld& grid = product.model();
+  const TaskTable& task = product.task();
   const std::uint64_t pairs = std::uint64_t{task.states()} * grid.states();
   Bounded out;
   if (pairs < worth_a_bound) return out;
   out.bound = GridBound::of(grid, task);
   if (!out.bound) return out;
-  BestFirst search(grid, task, gates(grid, task, first), *out.bound);
+  BestFirst search(product, gates(grid, task, first.task), *out.bound);
   out.moves = search.moves(first, std::min<std::uint64_t>(limit, pairs / 4), stop);
   out.budget = search.budget();
   return out;
 }
-Bounded by_best_first(const Mdp&, const TaskTable&, std::uint32_t, std::size_t, const std::stop_token&) {
+Bounded by_best_first(const Product<Mdp, TaskTable>&, const ProductState&, std::size_t,
+                      const std::stop_token&) {
   return {};  // no places to measure between
 }
 
 // Breadth first. On a grid A* comes first, for a quarter of the pairs there are at most: where it finds how many moves it
 // takes, breadth first looks only at pairs whose depth and bound do not exceed them, and finds the same route.
-template <class Model>
-std::optional<SearchAnswer> in_layers(const Model& model, const TaskTable& task, std::uint32_t first,
+template <Model M>
+std::optional<SearchAnswer> in_layers(const Product<M, TaskTable>& product, const ProductState& first,
                                       std::size_t limit, const std::stop_token& stop) {
-  const Bounded known = by_best_first(model, task, first, limit, stop);
+  const Bounded known = by_best_first(product, first, limit, stop);
   const auto within = [&](std::uint32_t place, std::uint32_t q, std::uint32_t depth) {
     const std::uint32_t rest = (*known.bound)(place, q);
     return rest != GridBound::never && depth + rest <= *known.moves;
   };
-  const std::vector<bool> legs = gates(model, task, first);
-  auto answer = known.moves ? BreadthFirst(model, task, legs, within).run(first, limit, stop)
-                            : BreadthFirst(model, task, legs, Everywhere{}).run(first, limit, stop);
+  const std::vector<bool> legs = gates(product.model(), product.task(), first.task);
+  auto answer = known.moves ? BreadthFirst(product, legs, within).run(first, limit, stop)
+                            : BreadthFirst(product, legs, Everywhere{}).run(first, limit, stop);
   if (answer) {
     answer->budget.met += known.budget.met;
     answer->budget.edges += known.budget.edges;
@@ -269,29 +270,28 @@ std::optional<SearchAnswer> in_layers(const Model& model, const TaskTable& task,
   return answer;
 }
 
-template <class Model>
+template <Model M>
 class Dijkstra {
  public:
-  Dijkstra(const Model& model, const TaskTable& task) : model_(model), task_(task), places_(model.states()) {}
+  explicit Dijkstra(const Product<M, TaskTable>& product)
+      : product_(product), places_(product.model().states()) {}
 
-  std::optional<SearchAnswer> run(std::uint32_t first, std::size_t limit, const std::stop_token& stop) {
-    relax(model_.initial(), first, 0, nothing, 0);
+  std::optional<SearchAnswer> run(const ProductState& first, std::size_t limit, const std::stop_token& stop) {
+    relax(first, 0, nothing, 0);
     SearchAnswer answer;
     for (std::uint64_t done = 0; !heap_.empty(); ++done) {
       if (met_.size() > limit || (done % polling_interval == 0 && stop.stop_requested())) return std::nullopt;
       const auto [cost, i] = heap_.top();
       heap_.pop();
       if (cost > met_[i].cost) continue;
-      if (task_.is_goal(met_[i].task)) {
+      const ProductState from = met_[i].state;
+      if (product_.is_goal(from)) {
         answer.route = route(i);
         break;
       }
-      const std::uint32_t place = met_[i].place, q = met_[i].task;
-      for (std::uint32_t k = 0; k < model_.choices(place); ++k, ++answer.budget.edges) {
-        const auto target = target_of(model_, place, k);
-        const std::uint32_t next = task_.next(q, target.letter).target;
-        if (next != TaskTable::lost) relax(target.place, next, cost + model_.cost(place, k), i, k);
-      }
+      for (std::uint32_t k = 0; k < product_.choices(from); ++k, ++answer.budget.edges)
+        product_.for_each_successor(
+            from, k, [&](const ProductState& to) { relax(to, cost + product_.cost(from, k), i, k); });
     }
     answer.budget.met = met_.size();
     return answer;
@@ -299,18 +299,19 @@ class Dijkstra {
 
  private:
   struct Met {
-    std::uint32_t place, task, from, choice;
+    ProductState state;
+    std::uint32_t from, choice;
     double cost;
   };
   using Entry = std::pair<double, std::uint32_t>;  // cost, number: ties by who was met first
 
-  void relax(std::uint32_t place, std::uint32_t q, double cost, std::uint32_t from, std::uint32_t choice) {
+  void relax(const ProductState& to, double cost, std::uint32_t from, std::uint32_t choice) {
     const auto [at, fresh] =
-        number_.try_emplace(q * places_ + place, static_cast<std::uint32_t>(met_.size()));
+        number_.try_emplace(to.task * places_ + to.place, static_cast<std::uint32_t>(met_.size()));
     if (fresh)
-      met_.push_back({place, q, from, choice, cost});
+      met_.push_back({to, from, choice, cost});
     else if (cost < met_[at->second].cost)
-      met_[at->second] = {place, q, from, choice, cost};
+      met_[at->second] = {to, from, choice, cost};
     else
       return;
     heap_.push({cost, at->second});
@@ -319,7 +320,7 @@ class Dijkstra {
     ChoiceRoute out;
     out.cost = met_[goal].cost;
     for (std::uint32_t i = goal; i != nothing; i = met_[i].from) {
-      out.places.push_back(met_[i].place);
+      out.places.push_back(met_[i].state.place);
       if (met_[i].from != nothing) out.choices.push_back(met_[i].choice);
     }
     std::reverse(out.places.begin(), out.places.end());
@@ -327,8 +328,7 @@ class Dijkstra {
     return out;
   }
 
-  const Model& model_;
-  const TaskTable& task_;
+  const Product<M, TaskTable>& product_;
   std::uint64_t places_;
   std::vector<Met> met_;
   std::unordered_map<std::uint64_t, std::uint32_t> number_;
@@ -348,16 +348,16 @@ std::optional<double> uniform_cost(const Model& model) {
   return cost;
 }
 
-template <class Model>
-std::optional<SearchAnswer> search(const Model& model, const TaskTable& task, std::size_t limit,
+template <Model M>
+std::optional<SearchAnswer> search(const Product<M, TaskTable>& product, std::size_t limit,
                                    const std::stop_token& stop) {
-  if (!model.is_deterministic())
+  if (!product.model().is_deterministic())
     throw std::invalid_argument("a search for a route needs a deterministic model");
-  if (task.initial() == TaskTable::lost) return SearchAnswer{};
-  const std::uint32_t first = task.next(task.initial(), model.initial_letter()).target;
-  if (first == TaskTable::lost) return SearchAnswer{};
-  if (uniform_cost(model)) return in_layers(model, task, first, limit, stop);
-  return Dijkstra<Model>(model, task).run(first, limit, stop);
+  std::optional<ProductState> first;  // one at most: a DFA does not jump
+  product.for_each_start([&](const ProductState& s) { first = s; });
+  if (!first) return SearchAnswer{};
+  if (uniform_cost(product.model())) return in_layers(product, *first, limit, stop);
+  return Dijkstra<M>(product).run(*first, limit, stop);
 }
 
 template <class Model>
@@ -374,9 +374,9 @@ ltl::Trace word_of(const Model& model, const ChoiceRoute& route) {
 
 template std::optional<double> uniform_cost(const Mdp&);
 template std::optional<double> uniform_cost(const GridWorld&);
-template std::optional<SearchAnswer> search(const Mdp&, const TaskTable&, std::size_t,
+template std::optional<SearchAnswer> search(const Product<Mdp, TaskTable>&, std::size_t,
                                             const std::stop_token&);
-template std::optional<SearchAnswer> search(const GridWorld&, const TaskTable&, std::size_t,
+template std::optional<SearchAnswer> search(const Product<GridWorld, TaskTable>&, std::size_t,
                                             const std::stop_token&);
 template ltl::Trace word_of(const Mdp&, const ChoiceRoute&);
 template ltl::Trace word_of(const GridWorld&, const ChoiceRoute&);

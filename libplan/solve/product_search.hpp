@@ -14,6 +14,7 @@
 
 #include "libplan/model/grid_world.hpp"
 #include "libplan/model/mdp.hpp"
+#include "libplan/product/product.hpp"
 #include "libplan/product/task_table.hpp"
 
 namespace waymark::plan {
@@ -35,8 +36,8 @@ struct SearchAnswer {
 };
 
 // nullopt: stopped, or more pairs met than the limit. Throws std::invalid_argument for a model that is not deterministic.
-template <class Model>
-std::optional<SearchAnswer> search(const Model& model, const TaskTable& task, std::size_t limit = SIZE_MAX,
+template <Model M>
+std::optional<SearchAnswer> search(const Product<M, TaskTable>& product, std::size_t limit = SIZE_MAX,
                                    const std::stop_token& stop = {});
 
 // The word of a route: the start's letter, then one for every choice. Throws std::logic_error when a choice does not lead
@@ -46,9 +47,9 @@ ltl::Trace word_of(const Model& model, const ChoiceRoute& route);
 
 extern template std::optional<double> uniform_cost(const Mdp&);
 extern template std::optional<double> uniform_cost(const GridWorld&);
-extern template std::optional<SearchAnswer> search(const Mdp&, const TaskTable&, std::size_t,
+extern template std::optional<SearchAnswer> search(const Product<Mdp, TaskTable>&, std::size_t,
                                                    const std::stop_token&);
-extern template std::optional<SearchAnswer> search(const GridWorld&, const TaskTable&, std::size_t,
+extern template std::optional<SearchAnswer> search(const Product<GridWorld, TaskTable>&, std::size_t,
                                                    const std::stop_token&);
 extern template ltl::Trace word_of(const Mdp&, const ChoiceRoute&);
 extern template ltl::Trace word_of(const GridWorld&, const ChoiceRoute&);

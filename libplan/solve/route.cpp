@@ -10,21 +10,20 @@ Route priced(Trajectory trajectory, const Map& map) {
   return route;
 }
 
-Route roll_out(const Product& product, const Policy& policy) {
-  Trajectory trajectory{{product.graph[policy.start].pose}, {}};
-  ProductVertex at = policy.start;
-  while (const std::optional<Action> action = policy.action.at(at)) {
-    const auto [begin, end] = out_edges(at, product.graph);
-    auto edge = begin;
-    while (edge != end && product.graph[*edge].action != *action) ++edge;
+Route roll_out(const MapProduct& product, const Policy& policy) {
+  Trajectory trajectory{{PoseId{policy.start.place}}, {}};
+  ProductState at = policy.start;
+  while (const std::optional<Action> action = policy.action.at(product.index(at))) {
+    auto [edge, end] = out_edges(at, product);
+    while (edge != end && product.action(*edge) != *action) ++edge;
     if (edge == end) throw std::logic_error("the policy takes an action that the product does not have");
-    if (trajectory.actions.size() >= num_vertices(product.graph))
+    if (trajectory.actions.size() >= num_vertices(product))
       throw std::logic_error("the policy runs in a circle");
-    at = target(*edge, product.graph);
+    at = edge->to;
     trajectory.actions.push_back(*action);
-    trajectory.poses.push_back(product.graph[at].pose);
+    trajectory.poses.push_back(PoseId{at.place});
   }
-  return priced(std::move(trajectory), *product.map);
+  return priced(std::move(trajectory), product.map());
 }
 
 std::string no_run(const automata::Dfa& dfa, std::size_t pairs) {

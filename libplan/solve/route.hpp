@@ -17,7 +17,7 @@ Route priced(Trajectory trajectory, const Map& map);
 
 // The route that the policy takes from its start until it says stop. Throws std::logic_error when the policy leads
 // into a wall or round in a circle.
-Route roll_out(const Product& product, const Policy& policy);
+Route roll_out(const MapProduct& product, const Policy& policy);
 
 // Why there is none: no word at all, or none from here, where so many pairs of pose and state were looked at.
 std::string no_run(const automata::Dfa& dfa, std::size_t pairs);

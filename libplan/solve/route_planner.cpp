@@ -12,19 +12,22 @@ constexpr std::size_t polling_interval = 4096;  // pairs between two looks at th
 }  // namespace
 
 RoutePlanner::RoutePlanner(const Map& map, const automata::Dfa& dfa)
-    : steps_(map, dfa), words_(map.poses() / 64 + 1), row_(dfa.states(), none) {
+    : task_(map, dfa, TaskSteps::Traps::LeftOut),
+      model_(map),
+      words_(map.poses() / 64 + 1),
+      row_(dfa.states(), none) {
   for ([[maybe_unused]] Action action : all_actions) assert(map.cost(action) == map.cost(Action::Forward));
 }
 
 void RoutePlanner::forget() {
-  for (const Met& pair : met_) row_[pair.task.index] = none;
+  for (const Met& pair : met_) row_[pair.state.task] = none;
   met_.clear();
   seen_.clear();
   edges_ = 0;
 }
 
-std::uint64_t* RoutePlanner::bits_of(automata::StateId task) {
-  std::uint32_t& row = row_[task.index];
+std::uint64_t* RoutePlanner::bits_of(std::uint32_t task) {
+  std::uint32_t& row = row_[task];
   if (row == none) {
     row = static_cast<std::uint32_t>(seen_.size() / words_);
     seen_.resize(seen_.size() + words_, 0);
@@ -33,49 +36,50 @@ std::uint64_t* RoutePlanner::bits_of(automata::StateId task) {
 }
 
 bool RoutePlanner::meet(const Met& pair) {
-  std::uint64_t& word = bits_of(pair.task)[pair.pose.index / 64];
-  const std::uint64_t bit = std::uint64_t{1} << (pair.pose.index % 64);
+  std::uint64_t& word = bits_of(pair.state.task)[pair.state.place / 64];
+  const std::uint64_t bit = std::uint64_t{1} << (pair.state.place % 64);
   if ((word & bit) != 0) return false;
   word |= bit;
   met_.push_back(pair);
-  return steps_.dfa().is_accepting(pair.task);
+  return task_.is_goal(pair.state.task);
 }
 
 bool RoutePlanner::expand(std::uint32_t i) {
-  const Met from = met_[i];
-  const Map& map = steps_.map();
-  for (Action action : all_actions) {
-    const auto pose = map.successor(from.pose, action);
-    if (!pose) continue;
-    ++edges_;
-    const automata::StateId task = steps_.next(from.task, map.letter_id(*pose, action));
-    if (!steps_.dfa().is_trap(task) && meet({*pose, task, i, action})) return true;
-  }
-  return false;
+  const Product product(model_, task_);
+  const ProductState from = met_[i].state;
+  bool done = false;
+  for (std::uint32_t k = 0, choices = product.choices(from); k < choices && !done; ++k, ++edges_)
+    product.for_each_successor(from, k, [&](const ProductState& to) { done = meet({to, i, k}); });
+  return done;
 }
 
 RoutePlanner::Answer RoutePlanner::plan(std::span<const PoseId> starts, const std::stop_token& stop) {
   forget();
+  const Product product(model_, task_);
   for (PoseId start : starts) {
-    const automata::StateId task = steps_.next(steps_.dfa().initial(), steps_.map().label_id(start));
-    if (!steps_.dfa().is_trap(task) && meet({start, task, none})) return route();
+    bool done = false;
+    product.for_each_start(start.index, task_.map().label_id(start), [&](const ProductState& s) {
+      done = meet({s, none});
+    });
+    if (done) return route();
   }
   for (std::uint32_t i = 0; i < met_.size(); ++i) {  // grows while we look
     if (i % polling_interval == 0 && stop.stop_requested()) return Exhausted{i};
     if (expand(i)) return route();
   }
-  return Infeasible{no_run(steps_.dfa(), met_.size())};
+  return Infeasible{no_run(task_.dfa(), met_.size())};
 }
 
 Route RoutePlanner::route() const {
   Trajectory trajectory;
   for (std::uint32_t i = static_cast<std::uint32_t>(met_.size()) - 1; i != none; i = met_[i].from) {
-    trajectory.poses.push_back(met_[i].pose);
-    if (met_[i].from != none) trajectory.actions.push_back(met_[i].by);
+    trajectory.poses.push_back(PoseId{met_[i].state.place});
+    if (const std::uint32_t from = met_[i].from; from != none)
+      trajectory.actions.push_back(model_.move(met_[from].state.place, met_[i].choice));
   }
   std::reverse(trajectory.poses.begin(), trajectory.poses.end());
   std::reverse(trajectory.actions.begin(), trajectory.actions.end());
-  return priced(std::move(trajectory), steps_.map());
+  return priced(std::move(trajectory), task_.map());
 }
 
 }  // namespace waymark::plan

@@ -13,6 +13,8 @@
 #include <variant>
 #include <vector>
 
+#include "libplan/model/map_mdp.hpp"
+#include "libplan/product/product.hpp"
 #include "libplan/product/task_steps.hpp"
 #include "libplan/solve/outcome.hpp"
 #include "libplan/solve/route.hpp"
@@ -37,20 +39,20 @@ class RoutePlanner {
 
  private:
   struct Met {
-    PoseId pose;
-    automata::StateId task;
+    ProductState state;
     std::uint32_t from;  // in met_
-    Action by = Action::Forward;
+    std::uint32_t choice = 0;
   };
   static constexpr std::uint32_t none = UINT32_MAX;
 
   void forget();
-  bool meet(const Met& pair);                      // true: it is new and accepting
-  bool expand(std::uint32_t i);                    // true: it met an accepting pair
-  Route route() const;                             // to the pair met last
-  std::uint64_t* bits_of(automata::StateId task);  // by pose
+  bool meet(const Met& pair);                  // true: it is new and accepting
+  bool expand(std::uint32_t i);                // true: it met an accepting pair
+  Route route() const;                         // to the pair met last
+  std::uint64_t* bits_of(std::uint32_t task);  // by pose
 
-  TaskSteps steps_;
+  TaskSteps task_;
+  MapMdp model_;
   std::size_t words_;               // of a row of bits
   std::vector<std::uint32_t> row_;  // by state: the number of its row in seen_
   std::vector<std::uint64_t> seen_;

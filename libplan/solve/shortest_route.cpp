@@ -9,10 +9,11 @@
 #include "libplan/solve/shortest_route.hpp"
 
 #include <algorithm>
+#include <boost/graph/adjacency_list.hpp>
 #include <boost/graph/astar_search.hpp>
 #include <boost/graph/dijkstra_shortest_paths.hpp>
-#include <boost/graph/reverse_graph.hpp>
 #include <boost/property_map/property_map.hpp>
+#include <boost/range/iterator_range.hpp>
 #include <functional>
 #include <limits>
 #include <unordered_map>
@@ -28,6 +29,15 @@ constexpr std::size_t polling_interval = 256;  // vertices between two looks at 
 
 struct SearchEnds {};  // thrown by visitors: the way out of a Boost.Graph search
 
+struct IndexMap {
+  using key_type = ProductState;
+  using value_type = std::size_t;
+  using reference = value_type;
+  using category = boost::readable_property_map_tag;
+  const MapProduct* product;
+  friend std::size_t get(const IndexMap& map, const ProductState& v) { return map.product->index(v); }
+};
+
 // ---- backwards: Dijkstra from all accepting vertices ------------------------------------------------------------
 
 struct CountingVisitor : boost::dijkstra_visitor<> {
@@ -40,24 +50,35 @@ struct CountingVisitor : boost::dijkstra_visitor<> {
   }
 };
 
-// Cost to acceptance by vertex; nullopt when stopped.
-std::optional<std::vector<double>> costs_to_go(const Product& product, const std::stop_token& stop,
+// The edges turned round: a product knows the successors of a pair, not what it is a successor of.
+using Reversed = boost::adjacency_list<boost::vecS, boost::vecS, boost::directedS, boost::no_property,
+                                       boost::property<boost::edge_weight_t, double>>;
+
+Reversed reversed(const MapProduct& product) {
+  Reversed out(num_vertices(product));
+  for (const ProductState& v : boost::make_iterator_range(vertices(product)))
+    for (auto [e, end] = out_edges(v, product); e != end; ++e)
+      add_edge(product.index(e->to), product.index(v), product.cost(*e), out);
+  return out;
+}
+
+// Cost to acceptance by index; nullopt when stopped.
+std::optional<std::vector<double>> costs_to_go(const MapProduct& product, const std::stop_token& stop,
                                                std::size_t& expanded) {
-  const ProductGraph& graph = product.graph;
-  std::vector<ProductVertex> accepting;
-  for (ProductVertex v = 0; v < num_vertices(graph); ++v)
-    if (product.is_accepting(v)) accepting.push_back(v);
-  std::vector<double> cost(num_vertices(graph), infinity);
+  std::vector<std::size_t> accepting;
+  for (const ProductState& v : boost::make_iterator_range(vertices(product)))
+    if (product.is_accepting(v)) accepting.push_back(product.index(v));
+  std::vector<double> cost(num_vertices(product), infinity);
   if (accepting.empty()) return cost;
-  const auto reversed = boost::make_reverse_graph(graph);
-  const auto index = get(boost::vertex_index, reversed);
+  const Reversed graph = reversed(product);
+  const auto index = get(boost::vertex_index, graph);
   CountingVisitor visitor;
   visitor.expanded = &expanded;
   visitor.stop = &stop;
   try {
-    boost::dijkstra_shortest_paths(reversed, accepting.begin(), accepting.end(), boost::dummy_property_map(),
+    boost::dijkstra_shortest_paths(graph, accepting.begin(), accepting.end(), boost::dummy_property_map(),
                                    boost::make_iterator_property_map(cost.begin(), index),
-                                   get(&ProductEdge::cost, reversed), index, std::less<>(), std::plus<>(),
+                                   get(boost::edge_weight, graph), index, std::less<>(), std::plus<>(),
                                    infinity, 0.0, visitor);
   } catch (const SearchEnds&) {
     return std::nullopt;
@@ -67,88 +88,93 @@ std::optional<std::vector<double>> costs_to_go(const Product& product, const std
 
 // In each vertex the first action that begins a least-cost route. Walked from the far end of the edge costs were added
 // at, so equality is exact.
-std::vector<std::optional<Action>> first_best_actions(const Product& product,
+std::vector<std::optional<Action>> first_best_actions(const MapProduct& product,
                                                       const std::vector<double>& cost) {
   std::vector<std::optional<Action>> actions(cost.size());
-  for (ProductVertex v = 0; v < cost.size(); ++v) {
-    if (product.is_accepting(v) || cost[v] == infinity) continue;
-    for (auto [e, end] = out_edges(v, product.graph); e != end && !actions[v]; ++e)
-      if (product.graph[*e].cost + cost[target(*e, product.graph)] == cost[v])
-        actions[v] = product.graph[*e].action;
+  for (const ProductState& v : boost::make_iterator_range(vertices(product))) {
+    const std::size_t i = product.index(v);
+    if (product.is_accepting(v) || cost[i] == infinity) continue;
+    for (auto [e, end] = out_edges(v, product); e != end && !actions[i]; ++e)
+      if (product.cost(*e) + cost[product.index(e->to)] == cost[i]) actions[i] = product.action(*e);
   }
   return actions;
 }
 
-Outcome solve_by_dijkstra(const Product& product, const ShortestRoute& method) {
+Outcome solve_by_dijkstra(const MapProduct& product, const ShortestRoute& method) {
   std::size_t expanded = 0;
   const auto cost = costs_to_go(product, method.stop, expanded);
   if (!cost) return Exhausted{expanded};
+  const auto cost_of = [&](const ProductState& v) { return (*cost)[product.index(v)]; };
   const auto start =
-      std::min_element(product.starts.begin(), product.starts.end(),
-                       [&](ProductVertex a, ProductVertex b) { return (*cost)[a] < (*cost)[b]; });
-  if (start == product.starts.end() || (*cost)[*start] == infinity)
-    return Infeasible{no_run(*product.dfa, num_vertices(product.graph))};
-  const double value = (*cost)[*start];
+      std::min_element(product.starts().begin(), product.starts().end(),
+                       [&](const ProductState& a, const ProductState& b) { return cost_of(a) < cost_of(b); });
+  if (start == product.starts().end() || cost_of(*start) == infinity)
+    return Infeasible{no_run(product.dfa(), num_vertices(product))};
+  const double value = cost_of(*start);
   return Solved{{first_best_actions(product, *cost), *start}, value, value, value, expanded};
 }
 
 // ---- forwards: A* -----------------------------------------------------------------------------------------------
 
+struct CostMap {
+  using key_type = ProductEdge;
+  using value_type = double;
+  using reference = value_type;
+  using category = boost::readable_property_map_tag;
+  const MapProduct* product;
+  friend double get(const CostMap& map, const ProductEdge& e) { return map.product->cost(e); }
+};
+
 struct AStar {
-  using Vertex = ProductVertex;
-  using Edge = ProductGraph::edge_descriptor;
-  struct Step {
-    Vertex from;
-    Action action;
-  };
+  using Vertex = ProductState;
+  using Edge = ProductEdge;
   struct Found {
     double cost;
-    std::vector<Step> steps;
+    std::vector<Edge> steps;
   };
 
-  const Product& product;
+  const MapProduct& product;
   LowerBound& bound;
   const std::stop_token& stop;
   std::size_t expanded = 0;
   bool stopped = false;
   double least = infinity;          // C*: least cost to acceptance found; before that, the cost to beat
-  std::vector<double> cost = {};    // g
+  std::vector<double> cost = {};    // g, by index
   std::vector<Vertex> closed = {};  // vertices expanded, in order
 
   struct Visitor : boost::default_astar_visitor {
     AStar* search;
-    const std::vector<double>* rank;  // f = g + h
-    void examine_vertex(Vertex v, const ProductGraph&) const {
-      const double f = (*rank)[v];
+    const std::vector<double>* rank;  // f = g + h, by index
+    void examine_vertex(const Vertex& v, const MapProduct& product) const {
+      const double f = (*rank)[product.index(v)];
       if (f == infinity || f > search->least) throw SearchEnds{};
       if (search->expanded++ % polling_interval == 0 && search->stop.stop_requested()) {
         search->stopped = true;
         throw SearchEnds{};
       }
       search->closed.push_back(v);
-      if (search->product.is_accepting(v)) search->least = f;
+      if (product.is_accepting(v)) search->least = f;
     }
   };
 
   // The first least-cost route from `start` that costs less than `beat`; nullopt when there is none, or when stopped.
-  std::optional<Found> run(Vertex start, double beat) {
-    const ProductGraph& graph = product.graph;
-    const auto index = get(boost::vertex_index, graph);
-    std::vector<double> ranks(num_vertices(graph), infinity);
-    std::vector<boost::default_color_type> colors(num_vertices(graph), boost::white_color);
-    cost.assign(num_vertices(graph), infinity);
+  std::optional<Found> run(const Vertex& start, double beat) {
+    const IndexMap index{&product};
+    std::vector<double> ranks(num_vertices(product), infinity);
+    std::vector<boost::default_color_type> colors(num_vertices(product), boost::white_color);
+    cost.assign(num_vertices(product), infinity);
     closed.clear();
     least = beat;
-    cost[start] = 0;
-    ranks[start] = bound(graph[start]);
+    cost[product.index(start)] = 0;
+    ranks[product.index(start)] = bound(start);
     Visitor visitor;
     visitor.search = this;
     visitor.rank = &ranks;
     try {
       boost::astar_search_no_init(
-          graph, start, [&](Vertex v) { return bound(graph[v]); }, visitor, boost::dummy_property_map(),
+          product, start, [&](const Vertex& v) { return bound(v); }, visitor, boost::dummy_property_map(),
           boost::make_iterator_property_map(ranks.begin(), index),
-          boost::make_iterator_property_map(cost.begin(), index), get(&ProductEdge::cost, graph),
+          boost::make_iterator_property_map(cost.begin(), index), CostMap{&product},
           boost::make_iterator_property_map(colors.begin(), index), index, std::less<>(), std::plus<>(),
           infinity, 0.0);
     } catch (const SearchEnds&) {
@@ -159,49 +185,48 @@ struct AStar {
 
   // Least-cost routes run along edges u → v with g(u) + c = g(v) to an accepting vertex with g = C*. In order of
   // falling g every vertex is settled after its successors: the first action that leads on is the one to take.
-  std::vector<Step> first_route(Vertex start) {
-    const ProductGraph& graph = product.graph;
-    std::sort(closed.begin(), closed.end(), [&](Vertex a, Vertex b) { return cost[a] > cost[b]; });
+  std::vector<Edge> first_route(const Vertex& start) {
+    const auto g = [&](const Vertex& v) { return cost[product.index(v)]; };
+    std::sort(closed.begin(), closed.end(), [&](const Vertex& a, const Vertex& b) { return g(a) > g(b); });
     std::vector<bool> leads_on(cost.size(), false);
-    std::unordered_map<Vertex, Edge> choice;
-    for (Vertex v : closed) {
-      if (cost[v] == least && product.is_accepting(v)) leads_on[v] = true;
-      if (cost[v] >= least) continue;
-      for (auto [e, end] = out_edges(v, graph); e != end && !leads_on[v]; ++e) {
-        const Vertex to = target(*e, graph);
-        if (!leads_on[to] || cost[v] + graph[*e].cost != cost[to]) continue;
-        leads_on[v] = true;
-        choice.emplace(v, *e);
+    std::unordered_map<std::size_t, Edge> choice;  // by index
+    for (const Vertex& v : closed) {
+      const std::size_t i = product.index(v);
+      if (cost[i] == least && product.is_accepting(v)) leads_on[i] = true;
+      if (cost[i] >= least) continue;
+      for (auto [e, end] = out_edges(v, product); e != end && !leads_on[i]; ++e) {
+        const std::size_t to = product.index(e->to);
+        if (!leads_on[to] || cost[i] + product.cost(*e) != cost[to]) continue;
+        leads_on[i] = true;
+        choice.emplace(i, *e);
       }
     }
-    std::vector<Step> steps;
-    for (Vertex v = start; cost[v] < least; v = target(choice.at(v), graph))
-      steps.push_back({v, graph[choice.at(v)].action});
+    std::vector<Edge> steps;
+    for (Vertex v = start; g(v) < least; v = steps.back().to) steps.push_back(choice.at(product.index(v)));
     return steps;
   }
 };
 
-Outcome solve_by_a_star(const Product& product, const ShortestRoute& method) {
-  TaskSteps steps(*product.map, *product.dfa);
-  LowerBound bound(steps);
+Outcome solve_by_a_star(const MapProduct& product, const ShortestRoute& method) {
+  LowerBound bound(product.task());
   AStar search{product, bound, method.stop};
   std::optional<AStar::Found> best;
-  Policy policy{std::vector<std::optional<Action>>(num_vertices(product.graph)), 0};
-  for (ProductVertex start : product.starts) {
+  Policy policy{std::vector<std::optional<Action>>(num_vertices(product)), {}};
+  for (const ProductState& start : product.starts()) {
     auto found = search.run(start, best ? best->cost : infinity);
     if (search.stopped) return Exhausted{search.expanded};
     if (!found) continue;
     best = std::move(found);
     policy.start = start;
   }
-  if (!best) return Infeasible{no_run(*product.dfa, num_vertices(product.graph))};
-  for (const auto& step : best->steps) policy.action[step.from] = step.action;
+  if (!best) return Infeasible{no_run(product.dfa(), num_vertices(product))};
+  for (const ProductEdge& step : best->steps) policy.action[product.index(step.from)] = product.action(step);
   return Solved{std::move(policy), best->cost, best->cost, best->cost, search.expanded};
 }
 
 }  // namespace
 
-Outcome solve(const Product& product, const ShortestRoute& method) {
+Outcome solve(const MapProduct& product, const ShortestRoute& method) {
   switch (method.algorithm) {
     case ShortestRoute::Algorithm::AStar: return solve_by_a_star(product, method);
     case ShortestRoute::Algorithm::Dijkstra: return solve_by_dijkstra(product, method);

@@ -17,6 +17,6 @@ struct ShortestRoute {
   std::stop_token stop = {};  // polled every few hundred vertices; then Exhausted
 };
 
-Outcome solve(const Product& product, const ShortestRoute& method = {});
+Outcome solve(const MapProduct& product, const ShortestRoute& method = {});
 
 }  // namespace waymark::plan

@@ -55,7 +55,7 @@ std::vector<Decision> decisions(const ProductMdp<Model>& product, const Strategy
 template <class Model>
 std::vector<Decision> decisions(const Model& model, const TaskTable& task, const ChoiceRoute& route) {
   std::vector<Decision> out;
-  std::uint32_t q = task.next(task.initial(), model.initial_letter()).target;
+  std::uint32_t q = task.next(task.initial_states().front(), model.initial_letter()).target;
   for (std::size_t i = 0; i < route.choices.size(); ++i) {
     const std::uint32_t place = route.places[i], k = route.choices[i];
     out.push_back(

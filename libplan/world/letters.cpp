@@ -8,4 +8,11 @@ LetterId Letters::intern(const ltl::Letter& letter) {
   return LetterId{at->second};
 }
 
+ltl::FormatError unknown_proposition(const std::string& owner, const ltl::Vocabulary& vocabulary,
+                                     const std::string& name) {
+  std::string message = owner + " has no proposition '" + name + "'";
+  if (const auto meant = vocabulary.nearest(name)) message += " (did you mean '" + *meant + "'?)";
+  return ltl::FormatError("", 0, 0, message);
+}
+
 }  // namespace waymark::plan

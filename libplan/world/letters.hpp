@@ -5,9 +5,11 @@
 #include <cstddef>
 #include <cstdint>
 #include <map>
+#include <string>
 #include <utility>
 #include <vector>
 
+#include "libltl/diagnostic.hpp"
 #include "libltl/vocabulary.hpp"
 #include "libltl/word.hpp"
 
@@ -26,11 +28,16 @@ class Letters {
   const ltl::Vocabulary& vocabulary() const { return vocabulary_; }
   std::size_t size() const { return letters_.size(); }
   const ltl::Letter& operator[](LetterId id) const { return letters_[id.index]; }
+  const std::vector<ltl::Letter>& all() const { return letters_; }  // by LetterId
 
  private:
   ltl::Vocabulary vocabulary_;
   std::vector<ltl::Letter> letters_;
   std::map<std::vector<ltl::Proposition>, std::uint32_t> index_;
 };
+
+// The error for a proposition that no letter over the vocabulary can carry, with the nearest name as a hint.
+ltl::FormatError unknown_proposition(const std::string& owner, const ltl::Vocabulary& vocabulary,
+                                     const std::string& name);
 
 }  // namespace waymark::plan

@@ -48,11 +48,11 @@ Map::Map(std::string name, Hallways hallways, std::vector<std::string> objects,
     : name_(std::move(name)),
       hallways_(std::move(hallways)),
       observables_{std::move(objects), std::move(floors), std::move(walls), highest_place(hallways_)},
-      vocabulary_(hallway_vocabulary(observables_)) {
+      letters_(hallway_vocabulary(observables_)) {
   if (nodes().empty()) throw std::invalid_argument("a map needs at least one node");
-  if (nodes().size() > max_size / vocabulary_.size())
+  if (nodes().size() > max_size / vocabulary().size())
     throw std::invalid_argument("the map is too large: " + std::to_string(nodes().size()) + " nodes, " +
-                                std::to_string(vocabulary_.size()) + " propositions");
+                                std::to_string(vocabulary().size()) + " propositions");
   tabulate_letters();
   tabulate_successors();
 }
@@ -62,15 +62,15 @@ Map::Map(std::string name, const std::vector<Node>& nodes, const std::vector<Edg
     : Map(std::move(name), assemble(nodes, edges), std::move(objects), std::move(floors), std::move(walls)) {}
 
 void Map::tabulate_letters() {
-  std::unordered_map<ltl::Letter, LetterId, LetterHash> ids(64, LetterHash{vocabulary_.size() / 64 + 1});
+  std::unordered_map<ltl::Letter, LetterId, LetterHash> ids(64, LetterHash{vocabulary().size() / 64 + 1});
   const auto intern = [&](const ltl::Letter& letter) {
     const auto [it, is_new] = ids.try_emplace(letter, LetterId{static_cast<std::uint32_t>(letters_.size())});
-    if (is_new) letters_.push_back(letter);
+    if (is_new) letters_.intern(letter);
     return it->second;
   };
-  const std::array<ltl::Proposition, 3> events{*vocabulary_.find("moved"), *vocabulary_.find("turned_left"),
-                                               *vocabulary_.find("turned_right")};
-  const Labelling labelling(hallways_, vocabulary_);
+  const std::array<ltl::Proposition, 3> events{*vocabulary().find("moved"), *vocabulary().find("turned_left"),
+                                               *vocabulary().find("turned_right")};
+  const Labelling labelling(hallways_, vocabulary());
   letter_ids_.resize(poses());
   for (std::uint32_t p = 0; p < poses(); ++p) {
     const ltl::Letter label = labelling.label(p / 4, static_cast<int>(p % 4) * 90);

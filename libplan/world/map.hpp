@@ -55,7 +55,7 @@ class Map {
   const std::vector<std::string>& walls() const { return observables_.walls; }
   int places() const { return observables_.places; }
 
-  const ltl::Vocabulary& vocabulary() const { return vocabulary_; }
+  const ltl::Vocabulary& vocabulary() const { return letters_.vocabulary(); }
   std::size_t poses() const { return 4 * nodes().size(); }
   Pose pose(PoseId p) const;
   std::optional<PoseId> find(const Pose& pose) const;
@@ -81,8 +81,8 @@ class Map {
   LetterId letter_id(PoseId after, Action by) const {
     return letter_ids_[after.index][static_cast<std::size_t>(by)];
   }
-  const ltl::Letter& letter(LetterId id) const { return letters_[id.index]; }
-  const std::vector<ltl::Letter>& letters() const { return letters_; }  // the distinct ones
+  const ltl::Letter& letter(LetterId id) const { return letters_[id]; }
+  const Letters& letters() const { return letters_; }
 
  private:
   static constexpr std::uint32_t wall_ahead = UINT32_MAX;
@@ -92,8 +92,7 @@ class Map {
   std::string name_;
   Hallways hallways_;
   Observables observables_;
-  ltl::Vocabulary vocabulary_;
-  std::vector<ltl::Letter> letters_;
+  Letters letters_;
   std::vector<std::array<LetterId, 4>> letter_ids_;       // by pose: after each action, then L(pose) itself
   std::vector<std::array<std::uint32_t, 3>> successors_;  // by pose and action
 };

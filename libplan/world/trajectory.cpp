@@ -177,9 +177,7 @@ ltl::Trace word_of(const Trajectory& trajectory, const Map& map) {
 }
 
 ltl::FormatError unknown_proposition(const Map& map, const std::string& name) {
-  std::string message = "the map " + map.name() + " has no proposition '" + name + "'";
-  if (const auto meant = map.vocabulary().nearest(name)) message += " (did you mean '" + *meant + "'?)";
-  return ltl::FormatError("", 0, 0, message);
+  return unknown_proposition("the map " + map.name(), map.vocabulary(), name);
 }
 
 ltl::Trace word_for(ltl::Formula f, const Trajectory& trajectory, const Map& map) {

@@ -106,7 +106,7 @@ void planner_per_task(benchmark::State& state) {
 template <ShortestRoute::Algorithm algorithm>
 void built_product(benchmark::State& state) {
   run(state, [](Workload& work, const Pair& pair) {
-    const Product product = compose(work.map, work.tasks[pair.task], pair.start);
+    const MapProduct product = compose(work.map, work.tasks[pair.task], pair.start);
     return std::get<Solved>(solve(product, {.algorithm = algorithm})).expanded;
   });
 }

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <boost/range/iterator_range.hpp>
 #include <map>
 #include <set>
 
@@ -21,7 +22,7 @@ automata::Dfa dfa_of(const std::string& formula) {
 }
 
 std::string show_pair(const Map& map, const ProductState& state) {
-  return show(map.pose(state.pose)) + " × " + std::to_string(state.task.index);
+  return show(map.pose(PoseId{state.place})) + " × " + std::to_string(state.task);
 }
 
 using Edges = std::map<std::string, std::vector<std::string>>;  // pair → "ACTION pair", in order
@@ -36,16 +37,17 @@ Edges by_definition(const Map& map, const automata::Dfa& dfa, const std::vector<
   };
   Edges edges;
   std::vector<ProductState> todo;
-  for (PoseId s : starts) todo.push_back({s, dfa.next(dfa.initial(), letter(map.label(s)))});
+  for (PoseId s : starts) todo.push_back({s.index, dfa.next(dfa.initial(), letter(map.label(s))).index});
   while (!todo.empty()) {
     const ProductState from = todo.back();
     todo.pop_back();
     const auto [it, is_new] = edges.try_emplace(show_pair(map, from));
-    if (!is_new || dfa.is_trap(from.task)) continue;
+    if (!is_new || dfa.is_trap(automata::StateId{from.task})) continue;
     for (Action action : all_actions) {
-      const auto pose = map.successor(from.pose, action);
+      const auto pose = map.successor(PoseId{from.place}, action);
       if (!pose) continue;
-      const ProductState to{*pose, dfa.next(from.task, letter(map.letter(*pose, action)))};
+      const ProductState to{pose->index,
+                            dfa.next(automata::StateId{from.task}, letter(map.letter(*pose, action))).index};
       it->second.push_back(std::string(name(action)) + " " + show_pair(map, to));
       todo.push_back(to);
     }
@@ -53,13 +55,13 @@ Edges by_definition(const Map& map, const automata::Dfa& dfa, const std::vector<
   return edges;
 }
 
-Edges edges_of(const Product& product) {
+Edges edges_of(const MapProduct& product) {
   Edges out;
-  for (ProductVertex v = 0; v < num_vertices(product.graph); ++v) {
-    auto& list = out[show_pair(*product.map, product.graph[v])];
-    for (auto [e, end] = out_edges(v, product.graph); e != end; ++e)
-      list.push_back(std::string(name(product.graph[*e].action)) + " " +
-                     show_pair(*product.map, product.graph[target(*e, product.graph)]));
+  for (const ProductState& v : boost::make_iterator_range(vertices(product))) {
+    auto& list = out[show_pair(product.map(), v)];
+    for (auto [e, end] = out_edges(v, product); e != end; ++e)
+      list.push_back(std::string(name(product.action(*e))) + " " +
+                     show_pair(product.map(), target(*e, product)));
   }
   return out;
 }
@@ -74,10 +76,10 @@ TEST(Compose, IsTheReachableProductByDefinition) {
       const automata::Dfa dfa = automata::ltlf_to_dfa(f);
       const std::vector<PoseId> starts{PoseId{static_cast<std::uint32_t>(random.below(map.poses()))},
                                        PoseId{static_cast<std::uint32_t>(random.below(map.poses()))}};
-      const Product product = compose(map, dfa, starts);
+      const MapProduct product = compose(map, dfa, starts);
       EXPECT_EQ(edges_of(product), by_definition(map, dfa, starts)) << "seed " << seed << ", round " << round;
-      ASSERT_EQ(product.starts.size(), 2U);
-      EXPECT_EQ(product.graph[product.starts[1]].pose, starts[1]);
+      ASSERT_EQ(product.starts().size(), 2U);
+      EXPECT_EQ(product.starts()[1].place, starts[1].index);
     }
   }
 }
@@ -85,11 +87,11 @@ TEST(Compose, IsTheReachableProductByDefinition) {
 TEST(Compose, TrapsAreNotExpanded) {
   const Map map = square();
   const automata::Dfa dfa = dfa_of("G !sofa & F blue");
-  const Product product = compose(map, dfa, PoseId{0});
+  const MapProduct product = compose(map, dfa, PoseId{0});
   std::size_t traps = 0;
-  for (ProductVertex v = 0; v < num_vertices(product.graph); ++v) {
+  for (const ProductState& v : boost::make_iterator_range(vertices(product))) {
     traps += product.is_trap(v) ? 1 : 0;
-    EXPECT_EQ(out_degree(v, product.graph) == 0, product.is_trap(v));
+    EXPECT_EQ(out_degree(v, product) == 0, product.is_trap(v));
   }
   EXPECT_GT(traps, 0U);
 }
@@ -105,8 +107,8 @@ TEST(Compose, StopsAtItsLimits) {
   const Map map = shipped("grid");
   const automata::Dfa dfa = dfa_of("F (sofa & X F (chair & X moved))");
   const PoseId start{5};
-  const Product whole = compose(map, dfa, start);
-  const std::size_t vertices = num_vertices(whole.graph);
+  const MapProduct whole = compose(map, dfa, start);
+  const std::size_t vertices = num_vertices(whole);
   const auto allowed = compose(map, dfa, {&start, 1}, {.vertices = vertices});
   ASSERT_TRUE(allowed);
   EXPECT_EQ(edges_of(*allowed), edges_of(whole));

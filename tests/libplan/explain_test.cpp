@@ -73,7 +73,7 @@ TEST(Solve, GivesUpWhenAsked) {
   ltl::Arena arena(map.vocabulary());
   const automata::Dfa dfa = automata::ltlf_to_dfa(
       ltl::parse("F place_1 & F place_2 & F place_3 & F place_4 & F place_5 & F place_6 & F place_7", arena));
-  const Product product = compose(map, dfa, PoseId{0});
+  const MapProduct product = compose(map, dfa, PoseId{0});
   std::stop_source source;
   source.request_stop();
   using enum ShortestRoute::Algorithm;
@@ -89,15 +89,15 @@ TEST(Solve, DijkstraKnowsTheWayFromEverywhere) {
   const Map map = shipped("l");
   ltl::Arena arena(map.vocabulary());
   const automata::Dfa dfa = automata::ltlf_to_dfa(ltl::parse("F (lamp & F chair)", arena));
-  const Product product = compose(map, dfa, PoseId{0});
+  const MapProduct product = compose(map, dfa, PoseId{0});
   const Outcome outcome = solve(product, {.algorithm = ShortestRoute::Algorithm::Dijkstra});
   Policy policy = std::get<Solved>(outcome).policy;
-  for (policy.start = 0; policy.start < num_vertices(product.graph); ++policy.start) {
-    if (product.graph[policy.start].task != product.graph[product.starts[0]].task) continue;
-    const PoseId pose = product.graph[policy.start].pose;
+  for (auto [v, end] = vertices(product); v != end; ++v) {
+    policy.start = *v;
+    if (v->task != product.starts()[0].task) continue;
+    const PoseId pose{v->place};
     const auto direct = RoutePlanner(map, dfa).plan(pose);
-    if (TaskSteps(map, dfa).next(dfa.initial(), map.label_id(pose)) != product.graph[policy.start].task)
-      continue;
+    if (TaskSteps(map, dfa).next(dfa.initial(), map.label_id(pose)).index != v->task) continue;
     EXPECT_EQ(roll_out(product, policy).actions, std::get<Route>(direct).actions) << show(map.pose(pose));
   }
 }

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <boost/range/iterator_range.hpp>
 #include <cmath>
 #include <limits>
 
@@ -25,17 +26,18 @@ std::vector<PoseId> every_pose(const Map& map) {
 }
 
 // Cost to acceptance by vertex: value iteration to the fixed point, slow and obvious.
-std::vector<double> true_costs(const Product& product) {
-  std::vector<double> cost(num_vertices(product.graph), infinity);
+std::vector<double> true_costs(const MapProduct& product) {
+  std::vector<double> cost(num_vertices(product), infinity);
   for (bool changed = true; changed;) {
     changed = false;
-    for (ProductVertex v = 0; v < cost.size(); ++v) {
+    for (const ProductState& v : boost::make_iterator_range(vertices(product))) {
       double best = product.is_accepting(v) ? 0 : infinity;
-      for (auto [e, end] = out_edges(v, product.graph); e != end; ++e)
-        best = std::min(best, product.graph[*e].cost + cost[target(*e, product.graph)]);
+      for (auto [e, end] = out_edges(v, product); e != end; ++e)
+        best = std::min(best, product.cost(*e) + cost[product.index(target(*e, product))]);
       if (product.is_accepting(v)) best = 0;
-      if (best < cost[v]) changed = true;
-      cost[v] = std::min(cost[v], best);
+      double& known = cost[product.index(v)];
+      if (best < known) changed = true;
+      known = std::min(known, best);
     }
   }
   return cost;
@@ -44,18 +46,19 @@ std::vector<double> true_costs(const Product& product) {
 void check(const Map& map, ltl::Formula f) {
   const automata::Dfa dfa = automata::ltlf_to_dfa(f);
   const std::vector<PoseId> starts = every_pose(map);
-  const Product product = compose(map, dfa, starts);
+  const MapProduct product = compose(map, dfa, starts);
   const std::vector<double> costs = true_costs(product);
   TaskSteps steps(map, dfa);
   LowerBound bound(steps);
-  for (ProductVertex v = 0; v < costs.size(); ++v) {
-    const double h = bound(product.graph[v]);
-    ASSERT_LE(h, costs[v]) << "not admissible: " << paste(map, f, {&product.graph[v].pose, 1});
-    ASSERT_GE(h, product.is_trap(v) ? infinity : dfa.distance_to_acceptance(product.graph[v].task));
+  for (const ProductState& v : boost::make_iterator_range(vertices(product))) {
+    const double h = bound(v);
+    const PoseId pose{v.place};
+    ASSERT_LE(h, costs[product.index(v)]) << "not admissible: " << paste(map, f, {&pose, 1});
+    ASSERT_GE(h, product.is_trap(v) ? infinity : dfa.distance_to_acceptance(automata::StateId{v.task}));
     if (product.is_accepting(v)) continue;  // never expanded by a search
-    for (auto [e, end] = out_edges(v, product.graph); e != end; ++e)
-      ASSERT_LE(h, product.graph[*e].cost + bound(product.graph[target(*e, product.graph)]))
-          << "not consistent: " << paste(map, f, {&product.graph[v].pose, 1});
+    for (auto [e, end] = out_edges(v, product); e != end; ++e)
+      ASSERT_LE(h, product.cost(*e) + bound(target(*e, product)))
+          << "not consistent: " << paste(map, f, {&pose, 1});
   }
 }
 
@@ -75,11 +78,12 @@ TEST(LowerBound, IsExactForOneReachStep) {
   ltl::Arena arena(map.vocabulary());
   const automata::Dfa dfa = automata::ltlf_to_dfa(ltl::parse("F sofa", arena));
   const std::vector<PoseId> starts = every_pose(map);
-  const Product product = compose(map, dfa, starts);
+  const MapProduct product = compose(map, dfa, starts);
   const std::vector<double> costs = true_costs(product);
   TaskSteps steps(map, dfa);
   LowerBound bound(steps);
-  for (ProductVertex v = 0; v < costs.size(); ++v) EXPECT_EQ(bound(product.graph[v]), costs[v]);
+  for (const ProductState& v : boost::make_iterator_range(vertices(product)))
+    EXPECT_EQ(bound(v), costs[product.index(v)]);
 }
 
 TEST(LowerBound, SavesExpansions) {
@@ -88,7 +92,7 @@ TEST(LowerBound, SavesExpansions) {
   const automata::Dfa dfa = automata::ltlf_to_dfa(ltl::parse("F (chair & F (sofa & F place_1))", arena));
   std::size_t by_a_star = 0, by_dijkstra = 0;
   for (PoseId start : every_pose(map)) {
-    const Product product = compose(map, dfa, start);
+    const MapProduct product = compose(map, dfa, start);
     const Outcome a_star = solve(product, {.algorithm = ShortestRoute::Algorithm::AStar});
     const Outcome dijkstra = solve(product, {.algorithm = ShortestRoute::Algorithm::Dijkstra});
     by_a_star += std::get<Solved>(a_star).expanded;

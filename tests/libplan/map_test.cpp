@@ -77,7 +77,7 @@ TEST(Map, EqualLettersHaveOneId) {
   for (const char* file : {"grid", "jelly", "l"}) {
     const Map map = shipped(file);
     std::set<std::pair<std::uint64_t, std::uint64_t>> distinct;
-    for (const ltl::Letter& letter : map.letters()) distinct.insert({letter.block(0), letter.block(1)});
+    for (const ltl::Letter& letter : map.letters().all()) distinct.insert({letter.block(0), letter.block(1)});
     ASSERT_LE(map.vocabulary().size(), 128U);
     EXPECT_EQ(distinct.size(), map.letters().size());
     EXPECT_LE(map.letters().size(), 4 * map.poses());
@@ -146,7 +146,7 @@ TEST(MapMdp, TurnsMayComeToNothingOrGoTooFar) {
         ++turns;
       }
       std::map<std::uint32_t, double> found;
-      for (const MdpOutcome& o : mdp.outcomes(p, k)) {
+      for (const ModelOutcome& o : mdp.outcomes(p, k)) {
         found[o.target] += o.probability;
         EXPECT_EQ(mdp.letters()[o.letter], map.letter(PoseId{o.target}, action));
       }

@@ -14,7 +14,7 @@ namespace {
 
 std::optional<Route> by_policy(const Map& map, const automata::Dfa& dfa, std::span<const PoseId> starts,
                                ShortestRoute::Algorithm algorithm) {
-  const Product product = compose(map, dfa, starts);
+  const MapProduct product = compose(map, dfa, starts);
   const Outcome outcome = solve(product, {.algorithm = algorithm});
   EXPECT_FALSE(std::holds_alternative<Exhausted>(outcome));
   const auto* solved = std::get_if<Solved>(&outcome);

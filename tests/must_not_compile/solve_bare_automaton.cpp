@@ -2,7 +2,7 @@
 // What is solved is a product with a map: an automaton alone has no poses to go to.
 #include "libplan/solve/shortest_route.hpp"
 
-waymark::plan::Outcome answer(const waymark::plan::Product& product, const waymark::automata::Dfa& dfa) {
+waymark::plan::Outcome answer(const waymark::plan::MapProduct& product, const waymark::automata::Dfa& dfa) {
 #ifdef MUST_NOT_COMPILE
   static_cast<void>(product);
   return waymark::plan::solve(dfa, waymark::plan::ShortestRoute{});

@@ -24,8 +24,8 @@ struct Entered {
 };
 
 // Outcomes with one target are one outcome.
-void add(std::vector<MdpOutcome>& row, const MdpOutcome& outcome) {
-  for (MdpOutcome& o : row) {
+void add(std::vector<ModelOutcome>& row, const ModelOutcome& outcome) {
+  for (ModelOutcome& o : row) {
     if (o.target != outcome.target) continue;
     o.probability = std::min(1.0, o.probability + outcome.probability);
     return;
@@ -39,7 +39,7 @@ StateLabelled split(const Model& model) {
   entered(model.initial(), model.initial_letter());
   MdpBuilder builder(model.letters().vocabulary());
   for (std::uint32_t i = 0; i < model.letters().size(); ++i) builder.letter(model.letters()[LetterId{i}]);
-  std::vector<MdpOutcome> row;
+  std::vector<ModelOutcome> row;
   for (std::uint32_t i = 0; i < entered.state.size(); ++i) {
     const std::uint32_t s = entered.state[i];
     builder.add_state(model.name(s));
@@ -49,7 +49,7 @@ StateLabelled split(const Model& model) {
       model.for_each_outcome(s, k, [&](std::uint32_t target, LetterId letter, double probability) {
         add(row, {entered(target, letter), letter, probability});
       });
-      for (const MdpOutcome& o : row) builder.add_outcome(o.target, o.letter, o.probability);
+      for (const ModelOutcome& o : row) builder.add_outcome(o.target, o.letter, o.probability);
     }
     if (model.choices(s) > 0) continue;
     builder.add_choice("stay", 0);

@@ -64,7 +64,7 @@ std::string transitions(const Mdp& mdp) {
   for (std::uint32_t s = 0; s < mdp.states(); ++s)
     for (std::uint32_t k = 0; k < mdp.choices(s); ++k) {
       const std::string& action = actions(mdp.action(s, k), mdp.cost(s, k));
-      for (const MdpOutcome& o : mdp.outcomes(s, k))
+      for (const ModelOutcome& o : mdp.outcomes(s, k))
         out += std::to_string(s) + ' ' + std::to_string(k) + ' ' + std::to_string(o.target) + ' ' +
                text(o.probability) + ' ' + action + '\n';
     }
@@ -118,7 +118,7 @@ std::string transition_rewards(const Mdp& mdp) {
   for (std::uint32_t s = 0; s < mdp.states(); ++s)
     for (std::uint32_t k = 0; k < mdp.choices(s); ++k) {
       if (mdp.cost(s, k) == 0) continue;
-      for (const MdpOutcome& o : mdp.outcomes(s, k)) {
+      for (const ModelOutcome& o : mdp.outcomes(s, k)) {
         rows += std::to_string(s) + ' ' + std::to_string(k) + ' ' + std::to_string(o.target) + ' ' +
                 text(mdp.cost(s, k)) + '\n';
         ++count;
@@ -183,7 +183,7 @@ class LanguageWriter {
   std::string command(std::uint32_t s, std::uint32_t k) {
     std::string out = "  [" + actions_(mdp_.action(s, k), mdp_.cost(s, k)) + "] " + guard(s) + " -> ";
     bool first = true;
-    for (const MdpOutcome& o : mdp_.outcomes(s, k)) {
+    for (const ModelOutcome& o : mdp_.outcomes(s, k)) {
       out += (first ? "" : " + ") + text(o.probability) + ':' + update(o.target);
       first = false;
     }

@@ -14,7 +14,7 @@ int main(int, char** argv) {
   ltl::Arena arena(map.vocabulary());
   const ltl::Formula phi = ltl::parse("F (chair & X moved)", arena);
   const automata::Dfa dfa = automata::ltlf_to_dfa(phi);
-  const plan::Product product = plan::compose(map, dfa, map.find({1, 9, 0}).value());
+  const plan::MapProduct product = plan::compose(map, dfa, map.find({1, 9, 0}).value());
   const auto solved = std::get<plan::Solved>(plan::solve(product, plan::ShortestRoute{}));
   const auto certified = plan::certify(plan::roll_out(product, solved.policy), map, phi);
   std::cout << "certified:";

@@ -58,7 +58,7 @@ TEST(Comparison, EveryMethodRunsOnATask) {
   ltl::Arena arena(map.vocabulary());
   const ltl::Formula phi = ltl::parse("F (sofa & X F blue)", arena);
   const PoseId start{0};
-  const LearningTask task(map, automata::ltlf_to_dfa(phi), phi, {&start, 1}, {.gltl = true});
+  const LearningTask task(map, automata::ltlf_to_dfa(phi), phi, {&start, 1});
   std::set<std::string> names;
   for (const Method& method : learning_methods()) {
     EXPECT_TRUE(names.insert(method.name).second) << method.name << " stands twice in the table";
@@ -93,8 +93,7 @@ TEST(Comparison, ModelsAreLearntToo) {
   EXPECT_NEAR(LearningTask(corridor(9, 0.1), dfa, phi, {}).optimum().value.cost, 12 / 0.8, 1e-9);
   for (const Method& method : learning_methods()) {
     const auto* dqn = std::get_if<DqnMethod>(&method.how);
-    EXPECT_EQ(near.allows(method), dqn != nullptr ? dqn->sight == Sight::Landmarks
-                                                  : !std::holds_alternative<GltlMethod>(method.how));
+    EXPECT_EQ(near.allows(method), dqn == nullptr || dqn->sight == Sight::Landmarks);
     if (!near.allows(method)) continue;
     const LearningCurve curve = near.run(method, {.steps = 2'000, .interval = 1'000, .horizon = 200});
     EXPECT_EQ(curve.checkpoints.size(), 3U) << method.name;

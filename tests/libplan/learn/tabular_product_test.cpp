@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <boost/range/iterator_range.hpp>
 #include <map>
 
 #include "libltl/diagnostic.hpp"
@@ -22,23 +23,22 @@ TEST(TabularProduct, IsTheBuiltProductWhereThatIsReachable) {
     for (const char* formula :
          {"F (sofa & X F chair)", "!blue U chair", "F sofa & G !turned_left", "X X moved"}) {
       const automata::Dfa dfa = dfa_of(formula);
-      const Product built = compose(map, dfa, PoseId{0});
+      const MapProduct built = compose(map, dfa, PoseId{0});
       const TabularProduct flat = tabulate(map, dfa, PoseId{0});
       ASSERT_EQ(flat.names, (std::vector<std::string>{"FORWARD", "LEFT", "RIGHT"}));
       EXPECT_TRUE(flat.is_deterministic());
-      const auto number = [&](const ProductState& s) { return flat.state(s.pose.index, s.task.index); };
+      const auto number = [&](const ProductState& s) { return flat.state(s.place, s.task); };
       ASSERT_EQ(flat.starts.size(), 1U);
-      EXPECT_EQ(flat.starts[0].state, number(built.graph[built.starts[0]]));
-      for (ProductVertex v = 0; v < num_vertices(built.graph); ++v) {
-        const ProductState& from = built.graph[v];
-        EXPECT_EQ(flat.ending(number(from)) == Ending::Accepting, built.is_accepting(v));
-        EXPECT_EQ(flat.ending(number(from)) == Ending::Trap, built.is_trap(v));
-        for (auto [e, end] = out_edges(v, built.graph); e != end; ++e) {
-          const auto action = static_cast<std::uint32_t>(built.graph[*e].action);
-          const auto outcomes = flat.outcomes_of(from.pose.index, action);
+      EXPECT_EQ(flat.starts[0].state, number(built.starts()[0]));
+      for (const ProductState& from : boost::make_iterator_range(vertices(built))) {
+        EXPECT_EQ(flat.ending(number(from)) == Ending::Accepting, built.is_accepting(from));
+        EXPECT_EQ(flat.ending(number(from)) == Ending::Trap, built.is_trap(from));
+        for (auto [e, end] = out_edges(from, built); e != end; ++e) {
+          const auto action = static_cast<std::uint32_t>(built.action(*e));
+          const auto outcomes = flat.outcomes_of(from.place, action);
           ASSERT_EQ(outcomes.size(), 1U);
-          EXPECT_EQ(flat.state(outcomes[0].position, flat.task.after(from.task.index, outcomes[0].letter)),
-                    number(built.graph[target(*e, built.graph)]))
+          EXPECT_EQ(flat.state(outcomes[0].position, flat.task.after(from.task, outcomes[0].letter)),
+                    number(target(*e, built)))
               << map.name() << "  " << formula;
         }
       }

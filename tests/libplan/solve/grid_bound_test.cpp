@@ -103,8 +103,8 @@ TEST(GridBound, RoutesAreThoseOfAPlainSearch) {
                              "F (a & X (!a U c)) & G !zebra", "a & F b"}) {
       const ltl::Formula f = ltl::parse(text, arena, {.unknown = ltl::Unknown::Add});
       const automata::Dfa dfa = automata::ltlf_to_dfa(f);
-      const auto on_grid = search(grid, TaskTable(dfa, grid.letters()));
-      const auto on_mdp = search(mdp, TaskTable(dfa, mdp.letters()));
+      const auto on_grid = search(Product(grid, TaskTable(dfa, grid.letters())));
+      const auto on_mdp = search(Product(mdp, TaskTable(dfa, mdp.letters())));
       ASSERT_TRUE(on_grid && on_mdp);
       ASSERT_EQ(on_grid->route.has_value(), on_mdp->route.has_value()) << text;
       if (!on_grid->route) continue;
@@ -149,8 +149,8 @@ TEST(ProductSearch, LegsMakeTheRouteOfTheWhole) {
       tasks.push_back(ltl::parse(text, arena));
     for (const ltl::Formula f : tasks) {
       const automata::Dfa dfa = automata::ltlf_to_dfa(f);
-      const auto on_grid = search(grid, TaskTable(dfa, grid.letters()));
-      const auto on_mdp = search(mdp, TaskTable(dfa, mdp.letters()));
+      const auto on_grid = search(Product(grid, TaskTable(dfa, grid.letters())));
+      const auto on_mdp = search(Product(mdp, TaskTable(dfa, mdp.letters())));
       ASSERT_TRUE(on_grid && on_mdp);
       ASSERT_EQ(on_grid->route.has_value(), on_mdp->route.has_value())
           << ltl::print(f) << ", seed " << seed << ", grid " << i;

@@ -112,7 +112,7 @@ bool some_lasso(const Mdp& mdp, ltl::Formula f, std::size_t length) {
     if (closes()) return true;
     if (left == 0) return false;
     for (std::uint32_t k = 0; k < mdp.choices(places.back()); ++k) {
-      const MdpOutcome& outcome = mdp.outcomes(places.back(), k)[0];
+      const ModelOutcome& outcome = mdp.outcomes(places.back(), k)[0];
       places.push_back(outcome.target);
       word.push_back(mdp.letters()[outcome.letter]);
       const bool found = self(self, left - 1);
@@ -145,7 +145,7 @@ TEST(LeastLasso, AgreesWithWalksOfEveryLength) {
     const automata::Automaton automaton = automata::ltl_to_tgba(f);
     automata::Budget budget;
     const BuchiProduct product = compose(mdp, automaton, budget);
-    if ((product.places.size() << product.graph.sets) > 24) continue;
+    if ((product.states.size() << product.graph.sets) > 24) continue;
     for (LassoOrder order : {LassoOrder::Prefix, LassoOrder::Cycle, LassoOrder::Mean}) {
       const auto answer = least_lasso(mdp, automaton, order);
       ASSERT_TRUE(answer);

@@ -37,7 +37,7 @@ void enumerate(const Mdp& mdp, ltl::Formula f, std::vector<std::uint32_t>& place
   if (length == 0) return;
   const std::uint32_t at = places.back();
   for (std::uint32_t k = 0; k < mdp.choices(at); ++k) {
-    const MdpOutcome& outcome = mdp.outcomes(at, k)[0];
+    const ModelOutcome& outcome = mdp.outcomes(at, k)[0];
     places.push_back(outcome.target);
     word.push_back(mdp.letters()[outcome.letter]);
     enumerate(mdp, f, places, word, cost + 1, length - 1, out);
@@ -78,7 +78,7 @@ TEST(LeastRoutes, AreTheFirstOfAllRoutes) {
     const ltl::Formula f =
         ltl::next(ltl::random_formula(random, arena, {.size = 3 + random.below(7), .atoms = 2}));
     const Mdp mdp = labelled_places(random);
-    const auto answer = least_routes(mdp, TaskTable(automata::ltlf_to_dfa(f), mdp.letters()), most);
+    const auto answer = least_routes(Product(mdp, TaskTable(automata::ltlf_to_dfa(f), mdp.letters())), most);
     ASSERT_TRUE(answer);
     std::vector<std::uint32_t> places{mdp.initial()};
     std::vector<ltl::Letter> word{mdp.letters()[mdp.initial_letter()]};
@@ -114,8 +114,8 @@ TEST(LeastRoutes, BeginWithTheRouteOfTheSearch) {
     ltl::Arena arena(grid.letters().vocabulary());
     const automata::Dfa dfa = automata::ltlf_to_dfa(ltl::parse("F a & F b", arena));
     const TaskTable task(dfa, grid.letters());
-    const auto one = search(grid, task);
-    const auto several = least_routes(grid, task, 5);
+    const auto one = search(Product(grid, task));
+    const auto several = least_routes(Product(grid, task), 5);
     ASSERT_TRUE(one && several);
     ASSERT_EQ(one->route.has_value(), !several->routes.empty());
     if (one->route) {
@@ -130,8 +130,8 @@ TEST(LeastRoutes, SaysWhenItGaveUp) {
   const GridWorld grid = testing::random_grid(random);
   ltl::Arena arena(grid.letters().vocabulary());
   const TaskTable task(automata::ltlf_to_dfa(ltl::parse("F(a & b)", arena)), grid.letters());
-  EXPECT_FALSE(least_routes(grid, task, 5, 3));
-  const auto none = least_routes(grid, task, 5);
+  EXPECT_FALSE(least_routes(Product(grid, task), 5, 3));
+  const auto none = least_routes(Product(grid, task), 5);
   ASSERT_TRUE(none);
   EXPECT_TRUE(none->routes.empty());
 }

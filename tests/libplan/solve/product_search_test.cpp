@@ -42,7 +42,7 @@ TEST(ProductSearch, LeastCostsAgreeWithEnumeration) {
     const Mdp mdp = testing::random_model(
         random, {.states = 3, .most_choices = 2, .deterministic = true, .unit_costs = random.below(2) == 0});
     const automata::Dfa dfa = automata::ltlf_to_dfa(f);
-    const auto answer = search(mdp, TaskTable(dfa, mdp.letters()));
+    const auto answer = search(Product(mdp, TaskTable(dfa, mdp.letters())));
     ASSERT_TRUE(answer);
     std::vector<ltl::Letter> word{mdp.letters()[mdp.initial_letter()]};
     const double expected = by_enumeration(mdp, f, mdp.initial(), word, 0, 8);
@@ -68,7 +68,7 @@ TEST(ProductSearch, RefusesChance) {
   while (mdp.is_deterministic()) mdp = testing::random_model(random, {.states = 5});
   ltl::Arena arena(testing::vocabulary_ab());
   const automata::Dfa dfa = automata::ltlf_to_dfa(arena.atom("a"));
-  EXPECT_THROW(search(mdp, TaskTable(dfa, mdp.letters())), std::invalid_argument);
+  EXPECT_THROW(search(Product(mdp, TaskTable(dfa, mdp.letters()))), std::invalid_argument);
 }
 
 TEST(LandmarkTour, ShortestWalksAgreeWithEnumeration) {

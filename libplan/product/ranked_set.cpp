@@ -1,4 +1,4 @@
-#include "libplan/product/product_mdp.hpp"
+#include "libplan/product/ranked_set.hpp"
 
 #include <algorithm>
 

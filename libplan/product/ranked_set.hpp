@@ -1,0 +1,44 @@
+// A set of numbers that knows how many members come before each: two bits a number there could be.
+#pragma once
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace waymark::plan {
+
+class RankedSet {
+ public:
+  explicit RankedSet(std::uint64_t size) : words_(size / 64 + 1) {}
+  bool contains(std::uint64_t i) const { return ((words_[i / 64].bits >> (i % 64)) & 1U) != 0; }
+  bool insert(std::uint64_t i) {  // false: it was there
+    const std::uint64_t bit = std::uint64_t{1} << (i % 64);
+    if ((words_[i / 64].bits & bit) != 0) return false;
+    words_[i / 64].bits |= bit;
+    return true;
+  }
+  void rank();  // after the last insert
+  std::uint32_t rank(std::uint64_t i) const {
+    const Word& word = words_[i / 64];
+    return word.before +
+           static_cast<std::uint32_t>(std::popcount(word.bits & ((std::uint64_t{1} << (i % 64)) - 1)));
+  }
+  std::uint64_t select(std::uint32_t rank) const;  // the member with that rank, O(log size)
+  template <class Visit>  // visit(member), ascending from `first` on, until it says false
+  void for_each(std::uint64_t first, Visit&& visit) const {
+    std::uint64_t skip = ~std::uint64_t{0} << (first % 64);
+    for (std::uint64_t w = first / 64; w < words_.size(); ++w, skip = ~std::uint64_t{0})
+      for (std::uint64_t bits = words_[w].bits & skip; bits != 0; bits &= bits - 1)
+        if (!visit(64 * w + static_cast<std::uint64_t>(std::countr_zero(bits)))) return;
+  }
+  std::size_t bytes() const { return words_.size() * sizeof(Word); }
+
+ private:
+  struct Word {
+    std::uint64_t bits = 0;
+    std::uint32_t before = 0;
+  };
+  std::vector<Word> words_;
+};
+
+}  // namespace waymark::plan
