@@ -212,20 +212,11 @@ Unknowns unknowns_of(const Product& product, const StateSet& targets) {
   return out;
 }
 
-IterationLimits iteration(const DecisionLimits& limits, std::uint64_t sweeps) {
-  return {.tolerance = limits.tolerance,
-          .sweeps = sweeps,
-          .linear_solves = limits.policy_iteration,
-          .written_out = limits.written_out,
-          .on_grid = limits.on_grid,
-          .stop = limits.stop};
-}
-
 // What the strategy is worth, from its start. Nothing is merged: from what is unknown of a chain it leaves by itself.
 // `kept`: the entries of the product, its starts among them. `claimed`: values of the best strategy, to begin with.
 template <Measure measure, class Product>
 std::optional<Bounds> evaluate(const Product& product, const Strategy& strategy, const StateSet& kept,
-                               const DecisionLimits& limits, std::uint64_t sweeps,
+                               const IterationOptions& options,
                                const std::vector<double>* claimed = nullptr) {
   using Chain = StrategyChain<Product>;
   const Chain chain(product, strategy);
@@ -234,8 +225,7 @@ std::optional<Bounds> evaluate(const Product& product, const Strategy& strategy,
   if (measure == Measure::MinCost && !unknowns.unknown[start] && !unknowns.targets[start])
     return Bounds{INFINITY, INFINITY};
   const auto values =
-      ValueIteration<Chain, measure>(chain, unknowns, iteration(limits, sweeps), {.bounds = &kept}, claimed)
-          .run();
+      ValueIteration<Chain, measure>(chain, unknowns, options, {.bounds = &kept}, claimed).run();
   if (!values) return std::nullopt;
   return Bounds{values->bounds.lower(start), values->bounds.upper(start)};
 }
@@ -267,11 +257,12 @@ void tighten(Decided& decided) {
 template <Measure measure, class Product>
 bool choose_and_evaluate(const Product& product, const Unknowns& unknowns,
                          const std::vector<double>& attained, const StateSet& kept,
-                         const DecisionLimits& limits, Decided& out) {
-  constexpr std::uint64_t sweeps = 20'000;
+                         const IterationOptions& limits, Decided& out) {
+  IterationOptions limited = limits;
+  limited.sweeps = 20'000;
   for (double slack : {1e-10, 1e-12, 1e-14, 1e-15, 1e-8, 1e-7, 1e-6, 1e-5}) {
     if (!choose<measure>(product, unknowns, attained, slack, out.strategy)) continue;
-    const auto found = evaluate<measure>(product, out.strategy, kept, limits, sweeps, &attained);
+    const auto found = evaluate<measure>(product, out.strategy, kept, limited, &attained);
     if (limits.stop.stop_requested()) return false;
     if (!found) continue;
     out.re_evaluated = *found;
@@ -284,12 +275,11 @@ bool choose_and_evaluate(const Product& product, const Unknowns& unknowns,
 
 template <Measure measure, class Product>
 std::optional<Decided> decide(const Product& product, const WinningRegion<Product>& winning,
-                              const DecisionLimits& limits) {
+                              const IterationOptions& limits) {
   const Unknowns unknowns = unknowns_of<measure>(product, winning.states);
   const StateSet kept = entries(product, unknowns.unknown, product.starts());
-  const auto values = ValueIteration<Product, measure>(product, unknowns, iteration(limits, UINT64_MAX),
-                                                       {.bounds = &kept, .attained = true})
-                          .run();
+  const auto values =
+      ValueIteration<Product, measure>(product, unknowns, limits, {.bounds = &kept, .attained = true}).run();
   if (!values) return std::nullopt;
   Decided out;
   out.sweeps = values->sweeps;
@@ -306,7 +296,7 @@ std::optional<Decided> decide(const Product& product, const WinningRegion<Produc
   }
   if (measure == Measure::MinProbability) {
     choose_least(product, unknowns, values->attained, out.strategy);
-    const auto found = evaluate<Measure::MaxProbability>(product, out.strategy, kept, limits, UINT64_MAX);
+    const auto found = evaluate<Measure::MaxProbability>(product, out.strategy, kept, limits);
     if (!found) return std::nullopt;
     out.re_evaluated = *found;
     if (!delivers<measure>(out, limits.tolerance))
@@ -338,30 +328,31 @@ Qualitative qualitative(const ProductMdp<Model>& product) {
 }
 
 template <class Model>
-std::optional<Decided> least_probability(const ProductMdp<Model>& product, const DecisionLimits& limits) {
+std::optional<Decided> least_probability(const ProductMdp<Model>& product, const IterationOptions& limits) {
   if (product.starts().empty()) return Decided{};
   return decide<Measure::MinProbability>(product, WinningRegion<ProductMdp<Model>>(product), limits);
 }
 
 template <class Model>
-std::optional<Decided> greatest_probability(const ProductMdp<Model>& product, const DecisionLimits& limits) {
+std::optional<Decided> greatest_probability(const ProductMdp<Model>& product,
+                                            const IterationOptions& limits) {
   if (product.starts().empty()) return Decided{};
   return decide<Measure::MaxProbability>(product, WinningRegion<ProductMdp<Model>>(product), limits);
 }
 
 template <class Model>
-std::optional<Decided> least_cost(const ProductMdp<Model>& product, const DecisionLimits& limits) {
+std::optional<Decided> least_cost(const ProductMdp<Model>& product, const IterationOptions& limits) {
   if (product.starts().empty()) return Decided{{INFINITY, INFINITY}, {}, {INFINITY, INFINITY}, 0};
   return decide<Measure::MinCost>(product, WinningRegion<ProductMdp<Model>>(product), limits);
 }
 
 template Qualitative qualitative(const ProductMdp<Mdp>&);
 template Qualitative qualitative(const ProductMdp<GridWorld>&);
-template std::optional<Decided> least_probability(const ProductMdp<Mdp>&, const DecisionLimits&);
-template std::optional<Decided> least_probability(const ProductMdp<GridWorld>&, const DecisionLimits&);
-template std::optional<Decided> greatest_probability(const ProductMdp<Mdp>&, const DecisionLimits&);
-template std::optional<Decided> greatest_probability(const ProductMdp<GridWorld>&, const DecisionLimits&);
-template std::optional<Decided> least_cost(const ProductMdp<Mdp>&, const DecisionLimits&);
-template std::optional<Decided> least_cost(const ProductMdp<GridWorld>&, const DecisionLimits&);
+template std::optional<Decided> least_probability(const ProductMdp<Mdp>&, const IterationOptions&);
+template std::optional<Decided> least_probability(const ProductMdp<GridWorld>&, const IterationOptions&);
+template std::optional<Decided> greatest_probability(const ProductMdp<Mdp>&, const IterationOptions&);
+template std::optional<Decided> greatest_probability(const ProductMdp<GridWorld>&, const IterationOptions&);
+template std::optional<Decided> least_cost(const ProductMdp<Mdp>&, const IterationOptions&);
+template std::optional<Decided> least_cost(const ProductMdp<GridWorld>&, const IterationOptions&);
 
 }  // namespace waymark::plan

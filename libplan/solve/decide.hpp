@@ -4,12 +4,12 @@
 #pragma once
 #include <cstdint>
 #include <optional>
-#include <stop_token>
 
 #include "libplan/model/grid_world.hpp"
 #include "libplan/model/mdp.hpp"
 #include "libplan/product/product_mdp.hpp"
 #include "libplan/solve/markov_chain.hpp"
+#include "libplan/solve/optimistic_iteration.hpp"
 
 namespace waymark::plan {
 
@@ -25,15 +25,6 @@ struct Decided {
   std::uint64_t sweeps = 0;
 };
 
-struct DecisionLimits {
-  double tolerance = 1e-6;        // proved: absolute for probabilities, relative for costs
-  bool policy_iteration = false;  // by linear solves from the start
-  std::size_t written_out = std::size_t{1}
-                            << 20U;  // larger blocks are swept without their equations written out
-  std::size_t on_grid = 20'000;      // larger blocks of grids are swept in place, where their kind allows
-  std::stop_token stop = {};
-};
-
 // Is Pmax above 0, and is it 1? By the graph alone.
 enum class Qualitative : std::uint8_t { None, Some, Sure };
 template <class Model>
@@ -45,24 +36,26 @@ Qualitative qualitative(const ProductMdp<Model>& product);
 // evaluated.
 template <class Model>
 std::optional<Decided> greatest_probability(const ProductMdp<Model>& product,
-                                            const DecisionLimits& limits = {});
+                                            const IterationOptions& limits = {});
 
 // Pmin: the least probability of reaching a goal of a finite task. Of an infinite one it is 1 − Pmax of the negation.
 template <class Model>
-std::optional<Decided> least_probability(const ProductMdp<Model>& product, const DecisionLimits& limits = {});
+std::optional<Decided> least_probability(const ProductMdp<Model>& product,
+                                         const IterationOptions& limits = {});
 
 // Least expected cost until a goal is reached; infinite (lower = upper = ∞) unless some strategy reaches one almost surely.
 template <class Model>
-std::optional<Decided> least_cost(const ProductMdp<Model>& product, const DecisionLimits& limits = {});
+std::optional<Decided> least_cost(const ProductMdp<Model>& product, const IterationOptions& limits = {});
 
 extern template Qualitative qualitative(const ProductMdp<Mdp>&);
 extern template Qualitative qualitative(const ProductMdp<GridWorld>&);
-extern template std::optional<Decided> greatest_probability(const ProductMdp<Mdp>&, const DecisionLimits&);
+extern template std::optional<Decided> greatest_probability(const ProductMdp<Mdp>&, const IterationOptions&);
 extern template std::optional<Decided> greatest_probability(const ProductMdp<GridWorld>&,
-                                                            const DecisionLimits&);
-extern template std::optional<Decided> least_probability(const ProductMdp<Mdp>&, const DecisionLimits&);
-extern template std::optional<Decided> least_probability(const ProductMdp<GridWorld>&, const DecisionLimits&);
-extern template std::optional<Decided> least_cost(const ProductMdp<Mdp>&, const DecisionLimits&);
-extern template std::optional<Decided> least_cost(const ProductMdp<GridWorld>&, const DecisionLimits&);
+                                                            const IterationOptions&);
+extern template std::optional<Decided> least_probability(const ProductMdp<Mdp>&, const IterationOptions&);
+extern template std::optional<Decided> least_probability(const ProductMdp<GridWorld>&,
+                                                         const IterationOptions&);
+extern template std::optional<Decided> least_cost(const ProductMdp<Mdp>&, const IterationOptions&);
+extern template std::optional<Decided> least_cost(const ProductMdp<GridWorld>&, const IterationOptions&);
 
 }  // namespace waymark::plan

@@ -8,7 +8,7 @@
 namespace waymark::plan {
 template <class Model>
 std::optional<Decided> greatest_discounted(const ProductMdp<Model>& product, double discount,
-                                           const DecisionLimits& limits) {
+                                           const IterationOptions& limits) {
   if (!(discount > 0 && discount < 1)) throw std::invalid_argument("a discount lies between 0 and 1");
   if (product.starts().empty()) return Decided{};
   Decided out;
@@ -36,8 +36,8 @@ std::optional<Decided> greatest_discounted(const ProductMdp<Model>& product, dou
   return out;
 }
 
-template std::optional<Decided> greatest_discounted(const ProductMdp<Mdp>&, double, const DecisionLimits&);
+template std::optional<Decided> greatest_discounted(const ProductMdp<Mdp>&, double, const IterationOptions&);
 template std::optional<Decided> greatest_discounted(const ProductMdp<GridWorld>&, double,
-                                                    const DecisionLimits&);
+                                                    const IterationOptions&);
 
 }  // namespace waymark::plan

@@ -14,11 +14,11 @@ namespace waymark::plan {
 // `tolerance` is absolute. nullopt: stopped. Throws std::invalid_argument unless 0 < discount < 1.
 template <class Model>
 std::optional<Decided> greatest_discounted(const ProductMdp<Model>& product, double discount,
-                                           const DecisionLimits& limits = {});
+                                           const IterationOptions& limits = {});
 
 extern template std::optional<Decided> greatest_discounted(const ProductMdp<Mdp>&, double,
-                                                           const DecisionLimits&);
+                                                           const IterationOptions&);
 extern template std::optional<Decided> greatest_discounted(const ProductMdp<GridWorld>&, double,
-                                                           const DecisionLimits&);
+                                                           const IterationOptions&);
 
 }  // namespace waymark::plan

@@ -49,45 +49,46 @@ bool Equations::close_from_above() {
   return inductive;
 }
 
-void Equations::guess_above(double tolerance) {
+void Equations::guess(double tolerance) {
   for (std::uint32_t i = 0; i < rows(); ++i)
     x_.upper[i] = is_probability(measure_) ? std::min(1.0, x_.lower[i] + tolerance / 2)
                                            : x_.lower[i] * (1 + tolerance / 2);
 }
 
-bool Equations::prove(double tolerance, std::uint64_t sweeps) {
-  guess_above(tolerance);
-  for (std::uint64_t tries = 0; tries < sweeps; ++tries, ++x_.sweeps)
+bool Equations::prove(std::uint64_t sweeps, const IterationOptions&) {
+  const std::uint64_t most = by_policies_ ? most_tries : sweeps + most_tries;
+  for (std::uint64_t tries = 0; tries < most; ++tries, ++x_.sweeps)
     if (close_from_above()) return true;
   return false;
 }
 
-// Sweeps for a while; where that does not do, policies by linear solves; where these fail, sweeps to the end.
-std::optional<Equations::Solution> Equations::solve(const IterationLimits& limits) {
+// Sweeps for a while; where that does not do, policies by linear solves, once; where these fail, sweeps to the end.
+bool Equations::refine(double change, const IterationOptions& options) {
+  constexpr std::uint64_t patience = 100;  // sweeps
+  by_policies_ = false;
+  while (true) {
+    if (linear_ && (options.policy_iteration || x_.sweeps >= patience)) {
+      linear_ = false;
+      by_policies_ = iterate_policies(options);
+      if (by_policies_) return true;
+      change /= 64;
+    }
+    if (x_.sweeps > options.sweeps || options.stop.stop_requested()) return false;
+    ++x_.sweeps;
+    if (raise() <= change) return true;
+  }
+}
+
+std::optional<Equations::Solution> Equations::solve(const IterationOptions& options) {
   first_choice_.push_back(choices());
   first_term_.push_back(static_cast<std::uint32_t>(unknown_.size()));
   x_.lower.assign(rows(), 0);
   x_.upper.assign(rows(), 0);
   if (measure_ == Measure::MinCost) start_from_best_luck();
-  constexpr std::uint64_t patience = 100;  // sweeps
-  bool linear = measure_ != Measure::MinProbability && rows() <= factored;
-  for (double fine = limits.tolerance / 16;; fine = fine < 1e-18 ? 0 : fine / 64) {
-    const std::uint64_t before = x_.sweeps;
-    bool settled = false;
-    while (!(linear && (limits.linear_solves || x_.sweeps >= patience))) {
-      if (x_.sweeps > limits.sweeps || limits.stop.stop_requested()) return std::nullopt;
-      ++x_.sweeps;
-      settled = raise() <= fine;
-      if (settled) break;
-    }
-    if (!settled) {
-      if (iterate_policies(limits) && prove(limits.tolerance, most_tries)) return std::move(x_);
-      linear = false;
-      continue;
-    }
-    if (prove(limits.tolerance, x_.sweeps - before + most_tries)) return std::move(x_);
-    if (fine == 0) return std::nullopt;
-  }
+  linear_ = measure_ != Measure::MinProbability && rows() <= factored;
+  if (iterate_optimistically(*this, options, options.tolerance / 16) != IterationEnd::Proved)
+    return std::nullopt;
+  return std::move(x_);
 }
 
 Equations::Sources Equations::sources() const {
@@ -192,7 +193,7 @@ bool Equations::evaluate(const std::vector<std::uint32_t>& policy, std::vector<d
 // The values of a policy that no single change of a choice betters, as lower bounds. Greatest probabilities are no less
 // than those of any policy. Least costs are: so what is taken is proved by a sweep that lowers nothing, and is a
 // billionth less where rounding keeps the values themselves from being proved. False: no such policy, or no proof.
-bool Equations::iterate_policies(const IterationLimits& limits) {
+bool Equations::iterate_policies(const IterationOptions& limits) {
   std::vector<double> x = x_.lower;
   std::vector<std::uint32_t> policy = x_.sweeps > 0 ? greedy() : progress();
   for (bool changed = true; changed; ++x_.sweeps) {

@@ -8,26 +8,11 @@
 #pragma once
 #include <cstdint>
 #include <optional>
-#include <stop_token>
 #include <vector>
 
+#include "libplan/solve/optimistic_iteration.hpp"
+
 namespace waymark::plan {
-
-enum class Measure : std::uint8_t { MaxProbability, MinProbability, MinCost };
-constexpr bool is_probability(Measure measure) { return measure != Measure::MinCost; }
-
-struct IterationLimits {
-  double tolerance = 1e-6;            // upper − lower: absolute for probabilities, relative for costs
-  std::uint64_t sweeps = UINT64_MAX;  // of each block
-  bool linear_solves = false;         // policy iteration from the start, not only where sweeps are slow
-  std::size_t written_out = std::size_t{1} << 20U;  // unknowns of a block up to which its equations are
-  std::size_t on_grid =
-      20'000;  // unknowns of a block of a grid from which it is swept in place (grid_block.hpp)
-  std::stop_token stop = {};
-};
-
-// Does a sweep that turns `before` into `after` raise it, by more than the rounding of a sum?
-inline bool raises(double before, double after) { return after > before * (1 + 1e-15); }
 
 class Equations {
  public:
@@ -58,9 +43,15 @@ class Equations {
     std::vector<double> lower, upper;  // by row
     std::uint64_t sweeps = 0;
   };
-  // Optimistic value iteration [HK20, Alg. 2]; what is slow to settle, and everything when limits.linear_solves say so,
+  // Optimistic value iteration [HK20, Alg. 2]; what is slow to settle, and everything when limits.policy_iteration say so,
   // by policy iteration with sparse linear solves [BT91, Prop. 2], the upper bound proved as before. nullopt: stopped, out of sweeps, or the bounds do not meet in doubles.
-  std::optional<Solution> solve(const IterationLimits& limits);
+  std::optional<Solution> solve(const IterationOptions& limits);
+
+  // The backend of optimistic_iteration.hpp.
+  std::uint64_t sweeps() const { return x_.sweeps; }
+  bool refine(double change, const IterationOptions& options);
+  void guess(double tolerance);
+  bool prove(std::uint64_t sweeps, const IterationOptions& options);
 
  private:
   enum Side : std::uint8_t { Below, Above };
@@ -73,8 +64,6 @@ class Equations {
   void start_from_best_luck();
   double raise();
   bool close_from_above();
-  void guess_above(double tolerance);
-  bool prove(double tolerance, std::uint64_t sweeps);
 
   struct Sources {  // by unknown: the choices that it is an outcome of
     std::vector<std::uint32_t> first, choice, row_of;
@@ -83,13 +72,15 @@ class Equations {
   std::vector<std::uint32_t> progress() const;  // a policy under which every row gets somewhere
   std::vector<std::uint32_t> greedy() const;
   bool evaluate(const std::vector<std::uint32_t>& policy, std::vector<double>& x) const;
-  bool iterate_policies(const IterationLimits& limits);
+  bool iterate_policies(const IterationOptions& limits);
   bool lowers_nothing(const std::vector<double>& x) const;
 
   Measure measure_;
   std::vector<std::uint32_t> first_choice_, first_term_, unknown_;
   std::vector<double> coefficient_, constant_[2], cost_, least_known_;  // the last two for costs only
   Solution x_;
+  bool linear_ = false;       // policies may be tried
+  bool by_policies_ = false;  // that is where the values come from
 };
 
 }  // namespace waymark::plan

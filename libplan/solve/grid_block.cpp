@@ -224,7 +224,7 @@ std::size_t GridBlock::chunk_size() {
 
 // The greatest change: absolute for probabilities; for costs relative to the value, or to so many moves where it is more:
 // bounds a share of the value apart are inductive where what is left to change is that share of a move.
-double GridBlock::sweep(std::size_t first, std::size_t last, double stride) {
+double GridBlock::sweep(std::size_t first, std::size_t last, double over_relaxation) {
   constexpr double many_moves = 512;
   const auto& costs = product_.model().shape().cost;
   const double least = *std::min_element(costs.begin(), costs.end());
@@ -236,43 +236,43 @@ double GridBlock::sweep(std::size_t first, std::size_t last, double stride) {
     const double now = best(cell, lower_), step = now - value;
     change = std::max(
         change, is_probability(measure_) ? std::abs(step) : std::abs(step) / std::min(std::abs(now), most));
-    value += stride * step;
+    value += over_relaxation * step;
   }
   return change;
 }
 
 // Sweeps of the cells between two fronts, then of all of them. Behind the first front they have settled; the second moves
 // on by some chunks a sweep, as fast as news travels, since before that a sweep changes little for good.
-bool GridBlock::relax(const Relaxation& how, const IterationLimits& limits) {
-  constexpr std::uint64_t patience = 64;  // sweeps in which nothing settles until strides are given up
+bool GridBlock::refine(double change, const IterationOptions& options) {
+  constexpr std::uint64_t patience = 64;  // sweeps in which nothing settles until over-relaxation is given up
   set_around(Side::Middle);
   const std::size_t size = chunk_size(), chunks = (cells_.size() + size - 1) / size;
-  const auto out_of_limits = [&] { return sweeps_ > limits.sweeps || limits.stop.stop_requested(); };
-  double reached = how.chunks_a_sweep, stride = how.stride;
+  const auto out_of_limits = [&] { return sweeps_ > options.sweeps || options.stop.stop_requested(); };
+  double reached = chunks_a_sweep_, factor = over_relaxation_;
   std::uint64_t swept = 0;  // cells
   for (std::size_t first = 0, waited = 0; first < chunks; ++waited) {
     const std::size_t begin = first, end = std::clamp(static_cast<std::size_t>(reached), first + 1, chunks);
     bool settled = true;
     for (std::size_t c = begin; c < end; ++c) {
-      settled = sweep(c * size, std::min(cells_.size(), (c + 1) * size), stride) <= how.change && settled;
+      settled = sweep(c * size, std::min(cells_.size(), (c + 1) * size), factor) <= change && settled;
       if (!settled) continue;
       first = c + 1;
       waited = 0;
     }
     for (swept += (end - begin) * size; swept > cells_.size(); swept -= cells_.size()) ++sweeps_;
-    if (waited > patience) stride = 1;
+    if (waited > patience) factor = 1;
     if (out_of_limits()) return false;
-    reached += how.chunks_a_sweep;
+    reached += chunks_a_sweep_;
   }
-  for (double change = INFINITY; change > how.change; ++sweeps_) {
+  for (double last = INFINITY; last > change; ++sweeps_) {
     if (out_of_limits()) return false;
-    change = sweep(0, cells_.size(), 1);
+    last = sweep(0, cells_.size(), 1);
   }
   return true;
 }
 
 // A quarter of the tolerance below and above what sweeps came to.
-void GridBlock::guess_bounds(double tolerance) {
+void GridBlock::guess(double tolerance) {
   const double gap = tolerance / 4;
   for (std::uint32_t cell : cells_) {
     double& lower = lower_[cell + margin_];
@@ -303,11 +303,13 @@ bool GridBlock::close_from_below() {
   return inductive;
 }
 
-bool GridBlock::prove(std::uint64_t sweeps) {
+bool GridBlock::prove(std::uint64_t sweeps, const IterationOptions&) {
+  constexpr std::uint64_t some_tries = 16;
+  const std::uint64_t most = sweeps / 2 + some_tries;
   set_around(Side::Bounds);
   bool above = false, below = false;
-  for (std::uint64_t tries = 0; tries < sweeps && !above; ++tries, ++sweeps_) above = close_from_above();
-  for (std::uint64_t tries = 0; tries < sweeps && above && !below; ++tries, ++sweeps_)
+  for (std::uint64_t tries = 0; tries < most && !above; ++tries, ++sweeps_) above = close_from_above();
+  for (std::uint64_t tries = 0; tries < most && above && !below; ++tries, ++sweeps_)
     below = close_from_below();
   return above && below;
 }
@@ -324,24 +326,22 @@ double GridBlock::likely() const {
   return sum / static_cast<double>(cells_.size());
 }
 
-// Strides beyond what a sweep says, where moves are likely to slip: where they are not, cells follow each other in long
-// chains, along which a stride too great would grow.
-double GridBlock::stride() const { return std::clamp(0.85 / likely(), 1.0, 1.1); }
+// Over-relaxation where moves are likely to slip: where they are not, cells follow each other in long chains, along which
+// a factor too great would grow.
+double GridBlock::over_relaxation() const { return std::clamp(0.85 / likely(), 1.0, 1.1); }
 
 // Much finer than the tolerance asks for: guesses are proved in a few sweeps then, or not at all. From what is claimed or
-// guessed first, in strides; where that comes to nothing, as value iteration goes about it.
-std::optional<std::uint64_t> GridBlock::solve(const IterationLimits& limits) {
-  constexpr std::uint64_t some_tries = 16;
+// guessed first, by over-relaxation; where that comes to nothing, as value iteration goes about it.
+std::optional<std::uint64_t> GridBlock::solve(const IterationOptions& options) {
   for (const bool boldly : {true, false}) {
     if (!boldly || !started_) start_from_nothing(boldly);
     const bool from_guess = measure_ == Measure::MinCost && boldly && !started_;
-    Relaxation how{.stride = boldly ? stride() : 1, .chunks_a_sweep = from_guess ? 1 : 0.5};
-    for (how.change = limits.tolerance / 8192;; how.change = how.change < 1e-18 ? 0 : how.change / 64) {
-      const std::uint64_t before = sweeps_;
-      if (!relax(how, limits)) return std::nullopt;
-      guess_bounds(limits.tolerance);
-      if (prove((sweeps_ - before) / 2 + some_tries)) return sweeps_;
-      if (how.change == 0) break;
+    over_relaxation_ = boldly ? over_relaxation() : 1;
+    chunks_a_sweep_ = from_guess ? 1 : 0.5;
+    switch (iterate_optimistically(*this, options, options.tolerance / 8192)) {
+      case IterationEnd::Proved: return sweeps_;
+      case IterationEnd::OutOfLimits: return std::nullopt;
+      case IterationEnd::NotProved: break;
     }
   }
   return std::nullopt;

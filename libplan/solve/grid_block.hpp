@@ -5,7 +5,7 @@
 // cells stand, so neighbours need no numbers: 22 bytes a cell, where equations written out take 272 (probabilities) or
 // 356 (costs). A strategy is swept in the same way, with one choice a cell.
 //
-// Values are found as it suits: costs from a guess that may be too great, in strides beyond what a sweep says, with a
+// Values are found as it suits: costs from a guess that may be too great, by over-relaxation, with a
 // window that moves outwards from what is solved. What holds of them is proved afterwards, on both sides: u with
 // Φ(u) ≤ u lies above the least fixpoint of Φ, which is the value [HK20]; l with l ≤ Φ(l) lies below it, since nothing is
 // merged here: of probabilities every strategy leaves the unknowns almost surely, of costs the best one does, so that
@@ -20,8 +20,8 @@
 
 #include "libplan/model/grid_world.hpp"
 #include "libplan/product/product_mdp.hpp"
-#include "libplan/solve/equations.hpp"
 #include "libplan/solve/kept_bounds.hpp"
+#include "libplan/solve/optimistic_iteration.hpp"
 #include "libplan/solve/strategy_chain.hpp"
 #include "libplan/solve/unknowns.hpp"
 
@@ -41,13 +41,19 @@ class GridBlock {
   // nearer to the truth they are, from whichever side, the sooner it is found.
   void start_from(const std::vector<double>& attained, double tolerance);
   // nullopt: stopped, out of sweeps, or the bounds do not meet in doubles.
-  std::optional<std::uint64_t> solve(const IterationLimits& limits);
+  std::optional<std::uint64_t> solve(const IterationOptions& options);
   template <class Visit>  // visit(state, lower, upper), once they are solved
   void for_each(Visit&& visit) const {
     for (std::uint32_t cell : cells_)
       visit(product_.state(Product::Compact{cell, task_}).index, lower_[cell + margin_],
             upper_[cell + margin_]);
   }
+
+  // The backend of optimistic_iteration.hpp.
+  std::uint64_t sweeps() const { return sweeps_; }
+  bool refine(double change, const IterationOptions& options);
+  void guess(double tolerance);
+  bool prove(std::uint64_t sweeps, const IterationOptions& options);
 
  private:
   struct Row {                                    // of a cell with these barred moves and these choices
@@ -73,22 +79,14 @@ class GridBlock {
   };
   enum class Side : std::uint8_t { Middle, Bounds };
   void set_around(Side side);
-  struct Relaxation {
-    double change = 0;          // up to which a cell has settled
-    double stride = 1;          // what a step is multiplied by
-    double chunks_a_sweep = 1;  // by which the front moves on
-  };
   void guess_costs();
   void start_from_nothing(bool guess);
   std::size_t chunk_size();
   double likely() const;
-  double stride() const;
-  double sweep(std::size_t first, std::size_t last, double stride);
-  bool relax(const Relaxation& how, const IterationLimits& limits);
-  void guess_bounds(double tolerance);
+  double over_relaxation() const;
+  double sweep(std::size_t first, std::size_t last, double over_relaxation);
   bool close_from_above();
   bool close_from_below();
-  bool prove(std::uint64_t sweeps);
 
   const Product& product_;
   Measure measure_;
@@ -103,6 +101,8 @@ class GridBlock {
   std::vector<Row> rows_;        // by code
   std::vector<Only> only_rows_;  // by code, of strategies
   std::vector<double> lower_, upper_;
+  double over_relaxation_ = 1;  // what a step is multiplied by
+  double chunks_a_sweep_ = 1;   // by which the front moves on
   std::uint64_t sweeps_ = 0;
   bool started_ = false;
 };

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "libplan/solve/bellman_operator.hpp"
-#include "libplan/solve/equations.hpp"
+#include "libplan/solve/optimistic_iteration.hpp"
 #include "libplan/solve/unknowns.hpp"
 
 namespace waymark::plan {
@@ -32,32 +32,42 @@ class SweptBlock {  // all of them must outlive it
   double upper(std::uint32_t state) const { return upper_[state]; }
 
   // How many sweeps it took; nullopt: stopped, out of sweeps, or the bounds do not meet in doubles.
-  std::optional<std::uint64_t> solve(const std::vector<Compact>& order, const IterationLimits& limits) {
-    std::uint64_t swept = 0, all = 0;
-    for (double fine = limits.tolerance / 16;; fine = fine < 1e-18 ? 0 : fine / 64) {
-      std::uint64_t sweeps = 1;
-      while (raise(order) > fine) {
-        ++sweeps;
-        if (sweeps + swept > limits.sweeps || limits.stop.stop_requested()) return std::nullopt;
-      }
-      guess_upper(order, limits.tolerance);
-      bool proved = false;
-      for (std::uint64_t tries = 0; tries < sweeps + 8 && !proved; ++tries, ++all) {
-        proved = lower_upper(order);
-        if (limits.stop.stop_requested()) return std::nullopt;
-      }
-      all += sweeps;
-      swept += sweeps;
-      if (proved) return all;
-      if (fine == 0) return std::nullopt;
+  std::optional<std::uint64_t> solve(const std::vector<Compact>& order, const IterationOptions& options) {
+    order_ = &order;
+    if (iterate_optimistically(*this, options, options.tolerance / 16) != IterationEnd::Proved)
+      return std::nullopt;
+    return sweeps();
+  }
+
+  // The backend of optimistic_iteration.hpp.
+  std::uint64_t sweeps() const { return refining_ + proving_; }
+  bool refine(double change, const IterationOptions& options) {
+    for (++refining_; raise() > change;)
+      if (++refining_ > options.sweeps || options.stop.stop_requested()) return false;
+    return true;
+  }
+  void guess(double tolerance) {
+    const double gap = tolerance / 2;
+    for (const Compact& c : *order_) {
+      const State s = product_.state(c);
+      const double lower = lower_[s.index];
+      merged_.set(s, upper_, is_probability(measure) ? std::min(1.0, lower + gap) : lower * (1 + gap));
     }
+  }
+  bool prove(std::uint64_t sweeps, const IterationOptions& options) {
+    bool proved = false;
+    for (std::uint64_t tries = 0; tries < sweeps + 8 && !proved && !options.stop.stop_requested(); ++tries) {
+      proved = lower_upper();
+      ++proving_;
+    }
+    return proved;
   }
 
  private:
   // The greatest change: absolute for probabilities, relative for costs.
-  double raise(const std::vector<Compact>& order) {
+  double raise() {
     double change = 0;
-    for (const Compact& c : order) {
+    for (const Compact& c : *order_) {
       const State s = product_.state(c);
       const double old = lower_[s.index], value = std::max(old, best_.of_all(s, lower_));
       if (value == old) continue;
@@ -67,19 +77,10 @@ class SweptBlock {  // all of them must outlive it
     return change;
   }
 
-  void guess_upper(const std::vector<Compact>& order, double tolerance) {
-    const double gap = tolerance / 2;
-    for (const Compact& c : order) {
-      const State s = product_.state(c);
-      const double lower = lower_[s.index];
-      merged_.set(s, upper_, is_probability(measure) ? std::min(1.0, lower + gap) : lower * (1 + gap));
-    }
-  }
-
   // One sweep of the upper values; true: it would have raised none.
-  bool lower_upper(const std::vector<Compact>& order) {
+  bool lower_upper() {
     bool inductive = true;
-    for (const Compact& c : order) {
+    for (const Compact& c : *order_) {
       const State s = product_.state(c);
       const double old = upper_[s.index], value = best_.of_all(s, upper_);
       inductive = inductive && (!raises(old, value) || (is_probability(measure) && old == 1));
@@ -91,7 +92,9 @@ class SweptBlock {  // all of them must outlive it
   const Product& product_;
   const EndComponentQuotient<Product>& merged_;
   const BellmanOperator<Product, measure>& best_;
+  const std::vector<Compact>* order_ = nullptr;  // of the block, as it is swept
   std::vector<double> lower_, upper_;
+  std::uint64_t refining_ = 0, proving_ = 0;  // sweeps
 };
 
 }  // namespace waymark::plan

@@ -47,7 +47,7 @@ template <class Product, Measure measure>
 class ValueIteration {
  public:
   // claimed: values by state that blocks of grids may begin with (GridBlock::start_from), or nothing
-  ValueIteration(const Product& product, const Unknowns& unknowns, const IterationLimits& limits,
+  ValueIteration(const Product& product, const Unknowns& unknowns, const IterationOptions& limits,
                  const Keep& keep = {}, const std::vector<double>* claimed = nullptr)
       : product_(product),
         unknowns_(unknowns),
@@ -99,7 +99,7 @@ class ValueIteration {
     if (order.empty()) return true;
     if constexpr (std::is_same_v<Product, GridBlock::Product> ||
                   std::is_same_v<Product, StrategyChain<GridBlock::Product>>)
-      if (order.size() > limits_.on_grid && !limits_.linear_solves) {
+      if (order.size() > limits_.on_grid && !limits_.policy_iteration) {
         const std::size_t size = order.size();
         if (auto block = grid_block(std::move(order))) {
           if (solve_on_grid(*block)) return true;
@@ -208,7 +208,7 @@ class ValueIteration {
 
   const Product& product_;
   const Unknowns& unknowns_;
-  const IterationLimits& limits_;
+  const IterationOptions& limits_;
   const EndComponentQuotient<Product> merged_;
   const BellmanOperator<Product, measure> best_;
   const std::vector<double>* claimed_;

@@ -23,9 +23,9 @@ using waymark::testing::scaled;
 constexpr double tolerance = 1e-6;
 
 // Sweeps of equations that are written out, policies by linear solves, and sweeps of the product as it is.
-const std::array<DecisionLimits, 3> ways{DecisionLimits{.tolerance = tolerance},
-                                         DecisionLimits{.tolerance = tolerance, .policy_iteration = true},
-                                         DecisionLimits{.tolerance = tolerance, .written_out = 0}};
+const std::array<IterationOptions, 3> ways{IterationOptions{.tolerance = tolerance},
+                                           IterationOptions{.tolerance = tolerance, .policy_iteration = true},
+                                           IterationOptions{.tolerance = tolerance, .written_out = 0}};
 
 // A process with labels on states, as the referee of the automata's tests has it.
 Mdp mdp_of(const automata::referee::World& world) {
@@ -66,7 +66,7 @@ TEST(Decide, GreatestProbabilitiesOfFormulasAgreeWithTheReferee) {
       const Mdp mdp = mdp_of(world);
       const TaskTable task(ldba, mdp.letters());
       const auto product = ProductMdp<Mdp>::explore(mdp, task);
-      for (const DecisionLimits& limits : ways) {
+      for (const IterationOptions& limits : ways) {
         const auto decided = greatest_probability(*product, limits);
         ASSERT_TRUE(decided);
         expect_bounds(*decided, expected, tolerance,
@@ -103,7 +103,7 @@ TEST(Decide, ProbabilitiesOfFiniteTasksAgreeWithPlainSweeps) {
     const FiniteTask t(random, {.states = 3 + static_cast<std::uint32_t>(random.below(4))});
     const double greatest = Plainly(t.mdp, t.dfa).probability(Plainly::Best::Greatest);
     const double least = Plainly(t.mdp, t.dfa).probability(Plainly::Best::Least);
-    for (const DecisionLimits& limits : ways) {
+    for (const IterationOptions& limits : ways) {
       const auto most = greatest_probability(*t.product, limits),
                  fewest = least_probability(*t.product, limits);
       ASSERT_TRUE(most && fewest) << t.show();
@@ -133,7 +133,7 @@ TEST(Decide, LeastCostsAgreeWithPlainSweeps) {
       if (free) continue;
     }
     const double expected = Plainly(t.mdp, t.dfa).cost();
-    for (const DecisionLimits& limits : ways) {
+    for (const IterationOptions& limits : ways) {
       const auto decided = least_cost(*t.product, limits);
       ASSERT_TRUE(decided) << t.show();
       if (std::isinf(expected)) {
@@ -168,7 +168,7 @@ TEST(Decide, GoingRoundForNothingIsNoProgress) {
   const automata::Dfa dfa = automata::ltlf_to_dfa(ltl::parse("F a", arena));
   const TaskTable task(dfa, mdp.letters());
   const auto product = ProductMdp<Mdp>::explore(mdp, task);
-  for (const DecisionLimits& limits : ways) {
+  for (const IterationOptions& limits : ways) {
     const auto decided = least_cost(*product, limits);
     ASSERT_TRUE(decided);
     EXPECT_NEAR(decided->value.lower, 5, 1e-5);

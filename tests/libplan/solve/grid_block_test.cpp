@@ -52,8 +52,8 @@ TEST(GridBlock, AgreesWithLinearSolves) {
       const auto product = GridBlock::Product::explore(grid, task);
       ASSERT_TRUE(product);
       in_place += swept_in_place(*product);
-      const DecisionLimits sweeps{.tolerance = tolerance, .on_grid = 0};
-      const DecisionLimits solves{.tolerance = tolerance, .policy_iteration = true};
+      const IterationOptions sweeps{.tolerance = tolerance, .on_grid = 0};
+      const IterationOptions solves{.tolerance = tolerance, .policy_iteration = true};
       const auto qualitative = greatest_probability(*product, sweeps),
                  chance_too = greatest_probability(*product, solves);
       ASSERT_TRUE(qualitative && chance_too) << text << "  round " << round << "  seed " << seed;
@@ -101,8 +101,8 @@ TEST(GridBlock, AgreesWithEquationsWhereAWindowMovesOn) {
         const TaskTable task(dfa, grid.letters());
         const auto product = GridBlock::Product::explore(grid, task);
         ASSERT_TRUE(product);
-        const DecisionLimits in_place{.tolerance = tolerance, .on_grid = 0};
-        const DecisionLimits written{.tolerance = tolerance, .on_grid = SIZE_MAX};
+        const IterationOptions in_place{.tolerance = tolerance, .on_grid = 0};
+        const IterationOptions written{.tolerance = tolerance, .on_grid = SIZE_MAX};
         const auto cost = least_cost(*product, in_place), cost_too = least_cost(*product, written);
         ASSERT_TRUE(cost && cost_too) << what;
         EXPECT_EQ(std::isinf(cost->value.lower), std::isinf(cost_too->value.lower)) << what;

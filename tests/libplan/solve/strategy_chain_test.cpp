@@ -85,7 +85,7 @@ std::size_t compare(const Product& product, const Strategy& strategy, const std:
                                                     {.tolerance = tolerance, .sweeps = sweeps, .on_grid = 0})
                          .run();
   const auto solved = ValueIteration<MarkovChain, measure>(
-                          written, same, {.tolerance = tolerance, .sweeps = sweeps, .linear_solves = true})
+                          written, same, {.tolerance = tolerance, .policy_iteration = true, .sweeps = sweeps})
                           .run();
   if (!found || !solved) return 0;
   std::size_t count = 0;
@@ -118,7 +118,7 @@ template <Measure measure>
 void claim(const Product& product, const Strategy& strategy, const std::string& what, Counts& counts) {
   const Chain chain(product, strategy);
   const Unknowns unknowns = unknowns_of<measure>(chain);
-  const IterationLimits limits{.tolerance = tolerance, .sweeps = sweeps, .on_grid = 0};
+  const IterationOptions limits{.tolerance = tolerance, .sweeps = sweeps, .on_grid = 0};
   const auto exact = ValueIteration<Chain, measure>(chain, unknowns, limits, {.attained = true}).run();
   if (!exact) return;
   for (double wrong : {0.5, 1.0, 2.0}) {
@@ -157,7 +157,7 @@ TEST(StrategyChain, KeepsTheBoundsOfEntries) {
     const Chain chain(product, strategy);
     const Unknowns unknowns = unknowns_of<Measure::MaxProbability>(chain);
     const StateSet some = entries(chain, unknowns.unknown, product.starts());
-    const IterationLimits limits{.tolerance = tolerance, .sweeps = sweeps, .on_grid = 0};
+    const IterationOptions limits{.tolerance = tolerance, .sweeps = sweeps, .on_grid = 0};
     const auto all = ValueIteration<Chain, Measure::MaxProbability>(chain, unknowns, limits).run();
     const auto found =
         ValueIteration<Chain, Measure::MaxProbability>(chain, unknowns, limits, {.bounds = &some}).run();

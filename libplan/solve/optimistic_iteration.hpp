@@ -1,0 +1,57 @@
+// The driver of optimistic value iteration [HK20, Alg. 2]: refine, guess, prove; where the proof fails, refine further.
+//
+// A backend holds the values of one block. It refines them until they hardly change, guesses bounds on both sides of
+// them, and proves the guess by sweeps: u with Φ(u) ≤ u lies above the least fixpoint of Φ, which is the value. Three
+// backends: Equations (written out), GridBlock (a window of a grid), SweptBlock (anything else, state by state).
+#pragma once
+#include <concepts>
+#include <cstddef>
+#include <cstdint>
+#include <stop_token>
+
+namespace waymark::plan {
+
+enum class Measure : std::uint8_t { MaxProbability, MinProbability, MinCost };
+constexpr bool is_probability(Measure measure) { return measure != Measure::MinCost; }
+
+struct IterationOptions {
+  double tolerance = 1e-6;        // upper − lower, proved: absolute for probabilities, relative for costs
+  bool policy_iteration = false;  // linear solves from the start, not only where sweeps are slow
+  std::uint64_t sweeps = UINT64_MAX;  // of each block
+  std::size_t written_out = std::size_t{1}
+                            << 20U;  // unknowns of a block up to which its equations are written out
+  std::size_t on_grid =
+      20'000;  // unknowns of a block of a grid from which it is swept in place, where its kind allows
+  std::stop_token stop = {};
+};
+
+// Does a sweep that turns `before` into `after` raise it, by more than the rounding of a sum?
+inline bool raises(double before, double after) { return after > before * (1 + 1e-15); }
+
+template <class B>
+concept OptimisticBackend = requires(B& backend, double number, std::uint64_t sweeps,
+                                     const IterationOptions& options) {
+  { backend.sweeps() } -> std::same_as<std::uint64_t>;  // so far
+  {
+    backend.refine(number, options)
+    } -> std::same_as<bool>;  // until a sweep changes less; false: out of limits
+  backend.guess(number);      // bounds, so far apart
+  { backend.prove(sweeps, options) } -> std::same_as<bool>;  // after so many sweeps of refinement
+};
+
+enum class IterationEnd : std::uint8_t { Proved, NotProved, OutOfLimits };
+
+// change: what a sweep may still change at the first guess. NotProved: the bounds do not meet in doubles.
+template <OptimisticBackend Backend>
+IterationEnd iterate_optimistically(Backend& backend, const IterationOptions& options, double change) {
+  for (;; change = change < 1e-18 ? 0 : change / 64) {
+    const std::uint64_t before = backend.sweeps();
+    if (!backend.refine(change, options)) return IterationEnd::OutOfLimits;
+    backend.guess(options.tolerance);
+    if (backend.prove(backend.sweeps() - before, options)) return IterationEnd::Proved;
+    if (options.stop.stop_requested()) return IterationEnd::OutOfLimits;
+    if (change == 0) return IterationEnd::NotProved;
+  }
+}
+
+}  // namespace waymark::plan
