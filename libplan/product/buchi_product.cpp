@@ -13,7 +13,7 @@ BuchiProduct compose(const M& model, const automata::Automaton& automaton, autom
     throw std::invalid_argument("a lasso needs a generalised Büchi automaton");
   const BuchiTask task(automaton, model.letters());
   const Product product(model, task);
-  DiscoveryOrder order;
+  DiscoveryOrder order(model.states(), task.states());
   const auto meet = [&](const ProductState& s) {
     const auto [number, fresh] = order.insert(s);
     if (fresh) budget.state();

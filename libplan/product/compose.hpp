@@ -58,7 +58,9 @@ class MapProduct : public Product<MapMdp, TaskSteps> {
     TaskSteps task;
   };
   explicit MapProduct(std::shared_ptr<const Parts> parts)
-      : Product(parts->model, parts->task), parts_(std::move(parts)) {}
+      : Product(parts->model, parts->task),
+        parts_(std::move(parts)),
+        order_(parts_->model.states(), parts_->task.states()) {}
 
   std::shared_ptr<const Parts> parts_;
   std::vector<ProductState> starts_;

@@ -1,8 +1,8 @@
-// Pairs of a product in the order in which a search met them, each with its number.
+// Pairs of a product in the order in which a search met them, each with its number: four bytes for every place and every
+// state of the task that was met, eight for every pair that was.
 #pragma once
 #include <cstddef>
 #include <cstdint>
-#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -12,20 +12,26 @@ namespace waymark::plan {
 
 class DiscoveryOrder {
  public:
+  DiscoveryOrder(std::size_t places, std::size_t tasks) : places_(places), rows_(tasks) {}
+
   std::pair<std::uint32_t, bool> insert(const ProductState& s) {  // its number; whether it is new
-    const auto [at, fresh] = number_.try_emplace(key(s), static_cast<std::uint32_t>(states_.size()));
-    if (fresh) states_.push_back(s);
-    return {at->second, fresh};
+    std::vector<std::uint32_t>& row = rows_[s.task];
+    if (row.empty()) row.resize(places_, none);
+    if (row[s.place] != none) return {row[s.place], false};
+    row[s.place] = static_cast<std::uint32_t>(states_.size());
+    states_.push_back(s);
+    return {row[s.place], true};
   }
-  bool contains(const ProductState& s) const { return number_.contains(key(s)); }
-  std::uint32_t number(const ProductState& s) const { return number_.at(key(s)); }
+  bool contains(const ProductState& s) const { return !rows_[s.task].empty() && number(s) != none; }
+  std::uint32_t number(const ProductState& s) const { return rows_[s.task][s.place]; }
   const std::vector<ProductState>& states() const& { return states_; }
   std::vector<ProductState> states() && { return std::move(states_); }
 
  private:
-  static std::uint64_t key(const ProductState& s) { return std::uint64_t{s.task} << 32U | s.place; }
+  static constexpr std::uint32_t none = UINT32_MAX;
+  std::size_t places_;
+  std::vector<std::vector<std::uint32_t>> rows_;  // by task, empty until one of its pairs is met; by place
   std::vector<ProductState> states_;
-  std::unordered_map<std::uint64_t, std::uint32_t> number_;
 };
 
 }  // namespace waymark::plan

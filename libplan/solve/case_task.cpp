@@ -242,9 +242,9 @@ class TaskSolver {
   }
 
   std::optional<Decided> decided(const ProductMdp<Model>& product, bool negated) const {
-    const DecisionLimits limits{.tolerance = options_.tolerance,
-                                .policy_iteration = options_.method == CaseMethod::PolicyIteration,
-                                .stop = options_.stop};
+    const IterationOptions limits{.tolerance = options_.tolerance,
+                                  .policy_iteration = options_.method == CaseMethod::PolicyIteration,
+                                  .stop = options_.stop};
     if (is_cost()) return least_cost(product, limits);
     if (task_.query == Query::Discounted) return greatest_discounted(product, options_.discount, limits);
     return task_.query == Query::MaxProbability || negated ? greatest_probability(product, limits)

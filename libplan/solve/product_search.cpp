@@ -2,10 +2,9 @@
 
 #include <algorithm>
 #include <deque>
-#include <queue>
 #include <stdexcept>
-#include <unordered_map>
 
+#include "libplan/solve/dijkstra.hpp"
 #include "libplan/solve/grid_bound.hpp"
 
 namespace waymark::plan {
@@ -270,71 +269,6 @@ std::optional<SearchAnswer> in_layers(const Product<M, TaskTable>& product, cons
   return answer;
 }
 
-template <Model M>
-class Dijkstra {
- public:
-  explicit Dijkstra(const Product<M, TaskTable>& product)
-      : product_(product), places_(product.model().states()) {}
-
-  std::optional<SearchAnswer> run(const ProductState& first, std::size_t limit, const std::stop_token& stop) {
-    relax(first, 0, nothing, 0);
-    SearchAnswer answer;
-    for (std::uint64_t done = 0; !heap_.empty(); ++done) {
-      if (met_.size() > limit || (done % polling_interval == 0 && stop.stop_requested())) return std::nullopt;
-      const auto [cost, i] = heap_.top();
-      heap_.pop();
-      if (cost > met_[i].cost) continue;
-      const ProductState from = met_[i].state;
-      if (product_.is_goal(from)) {
-        answer.route = route(i);
-        break;
-      }
-      for (std::uint32_t k = 0; k < product_.choices(from); ++k, ++answer.budget.edges)
-        product_.for_each_successor(
-            from, k, [&](const ProductState& to) { relax(to, cost + product_.cost(from, k), i, k); });
-    }
-    answer.budget.met = met_.size();
-    return answer;
-  }
-
- private:
-  struct Met {
-    ProductState state;
-    std::uint32_t from, choice;
-    double cost;
-  };
-  using Entry = std::pair<double, std::uint32_t>;  // cost, number: ties by who was met first
-
-  void relax(const ProductState& to, double cost, std::uint32_t from, std::uint32_t choice) {
-    const auto [at, fresh] =
-        number_.try_emplace(to.task * places_ + to.place, static_cast<std::uint32_t>(met_.size()));
-    if (fresh)
-      met_.push_back({to, from, choice, cost});
-    else if (cost < met_[at->second].cost)
-      met_[at->second] = {to, from, choice, cost};
-    else
-      return;
-    heap_.push({cost, at->second});
-  }
-  ChoiceRoute route(std::uint32_t goal) const {
-    ChoiceRoute out;
-    out.cost = met_[goal].cost;
-    for (std::uint32_t i = goal; i != nothing; i = met_[i].from) {
-      out.places.push_back(met_[i].state.place);
-      if (met_[i].from != nothing) out.choices.push_back(met_[i].choice);
-    }
-    std::reverse(out.places.begin(), out.places.end());
-    std::reverse(out.choices.begin(), out.choices.end());
-    return out;
-  }
-
-  const Product<M, TaskTable>& product_;
-  std::uint64_t places_;
-  std::vector<Met> met_;
-  std::unordered_map<std::uint64_t, std::uint32_t> number_;
-  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> heap_;
-};
-
 }  // namespace
 
 template <class Model>
@@ -357,7 +291,7 @@ std::optional<SearchAnswer> search(const Product<M, TaskTable>& product, std::si
   product.for_each_start([&](const ProductState& s) { first = s; });
   if (!first) return SearchAnswer{};
   if (uniform_cost(product.model())) return in_layers(product, *first, limit, stop);
-  return Dijkstra<M>(product).run(*first, limit, stop);
+  return dijkstra(product, *first, limit, stop);
 }
 
 template <class Model>

@@ -1,39 +1,26 @@
 // Least-cost routes of a deterministic model to a goal of a finite task, found forwards without building the product.
 //
 // Breadth first when all costs are equal: twelve bytes a pair that was met, one bit a pair that could be; on large grids
-// within what A* [HNR68] has found to be worth a look (GridBound). Otherwise Dijkstra [Dij59] with a heap, thirty-two
-// bytes a pair that was met. Where every route passes one cell of a grid, as between waypoints, nothing met before is
+// within what A* [HNR68] has found to be worth a look (GridBound). Otherwise Boost.Graph's Dijkstra (dijkstra.hpp). Where every route passes one cell of a grid, as between waypoints, nothing met before is
 // looked at any more. Among least-cost routes of breadth-first search the one whose choices come first
 // (docs/conventions.md 4).
+//
+// The search of equal costs is our own: bench_search, 1000² cells, two landmarks in order, ms of processor time in one
+// run: this 33, Boost.Graph's breadth_first_visit 66, its A* with GridBound 71.
 #pragma once
 #include <cstdint>
 #include <optional>
 #include <stop_token>
-#include <variant>
-#include <vector>
 
 #include "libplan/model/grid_world.hpp"
 #include "libplan/model/mdp.hpp"
-#include "libplan/product/product.hpp"
-#include "libplan/product/task_table.hpp"
+#include "libplan/solve/dijkstra.hpp"
 
 namespace waymark::plan {
 
 // The cost that all choices of the model have; nullopt: they differ, or there are none.
 template <class Model>
 std::optional<double> uniform_cost(const Model& model);
-
-struct ChoiceRoute {  // places and the choices between them
-  std::vector<std::uint32_t> places, choices;
-  double cost = 0;
-};
-struct SearchEffort {
-  std::uint64_t met = 0, edges = 0;  // pairs of place and task; edges looked at
-};
-struct SearchAnswer {
-  std::optional<ChoiceRoute> route;  // nullopt: proved that there is none
-  SearchEffort budget;
-};
 
 // nullopt: stopped, or more pairs met than the limit. Throws std::invalid_argument for a model that is not deterministic.
 template <Model M>
