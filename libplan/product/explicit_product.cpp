@@ -33,9 +33,9 @@ class Unfolding {
     const std::vector<std::uint32_t>& starts = product_.starts();
     if (needs_lost_ || starts.empty()) {
       add_apart(builder, "lost", -1);
-      stay(builder, lost(), {});
+      stay(builder, trap(), {});
     }
-    std::uint32_t initial = starts.empty() ? lost() : starts[0];
+    std::uint32_t initial = starts.empty() ? trap() : starts[0];
     if (starts.size() > 1) {
       initial = add_apart(builder, "start", -2);
       for (std::size_t i = 0; i < starts.size(); ++i) {
@@ -50,7 +50,7 @@ class Unfolding {
  private:
   using State = typename ProductMdp<Model>::State;
 
-  std::uint32_t lost() const { return product_.states(); }
+  std::uint32_t trap() const { return product_.states(); }
   ltl::Letter letter(std::uint32_t target, bool marked) const {
     ltl::Letter out;
     if (goals_[target]) out.insert(goal_);
@@ -77,9 +77,9 @@ class Unfolding {
     for (std::uint32_t k = 0; k < product_.choices(s); ++k) {
       builder.add_choice(product_.is_jump(s, k) ? "jump" : model.action(s.place, k), product_.cost(s, k));
       product_.for_each_outcome(s, k, [&](std::uint32_t target, double probability, bool marked) {
-        if (target == ProductMdp<Model>::lost) {
+        if (target == ProductMdp<Model>::trap) {
           needs_lost_ = true;
-          builder.add_outcome(lost(), builder.letter({}), probability);
+          builder.add_outcome(trap(), builder.letter({}), probability);
         } else {
           builder.add_outcome(target, builder.letter(letter(target, marked)), probability);
         }

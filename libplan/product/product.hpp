@@ -58,7 +58,7 @@ class Product {
   void for_each_start(Visit&& visit) const {
     for_each_start(model_->initial(), model_->initial_letter(), visit);
   }
-  template <class Visit>  // visit(pair): where the choice may lead, lost outcomes left out
+  template <class Visit>  // visit(pair): where the choice may lead, outcomes into traps left out
   void for_each_successor(const ProductState& s, std::uint32_t k, Visit&& visit) const {
     if (const std::uint32_t own = model_->choices(s.place); k >= own)
       return visit(ProductState{s.place, task_->jumps(s.task)[k - own]});

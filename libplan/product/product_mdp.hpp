@@ -1,7 +1,7 @@
 // The product of a model and a task with its reachable pairs numbered, two bits a pair: what value iteration works on.
 //
 // Reachable pairs are numbered in ascending order of (task, place): a component of the automaton is a range of numbers,
-// no outcome leads into a higher range. An outcome from which the task cannot be met is `lost`. Solvers are written
+// no outcome leads into a higher range. An outcome from which the task cannot be met leads to `trap`. Solvers are written
 // against what is public here; MarkovChain (solve/markov_chain.hpp) has it too. As a graph this is a Boost.Graph
 // IncidenceGraph and VertexListGraph.
 #pragma once
@@ -35,8 +35,8 @@ class ProductMdp : public Product<M, TaskTable> {
                                            std::size_t limit = SIZE_MAX, const std::stop_token& stop = {});
 
   std::uint32_t states() const { return states_; }
-  std::uint64_t edges() const { return edges_; }  // outcomes of all choices that are not lost
-  // Where a run may begin: the first letter is read, after a jump or none. Empty: the task is lost from the start.
+  std::uint64_t edges() const { return edges_; }  // outcomes of all choices, those into the trap left out
+  // Where a run may begin: the first letter is read, after a jump or none. Empty: the task cannot be met from the start.
   const std::vector<std::uint32_t>& starts() const { return starts_; }
   State state(std::uint32_t index) const {
     const std::uint64_t pair = pairs_.select(index);
@@ -62,8 +62,8 @@ class ProductMdp : public Product<M, TaskTable> {
   }
   // Ranges of indices that no outcome leaves upwards, ascending.
   const std::vector<std::uint32_t>& blocks() const { return blocks_; }
-  static constexpr std::uint32_t lost = UINT32_MAX;
-  template <class Visit>  // visit(index or lost, probability, is the edge marked)
+  static constexpr std::uint32_t trap = UINT32_MAX;
+  template <class Visit>  // visit(index or trap, probability, is the edge marked)
   void for_each_outcome(State s, std::uint32_t k, Visit&& visit) const {
     if (const std::uint32_t own = this->model().choices(s.place); k >= own) {
       visit(index(s.place, this->task().jumps(s.task)[k - own]), 1.0, false);
@@ -71,7 +71,7 @@ class ProductMdp : public Product<M, TaskTable> {
     }
     this->model().for_each_outcome(s.place, k, [&](std::uint32_t place, LetterId letter, double probability) {
       const TaskTable::Step step = this->task().next(s.task, letter);
-      visit(step.target == TaskTable::lost ? lost : index(place, step.target), probability, step.marked);
+      visit(step.target == TaskTable::trap ? trap : index(place, step.target), probability, step.marked);
     });
   }
   template <class Visit>  // visit(State): among others every state with an outcome into s

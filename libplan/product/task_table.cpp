@@ -10,7 +10,7 @@ namespace waymark::plan {
 using automata::StateId;
 
 struct TaskTable::Unordered {
-  std::uint32_t initial = lost;
+  std::uint32_t initial = trap;
   std::vector<std::vector<std::uint32_t>> steps, jumps;  // by state; steps by class
   std::vector<bool> goal;
 };
@@ -19,14 +19,14 @@ TaskTable::TaskTable(const automata::Dfa& dfa, const Letters& letters)
     : classes_(letters, dfa.vocabulary(), dfa.reads(), UnknownProposition::NeverHolds),
       row_(static_cast<std::uint32_t>(classes_.size())) {
   Unordered out;
-  out.initial = dfa.is_trap(dfa.initial()) ? lost : dfa.initial().index;
+  out.initial = dfa.is_trap(dfa.initial()) ? trap : dfa.initial().index;
   out.jumps.resize(dfa.states());
   for (std::uint32_t q = 0; q < dfa.states(); ++q) {
     out.goal.push_back(dfa.is_accepting(StateId{q}));
     std::vector<std::uint32_t>& row = out.steps.emplace_back();
     for (const ltl::Letter& letter : classes_.representatives()) {
       const StateId target = out.goal[q] ? StateId{q} : dfa.next(StateId{q}, letter);
-      row.push_back(dfa.is_trap(target) ? lost : target.index);
+      row.push_back(dfa.is_trap(target) ? trap : target.index);
     }
   }
   adopt(out);
@@ -42,7 +42,7 @@ TaskTable::TaskTable(const automata::MdpSafe& automaton, const Letters& letters)
     std::vector<std::uint32_t>& row = out.steps.emplace_back();
     for (const ltl::Letter& letter : classes_.representatives()) {
       const auto step = automaton.next(StateId{q}, letter);
-      row.push_back(step ? step->target.index | (step->accepting ? marked : 0) : lost);
+      row.push_back(step ? step->target.index | (step->accepting ? marked : 0) : trap);
     }
     std::vector<std::uint32_t>& jumps = out.jumps.emplace_back();
     for (StateId target : automaton.jumps(StateId{q})) jumps.push_back(target.index);
@@ -70,7 +70,7 @@ void TaskTable::adopt(const Unordered& unordered) {
   Graph graph{unordered.jumps};
   for (std::uint32_t q = 0; q < size; ++q)
     for (std::uint32_t step : unordered.steps[q])
-      if ((step & lost) != lost) graph.targets[q].push_back(step & lost);
+      if ((step & trap) != trap) graph.targets[q].push_back(step & trap);
   const automata::Components found = automata::components(graph);
   std::vector<std::uint32_t> number(size);
   for (std::uint32_t i = 0; i < size; ++i) {
@@ -79,7 +79,7 @@ void TaskTable::adopt(const Unordered& unordered) {
   }
   components_.push_back(size);
   origin_ = found.order;
-  if (unordered.initial != lost) {
+  if (unordered.initial != trap) {
     initial_states_.push_back(number[unordered.initial]);
     for (std::uint32_t target : unordered.jumps[unordered.initial]) initial_states_.push_back(number[target]);
   }
@@ -88,9 +88,9 @@ void TaskTable::adopt(const Unordered& unordered) {
     const std::uint32_t q = found.order[i];
     goal_.push_back(unordered.goal[q]);
     for (std::uint32_t step : unordered.steps[q]) {
-      const std::uint32_t target = step & lost;
-      steps_.push_back(target == lost ? lost : number[target] | (step & marked));
-      if (target != lost && (sources[number[target]].empty() || sources[number[target]].back() != i))
+      const std::uint32_t target = step & trap;
+      steps_.push_back(target == trap ? trap : number[target] | (step & marked));
+      if (target != trap && (sources[number[target]].empty() || sources[number[target]].back() != i))
         sources[number[target]].push_back(i);
     }
     for (std::uint32_t target : unordered.jumps[q]) {

@@ -2,7 +2,7 @@
 //
 // Letters that the automaton cannot tell apart form one class. States are renumbered so that strongly connected
 // components stand together and none leads to a higher one: solvers take them in ascending order. States from which
-// nothing is accepted are no states here, a step into one is `lost`. Propositions that the model does not know never
+// nothing is accepted are no states here, a step into one leads to `trap`. Propositions that the model does not know never
 // hold.
 #pragma once
 #include <cstdint>
@@ -18,9 +18,9 @@ namespace waymark::plan {
 
 class TaskTable {
  public:
-  static constexpr std::uint32_t lost = UINT32_MAX >> 1U;
+  static constexpr std::uint32_t trap = UINT32_MAX >> 1U;
   struct Step {
-    std::uint32_t target;  // or lost
+    std::uint32_t target;  // or trap
     bool marked;           // an accepting edge of a Büchi automaton
   };
 
@@ -34,11 +34,11 @@ class TaskTable {
   std::uint32_t origin(std::uint32_t q) const { return origin_[q]; }  // as the automaton numbers it
   Step next(std::uint32_t q, LetterId letter) const {
     const std::uint32_t step = steps_[std::size_t{q} * row_ + classes_.of(letter)];
-    return {step & lost, (step & marked) != 0};
+    return {step & trap, (step & marked) != 0};
   }
   AtMostOne<Step> steps(std::uint32_t q, LetterId letter) const {
     const Step step = next(q, letter);
-    return {step, step.target != lost};
+    return {step, step.target != trap};
   }
   const std::vector<std::uint32_t>& initial_states() const { return initial_states_; }
   bool is_over(std::uint32_t q) const { return goal_[q]; }
@@ -50,7 +50,7 @@ class TaskTable {
   const std::vector<std::uint32_t>& components() const { return components_; }
 
  private:
-  static constexpr std::uint32_t marked = lost + 1;
+  static constexpr std::uint32_t marked = trap + 1;
   struct Lists {
     std::vector<std::uint32_t> first, values;
   };

@@ -1,4 +1,4 @@
-// Φ at one state: what its best choice is worth, given values of all states (the operator of value_iteration.hpp).
+// Φ at one state: its best action value, given values of all states (the operator of value_iteration.hpp).
 //
 // A choice that may come to nothing is taken until it comes to something: its value is divided by the chance that it does.
 #pragma once
@@ -31,9 +31,9 @@ class BellmanOperator {  // all of them must outlive it
       bool counts = true;
       product_.for_each_outcome(s, k, [&](std::uint32_t t, double p, bool) {
         if (t == s.index ||
-            (t != Product::lost && own != EndComponents::none && merged_.component(t) == own)) {
+            (t != Product::trap && own != EndComponents::none && merged_.component(t) == own)) {
           stays += p;
-        } else if (t != Product::lost &&
+        } else if (t != Product::trap &&
                    (is_probability(measure) || unknowns_.unknown[t] || unknowns_.targets[t])) {
           sum += p * values[t];
         } else {

@@ -1,6 +1,6 @@
 // A strategy must make progress: among choices that are worth the same, one that never arrives must not be taken. So it
 // is read off backwards from the targets: a state joins by a choice that is worth its value and has an outcome that has
-// attracted before. What counts as the same worth is made no wider than it takes for every state to attractor.
+// attracted before. What counts as the same action value is made no wider than it takes for every state to attractor.
 #include "libplan/solve/decide.hpp"
 
 #include <algorithm>
@@ -74,7 +74,7 @@ StateSet attractor(const Product& product, const StateSet& from, Strategy& strat
     for (std::uint32_t k = 0; k < product.choices(s); ++k) {
       double nearer = 0;
       product.for_each_outcome(s, k, [&](std::uint32_t t, double p, bool) {
-        if (t != Product::lost && attracted[t]) nearer += p;
+        if (t != Product::trap && attracted[t]) nearer += p;
       });
       if (nearer <= best || !good(s, k)) continue;
       best = nearer;
@@ -109,11 +109,11 @@ void play_for_ever(const Product& product, const WinningRegion<Product>& winning
 }
 
 template <Measure measure, class Product>
-double worth(const Product& product, const typename Product::State& s, std::uint32_t k,
-             const Unknowns& unknowns, const std::vector<double>& values) {
+double action_value(const Product& product, const typename Product::State& s, std::uint32_t k,
+                    const Unknowns& unknowns, const std::vector<double>& values) {
   double sum = measure == Measure::MinCost ? product.cost(s, k) : 0;
   product.for_each_outcome(s, k, [&](std::uint32_t t, double p, bool) {
-    if (t != Product::lost &&
+    if (t != Product::trap &&
         (measure == Measure::MaxProbability || unknowns.unknown[t] || unknowns.targets[t]))
       sum += p * values[t];
     else if (measure == Measure::MinCost)
@@ -130,7 +130,8 @@ bool choose(const Product& product, const Unknowns& unknowns, const std::vector<
   const StateSet attracted =
       attractor(product, unknowns.targets, strategy, [&](const auto& s, std::uint32_t k) {
         if (!unknowns.unknown[s.index]) return false;
-        const double value = values[s.index], offered = worth<measure>(product, s, k, unknowns, values);
+        const double value = values[s.index],
+                     offered = action_value<measure>(product, s, k, unknowns, values);
         return measure == Measure::MaxProbability ? offered >= value * (1 - slack)
                                                   : offered <= value * (1 + slack);
       });
@@ -146,7 +147,7 @@ void choose_least(const Product& product, const Unknowns& unknowns, const std::v
   product.for_each_state([&](const auto& s) {
     double best = INFINITY;
     for (std::uint32_t k = 0; k < product.choices(s); ++k) {
-      const double offered = worth<Measure::MaxProbability>(product, s, k, unknowns, values);
+      const double offered = action_value<Measure::MaxProbability>(product, s, k, unknowns, values);
       if (offered < best) strategy.choice.set(s.index, k);
       best = std::min(best, offered);
     }
@@ -169,7 +170,7 @@ EndComponents merged(const Product& product, const StateSet& unknown) {
   });
 }
 
-// Least probabilities are 1 where no strategy has a qualitative of staying for ever away from the targets, nor of being lost.
+// Least probabilities are 1 where no strategy has a qualitative of staying for ever away from the targets, nor of ending in the trap.
 // By the graph, since sweeps would take as long as a strategy can put off what must come.
 template <class Product>
 Unknowns unknowns_of_least(const Product& product, const StateSet& targets) {
@@ -179,7 +180,7 @@ Unknowns unknowns_of_least(const Product& product, const StateSet& targets) {
   product.for_each_state([&](const auto& s) {
     bool out = stays.of[s.index] != EndComponents::none;
     for (std::uint32_t k = 0; k < product.choices(s) && !out; ++k)
-      product.for_each_outcome(s, k, [&](std::uint32_t t, double, bool) { out = out || t == Product::lost; });
+      product.for_each_outcome(s, k, [&](std::uint32_t t, double, bool) { out = out || t == Product::trap; });
     away[s.index] = out;
   });
   const StateSet escapes = can_reach(product, away), reaches = can_reach(product, targets);

@@ -58,7 +58,7 @@ class DiscountedSweeps {
     for (std::uint32_t k = 0; k < product_.choices(s); ++k) {
       double sum = 0;
       product_.for_each_outcome(s, k, [&](std::uint32_t t, double p, bool) {
-        if (t != Product::lost) sum += p * discount_ * values_[t];
+        if (t != Product::trap) sum += p * discount_ * values_[t];
       });
       if (sum > out.value * (1 + slack)) out = {k, sum};
     }

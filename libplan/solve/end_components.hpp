@@ -23,7 +23,7 @@ bool stays(const Product& product, const typename Product::State& s, std::uint32
            const EndComponents& components) {
   bool all = components.of[s.index] != EndComponents::none;
   product.for_each_outcome(s, k, [&](std::uint32_t t, double, bool) {
-    all = all && t != Product::lost && components.of[t] == components.of[s.index];
+    all = all && t != Product::trap && components.of[t] == components.of[s.index];
   });
   return all;
 }

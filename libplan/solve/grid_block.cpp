@@ -70,7 +70,7 @@ bool GridBlock::read_cell(std::uint32_t cell, const Unknowns& unknowns, const Ke
       good |= 1U << d;
       continue;
     }
-    if (q == TaskTable::lost) continue;
+    if (q == TaskTable::trap) continue;
     const std::uint32_t t = product_.state(Product::Compact{to, q}).index;
     if (!unknowns.targets[t] && !unknowns.unknown[t]) continue;
     if (unknowns.unknown[t] && q == task_) return false;
@@ -86,7 +86,7 @@ bool GridBlock::read_cell(std::uint32_t cell, const Unknowns& unknowns, const Ke
   return true;
 }
 
-// The choices that count, in bits 4 to 7: they lead somewhere, and, where costs are asked for, nowhere that is lost.
+// The choices that count, in bits 4 to 7: they lead somewhere, and, where costs are asked for, not into the trap.
 std::uint32_t GridBlock::counted(std::uint32_t open, std::uint32_t good) const {
   std::uint32_t out = 0;
   for (std::uint32_t k = 0; k < 4; ++k) {

@@ -31,7 +31,7 @@ std::optional<GridBound> GridBound::of(const GridWorld& grid, const TaskTable& t
     bool better = false;
     for (std::uint32_t to = 0; to < letters; ++to) {
       const std::uint32_t target = task.next(q, {to}).target;
-      if (target == TaskTable::lost || target == q || boxes[to].left > boxes[to].right) continue;
+      if (target == TaskTable::trap || target == q || boxes[to].left > boxes[to].right) continue;
       const std::uint32_t then = rest[target * letters + to];
       if (then == never) continue;
       for (std::size_t from = 0; from < letters; ++from) {
@@ -61,7 +61,7 @@ std::optional<GridBound> GridBound::of(const GridWorld& grid, const TaskTable& t
     out.first_.push_back(static_cast<std::uint32_t>(out.ways_.size()));
     for (std::uint32_t to = 0; to < letters && !task.is_goal(q); ++to) {
       const std::uint32_t target = task.next(q, {to}).target;
-      if (target == TaskTable::lost || target == q || boxes[to].left > boxes[to].right) continue;
+      if (target == TaskTable::trap || target == q || boxes[to].left > boxes[to].right) continue;
       if (const std::uint32_t then = rest[target * letters + to]; then != never)
         out.ways_.push_back({boxes[to], then});
     }

@@ -14,14 +14,14 @@ class MarkovChain {
     std::uint32_t index;
   };
   using Compact = State;
-  static constexpr std::uint32_t lost = UINT32_MAX;
+  static constexpr std::uint32_t trap = UINT32_MAX;
 
   // The states that the strategy meets from its start; the product has one. Where it makes no choice the chain stays, at no cost.
   template <class Product>
   MarkovChain(const Product& product, const Strategy& strategy) {
-    std::vector<std::uint32_t> number(product.states(), lost);
+    std::vector<std::uint32_t> number(product.states(), trap);
     const auto meet = [&](std::uint32_t i) {
-      if (number[i] == lost) {
+      if (number[i] == trap) {
         number[i] = static_cast<std::uint32_t>(origin_.size());
         origin_.push_back(i);
       }
@@ -39,7 +39,7 @@ class MarkovChain {
         continue;
       }
       product.for_each_outcome(s, choice, [&](std::uint32_t t, double p, bool marked) {
-        outcomes_.push_back({t == Product::lost ? lost : meet(t), p, marked});
+        outcomes_.push_back({t == Product::trap ? trap : meet(t), p, marked});
       });
     }
     finish();

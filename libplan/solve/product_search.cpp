@@ -71,7 +71,7 @@ std::vector<bool> gates(const GridWorld& grid, const TaskTable& task, std::uint3
     std::uint32_t next = nothing, ways = 0;
     for (std::uint32_t l = 0; l < cells.size(); ++l)
       if (const std::uint32_t target = task.next(q, {l}).target;
-          cells[l] > 0 && target != q && target != TaskTable::lost) {
+          cells[l] > 0 && target != q && target != TaskTable::trap) {
         ways += cells[l];
         next = target;
       }

@@ -1,9 +1,9 @@
 // Least-cost routes of a deterministic model to a goal of a finite task, found forwards without building the product.
 //
 // Breadth first when all costs are equal: twelve bytes a pair that was met, one bit a pair that could be; on large grids
-// within what A* [HNR68] has found to be worth a look (GridBound). Otherwise Boost.Graph's Dijkstra (dijkstra.hpp). Where every route passes one cell of a grid, as between waypoints, nothing met before is
-// looked at any more. Among least-cost routes of breadth-first search the one whose choices come first
-// (docs/conventions.md 4).
+// within what A* [HNR68] has found to be worth a look (GridBound). Otherwise Boost.Graph's Dijkstra (dijkstra.hpp).
+// Where every route passes one cell of a grid, as between waypoints, nothing met before is looked at any more. Among
+// least-cost routes of breadth-first search the one whose choices come first (docs/conventions.md 4).
 //
 // The search of equal costs is our own: bench_search, 1000² cells, two landmarks in order, ms of processor time in one
 // run: this 33, Boost.Graph's breadth_first_visit 66, its A* with GridBound 71.

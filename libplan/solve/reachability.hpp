@@ -42,7 +42,7 @@ bool some_outcome_in(const Product& product, const typename Product::State& s, s
                      const StateSet& set) {
   bool some = false;
   product.for_each_outcome(
-      s, k, [&](std::uint32_t t, double, bool) { some = some || (t != Product::lost && set[t]); });
+      s, k, [&](std::uint32_t t, double, bool) { some = some || (t != Product::trap && set[t]); });
   return some;
 }
 
@@ -51,7 +51,7 @@ bool all_outcomes_in(const Product& product, const typename Product::State& s, s
                      const StateSet& set) {
   bool all = true;
   product.for_each_outcome(s, k,
-                           [&](std::uint32_t t, double, bool) { all = all && t != Product::lost && set[t]; });
+                           [&](std::uint32_t t, double, bool) { all = all && t != Product::trap && set[t]; });
   return all;
 }
 
@@ -104,7 +104,7 @@ StateSet almost_surely(const Product& product, const StateSet& targets) {
       if (!inside[s.index]) return false;
       bool all = true, some = false;
       product.for_each_outcome(s, k, [&](std::uint32_t t, double, bool) {
-        all = all && t != Product::lost && inside[t];
+        all = all && t != Product::trap && inside[t];
         some = some || (all && reached[t]);
       });
       return all && some;

@@ -17,7 +17,7 @@ class StrategyChain {
  public:
   using State = typename Product::State;
   using Compact = typename Product::Compact;
-  static constexpr std::uint32_t lost = Product::lost;
+  static constexpr std::uint32_t trap = Product::trap;
 
   StrategyChain(const Product& product, const Strategy& strategy)
       : product_(product), strategy_(strategy), met_(product.states(), false) {
@@ -27,7 +27,7 @@ class StrategyChain {
       const State s = product.state(open.back());
       open.pop_back();
       for_each_outcome(s, 0, [&](std::uint32_t t, double, bool) {
-        if (t == lost || met_[t]) return;
+        if (t == trap || met_[t]) return;
         met_[t] = true;
         open.push_back(product.compact(product.state(t)));
       });

@@ -63,7 +63,7 @@ class EndComponentQuotient {
       for (std::uint32_t k = 0; k < product_.choices(s) && !near; ++k)
         product_.for_each_outcome(s, k, [&](std::uint32_t t, double, bool) {
           near =
-              near || (t != Product::lost && (unknowns_.targets[t] || (unknowns_.unknown[t] && t < first)));
+              near || (t != Product::trap && (unknowns_.targets[t] || (unknowns_.unknown[t] && t < first)));
         });
       if (near) meet(s);
     });

@@ -169,14 +169,14 @@ class ValueIteration {
       double below = cost, above = cost, stays = 0, least_known = INFINITY;
       bool counts = true;
       product_.for_each_outcome(s, k, [&](std::uint32_t t, double p, bool) {
-        if (t != Product::lost && row(t) == own) {
+        if (t != Product::trap && row(t) == own) {
           stays += p;
-        } else if (t != Product::lost && row(t) == no_row &&
+        } else if (t != Product::trap && row(t) == no_row &&
                    (is_probability(measure) || unknowns_.unknown[t] || unknowns_.targets[t])) {
           below += p * lower(t);
           above += p * upper(t);
           least_known = std::min(least_known, lower(t));
-        } else if (t == Product::lost || row(t) == no_row) {
+        } else if (t == Product::trap || row(t) == no_row) {
           counts = counts && is_probability(measure);
         }
       });
@@ -186,7 +186,7 @@ class ValueIteration {
       equations.add_choice();
       const double scale = leaves ? 1 / (1 - stays) : 0;
       product_.for_each_outcome(s, k, [&](std::uint32_t t, double p, bool) {
-        if (t != Product::lost && row(t) != no_row && row(t) != own) equations.add_term(row(t), p * scale);
+        if (t != Product::trap && row(t) != no_row && row(t) != own) equations.add_term(row(t), p * scale);
       });
       equations.end_choice({below * scale, above * scale, cost * scale, least_known});
     }

@@ -72,7 +72,7 @@ TEST(TabularProduct, IsTheProductOfTheSolvers) {
         while (!flat.is_offered(s.place, action)) ++action;
         std::map<std::uint32_t, double> solved, learnt;
         product->for_each_outcome(s, k, [&](std::uint32_t t, double p, bool) {
-          solved[t == ProductMdp<Mdp>::lost ? UINT32_MAX : number(product->state(t))] += p;
+          solved[t == ProductMdp<Mdp>::trap ? UINT32_MAX : number(product->state(t))] += p;
         });
         double before = 0;
         for (const auto& o : flat.outcomes_of(s.place, action)) {

@@ -32,7 +32,7 @@ std::vector<std::vector<std::uint32_t>> moves_to_go(const GridWorld& grid, const
       for (std::uint32_t s = 0; s < grid.states(); ++s)
         for (std::uint32_t k = 0; k < 4; ++k) {
           const std::uint32_t to = grid.move(s, k), next = task.next(q, grid.letter(to)).target;
-          if (next == TaskTable::lost || out[next][to] == never || out[next][to] + 1 >= out[q][s]) continue;
+          if (next == TaskTable::trap || out[next][to] == never || out[next][to] + 1 >= out[q][s]) continue;
           out[q][s] = out[next][to] + 1;
           better = true;
         }
@@ -60,7 +60,7 @@ TEST(GridBound, IsNeverTooHighAndChangesByOneMoveAtMost) {
         ++(h == never ? hopeless : h == exact[q][s] ? tight : loose);
         for (std::uint32_t k = 0; k < 4; ++k) {
           const std::uint32_t to = grid.move(s, k), next = task.next(q, grid.letter(to)).target;
-          if (next == TaskTable::lost || task.is_goal(q) || (*bound)(to, next) == never) continue;
+          if (next == TaskTable::trap || task.is_goal(q) || (*bound)(to, next) == never) continue;
           ASSERT_LE(h, (*bound)(to, next) + 1) << ltl::print(f) << ", seed " << seed << ", grid " << i;
         }
       }
