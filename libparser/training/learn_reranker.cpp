@@ -1,85 +1,26 @@
 #include "libparser/training/learn_reranker.hpp"
 
-#include <algorithm>
 #include <iterator>
 #include <numeric>
-#include <random>
 
 #include "libparser/corpus/token.hpp"
-#include "libparser/rerank/adagrad.hpp"
-#include "libparser/training/training_instance.hpp"
+#include "libparser/training/learn_ranker.hpp"
 
 namespace waymark::parser {
 namespace {
 
-// A instance, or its mirror image, with its features turned into rows of the reranker's table.
-struct RankingRows {
-  std::vector<std::vector<std::uint32_t>> bundles, ends;
-  std::vector<float> log_mass;
-  std::vector<std::size_t> right;
-};
-
-class RankingLearner {
- public:
-  // table: of the model, the reranker or the start_pose_model.
-  RankingLearner(LinearModel& model, WeightTable& table, std::span<const Executor> executors,
-                 const TrainOptions& options)
-      : model_(model),
-        table_(table),
-        executors_(executors),
-        optimizer_(table, options.reranker_rate, options.reranker_decay) {
-    *table_.row(table_.add(log_mass_feature())) = 1.0F;
-  }
-
-  RankingRows rows_of(const RankingInstance& instance, bool mirrored) {
-    SentenceInput input = instance.example->input;
-    if (mirrored) input.tokens = mirror(input.tokens);
-    RerankerSentence sentence(model_, input, mirrored);
-    for (const RankingInstance::Option& option : instance.options)
-      sentence.add_end(executors_[instance.example->map], option.start, option.plan, option.mass);
-    EndFeatures features = sentence.take();
-    RankingRows rows{{}, std::move(features.ends), std::move(features.log_mass), instance.right};
-    for (const auto& bundle : features.bundles) {
-      auto& list = rows.bundles.emplace_back();
-      for (std::uint64_t feature : bundle) list.push_back(table_.add(feature));
-    }
-    return rows;
-  }
-
-  // One step up the log-probability that one of the right options is taken.
-  void learn(const RankingRows& instance) {
-    const std::size_t n = instance.ends.size();
-    std::vector<float> bundles(instance.bundles.size(), 0.0F), errors(instance.bundles.size(), 0.0F), p(n);
-    for (std::size_t b = 0; b < bundles.size(); ++b)
-      for (std::uint32_t row : instance.bundles[b]) bundles[b] += *table_.row(row);
-    const std::uint32_t mass_row = table_.find(log_mass_feature());
-    for (std::size_t i = 0; i < n; ++i) {
-      p[i] = *table_.row(mass_row) * instance.log_mass[i];
-      for (std::uint32_t b : instance.ends[i]) p[i] += bundles[b];
-    }
-    const float highest = *std::max_element(p.begin(), p.end());
-    float total = 0, right = 0, mass_error = 0;
-    for (float& x : p) total += x = std::exp(x - highest);
-    for (std::size_t i : instance.right) right += p[i];
-    std::vector<float> wanted(n, 0.0F);
-    for (std::size_t i : instance.right)
-      wanted[i] = right > 0 ? p[i] / right : 1.0F / static_cast<float>(instance.right.size());
-    for (std::size_t i = 0; i < n; ++i) {
-      const float error = wanted[i] - p[i] / total;
-      mass_error += error * instance.log_mass[i];
-      for (std::uint32_t b : instance.ends[i]) errors[b] += error;
-    }
-    optimizer_.update(mass_row, &mass_error);
-    for (std::size_t b = 0; b < bundles.size(); ++b)
-      for (std::uint32_t row : instance.bundles[b]) optimizer_.update(row, &errors[b]);
-  }
-
- private:
-  LinearModel& model_;
-  WeightTable& table_;
-  std::span<const Executor> executors_;
-  AdaGrad optimizer_;
-};
+// An instance, or its mirror image, with its features as rows of the table.
+LabelledDecision labelled(const LinearModel& model, WeightTable& table, const RankingInstance& instance,
+                          const Executor& executor, bool mirrored) {
+  SentenceInput input = instance.example->input;
+  if (mirrored) input.tokens = mirror(input.tokens);
+  RerankerSentence sentence(model, input, mirrored);
+  for (const RankingInstance::Option& option : instance.options)
+    sentence.add_end(executor, option.start, option.plan, option.mass);
+  LabelledDecision decision = numbered(sentence.take(), table);
+  decision.right = instance.right;
+  return decision;
+}
 
 // The options that one decision gives.
 void add_options(const Decision& decision, plan::PoseId start, RankingInstance& instance) {
@@ -87,26 +28,24 @@ void add_options(const Decision& decision, plan::PoseId start, RankingInstance& 
     instance.options.push_back({start, *decision.plans[end.candidate], end.mass});
 }
 
-void learn_table(LinearModel& model, WeightTable& table, std::span<const RankingInstance> all,
+void learn_table(const LinearModel& model, WeightTable& table, std::span<const RankingInstance> all,
                  std::span<const Executor> executors, const TrainOptions& options,
                  const JobProgress& progress) {
-  RankingLearner learner(model, table, executors, options);
-  std::vector<RankingRows> instances;
+  *table.row(table.add(log_mass_feature())) = 1.0F;
+  std::vector<LabelledDecision> decisions;
   for (const RankingInstance& instance : all) {
     if (options.stop.stop_requested()) throw Stopped{};
-    instances.push_back(learner.rows_of(instance, false));
-    if (options.mirrored) instances.push_back(learner.rows_of(instance, true));
+    const Executor& executor = executors[instance.example->map];
+    decisions.push_back(labelled(model, table, instance, executor, false));
+    if (options.mirrored) decisions.push_back(labelled(model, table, instance, executor, true));
   }
-  std::mt19937_64 random(options.seed);
-  const auto below = [&](std::size_t n) { return random() % n; };
-  each_epoch(instances.size(), options.reranker_epochs, below,
-             [&](std::span<const std::size_t> order, int epoch) {
-               for (const std::size_t i : order) {
-                 if (options.stop.stop_requested()) throw Stopped{};
-                 learner.learn(instances[i]);
-               }
-               progress(static_cast<double>(epoch + 1) / options.reranker_epochs);
-             });
+  learn_ranker(table, decisions,
+               {.seed = options.seed,
+                .epochs = options.reranker_epochs,
+                .rate = options.reranker_rate,
+                .decay = options.reranker_decay,
+                .stop = options.stop},
+               progress);
 }
 
 }  // namespace

@@ -1,34 +1,30 @@
-// Learning to choose among the routes of a text, from routes alone: AdaGrad [DHS11] on the likelihood of the right one.
+// Learning to choose among the routes of a text, from routes alone, by the ranker.
 //
 // Every other candidate is a wrong answer. One is known to be wrong for the writer too: the picture showed the next longer route
-// to the same goal as the one not to describe (`alt_path` of the corpus, which is that route in every line). It is pushed
-// away once more:
-//
-//   loss = −log p(gold) + against_rival · log(1 + exp(1 + score(rival) − score(gold)))
+// to the same goal as the one not to describe (`alt_path` of the corpus, which is that route in every line). It is the rival.
 #pragma once
-#include <cstdint>
-#include <functional>
+#include <limits>
 #include <span>
-#include <stop_token>
+#include <vector>
 
 #include "libparser/domain/streets/street_model.hpp"
+#include "libparser/training/learn_ranker.hpp"
 
 namespace waymark::streets {
 
 struct StreetOptions {
-  std::uint64_t seed = 1;  // the order of the texts
-  int epochs = 8;
-  double rate = 0.05, decay = 4e-2;  // AdaGrad's step and L2, for every update
-  double against_rival = 0.5;        // 0: the rival is a candidate like any other
-  // For cities whose texts are all there, unread: naming habits (naming_habits.hpp) and a second look (second_look.hpp). Costs
-  // a training more for each city.
-  bool adapt = false;
+  parser::RankerOptions ranker{.epochs = 8,
+                               .rate = 0.05,
+                               .decay = 4e-2,
+                               .first_squares = std::numeric_limits<float>::min(),
+                               .least_error = 1e-5,
+                               .against_rival = 0.5,
+                               .least_maps = 3};
   CandidateLimits limits;
-  std::stop_token stop;
 };
 
-// Nobody's answer when stop was requested: returns std::nullopt.
-std::optional<StreetModel> learn_streets(std::span<const StreetInstruction* const> instructions,
-                                         const std::vector<StreetMap>& maps, const StreetOptions& options);
+// Throws Stopped (supervision/examples.hpp) when a stop was requested.
+StreetModel learn_streets(std::span<const StreetInstruction* const> instructions,
+                          const std::vector<StreetMap>& maps, const StreetOptions& options);
 
 }  // namespace waymark::streets

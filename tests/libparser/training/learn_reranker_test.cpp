@@ -79,16 +79,17 @@ double log_likelihood(const LinearModel& model, const WeightTable& table,
     RerankerSentence sentence(model, instance.example->input);
     for (const RankingInstance::Option& option : instance.options)
       sentence.add_end(setting().executors[instance.example->map], option.start, option.plan, option.mass);
-    const EndFeatures features = sentence.take();
+    const CandidateFeatures features = sentence.take();
     double all = 0, right = 0;
-    for (std::size_t i = 0; i < features.ends.size(); ++i) {
+    for (std::size_t i = 0; i < features.candidates.size(); ++i) {
       const auto weight = [&](std::uint64_t feature) {
         const std::uint32_t row = table.find(feature);
         return row == WeightTable::absent ? 0.0 : static_cast<double>(table.weight(row, 0));
       };
-      double score = weight(log_mass_feature()) * static_cast<double>(features.log_mass[i]);
-      for (const std::uint32_t bundle : features.ends[i])
-        for (const std::uint64_t feature : features.bundles[bundle]) score += weight(feature);
+      double score = 0;
+      for (const std::uint32_t bundle : features.candidates[i])
+        for (const auto& [feature, value] : features.bundles[bundle])
+          score += weight(feature) * static_cast<double>(value);
       all += std::exp(score);
       if (std::binary_search(instance.right.begin(), instance.right.end(), i)) right += std::exp(score);
     }
