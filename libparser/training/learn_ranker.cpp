@@ -6,7 +6,6 @@
 #include <random>
 
 #include "libparser/rerank/adagrad.hpp"
-#include "libparser/supervision/examples.hpp"
 #include "libparser/training/training_instance.hpp"
 
 namespace waymark::parser {
@@ -19,7 +18,9 @@ class RankerLearner {
         optimizer_(weights, options.rate, options.decay, options.first_squares),
         least_error_(static_cast<float>(options.least_error)),
         against_rival_(static_cast<float>(options.against_rival)),
-        gradient_(weights.rows(), 0.0F) {}
+        decay_again_(options.decay_again),
+        gradient_(weights.rows(), 0.0F),
+        met_(weights.rows(), false) {}
 
   void learn(const LabelledDecision& decision) {
     score(decision);
@@ -32,6 +33,7 @@ class RankerLearner {
     for (const std::uint32_t row : touched_) {
       optimizer_.update(row, &gradient_[row]);
       gradient_[row] = 0;
+      met_[row] = false;
     }
     touched_.clear();
   }
@@ -66,8 +68,8 @@ class RankerLearner {
 
   void add_gradient(const std::vector<LabelledDecision::Row>& bundle, float error) {
     for (const auto [row, value] : bundle) {
-      if (gradient_[row] == 0)
-        touched_.push_back(row);  // twice if it came back to zero: the second step decays alone
+      if (!met_[row] || (decay_again_ && gradient_[row] == 0)) touched_.push_back(row);
+      met_[row] = true;
       gradient_[row] += error * value;
     }
   }
@@ -75,7 +77,9 @@ class RankerLearner {
   WeightTable& weights_;
   AdaGrad optimizer_;
   float least_error_, against_rival_;
+  bool decay_again_;
   std::vector<float> gradient_, bundles_, scores_, error_, errors_;
+  std::vector<bool> met_;  // rows of the decision
   std::vector<std::uint32_t> touched_;
 };
 

@@ -1,45 +1,37 @@
 #include "libparser/training/learn_reranker.hpp"
 
+#include <algorithm>
 #include <iterator>
-#include <numeric>
 
-#include "libparser/corpus/token.hpp"
 #include "libparser/training/learn_ranker.hpp"
 
 namespace waymark::parser {
 namespace {
 
-// An instance, or its mirror image, with its features as rows of the table.
-LabelledDecision labelled(const LinearModel& model, WeightTable& table, const RankingInstance& instance,
-                          const Executor& executor, bool mirrored) {
-  SentenceInput input = instance.example->input;
-  if (mirrored) input.tokens = mirror(input.tokens);
-  RerankerSentence sentence(model, input, mirrored);
-  for (const RankingInstance::Option& option : instance.options)
-    sentence.add_end(executor, option.start, option.plan, option.mass);
-  LabelledDecision decision = numbered(sentence.take(), table);
-  decision.right = instance.right;
-  return decision;
+// The candidates that one decision gives.
+void add_candidates(const Decision& decision, plan::PoseId start, RankingInstance& instance) {
+  for (const End& end : decision.ends)
+    instance.candidates.push_back({{start, *decision.plans[end.candidate]}, end.mass});
 }
 
-// The options that one decision gives.
-void add_options(const Decision& decision, plan::PoseId start, RankingInstance& instance) {
-  for (const End& end : decision.ends)
-    instance.options.push_back({start, *decision.plans[end.candidate], end.mass});
+// Has it a right candidate and a wrong one?
+bool teaches(const RankingInstance& instance) {
+  const auto right = std::count_if(instance.candidates.begin(), instance.candidates.end(),
+                                   [&](const auto& c) { return Hallways::right(instance, c.route); });
+  return right > 0 && static_cast<std::size_t>(right) < instance.candidates.size();
 }
 
 void learn_table(const LinearModel& model, WeightTable& table, std::span<const RankingInstance> all,
                  std::span<const Executor> executors, const TrainOptions& options,
                  const JobProgress& progress) {
   *table.row(table.add(log_mass_feature())) = 1.0F;
-  std::vector<LabelledDecision> decisions;
+  std::vector<Hallways::Text> texts;
   for (const RankingInstance& instance : all) {
-    if (options.stop.stop_requested()) throw Stopped{};
-    const Executor& executor = executors[instance.example->map];
-    decisions.push_back(labelled(model, table, instance, executor, false));
-    if (options.mirrored) decisions.push_back(labelled(model, table, instance, executor, true));
+    texts.push_back({&instance, false});
+    if (options.mirrored) texts.push_back({&instance, true});
   }
-  learn_ranker(table, decisions,
+  Hallways hallways(model, executors);
+  learn_ranker(hallways, std::span<const Hallways::Text>(texts), table,
                {.seed = options.seed,
                 .epochs = options.reranker_epochs,
                 .rate = options.reranker_rate,
@@ -71,21 +63,17 @@ void add_ranking_instances(const Grounder& reader, std::span<const Example* cons
     const std::vector<Weighed> programs =
         likely_programs(reader, example.input, {options.beam, options.then, options.trust, options.clauses});
     Decision decision = decide(programs, executor, {&start, 1}, options.then);
-    RankingInstance instance{&example, {}, {}};
-    add_options(decision, start, instance);
-    for (std::size_t k = 0; k < decision.ends.size(); ++k)
-      if (decision.ends[k].pose == example.gold.end) instance.right.push_back(k);
-    if (!instance.right.empty() && instance.options.size() > 1) all.of_ends.push_back(instance);
+    RankingInstance ends{&example, RankingInstance::Question::End, {}};
+    add_candidates(decision, start, ends);
     if (i > 0 && goes_on(*examples[i - 1], example)) {
-      instance.right.resize(decision.ends.size());
-      std::iota(instance.right.begin(), instance.right.end(), std::size_t{0});
+      RankingInstance starts{&example, RankingInstance::Question::Start, ends.candidates};
       std::size_t others = 0;
       for (const End& end : before.ends)
         if (end.pose != start && others++ < other_starts)
-          add_options(decide(programs, executor, {&end.pose, 1}, options.then), end.pose, instance);
-      if (!instance.right.empty() && instance.options.size() > instance.right.size())
-        all.of_starts.push_back(std::move(instance));
+          add_candidates(decide(programs, executor, {&end.pose, 1}, options.then), end.pose, starts);
+      if (teaches(starts)) all.of_starts.push_back(std::move(starts));
     }
+    if (teaches(ends)) all.of_ends.push_back(std::move(ends));
     before = std::move(decision);
   }
 }

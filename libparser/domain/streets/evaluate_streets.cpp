@@ -16,21 +16,21 @@ struct Fold {
 };
 
 void test(Fold& fold, const StreetModel& model, const StreetCorpus& corpus) {
-  StreetReader reader(corpus.maps[fold.map], model.common, model.limits);
-  for (const StreetInstruction& instruction : corpus.instructions) {
-    if (instruction.map != fold.map) continue;
-    StreetReader::Candidates found = reader.candidates(instruction.tokens, instruction.start);
+  Streets streets(corpus.maps, model.common, model.limits);
+  for (const StreetInstruction& text : corpus.instructions) {
+    if (text.map != fold.map) continue;
+    StreetCandidates found = streets.candidates(&text);
+    StreetPrediction prediction{&text, {}, rank_routes(streets, model.weights, &text, found)};
     StreetScores one{{0, 1}, {0, 1}, {0, 1}, {0, 1}};
     for (const CandidateRoute& route : found.routes)
-      one.supply.hits |= route.landmarks == instruction.path ? 1U : 0U;
-    if (!found.routes.empty()) one.floor.hits = found.routes.front().landmarks == instruction.path ? 1 : 0;
-    StreetPrediction prediction{&instruction, std::move(found.mentions),
-                                readings_of(model, std::move(found))};
+      one.supply.hits |= route.landmarks == text.path ? 1U : 0U;
     if (!prediction.readings.empty()) {
       const StreetRoute& route = prediction.readings.front().route.landmarks;
-      one.exact_path.hits = route == instruction.path ? 1 : 0;
-      one.goal.hits = route.back() == instruction.path.back() ? 1 : 0;
+      one.exact_path.hits = Streets::right(&text, route) ? 1 : 0;
+      one.goal.hits = route.back() == text.path.back() ? 1 : 0;
+      one.floor.hits = Streets::right(&text, Streets::execute(found[0])) ? 1 : 0;
     }
+    prediction.mentions = std::move(found.mentions);
     if (prediction.readings.size() > readings_kept) prediction.readings.resize(readings_kept);
     fold.scores += one;
     fold.predictions.push_back(std::move(prediction));

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "libparser/domain/streets/learn_streets.hpp"
+#include "libparser/domain/streets/streets.hpp"
 #include "libparser/experiment/evaluate.hpp"
 
 namespace waymark::streets {

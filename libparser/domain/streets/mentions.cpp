@@ -4,6 +4,8 @@
 #include <map>
 #include <set>
 
+#include "libparser/corpus/token.hpp"
+
 namespace waymark::streets {
 namespace {
 
@@ -23,7 +25,7 @@ constexpr std::string_view latin = "aaaaaaaceeeeiiiidnooooo ouuuuy saaaaaaaceeee
 
 std::vector<std::string> words_of_name(const Landmark& landmark) {
   std::vector<std::string> words;
-  for (const std::string& token : landmark.tokens) {
+  for (const std::string& token : parser::tokenize(landmark.name)) {
     std::string word;
     for (std::size_t i = 0; i <= token.size(); ++i) {
       if (i < token.size() && token[i] != '-' && token[i] != '/') {

@@ -30,7 +30,7 @@ StreetCorpus invented(std::uint64_t seed, std::size_t texts) {
       const double right = static_cast<double>(i % 3) + 0.1 * static_cast<double>(random() % 5);
       const std::size_t row = i / 3;
       const double up = static_cast<double>(row) + 0.1 * static_cast<double>(random() % 5);
-      map.landmarks.push_back({static_cast<int>(i), town[i], {town[i]}, right, up});
+      map.landmarks.push_back({static_cast<int>(i), town[i], right, up});
     }
     map.ways.resize(town.size());
     for (LandmarkIndex a = 0; a < town.size(); ++a)
@@ -90,7 +90,7 @@ TEST(Streets, AreReadTheSameByAnyNumberOfThreads) {
 
 TEST(Streets, TheRivalIsPushedAway) {
   const StreetCorpus corpus = invented(6, 60);
-  std::vector<const StreetInstruction*> texts;
+  std::vector<Streets::Text> texts;
   for (const StreetInstruction& text : corpus.instructions) texts.push_back(&text);
   // Of what the route described does not get, the part that the next longer one to its goal gets.
   const auto share = [&](double against_rival) {
@@ -98,10 +98,10 @@ TEST(Streets, TheRivalIsPushedAway) {
     options.ranker.epochs = 1;
     options.ranker.against_rival = against_rival;
     const auto model = learn_streets(texts, corpus.maps, options);
+    Streets streets(corpus.maps, model.common, model.limits);
     double rival = 0, wrong = 0;
     for (const StreetInstruction& text : corpus.instructions) {
-      StreetReader reader(corpus.maps[text.map], model.common, model.limits);
-      const auto readings = reader.read(model, text.tokens, text.start);
+      const auto readings = rank_routes(streets, model.weights, &text, streets.candidates(&text));
       for (const StreetReading& gold : readings) {
         if (gold.route.landmarks != text.path) continue;
         wrong += 1 - gold.probability;
@@ -146,6 +146,7 @@ TEST(StreetFormula, ItsPlanIsTheRoute) {
       }
   ltl::Arena arena;
   EXPECT_EQ(ltl::print(visit_in_order(map, {old_mill, wall}, arena)), "F(old_mill & F wall)");
+  EXPECT_EQ(Streets::vocabulary(map).find("old_mill"), ltl::Proposition{old_mill});
 }
 
 TEST(StreetCorpus, LinesSayWhatIsWrongWithThem) {

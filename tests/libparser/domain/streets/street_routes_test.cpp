@@ -32,7 +32,7 @@ StreetMap random_town(std::mt19937_64& random, std::size_t landmarks) {
   for (std::size_t i = 0; i < landmarks; ++i) {
     const auto coordinate = [&] { return static_cast<double>(random() % 1000); };
     const double right = coordinate(), up = coordinate();
-    map.landmarks.push_back({static_cast<int>(i), "L" + std::to_string(i), {}, right, up});
+    map.landmarks.push_back({static_cast<int>(i), "L" + std::to_string(i), right, up});
   }
   map.ways.resize(landmarks);
   for (LandmarkIndex a = 0; a < landmarks; ++a)
