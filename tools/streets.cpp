@@ -83,7 +83,7 @@ void print_table(const StreetEvaluation& evaluation, double seconds) {
     print_row(name, {s.exact_path.value(), s.goal.value(), s.floor.value(), s.supply.value()},
               s.exact_path.total);
   };
-  for (const auto& [map, scores] : evaluation.by_map) row(map, scores);
+  for (const auto& [map, scores] : evaluation.folds) row(map, scores);
   row("all", evaluation.all);
   std::cout << "\nmean over cities: exact path " << fixed(evaluation.mean_exact_path, 2) << ", goal "
             << fixed(evaluation.mean_goal, 2) << "; " << fixed(seconds, 1) << " s of training and testing\n";
@@ -114,7 +114,7 @@ ExitCode evaluate_streets(const StreetExperiment& experiment, const Session& ses
     return ExitCode::Done;
   }
   JsonObject cities;
-  for (const auto& [map, scores] : evaluation.by_map) cities.add(map, json_of(scores));
+  for (const auto& [map, scores] : evaluation.folds) cities.add(map, json_of(scores));
   std::cout << JsonObject()
                    .add("exact_path", evaluation.mean_exact_path)
                    .add("goal", evaluation.mean_goal)

@@ -1,24 +1,24 @@
 #include "libparser/domain/streets/evaluate_streets.hpp"
 
+#include <algorithm>
+#include <optional>
 #include <stdexcept>
-
-#include "libparser/training/parallel.hpp"
+#include <string>
+#include <utility>
 
 namespace waymark::streets {
 namespace {
 
 constexpr std::size_t readings_kept = 3;
 
-struct Fold {
-  std::size_t map;  // of the test corpus
-  StreetScores scores;
-  std::vector<StreetPrediction> predictions;
+struct CityFold : parser::Fold<StreetScores, StreetPrediction> {
+  std::size_t city;  // of the test corpus
 };
 
-void test(Fold& fold, const StreetModel& model, const StreetCorpus& corpus) {
+void test(CityFold& fold, const StreetModel& model, const StreetCorpus& corpus) {
   Streets streets(corpus.maps, model.common, model.limits);
   for (const StreetInstruction& text : corpus.instructions) {
-    if (text.map != fold.map) continue;
+    if (text.map != fold.city) continue;
     StreetCandidates found = streets.candidates(&text);
     StreetPrediction prediction{&text, {}, rank_routes(streets, model.weights, &text, found)};
     StreetScores one{{0, 1}, {0, 1}, {0, 1}, {0, 1}};
@@ -59,28 +59,22 @@ StreetScores& StreetScores::operator+=(const StreetScores& other) {
 
 StreetEvaluation evaluate_streets(const StreetCorpus& train, const StreetCorpus& test_corpus, bool train_all,
                                   int threads, const StreetOptions& options) {
-  std::vector<Fold> folds;
+  std::vector<CityFold> folds;
   for (std::size_t m = 0; m < test_corpus.maps.size(); ++m)
-    for (const StreetInstruction& instruction : test_corpus.instructions)
-      if (instruction.map == m) {
-        folds.push_back({m, {}, {}});
-        break;
-      }
+    if (std::any_of(test_corpus.instructions.begin(), test_corpus.instructions.end(),
+                    [m](const StreetInstruction& instruction) { return instruction.map == m; }))
+      folds.push_back({{test_corpus.maps[m].name}, m});
   std::optional<StreetModel> one;  // for all folds
   if (train_all) one = learn_streets(training_part(train, "", true), train.maps, options);
-  parser::run_jobs(folds.size(), threads, {}, "cities", [&](std::size_t i, const parser::JobProgress&) {
-    const std::string& name = test_corpus.maps[folds[i].map].name;
-    test(folds[i], one ? *one : learn_streets(training_part(train, name, false), train.maps, options),
+  const auto finish = [&](CityFold& fold, const parser::JobProgress&) {
+    test(fold, one ? *one : learn_streets(training_part(train, fold.map, false), train.maps, options),
          test_corpus);
-  });
-  StreetEvaluation evaluation;
-  for (Fold& fold : folds) {
-    evaluation.by_map[test_corpus.maps[fold.map].name] = fold.scores;
-    evaluation.all += fold.scores;
-    evaluation.mean_exact_path += fold.scores.exact_path.value() / static_cast<double>(folds.size());
-    evaluation.mean_goal += fold.scores.goal.value() / static_cast<double>(folds.size());
-    for (StreetPrediction& prediction : fold.predictions)
-      evaluation.predictions.push_back(std::move(prediction));
+  };
+  StreetEvaluation evaluation{
+      parser::run_folds<StreetScores, StreetPrediction>(folds, threads, {}, "cities", finish)};
+  for (const auto& [map, scores] : evaluation.folds) {
+    evaluation.mean_exact_path += scores.exact_path.value() / static_cast<double>(folds.size());
+    evaluation.mean_goal += scores.goal.value() / static_cast<double>(folds.size());
   }
   return evaluation;
 }

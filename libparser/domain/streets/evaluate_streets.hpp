@@ -5,12 +5,10 @@
 //   floor       exact_path of the rough count that supplies the candidates: no learning at all
 //   supply      the right route is among the candidates
 #pragma once
-#include <map>
-#include <string>
 #include <vector>
 
 #include "libparser/domain/streets/streets.hpp"
-#include "libparser/experiment/evaluate.hpp"
+#include "libparser/experiment/folds.hpp"
 
 namespace waymark::streets {
 
@@ -25,12 +23,9 @@ struct StreetPrediction {  // of one instruction
   std::vector<StreetReading> readings;  // best first
 };
 
-struct StreetEvaluation {
-  std::map<std::string, StreetScores> by_map;
-  StreetScores all;                           // weighted by instructions
-  double mean_exact_path = 0, mean_goal = 0;  // over maps, in percent
-  std::vector<StreetPrediction>
-      predictions;  // in the order of maps, then of the test corpus; readings cut to 3
+struct StreetEvaluation
+    : parser::ScoresByMap<StreetScores, StreetPrediction> {  // predictions: readings cut to 3
+  double mean_exact_path = 0, mean_goal = 0;                 // over maps, in percent
 };
 
 // One map left out: trained on the other maps of `train`, tested on the instructions of `test` about this one. A map of

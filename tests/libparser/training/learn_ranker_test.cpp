@@ -101,5 +101,46 @@ TEST(LearnRanker, SaysThatItWasStopped) {
   EXPECT_THROW(learn_ranker(weights, decisions, {.stop = stop.get_token()}, [](double) {}), Stopped);
 }
 
+// A third domain, as small as one can be: a word means one of four doors.
+class Doors {
+ public:
+  struct Map {};
+  struct Text {
+    std::uint64_t word;
+    std::size_t door;  // that it means
+  };
+  using Candidates = std::vector<std::size_t>;
+  using Route = std::size_t;
+
+  static ltl::Vocabulary vocabulary(const Map&) {
+    return ltl::Vocabulary({"north", "east", "south", "west"});
+  }
+  static std::size_t map_of(const Text&) { return 0; }
+  static Candidates candidates(const Text&) { return {0, 1, 2, 3}; }
+  static CandidateFeatures features(const Text& text, const Candidates& doors) {
+    CandidateFeatures out;
+    for (const std::size_t door : doors) {
+      out.candidates.push_back({static_cast<std::uint32_t>(door)});
+      out.bundles.push_back({{4 * text.word + door, 1}});
+    }
+    return out;
+  }
+  static Route execute(std::size_t door) { return door; }
+  static bool right(const Text& text, Route door) { return door == text.door; }
+};
+
+TEST(LearnRanker, AnotherDomainNeedsNoLearnerOfItsOwn) {
+  static_assert(Domain<Doors> && !DomainWithRivals<Doors>);
+  Doors doors;
+  const std::vector<Doors::Text> texts{{7, 2}, {8, 0}, {9, 2}, {7, 2}};
+  WeightTable weights(1);
+  learn_ranker(doors, std::span<const Doors::Text>(texts), weights, {}, [](double) {});
+  for (const Doors::Text& text : texts) {
+    std::vector<double> p = scores(weights, Doors::features(text, Doors::candidates(text)));
+    normalise(p);
+    for (std::size_t door = 0; door < p.size(); ++door) EXPECT_EQ(p[door] > 0.25, door == text.door);
+  }
+}
+
 }  // namespace
 }  // namespace waymark::parser

@@ -64,7 +64,7 @@ StreetCorpus invented(std::uint64_t seed, std::size_t texts) {
 TEST(Streets, AreReadInTownsNeverSeen) {
   const StreetCorpus corpus = invented(1, 300);
   const auto evaluation = evaluate_streets(corpus, corpus, false, 2, {});
-  EXPECT_EQ(evaluation.by_map.size(), 3U);
+  EXPECT_EQ(evaluation.folds.size(), 3U);
   EXPECT_EQ(evaluation.all.exact_path.total, 300U);
   EXPECT_EQ(evaluation.all.supply.hits, 300U);
   EXPECT_GE(evaluation.all.exact_path.hits, 294U);
@@ -120,7 +120,7 @@ TEST(Streets, AskForSomethingToLearnFrom) {
   StreetCorpus one_town = corpus;
   std::erase_if(one_town.instructions, [](const StreetInstruction& i) { return i.map != 0; });
   EXPECT_THROW(evaluate_streets(one_town, one_town, false, 1, {}), std::invalid_argument);
-  EXPECT_EQ(evaluate_streets(one_town, corpus, true, 1, {}).by_map.size(), 3U);  // trained on all of it
+  EXPECT_EQ(evaluate_streets(one_town, corpus, true, 1, {}).folds.size(), 3U);  // trained on all of it
   StreetOptions stopped;
   std::stop_source stop;
   stop.request_stop();
