@@ -221,12 +221,13 @@ class Parser {
   }
 
   void edge(HoaAutomaton::State& state, const std::optional<Mtbdd::Node>& shared) {
-    using Labels = HoaAutomaton::Labels;
     HoaAutomaton::Edge edge;
     edge.at = cursor_.peek();
     const std::optional<Mtbdd::Node> own = labels_.label();
     if (own && shared) cursor_.fail(edge.at, "a label on an edge of a state that has a label itself");
-    const Labels labels = own ? Labels::Edge : shared ? Labels::State : Labels::Implied;
+    const HoaAutomaton::Labels labels = own      ? HoaAutomaton::Labels::Edge
+                                        : shared ? HoaAutomaton::Labels::State
+                                                 : HoaAutomaton::Labels::Implied;
     if (!state.edges.empty() && labels != state.labels)
       cursor_.fail(state.at, "some edges of this state have labels and some have none");
     state.labels = labels;
