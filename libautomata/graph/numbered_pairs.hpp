@@ -14,7 +14,7 @@ class NumberedPairs {
  public:
   using Pair = std::pair<std::uint32_t, std::uint32_t>;
 
-  // A new pair is one state of budget. (UINT32_MAX, UINT32_MAX) is no pair.
+  // A new pair is one state of budget.
   std::uint32_t number(std::uint32_t x, std::uint32_t y, Budget& budget) {
     if (const std::uint32_t* known = number_.find(x, y)) return *known;
     budget.state();
