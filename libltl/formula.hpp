@@ -112,6 +112,8 @@ Formula until(Formula left, Formula right);           // φ U ψ
 Formula release(Formula left, Formula right);         // φ R ψ
 Formula eventually(Formula f);                        // F φ  is stored as  true U φ
 Formula always(Formula f);                            // G φ  is stored as  false R φ
+inline bool is_eventually(Formula f) { return f.op() == Op::Until && f[0].op() == Op::True; }
+inline bool is_always(Formula f) { return f.op() == Op::Release && f[0].op() == Op::False; }
 Formula weak_until(Formula left, Formula right);      // φ W ψ  is stored as  ψ R (φ ∨ ψ)
 Formula strong_release(Formula left, Formula right);  // φ M ψ  is stored as  ψ U (φ ∧ ψ)
 Formula eventually_within(std::size_t k, Formula f);  // F<=k φ = φ ∨ X(φ ∨ X(…)), k strong nexts

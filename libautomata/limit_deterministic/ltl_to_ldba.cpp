@@ -52,7 +52,7 @@ bool smaller(const LimitDeterministic& a, const LimitDeterministic& b) {
 
 class Construction {
  public:
-  // parity(Min, Even, ·), deterministic. Throws Budget::Exceeded when the accepting_part has more states than the limit.
+  // parity(Min, Even, ·), deterministic. Throws Budget::Exceeded when the accepting part has more states than the limit.
   Construction(const TransitionRelation& parity, TranslationLimits limits)
       : parity_(completed_parity(parity)),
         limits_(std::move(limits)),
@@ -64,7 +64,7 @@ class Construction {
       best_ = Candidate{assembled(parity_, accepting_part_, {by_colours_}, false, budget).front(), false};
     }
   }
-  // Two more ways where the first one has something to jump: its jumps over a larger accepting_part, and the theorem's.
+  // Two more ways where the first one has something to jump: its jumps over a larger accepting part, and the theorem's.
   void try_the_theorem(ltl::Formula f, const std::vector<ltl::Proposition>& reads) {
     if (!best_->reduced || parity_.states() > compared_states || is_deterministic()) return;
     auto jumps = within(strategies.theorem.steps, limits_, [&](Budget& budget) {
@@ -125,7 +125,7 @@ std::variant<TranslatedForMdps, Exhausted> ltl_to_ldba(ltl::Formula f, const Tra
     Candidate best = std::move(construction).best();
     return TranslatedForMdps{ProvedConstructions::made(std::move(best.ldba), f.arena().vocabulary(), reads),
                              best.reduced && parity.reduced};
-  } catch (const Budget::Exceeded&) {  // stopped, or the accepting_part is too large
+  } catch (const Budget::Exceeded&) {  // stopped, or the accepting part is too large
     return Exhausted{parity.automaton.states()};
   }
 }

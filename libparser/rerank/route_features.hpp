@@ -1,4 +1,4 @@
-// What routes are like, as features: the reranker's and the start_pose_model's (reranker.hpp).
+// What routes are like, as features: the reranker's and the start-pose model's (reranker.hpp).
 //
 //   of the whole route    its actions, those without repetitions, how many moves and turns, runs of moves, crossings passed
 //   of its poses          what is true at its end, for the first time there or how often before; before the first move; walked over;

@@ -164,7 +164,7 @@ class Learner {
       for (TrainingInstance* instance : instances) instance->trie = {};
   }
 
-  // Those of its randomised beam that are rewarded go to a instance's programs.
+  // Those of its randomised beam that are rewarded go to an instance's programs.
   void add_own_programs(Shard& shard, std::span<TrainingInstance* const> instances,
                         std::span<const NetworkSentence* const> sentences) const {
     shard.pass.encode(network_, shard.parameters, sentences);

@@ -12,7 +12,7 @@
 namespace waymark::parser {
 namespace {
 
-// A instance, or its mirror image, with its features turned into rows of the reranker's table.
+// An instance, or its mirror image, with its features turned into rows of the reranker's table.
 struct RankingRows {
   std::vector<std::vector<std::uint32_t>> bundles, ends;
   std::vector<float> log_mass;
@@ -21,7 +21,7 @@ struct RankingRows {
 
 class RankingLearner {
  public:
-  // table: of the model, the reranker or the start_pose_model.
+  // table: of the model, the reranker or the start-pose model.
   RankingLearner(LinearModel& model, WeightTable& table, std::span<const Executor> executors,
                  const TrainOptions& options)
       : model_(model),

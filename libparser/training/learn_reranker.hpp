@@ -37,7 +37,7 @@ void add_ranking_instances(const Grounder& reader, std::span<const Example* cons
                            std::span<const Executor> executors, const TrainOptions& options,
                            RankingInstances& instances);
 
-// The same reader with a reranker and a start_pose_model learned for it.
+// The same reader with a reranker and a start-pose model learned for it.
 Grounder with_reranker(const Grounder& reader, const RankingInstances& instances,
                        std::span<const Executor> executors, const TrainOptions& options,
                        const JobProgress& progress);

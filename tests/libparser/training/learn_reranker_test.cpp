@@ -111,7 +111,7 @@ TEST(LearnReranker, WhatIsRightBecomesLikelier) {
   };
   EXPECT_GT(gain(&LinearModel::reranker, setting().instances.of_ends), 0.1);
   EXPECT_GT(gain(&LinearModel::start_pose_model, setting().instances.of_starts), 0.1);
-  // Each from its own instances: the reranker is the worse start_pose_model.
+  // Each from its own instances: the reranker is the worse start-pose model.
   EXPECT_GT(log_likelihood(*after.model, after.model->start_pose_model, setting().instances.of_starts),
             log_likelihood(*after.model, after.model->reranker, setting().instances.of_starts));
 }
