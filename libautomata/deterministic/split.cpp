@@ -15,7 +15,6 @@ namespace {
 using ltl::Formula;
 using ltl::Op;
 
-
 // F φ and G φ, which are φ where that says so already.
 Formula some_time(Formula f) { return ltl::purity(f).eventual ? f : ltl::eventually(f); }
 Formula every_time(Formula f) { return ltl::purity(f).universal ? f : ltl::always(f); }

@@ -53,8 +53,7 @@ Dfa::Dfa(ltl::Vocabulary vocabulary, std::vector<ltl::Proposition> reads, Mtbdd 
     require(p.index < vocabulary_.size(), "a DFA reads an unknown proposition");
   const TransitionGraph graph(diagram_, roots_);
   for (Vertex v = 0; v < graph.size(); ++v) {
-    for (const Vertex w : graph.successors(v))
-      require(w < graph.size(), "a DFA edge leads to no state");
+    for (const Vertex w : graph.successors(v)) require(w < graph.size(), "a DFA edge leads to no state");
     require(graph.is_state(v) || diagram_.variable(graph.node(v)) < reads_.size(),
             "a DFA edge asks for a proposition that is not read");
   }

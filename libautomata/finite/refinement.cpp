@@ -9,7 +9,6 @@
 namespace waymark::automata {
 namespace {
 
-
 // A set of vertices that is emptied in ascending order; what is added meanwhile is larger than what was taken.
 class Agenda {
  public:

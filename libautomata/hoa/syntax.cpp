@@ -130,7 +130,9 @@ class Parser {
   HoaCondition junction(std::size_t depth, HoaCondition::Op op) {
     if (depth > HoaLabels::deepest)
       cursor_.fail(cursor_.peek(), "this acceptance condition is nested too deeply");
-    const auto part = [&] { return op == HoaCondition::Op::Or ? junction(depth, HoaCondition::Op::And) : condition_atom(depth); };
+    const auto part = [&] {
+      return op == HoaCondition::Op::Or ? junction(depth, HoaCondition::Op::And) : condition_atom(depth);
+    };
     HoaCondition first = part();
     if (!cursor_.punctuation(op == HoaCondition::Op::Or ? '|' : '&')) return first;
     HoaCondition all;
@@ -218,12 +220,13 @@ class Parser {
   }
 
   void edge(HoaAutomaton::State& state, const std::optional<Mtbdd::Node>& shared) {
-    using Labels = HoaAutomaton::Labels;
     HoaAutomaton::Edge edge;
     edge.at = cursor_.peek();
     const std::optional<Mtbdd::Node> own = labels_.label();
     if (own && shared) cursor_.fail(edge.at, "a label on an edge of a state that has a label itself");
-    const Labels labels = own ? Labels::Edge : shared ? Labels::State : Labels::Implied;
+    const HoaAutomaton::Labels labels = own      ? HoaAutomaton::Labels::Edge
+                                        : shared ? HoaAutomaton::Labels::State
+                                                 : HoaAutomaton::Labels::Implied;
     if (!state.edges.empty() && labels != state.labels)
       cursor_.fail(state.at, "some edges of this state have labels and some have none");
     state.labels = labels;

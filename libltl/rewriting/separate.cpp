@@ -12,7 +12,6 @@ namespace {
 
 constexpr int most_passes = 4;
 
-
 class Separation {
  public:
   explicit Separation(Arena& arena) : arena_(arena) {}
