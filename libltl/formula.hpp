@@ -105,13 +105,15 @@ Formula conjunction(Formula a, Formula b);
 Formula disjunction(Formula a, Formula b);
 Formula implies(Formula a, Formula b);  // ¬φ ∨ ψ
 Formula iff(Formula a, Formula b);      // φ ↔ ψ; negations are pulled out: ¬φ ↔ ψ is ¬(φ ↔ ψ)
-Formula exclusive_or(Formula a, Formula b);           // ¬(φ ↔ ψ)
-Formula next(Formula f);                              // X φ: there is a next letter, and φ holds there
-Formula weak_next(Formula f);                         // N φ: if there is a next letter, φ holds there
-Formula until(Formula left, Formula right);           // φ U ψ
-Formula release(Formula left, Formula right);         // φ R ψ
-Formula eventually(Formula f);                        // F φ  is stored as  true U φ
-Formula always(Formula f);                            // G φ  is stored as  false R φ
+Formula exclusive_or(Formula a, Formula b);    // ¬(φ ↔ ψ)
+Formula next(Formula f);                       // X φ: there is a next letter, and φ holds there
+Formula weak_next(Formula f);                  // N φ: if there is a next letter, φ holds there
+Formula until(Formula left, Formula right);    // φ U ψ
+Formula release(Formula left, Formula right);  // φ R ψ
+Formula eventually(Formula f);                 // F φ  is stored as  true U φ
+Formula always(Formula f);                     // G φ  is stored as  false R φ
+inline bool is_eventually(Formula f) { return f.op() == Op::Until && f[0].op() == Op::True; }
+inline bool is_always(Formula f) { return f.op() == Op::Release && f[0].op() == Op::False; }
 Formula weak_until(Formula left, Formula right);      // φ W ψ  is stored as  ψ R (φ ∨ ψ)
 Formula strong_release(Formula left, Formula right);  // φ M ψ  is stored as  ψ U (φ ∧ ψ)
 Formula eventually_within(std::size_t k, Formula f);  // F<=k φ = φ ∨ X(φ ∨ X(…)), k strong nexts

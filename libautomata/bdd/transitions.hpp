@@ -22,10 +22,11 @@ struct Transitions {
   std::uint32_t initial = 0;
 };
 
+// Of a TransitionGraph: decision nodes first, children before parents, then states.
+using Vertex = std::uint32_t;
+
 class TransitionGraph {
  public:
-  using Vertex = std::uint32_t;  // decision nodes first, children before parents, then states
-
   TransitionGraph(const Mtbdd& diagram, std::span<const Mtbdd::Node> roots);  // O(diagram.size() + states)
 
   std::size_t size() const { return targets_.size() - nodes_.size(); }
@@ -51,13 +52,13 @@ class TransitionGraph {
 class ReversedGraph {
  public:
   explicit ReversedGraph(const TransitionGraph& graph);
-  std::span<const TransitionGraph::Vertex> predecessors(TransitionGraph::Vertex v) const {
+  std::span<const Vertex> predecessors(Vertex v) const {
     return {sources_.data() + begin_[v], begin_[v + 1] - begin_[v]};
   }
 
  private:
   std::vector<std::uint32_t> begin_;
-  std::vector<TransitionGraph::Vertex> sources_;
+  std::vector<Vertex> sources_;
 };
 
 // The reachable states, numbered breadth first from the initial state, each state's targets in the order of its

@@ -15,7 +15,7 @@ namespace {
 using Node = Mtbdd::Node;
 
 constexpr std::size_t most_vertices = 1U << 15U;
-constexpr std::size_t most_again = 1U << 12U;  // … of a second product, when states were folded
+constexpr std::size_t most_after_merging = 1U << 12U;  // … of a second product, when states were folded
 
 // The pairs of choices that some letter offers together, for pairs of roots of two automata.
 class JointChoicesBelow {
@@ -283,7 +283,7 @@ Reduced folded(TransitionRelation automaton, const TransitionRelation& outside, 
   try {
     for (; out.complete && out.automaton.states() * outside.states() <= most &&
            out.automaton.acceptance.sets + outside.acceptance.sets <= Marks::most;
-         most = most_again) {
+         most = most_after_merging) {
       const bool on_states = marks == MarksOn::States;
       const TransitionRelation base = on_states ? out.automaton : without_passing_marks(out.automaton);
       const std::vector<bool> colour =
