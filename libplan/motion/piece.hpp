@@ -17,8 +17,9 @@ struct Configuration {
   friend bool operator==(const Configuration&, const Configuration&) = default;
 };
 inline Point position(const Configuration& c) { return {c.x, c.y}; }
-Point ahead_of(double heading);     // the unit vector
-double normalized(double heading);  // into [0, 360)
+Point ahead_of(double heading);                                        // the unit vector
+double normalized(double heading);                                     // into [0, 360)
+constexpr double quarter_turn = 90, half_turn = 180, full_turn = 360;  // degrees
 constexpr double radians(double degrees) { return degrees * (3.14159265358979323846 / 180); }
 
 // Degrees to turn from one heading to the other the short way, clockwise positive: in (−180, 180].
