@@ -1,5 +1,5 @@
-// Pairs of numbers, numbered as they are met: states of a product, copies of states. The list of them is the queue of
-// whoever explores them.
+// NumberedPairs numbers pairs of numbers in the order of their first occurrence: states of a product, copies of states.
+// The list of pairs serves as the queue of an exploration.
 #pragma once
 #include <cstdint>
 #include <utility>

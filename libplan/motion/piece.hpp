@@ -1,9 +1,8 @@
-// A piece of a motion: how a robot gets from one configuration to the next.
+// A piece of a motion: the movement of a robot from one configuration to the next.
 //
-// There are two kinds. A robot that can move any way it likes glides: straight, turning the short way, both at constant
-// rates. A car drives: its position follows a circular arc, or a straight line, to which its heading is always tangent,
-// forwards or backwards. Both are functions of t in [0, 1], and where they pass a line or a heading is solved for, not
-// sampled: that is what motions are read by.
+// There are two kinds. A disc translates straight and rotates by the smaller angle, both at constant rates. A car
+// follows a circular arc, or a straight line, to which its heading is always tangent, forwards or backwards. Both are
+// functions of t in [0, 1]. The instants at which a piece crosses a line or a heading are solved for and not sampled.
 #pragma once
 #include <optional>
 #include <vector>
