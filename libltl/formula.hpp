@@ -1,11 +1,11 @@
 // LTL formulas as immutable, shared nodes.
 //
-// A Formula is one pointer. Within an Arena equal structure means equal pointer, so == and hashing are O(1);
-// that is what lets an automaton state *be* a formula. Constructors apply propositional identities only
-// (φ ∧ φ = φ, φ ∧ ¬φ = false, ¬¬φ = φ, units, flattening): they are true on finite and infinite words and for
-// the strong and the weak next alike. Temporal rewriting lives in simplify.hpp, which is told the semantics.
+// A Formula is one pointer. Within an Arena, equal structure means equal pointer, so == and hashing are O(1) and a
+// formula can be the state of an automaton. Constructors apply propositional identities only (φ ∧ φ = φ, φ ∧ ¬φ =
+// false, ¬¬φ = φ, units, flattening). These hold on finite and infinite words and for both next operators. simplify.hpp
+// rewrites temporal operators under a given semantics.
 //
-// Eleven operators are stored; the others are spelled out, in a way the printer recognises:
+// Eleven operators are stored. The others are replaced by definitions that the printer recognises:
 //   F φ = true U φ    G φ = false R φ    φ W ψ = ψ R (φ ∨ ψ)    φ M ψ = ψ U (φ ∧ ψ)    φ → ψ = ¬φ ∨ ψ
 // Grammar and both semantics (finite, infinite): docs/conventions.md. Source: [BK08, Def. 5.1], [DV13, Sec. 2].
 #pragma once

@@ -8,11 +8,11 @@
 #include "libparser/experiment/evaluate.hpp"
 #include "libparser/experiment/learned/learned_follower.hpp"
 #include "tools/formula_table.hpp"
-#include "tools/results_table.hpp"
 #include "tools/shell/learning.hpp"
 #include "tools/shell/models.hpp"
 #include "tools/shell/options.hpp"
 #include "tools/shell/output.hpp"
+#include "tools/shell/results_table.hpp"
 #include "tools/shell/subcommand.hpp"
 #include "tools/streets.hpp"
 

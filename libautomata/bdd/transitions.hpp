@@ -1,8 +1,8 @@
-// The transition function of a deterministic automaton while it is being built, and its graph.
+// The transition function of a deterministic automaton under construction, and its graph.
 //
-// In the graph the letters are gone: vertices are decision nodes and states, edges lead from a state to its root, from
-// a node to its two children, and a terminal is the state it names. Everything that only asks who reaches whom
-// (components, distances, traps) is linear in this shared graph, never in the number of letters or cubes.
+// The vertices of the graph are decision nodes and states. Edges lead from a state to its root and from a node to its
+// two children; a terminal is the state that it names. The graph has no letters. Reachability questions (components,
+// distances, traps) are linear in this shared graph, and not in the number of letters or cubes.
 #pragma once
 #include <array>
 #include <cstddef>

@@ -1,5 +1,5 @@
-// Strongly connected components of any graph with vertices 0 … size() − 1 and successors(v). [Tar72], with an explicit
-// stack. Of a transition graph the decision nodes are vertices too.
+// Strongly connected components of a graph with vertices 0 … size() − 1 and successors(v), by [Tar72] with an explicit
+// stack. In a transition graph, decision nodes are vertices, too.
 #pragma once
 #include <algorithm>
 #include <cstdint>

@@ -65,7 +65,7 @@ class Parser {
       cursor_.demand(Kind::String, "the name of a tool in quotes");
       if (cursor_.peek().kind == Kind::String) cursor_.take();
     } else if (text == "acc-name") {
-      acceptance_name();
+      acceptance_name();  // what it says stands under `Acceptance:` too
     } else if (text == "properties") {
       while (cursor_.peek().kind == Kind::Identifier) out_.properties.push_back(cursor_.take());
     } else if (text[0] >= 'A' && text[0] <= 'Z') {
@@ -83,9 +83,8 @@ class Parser {
   }
 
   void acceptance_name() {
-    out_.acceptance_name.push_back(cursor_.demand(Kind::Identifier, "the name of an acceptance condition"));
-    while (cursor_.peek().kind == Kind::Identifier || cursor_.peek().kind == Kind::Integer)
-      out_.acceptance_name.push_back(cursor_.take());
+    cursor_.demand(Kind::Identifier, "the name of an acceptance condition");
+    while (cursor_.peek().kind == Kind::Identifier || cursor_.peek().kind == Kind::Integer) cursor_.take();
   }
 
   void alias() {  // read when all headers are known

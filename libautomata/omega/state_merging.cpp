@@ -25,7 +25,7 @@ class JointChoicesBelow {
 
   template <class Visit>
   void visit(Node f, Node g, const Visit& visit_pair) {
-    ++round_;
+    seen_.clear();
     walk(f, g, visit_pair);
   }
 
@@ -34,8 +34,7 @@ class JointChoicesBelow {
   void walk(Node f, Node g, const Visit& visit_pair) {
     const Node none = Mtbdd::terminal(Choices::none);
     if (f == none || g == none) return;
-    if (const std::uint32_t* seen = seen_.find(f.id, g.id); seen != nullptr && *seen == round_) return;
-    seen_.store(f.id, g.id, round_);
+    if (!seen_.insert(f.id, g.id)) return;
     budget_.step();
     const Mtbdd::Variable of_f = first_.variable(f), of_g = second_.variable(g), top = std::min(of_f, of_g);
     if (top == Mtbdd::no_variable) return visit_pair(Mtbdd::payload(f), Mtbdd::payload(g));
@@ -45,8 +44,7 @@ class JointChoicesBelow {
 
   const Mtbdd &first_, &second_;
   Budget& budget_;
-  std::uint32_t round_ = 0;
-  ltl::PairMemo<std::uint32_t> seen_;  // in which round
+  ltl::PairMemo<bool> seen_;
 };
 
 // All pairs of states, reachable or not: (q, p) is vertex q · |P| + p. The marks of p follow those of q.

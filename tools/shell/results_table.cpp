@@ -1,4 +1,4 @@
-#include "tools/results_table.hpp"
+#include "tools/shell/results_table.hpp"
 
 #include <array>
 #include <cmath>

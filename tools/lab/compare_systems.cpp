@@ -1,12 +1,12 @@
 // Every finished part is kept, so that a run that was killed goes on after it and ends with the same bytes.
-#include "tools/lab/table4.hpp"
+#include "tools/lab/compare_systems.hpp"
 
 #include <iostream>
 
 #include "libparser/experiment/evaluate.hpp"
-#include "tools/results_table.hpp"
 #include "tools/shell/learning.hpp"
 #include "tools/shell/models.hpp"
+#include "tools/shell/results_table.hpp"
 
 namespace waymark::tools {
 namespace {
@@ -35,7 +35,7 @@ struct Held {  // what is learned from and tested on
 };
 
 // All that a part depends on but the program itself.
-std::string settings_of(const Table4Options& options, const Held& held) {
+std::string settings_of(const CompareSystemsOptions& options, const Held& held) {
   std::string out = "table4\ncorpus " + hexadecimal(held.corpus.checksum) + '\n';
   if (held.test) out += "test corpus " + hexadecimal(held.test->checksum) + '\n';
   out +=
@@ -45,7 +45,7 @@ std::string settings_of(const Table4Options& options, const Held& held) {
   return out;
 }
 
-parser::EvaluateOptions options_for(const System& system, const Table4Options& options,
+parser::EvaluateOptions options_for(const System& system, const CompareSystemsOptions& options,
                                     const parser::Checkpoints& checkpoints) {
   parser::EvaluateOptions out;
   out.train = options.train;
@@ -61,7 +61,8 @@ parser::EvaluateOptions options_for(const System& system, const Table4Options& o
   return out;
 }
 
-std::vector<ResultRow> rows_of(const Table4Options& options, const Held& held, const Session& session) {
+std::vector<ResultRow> rows_of(const CompareSystemsOptions& options, const Held& held,
+                               const Session& session) {
   const parser::Checkpoints checkpoints(options.directory, settings_of(options, held));
   std::vector<ResultRow> rows;
   for (const System& system : systems) {
@@ -86,7 +87,7 @@ std::vector<ResultRow> rows_of(const Table4Options& options, const Held& held, c
   return rows;
 }
 
-void print_json(const Table4Options& options, const Held& held, const std::vector<ResultRow>& rows) {
+void print_json(const CompareSystemsOptions& options, const Held& held, const std::vector<ResultRow>& rows) {
   JsonArray list;
   for (const ResultRow& row : rows) list.add(json_of(row));
   std::cout << JsonObject()
@@ -101,7 +102,7 @@ void print_json(const Table4Options& options, const Held& held, const std::vecto
 
 }  // namespace
 
-ExitCode run_table4(const Table4Options& options, const Session& session) {
+ExitCode compare_systems(const CompareSystemsOptions& options, const Session& session) {
   Held held{read_hallway_corpus(options.corpus), {}, {}};
   if (!options.test_corpus.empty()) held.test = read_hallway_corpus(options.test_corpus);
   held.maps = maps_of(held.corpus, options.data);

@@ -1,4 +1,4 @@
-// Table 4 of the paper: systems, one map left out, beside the published rows.
+// Systems side by side, one map left out, beside the published rows: table 4 of the seed paper.
 #pragma once
 #include <string>
 
@@ -7,7 +7,7 @@
 
 namespace waymark::tools {
 
-struct Table4Options {
+struct CompareSystemsOptions {
   std::string corpus, test_corpus, data, directory;
   parser::TrainOptions train;
   std::size_t ensemble = 10;
@@ -16,6 +16,6 @@ struct Table4Options {
 };
 
 // Goes on from what is kept in `directory`, and prints.
-ExitCode run_table4(const Table4Options& options, const Session& session);
+ExitCode compare_systems(const CompareSystemsOptions& options, const Session& session);
 
 }  // namespace waymark::tools
