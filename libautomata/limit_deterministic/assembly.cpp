@@ -12,7 +12,7 @@
 namespace waymark::automata {
 namespace {
 
-// What is known of the languages of the states of an automaton and of a accepting_part. Nothing compared: each state is the only
+// What is known of the languages of the states of an automaton and of an accepting part. Nothing compared: each state is the only
 // one of its kind, and only what a jump says is known.
 class Languages {
  public:
@@ -74,7 +74,7 @@ class Assembly {
   }
 
  private:
-  // The classes that the initial part needs, and what is asked of the accepting_part: replaced_ and jumps_ hold the numbers of
+  // The classes that the initial part needs, and what is asked of the accepting part: replaced_ and jumps_ hold the numbers of
   // requests, until run() puts the chosen states in their place.
   void explore() {
     std::vector<std::uint32_t> queue;
@@ -173,7 +173,7 @@ class Assembly {
   std::vector<std::uint32_t> representative_;                     // of a state's class
   std::map<std::uint32_t, std::vector<std::uint32_t>> of_class_;  // its members
   std::map<std::uint32_t, std::vector<Jump>> by_state_;
-  std::map<std::uint32_t, std::uint32_t> waiting_, replaced_;  // classes: number, entry of the accepting_part
+  std::map<std::uint32_t, std::uint32_t> waiting_, replaced_;  // classes: number, entry of the accepting part
   std::map<std::uint32_t, std::vector<std::uint32_t>> jumps_;  // of a waiting class
   std::vector<std::vector<std::uint32_t>> requests_;
 };

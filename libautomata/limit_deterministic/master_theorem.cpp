@@ -20,7 +20,7 @@ using Node = Mtbdd::Node;
 
 constexpr std::size_t most_advices = 64;   // of one formula
 constexpr std::size_t most_entries = 256;  // of all
-constexpr std::size_t large = 100;         // states of a accepting_part: nothing more is made than is owed
+constexpr std::size_t large = 100;         // states of an accepting part: nothing more is made than is owed
 
 // For each state of a complete deterministic automaton of φ, a state of the progression that some word reaches
 // together with it: the language left is the same.

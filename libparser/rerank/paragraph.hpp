@@ -1,8 +1,8 @@
 // A paragraph as a whole: several poses are kept beam_width, and what is said next tells which of them was meant.
 //
 //   P_k(end) = Σ_start P_{k−1}(start) · e^(trust · evidence_k(start)) · p_k(end | start),   the `beam_width` likeliest kept
-// with p_k(end | start) the reranker's and the evidence the start_pose_model's (reranker.hpp): probabilities that sum to 1 from every start
-// cannot say that a sentence makes no sense there, the start_pose_model does. The way taken ends at the place that is likeliest after the
+// with p_k(end | start) the reranker's and the evidence the start-pose model's (reranker.hpp): probabilities that sum to 1 from every start
+// cannot say that a sentence makes no sense there, the start-pose model does. The way taken ends at the place that is likeliest after the
 // last sentence, and is the likeliest single way to the likeliest pose there. With one pose beam_width each sentence is settled
 // before the next is heard.
 #pragma once

@@ -4,7 +4,7 @@
 // The reader knows words and programs, the reranker also sees what a route does and passes: route_features.hpp. Trained on
 // the same trajectories as the reader, on candidates of readers that had not seen the map: learn_reranker.hpp.
 //
-// The start_pose_model has features and weights of the same kind and is asked the other way round, at which of several poses the
+// The start-pose model has features and weights of the same kind and is asked the other way round, at which of several poses the
 // sentence is said:
 //   p(start | sentence) ∝ Σ_end exp(a' · log mass(end) + w' · f(sentence, route from start to end))
 // Along a paragraph it is what later sentences tell about where earlier ones ended: paragraph.hpp.
@@ -21,7 +21,7 @@ namespace waymark::parser {
 void choose_end(const LinearModel& model, const Executor& executor, const SentenceInput& input,
                 std::span<const plan::PoseId> starts, Decision& decision);
 
-// The same, and log p(start | sentence) up to one constant for each sentence: 0 when the model has no start_pose_model; less than any
+// The same, and log p(start | sentence) up to one constant for each sentence: 0 when the model has no start-pose model; less than any
 // other when the decision has no ends.
 double choose_and_locate(const LinearModel& model, const Executor& executor, const SentenceInput& input,
                          plan::PoseId start, Decision& decision);

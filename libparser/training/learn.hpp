@@ -34,8 +34,7 @@ struct TrainOptions {
   double decay = 1e-2;          // L2, per update of a row
   double mention = 4.0;         // first weight of naming what the sentence mentions
   double other_route = 0.3;     // weight of a consistent program whose route is not the gold one
-  double wording =
-      2.0;  // … by e^−wording for each lexical_overlap_penalty with the sentence (lexical_overlap.hpp)
+  double wording = 2.0;  // … by e^−wording per unit of lexical-overlap penalty (lexical_overlap.hpp)
   int explore_from = 2;  // from this epoch on, every second one searches the own beam for consistent programs
   std::size_t explore = 32;  // how many programs of it
   bool mirrored = true;      // every sentence also as its mirror image

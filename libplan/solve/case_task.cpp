@@ -117,7 +117,7 @@ class TaskSolver {
     solve(made(task_automaton(*given_, task_.query, limits())), std::nullopt, negated, clock);
     if (answer_.status == Status::Infeasible)
       answer_.reason = is_cost() ? "no strategy is sure to be accepted by the automaton"
-                                 : "no strategy has a qualitative to be accepted by the automaton";
+                                 : "no strategy has a chance to be accepted by the automaton";
   }
 
   void solve(const TaskAutomaton& automaton, std::optional<ltl::Formula> f, bool negated, Clock& clock) {
@@ -293,8 +293,7 @@ class TaskSolver {
   }
 
   std::string reason(const Violation& violation) const {
-    std::string out =
-        is_cost() ? "no strategy is sure to satisfy " : "no strategy has a qualitative to satisfy ";
+    std::string out = is_cost() ? "no strategy is sure to satisfy " : "no strategy has a chance to satisfy ";
     for (std::size_t i = 0; i < violation.conflict.size(); ++i)
       out += (i == 0                               ? ""
               : i + 1 == violation.conflict.size() ? " and "

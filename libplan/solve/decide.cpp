@@ -1,6 +1,6 @@
 // A strategy must make progress: among choices that are worth the same, one that never arrives must not be taken. So it
 // is read off backwards from the targets: a state joins by a choice that is worth its value and has an outcome that has
-// attracted before. What counts as the same action value is made no wider than it takes for every state to attractor.
+// attracted before. What counts as the same action value is made no wider than it takes for every state to be attracted.
 #include "libplan/solve/decide.hpp"
 
 #include <algorithm>
@@ -61,7 +61,7 @@ struct WinningRegion {
 };
 
 // Backwards from `from`, nearest first: a state joins by that choice among the `good` ones which most likely leads to
-// what has attracted before it. (Some qualitative would do for arriving in the end; against the drift it may take for ever.)
+// what was attracted before it. (Some chance would do for arriving in the end; against the drift it may take for ever.)
 template <class Product, class Good>
 StateSet attractor(const Product& product, const StateSet& from, Strategy& strategy, const Good& good) {
   StateSet attracted = from;
@@ -170,7 +170,7 @@ EndComponents merged(const Product& product, const StateSet& unknown) {
   });
 }
 
-// Least probabilities are 1 where no strategy has a qualitative of staying for ever away from the targets, nor of ending in the trap.
+// Least probabilities are 1 where no strategy has a chance of staying for ever away from the targets, nor of ending in the trap.
 // By the graph, since sweeps would take as long as a strategy can put off what must come.
 template <class Product>
 Unknowns unknowns_of_least(const Product& product, const StateSet& targets) {

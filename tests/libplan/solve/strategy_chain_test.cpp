@@ -23,7 +23,7 @@ constexpr double tolerance = 1e-6;
 constexpr double rounding = 1 + 1e-9;  // of linear solves
 constexpr std::uint64_t sweeps = 500;  // strategies drawn at random may take almost for ever: no answer then
 
-// Sure to reach a goal (costs), or with some qualitative (probabilities).
+// Sure to reach a goal (costs), or with some chance (probabilities).
 template <Measure measure, class AnyChain>
 Unknowns unknowns_of(const AnyChain& chain) {
   Unknowns out{{}, StateSet(chain.states(), false), {}};
