@@ -12,13 +12,13 @@
 namespace waymark::plan {
 namespace {
 
-constexpr std::uint32_t nothing = UINT32_MAX;
-constexpr std::uint64_t polling_interval = 1U << 16U;
-
 // Least costs by Boost.Graph's Dijkstra. Of pairs at equal cost the one that was met first is settled first: a distance
 // is a cost and the number of its pair.
 template <Model M>
 struct Dijkstra {
+  static constexpr std::uint32_t nothing = UINT32_MAX;
+  static constexpr std::uint64_t pairs_between_polls = 1U << 16U;
+
   explicit Dijkstra(const Product<M, TaskTable>& of)
       : product(of), order(of.model().states(), of.task().states()) {}
 
@@ -95,7 +95,8 @@ struct Dijkstra {
 
     template <class Graph>
     void examine_vertex(const ProductState& s, const Graph& g) {
-      if (search->met.size() > limit || (search->settled++ % polling_interval == 0 && stop->stop_requested()))
+      if (search->met.size() > limit ||
+          (search->settled++ % pairs_between_polls == 0 && stop->stop_requested()))
         throw Ended{nothing};
       if (g.is_goal(s)) throw Ended{search->order.number(s)};
       answer->budget.edges += g.choices(s);

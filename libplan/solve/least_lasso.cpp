@@ -16,12 +16,12 @@
 namespace waymark::plan {
 namespace {
 
-constexpr std::uint32_t none = UINT32_MAX;
+constexpr std::uint32_t no_edge = UINT32_MAX;
 
 // Least costs from the starts, and the edge by which each vertex is reached.
 struct Distances {
   explicit Distances(const MarkedGraph& graph)
-      : cost(graph.vertices(), INFINITY), by(graph.vertices(), none) {
+      : cost(graph.vertices(), INFINITY), by(graph.vertices(), no_edge) {
     using Entry = std::pair<double, std::uint32_t>;
     std::priority_queue<Entry, std::vector<Entry>, std::greater<>> heap;
     for (std::uint32_t v : graph.starts) {
@@ -63,7 +63,8 @@ class LassoSearch {
   }
   std::vector<std::uint32_t> way_to(std::uint32_t v) const {
     std::vector<std::uint32_t> edges;
-    for (; distances_.by[v] != none; v = graph_.edges[edges.back()].from) edges.push_back(distances_.by[v]);
+    for (; distances_.by[v] != no_edge; v = graph_.edges[edges.back()].from)
+      edges.push_back(distances_.by[v]);
     std::reverse(edges.begin(), edges.end());
     return edges;
   }

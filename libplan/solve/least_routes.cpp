@@ -8,21 +8,21 @@
 namespace waymark::plan {
 namespace {
 
-constexpr std::uint32_t nothing = UINT32_MAX;
-
 template <Model M>
 class WalkSearch {
+  static constexpr std::uint32_t no_walk = UINT32_MAX;
+
  public:
   WalkSearch(const Product<M, TaskTable>& product, std::size_t most) : product_(product), most_(most) {}
 
   std::optional<RoutesAnswer> run(const ProductState& first, std::size_t limit, const std::stop_token& stop) {
-    constexpr std::uint64_t polling_interval = 1U << 12U;
+    constexpr std::uint64_t walks_between_polls = 1U << 12U;
     RoutesAnswer answer;
-    walks_.push_back({first, nothing, nothing, 0});
+    walks_.push_back({first, no_walk, no_walk, 0});
     heap_.push({0, 0});
     while (!heap_.empty() && answer.routes.size() < most_) {
-      if (walks_.size() > std::min<std::size_t>(limit, nothing - 1) ||
-          (answer.budget.met % polling_interval == 0 && stop.stop_requested()))
+      if (walks_.size() > std::min<std::size_t>(limit, no_walk - 1) ||
+          (answer.budget.met % walks_between_polls == 0 && stop.stop_requested()))
         return std::nullopt;
       const std::uint32_t i = heap_.top().second;
       heap_.pop();
@@ -71,9 +71,9 @@ class WalkSearch {
   ChoiceRoute route(std::uint32_t end) const {
     ChoiceRoute out;
     out.cost = walks_[end].cost;
-    for (std::uint32_t i = end; i != nothing; i = walks_[i].from) {
+    for (std::uint32_t i = end; i != no_walk; i = walks_[i].from) {
       out.places.push_back(walks_[i].state.place);
-      if (walks_[i].from != nothing) out.choices.push_back(walks_[i].choice);
+      if (walks_[i].from != no_walk) out.choices.push_back(walks_[i].choice);
     }
     std::reverse(out.places.begin(), out.places.end());
     std::reverse(out.choices.begin(), out.choices.end());

@@ -10,7 +10,7 @@ namespace {
 
 using automata::Marks;
 
-constexpr std::uint32_t none = UINT32_MAX;
+constexpr std::uint32_t no_index = UINT32_MAX;
 
 class RatioSearch {
  public:
@@ -35,7 +35,7 @@ class RatioSearch {
 
  private:
   struct Step {  // a layered edge
-    std::uint32_t from = none, edge = none, to = none;
+    std::uint32_t from = no_index, edge = no_index, to = no_index;
     double weight = 0;  // cost · rounds of the best one − its cost a round: of the best one 0 in sum
     bool completes = false;
   };
@@ -73,22 +73,22 @@ class RatioSearch {
           changed = true;
         });
       }
-      if (const std::uint32_t node = on_circle(); node != none) return circle(node);
+      if (const std::uint32_t node = on_circle(); node != no_index) return circle(node);
     }
     return std::nullopt;
   }
 
   // A node on a circle of parents.
   std::uint32_t on_circle() const {
-    std::vector<std::uint32_t> seen(nodes(), none);  // in the walk from which node
+    std::vector<std::uint32_t> seen(nodes(), no_index);  // in the walk from which node
     for (std::uint32_t first = 0; first < nodes(); ++first)
-      for (std::uint32_t node = first; seen[node] == none; node = parent_[node].from) {
+      for (std::uint32_t node = first; seen[node] == no_index; node = parent_[node].from) {
         seen[node] = first;
         const std::uint32_t next = parent_[node].from;
-        if (next == none) break;
+        if (next == no_index) break;
         if (seen[next] == first) return next;
       }
-    return none;
+    return no_index;
   }
   MeanCycle circle(std::uint32_t first) const {
     std::vector<Step> steps;
@@ -126,12 +126,12 @@ class RatioSearch {
     std::vector<bool> wanted(found.count, false);
     for (const Step& s : completing)
       if (found.of[s.from] == found.of[s.to]) wanted[found.of[s.from]] = true;
-    std::uint32_t entry = none;
+    std::uint32_t entry = no_index;
     for (std::uint32_t node = 0; node < nodes(); ++node)
       if (wanted[found.of[node]] &&
-          (entry == none || distance[node >> graph_.sets] < distance[entry >> graph_.sets]))
+          (entry == no_index || distance[node >> graph_.sets] < distance[entry >> graph_.sets]))
         entry = node;
-    if (entry == none) return best_;
+    if (entry == no_index) return best_;
     const MeanCycle nearest = measured(shortest_circle(entry, found));
     return nearest.mean() <= best_.mean() ? nearest : best_;
   }
@@ -142,11 +142,11 @@ class RatioSearch {
   // Through tight steps of the component, past one that completes a round; fewest steps.
   std::vector<Step> shortest_circle(std::uint32_t entry, const automata::Components& components) const {
     std::vector<Step> by(2 * potential_.size());  // 2 · node + whether a round was completed
-    std::vector<std::uint32_t> before(by.size(), none), queue{2 * entry};
-    for (std::size_t i = 0; i < queue.size() && before[2 * entry + 1] == none; ++i)
+    std::vector<std::uint32_t> before(by.size(), no_index), queue{2 * entry};
+    for (std::size_t i = 0; i < queue.size() && before[2 * entry + 1] == no_index; ++i)
       for_each_step(queue[i] / 2, [&](const Step& s) {
         const std::uint32_t to = 2 * s.to + ((queue[i] % 2 == 1 || s.completes) ? 1 : 0);
-        if (!is_tight(s) || components.of[s.to] != components.of[entry] || before[to] != none) return;
+        if (!is_tight(s) || components.of[s.to] != components.of[entry] || before[to] != no_index) return;
         before[to] = queue[i];
         by[to] = s;
         queue.push_back(to);

@@ -11,7 +11,7 @@ namespace waymark::plan {
 namespace {
 
 constexpr std::uint32_t nothing = UINT32_MAX;
-constexpr std::uint64_t polling_interval = 1U << 16U;
+constexpr std::uint64_t pairs_between_polls = 1U << 16U;
 constexpr std::uint64_t worth_a_bound = 1U << 16U;  // pairs
 
 struct Target {
@@ -109,7 +109,7 @@ class BreadthFirst {
     SearchAnswer answer;
     std::size_t layer_ends = 0;  // where the pairs of the next depth begin
     for (std::uint32_t i = 0; i < met_.size() && goal_ == nothing; ++i) {
-      if (met_.size() > limit || (i % polling_interval == 0 && stop.stop_requested())) return std::nullopt;
+      if (met_.size() > limit || (i % pairs_between_polls == 0 && stop.stop_requested())) return std::nullopt;
       if (i == layer_ends) {
         ++depth_;
         layer_ends = met_.size();
@@ -194,7 +194,7 @@ class BestFirst {
         if (task_.is_goal(q)) return f;
         if (gates_[q]) buckets_ = std::vector<std::vector<ProductState>>(buckets_.size());
         gates_[q] = false;
-        if (++budget_.met > most || (budget_.met % polling_interval == 0 && stop.stop_requested()))
+        if (++budget_.met > most || (budget_.met % pairs_between_polls == 0 && stop.stop_requested()))
           return std::nullopt;
         budget_.edges += 4;
         const std::uint32_t depth = f - bound_(place, q);

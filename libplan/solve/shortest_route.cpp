@@ -25,7 +25,7 @@ namespace waymark::plan {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr std::size_t polling_interval = 256;  // vertices between two looks at the stop token
+constexpr std::size_t vertices_between_polls = 256;  // vertices between two looks at the stop token
 
 struct SearchEnds {};  // thrown by visitors: the way out of a Boost.Graph search
 
@@ -46,7 +46,7 @@ struct CountingVisitor : boost::dijkstra_visitor<> {
 
   template <class Vertex, class Graph>
   void examine_vertex(Vertex, const Graph&) const {
-    if ((*expanded)++ % polling_interval == 0 && stop->stop_requested()) throw SearchEnds{};
+    if ((*expanded)++ % vertices_between_polls == 0 && stop->stop_requested()) throw SearchEnds{};
   }
 };
 
@@ -148,7 +148,7 @@ struct AStar {
     void examine_vertex(const Vertex& v, const MapProduct& product) const {
       const double f = (*rank)[product.index(v)];
       if (f == infinity || f > search->least) throw SearchEnds{};
-      if (search->expanded++ % polling_interval == 0 && search->stop.stop_requested()) {
+      if (search->expanded++ % vertices_between_polls == 0 && search->stop.stop_requested()) {
         search->stopped = true;
         throw SearchEnds{};
       }
