@@ -22,6 +22,10 @@ target_compile_options(waymark_settings INTERFACE
   # g++ 12 warns inside std::string's operator+ (GCC bug 105651), under other names too once its header is precompiled.
   $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict;-Wno-stringop-overflow;-Wno-array-bounds>)
 
+if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")  # sets count bits; every processor since 2008 has the instruction
+  add_compile_options(-mpopcnt)
+endif()
+
 set(WAYMARK_SANITIZE "" CACHE STRING "Sanitizers to build everything with, such as address,undefined")
 if(WAYMARK_SANITIZE)
   add_compile_options(-fsanitize=${WAYMARK_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer)
@@ -43,12 +47,21 @@ endfunction()
 # what they use; the preset `tidy` and `./dev alone` build without either.
 option(WAYMARK_UNITY "Compile the sources of a room together, a few at a time" ON)
 
-# Precompiles the standard headers that nearly every file includes, and `HEADERS`, the heavy ones of this target.
+# Precompiles the standard headers that nearly every file includes. With HEADERS, heavy ones of this target, once more
+# for it alone; otherwise once for all targets of a kind (libraries, tools, tests), whose compiler options are the same.
 set(WAYMARK_STANDARD_HEADERS <algorithm> <array> <bit> <charconv> <cmath> <compare> <cstddef> <cstdint> <deque> <functional>
   <iterator> <limits> <map> <memory> <numeric> <optional> <queue> <set> <span> <sstream> <stdexcept> <stop_token> <string>
   <string_view> <tuple> <unordered_map> <unordered_set> <utility> <variant> <vector>)
-function(waymark_precompile target)
+function(waymark_precompile kind target)
+  get_property(provider GLOBAL PROPERTY WAYMARK_PRECOMPILED_${kind})
+  if(provider AND NOT ARGN)
+    target_precompile_headers(${target} REUSE_FROM ${provider})
+    return()
+  endif()
   target_precompile_headers(${target} PRIVATE ${WAYMARK_STANDARD_HEADERS} ${ARGN})
+  if(NOT provider)
+    set_property(GLOBAL PROPERTY WAYMARK_PRECOMPILED_${kind} ${target})
+  endif()
 endfunction()
 
 # Compiles the sources of each room of a target together, six at a time. Names in unnamed namespaces are therefore
@@ -84,7 +97,7 @@ function(waymark_library area)
   set_property(GLOBAL APPEND PROPERTY WAYMARK_LIBRARIES ${target})  # what cmake --install exports,
   set_property(GLOBAL APPEND PROPERTY WAYMARK_FOLDERS ${CMAKE_CURRENT_SOURCE_DIR})  # and where the headers are
   target_compile_features(${target} PUBLIC cxx_std_20)
-  waymark_precompile(${target} ${ARG_PRECOMPILE})
+  waymark_precompile(libraries ${target} ${ARG_PRECOMPILE})
   waymark_compile_rooms(${target} ${ARG_APART})
   target_include_directories(${target} PUBLIC
     $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/waymark>)
