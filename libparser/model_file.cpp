@@ -1,34 +1,26 @@
 #include "libparser/model_file.hpp"
 
 #include <array>
-#include <fstream>
-#include <sstream>
+#include <memory>
 
-#include "libltl/diagnostic.hpp"
 #include "libparser/decode/network_search.hpp"
 #include "libparser/model/weights_bytes.hpp"
 
 namespace waymark::parser {
 namespace {
 
-constexpr std::uint32_t linear = 9, encoder_decoder = 10;  // versions; + 2 in the temporal dialect
-
-std::uint32_t version_of(std::uint32_t kind, const LinearModel& model) {
-  return kind + (model.dialect() == Dialect::Temporal ? 2 : 0);
-}
-bool is_kind(std::uint32_t version, std::uint32_t kind) { return version == kind || version == kind + 2; }
-Dialect dialect_of(std::uint32_t version) {
-  return version > encoder_decoder ? Dialect::Temporal : Dialect::Plain;
-}
-
 constexpr std::int32_t largest = 4096;  // size of a layer, while reading
 
+WeightsReader opened(std::string_view bytes, std::string_view source) {
+  return {std::make_shared<const MappedFile>(bytes), source};
+}
+
 LinearModel read_linear(WeightsReader& in) {
-  LinearModel model(in.vocabulary(), dialect_of(in.version()));
+  LinearModel model(in.vocabulary(), in.header().dialect);
   model.words = in.words();
-  in.table(model.reader);
-  in.table(model.reranker);
-  in.table(model.start_pose_model);
+  model.reader = in.table(model.reader.columns());
+  model.reranker = in.table(1);
+  model.start_pose_model = in.table(1);
   in.end();
   return model;
 }
@@ -47,37 +39,42 @@ std::size_t least_weights(const NetworkOptions& options, std::size_t words) {
 }
 
 Grounder read_encoder_decoder(WeightsReader& in) {
-  auto model = std::make_shared<LinearModel>(in.vocabulary(), dialect_of(in.version()));
+  auto model = std::make_shared<LinearModel>(in.vocabulary(), in.header().dialect);
+  model->words = in.words();
   WordTable words = in.words();
   NetworkOptions options;
   for (std::int32_t* size : sizes_of(options)) {
-    *size = in.number<std::int32_t>();
-    if (*size < 1 || *size > largest) in.fail("a layer of no possible size");
+    const std::uint64_t stored = in.number();
+    if (stored < 1 || stored > largest) in.fail("a layer of no possible size");
+    *size = static_cast<std::int32_t>(stored);
   }
   if (least_weights(options, words.words().size()) > in.left() / 4)  // before room is made for them
-    in.fail("the weights file promises more than it holds");
-  options.lexicon = in.number<std::uint8_t>() != 0;
+    in.fail("the model file promises more than it holds");
+  options.lexicon = in.number() != 0;
   EncoderDecoder network(TypedPostfix(model->grammar(), model->columns()), std::move(words), options,
                          [] { return 0.5; });
   neural::Vector& values = network.parameters().values();
   in.floats({values.data(), static_cast<std::size_t>(values.size())});
-  model->words = in.words();
-  in.table(model->reranker);
-  in.table(model->start_pose_model);
+  model->reranker = in.table(1);
+  model->start_pose_model = in.table(1);
   in.end();
   return {std::make_shared<const NetworkReader>(std::move(network)), std::move(model)};
 }
 
+Grounder read_grounder(WeightsReader& in) {
+  return in.header().kind == ModelHeader::Linear ? grounder_of(read_linear(in)) : read_encoder_decoder(in);
+}
+
 std::string serialize(const EncoderDecoder& network, const LinearModel& model, double threshold) {
-  WeightsWriter out(version_of(encoder_decoder, model));
+  WeightsWriter out({ModelHeader::EncoderDecoder, model.dialect()});
   out.strings(model.vocabulary().names());
+  out.strings(model.words.words());
   out.strings(network.words().words());
   NetworkOptions options = network.options();
-  for (const std::int32_t* size : sizes_of(options)) out.number(static_cast<std::uint32_t>(*size));
-  out.number(static_cast<std::uint8_t>(options.lexicon));
+  for (const std::int32_t* size : sizes_of(options)) out.number(static_cast<std::uint64_t>(*size));
+  out.number(options.lexicon ? 1 : 0);
   const neural::Vector& values = network.parameters().values();
-  out.floats({values.data(), static_cast<std::size_t>(values.size())});
-  out.strings(model.words.words());
+  out.list(std::span<const float>(values.data(), static_cast<std::size_t>(values.size())));
   out.table(model.reranker, least_of_rerankers * threshold);
   out.table(model.start_pose_model, least_of_rerankers * threshold);
   return out.finish();
@@ -95,7 +92,7 @@ std::string within(std::size_t bytes, const Serialize& serialize_with) {
 }  // namespace
 
 std::string serialize(const LinearModel& model, double threshold) {
-  WeightsWriter out(version_of(linear, model));
+  WeightsWriter out({ModelHeader::Linear, model.dialect()});
   out.strings(model.vocabulary().names());
   out.strings(model.words.words());
   out.table(model.reader, threshold);
@@ -105,8 +102,8 @@ std::string serialize(const LinearModel& model, double threshold) {
 }
 
 LinearModel parse_linear_model(std::string_view bytes, std::string_view source) {
-  WeightsReader in(bytes, source);
-  if (!is_kind(in.version(), linear)) in.fail("is no linear model");
+  WeightsReader in = opened(bytes, source);
+  if (in.header().kind != ModelHeader::Linear) in.fail("is no linear model");
   return read_linear(in);
 }
 
@@ -124,10 +121,8 @@ std::string serialize_within(const Grounder& grounder, std::size_t bytes) {
 }
 
 Grounder parse_grounder(std::string_view bytes, std::string_view source) {
-  WeightsReader in(bytes, source);
-  if (is_kind(in.version(), linear)) return grounder_of(read_linear(in));
-  if (is_kind(in.version(), encoder_decoder)) return read_encoder_decoder(in);
-  in.fail("weights file of an unknown version");
+  WeightsReader in = opened(bytes, source);
+  return read_grounder(in);
 }
 
 void save(const Grounder& grounder, const std::filesystem::path& file) {
@@ -135,11 +130,9 @@ void save(const Grounder& grounder, const std::filesystem::path& file) {
 }
 
 Grounder load_grounder(const std::filesystem::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  std::ostringstream bytes;
-  bytes << in.rdbuf();
-  if (!in || !bytes) throw ltl::FormatError(file.string(), 0, 0, "cannot be read");
-  return parse_grounder(bytes.view(), file.string());
+  const std::string source = file.string();
+  WeightsReader in(std::make_shared<const MappedFile>(file), source);
+  return read_grounder(in);
 }
 
 }  // namespace waymark::parser

@@ -1,7 +1,7 @@
-// The weights file: a trained model in one portable binary file. Layout: docs/formats/corpus-and-models.md.
+// The model file: a trained model in one file that is mapped, not read. Layout: docs/formats/corpus-and-models.md.
 //
-// Little endian; tables with only the weights that matter, as 16-bit floats, networks whole in float32; an FNV-1a
-// checksum at the end. Saving is lossy once: what is loaded saves to the same bytes.
+// Little endian. Tables keep the weights that matter as 16-bit floats and are looked up where they lie; networks are
+// whole, in float32; XXH64 at the end. Saving is lossy once: what is loaded saves to the same bytes.
 #pragma once
 #include <filesystem>
 #include <string>
@@ -24,7 +24,7 @@ std::string serialize(const Grounder& grounder, double threshold = least_weight)
 // The same with the threshold raised by quarters until the file fits; `bytes` must leave room for the rest.
 std::string serialize_within(const Grounder& grounder, std::size_t bytes);
 
-// These throw ltl::FormatError when it is no weights file, of another version, cut short or altered.
+// These throw ltl::FormatError when it is no model file, of another version, cut short or altered.
 LinearModel parse_linear_model(std::string_view bytes, std::string_view source = "");
 Grounder parse_grounder(std::string_view bytes, std::string_view source = "");
 Grounder load_grounder(const std::filesystem::path& file);

@@ -1,8 +1,5 @@
 #include "libparser/model/linear_model.hpp"
 
-#include <algorithm>
-#include <cassert>
-
 #include "libltl/diagnostic.hpp"
 
 namespace waymark::parser {
@@ -56,69 +53,6 @@ std::uint32_t WordTable::add(std::string_view word) {
   const auto [it, is_new] = index_.try_emplace(std::string(word), static_cast<std::uint32_t>(words_.size()));
   if (is_new) words_.emplace_back(word);
   return it->second;
-}
-
-// Where the feature stands, or the empty slot where it would.
-std::size_t WeightTable::slot_of(std::uint64_t feature) const {
-  std::uint64_t hash = (feature ^ feature >> 31U) * 0x9E3779B97F4A7C15ULL;
-  hash ^= hash >> 32U;
-  std::size_t slot = hash & (slots_.size() - 1);
-  while (slots_[slot] != absent && keys_[slots_[slot]] != feature) slot = (slot + 1) & (slots_.size() - 1);
-  return slot;
-}
-
-std::uint32_t WeightTable::find(std::uint64_t feature) const { return slots_[slot_of(feature)]; }
-
-std::uint32_t WeightTable::add(std::uint64_t feature) {
-  const std::size_t slot = slot_of(feature);
-  if (slots_[slot] != absent) return slots_[slot];
-  assert(dense());
-  const std::uint32_t row = new_row(slot, feature);
-  weights_.resize(weights_.size() + columns_, 0.0F);
-  return row;
-}
-
-std::uint32_t WeightTable::new_row(std::size_t slot, std::uint64_t feature) {
-  const auto row = static_cast<std::uint32_t>(keys_.size());
-  slots_[slot] = row;
-  keys_.push_back(feature);
-  if (2 * keys_.size() > slots_.size()) reserve(keys_.size());
-  return row;
-}
-
-bool WeightTable::add_row(std::uint64_t feature, std::span<const Weight> weights) {
-  assert(weights_.empty());
-  const std::size_t slot = slot_of(feature);
-  if (slots_[slot] != absent) return false;
-  new_row(slot, feature);
-  if (begin_.empty()) begin_.push_back(0);
-  sparse_.insert(sparse_.end(), weights.begin(), weights.end());
-  begin_.push_back(static_cast<std::uint32_t>(sparse_.size()));
-  return true;
-}
-
-float WeightTable::weight(std::uint32_t r, std::size_t column) const {
-  if (dense()) return weights_[r * columns_ + column];
-  for (std::size_t i = begin_[r]; i < begin_[r + 1]; ++i)
-    if (sparse_[i].column == column) return sparse_[i].value;
-  return 0;
-}
-
-void WeightTable::add_to(std::uint32_t r, float* sums) const {
-  if (dense()) {
-    const float* const row = weights_.data() + r * columns_;
-    for (std::size_t c = 0; c < columns_; ++c) sums[c] += row[c];
-  } else {
-    for (std::size_t i = begin_[r]; i < begin_[r + 1]; ++i) sums[sparse_[i].column] += sparse_[i].value;
-  }
-}
-
-void WeightTable::reserve(std::size_t rows) {
-  keys_.reserve(rows);
-  std::size_t size = slots_.size();
-  while (size < 4 * rows) size *= 2;
-  slots_.assign(size, absent);
-  for (std::uint32_t row = 0; row < keys_.size(); ++row) slots_[slot_of(keys_[row])] = row;
 }
 
 LinearModel::LinearModel(const ltl::Vocabulary& vocabulary, Dialect dialect)

@@ -7,12 +7,12 @@
 // Weights file: model_file.hpp.
 #pragma once
 #include <cstdint>
-#include <span>
 #include <string>
 #include <string_view>
 #include <unordered_map>
 #include <vector>
 
+#include "libparser/model/weight_table.hpp"
 #include "libparser/programs/postfix_grammar.hpp"
 
 namespace waymark::parser {
@@ -38,47 +38,6 @@ class WordTable {
  private:
   std::vector<std::string> words_;
   std::unordered_map<std::string, std::uint32_t> index_;
-};
-
-// Features → rows of weights. Rows are numbered in the order of their first use. While it is learned a table is dense;
-// one read from a file keeps the weights of the file alone, a tenth of the memory, and cannot be learned further.
-class WeightTable {
- public:
-  struct Weight {
-    std::uint16_t column;
-    float value;
-  };
-
-  explicit WeightTable(std::size_t columns) : columns_(columns) {}
-  static constexpr std::uint32_t absent = UINT32_MAX;
-
-  std::size_t columns() const { return columns_; }
-  std::size_t rows() const { return keys_.size(); }
-  std::uint32_t find(std::uint64_t feature) const;  // `absent` when it has no row
-  std::uint32_t add(std::uint64_t feature);         // a new row is zero
-  std::uint64_t key(std::uint32_t row) const { return keys_[row]; }
-  float* row(std::uint32_t r) {
-    return weights_.data() + r * columns_;
-  }  // columns() floats; of a dense table
-
-  // A row of a table that is read; false when the feature has one already. Columns < columns().
-  bool add_row(std::uint64_t feature, std::span<const Weight> weights);
-  void reserve(std::size_t rows);
-
-  float weight(std::uint32_t r, std::size_t column) const;  // O(weights of the row) when it was read
-  void add_to(std::uint32_t r, float* sums) const;          // sums: [columns()]
-
- private:
-  std::size_t columns_;
-  std::vector<std::uint64_t> keys_;
-  bool dense() const { return begin_.empty(); }
-  std::vector<float> weights_;        // dense: [rows][columns]
-  std::vector<std::uint32_t> begin_;  // read: where each row begins in `sparse_`
-  std::vector<Weight> sparse_;
-  std::size_t slot_of(std::uint64_t feature) const;
-  std::uint32_t new_row(std::size_t slot, std::uint64_t feature);
-  std::vector<std::uint32_t> slots_ =
-      std::vector<std::uint32_t>(64, absent);  // open addressing, a power of two
 };
 
 class LinearModel {

@@ -1,6 +1,6 @@
 // How long does grounding take? With the shipped model, on sentences of our own, one core.
 //
-//   load             reading the weights file
+//   load             mapping and checking the model file
 //   read             the 64 most probable programs of a sentence
 //   ground           the same, planned on the map from a start pose, and the end chosen
 //   execute          the plan of one program, for what a learner does thousands of times

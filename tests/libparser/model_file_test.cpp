@@ -6,11 +6,11 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
-#include <functional>
 #include <random>
 
 #include "libltl/diagnostic.hpp"
 #include "libparser/model/weights_bytes.hpp"
+#include "libparser/model/xxhash.hpp"
 
 namespace waymark::parser {
 namespace {
@@ -35,8 +35,8 @@ TEST(WeightsFile, KeepsWordsAndWeightsToHalfPrecision) {
   const LinearModel read = parse_linear_model(serialize(model));
   EXPECT_EQ(read.vocabulary(), model.vocabulary());
   EXPECT_EQ(read.words.words(), model.words.words());
-  for (std::uint32_t r = 0; r < model.reader.rows(); ++r) {
-    const std::uint32_t there = read.reader.find(model.reader.key(r));
+  for (std::uint64_t f = 0; f < 40; ++f) {
+    const std::uint32_t r = model.reader.find(f * f), there = read.reader.find(f * f);
     ASSERT_NE(there, WeightTable::absent);
     for (std::size_t c = 0; c < model.reader.columns(); ++c) {
       const double want = static_cast<double>(model.reader.weight(r, c)),
@@ -46,9 +46,9 @@ TEST(WeightsFile, KeepsWordsAndWeightsToHalfPrecision) {
   }
   EXPECT_EQ(read.reranker.rows(), 39U);  // the zero weight needs no row
   ASSERT_EQ(read.start_pose_model.rows(), 40U);
-  for (std::uint32_t r = 0; r < model.start_pose_model.rows(); ++r)
-    EXPECT_EQ(read.start_pose_model.weight(read.start_pose_model.find(model.start_pose_model.key(r)), 0),
-              model.start_pose_model.weight(r, 0));
+  model.start_pose_model.each([&](std::uint64_t feature, std::size_t column, float weight) {
+    EXPECT_EQ(read.start_pose_model.weight(read.start_pose_model.find(feature), column), weight);
+  });
 }
 
 TEST(WeightsFile, WritingWhatWasReadGivesTheSameBytes) {
@@ -65,15 +65,54 @@ std::string message_of(const std::string& bytes) {
   return {};
 }
 
-TEST(WeightsFile, FeaturesThatAreNeighboursTakeThreeBytes) {
+TEST(WeightsFile, FeaturesThatAreNeighboursTakeThreeBytesAndTheIndexLessThanOne) {
   LinearModel model(ltl::Vocabulary({"chair"}));
   const auto add = [&](std::uint64_t from, std::uint64_t step) {
-    for (std::uint64_t k = 0; k < 1000; ++k) *model.reranker.row(model.reranker.add(from + k * step)) = 0.5F;
+    for (std::uint64_t k = 0; k < 1600; ++k) *model.reranker.row(model.reranker.add(from + k * step)) = 0.5F;
     return serialize(model).size();
   };
   const std::size_t none = serialize(model).size(), near = add(1, 127), far = add(UINT64_MAX / 2, 1U << 20U);
-  EXPECT_EQ(near - none, 3000U);
-  EXPECT_EQ(far - near, 5 * 999U + 11U);
+  EXPECT_EQ(near - none, 1600 * 3 + 100 * 12U);
+  EXPECT_EQ(far - near, (5 * 1599U + 11U + 7U) / 8 * 8 + 100 * 12U);
+}
+
+// A table that lies in a file and the learned one it was made of answer alike, at every edge of every block.
+TEST(WeightsFile, FindsTheFeaturesThatAreThereAndNoOthers) {
+  std::mt19937_64 random(2);
+  for (const std::size_t rows : {0U, 1U, 15U, 16U, 17U, 32U, 500U}) {
+    LinearModel model(ltl::Vocabulary({"chair"}));
+    for (std::size_t r = 0; r < rows; ++r) {
+      const std::uint64_t feature = r == 0 ? 0 : r == 1 ? UINT64_MAX : random() >> random() % 64;
+      *model.reranker.row(model.reranker.add(feature)) = 1.0F + static_cast<float>(r % 7);
+      float* const row = model.reader.row(model.reader.add(feature));
+      for (std::size_t c = random() % 3; c < model.reader.columns(); c += 1 + random() % 9) row[c] = 2.0F;
+    }
+    const LinearModel read = parse_linear_model(serialize(model));
+    std::vector<float> sums(model.reader.columns()), wanted(model.reader.columns());
+    const auto expect_same = [&](std::uint64_t feature) {
+      const std::uint32_t r = read.reranker.find(feature), w = model.reranker.find(feature);
+      ASSERT_EQ(r == WeightTable::absent, w == WeightTable::absent) << feature;
+      if (r == WeightTable::absent) return;
+      EXPECT_EQ(read.reranker.weight(r, 0), model.reranker.weight(w, 0));
+      std::fill(sums.begin(), sums.end(), 1.0F);
+      std::fill(wanted.begin(), wanted.end(), 1.0F);
+      model.reader.add_to(model.reader.find(feature), wanted.data());
+      if (const std::uint32_t row = read.reader.find(feature); row != WeightTable::absent)
+        read.reader.add_to(row, sums.data());
+      EXPECT_EQ(sums, wanted);
+    };
+    model.reranker.each([&](std::uint64_t feature, std::size_t, float) {
+      for (const std::uint64_t near : {feature - 1, feature, feature + 1}) expect_same(near);
+    });
+    for (const std::uint64_t feature : {std::uint64_t{0}, UINT64_MAX, UINT64_MAX / 2}) expect_same(feature);
+  }
+}
+
+TEST(WeightsFile, TheChecksumIsXxh64) {  // against values of the reference implementation
+  EXPECT_EQ(xxh64(""), 0xEF46DB3751D8E999U);
+  EXPECT_EQ(xxh64("a"), 0xD24EC4F1A98C6E5BU);
+  EXPECT_EQ(xxh64("abc"), 0x44BC2CF5AD770999U);
+  EXPECT_EQ(xxh64("Nobody inspects the spammish repetition"), 0xFBCEA83C8A378BF1U);
 }
 
 TEST(WeightsFile, WithoutAThresholdWhatIsNotZeroIsKept) {
@@ -93,43 +132,47 @@ TEST(WeightsFile, WithoutAThresholdWhatIsNotZeroIsKept) {
 // What no writer writes, under a checksum that fits.
 TEST(WeightsFile, TablesThatCannotBeAreRefused) {
   const LinearModel empty(ltl::Vocabulary({"chair"}));
-  const auto columns = static_cast<std::uint32_t>(empty.reader.columns());
-  const auto file = [&](std::uint32_t rows, const std::function<void(WeightsWriter&)>& write) {
-    WeightsWriter out(9);
+  const std::uint64_t columns = empty.reader.columns();
+  struct Rows {
+    std::string bytes;
+    std::vector<std::uint64_t> last;
+    std::vector<std::uint32_t> end;
+    std::uint64_t rows;
+  };
+  const auto message = [&](const Rows& rows) {
+    WeightsWriter out({});
     out.strings(empty.vocabulary().names());
     out.strings(empty.words.words());
     out.number(columns);
-    out.number(rows);
-    write(out);
-    for (int table = 0; table < 2; ++table) {
-      out.number(1U);
-      out.number(0U);
-    }
+    out.number(rows.rows);
+    out.list(rows.last);
+    out.list(rows.end);
+    out.list(rows.bytes);
+    out.table(WeightTable(1), 0);
+    out.table(WeightTable(1), 0);
     return message_of(out.finish());
   };
-  const auto row = [](WeightsWriter& out, std::uint64_t feature, std::uint64_t column) {
-    out.gap(feature);
-    out.gap(1);
-    out.gap(column);
-    out.number(std::uint16_t{0x3C00});
+  const std::string top = "\xFF\xFF\xFF\xFF\xFF\xFF\xFF\xFF\xFF";  // 2⁶³ − 1, and a last byte to come
+  const auto row = [](char gap, char column) { return std::string{gap, 1, column, 0, 0x3C}; };
+  const auto last_column = static_cast<char>(columns - 1), next_column = static_cast<char>(columns);
+  ASSERT_LT(columns, 128U);
+  EXPECT_EQ(message({"", {}, {}, 0}), "");
+  EXPECT_EQ(message({row(5, last_column), {5}, {5}, 1}), "");
+  EXPECT_EQ(message({top + row(1, 0), {UINT64_MAX}, {14}, 1}), "");
+  const auto refused = [&](const std::string& why, const Rows& rows) {
+    EXPECT_NE(message(rows).find(why), std::string::npos) << message(rows);
   };
-  EXPECT_EQ(file(0, [](WeightsWriter&) {}), "");
-  EXPECT_EQ(file(1, [&](WeightsWriter& out) { row(out, UINT64_MAX, columns - 1); }), "");
-  EXPECT_NE(file(1, [&](WeightsWriter& out) { row(out, 1, columns); }).find("outside its table"),
-            std::string::npos);
-  EXPECT_NE(file(1, [&](WeightsWriter& out) { row(out, 1, UINT64_MAX); }).find("outside its table"),
-            std::string::npos);
-  EXPECT_NE(file(2, [&](WeightsWriter& out) { row(out, 1, 0), row(out, 0, 0); }).find("stands twice"),
-            std::string::npos);
-  EXPECT_NE(file(2, [&](WeightsWriter& out) { row(out, 2, 0), row(out, UINT64_MAX - 1, 0); }).find("64 bits"),
-            std::string::npos);
-  EXPECT_NE(file(1,
-                 [](WeightsWriter& out) {
-                   for (int byte = 0; byte < 12; ++byte) out.number(std::uint8_t{0xFF});
-                 })
-                .find("64 bits"),
-            std::string::npos);
-  EXPECT_NE(file(1U << 20U, [](WeightsWriter&) {}).find("promises more"), std::string::npos);
+  refused("outside its table", {row(5, next_column), {5}, {5}, 1});
+  refused("stands twice", {row(5, 0) + row(0, 0), {5}, {10}, 2});
+  refused("a feature takes more than 64 bits", {row(5, 0) + top + row(1, 0), {4}, {19}, 2});
+  refused("in a table takes more than 64 bits", {top + row(2, 0), {0}, {14}, 1});
+  refused("no finite number", {std::string{5, 1, 0, 0, 0x7C}, {5}, {5}, 1});
+  refused("cut short", {row(5, 0).substr(0, 4), {5}, {4}, 1});
+  refused("goes on after its end", {row(5, 0) + "x", {5}, {5}, 1});
+  refused("index", {row(5, 0), {6}, {5}, 1});
+  refused("index", {row(5, 0), {5}, {4}, 1});
+  refused("index", {row(5, 0), {}, {}, 1});
+  refused("index", {row(5, 0), {5}, {5}, UINT64_MAX});
 }
 
 TEST(WeightsFile, EveryCutAndEveryFlippedBitIsNoticed) {
@@ -147,9 +190,10 @@ TEST(WeightsFile, EveryCutAndEveryFlippedBitIsNoticed) {
 TEST(WeightsFile, MessagesSayWhatIsWrong) {
   const std::string bytes = serialize(some_model());
   std::string version = bytes;
-  version[8] = 8;
-  EXPECT_NE(message_of("no such thing").find("no weights file"), std::string::npos);
-  EXPECT_NE(message_of(version).find("version 8"), std::string::npos);
+  version[8] = 12;
+  EXPECT_NE(message_of("no such thing").find("no model file"), std::string::npos);
+  EXPECT_NE(message_of(version).find("version 12"), std::string::npos);
+  EXPECT_NE(message_of(version).find("waymark train"), std::string::npos);  // the remedy
   EXPECT_NE(message_of(bytes.substr(0, 100)).find("damaged"), std::string::npos);
   EXPECT_NE(message_of(bytes.substr(0, 10)).find("cut short"), std::string::npos);
   EXPECT_NE(message_of(bytes.substr(0, 10)).find("a.waymark"), std::string::npos);

@@ -21,7 +21,8 @@ parser::Grounder read_model(const ModelOptions& options, const std::string& data
   const std::string file = options.file.empty()
                                ? (data_directory(data) / "models" / "encoder-decoder.waymark").string()
                                : options.file;
-  return parser::parse_grounder(read_file(file), file);
+  if (file == "-") return parser::parse_grounder(read_file(file), source_name(file));
+  return parser::load_grounder(file);
 }
 
 namespace {

@@ -112,9 +112,14 @@ TEST_F(Decoding, MarginalLikelihoodIsTheSumOverPrograms) {
     for (const auto& [program, weight] : programs) total += weight * probability(program);
     return std::log(total);
   };
+  std::vector<std::uint64_t> features_with_rows;
+  model.reader.each([&](std::uint64_t feature, std::size_t column, float) {
+    if (column == 0) features_with_rows.push_back(feature);
+  });
   std::size_t checked = 0;
-  for (std::uint32_t r = 0; r < model.reader.rows(); r += 3) {
-    const auto it = gradients.find(model.reader.key(r));
+  for (std::size_t i = 0; i < features_with_rows.size(); i += 3) {
+    const std::uint32_t r = model.reader.find(features_with_rows[i]);
+    const auto it = gradients.find(features_with_rows[i]);
     for (std::size_t c = 0; c < model.reader.columns(); c += 2) {
       float& weight = model.reader.row(r)[c];
       const float before = weight, h = 0.02F;
