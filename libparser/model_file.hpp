@@ -7,8 +7,7 @@
 #include <string>
 #include <string_view>
 
-#include "libparser/decode/beam.hpp"
-#include "libparser/model/linear_model.hpp"
+#include "libparser/decode/grounder.hpp"
 
 namespace waymark::parser {
 
@@ -17,15 +16,12 @@ inline constexpr double least_weight = 0.0085;
 inline constexpr double least_of_rerankers = 0.6;
 inline constexpr std::size_t most_bytes = 6'000'000;
 
-// Weights of tables smaller than `threshold` in absolute value are dropped. Throws std::invalid_argument on a reader that is
-// neither linear nor an encoder-decoder.
-std::string serialize(const LinearModel& model, double threshold = least_weight);
+// Weights of tables smaller than `threshold` in absolute value are dropped.
 std::string serialize(const Grounder& grounder, double threshold = least_weight);
 // The same with the threshold raised by quarters until the file fits; `bytes` must leave room for the rest.
 std::string serialize_within(const Grounder& grounder, std::size_t bytes);
 
 // These throw ltl::FormatError when it is no model file, of another version, cut short or altered.
-LinearModel parse_linear_model(std::string_view bytes, std::string_view source = "");
 Grounder parse_grounder(std::string_view bytes, std::string_view source = "");
 Grounder load_grounder(const std::filesystem::path& file);
 

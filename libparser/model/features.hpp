@@ -14,7 +14,8 @@
 #include <string>
 #include <vector>
 
-#include "libparser/model/linear_model.hpp"
+#include "libparser/model/program_language.hpp"
+#include "libparser/model/word_table.hpp"
 
 namespace waymark::parser {
 
@@ -56,7 +57,6 @@ std::uint64_t mention_feature(const Choice& choice);
 std::vector<std::size_t> place_numbers(const ltl::Vocabulary& vocabulary);
 
 // Tokens that this sentence may not use: places it does not name, and what no goal may name. By token.
-std::vector<bool> forbidden_tokens(const PostfixGrammar& grammar, const ltl::Vocabulary& vocabulary,
-                                   const SentenceFeatures& features);
+std::vector<bool> forbidden_tokens(const ProgramLanguage& language, const SentenceFeatures& features);
 
 }  // namespace waymark::parser

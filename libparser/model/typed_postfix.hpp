@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "libparser/model/linear_model.hpp"
+#include "libparser/model/program_language.hpp"
 #include "libparser/programs/program.hpp"
 
 namespace waymark::parser {

@@ -10,8 +10,11 @@
 #include <type_traits>
 #include <vector>
 
-#include "libparser/model/linear_model.hpp"
+#include "libltl/vocabulary.hpp"
 #include "libparser/model/mapped_file.hpp"
+#include "libparser/model/weight_table.hpp"
+#include "libparser/model/word_table.hpp"
+#include "libparser/programs/postfix_grammar.hpp"
 
 namespace waymark::parser {
 

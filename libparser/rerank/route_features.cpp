@@ -56,7 +56,7 @@ plan::Action mirror_action(plan::Action action) {
 
 }  // namespace
 
-RerankerSentence::RerankerSentence(const LinearModel& model, const SentenceInput& input, bool mirrored)
+RerankerSentence::RerankerSentence(const RankingModel& model, const SentenceInput& input, bool mirrored)
     : model_(&model), heading_unknown_(input.heading_unknown), mirrored_(mirrored) {
   std::uint32_t before = WordTable::begin;
   for (std::size_t i = 0; i <= input.tokens.size(); ++i) {
@@ -74,10 +74,10 @@ RerankerSentence::RerankerSentence(const LinearModel& model, const SentenceInput
       said.begin(), said.end(), [](const std::string& s) { return s.rfind("thing ", 0) == 0; }));
   for (const std::string& word : input.tokens)
     if (const std::size_t n = number_named(word); n > 0) counts_.push_back(n);
-  const Columns& columns = model.columns();
+  const Columns& columns = model.language.columns();
   const SentenceFeatures features = sentence_features(input, model.words);
-  const std::vector<bool> forbidden = forbidden_tokens(model.grammar(), model.vocabulary(), features);
-  const auto propositions = static_cast<std::uint16_t>(model.vocabulary().size());
+  const std::vector<bool> forbidden = forbidden_tokens(model.language, features);
+  const auto propositions = static_cast<std::uint16_t>(model.language.vocabulary().size());
   for (std::uint16_t p = 0; p < propositions; ++p) {
     const std::size_t token = PostfixGrammar::literal(p);
     const std::string& thing = columns.parts[columns.thing[token] - columns.tokens];
@@ -85,7 +85,7 @@ RerankerSentence::RerankerSentence(const LinearModel& model, const SentenceInput
     hidden_.push_back(forbidden[token]);
     images_.push_back(p);
   }
-  if (mirrored) images_ = mirror_images(model.vocabulary());
+  if (mirrored) images_ = mirror_images(model.language.vocabulary());
 }
 
 // The actions that words may speak of, and the poses they are seen from (as Arrival counts them, without events).
@@ -144,8 +144,8 @@ void RerankerSentence::add_shape(const Walk& walk, std::vector<Property>& out) c
 
 void RerankerSentence::add_sights(const Executor& executor, const Walk& walk,
                                   std::vector<Property>& out) const {
-  const Columns& columns = model_->columns();
-  const auto crossing = model_->vocabulary().find("intersection");
+  const Columns& columns = model_->language.columns();
+  const auto crossing = model_->language.vocabulary().find("intersection");
   const auto propositions = static_cast<std::uint16_t>(images_.size());
   for (std::uint16_t p = 0; p < propositions; ++p) {
     const std::uint16_t image = images_[p];
@@ -191,7 +191,7 @@ void RerankerSentence::add_to_last_end(std::uint64_t first, const Property* prop
 }
 
 void RerankerSentence::add_mentions(const std::vector<Property>& properties, std::size_t moves) {
-  const Columns& columns = model_->columns();
+  const Columns& columns = model_->language.columns();
   std::vector<std::uint16_t> met;  // things that are mentioned and met
   for (const Property& property : properties) {
     if (property.kind != AtEnd && property.kind != FirstAtEnd && property.kind != Passed) continue;

@@ -21,21 +21,21 @@ struct Said {
 
 class SaidSearch {
  public:
-  SaidSearch(const Executor& executor, const LinearModel& frame, const GoldRoute& gold,
+  SaidSearch(const Executor& executor, const ProgramLanguage& language, const GoldRoute& gold,
              const std::vector<std::string>& tokens, UnitPlans& plans)
       : executor_(executor),
-        grammar_(frame.grammar()),
+        grammar_(language.grammar()),
         gold_(gold),
         plans_(plans),
-        wording_(frame, mentions(tokens)),
+        wording_(language, mentions(tokens)),
         says_if_(says(tokens, "if")),
         says_otherwise_(says(tokens, "otherwise")),
         units_(gold.actions.size() + 1),
-        directed_(frame.vocabulary().size(), false) {
+        directed_(language.vocabulary().size(), false) {
     poses_.push_back(gold.start);
     for (const plan::Action action : gold.actions)
       poses_.push_back(*executor.map().successor(poses_.back(), action));
-    find_literals(frame, mentions(tokens));
+    find_literals(language, mentions(tokens));
     for (const std::uint16_t p : literals_) add_steps_of(p);
     for (int k = 1; k <= 4; ++k) steps_.push_back({StepKind::Forward, static_cast<std::uint8_t>(k), 0, {}});
   }
@@ -67,9 +67,9 @@ class SaidSearch {
     return std::find(tokens.begin(), tokens.end(), word) != tokens.end();
   }
 
-  void find_literals(const LinearModel& frame, const std::vector<std::string>& said) {
-    const Columns& columns = frame.columns();
-    const ltl::Vocabulary& vocabulary = frame.vocabulary();
+  void find_literals(const ProgramLanguage& language, const std::vector<std::string>& said) {
+    const Columns& columns = language.columns();
+    const ltl::Vocabulary& vocabulary = language.vocabulary();
     const auto number = static_cast<std::uint16_t>(vocabulary.size());
     for (std::uint16_t p = 0; p < number; ++p) {
       const Token token = PostfixGrammar::literal(p);
@@ -201,10 +201,10 @@ class SaidSearch {
 
 }  // namespace
 
-std::vector<Consistent> said_programs(const Executor& executor, const LinearModel& frame,
+std::vector<Consistent> said_programs(const Executor& executor, const ProgramLanguage& language,
                                       const GoldRoute& gold, const std::vector<std::string>& tokens,
                                       UnitPlans& plans, std::size_t most) {
-  return SaidSearch(executor, frame, gold, tokens, plans).run(most);
+  return SaidSearch(executor, language, gold, tokens, plans).run(most);
 }
 
 }  // namespace waymark::parser

@@ -18,9 +18,9 @@ std::uint16_t column_of(const Columns& columns, const std::string& part) {
 
 }  // namespace
 
-Wording::Wording(const LinearModel& model, const std::vector<std::string>& mentions)
-    : model_(&model), unsaid_(model.columns().size()) {
-  const Columns& columns = model.columns();
+Wording::Wording(const ProgramLanguage& language, const std::vector<std::string>& mentions)
+    : language_(&language), unsaid_(language.columns().size()) {
+  const Columns& columns = language.columns();
   left_ = column_of(columns, "thing left");
   right_ = column_of(columns, "thing right");
   for (std::size_t i = 0; i < columns.parts.size(); ++i)
@@ -37,7 +37,7 @@ Wording::Wording(const LinearModel& model, const std::vector<std::string>& menti
 }
 
 std::vector<std::uint16_t> Wording::named_by(const Program& program) const {
-  const Columns& columns = model_->columns();
+  const Columns& columns = language_->columns();
   std::vector<std::uint16_t> named;
   for (const Step& step : program) {
     if (step.kind == StepKind::Forward)

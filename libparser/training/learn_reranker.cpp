@@ -22,7 +22,7 @@ struct RankingRows {
 class RankingLearner {
  public:
   // table: of the model, the reranker or the start-pose model.
-  RankingLearner(LinearModel& model, WeightTable& table, std::span<const Executor> executors,
+  RankingLearner(const RankingModel& model, WeightTable& table, std::span<const Executor> executors,
                  const TrainOptions& options)
       : model_(model),
         table_(table),
@@ -75,7 +75,7 @@ class RankingLearner {
   }
 
  private:
-  LinearModel& model_;
+  const RankingModel& model_;
   WeightTable& table_;
   std::span<const Executor> executors_;
   AdaGrad optimizer_;
@@ -87,7 +87,7 @@ void add_options(const Decision& decision, plan::PoseId start, RankingInstance& 
     instance.options.push_back({start, *decision.plans[end.candidate], end.mass});
 }
 
-void learn_table(LinearModel& model, WeightTable& table, std::span<const RankingInstance> all,
+void learn_table(const RankingModel& model, WeightTable& table, std::span<const RankingInstance> all,
                  std::span<const Executor> executors, const TrainOptions& options,
                  const JobProgress& progress) {
   RankingLearner learner(model, table, executors, options);
@@ -154,13 +154,14 @@ void add_ranking_instances(const Grounder& reader, std::span<const Example* cons
 Grounder with_reranker(const Grounder& reader, const RankingInstances& all,
                        std::span<const Executor> executors, const TrainOptions& options,
                        const JobProgress& progress) {
-  auto model = std::make_shared<LinearModel>(reader.model->vocabulary(), reader.model->dialect());
-  model->words = reader.model->words;
+  auto model = std::make_shared<RankingModel>(reader.ranking->language.vocabulary(),
+                                              reader.ranking->language.dialect());
+  model->words = reader.ranking->words;
   learn_table(*model, model->reranker, all.of_ends, executors, options,
               [&](double fraction) { progress(0.3 * fraction); });
   learn_table(*model, model->start_pose_model, all.of_starts, executors, options,
               [&](double fraction) { progress(0.3 + 0.7 * fraction); });
-  return {reader.reader, std::move(model)};
+  return {reader.word_model, std::move(model)};
 }
 
 }  // namespace waymark::parser

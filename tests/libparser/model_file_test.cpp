@@ -6,7 +6,9 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <memory>
 #include <random>
+#include <variant>
 
 #include "libltl/diagnostic.hpp"
 #include "libparser/model/weights_bytes.hpp"
@@ -15,50 +17,69 @@
 namespace waymark::parser {
 namespace {
 
-LinearModel some_model() {
-  LinearModel model(ltl::Vocabulary({"chair", "ahead_chair", "moved"}));
-  model.words.add("walk");
-  model.words.add("the");
+// A linear model and what ranks beside it, while they are made.
+struct Parts {
+  explicit Parts(const std::vector<std::string>& names)
+      : linear(std::make_shared<LinearModel>(ltl::Vocabulary(names))),
+        ranking(std::make_shared<RankingModel>(ltl::Vocabulary(names))) {}
+  operator Grounder() const { return {linear, ranking}; }
+  std::shared_ptr<LinearModel> linear;
+  std::shared_ptr<RankingModel> ranking;
+};
+
+Parts some_model() {
+  Parts model({"chair", "ahead_chair", "moved"});
+  for (const char* word : {"walk", "the"}) {
+    model.ranking->words.add(word);
+    model.linear->words.add(word);
+  }
   std::mt19937_64 random(1);
+  WeightTable &weights = model.linear->weights, &reranker = model.ranking->reranker,
+              &start_pose_model = model.ranking->start_pose_model;
   for (std::uint64_t f = 0; f < 40; ++f) {
-    float* const row = model.reader.row(model.reader.add(f * f));
-    for (std::size_t c = 0; c < model.reader.columns(); c += 1 + f % 3)
+    float* const row = weights.row(weights.add(f * f));
+    for (std::size_t c = 0; c < weights.columns(); c += 1 + f % 3)
       row[c] = static_cast<float>(static_cast<double>(random() % 10'000) / 1000.0 - 5.0);
-    *model.reranker.row(model.reranker.add(f + 7)) = static_cast<float>(f) - 20.0F;
-    *model.start_pose_model.row(model.start_pose_model.add(f + 9)) = static_cast<float>(f) - 30.5F;
+    *reranker.row(reranker.add(f + 7)) = static_cast<float>(f) - 20.0F;
+    *start_pose_model.row(start_pose_model.add(f + 9)) = static_cast<float>(f) - 30.5F;
   }
   return model;
 }
 
+const LinearModel& linear_of(const Grounder& grounder) {
+  return *std::get<std::shared_ptr<const LinearModel>>(grounder.word_model);
+}
+
 TEST(WeightsFile, KeepsWordsAndWeightsToHalfPrecision) {
-  const LinearModel model = some_model();
-  const LinearModel read = parse_linear_model(serialize(model));
-  EXPECT_EQ(read.vocabulary(), model.vocabulary());
-  EXPECT_EQ(read.words.words(), model.words.words());
+  const Parts model = some_model();
+  const Grounder read = parse_grounder(serialize(model));
+  EXPECT_EQ(read.ranking->language.vocabulary(), model.ranking->language.vocabulary());
+  EXPECT_EQ(read.ranking->words.words(), model.ranking->words.words());
+  EXPECT_EQ(linear_of(read).words.words(), model.linear->words.words());
   for (std::uint64_t f = 0; f < 40; ++f) {
-    const std::uint32_t r = model.reader.find(f * f), there = read.reader.find(f * f);
+    const std::uint32_t r = model.linear->weights.find(f * f), there = linear_of(read).weights.find(f * f);
     ASSERT_NE(there, WeightTable::absent);
-    for (std::size_t c = 0; c < model.reader.columns(); ++c) {
-      const double want = static_cast<double>(model.reader.weight(r, c)),
-                   got = static_cast<double>(read.reader.weight(there, c));
+    for (std::size_t c = 0; c < model.linear->weights.columns(); ++c) {
+      const double want = static_cast<double>(model.linear->weights.weight(r, c)),
+                   got = static_cast<double>(linear_of(read).weights.weight(there, c));
       EXPECT_NEAR(got, want, got == 0.0 ? least_weight : 0.0005 * std::abs(want));
     }
   }
-  EXPECT_EQ(read.reranker.rows(), 39U);  // the zero weight needs no row
-  ASSERT_EQ(read.start_pose_model.rows(), 40U);
-  model.start_pose_model.each([&](std::uint64_t feature, std::size_t column, float weight) {
-    EXPECT_EQ(read.start_pose_model.weight(read.start_pose_model.find(feature), column), weight);
+  EXPECT_EQ(read.ranking->reranker.rows(), 39U);  // the zero weight needs no row
+  ASSERT_EQ(read.ranking->start_pose_model.rows(), 40U);
+  model.ranking->start_pose_model.each([&](std::uint64_t feature, std::size_t column, float weight) {
+    EXPECT_EQ(read.ranking->start_pose_model.weight(read.ranking->start_pose_model.find(feature), column), weight);
   });
 }
 
 TEST(WeightsFile, WritingWhatWasReadGivesTheSameBytes) {
   const std::string bytes = serialize(some_model());
-  EXPECT_EQ(serialize(parse_linear_model(bytes)), bytes);
+  EXPECT_EQ(serialize(parse_grounder(bytes)), bytes);
 }
 
 std::string message_of(const std::string& bytes) {
   try {
-    parse_linear_model(bytes, "a.waymark");
+    parse_grounder(bytes, "a.waymark");
   } catch (const ltl::FormatError& error) {
     return error.what();
   }
@@ -66,9 +87,9 @@ std::string message_of(const std::string& bytes) {
 }
 
 TEST(WeightsFile, FeaturesThatAreNeighboursTakeThreeBytesAndTheIndexLessThanOne) {
-  LinearModel model(ltl::Vocabulary({"chair"}));
+  const Parts model({"chair"});
   const auto add = [&](std::uint64_t from, std::uint64_t step) {
-    for (std::uint64_t k = 0; k < 1600; ++k) *model.reranker.row(model.reranker.add(from + k * step)) = 0.5F;
+    for (std::uint64_t k = 0; k < 1600; ++k) *model.ranking->reranker.row(model.ranking->reranker.add(from + k * step)) = 0.5F;
     return serialize(model).size();
   };
   const std::size_t none = serialize(model).size(), near = add(1, 127), far = add(UINT64_MAX / 2, 1U << 20U);
@@ -80,28 +101,28 @@ TEST(WeightsFile, FeaturesThatAreNeighboursTakeThreeBytesAndTheIndexLessThanOne)
 TEST(WeightsFile, FindsTheFeaturesThatAreThereAndNoOthers) {
   std::mt19937_64 random(2);
   for (const std::size_t rows : {0U, 1U, 15U, 16U, 17U, 32U, 500U}) {
-    LinearModel model(ltl::Vocabulary({"chair"}));
+    const Parts model({"chair"});
     for (std::size_t r = 0; r < rows; ++r) {
       const std::uint64_t feature = r == 0 ? 0 : r == 1 ? UINT64_MAX : random() >> random() % 64;
-      *model.reranker.row(model.reranker.add(feature)) = 1.0F + static_cast<float>(r % 7);
-      float* const row = model.reader.row(model.reader.add(feature));
-      for (std::size_t c = random() % 3; c < model.reader.columns(); c += 1 + random() % 9) row[c] = 2.0F;
+      *model.ranking->reranker.row(model.ranking->reranker.add(feature)) = 1.0F + static_cast<float>(r % 7);
+      float* const row = model.linear->weights.row(model.linear->weights.add(feature));
+      for (std::size_t c = random() % 3; c < model.linear->weights.columns(); c += 1 + random() % 9) row[c] = 2.0F;
     }
-    const LinearModel read = parse_linear_model(serialize(model));
-    std::vector<float> sums(model.reader.columns()), wanted(model.reader.columns());
+    const Grounder read = parse_grounder(serialize(model));
+    std::vector<float> sums(model.linear->weights.columns()), wanted(model.linear->weights.columns());
     const auto expect_same = [&](std::uint64_t feature) {
-      const std::uint32_t r = read.reranker.find(feature), w = model.reranker.find(feature);
+      const std::uint32_t r = read.ranking->reranker.find(feature), w = model.ranking->reranker.find(feature);
       ASSERT_EQ(r == WeightTable::absent, w == WeightTable::absent) << feature;
       if (r == WeightTable::absent) return;
-      EXPECT_EQ(read.reranker.weight(r, 0), model.reranker.weight(w, 0));
+      EXPECT_EQ(read.ranking->reranker.weight(r, 0), model.ranking->reranker.weight(w, 0));
       std::fill(sums.begin(), sums.end(), 1.0F);
       std::fill(wanted.begin(), wanted.end(), 1.0F);
-      model.reader.add_to(model.reader.find(feature), wanted.data());
-      if (const std::uint32_t row = read.reader.find(feature); row != WeightTable::absent)
-        read.reader.add_to(row, sums.data());
+      model.linear->weights.add_to(model.linear->weights.find(feature), wanted.data());
+      if (const std::uint32_t row = linear_of(read).weights.find(feature); row != WeightTable::absent)
+        linear_of(read).weights.add_to(row, sums.data());
       EXPECT_EQ(sums, wanted);
     };
-    model.reranker.each([&](std::uint64_t feature, std::size_t, float) {
+    model.ranking->reranker.each([&](std::uint64_t feature, std::size_t, float) {
       for (const std::uint64_t near : {feature - 1, feature, feature + 1}) expect_same(near);
     });
     for (const std::uint64_t feature : {std::uint64_t{0}, UINT64_MAX, UINT64_MAX / 2}) expect_same(feature);
@@ -116,23 +137,23 @@ TEST(WeightsFile, TheChecksumIsXxh64) {  // against values of the reference impl
 }
 
 TEST(WeightsFile, WithoutAThresholdWhatIsNotZeroIsKept) {
-  LinearModel model(ltl::Vocabulary({"chair"}));
+  const Parts model({"chair"});
   for (const float weight : {0.0F, 1e-4F, -0.01F, 0.02F})
-    *model.start_pose_model.row(model.start_pose_model.add(model.start_pose_model.rows())) = weight;
-  model.reader.row(model.reader.add(5))[2] = 1e-3F;
-  const LinearModel all = parse_linear_model(serialize(model, 0)),
-                    some = parse_linear_model(serialize(model, 0.02));
-  EXPECT_EQ(all.start_pose_model.rows(), 3U);
-  EXPECT_EQ(all.start_pose_model.find(0), WeightTable::absent);
-  EXPECT_EQ(all.reader.rows(), 1U);
-  EXPECT_EQ(some.start_pose_model.rows(), 1U);  // 0.012 and more
-  EXPECT_EQ(some.reader.rows(), 0U);
+    *model.ranking->start_pose_model.row(model.ranking->start_pose_model.add(model.ranking->start_pose_model.rows())) = weight;
+  model.linear->weights.row(model.linear->weights.add(5))[2] = 1e-3F;
+  const Grounder all = parse_grounder(serialize(model, 0)),
+                    some = parse_grounder(serialize(model, 0.02));
+  EXPECT_EQ(all.ranking->start_pose_model.rows(), 3U);
+  EXPECT_EQ(all.ranking->start_pose_model.find(0), WeightTable::absent);
+  EXPECT_EQ(linear_of(all).weights.rows(), 1U);
+  EXPECT_EQ(some.ranking->start_pose_model.rows(), 1U);  // 0.012 and more
+  EXPECT_EQ(linear_of(some).weights.rows(), 0U);
 }
 
 // What no writer writes, under a checksum that fits.
 TEST(WeightsFile, TablesThatCannotBeAreRefused) {
-  const LinearModel empty(ltl::Vocabulary({"chair"}));
-  const std::uint64_t columns = empty.reader.columns();
+  const RankingModel empty(ltl::Vocabulary({"chair"}));
+  const std::uint64_t columns = empty.language.columns().size();
   struct Rows {
     std::string bytes;
     std::vector<std::uint64_t> last;
@@ -141,7 +162,7 @@ TEST(WeightsFile, TablesThatCannotBeAreRefused) {
   };
   const auto message = [&](const Rows& rows) {
     WeightsWriter out({});
-    out.strings(empty.vocabulary().names());
+    out.strings(empty.language.vocabulary().names());
     out.strings(empty.words.words());
     out.number(columns);
     out.number(rows.rows);
@@ -178,12 +199,12 @@ TEST(WeightsFile, TablesThatCannotBeAreRefused) {
 TEST(WeightsFile, EveryCutAndEveryFlippedBitIsNoticed) {
   const std::string bytes = serialize(some_model());
   for (std::size_t n = 0; n < bytes.size(); n += 1 + n / 50)
-    EXPECT_THROW(parse_linear_model(bytes.substr(0, n)), ltl::FormatError) << n;
-  EXPECT_THROW(parse_linear_model(bytes + "x"), ltl::FormatError);
+    EXPECT_THROW(parse_grounder(bytes.substr(0, n)), ltl::FormatError) << n;
+  EXPECT_THROW(parse_grounder(bytes + "x"), ltl::FormatError);
   for (std::size_t i = 0; i < bytes.size(); i += 3) {
     std::string altered = bytes;
     altered[i] = static_cast<char>(altered[i] ^ 1 << i % 8);
-    EXPECT_THROW(parse_linear_model(altered), ltl::FormatError) << i;
+    EXPECT_THROW(parse_grounder(altered), ltl::FormatError) << i;
   }
 }
 
@@ -203,10 +224,10 @@ TEST(WeightsFile, IsWrittenWholeOrNotAtAll) {
   const auto directory =
       std::filesystem::temp_directory_path() / ("waymark_weights_" + std::to_string(getpid()));
   std::filesystem::create_directories(directory);
-  save(grounder_of(some_model()), directory / "a.waymark");
+  save(some_model(), directory / "a.waymark");
   EXPECT_EQ(serialize(load_grounder(directory / "a.waymark")), serialize(some_model()));
   EXPECT_EQ(std::distance(std::filesystem::directory_iterator(directory), {}), 1);
-  EXPECT_THROW(save(grounder_of(some_model()), directory / "missing" / "a.waymark"), ltl::FormatError);
+  EXPECT_THROW(save(some_model(), directory / "missing" / "a.waymark"), ltl::FormatError);
   EXPECT_THROW(load_grounder(directory / "b.waymark"), ltl::FormatError);
   std::filesystem::remove_all(directory);
 }

@@ -3,7 +3,6 @@
 #include <map>
 
 #include "libltl/diagnostic.hpp"
-#include "libparser/decode/beam.hpp"
 #include "libparser/model_file.hpp"
 #include "libplan/world/read_map.hpp"
 #include "tools/shell/data_directory.hpp"

@@ -5,7 +5,7 @@
 
 #include "libltl/structure/random.hpp"
 #include "libparser/corpus/token.hpp"
-#include "libparser/decode/network_search.hpp"
+#include "libparser/model/network_scorer.hpp"
 
 namespace waymark::parser {
 

@@ -1,4 +1,7 @@
-#include "libparser/model/linear_model.hpp"
+#include "libparser/model/program_language.hpp"
+
+#include <unordered_map>
+#include <utility>
 
 #include "libltl/diagnostic.hpp"
 
@@ -38,32 +41,10 @@ Columns::Columns(const PostfixGrammar& grammar) : tokens(grammar.tokens()) {
   }
 }
 
-WordTable::WordTable() {
-  add("<unknown>");
-  add("<s>");
-  add("</s>");
-}
+ProgramLanguage::ProgramLanguage(const ltl::Vocabulary& vocabulary, Dialect dialect)
+    : vocabulary_(vocabulary), grammar_(vocabulary, dialect), columns_(grammar_) {}
 
-std::uint32_t WordTable::find(std::string_view word) const {
-  const auto it = index_.find(std::string(word));
-  return it == index_.end() ? unknown : it->second;
-}
-
-std::uint32_t WordTable::add(std::string_view word) {
-  const auto [it, is_new] = index_.try_emplace(std::string(word), static_cast<std::uint32_t>(words_.size()));
-  if (is_new) words_.emplace_back(word);
-  return it->second;
-}
-
-LinearModel::LinearModel(const ltl::Vocabulary& vocabulary, Dialect dialect)
-    : reader(Columns(PostfixGrammar(vocabulary, dialect)).size()),
-      reranker(1),
-      start_pose_model(1),
-      vocabulary_(vocabulary),
-      grammar_(vocabulary, dialect),
-      columns_(grammar_) {}
-
-void LinearModel::check_vocabulary(const ltl::Vocabulary& vocabulary, std::string_view whose) const {
+void ProgramLanguage::check_vocabulary(const ltl::Vocabulary& vocabulary, std::string_view whose) const {
   if (vocabulary == vocabulary_) return;
   std::string message =
       "the model was trained on another vocabulary than that of " + std::string(whose) + ": ";
