@@ -42,8 +42,7 @@ std::shared_ptr<const NetworkModel> read_network(WeightsReader& in, const Progra
   if (least_weights(options, words.words().size()) > in.left() / 4)  // before room is made for them
     in.fail("the model file promises more than it holds");
   options.lexicon = in.number() != 0;
-  EncoderDecoder network(TypedPostfix(language.grammar(), language.columns()), std::move(words), options,
-                         [] { return 0.5; });
+  EncoderDecoder network(TypedPostfix(language), std::move(words), options, [] { return 0.5; });
   neural::Vector& values = network.parameters().values();
   in.floats({values.data(), static_cast<std::size_t>(values.size())});
   return std::make_shared<const NetworkModel>(std::move(network));

@@ -1,6 +1,7 @@
 #include "libparser/model/program_language.hpp"
 
-#include <unordered_map>
+#include <map>
+#include <string>
 #include <utility>
 
 #include "libltl/diagnostic.hpp"
@@ -8,41 +9,48 @@
 namespace waymark::parser {
 namespace {
 
-// "ahead_chair" → {"ahead", "chair"}, "chair" → {"here", "chair"}, "dead_end" → {"here", "dead_end"}.
-std::pair<std::string, std::string> parts_of(const std::string& literal) {
-  for (const char* direction : {"ahead", "left", "right", "behind", "next", "turned", "place"}) {
-    const std::string prefix = std::string(direction) + "_";
-    if (literal.rfind(prefix, 0) == 0) return {direction, literal.substr(prefix.size())};
-  }
-  return {"here", literal};
+// A turn shares no direction with what is seen to its side: its side is its thing. Neither does a place number with what is here.
+std::pair<Part, Part> parts_of(const plan::Observable& observable) {
+  const auto direction = [](std::string name) { return Part{PartKind::Direction, std::move(name), 0}; };
+  const std::string& side = plan::word_of(observable.direction);
+  if (observable.kind == plan::Kind::Event && observable.direction != plan::Direction::Here)
+    return {direction(observable.name), thing(side)};
+  if (observable.kind == plan::Kind::PlaceNumber) return {direction("place"), thing(observable.name)};
+  return {direction(side), thing(observable.name)};
 }
 
 }  // namespace
 
-Columns::Columns(const PostfixGrammar& grammar) : tokens(grammar.tokens()) {
-  std::unordered_map<std::string, std::uint16_t> index;
-  const auto part = [&](const std::string& part_name) {
-    const auto [it, is_new] = index.try_emplace(part_name, static_cast<std::uint16_t>(size()));
-    if (is_new) parts.push_back(part_name);
+Columns::Columns(const PostfixGrammar& grammar, const std::vector<plan::Observable>& observables)
+    : tokens(grammar.tokens()) {
+  std::map<Part, std::uint16_t> index;
+  const auto column = [&](const Part& part) {
+    const auto [it, is_new] = index.try_emplace(part, static_cast<std::uint16_t>(size()));
+    if (is_new) parts.push_back(part);
     return it->second;
   };
-  mention = part("mention");
+  mention = column({PartKind::Mention, "mention", 0});
   for (std::size_t t = 0; t < tokens; ++t) {
-    const std::string& token_name = grammar.name(static_cast<Token>(t));
-    if (grammar.is_literal(static_cast<Token>(t))) {
-      const auto [d, o] = parts_of(token_name);
-      direction.push_back(part("direction " + d));
-      thing.push_back(part("thing " + o));
+    const auto token = static_cast<Token>(t);
+    if (grammar.is_literal(token)) {
+      const auto [towards, what] = parts_of(observables[t - PostfixGrammar::first_literal]);
+      direction.push_back(column(towards));
+      thing.push_back(column(what));
+    } else if (t >= PostfixGrammar::first_forward && t < PostfixGrammar::first_literal) {
+      direction.push_back(column({PartKind::Forward, "forward", 0}));
+      thing.push_back(column(count(t - PostfixGrammar::first_forward + 1)));
     } else {
-      const bool forward = t >= PostfixGrammar::first_forward && t < PostfixGrammar::first_literal;
-      direction.push_back(part(forward ? "forward" : "operator"));
-      thing.push_back(part(forward ? "count " + token_name.substr(8) : "operator " + token_name));
+      direction.push_back(column({PartKind::Operator, "operator", 0}));
+      thing.push_back(column({PartKind::OperatorName, grammar.name(token), 0}));
     }
   }
 }
 
-ProgramLanguage::ProgramLanguage(const ltl::Vocabulary& vocabulary, Dialect dialect)
-    : vocabulary_(vocabulary), grammar_(vocabulary, dialect), columns_(grammar_) {}
+ProgramLanguage::ProgramLanguage(const ltl::Vocabulary& vocabulary, PostfixGrammar::Limits limits)
+    : vocabulary_(vocabulary),
+      observables_(plan::observables_of(vocabulary)),
+      grammar_(vocabulary, limits),
+      columns_(grammar_, observables_) {}
 
 void ProgramLanguage::check_vocabulary(const ltl::Vocabulary& vocabulary, std::string_view whose) const {
   if (vocabulary == vocabulary_) return;

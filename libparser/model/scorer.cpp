@@ -37,8 +37,8 @@ void Scorer::begin(const SentenceFeatures& features) {
   const Columns& columns = model_->language.columns();
   mentioned_.clear();
   for (std::size_t t = 0; t < columns.tokens; ++t) {
-    const std::string& thing = columns.parts[columns.thing[t] - columns.tokens];
-    if (std::binary_search(features.mentions.begin(), features.mentions.end(), thing))
+    if (std::binary_search(features.mentions.begin(), features.mentions.end(),
+                           columns.part(columns.thing[t])))
       mentioned_.push_back(static_cast<Token>(t));
   }
 }

@@ -69,9 +69,9 @@ RerankerSentence::RerankerSentence(const RankingModel& model, const SentenceInpu
     std::sort(list->begin(), list->end());
     list->erase(std::unique(list->begin(), list->end()), list->end());
   }
-  const std::vector<std::string> said = mentions(input.tokens);
-  things_ = static_cast<std::size_t>(std::count_if(
-      said.begin(), said.end(), [](const std::string& s) { return s.rfind("thing ", 0) == 0; }));
+  const std::vector<Part> said = mentions(input.tokens);
+  things_ = static_cast<std::size_t>(
+      std::count_if(said.begin(), said.end(), [](const Part& part) { return part.kind == PartKind::Thing; }));
   for (const std::string& word : input.tokens)
     if (const std::size_t n = number_named(word); n > 0) counts_.push_back(n);
   const Columns& columns = model.language.columns();
@@ -80,8 +80,7 @@ RerankerSentence::RerankerSentence(const RankingModel& model, const SentenceInpu
   const auto propositions = static_cast<std::uint16_t>(model.language.vocabulary().size());
   for (std::uint16_t p = 0; p < propositions; ++p) {
     const std::size_t token = PostfixGrammar::literal(p);
-    const std::string& thing = columns.parts[columns.thing[token] - columns.tokens];
-    mentioned_.push_back(std::binary_search(said.begin(), said.end(), thing));
+    mentioned_.push_back(std::binary_search(said.begin(), said.end(), columns.part(columns.thing[token])));
     hidden_.push_back(forbidden[token]);
     images_.push_back(p);
   }
@@ -144,7 +143,6 @@ void RerankerSentence::add_shape(const Walk& walk, std::vector<Property>& out) c
 
 void RerankerSentence::add_sights(const Executor& executor, const Walk& walk,
                                   std::vector<Property>& out) const {
-  const Columns& columns = model_->language.columns();
   const auto crossing = model_->language.vocabulary().find("intersection");
   const auto propositions = static_cast<std::uint16_t>(images_.size());
   for (std::uint16_t p = 0; p < propositions; ++p) {
@@ -155,19 +153,19 @@ void RerankerSentence::add_sights(const Executor& executor, const Walk& walk,
       return static_cast<std::size_t>(std::count_if(begin, end, holds));
     };
     const auto& [poses, moved_from] = std::tie(walk.poses, walk.moved_from);
-    const std::string& direction =
-        columns.parts[columns.direction[PostfixGrammar::literal(p)] - columns.tokens];
-    const bool next = direction == "direction next";
+    const auto& [direction, kind, name] = model_->language.observables()[p];
+    const bool next = direction == plan::Direction::Next,
+               here = direction == plan::Direction::Here && kind != plan::Kind::PlaceNumber;
     if (holds(poses.back())) {
       const std::size_t before = count(poses.begin(), poses.end() - 1);
       out.push_back({AtEnd, image, false});
       if (before == 0) out.push_back({FirstAtEnd, image, false});
       if (mentioned_[image] && !next) out.push_back({Before, std::min<std::size_t>(before, 4), true});
     }
-    if (direction == "direction here" && poses.size() > 2 && count(poses.begin() + 1, poses.end() - 1) > 0)
+    if (here && poses.size() > 2 && count(poses.begin() + 1, poses.end() - 1) > 0)
       out.push_back({Passed, image, false});
     if (!moved_from.empty() && !next && holds(moved_from.front())) out.push_back({AtDeparture, image, false});
-    if (direction == "direction ahead") {
+    if (direction == plan::Direction::Ahead) {
       if (count(moved_from.begin(), moved_from.end()) > 0) out.push_back({Along, image, false});
       if (walk.last_run > 0 && holds(moved_from.back())) out.push_back({LastAlong, image, false});
     }

@@ -19,7 +19,7 @@ class Wording {
   static constexpr double added = 0.5;    // the program names it, the sentence does not mention it
 
   // mentions: of the sentence, SentenceFeatures::mentions. The language must outlive it.
-  Wording(const ProgramLanguage& language, const std::vector<std::string>& mentions);
+  Wording(const ProgramLanguage& language, const std::vector<Part>& mentions);
   double lexical_overlap_penalty(const Program& program) const;  // ≥ 0; O(steps)
 
  private:

@@ -1,7 +1,6 @@
 #include "libparser/training/learn_linear.hpp"
 
-#include <random>
-
+#include "libltl/structure/random.hpp"
 #include "libparser/corpus/token.hpp"
 #include "libparser/decode/best_first.hpp"
 #include "libparser/decode/linear_trie.hpp"
@@ -32,7 +31,7 @@ class Learner {
         images_(mirror_images(model_.language.vocabulary())),
         optimizer_(model_.weights, options.learning_rate, options.decay),
         scorer_(model_),
-        place_numbers_(place_numbers(model_.language.vocabulary())) {
+        place_numbers_(place_numbers(model_.language)) {
     for (std::uint8_t kind = 0; kind < choice_kinds; ++kind)
       for (std::uint8_t step = 0; step < choice_steps; ++step)
         model_.weights.row(
@@ -46,8 +45,8 @@ class Learner {
   }
 
   LinearModel run() {
-    std::mt19937_64 random(options_.seed);
-    const auto below = [&](std::size_t n) { return random() % n; };
+    ltl::Random random(options_.seed);
+    const auto below = [&](std::size_t n) { return random.below(n); };
     each_batch(instances_.size(), 1, options_.epochs, options_.stop, below,
                [&](std::span<const std::size_t> one, int epoch, std::size_t i) {
                  learn(instances_[one.front()], explores(options_, epoch));

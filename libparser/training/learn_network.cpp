@@ -37,9 +37,9 @@ class Learner {
         random_(options.seed),
         language_(executors.front().map().vocabulary(), options.dialect),
         images_(mirror_images(language_.vocabulary())),
-        place_numbers_(place_numbers(language_.vocabulary())),
-        network_(TypedPostfix(language_.grammar(), language_.columns()), words_met_twice(examples),
-                 how_.sizes, [this] { return random_.unit(); }),
+        place_numbers_(place_numbers(language_)),
+        network_(TypedPostfix(language_), words_met_twice(examples), how_.sizes,
+                 [this] { return random_.unit(); }),
         adam_(network_.parameters(), {.rate = how_.rate}) {
     for (std::size_t s = 0; s < shards; ++s) shards_.emplace_back(network_, executors, options, s);
     instances_.reserve(2 * examples.size());

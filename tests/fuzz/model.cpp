@@ -31,7 +31,8 @@ void read(std::string_view bytes) {
 
 // A seal that the reader does not accept would leave it untested without a word.
 bool seal_fits() {
-  const std::string file = parser::serialize(parser::grounder_of(parser::LinearModel(ltl::Vocabulary({"chair", "moved"}))));
+  const std::string file =
+      parser::serialize(parser::grounder_of(parser::LinearModel(ltl::Vocabulary({"chair", "moved"}))));
   return sealed(file.substr(0, file.size() - 8)) == file;
 }
 

@@ -68,7 +68,8 @@ TEST(WeightsFile, KeepsWordsAndWeightsToHalfPrecision) {
   EXPECT_EQ(read.ranking->reranker.rows(), 39U);  // the zero weight needs no row
   ASSERT_EQ(read.ranking->start_pose_model.rows(), 40U);
   model.ranking->start_pose_model.each([&](std::uint64_t feature, std::size_t column, float weight) {
-    EXPECT_EQ(read.ranking->start_pose_model.weight(read.ranking->start_pose_model.find(feature), column), weight);
+    EXPECT_EQ(read.ranking->start_pose_model.weight(read.ranking->start_pose_model.find(feature), column),
+              weight);
   });
 }
 
@@ -89,7 +90,8 @@ std::string message_of(const std::string& bytes) {
 TEST(WeightsFile, FeaturesThatAreNeighboursTakeThreeBytesAndTheIndexLessThanOne) {
   const Parts model({"chair"});
   const auto add = [&](std::uint64_t from, std::uint64_t step) {
-    for (std::uint64_t k = 0; k < 1600; ++k) *model.ranking->reranker.row(model.ranking->reranker.add(from + k * step)) = 0.5F;
+    for (std::uint64_t k = 0; k < 1600; ++k)
+      *model.ranking->reranker.row(model.ranking->reranker.add(from + k * step)) = 0.5F;
     return serialize(model).size();
   };
   const std::size_t none = serialize(model).size(), near = add(1, 127), far = add(UINT64_MAX / 2, 1U << 20U);
@@ -106,7 +108,8 @@ TEST(WeightsFile, FindsTheFeaturesThatAreThereAndNoOthers) {
       const std::uint64_t feature = r == 0 ? 0 : r == 1 ? UINT64_MAX : random() >> random() % 64;
       *model.ranking->reranker.row(model.ranking->reranker.add(feature)) = 1.0F + static_cast<float>(r % 7);
       float* const row = model.linear->weights.row(model.linear->weights.add(feature));
-      for (std::size_t c = random() % 3; c < model.linear->weights.columns(); c += 1 + random() % 9) row[c] = 2.0F;
+      for (std::size_t c = random() % 3; c < model.linear->weights.columns(); c += 1 + random() % 9)
+        row[c] = 2.0F;
     }
     const Grounder read = parse_grounder(serialize(model));
     std::vector<float> sums(model.linear->weights.columns()), wanted(model.linear->weights.columns());
@@ -139,10 +142,10 @@ TEST(WeightsFile, TheChecksumIsXxh64) {  // against values of the reference impl
 TEST(WeightsFile, WithoutAThresholdWhatIsNotZeroIsKept) {
   const Parts model({"chair"});
   for (const float weight : {0.0F, 1e-4F, -0.01F, 0.02F})
-    *model.ranking->start_pose_model.row(model.ranking->start_pose_model.add(model.ranking->start_pose_model.rows())) = weight;
+    *model.ranking->start_pose_model.row(
+        model.ranking->start_pose_model.add(model.ranking->start_pose_model.rows())) = weight;
   model.linear->weights.row(model.linear->weights.add(5))[2] = 1e-3F;
-  const Grounder all = parse_grounder(serialize(model, 0)),
-                    some = parse_grounder(serialize(model, 0.02));
+  const Grounder all = parse_grounder(serialize(model, 0)), some = parse_grounder(serialize(model, 0.02));
   EXPECT_EQ(all.ranking->start_pose_model.rows(), 3U);
   EXPECT_EQ(all.ranking->start_pose_model.find(0), WeightTable::absent);
   EXPECT_EQ(linear_of(all).weights.rows(), 1U);

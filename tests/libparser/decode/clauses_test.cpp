@@ -42,15 +42,15 @@ struct Told {
 };
 
 std::vector<Candidate> by_clauses(const Told& reader, const SentenceInput& input, std::size_t beam) {
-  return read_by_clauses([&](const SentenceInput& one, std::size_t most) { return reader.read(one, most); }, input,
-                         beam);
+  return read_by_clauses([&](const SentenceInput& one, std::size_t most) { return reader.read(one, most); },
+                         input, beam);
 }
 
 using Mass = std::map<Program, double>;
 
 // By the definition: every way to cut into parts of at most four clauses, every reading of every part.
-void cut(const Told& reader, const SentenceInput& input, const std::vector<Clause>& clauses,
-         std::size_t from, const Program& program, double p, Mass& best) {
+void cut(const Told& reader, const SentenceInput& input, const std::vector<Clause>& clauses, std::size_t from,
+         const Program& program, double p, Mass& best) {
   if (from == clauses.size()) {
     if (!program.empty()) best[program] = std::max(best[program], p);
     return;

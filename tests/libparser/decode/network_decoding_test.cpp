@@ -60,8 +60,7 @@ TEST(NetworkDecoding, AReaderReadsTheSameAgainAndInSeveralThreads) {
     auto& programs = fresh.emplace_back();
     const NetworkSentence sentence = small.network.sentence(input);
     NetworkScorer scorer(small.network, sentence, masks);
-    for (const Candidate& c : best_programs(scorer, 20))
-      programs.emplace_back(c.program, c.log_probability);
+    for (const Candidate& c : best_programs(scorer, 20)) programs.emplace_back(c.program, c.log_probability);
     EXPECT_EQ(programs.size(), 20U);
   }
   EXPECT_NE(fresh.front(), fresh.back());

@@ -32,7 +32,10 @@ WordModel random_word_model(const ltl::Vocabulary& vocabulary) {
 // A follower with random weights for all that a paragraph may need, and every way through the paragraph by enumeration.
 class World {
  public:
-  World() : executor_(map_), ranking_(std::make_shared<RankingModel>(map_.vocabulary())), word_model_(random_word_model(map_.vocabulary())) {}
+  World()
+      : executor_(map_),
+        ranking_(std::make_shared<RankingModel>(map_.vocabulary())),
+        word_model_(random_word_model(map_.vocabulary())) {}
 
   Grounder grounder() const { return {word_model_, ranking_}; }
   GroundingFollower follower(std::size_t beam_width) const {

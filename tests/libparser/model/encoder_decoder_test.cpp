@@ -145,9 +145,8 @@ void check(Objective objective, double dropout) {
   neural::Matrix dscores = neural::Matrix::Zero(scores.rows(), scores.cols());
   for (std::size_t s = 0; s < sentences.size(); ++s) {
     const Likelihoods found = likelihoods(tries[s], scores, begin[s], sentences[s].forbidden);
-    backpropagate(tries[s], found,
-                           objective_gradient(objective, beta, found.log_p, tries[s].log_weights()),
-                           dscores, begin[s]);
+    backpropagate(tries[s], found, objective_gradient(objective, beta, found.log_p, tries[s].log_weights()),
+                  dscores, begin[s]);
   }
   network.parameters().gradients().setZero();
   pass.backward(network.parameters(), dscores);

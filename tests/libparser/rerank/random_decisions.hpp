@@ -16,7 +16,8 @@ inline const std::vector<std::string> random_words{"left", "right", "chair", "bl
 
 inline SentenceInput random_sentence(std::mt19937_64& random) {
   SentenceInput input;
-  for (std::size_t n = 1 + random() % 5; n > 0; --n) input.tokens.push_back(random_words[random() % random_words.size()]);
+  for (std::size_t n = 1 + random() % 5; n > 0; --n)
+    input.tokens.push_back(random_words[random() % random_words.size()]);
   return input;
 }
 

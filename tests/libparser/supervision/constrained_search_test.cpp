@@ -35,7 +35,8 @@ TEST_F(SaidSearchTest, ProgramsAreOfTheDialectAndEndAtTheGoldEnd) {
       const auto plan = executors[example.map].run(one.program, example.gold.start);
       ASSERT_TRUE(plan.has_value()) << language.grammar().show(one.program);
       EXPECT_EQ(plan->end, example.gold.end) << language.grammar().show(one.program);
-      EXPECT_EQ(plan->actions == example.gold.actions, one.same_route) << language.grammar().show(one.program);
+      EXPECT_EQ(plan->actions == example.gold.actions, one.same_route)
+          << language.grammar().show(one.program);
     }
   EXPECT_GT(found, 200U);
 }
