@@ -10,7 +10,7 @@ install(DIRECTORY ${folders} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/waymark FIL
   PATTERN "json_reader.hpp" EXCLUDE)  # of readers only: it brings the JSON library along
 
 install(TARGETS waymark RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
-install(TARGETS waymark-layout RUNTIME DESTINATION ${CMAKE_INSTALL_LIBEXECDIR}/waymark)
+install(TARGETS waymark-layout waymark-lab RUNTIME DESTINATION ${CMAKE_INSTALL_LIBEXECDIR}/waymark)
 install(DIRECTORY data/maps data/models DESTINATION ${CMAKE_INSTALL_DATADIR}/waymark)
 
 set(package ${CMAKE_INSTALL_LIBDIR}/cmake/waymark)

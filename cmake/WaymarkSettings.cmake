@@ -39,9 +39,11 @@ function(waymark_compile_quickly)
   endif()
 endfunction()
 
-# The standard headers that nearly every file includes, compiled once a target (half of the time of a small source is
-# reading them); HEADERS are heavy ones of this target. Sources still include what they use: the presets `tidy` and
-# `alone` build without.
+# Half of the time of a small source goes into reading headers. Two means, both invisible to the sources, which include
+# what they use; the preset `tidy` and `./dev alone` build without either.
+option(WAYMARK_UNITY "Compile the sources of a room together, a few at a time" ON)
+
+# Precompiles the standard headers that nearly every file includes, and `HEADERS`, the heavy ones of this target.
 set(WAYMARK_STANDARD_HEADERS <algorithm> <array> <bit> <charconv> <cmath> <compare> <cstddef> <cstdint> <deque> <functional>
   <iterator> <limits> <map> <memory> <numeric> <optional> <queue> <set> <span> <sstream> <stdexcept> <stop_token> <string>
   <string_view> <tuple> <unordered_map> <unordered_set> <utility> <variant> <vector>)
@@ -49,11 +51,32 @@ function(waymark_precompile target)
   target_precompile_headers(${target} PRIVATE ${WAYMARK_STANDARD_HEADERS} ${ARGN})
 endfunction()
 
-# waymark_library(<area> SOURCES <file>... DEPENDS <target>... PRIVATE_DEPENDS <target>... PRECOMPILE <header>...)
+# Compiles the sources of each room of a target together, six at a time. Names in unnamed namespaces are therefore
+# unique within a room; the sources in ARGN, whose names are not, are compiled by themselves.
+function(waymark_compile_rooms target)
+  if(NOT WAYMARK_UNITY)
+    return()
+  endif()
+  get_target_property(sources ${target} SOURCES)
+  foreach(source IN LISTS sources)
+    if(NOT source MATCHES "\\.cpp$" OR source IN_LIST ARGN)
+      continue()
+    endif()
+    get_filename_component(room ${source} DIRECTORY)
+    string(MAKE_C_IDENTIFIER "room_${room}" room)
+    math(EXPR ${room} "${${room}} + 1")
+    math(EXPR part "(${${room}} - 1) / 6")
+    set_source_files_properties(${source} PROPERTIES UNITY_GROUP ${room}_${part})
+  endforeach()
+  set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
+endfunction()
+
+# waymark_library(<area> SOURCES <file>... DEPENDS <target>... PRIVATE_DEPENDS <target>...
+#   PRECOMPILE <header>... APART <file>...)
 # One static library lib<area>, known to others as waymark::<area>, included as "lib<area>/name.hpp".
 # SOURCES stand in dependency order: a file may include only files of the same library that stand before it.
 function(waymark_library area)
-  cmake_parse_arguments(ARG "" "" "SOURCES;DEPENDS;PRIVATE_DEPENDS;PRECOMPILE" ${ARGN})
+  cmake_parse_arguments(ARG "" "" "SOURCES;DEPENDS;PRIVATE_DEPENDS;PRECOMPILE;APART" ${ARGN})
   set(target waymark_${area})
   add_library(${target} STATIC ${ARG_SOURCES})
   add_library(waymark::${area} ALIAS ${target})
@@ -62,6 +85,7 @@ function(waymark_library area)
   set_property(GLOBAL APPEND PROPERTY WAYMARK_FOLDERS ${CMAKE_CURRENT_SOURCE_DIR})  # and where the headers are
   target_compile_features(${target} PUBLIC cxx_std_20)
   waymark_precompile(${target} ${ARG_PRECOMPILE})
+  waymark_compile_rooms(${target} ${ARG_APART})
   target_include_directories(${target} PUBLIC
     $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/waymark>)
   if(WAYMARK_FUZZ)  # libFuzzer steers by what the libraries do; tests and tools are not slowed by being watched

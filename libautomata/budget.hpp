@@ -1,6 +1,6 @@
-// What a construction may spend: steps, states, and the caller's patience. Counting is the caller's business, so one
-// Budget may cover several constructions; running out is thrown past half-built tables and caught where it is known
-// what to try instead.
+// The budget of a construction: steps, states, and the deadline or stop request of the caller. A construction counts
+// its own steps, so one Budget may cover several constructions. Budget::Exceeded is thrown when the budget runs out and
+// caught where another construction can be tried.
 #pragma once
 #include <cstddef>
 #include <cstdint>

@@ -1,7 +1,7 @@
-// Diagnostics: what is said of an input that is wrong, and where.
+// Diagnostics: error messages about input, with a position.
 //
-// Two kinds only. SyntaxError: a text in one of our small languages (formulas, guards) with the offending span;
-// FormatError: a file that does not have the shape its format demands. Both render as
+// There are two kinds. A SyntaxError is about a text in one of our small languages (formulas, guards) and has the wrong
+// span. A FormatError is about a file that violates its format. Both are printed as
 //
 //   error: expected a formula after 'U'
 //     tour.ltl:1:12

@@ -1,11 +1,11 @@
 // LTL formulas as immutable, shared nodes.
 //
-// A Formula is one pointer. Within an Arena equal structure means equal pointer, so == and hashing are O(1);
-// that is what lets an automaton state *be* a formula. Constructors apply propositional identities only
-// (φ ∧ φ = φ, φ ∧ ¬φ = false, ¬¬φ = φ, units, flattening): they are true on finite and infinite words and for
-// the strong and the weak next alike. Temporal rewriting lives in simplify.hpp, which is told the semantics.
+// A Formula is one pointer. Within an Arena, equal structure means equal pointer, so == and hashing are O(1) and a
+// formula can be the state of an automaton. Constructors apply propositional identities only (φ ∧ φ = φ, φ ∧ ¬φ =
+// false, ¬¬φ = φ, units, flattening). These hold on finite and infinite words and for both next operators. simplify.hpp
+// rewrites temporal operators under a given semantics.
 //
-// Eleven operators are stored; the others are spelled out, in a way the printer recognises:
+// Eleven operators are stored. The others are replaced by definitions that the printer recognises:
 //   F φ = true U φ    G φ = false R φ    φ W ψ = ψ R (φ ∨ ψ)    φ M ψ = ψ U (φ ∧ ψ)    φ → ψ = ¬φ ∨ ψ
 // Grammar and both semantics (finite, infinite): docs/conventions.md. Source: [BK08, Def. 5.1], [DV13, Sec. 2].
 #pragma once
@@ -105,13 +105,15 @@ Formula conjunction(Formula a, Formula b);
 Formula disjunction(Formula a, Formula b);
 Formula implies(Formula a, Formula b);  // ¬φ ∨ ψ
 Formula iff(Formula a, Formula b);      // φ ↔ ψ; negations are pulled out: ¬φ ↔ ψ is ¬(φ ↔ ψ)
-Formula exclusive_or(Formula a, Formula b);           // ¬(φ ↔ ψ)
-Formula next(Formula f);                              // X φ: there is a next letter, and φ holds there
-Formula weak_next(Formula f);                         // N φ: if there is a next letter, φ holds there
-Formula until(Formula left, Formula right);           // φ U ψ
-Formula release(Formula left, Formula right);         // φ R ψ
-Formula eventually(Formula f);                        // F φ  is stored as  true U φ
-Formula always(Formula f);                            // G φ  is stored as  false R φ
+Formula exclusive_or(Formula a, Formula b);    // ¬(φ ↔ ψ)
+Formula next(Formula f);                       // X φ: there is a next letter, and φ holds there
+Formula weak_next(Formula f);                  // N φ: if there is a next letter, φ holds there
+Formula until(Formula left, Formula right);    // φ U ψ
+Formula release(Formula left, Formula right);  // φ R ψ
+Formula eventually(Formula f);                 // F φ  is stored as  true U φ
+Formula always(Formula f);                     // G φ  is stored as  false R φ
+inline bool is_eventually(Formula f) { return f.op() == Op::Until && f[0].op() == Op::True; }
+inline bool is_always(Formula f) { return f.op() == Op::Release && f[0].op() == Op::False; }
 Formula weak_until(Formula left, Formula right);      // φ W ψ  is stored as  ψ R (φ ∨ ψ)
 Formula strong_release(Formula left, Formula right);  // φ M ψ  is stored as  ψ U (φ ∧ ψ)
 Formula eventually_within(std::size_t k, Formula f);  // F<=k φ = φ ∨ X(φ ∨ X(…)), k strong nexts

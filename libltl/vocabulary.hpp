@@ -1,7 +1,7 @@
 // The vocabulary: the set AP of atomic propositions, in a fixed order, shared by map, formula and automaton.
 //
-// A proposition is its position in the vocabulary; the name is kept beside it. Names are any non-empty text
-// (identifiers print bare, others in double quotes).
+// A proposition is its position in the vocabulary. A name is any non-empty text; identifiers are printed bare, other
+// names in double quotes.
 #pragma once
 #include <compare>
 #include <cstddef>

@@ -1,7 +1,7 @@
-// Letters and words: what a formula is read on.
+// Letters and words: formulas are evaluated on words.
 //
 // A letter is a set of propositions a ⊆ AP, stored as a bit set over Proposition::index.
-// A Trace is a finite, non-empty word; a Lasso is the infinite word u·vʷ with v non-empty.
+// A Trace is a finite, non-empty word. A Lasso is the infinite word u·vʷ with v non-empty.
 #pragma once
 #include <cstddef>
 #include <cstdint>

@@ -1,7 +1,7 @@
-// Adam: gradient steps scaled by running means of the gradient and of its square, both corrected for starting at zero.
+// Adam: gradient steps scaled by running means of the gradient and of its square, corrected for their start at zero.
 //
 //   m ← β₁ m + (1 − β₁) g    v ← β₂ v + (1 − β₂) g²    θ ← θ − rate · (m / (1 − β₁ᵗ)) / (√(v / (1 − β₂ᵗ)) + ε)
-// Source: [KB15, Alg. 1]. The two corrections are folded into the rate and ε, as its Section 2 says one may.
+// Source: [KB15, Alg. 1]. The two corrections are folded into the rate and ε, as its Section 2 allows.
 #pragma once
 #include "libneural/parameters.hpp"
 

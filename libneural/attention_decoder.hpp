@@ -1,11 +1,11 @@
-// One choice of a decoder that looks back at the words: attention asked by what has been said, then scores of symbols.
+// One step of a decoder with attention: a query from the last symbols, attention over the words, scores of symbols.
 //
-//   q = max(0, W_e e + W_x x + b)                  e: the whole sequence; x: what was said last        [width]
-//   α ∝ exp(qᵀ W_a h) over the sequence            c = Σ α h                                           [encoded]
+//   q = max(0, W_e e + W_x x + b)                  e: the whole sequence; x: the last symbols        [width]
+//   α ∝ exp(qᵀ W_a h) over the sequence            c = Σ α h                                         [encoded]
 //   score(v) = φ_vᵀ W_s [q; c] + β_v + m_v (uᵀ [q; c] + u₀)
-// As [GPLL17, Sec. 3.1], and β: a bias of each symbol. m is ours: of the symbols that the sequence names, by a gate that
-// says how much to make of that; without marks (m = 0) the rest is theirs. Choices of one sequence are neighbours:
-// sequence s has the columns [begin_s, end_s). All sequences and their choices in one pass are a dozen products.
+// As [GPLL17, Sec. 3.1], and β: a bias of each symbol. The mark m is ours: it marks symbols that the sequence names,
+// and a gate weighs the mark; without marks (m = 0) the scores are theirs. The steps of sequence s are the columns
+// [begin_s, end_s). All steps of all sequences take a dozen matrix products.
 #pragma once
 #include <span>
 

@@ -3,8 +3,8 @@
 //   x [inputs × batch]    y [outputs × batch]    W [outputs × inputs]    b [outputs × 1]
 //   forward    y = W x + b
 //   backward   ∂W += ∂y xᵀ     ∂b += Σ over the batch of ∂y     ∂x = Wᵀ ∂y
-// Gradients of parameters are added to what is there, so that several uses of one layer sum up; ∂x is overwritten.
-// Matrices must have their shapes already (asserted): nothing is allocated here.
+// Gradients of parameters are added, so several uses of one layer sum up; ∂x is overwritten. Matrices must already have
+// their shapes (asserted): nothing is allocated here.
 #pragma once
 #include "libneural/multiply.hpp"
 

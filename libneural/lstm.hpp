@@ -1,8 +1,8 @@
-// Long short-term memory over packed sequences, and two of them back to back. [HS97], with forget gates [GSC00].
+// Long short-term memory over packed sequences, in one direction and in both. [HS97], with forget gates [GSC00].
 //
 //   i, f, o = σ(…), g = tanh(…) of W x + U h₋₁ + b       c = f ∘ c₋₁ + i ∘ g       h = o ∘ tanh c
 //   x [inputs × columns]    h [width × columns]    c₋₁ = h₋₁ = 0 at the start of a sequence
-// The bias of f starts at 1, so that memories last until there is a reason to forget. [JZS15]
+// The bias of f starts at 1, so that training starts with cells that keep their memory. [JZS15]
 #pragma once
 #include "libneural/multiply.hpp"
 #include "libneural/packing.hpp"

@@ -1,8 +1,8 @@
-// Products of small matrices, added to what is there: C += A B, C += A Bᵀ, C += Aᵀ B.
+// Products of small matrices, added to the target: C += A B, C += A Bᵀ, C += Aᵀ B.
 //
-// Networks here are a few dozen wide, too small for a general product to earn back its preparations. Panels of 16 rows
-// of A are copied side by side, filled up with zeros, and 16 × 4 entries of C are summed in registers. On processors
-// with AVX2 and FMA the same loop runs in a version compiled for them, chosen at run time.
+// The networks here are a few dozen wide, too small for the set-up cost of a general product. Panels of 16 rows of A
+// are copied side by side and padded with zeros; 16 × 4 entries of C are summed in registers. A version of the loop for
+// AVX2 and FMA is chosen at run time where the processor has both.
 #pragma once
 #include "libneural/parameters.hpp"
 

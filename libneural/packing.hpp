@@ -1,7 +1,7 @@
 // Sequences of different lengths in one matrix: column begin(t) + i is element t of sequence i, longest sequence first.
 //
-// The sequences that are still running at step t are the first ones, so a step of a recurrence over a batch is one
-// product over neighbouring columns and nothing is padded.
+// The sequences that reach step t are the first ones. A step of a recurrence over a batch is one product over adjacent
+// columns, without padding.
 #pragma once
 #include <cassert>
 #include <span>

@@ -1,8 +1,8 @@
-// The numbers that a network learns: one array of values, and one of gradients of the same length.
+// The parameters of a network: one array of values, and one array of gradients of the same length.
 //
-// Layers own no memory, they hold blocks: matrices at a place of the two arrays. So a copy of a network is a copy of
-// an array, an optimiser walks one array, and two layers share weights by holding the same block.
-// Everywhere in this library a column is an example and everything is float32, column-major.
+// Layers own no memory. A layer holds blocks: matrices at a position of the two arrays. A copy of a network is a copy
+// of an array, an optimiser reads one array, and two layers share weights by holding the same block. In this library
+// every column is an example, and all values are float32, column-major.
 #pragma once
 #include <Eigen/Core>
 #include <functional>

@@ -1,8 +1,8 @@
-// A multi-layer perceptron: dense layers with ReLU between them, none behind the last.
+// A multi-layer perceptron: dense layers with ReLU between them, none after the last.
 //
 //   x [features × batch] → hidden … → outputs [outputs × batch]
-// The layers say where the parameters are; the signals of one pass live with the caller, made once for a batch size,
-// so that training allocates nothing.
+// The layers refer to the parameters. The caller owns the signals of one pass, made once for a batch size, so training
+// allocates nothing.
 #pragma once
 #include <span>
 #include <vector>

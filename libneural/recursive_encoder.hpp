@@ -1,9 +1,9 @@
-// One vector for each node of a directed acyclic graph of symbols, from the vectors of its children: what a formula, or
-// any other tree, looks like to a network.
+// One vector for each node of a directed acyclic graph of symbols, computed from the vectors of its children: the input
+// of a network for a formula or any other tree.
 //
 //   h(v) = max(0, b[symbol] + Σ over children u of W[symbol, slot(u)] h(u))        h [width × nodes]
-// A slot says which operand a child is; operands whose order means nothing share one slot, and their number is free.
-// Shared nodes are computed once. After [SLNM11], with sums where operators commute.
+// A slot says which operand a child is. Operands without an order share one slot, in any number. Shared nodes are
+// computed once. After [SLNM11], with sums for commutative operators.
 #pragma once
 #include <span>
 #include <vector>

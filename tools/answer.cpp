@@ -35,11 +35,6 @@ std::string in_words(plan::Action action, plan::PoseId from, plan::PoseId to, co
   return words;
 }
 
-// What the certificate rests on.
-std::string certifier(const CorridorRun& corridor_run) {
-  return std::holds_alternative<plan::CertifiedRoute>(corridor_run.destination) ? "definition" : "automaton";
-}
-
 }  // namespace
 
 std::string milliseconds(double seconds) { return fixed(1000 * seconds, 2) + " ms"; }
@@ -106,15 +101,13 @@ JsonObject json_of(const Answer& answer, const plan::Map& map) {
   json.add("map", map.name()).add("automaton", json_of(corridor_run.automaton));
   json.add("product",
            JsonObject().add("states", corridor_run.product_states).add("edges", corridor_run.product_edges));
-  if (const plan::Route* route = route_of(corridor_run))
-    json.add("status", "solved")
-        .add("route", json_of(*route, map))
-        .add("cost", route->cost)
-        .add("certified", true)
-        .add("certified_by", certifier(corridor_run));
-  else
+  if (const plan::Route* route = route_of(corridor_run)) {
+    json.add("status", "solved").add("route", json_of(*route, map)).add("cost", route->cost);
+    add_certificate(json, *shown(corridor_run));
+  } else {
     json.add("status", "infeasible")
         .add("reason", std::get<plan::Infeasible>(corridor_run.destination).reason);
+  }
   return json.add("seconds", json_of(corridor_run.seconds, answer.instruction.has_value()));
 }
 
@@ -137,7 +130,8 @@ void print(std::ostream& out, const Terminal& terminal, const Answer& answer, co
         << counted(corridor_run.product_edges, "edge") << ", with the map " << map.name() << '\n';
   if (const plan::Route* route = route_of(corridor_run)) {
     out << label("route") << counted(route->actions.size(), "action") << ", cost " << Json(route->cost).text()
-        << ", " << terminal.paint(Paint::Green, "certified") << " by " << certifier(corridor_run) << '\n';
+        << ", " << terminal.paint(Paint::Green, "certified") << " by " << *certifier(*shown(corridor_run))
+        << '\n';
     print_start(out, terminal, route->poses.front(), map);
     print_steps(out, *route, map);
   } else {

@@ -1,11 +1,10 @@
 // waymark automaton: HOA files → operations on their automata, questions about them, other formats.
 //
 // Automata that say finite-words are DFAs, all others are read as automata on infinite words. A stream is answered
-// automaton by automaton. What a file claims and its body contradicts is said on standard error.
+// automaton by automaton.
 #include <iostream>
 #include <memory>
 
-#include "libautomata/hoa/claims.hpp"
 #include "libautomata/limit_deterministic/ltl_to_ldba.hpp"
 #include "libltl/diagnostic.hpp"
 #include "tools/automaton_output.hpp"
@@ -20,23 +19,12 @@ namespace {
 struct Options {
   std::string file = "-";
   AutomatonRequest request;
-  bool strict = false;
   OutputOptions output;
   double seconds = 0;
 };
 
-// Refused claims are an error with --strict, else a warning.
-void check_claims(automata::HoaAutomaton& file, const std::string& source, bool strict) {
-  for (const automata::HoaContradiction& c : automata::contradictions(file)) {
-    const std::string problem = "the claim '" + std::string(c.claim.text) + "' is not true: " + c.reason;
-    if (strict) throw ltl::FormatError(source, c.claim.line, c.claim.column, problem);
-    complain("warning", ltl::FormatError(source, c.claim.line, c.claim.column, problem).what());
-  }
-}
-
 Reply reply_to(automata::HoaAutomaton file, const std::string& source, std::size_t number,
                const Options& options, automata::Budget& budget, const std::stop_token& stop) {
-  check_claims(file, source, options.strict);
   Shown about{.line = number, .name = file.name, .unicode_name = file.name};
   AnyAutomaton any = understood(std::move(file), source, budget);
   about.semantics = std::holds_alternative<automata::Dfa>(any) ? "finite" : "infinite";
@@ -112,7 +100,6 @@ Runner setup_automaton(Command command) {
       .add_option("--satisfies", request.satisfies,
                   "do all words accepted satisfy this formula? 10 and a word if not")
       .type_name("FORMULA");
-  command.add_flag("--strict", options->strict, "a claim of the file that its body contradicts is an error");
   add_output_options(command, options->output);
   command
       .add_option_function(

@@ -4,8 +4,8 @@
 #include <ctime>
 #include <iostream>
 #include <stdexcept>
-#include <thread>
 
+#include "libltl/parallel.hpp"
 #include "libltl/text/print.hpp"
 #include "libparser/training/parallel.hpp"
 #include "tools/answer.hpp"
@@ -48,7 +48,7 @@ double thread_seconds() {
 
 int threads_of(int asked) {
   if (asked > 0) return asked;
-  return static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+  return static_cast<int>(ltl::hardware_threads());
 }
 
 // What is exact needs no steps and has no spread; its cost is that of the optimum.

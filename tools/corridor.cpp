@@ -53,11 +53,14 @@ CorridorRun run_corridor(const plan::Map& map, const automata::Dfa& dfa, std::op
 }
 
 const plan::Route* route_of(const CorridorRun& corridor_run) {
-  if (const auto* certified = std::get_if<plan::CertifiedRoute>(&corridor_run.destination))
-    return &certified->route();
-  if (const auto* accepted = std::get_if<plan::AcceptedRoute>(&corridor_run.destination))
-    return &accepted->route();
-  return nullptr;
+  const auto* checked = std::get_if<CheckedRoute>(&corridor_run.destination);
+  return checked != nullptr ? &route_of(*checked) : nullptr;
+}
+
+std::optional<ShownRoute> shown(const CorridorRun& corridor_run) {
+  const auto* checked = std::get_if<CheckedRoute>(&corridor_run.destination);
+  if (checked == nullptr) return std::nullopt;
+  return shown(*checked);
 }
 
 }  // namespace waymark::tools

@@ -13,8 +13,8 @@
 
 #include "libautomata/finite/dfa.hpp"
 #include "libltl/formula.hpp"
-#include "libplan/certify.hpp"
 #include "libplan/solve/outcome.hpp"
+#include "tools/shown_route.hpp"
 
 namespace waymark::tools {
 
@@ -39,7 +39,7 @@ AutomatonSize size_of(const automata::Dfa& dfa);
 // φ → 𝒜_φ. Throws Interrupted when a stop was requested.
 automata::Dfa translate(ltl::Formula formula, const std::stop_token& stop);
 
-using Destination = std::variant<plan::CertifiedRoute, plan::AcceptedRoute, plan::Infeasible>;
+using Destination = std::variant<CheckedRoute, plan::Infeasible>;
 
 struct CorridorRun {
   AutomatonSize automaton;
@@ -53,7 +53,8 @@ struct CorridorRun {
 CorridorRun run_corridor(const plan::Map& map, const automata::Dfa& dfa, std::optional<ltl::Formula> formula,
                          std::span<const plan::PoseId> starts, const std::stop_token& stop);
 
-// The route that was found, nullptr when there is none.
+// The route that was found, nullptr when there is none; and the same for pictures and printers.
 const plan::Route* route_of(const CorridorRun& corridor_run);
+std::optional<ShownRoute> shown(const CorridorRun& corridor_run);
 
 }  // namespace waymark::tools

@@ -24,11 +24,9 @@ ExitCode draw_plan(const Options& options, const plan::Map& map, const Session& 
   const automata::Dfa dfa = translate(formula, session.stop);
   const CorridorRun corridor_run =
       run_corridor(map, dfa, formula, start_poses(options.start, map), session.stop);
-  const plan::Route* route = route_of(corridor_run);
-  Picture picture{.map = &map, .dfa = &dfa, .formula = formula, .certified = route != nullptr};
-  if (route != nullptr) picture.route = *route;
-  draw(picture, options.svg);
-  if (route != nullptr) return ExitCode::Done;
+  const std::optional<ShownRoute> route = shown(corridor_run);
+  draw({.map = &map, .dfa = &dfa, .formula = formula, .route = route}, options.svg);
+  if (route) return ExitCode::Done;
   complain("note",
            "the picture has no route: " + std::get<plan::Infeasible>(corridor_run.destination).reason);
   return ExitCode::No;

@@ -8,11 +8,11 @@
 #include "libparser/experiment/evaluate.hpp"
 #include "libparser/experiment/learned/learned_follower.hpp"
 #include "tools/formula_table.hpp"
-#include "tools/results_table.hpp"
 #include "tools/shell/learning.hpp"
 #include "tools/shell/models.hpp"
 #include "tools/shell/options.hpp"
 #include "tools/shell/output.hpp"
+#include "tools/shell/results_table.hpp"
 #include "tools/shell/subcommand.hpp"
 #include "tools/streets.hpp"
 
@@ -26,7 +26,7 @@ struct Options {
   std::size_t ensemble = 1;
   std::string planner = "exact";
   parser::LearnedExecution dqn;
-  bool leave_one_map_out = false, train_all = false, adapt = false, json = false;
+  bool leave_one_map_out = false, train_all = false, json = false;
 };
 
 Json json_of(const parser::Evaluation& evaluation, const parser::Scores& staying,
@@ -132,8 +132,7 @@ ExitCode run_on_streets(const Options& options, const Session& session) {
                               options.json,
                               options.training.train.threads,
                               {}};
-  experiment.options.seed = options.training.train.seed;
-  experiment.options.adapt = options.adapt;
+  experiment.options.ranker.seed = options.training.train.seed;
   return evaluate_streets(experiment, session);
 }
 
@@ -144,7 +143,6 @@ ExitCode run_evaluate(const Options& options, const Session& session) {
                           session);
   check_what_is_held_out(options);
   if (streets::is_street_corpus(options.corpus)) return run_on_streets(options, session);
-  if (options.adapt) throw UsageError("--adapt is for corpora of streets");
   const parser::Corpus corpus = read_hallway_corpus(options.corpus);
   std::optional<parser::Corpus> test;
   if (!options.test_corpus.empty()) test = read_hallway_corpus(options.test_corpus);
@@ -190,8 +188,6 @@ Runner setup_evaluate(Command command) {
   command.add_flag("--leave-one-map-out", options->leave_one_map_out,
                    "train on all maps but one, test on that one, for each map");
   command.add_flag("--train-all", options->train_all, "train on every map, test on those of --test-corpus");
-  command.add_flag("--adapt", options->adapt,
-                   "streets: all texts of the city tested, unread, say how it is written about");
   add_data_option(command, options->data);
   add_training_options(command, options->training, {"linear", "encoder-decoder", "actions"});
   add_convention_option(command, options->convention, {"absolute", "relative", "both"});

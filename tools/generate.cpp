@@ -1,20 +1,13 @@
-// waymark generate: random maps to plan on (ltlgrid/1 or our map format), and instructions of our own over maps.
-#include <filesystem>
+// waymark generate map: random maps to plan on (ltlgrid/1 or our map format).
 #include <iostream>
 #include <memory>
-#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
-#include "libparser/corpus/corpus_output.hpp"
-#include "libparser/language/generate.hpp"
 #include "libplan/model/formats/generate_grid.hpp"
 #include "libplan/world/generate_hallways.hpp"
-#include "tools/shell/data_directory.hpp"
-#include "tools/shell/models.hpp"
-#include "tools/shell/options.hpp"
-#include "tools/shell/output.hpp"
+#include "tools/shell/exit_code.hpp"
 #include "tools/shell/subcommand.hpp"
 
 namespace waymark::tools {
@@ -57,97 +50,13 @@ void add_map_recipe(Command command, Options& options) {
   command.add_flag("--tasks", options.recipe.tasks, "with tasks about the landmarks");
 }
 
-struct CorpusOptions {
-  parser::GenerateOptions recipe{.dialect = parser::Dialect::Temporal, .most_clauses = 3};
-  std::vector<std::string> maps;
-  std::string data, out, format = "jsonl", clauses = "1..3", formulas = "all";
-  bool plain = false;
-};
-
-std::filesystem::path map_file(const std::string& name, const std::string& data) {
-  return std::filesystem::exists(name) ? std::filesystem::path(name)
-                                       : data_directory(data) / "maps" / (name + ".json");
-}
-
-parser::GenerateOptions recipe_of(const CorpusOptions& options) {
-  parser::GenerateOptions recipe = options.recipe;
-  std::istringstream clauses(options.clauses);
-  char first = 0, second = 0;
-  if (!(clauses >> recipe.least_clauses >> first >> second >> recipe.most_clauses) || first != '.' ||
-      second != '.' || !clauses.eof() || recipe.least_clauses < 1 ||
-      recipe.least_clauses > recipe.most_clauses || recipe.most_clauses > 12)
-    throw UsageError("--clauses '" + options.clauses + "': expected FEWEST..MOST, 1 to 12");
-  if (options.plain) recipe.dialect = parser::Dialect::Plain;
-  if (options.formulas == "known") recipe.formulas = parser::Formulas::Known;
-  if (options.formulas == "held-out") recipe.formulas = parser::Formulas::HeldOut;
-  return recipe;
-}
-
-ExitCode run_generate_corpus(const CorpusOptions& options) {
-  std::vector<plan::Map> maps;
-  for (const std::string& name : options.maps)
-    maps.push_back(plan::read_map(name, data_directory(options.data)));
-  if (maps.empty()) maps = shipped_maps(options.data);
-  parser::Corpus corpus;
-  try {
-    corpus = parser::generate_corpus(maps, recipe_of(options));
-  } catch (const std::invalid_argument& error) {
-    throw UsageError(error.what());
-  }
-  if (options.out.empty()) {
-    std::cout << (options.format == "tsv" ? parser::pairs_text(corpus) : parser::json_lines(corpus));
-    return ExitCode::Done;
-  }
-  const std::filesystem::path folder = options.out;
-  make_directory(options.maps.empty() ? folder : folder / "maps");
-  for (std::size_t m = 0; m < options.maps.size(); ++m)
-    write_file(folder / "maps" / (maps[m].name() + ".json"),
-               read_file(map_file(options.maps[m], options.data).string()));
-  write_file(folder / "pairs.tsv", parser::pairs_text(corpus));
-  write_file(folder / "instructions.jsonl", parser::json_lines(corpus));
-  std::cout << options.out << ": " << corpus.paragraphs.size() << " paragraphs, " << corpus.sentences()
-            << " sentences\n";
-  return ExitCode::Done;
-}
-
-void add_corpus_recipe(Command command, CorpusOptions& options) {
-  command.add_option("--map", options.maps, "a shipped map or a file, several times; else all shipped maps")
-      .type_name("MAP");
-  add_data_option(command, options.data);
-  command.add_option("--out", options.out, "write instructions.jsonl, pairs.tsv and the maps named there")
-      .type_name("DIR");
-  command.add_option("--format", options.format, "without --out, on standard output")
-      .one_of({"jsonl", "tsv"})
-      .show_default();
-  command.add_option("--paragraphs", options.recipe.paragraphs, "spread over the maps")
-      .between(1, 1'000'000)
-      .show_default();
-  command.add_option("--sentences", options.recipe.sentences, "of each paragraph")
-      .between(1, 1000)
-      .show_default();
-  command.add_option("--clauses", options.clauses, "of each sentence")
-      .type_name("FEWEST..MOST")
-      .show_default();
-  command
-      .add_option("--formulas", options.formulas,
-                  "one formula in five is held out, the same for every seed: all, known, held-out")
-      .one_of({"all", "known", "held-out"})
-      .show_default();
-  command.add_flag("--plain", options.plain, "without past, second, until, without, before, after, if");
-  command.add_option("--seed", options.recipe.seed, "the same seed, the same corpus").show_default();
-}
-
 }  // namespace
 
 Runner setup_generate(Command command) {
   const auto options = std::make_shared<Options>();
-  const auto corpus_options = std::make_shared<CorpusOptions>();
   add_map_recipe(command.add_subcommand("map", "a map with landmarks"), *options);
-  const Command corpus = command.add_subcommand("corpus", "instructions with trajectories and formulas");
-  add_corpus_recipe(corpus, *corpus_options);
-  return [options, corpus_options, corpus](const Session&) {
-    return corpus.parsed() ? run_generate_corpus(*corpus_options) : run_generate(*options);
-  };
+  command.add_subcommand("corpus", corpus_summary);  // which waymark-lab runs
+  return [options](const Session&) { return run_generate(*options); };
 }
 
 }  // namespace waymark::tools

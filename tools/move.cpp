@@ -68,15 +68,6 @@ struct Moved {
   double sample = 0, certify = 0;                    // seconds
 };
 
-JsonArray json_of(const plan::Route& route, const plan::Map& map) {
-  JsonArray poses;
-  for (const plan::PoseId id : route.poses) {
-    const plan::Pose pose = map.pose(id);
-    poses.add(JsonArray().add(pose.x).add(pose.y).add(pose.heading));
-  }
-  return poses;
-}
-
 JsonObject json_of(const Moved& moved, const Options& options, const plan::Map& map) {
   const CorridorRun& corridor_run = moved.answer.corridor_run;
   JsonObject json;
@@ -86,12 +77,12 @@ JsonObject json_of(const Moved& moved, const Options& options, const plan::Map& 
   json.add("planner", options.search.planner);
   if (moved.motion)
     json.add("status", "solved")
-        .add("route", json_of(moved.motion->route().route(), map))
+        .add("route", tools::json_of(moved.motion->route().route(), map))
         .add("motion", line_of(moved.motion->motion()))
         .add("length", plan::length(moved.motion->motion()))
         .add("certified", true);
   else if (const plan::Route* route = route_of(corridor_run))
-    json.add("status", "exhausted").add("route", json_of(*route, map)).add("certified", false);
+    json.add("status", "exhausted").add("route", tools::json_of(*route, map)).add("certified", false);
   else
     json.add("status", "infeasible")
         .add("reason", std::get<plan::Infeasible>(corridor_run.destination).reason);
@@ -130,10 +121,11 @@ void draw(const Moved& moved, const Options& options, const plan::Map& map, cons
   if (!page.automaton)
     complain("note", "waymark-layout is not installed: the automaton is left out of the picture");
   if (moved.motion) {
-    page.motion = moved.motion->motion();
-    page.caption += ", motion of " + in_words(page.motion->robot) + ", length " +
-                    fixed(plan::length(*page.motion), 2) + ", certified";
-    if (page.automaton) render::light_up(*page.automaton, *page.motion, visits_of(*moved.motion, dfa, map));
+    page.motion = moved.motion;
+    const plan::Motion& motion = moved.motion->motion();
+    page.caption += ", motion of " + in_words(motion.robot) + ", length " + fixed(plan::length(motion), 2) +
+                    ", certified";
+    if (page.automaton) render::light_up(*page.automaton, motion, visits_of(*moved.motion, dfa, map));
   }
   write_file(options.svg, render::draw_page(page));
 }
@@ -172,7 +164,7 @@ CorridorRun journey_of(const Options& options, const plan::Map& map, const autom
   const plan::Route route =
       priced(plan::parse_trajectory(read_file(options.route), map, source_name(options.route)), map);
   if (ltl::holds(word_for(formula, route, map), formula))
-    corridor_run.destination = certify(route, map, formula);
+    corridor_run.destination = CheckedRoute(certify(route, map, formula));
   else
     corridor_run.destination = plan::Infeasible{"the route given does not satisfy the formula"};
   corridor_run.seconds.certify = watch.lap();

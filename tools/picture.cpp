@@ -13,21 +13,21 @@ namespace {
 std::string caption(const Picture& picture) {
   std::string text = "map " + picture.map->name();
   if (!picture.route) return text;
-  const plan::Pose start = picture.map->pose(picture.route->poses.front());
+  const plan::Trajectory walk = trajectory_of(*picture.route, *picture.map);
+  const plan::Pose start = picture.map->pose(walk.poses.front());
   text += ", from (" + std::to_string(start.x) + ',' + std::to_string(start.y) + ") facing " +
           heading_name(start.heading);
-  text += ", " + counted(picture.route->actions.size(), "action");
-  if (picture.for_ever > 0) text += ", the last " + std::to_string(picture.for_ever) + " for ever";
-  return picture.certified ? text + ", certified" : text;
+  text += ", " + counted(walk.actions.size(), "action");
+  if (const std::size_t cycle = repeated_actions(*picture.route))
+    text += ", the last " + std::to_string(cycle) + " for ever";
+  return certifier(*picture.route) ? text + ", certified" : text;
 }
 
 }  // namespace
 
 void draw(const Picture& picture, const std::string& path) {
-  render::Page page{.map = picture.map,
-                    .instruction = picture.instruction,
-                    .caption = caption(picture),
-                    .route = picture.route};
+  render::Page page{.map = picture.map, .instruction = picture.instruction, .caption = caption(picture)};
+  if (picture.route) page.route = trajectory_of(*picture.route, *picture.map);
   if (picture.formula) page.formula = ltl::print(*picture.formula, ltl::Style::Unicode);
   if (picture.dfa != nullptr) {
     automata::DotOptions look;

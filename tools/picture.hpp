@@ -6,7 +6,7 @@
 #include "libautomata/finite/dfa.hpp"
 #include "libautomata/omega/automaton.hpp"
 #include "libltl/formula.hpp"
-#include "libplan/world/trajectory.hpp"
+#include "tools/shown_route.hpp"
 
 namespace waymark::tools {
 
@@ -16,9 +16,7 @@ struct Picture {
   const automata::Automaton* omega = nullptr;  // the same of a task over infinite words
   std::string instruction = {};
   std::optional<ltl::Formula> formula = {};
-  std::optional<plan::Trajectory> route = {};
-  std::size_t for_ever = 0;  // so many actions at the end of the route are done again and again
-  bool certified = false;    // the route satisfies the task; otherwise it is only a trajectory of the map
+  std::optional<ShownRoute> route = {};
 };
 
 // Writes the SVG to `path`. Without the helper waymark-layout the automaton is left out, and standard error says so.

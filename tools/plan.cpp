@@ -87,13 +87,10 @@ class Planning {
       print(std::cout, session_.out, answer, map_);
     if (!options_.hoa.empty())
       write_file(options_.hoa, automata::write_hoa(dfa, {.name = formula ? ltl::print(*formula) : ""}));
-    const plan::Route* route = route_of(answer.corridor_run);
-    if (!options_.svg.empty()) {
-      Picture picture{.map = &map_, .dfa = &dfa, .formula = formula, .certified = route != nullptr};
-      if (route != nullptr) picture.route = *route;
-      draw(picture, options_.svg);
-    }
-    return route != nullptr ? ExitCode::Done : ExitCode::No;
+    const std::optional<ShownRoute> route = shown(answer.corridor_run);
+    if (!options_.svg.empty())
+      draw({.map = &map_, .dfa = &dfa, .formula = formula, .route = route}, options_.svg);
+    return route ? ExitCode::Done : ExitCode::No;
   }
 
   const Options& options_;

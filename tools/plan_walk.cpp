@@ -29,15 +29,6 @@ std::pair<double, double> rank(const plan::LassoRoute& route, plan::LassoOrder o
   return {route.mean(), route.prefix.cost};
 }
 
-// States of a map's model are its poses, choices are named after their actions.
-plan::Route on_map(const plan::Map& map, const plan::Mdp& mdp, const plan::ChoiceRoute& route) {
-  plan::Route out;
-  for (std::uint32_t place : route.places) out.poses.push_back(plan::PoseId{place});
-  for (std::size_t i = 0; i < route.choices.size(); ++i)
-    out.actions.push_back(*plan::parse_action(mdp.action(route.places[i], route.choices[i])));
-  return plan::priced(std::move(out), map);
-}
-
 std::string label(const Terminal& terminal, const std::string& text) {
   return terminal.paint(Paint::Bold, text + std::string(13 - text.size(), ' '));
 }
@@ -97,15 +88,14 @@ class LassoPlanning {
     if (found_.lasso && !(rank(*answer->route, order) < rank(found_.lasso->route(), order))) return;
     found_.lasso = task_.formula ? plan::certify(std::move(*answer->route), mdp, *task_.formula)
                                  : plan::certify(std::move(*answer->route), mdp, automaton_);
-    found_.prefix = on_map(task_.map, mdp, found_.lasso->route().prefix);
-    found_.cycle = on_map(task_.map, mdp, found_.lasso->route().cycle);
+    found_.prefix = route_of(found_.lasso->route().prefix, task_.map);
+    found_.cycle = route_of(found_.lasso->route().cycle, task_.map);
   }
 
   std::string reason() const {
     return "no walk without end from " + poses_of(task_.starts, task_.map) + " satisfies the " +
            (task_.formula ? "formula" : "automaton");
   }
-  std::string certifier() const { return found_.lasso->by_definition() ? "definition" : "automaton"; }
 
   JsonObject json() const {
     JsonObject out;
@@ -119,18 +109,18 @@ class LassoPlanning {
                               .add("sets", automaton_.acceptance().sets)
                               .add("propositions", automaton_.reads().size()))
         .add("product", JsonObject().add("states", found_.budget.met).add("edges", found_.budget.edges));
-    if (found_.lasso)
+    if (found_.lasso) {
       out.add("status", "solved")
           .add("prefix", json_of(found_.prefix, task_.map))
           .add("cycle", json_of(found_.cycle, task_.map))
           .add("prefix_cost", found_.prefix.cost)
           .add("cycle_cost", found_.cycle.cost)
           .add("rounds", found_.lasso->route().rounds)
-          .add("mean_cost", found_.lasso->route().mean())
-          .add("certified", true)
-          .add("certified_by", certifier());
-    else
+          .add("mean_cost", found_.lasso->route().mean());
+      add_certificate(out, *found_.lasso);
+    } else {
       out.add("status", "infeasible").add("reason", reason());
+    }
     return out.add("seconds", JsonObject()
                                   .add("load", options_.load)
                                   .add("translate", found_.translating)
@@ -157,7 +147,8 @@ class LassoPlanning {
           << Json(found_.cycle.cost).text();
       if (const std::uint64_t rounds = found_.lasso->route().rounds; rounds > 1)
         out << ", " << rounds << " rounds";
-      out << ", for ever, " << terminal.paint(Paint::Green, "certified") << " by " << certifier() << '\n';
+      out << ", for ever, " << terminal.paint(Paint::Green, "certified") << " by "
+          << *certifier(*found_.lasso) << '\n';
       print_steps(out, found_.cycle, task_.map, found_.prefix.actions.size() + 1);
     } else {
       out << label(terminal, "route") << "none: " << reason() << '\n';
@@ -168,14 +159,7 @@ class LassoPlanning {
 
   void draw_lasso() const {
     Picture picture{.map = &task_.map, .omega = &automaton_, .formula = task_.formula};
-    if (found_.lasso) {
-      plan::Trajectory walk = found_.prefix;
-      walk.poses.insert(walk.poses.end(), found_.cycle.poses.begin() + 1, found_.cycle.poses.end());
-      walk.actions.insert(walk.actions.end(), found_.cycle.actions.begin(), found_.cycle.actions.end());
-      picture.route = walk;
-      picture.for_ever = found_.cycle.actions.size();
-      picture.certified = true;
-    }
+    if (found_.lasso) picture.route = *found_.lasso;
     draw(picture, options_.svg);
   }
 
@@ -188,13 +172,13 @@ class LassoPlanning {
 };
 
 // Certified by the definition, or by the automaton where there is no formula.
-plan::Route certified(plan::Route route, const WalkTask& task, const automata::Dfa& dfa) {
-  if (task.formula) return plan::certify(std::move(route), task.map, *task.formula).route();
-  return plan::certify_acceptance(std::move(route), task.map, dfa).route();
+CheckedRoute checked(plan::Route route, const WalkTask& task, const automata::Dfa& dfa) {
+  if (task.formula) return plan::certify(std::move(route), task.map, *task.formula);
+  return plan::certify_acceptance(std::move(route), task.map, dfa);
 }
 
 struct FoundRoutes {
-  std::vector<plan::Route> routes;
+  std::vector<CheckedRoute> routes;
   plan::SearchEffort budget;  // of all starts
   double solving = 0;
 };
@@ -212,11 +196,13 @@ FoundRoutes cheapest(const WalkTask& task, const automata::Dfa& dfa, std::size_t
     found.budget.met += answer->budget.met;
     found.budget.edges += answer->budget.edges;
     for (const plan::ChoiceRoute& route : answer->routes)
-      found.routes.push_back(certified(on_map(task.map, mdp, route), task, dfa));
+      found.routes.push_back(checked(route_of(route, task.map), task, dfa));
   }
-  std::stable_sort(found.routes.begin(), found.routes.end(),
-                   [](const plan::Route& a, const plan::Route& b) { return a.cost < b.cost; });
-  if (found.routes.size() > most) found.routes.resize(most);
+  std::stable_sort(
+      found.routes.begin(), found.routes.end(),
+      [](const CheckedRoute& a, const CheckedRoute& b) { return route_of(a).cost < route_of(b).cost; });
+  if (found.routes.size() > most)
+    found.routes.erase(found.routes.begin() + static_cast<std::ptrdiff_t>(most), found.routes.end());
   found.solving = watch.lap();
   return found;
 }
@@ -224,8 +210,8 @@ FoundRoutes cheapest(const WalkTask& task, const automata::Dfa& dfa, std::size_t
 JsonObject routes_json(const FoundRoutes& found, const WalkTask& task, const automata::Dfa& dfa,
                        const WalkOptions& options) {
   JsonArray list;
-  for (const plan::Route& route : found.routes)
-    list.add(JsonObject().add("route", json_of(route, task.map)).add("cost", route.cost));
+  for (const CheckedRoute& route : found.routes)
+    list.add(JsonObject().add("route", json_of(route_of(route), task.map)).add("cost", route_of(route).cost));
   JsonObject json;
   json.add("formula", task.formula ? Json(ltl::print(*task.formula)) : Json())
       .add("map", task.map.name())
@@ -233,8 +219,7 @@ JsonObject routes_json(const FoundRoutes& found, const WalkTask& task, const aut
       .add("product", JsonObject().add("states", found.budget.met).add("edges", found.budget.edges))
       .add("status", found.routes.empty() ? "infeasible" : "solved")
       .add("routes", list);
-  if (!found.routes.empty())
-    json.add("certified", true).add("certified_by", task.formula ? "definition" : "automaton");
+  if (!found.routes.empty()) add_certificate(json, shown(found.routes.front()));
   return json.add("seconds", JsonObject()
                                  .add("load", options.load)
                                  .add("translate", options.translate)
@@ -255,8 +240,7 @@ ExitCode plan_lasso(const WalkTask& task, const WalkOptions& options, const Sess
 ExitCode plan_routes(const WalkTask& task, const automata::Dfa& dfa, const WalkOptions& options,
                      const Session& session) {
   const FoundRoutes found = cheapest(task, dfa, options.top, session);
-  const std::vector<plan::Route>& routes = found.routes;
-  const std::string by = task.formula ? "definition" : "automaton";
+  const std::vector<CheckedRoute>& routes = found.routes;
   if (options.json) {
     std::cout << routes_json(found, task, dfa, options).text() << '\n';
   } else {
@@ -265,11 +249,13 @@ ExitCode plan_routes(const WalkTask& task, const automata::Dfa& dfa, const WalkO
                 << session.out.paint(Paint::Blue, shown(*task.formula, session.out)) << '\n';
     if (routes.empty()) std::cout << label(session.out, "route") << "none\n";
     for (std::size_t i = 0; i < routes.size(); ++i) {
+      const plan::Route& route = route_of(routes[i]);
       std::cout << label(session.out, "route " + std::to_string(i + 1))
-                << counted(routes[i].actions.size(), "action") << ", cost " << Json(routes[i].cost).text()
-                << ", " << session.out.paint(Paint::Green, "certified") << " by " << by << '\n';
-      print_start(std::cout, session.out, routes[i].poses.front(), task.map);
-      print_steps(std::cout, routes[i], task.map);
+                << counted(route.actions.size(), "action") << ", cost " << Json(route.cost).text() << ", "
+                << session.out.paint(Paint::Green, "certified") << " by " << *certifier(shown(routes[i]))
+                << '\n';
+      print_start(std::cout, session.out, route.poses.front(), task.map);
+      print_steps(std::cout, route, task.map);
     }
   }
   return routes.empty() ? ExitCode::No : ExitCode::Done;

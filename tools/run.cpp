@@ -76,14 +76,12 @@ class Running {
     if (!options_.hoa.empty())
       write_file(options_.hoa, automata::write_hoa(dfa, {.name = ltl::print(*answer.formula)}));
     if (options_.svg.empty()) return;
-    const plan::Route* route = route_of(answer.corridor_run);
-    Picture picture{.map = &map_,
-                    .dfa = &dfa,
-                    .instruction = *answer.instruction,
-                    .formula = answer.formula,
-                    .certified = route != nullptr};
-    if (route != nullptr) picture.route = *route;
-    draw(picture, options_.svg);
+    draw({.map = &map_,
+          .dfa = &dfa,
+          .instruction = *answer.instruction,
+          .formula = answer.formula,
+          .route = tools::shown(answer.corridor_run)},
+         options_.svg);
   }
 
   const Options& options_;

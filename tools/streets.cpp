@@ -11,6 +11,7 @@
 #include "libparser/domain/streets/street_formula.hpp"
 #include "tools/corridor.hpp"
 #include "tools/shell/json.hpp"
+#include "tools/shell/learning.hpp"
 #include "tools/shell/output.hpp"
 #include "tools/shell/terminal.hpp"
 
@@ -26,7 +27,6 @@ JsonObject json_of(const StreetScores& scores) {
       .add("goal", scores.goal.value())
       .add("floor", scores.floor.value())
       .add("supply", scores.supply.value())
-      .add("together", scores.together.value())
       .add("n", scores.exact_path.total);
 }
 
@@ -78,17 +78,15 @@ void print_row(const std::string& name, std::initializer_list<double> values, st
 
 void print_table(const StreetEvaluation& evaluation, double seconds) {
   std::cout << "per cent, all instructions\n\n"
-            << "left out          exact path        goal       floor      supply    together  instructions\n";
+            << "left out          exact path        goal       floor      supply  instructions\n";
   const auto row = [](const std::string& name, const StreetScores& s) {
-    print_row(name,
-              {s.exact_path.value(), s.goal.value(), s.floor.value(), s.supply.value(), s.together.value()},
+    print_row(name, {s.exact_path.value(), s.goal.value(), s.floor.value(), s.supply.value()},
               s.exact_path.total);
   };
-  for (const auto& [map, scores] : evaluation.by_map) row(map, scores);
+  for (const auto& [map, scores] : evaluation.folds) row(map, scores);
   row("all", evaluation.all);
   std::cout << "\nmean over cities: exact path " << fixed(evaluation.mean_exact_path, 2) << ", goal "
-            << fixed(evaluation.mean_goal, 2) << ", together " << fixed(evaluation.mean_together, 2) << "; "
-            << fixed(seconds, 1) << " s of training and testing\n";
+            << fixed(evaluation.mean_goal, 2) << "; " << fixed(seconds, 1) << " s of training and testing\n";
 }
 
 }  // namespace
@@ -105,25 +103,23 @@ ExitCode evaluate_streets(const StreetExperiment& experiment, const Session& ses
   if (!experiment.train_all && corpus.maps.size() < 2 && !other)
     throw UsageError("there is one city only: nothing is left to train on when it is left out");
   streets::StreetOptions options = experiment.options;
-  options.stop = session.stop;
-  const auto evaluation =
-      streets::evaluate_streets(corpus, test, experiment.train_all, experiment.threads, options);
-  if (!evaluation) throw Interrupted();
-  if (!experiment.predictions.empty())
-    write_file(experiment.predictions, prediction_lines(test, *evaluation));
+  options.ranker.stop = session.stop;
+  const StreetEvaluation evaluation = learn_from(experiment.corpus, [&] {
+    return streets::evaluate_streets(corpus, test, experiment.train_all, experiment.threads, options);
+  });
+  if (!experiment.predictions.empty()) write_file(experiment.predictions, prediction_lines(test, evaluation));
   const double seconds = watch.lap();
   if (!experiment.json) {
-    print_table(*evaluation, seconds);
+    print_table(evaluation, seconds);
     return ExitCode::Done;
   }
   JsonObject cities;
-  for (const auto& [map, scores] : evaluation->by_map) cities.add(map, json_of(scores));
+  for (const auto& [map, scores] : evaluation.folds) cities.add(map, json_of(scores));
   std::cout << JsonObject()
-                   .add("exact_path", evaluation->mean_exact_path)
-                   .add("goal", evaluation->mean_goal)
-                   .add("together", evaluation->mean_together)
+                   .add("exact_path", evaluation.mean_exact_path)
+                   .add("goal", evaluation.mean_goal)
                    .add("by_map", cities)
-                   .add("all", json_of(evaluation->all))
+                   .add("all", json_of(evaluation.all))
                    .add("seconds", seconds)
                    .text()
             << '\n';

@@ -2,7 +2,7 @@
 #pragma once
 #include <string>
 
-#include "libparser/domain/streets/learn_streets.hpp"
+#include "libparser/domain/streets/streets.hpp"
 #include "tools/shell/subcommand.hpp"
 
 namespace waymark::tools {

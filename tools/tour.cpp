@@ -88,9 +88,10 @@ void draw(const TourAnswer& answer, const TourRequest& request, const plan::Terr
   if (!page.automaton)
     complain("note", "waymark-layout is not installed: the automaton is left out of the picture");
   if (answer.tour) {
-    page.motion = answer.tour->motion();
-    page.caption += ", motion of " + in_words(page.motion->robot) + ", length " +
-                    fixed(plan::length(*page.motion), 2) + ", certified";
+    page.motion = answer.tour;
+    const plan::Motion& motion = answer.tour->motion();
+    page.caption += ", motion of " + in_words(motion.robot) + ", length " + fixed(plan::length(motion), 2) +
+                    ", certified";
     std::vector<render::Visit> visits;
     automata::StateId q = dfa.initial();
     const plan::TimedWord& word = answer.tour->word();
@@ -98,7 +99,7 @@ void draw(const TourAnswer& answer, const TourRequest& request, const plan::Terr
       q = dfa.next(q, word.letters[i]);
       visits.push_back({q.index, word.times[i]});
     }
-    if (page.automaton) render::light_up(*page.automaton, *page.motion, visits);
+    if (page.automaton) render::light_up(*page.automaton, motion, visits);
   }
   write_file(request.svg, render::draw_page(page));
 }

@@ -1,4 +1,4 @@
-// Boolean functions as diagrams with payloads 0 (false) and 1 (true), over a manager that the caller owns.
+// Boolean functions as decision diagrams with terminals 0 (false) and 1 (true), over a manager that the caller owns.
 #pragma once
 #include <array>
 #include <optional>

@@ -1,8 +1,8 @@
-// Results of operations on decision diagrams, remembered until another result takes their place.
+// A cache of results of operations on decision diagrams.
 //
-// Direct-mapped: one slot for a key, the newest result stays. An entry carries the generation of the ids in it: after a
-// collection they may mean something else, so forget() begins a new generation, in O(1), and older entries answer
-// nothing. Source: [BRB90, Sec. 4]; there a collection looks through the table for dead entries.
+// The cache is direct-mapped: each key has one slot, and a new result replaces the old one. An entry carries the
+// generation of its ids, because a collection may reuse ids. forget() starts a new generation in O(1), and older
+// entries are then ignored. Source: [BRB90, Sec. 4]; there, a collection scans the table for dead entries.
 #pragma once
 #include <array>
 #include <cstddef>

@@ -1,4 +1,4 @@
-// What one letter offers to several states at once: diagrams whose terminals are tuples of choices.
+// The successors of several states on one letter: decision diagrams whose terminals are tuples of choices.
 #pragma once
 #include <array>
 #include <cstdint>

@@ -1,11 +1,11 @@
 // Multi-terminal binary decision diagrams: functions from assignments of Boolean variables to 31-bit payloads.
 //
-// One manager owns its nodes; managers share nothing, so any number of them live on any number of threads. Nodes are
-// reduced and unique: equal functions over one manager are equal Nodes. A terminal is its payload with the top bit
-// set and takes no storage. Nothing is counted and nothing freed behind the caller's back: collect() marks what the
-// caller's roots reach and sweeps the rest, in place; what stays keeps its id, and the ids of the others are used again.
-// Tables are made when first needed, and a copy that is one to one needs none. A Boolean function is a diagram with
-// payloads 0 and 1. Source: [Bry86, Sec. 4], tables as in [BRB90], terminals as in [FMY97, Sec. 2].
+// A manager owns its nodes. Managers share nothing, so each thread may use its own. Nodes are reduced and unique: equal
+// functions over one manager are equal Nodes. A terminal is its payload with the top bit set and takes no storage.
+// There is no reference count. collect() marks what the caller's roots reach and sweeps the rest in place; live nodes
+// keep their ids, and other ids are reused. Tables are allocated at their first use; a copy under an injective map of
+// terminals needs none. A Boolean function is a diagram with payloads 0 and 1. Source: [Bry86, Sec. 4], tables as in
+// [BRB90], terminals as in [FMY97, Sec. 2].
 #pragma once
 #include <algorithm>
 #include <array>

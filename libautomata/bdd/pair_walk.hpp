@@ -1,56 +1,13 @@
 // Two diagrams walked together: to which pairs of terminals do letters lead?
 #pragma once
 #include <algorithm>
-#include <cstddef>
 #include <cstdint>
-#include <utility>
-#include <vector>
 
 #include "libautomata/bdd/mtbdd.hpp"
 #include "libautomata/budget.hpp"
+#include "libltl/rewriting/pair_memo.hpp"
 
 namespace waymark::automata {
-
-// A set of pairs that is emptied in O(1). Open-addressed; a slot is taken in the current round only.
-class SeenPairs {
- public:
-  void clear() {
-    ++round_;
-    used_ = 0;
-  }
-  bool insert(std::uint32_t x, std::uint32_t y) {  // false: it is there
-    if (2 * (used_ + 1) > slots_.size()) grow();
-    Slot& slot = slots_[place(slots_, x, y)];
-    if (slot.round == round_) return false;
-    slot = {x, y, round_};
-    ++used_;
-    return true;
-  }
-
- private:
-  struct Slot {
-    std::uint32_t x = 0, y = 0;
-    std::uint64_t round = 0;
-  };
-  std::size_t place(const std::vector<Slot>& slots, std::uint32_t x, std::uint32_t y) const {
-    std::uint64_t hash = (std::uint64_t{x} << 32U | y) * 0x9E37'79B9'7F4A'7C15ULL;
-    hash ^= hash >> 32U;
-    std::size_t at = hash & (slots.size() - 1);
-    while (slots[at].round == round_ && (slots[at].x != x || slots[at].y != y))
-      at = (at + 1) & (slots.size() - 1);
-    return at;
-  }
-  void grow() {
-    std::vector<Slot> larger(2 * slots_.size());
-    for (const Slot& slot : slots_)
-      if (slot.round == round_) larger[place(larger, slot.x, slot.y)] = slot;
-    slots_ = std::move(larger);
-  }
-
-  std::vector<Slot> slots_ = std::vector<Slot>(32);  // a power of two
-  std::uint64_t round_ = 1;
-  std::size_t used_ = 0;
-};
 
 class PairWalk {
  public:
@@ -81,7 +38,7 @@ class PairWalk {
 
   const Mtbdd &first_, &second_;
   Budget& budget_;
-  SeenPairs seen_;  // of nodes
+  ltl::PairMemo<bool> seen_;  // of nodes
 };
 
 }  // namespace waymark::automata

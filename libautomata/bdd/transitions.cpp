@@ -66,7 +66,6 @@ TransitionGraph::TransitionGraph(const Mtbdd& diagram, std::span<const Mtbdd::No
 }
 
 ReversedGraph::ReversedGraph(const TransitionGraph& graph) : begin_(graph.size() + 1, 0) {
-  using Vertex = TransitionGraph::Vertex;
   for (Vertex v = 0; v < graph.size(); ++v)
     for (Vertex w : graph.successors(v)) ++begin_[w + 1];
   for (std::size_t v = 0; v < graph.size(); ++v) begin_[v + 1] += begin_[v];

@@ -1,8 +1,8 @@
-// The transition function of a deterministic automaton while it is being built, and its graph.
+// The transition function of a deterministic automaton under construction, and its graph.
 //
-// In the graph the letters are gone: vertices are decision nodes and states, edges lead from a state to its root, from
-// a node to its two children, and a terminal is the state it names. Everything that only asks who reaches whom
-// (components, distances, traps) is linear in this shared graph, never in the number of letters or cubes.
+// The vertices of the graph are decision nodes and states. Edges lead from a state to its root and from a node to its
+// two children; a terminal is the state that it names. The graph has no letters. Reachability questions (components,
+// distances, traps) are linear in this shared graph, and not in the number of letters or cubes.
 #pragma once
 #include <array>
 #include <cstddef>
@@ -22,10 +22,11 @@ struct Transitions {
   std::uint32_t initial = 0;
 };
 
+// Of a TransitionGraph: decision nodes first, children before parents, then states.
+using Vertex = std::uint32_t;
+
 class TransitionGraph {
  public:
-  using Vertex = std::uint32_t;  // decision nodes first, children before parents, then states
-
   TransitionGraph(const Mtbdd& diagram, std::span<const Mtbdd::Node> roots);  // O(diagram.size() + states)
 
   std::size_t size() const { return targets_.size() - nodes_.size(); }
@@ -51,13 +52,13 @@ class TransitionGraph {
 class ReversedGraph {
  public:
   explicit ReversedGraph(const TransitionGraph& graph);
-  std::span<const TransitionGraph::Vertex> predecessors(TransitionGraph::Vertex v) const {
+  std::span<const Vertex> predecessors(Vertex v) const {
     return {sources_.data() + begin_[v], begin_[v + 1] - begin_[v]};
   }
 
  private:
   std::vector<std::uint32_t> begin_;
-  std::vector<TransitionGraph::Vertex> sources_;
+  std::vector<Vertex> sources_;
 };
 
 // The reachable states, numbered breadth first from the initial state, each state's targets in the order of its

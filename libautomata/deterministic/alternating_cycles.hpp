@@ -1,9 +1,9 @@
-// The alternating cycle decomposition of an automaton: in each component the edges of all its cycles, inside them the
-// largest strongly connected sets of edges with the other answer, and so on. [CCF21, Sec. 4], [CDMRS22]
+// The alternating cycle decomposition of an automaton [CCF21, Sec. 4], [CDMRS22]. The roots are the edge sets of the
+// strongly connected components; children are the largest strongly connected subsets with the other acceptance, and so
+// on.
 //
-// Ours: cycles are found as emptiness is decided, by removing marks under Fin, without a Zielonka tree. Of an
-// unsatisfied conjunction only one operand is asked which marks are in the way, so Rabin and Streett conditions branch
-// no more than they must.
+// Ours: cycles are found as in the emptiness check, by removing marks under Fin, without a Zielonka tree. One operand
+// of an unsatisfied conjunction names the marks to remove, so Rabin and Streett conditions branch only where necessary.
 #pragma once
 #include <cstdint>
 #include <optional>

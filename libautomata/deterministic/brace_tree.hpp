@@ -1,4 +1,4 @@
-// The macro-states of determinize(): states of runs in nested braces, and what one letter makes of them.
+// The macro-states of determinize(): states of runs in nested braces, and the successor of a macro-state on one letter.
 #pragma once
 #include <compare>
 #include <cstdint>

@@ -1,7 +1,7 @@
 // The fewest colours that the components of a deterministic parity automaton need. [CM99, Sec. 4]
 //
-// A component whose least colour is m gets the least height of m's parity that is no lower than those of its components
-// without m. Heights read as max-parity; edges on no cycle get the lowest.
+// A component whose least colour is m gets the least height of the parity of m that is not below the heights of its
+// subcomponents without m. Heights are read as max-parity. Edges on no cycle get the lowest height.
 #pragma once
 #include "libautomata/omega/transition_relation.hpp"
 

@@ -1,10 +1,10 @@
-// Boolean combinations of languages that have deterministic automata: their product, with a condition that says the
-// combination.
+// Boolean combinations of languages with deterministic automata: the product of the automata, with a condition that
+// expresses the combination.
 //
-// A part is followed only as long as its answer matters: where it is settled, or where what is settled of the others
-// decides without it, it goes. A part that speaks of the far end of words only waits until a component of the product
-// of the others is reached in which the answer depends on it, and starts afresh there ([BBDLF13, Sec. 3] for
-// conjunctions). The conditions are not degeneralised: paritise() takes what comes out.
+// A component automaton is dropped as soon as its verdict is fixed, or as soon as fixed verdicts of others decide the
+// combination. A component automaton whose verdict depends only on suffixes of the word is suspended until the product
+// of the others enters a strongly connected component in which the verdict matters; it then starts in its initial state
+// ([BBDLF13, Sec. 3] for conjunctions). The conditions are not degeneralised: paritise() takes the result.
 #pragma once
 #include <vector>
 

@@ -1,11 +1,11 @@
-// States of one language as one state, where colours can be found for what remains.
+// Merging of the states of a deterministic parity automaton that have one language, where colours exist for the result.
 //
-// Let every branch to q lead to r, which accepts the same words. What is left is a structure whose states still know
-// what remains to be read, and whether colours can be put on it is decided in the product with the automaton of before:
-// colour 0 goes to the branches that lie on no rejecting cycle; without them, colour 1 to those on no accepting one;
-// and so on. When a round of two finds none there is no such colouring. When there is one, this finds it, and with the
-// fewest colours: the branches of a colour are as many as they can be. Ours; for one round of this on the structure of
-// progression see omega/recurrence.hpp.
+// All branches to q are redirected to a state r of the same language. Each state of the resulting structure still
+// determines the residual language. Whether the structure can be coloured is decided in its product with the original
+// automaton: colour 0 goes to the branches on no rejecting cycle; without them, colour 1 goes to the branches on no
+// accepting cycle; and so on. No colouring exists when two successive rounds find no branch. Each round colours as many
+// branches as possible, so a colouring is found where one exists, and with the fewest colours. Ours;
+// omega/recurrence.hpp has one round of this method on the structure of progression.
 #pragma once
 #include <cstdint>
 #include <vector>

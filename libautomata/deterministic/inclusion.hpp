@@ -1,7 +1,7 @@
-// Which states of one deterministic automaton accept no more than which states of another one.
+// Language inclusion between the states of two deterministic automata.
 //
-// A word that one state accepts and another one rejects is a run of pairs that meets the first condition and not the
-// second. The graph of all pairs is made once and its live part answers for every two states. [BK08, Sec. 4.4.2]
+// A word that one state accepts and the other rejects is a run of pairs that satisfies the first condition and not the
+// second. The graph of all pairs is built once, and its live part decides every pair of states. [BK08, Sec. 4.4.2]
 #pragma once
 #include <cstdint>
 #include <vector>

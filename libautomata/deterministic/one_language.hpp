@@ -1,8 +1,8 @@
-// States of a deterministic automaton with one language, and what they allow: each language in one component only.
+// Redirection of branches between states of a deterministic automaton that have one language.
 //
-// Whether a word is accepted does not depend on where a run starts among states of one language. So a branch may lead
-// to another state of its target's language in a component that comes later: a run is sent on finitely often, and what
-// it meets for ever is met by a run of the original. What only served to find the right component goes away.
+// Acceptance does not depend on the state of a language class in which a run starts. A branch may therefore lead to
+// another state of its target's class in a later component. A run is redirected finitely often, and a run of the
+// original automaton meets the same marks for ever. Components that only led to later ones become unreachable.
 #pragma once
 #include <cstdint>
 #include <optional>

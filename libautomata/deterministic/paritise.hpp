@@ -1,5 +1,5 @@
-// Deterministic automata of any acceptance condition to parity, with as few copies of a state as any construction that
-// only copies states can have: one per leaf of its part of the alternating cycle decomposition. [CCF21, Sec. 4]
+// Deterministic automata of any acceptance condition to parity. A state has one copy for each leaf of its part of the
+// alternating cycle decomposition, which is the minimum among constructions that only copy states. [CCF21, Sec. 4]
 #pragma once
 #include "libautomata/budget.hpp"
 #include "libautomata/omega/transition_relation.hpp"

@@ -1,7 +1,7 @@
-// Deterministic parity automata: the type, and what makes them smaller without changing their language.
+// Deterministic parity automata, and reductions that keep their language.
 //
-// Inside, the condition is parity(Min, Even, n): the least colour met for ever decides, even accepts. A branch has at
-// most one mark, its colour; without a mark its colour is n, of whatever parity that is.
+// The internal condition is parity(Min, Even, n): the least colour that occurs infinitely often decides, and an even
+// colour accepts. A branch has at most one mark, its colour. A branch without a mark has the colour n.
 #pragma once
 #include <optional>
 

@@ -15,9 +15,6 @@ namespace {
 using ltl::Formula;
 using ltl::Op;
 
-bool is_eventually(Formula f) { return f.op() == Op::Until && f[0].op() == Op::True; }
-bool is_always(Formula f) { return f.op() == Op::Release && f[0].op() == Op::False; }
-
 // F φ and G φ, which are φ where that says so already.
 Formula some_time(Formula f) { return ltl::purity(f).eventual ? f : ltl::eventually(f); }
 Formula every_time(Formula f) { return ltl::purity(f).universal ? f : ltl::always(f); }

@@ -1,7 +1,7 @@
-// A formula as Boolean combination of formulas that may have deterministic automata of their own.
+// A formula as a Boolean combination of formulas that may have deterministic automata of their own.
 //
-// Besides ∧ and ∨, what a temporal operator distributes over is split: F(φ ∨ ψ), G(φ ∧ ψ), G F(φ ∨ ψ), F G(φ ∧ ψ),
-// X(φ ∧ ψ), X(φ ∨ ψ). Obligations stay together: their minimal automaton is no larger than the product of its parts'.
+// Besides ∧ and ∨, these operators are distributed: F(φ ∨ ψ), G(φ ∧ ψ), G F(φ ∨ ψ), F G(φ ∧ ψ), X(φ ∧ ψ), X(φ ∨ ψ).
+// Obligations are not split: their minimal automaton is no larger than the product of the automata of their parts.
 #pragma once
 #include <vector>
 

@@ -1,7 +1,7 @@
 // Any automaton on infinite words to a deterministic parity automaton of the same language.
 //
-// A deterministic one keeps its states but for copies that its condition needs [CCF21]; a nondeterministic one becomes
-// generalised Büchi, is reduced and determinised.
+// A deterministic automaton keeps its states up to the copies that its condition needs [CCF21]. A nondeterministic one
+// is made generalised Büchi, reduced and determinised.
 #pragma once
 #include "libautomata/budget.hpp"
 #include "libautomata/deterministic/parity.hpp"

@@ -10,7 +10,6 @@ namespace {
 // Fewest letters to an accepting state, backwards over the shared graph: the edge from a state to its root costs one
 // letter, all others nothing.
 std::vector<std::uint32_t> distances(const TransitionGraph& graph, const std::vector<bool>& accepting) {
-  using Vertex = TransitionGraph::Vertex;
   const ReversedGraph reversed(graph);
   std::vector<std::uint32_t> distance(graph.size(), Dfa::unreachable);
   std::vector<Vertex> layer, next_layer;  // vertices at the current distance; at one letter more
@@ -53,9 +52,8 @@ Dfa::Dfa(ltl::Vocabulary vocabulary, std::vector<ltl::Proposition> reads, Mtbdd 
   for (ltl::Proposition p : reads_)
     require(p.index < vocabulary_.size(), "a DFA reads an unknown proposition");
   const TransitionGraph graph(diagram_, roots_);
-  for (TransitionGraph::Vertex v = 0; v < graph.size(); ++v) {
-    for (const TransitionGraph::Vertex w : graph.successors(v))
-      require(w < graph.size(), "a DFA edge leads to no state");
+  for (Vertex v = 0; v < graph.size(); ++v) {
+    for (const Vertex w : graph.successors(v)) require(w < graph.size(), "a DFA edge leads to no state");
     require(graph.is_state(v) || diagram_.variable(graph.node(v)) < reads_.size(),
             "a DFA edge asks for a proposition that is not read");
   }

@@ -1,9 +1,9 @@
 // Deterministic, complete finite automata with symbolic edges.
 //
-// 𝒜 = (Q, AP, δ, q₀, Q_acc). δ(q, ·) is one multi-terminal BDD over the propositions that the automaton reads;
-// its terminals are states. Acceptance sits on states here (docs/conventions.md 5): a finite, non-empty word is
-// accepted when its run ends in Q_acc; the initial state rejects the empty word.
-// A state *means* what progression leaves to do, up to language equivalence.
+// 𝒜 = (Q, AP, δ, q₀, Q_acc). δ(q, ·) is one multi-terminal BDD over the propositions that the automaton reads; its
+// terminals are states. Acceptance is on states (docs/conventions.md 5): a finite, non-empty word is accepted when its
+// run ends in Q_acc, and the initial state rejects the empty word. A state stands for what progression leaves of the
+// formula, up to language equivalence.
 #pragma once
 #include <cstddef>
 #include <cstdint>

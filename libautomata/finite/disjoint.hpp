@@ -1,17 +1,17 @@
-// Products of minimal automata over disjoint alphabets: when they are minimal, and how they are made without a search.
+// Products of minimal automata over disjoint alphabets: when they are minimal, and their construction without a search.
 //
-// Let L(q, n) be the words of length n that q accepts. Over disjoint alphabets a pair accepts, for "both must accept",
-// the words of L(p, n) and L(q, n) put together letter by letter, and two such products of non-empty sets are equal
-// only when their factors are. So if from some n on states of different diagrams differ in L(·, n), in either
-// automaton, and only the trap has none, then pairs of different diagrams differ, but for those with a trap; dually for
-// "either must accept" and the state that accepts everything. Pairs of the same diagrams differ when their verdicts do.
-// Likewise pairs are reached independently: if from some n on all states of either automaton are reached by words of
-// length n, then all pairs are. All this carries over to the pairs. An initial state that no word comes back to is
-// left out: merge_initial() looks after it.
+// Let L(q, n) be the words of length n that q accepts. Over disjoint alphabets, a pair (p, q) of a conjunction accepts
+// the letter-by-letter combinations of L(p, n) and L(q, n), and two such sets are equal only when their factors are
+// equal or one factor is empty. Assume that from some n on, in either automaton, states of different diagrams differ in
+// L(·, n), and only the trap has an empty one. Then pairs of different diagrams differ, except pairs with a trap. The
+// dual holds for disjunctions and the state that accepts everything. Pairs of the same diagrams differ when their
+// verdicts do. Likewise, if from some n on all states of either automaton are reached by words of length n, then all
+// pairs are reached. Both properties carry over to the product. An initial state to which no word returns is left out;
+// merge_initial() treats it.
 //
-// When all pairs are reached, no two states have the same diagram, and one automaton asks for its propositions before
-// the other one does, the diagrams of the pairs are copies: of the first for each root of the second, of the second
-// for each state of the first.
+// When all pairs are reached, no two states have the same diagram, and one automaton tests its propositions before the
+// other, the diagrams of the pairs are copies: of the first for each root of the second, of the second for each state
+// of the first.
 #pragma once
 #include <cstdint>
 

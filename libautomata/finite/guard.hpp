@@ -1,6 +1,6 @@
-// Guards: the condition on a letter that labels an edge, as an irredundant disjunction of cubes, for people and files.
+// Guards: the condition on a letter that labels an edge, as an irredundant disjunction of cubes. [Min93]
 //
-// Inside the library edges stay diagrams; guards exist only where an automaton is written down. [Min93]
+// Inside the library, edges are decision diagrams. Guards are computed only for output.
 #pragma once
 #include <cstddef>
 #include <optional>

@@ -1,4 +1,4 @@
-// LTLf → minimal DFA: progression closed off, symbolically, then minimised.
+// LTLf → minimal DFA: a formula is closed under progression symbolically, and the result is minimised.
 #pragma once
 #include <cstddef>
 #include <stop_token>

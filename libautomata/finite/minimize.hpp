@@ -1,7 +1,8 @@
-// Minimisation of symbolic DFAs: one state per class of the coarsest partition that acceptance and letters respect.
+// Minimisation of symbolic DFAs: one state for each class of the coarsest partition that acceptance and letters
+// respect.
 //
-// Very weak automata (no cycle but self-loops: most planning goals) are done in one pass from the bottom
-// (very_weak.hpp), all others by refinement with a worklist (refinement.hpp).
+// Very weak automata (every cycle is a self-loop, as for most planning goals) are minimised in one bottom-up pass
+// (very_weak.hpp), all others by partition refinement (refinement.hpp).
 #pragma once
 #include "libautomata/bdd/transitions.hpp"
 #include "libautomata/budget.hpp"

@@ -21,6 +21,16 @@ using ltl::Formula;
 using ltl::Op;
 using Reads = std::vector<ltl::Proposition>;
 
+// What one construction may spend in a round. Settled on the sets of LTLf in docs/performance.md.
+struct Rounds {
+  std::size_t first_steps = 1U << 12U;  // under a millisecond
+  std::size_t growth = 4;               // from round to round
+  std::size_t direct_share =
+      8;  // of a round's steps for the direct construction, where a product is possible
+  std::size_t next(std::size_t steps) const { return steps > SIZE_MAX / growth ? SIZE_MAX : growth * steps; }
+};
+constexpr Rounds rounds;
+
 Transitions closed(Formula f, const Reads& reads, Budget& budget) {
   Residuals residuals(f, reads, budget);
   std::vector<std::uint32_t> leaves;
@@ -156,7 +166,6 @@ class Translation {
   Transitions run(Formula f) { return std::move(settle(f)->automaton); }
 
  private:
-  static constexpr std::size_t first_step_budget = 1U << 12U;  // under a millisecond
   using By = Decomposition::By;
 
   // What is known of a formula from round to round.
@@ -172,8 +181,7 @@ class Translation {
   // What the result cannot do without: in rounds, until it is there. Throws when no step more would help.
   Known settle(Formula f) {
     const bool elsewhere = more_steps_may_help_;
-    for (std::size_t step_budget = first_step_budget;;
-         step_budget = step_budget > SIZE_MAX / 4 ? SIZE_MAX : 4 * step_budget) {
+    for (std::size_t step_budget = rounds.first_steps;; step_budget = rounds.next(step_budget)) {
       more_steps_may_help_ = false;
       if (Known found = attempt(f, step_budget, true)) {
         more_steps_may_help_ = elsewhere;
@@ -200,7 +208,8 @@ class Translation {
       for (const ltl::Proposition p : ltl::propositions(f)) part.reads[position(p, reads_)] = true;
       return part;
     };
-    const Outcome outcome = within(task.composable ? step_budget / 8 : step_budget, construct);
+    const Outcome outcome =
+        within(task.composable ? step_budget / rounds.direct_share : step_budget, construct);
     task.found = outcome.made;
     const bool beaten = task.composable && task.operands.empty() && outcome.states > task.most_pairs;
     task.direct_is_hopeless = outcome.out_of_states || beaten;

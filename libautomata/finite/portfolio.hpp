@@ -1,13 +1,13 @@
-// The minimal DFA of an LTLf formula, by whichever of two routes gets there: directly (progression closed off, then
-// minimised), or as a product of the minimal automata of its operands.
+// A construction portfolio for the minimal DFA of an LTLf formula: directly (closure under progression, then
+// minimisation), or as a product of the minimal automata of the operands.
 //
-// Neither is always the better one: chains have small closures and large intermediate products, conjunctions of
-// responses the other way round. So both work in rounds, a construction having four times as many steps in each round
-// as in the one before; minimal automata and finished products are kept from round to round. Operands are first
-// grouped by the propositions that they share. Groups read disjoint alphabets, and there the product is as small as it
-// can be, nearly: beyond a first attempt the direct route is not tried, and minimising is left out where disjoint.hpp
-// proves that it changes nothing. Within a group products are made smallest first, of operands that share a
-// proposition, each minimised. Products of minimal automata: [DF21]; the portfolio and the grouping are ours.
+// Neither construction is always better: chains have small closures and large intermediate products, and conjunctions
+// of responses the opposite. Both therefore run in rounds, each with four times the steps of the round before. Minimal
+// automata and finished products are kept between rounds. Operands are first grouped by shared propositions. The groups
+// read disjoint alphabets, where the product is nearly minimal: the direct construction is tried only once, and
+// minimisation is skipped where disjoint.hpp proves it useless. Within a group, the smallest automata that share a
+// proposition are multiplied first, and each product is minimised. Products of minimal automata: [DF21]; the portfolio
+// and the grouping are ours.
 #pragma once
 #include <cstddef>
 #include <vector>

@@ -1,7 +1,7 @@
-// Products of DFAs: both read the same word, a Boolean function of the two verdicts decides.
+// Products of DFAs: both automata read the same word, and a Boolean function of their verdicts decides.
 //
-// States are pairs, made as they are reached; both diagrams are merged by one apply whose leaf operation numbers pairs,
-// so the work follows shared nodes, not letters. Pairs of which one half settles the verdict for good are one state.
+// States are pairs, created when reached. One apply merges the two diagrams, and its leaf operation numbers pairs, so
+// the cost follows shared nodes and not letters. All pairs in which one component fixes the verdict are one state.
 // Source: [BK08, Sec. 4.1] for the pairs.
 #pragma once
 #include <optional>

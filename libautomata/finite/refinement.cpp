@@ -9,8 +9,6 @@
 namespace waymark::automata {
 namespace {
 
-using Vertex = TransitionGraph::Vertex;
-
 // A set of vertices that is emptied in ascending order; what is added meanwhile is larger than what was taken.
 class Agenda {
  public:

@@ -1,9 +1,9 @@
-// The coarsest partition that acceptance and letters respect, by refinement with a worklist.
+// The coarsest partition that acceptance and letters respect, by partition refinement with a worklist.
 //
-// As in [Hop71], when a class splits its largest part keeps the name, so a state is renamed O(log |Q|) times. In place
-// of letters every decision node remembers its image over the current classes: only the nodes above renamed terminals
-// are redone, and they stop where the image stays the same. A state's signature is the image of its root. While a good
-// part of the states is renamed at a time, one pass over all nodes takes the place of looking for those above them.
+// As in [Hop71], the largest part of a split class keeps its name, so a state is renamed O(log |Q|) times. Instead of
+// letters, every decision node stores its image over the current classes. Only nodes above renamed terminals are
+// recomputed, and recomputation stops where an image stays the same. The signature of a state is the image of its root.
+// While many states are renamed at once, one pass over all nodes replaces the search for the nodes above them.
 #pragma once
 #include "libautomata/bdd/transitions.hpp"
 #include "libautomata/budget.hpp"

@@ -1,12 +1,13 @@
 // Residuals: what progression leaves of an LTLf formula, as Boolean functions over its elementary formulas.
 //
-// Elementary are the propositions, X φ and φ U ψ; everything else is spelled in them (N φ = ¬X ¬φ, φ R ψ =
-// ¬(¬φ U ¬ψ)), operands again being Boolean functions. A residual is a BDD over elementary formulas, so residuals equal
-// up to propositional equivalence are one node and the closure under progression is finite. The end of the word is
-// kept apart: a leaf of the successor diagram is (residual of a non-empty rest, may the word stop here), hence
+// Elementary formulas are the propositions, X φ and φ U ψ. All others are expressed by them (N φ = ¬X ¬φ, φ R ψ = ¬(¬φ
+// U ¬ψ)). A residual is a BDD over elementary formulas, so propositionally equivalent residuals are one node and the
+// closure under progression is finite. A leaf of the successor diagram is (residual of a non-empty rest, may the word
+// end here):
 //   δ(p) = if p then (true, ✓) else (false, ✗)    δ(X φ) = (φ, ✗)    δ(φ U ψ) = δ(ψ) ∨ (δ(φ) ∧ (φ U ψ, ✗)),
-// Boolean operators act on both halves of a leaf. This is libltl/meaning/progress.hpp, all letters at once; the leaves follow
-// [DZP+25, Sec. 3]; states up to propositional equivalence are [EKS16, Sec. 2], here as BDDs of elementary formulas.
+// and Boolean operators act on both halves. This is libltl/meaning/progress.hpp for all letters at once. The leaves
+// follow [DZP+25, Sec. 3]; states up to propositional equivalence are [EKS16, Sec. 2], here as BDDs of elementary
+// formulas.
 #pragma once
 #include <cstdint>
 #include <unordered_map>

@@ -7,7 +7,6 @@
 namespace waymark::automata {
 namespace {
 
-using Vertex = TransitionGraph::Vertex;
 constexpr std::uint32_t none = UINT32_MAX;
 
 class BottomUp {

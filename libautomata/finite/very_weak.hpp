@@ -1,10 +1,10 @@
-// Equivalent states of very weak automata (no cycle but self-loops), in one pass from the bottom with hashing.
+// Equivalent states of very weak automata (every cycle is a self-loop), in one bottom-up pass with hashing.
 //
-// Below q everything has its class already. Two looks decide: is there a class whose root, itself replaced by a
-// placeholder, equals q's root with q replaced by it? Or is q the same as the one successor class that reaches all
-// its others? If neither, q is a new class. The idea is [Rev92] for acyclic automata; self-loops are our addition:
-// if q ≡ c and c is no successor of q the first look finds it; if it is one, every other successor d of q is one of c,
-// so c is the unique successor of greatest height, and q ≡ c iff root(q)[q := c] = root(c).
+// The successors of q other than q already have their classes. q joins a class c in two cases. Either the root of c,
+// with c replaced by a placeholder, equals the root of q with q replaced by the placeholder. Or c is the successor
+// class of q that reaches all its other successors, and root(q)[q := c] = root(c). Otherwise q is a new class. The idea
+// is [Rev92] for acyclic automata; self-loops are ours: if q ≡ c and c is no successor of q, the first case finds c; if
+// c is a successor, all other successors of q are successors of c, so c is the unique successor of greatest height.
 #pragma once
 #include <optional>
 #include <vector>

@@ -1,5 +1,5 @@
-// Pairs of numbers, numbered as they are met: states of a product, copies of states. The list of them is the queue of
-// whoever explores them.
+// NumberedPairs numbers pairs of numbers in the order of their first occurrence: states of a product, copies of states.
+// The list of pairs serves as the queue of an exploration.
 #pragma once
 #include <cstdint>
 #include <utility>
@@ -14,7 +14,7 @@ class NumberedPairs {
  public:
   using Pair = std::pair<std::uint32_t, std::uint32_t>;
 
-  // A new pair is one state of budget. (UINT32_MAX, UINT32_MAX) is no pair.
+  // A new pair is one state of budget.
   std::uint32_t number(std::uint32_t x, std::uint32_t y, Budget& budget) {
     if (const std::uint32_t* known = number_.find(x, y)) return *known;
     budget.state();

@@ -1,5 +1,5 @@
-// States of an automaton that is being made, numbered in the order in which they are met; the list of them doubles as
-// the queue of those to be looked at. Pairs of numbers are numbered faster by NumberedPairs.
+// Numbering numbers the states of an automaton under construction in the order of their first occurrence. The list of
+// states serves as the queue of the exploration. NumberedPairs is faster for pairs of numbers.
 #pragma once
 #include <cstdint>
 #include <map>

@@ -1,5 +1,5 @@
-// Strongly connected components of any graph with vertices 0 … size() − 1 and successors(v). [Tar72], with an explicit
-// stack. Of a transition graph the decision nodes are vertices too.
+// Strongly connected components of a graph with vertices 0 … size() − 1 and successors(v), by [Tar72] with an explicit
+// stack. In a transition graph, decision nodes are vertices, too.
 #pragma once
 #include <algorithm>
 #include <cstdint>
@@ -15,30 +15,30 @@ struct Components {
 
 template <class Graph>
 Components components(const Graph& graph) {  // O(vertices + edges)
-  using Vertex = std::uint32_t;
+  using Index = std::uint32_t;
   constexpr std::uint32_t none = UINT32_MAX;
   struct Frame {
-    Vertex vertex;
+    Index vertex;
     std::uint32_t edge;
   };
   Components out{std::vector<std::uint32_t>(graph.size(), none), {}, 0};
   out.order.reserve(graph.size());
   std::vector<std::uint32_t> index(graph.size(), none), low(graph.size(), none);
-  std::vector<Vertex> open;
+  std::vector<Index> open;
   std::vector<Frame> calls;
   std::uint32_t visited = 0;
-  const auto enter = [&](Vertex v) {
+  const auto enter = [&](Index v) {
     index[v] = low[v] = visited++;
     open.push_back(v);
     calls.push_back({v, 0});
   };
-  for (Vertex start = 0; start < graph.size(); ++start) {
+  for (Index start = 0; start < graph.size(); ++start) {
     if (index[start] != none) continue;
     enter(start);
     while (!calls.empty()) {
-      const Vertex v = calls.back().vertex;
+      const Index v = calls.back().vertex;
       if (calls.back().edge < graph.successors(v).size()) {
-        const Vertex w = graph.successors(v)[calls.back().edge++];
+        const Index w = graph.successors(v)[calls.back().edge++];
         if (index[w] == none) {
           enter(w);
         } else if (out.of[w] == none) {
@@ -49,7 +49,7 @@ Components components(const Graph& graph) {  // O(vertices + edges)
       calls.pop_back();
       if (!calls.empty()) low[calls.back().vertex] = std::min(low[calls.back().vertex], low[v]);
       if (low[v] != index[v]) continue;
-      for (Vertex w = none; w != v;) {
+      for (Index w = none; w != v;) {
         w = open.back();
         open.pop_back();
         out.of[w] = out.count;

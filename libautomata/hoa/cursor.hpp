@@ -1,4 +1,4 @@
-// A place among the tokens of one HOA automaton, and how it is complained about.
+// A position among the tokens of one HOA automaton, and the error messages about that position.
 #pragma once
 #include <string>
 #include <string_view>

@@ -1,5 +1,5 @@
-// Graphviz DOT: an automaton for people. Edges grouped by target, guards as short Unicode formulas, accepting states
-// doubly circled, left to right.
+// Graphviz DOT of a DFA. Edges are grouped by target, guards are short Unicode formulas, accepting states have double
+// circles, and the layout runs from left to right.
 #pragma once
 #include <cstdint>
 #include <string>

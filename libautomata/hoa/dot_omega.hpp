@@ -1,5 +1,5 @@
-// Graphviz DOT for ω-automata: one arrow for each pair of states, a line of its label for each set of marks, guards as
-// short Unicode formulas, every mark a dot in its own colour.
+// Graphviz DOT of an ω-automaton. Each pair of states has one arrow, each set of marks one line of its label. Guards
+// are short Unicode formulas, and every mark is a dot in its own colour.
 #pragma once
 #include <cstddef>
 #include <cstdint>

@@ -1,8 +1,8 @@
 // Automata in the formats of other tools: Spin's never claims, LBTT, BA, and a plain table.
 //
-// All return nullopt when there are more edges, or a guard has more cubes, than the limit: counted, not tried.
-// Never claims and BA speak of Büchi automata with accepting states, LBTT of generalised Büchi conditions:
-// other automata are std::invalid_argument; make_state_based() says what can be done about it.
+// A function returns nullopt when there are more edges than the limit, or a guard has more cubes; both are counted
+// first. Never claims and BA describe Büchi automata with accepting states, LBTT generalised Büchi conditions. For
+// other automata the functions throw std::invalid_argument; make_state_based() converts where possible.
 #pragma once
 #include <cstddef>
 #include <optional>

@@ -1,9 +1,9 @@
 // The Hanoi omega-automata format, version 1, for DFAs. [BBD+15]
 //
-// HOA has no finite words. Our convention, stated in the output: `properties: finite-words`, state-based
-// `Acceptance: 1 Inf(0)`; the mark {0} on a state says "the word may stop here". Lossless: the initial state never
-// carries it. Files with the mark on edges ("the word may stop after this letter", as Spot prints DFAs) are read as
-// well, and turned into states. In full: docs/formats/hoa.md.
+// HOA has no finite words. Our convention is stated in the output: `properties: finite-words`, state-based `Acceptance:
+// 1 Inf(0)`; the mark {0} on a state means that the word may end there. The convention is lossless, because the initial
+// state never carries the mark. Files with marks on edges (the word may end after this letter, as Spot prints DFAs) are
+// read and converted. docs/formats/hoa.md has the full convention.
 #pragma once
 #include <optional>
 #include <string>

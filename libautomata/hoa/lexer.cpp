@@ -1,14 +1,14 @@
 #include "libautomata/hoa/lexer.hpp"
 
 #include "libltl/diagnostic.hpp"
+#include "libltl/text/character.hpp"
 
 namespace waymark::automata {
 namespace {
 
 using Kind = HoaToken::Kind;
 
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
-bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; }
+using ltl::is_digit, ltl::is_letter;
 bool is_name(char c) { return is_letter(c) || is_digit(c) || c == '-'; }
 
 }  // namespace

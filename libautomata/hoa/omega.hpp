@@ -1,7 +1,7 @@
-// HOA for automata on infinite words: written, and read from every form that the format has. [BBD+15]
+// The writer of HOA for automata on infinite words, and the reader of every form of the format. [BBD+15]
 //
-// Several initial states become one; marks on states become marks on their edges; complemented sets Inf(!k) become
-// sets of their own; universal relation is removed (alternation.hpp) where the automaton is weak or Büchi.
+// Several initial states become one. Marks on states become marks on edges. Complemented sets Inf(!k) become sets of
+// their own. Universal branches are removed (alternation.hpp) where the automaton is weak or Büchi.
 #pragma once
 #include <cstddef>
 #include <optional>

@@ -15,9 +15,9 @@ using Node = Mtbdd::Node;
 
 // States of the DFA are pairs (state of the file, may the word stop). The pair that fits the mark on the state (for
 // the initial one: must not stop) has the state's own rank, the other one is appended when an edge asks for it.
-class Builder {
+class DfaBuilder {
  public:
-  Builder(HoaAutomaton file, std::string_view source) : file_(std::move(file)), source_(source) {}
+  DfaBuilder(HoaAutomaton file, std::string_view source) : file_(std::move(file)), source_(source) {}
 
   Dfa build() {
     check_shape();
@@ -151,7 +151,7 @@ class Builder {
 
 }  // namespace
 
-Dfa to_dfa(HoaAutomaton file, std::string_view source) { return Builder(std::move(file), source).build(); }
+Dfa to_dfa(HoaAutomaton file, std::string_view source) { return DfaBuilder(std::move(file), source).build(); }
 
 Dfa read_hoa(std::string_view text, std::string_view source) {
   return to_dfa(parse_hoa(text, source), source);

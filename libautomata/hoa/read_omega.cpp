@@ -12,9 +12,9 @@ namespace {
 
 using Node = Mtbdd::Node;
 
-class Builder {
+class AutomatonBuilder {
  public:
-  Builder(HoaAutomaton file, std::string_view source, Budget& budget)
+  AutomatonBuilder(HoaAutomaton file, std::string_view source, Budget& budget)
       : file_(std::move(file)), source_(source), budget_(budget) {}
 
   Automaton build() {
@@ -199,7 +199,7 @@ class Builder {
 }  // namespace
 
 Automaton to_automaton(HoaAutomaton file, std::string_view source, Budget& budget) {
-  return Builder(std::move(file), source, budget).build();
+  return AutomatonBuilder(std::move(file), source, budget).build();
 }
 
 Automaton read_omega_hoa(std::string_view text, std::string_view source) {

@@ -11,7 +11,6 @@ namespace waymark::automata {
 namespace {
 
 using Kind = HoaToken::Kind;
-using Op = HoaCondition::Op;
 
 class Parser {
  public:
@@ -66,7 +65,7 @@ class Parser {
       cursor_.demand(Kind::String, "the name of a tool in quotes");
       if (cursor_.peek().kind == Kind::String) cursor_.take();
     } else if (text == "acc-name") {
-      acceptance_name();
+      acceptance_name();  // what it says stands under `Acceptance:` too
     } else if (text == "properties") {
       while (cursor_.peek().kind == Kind::Identifier) out_.properties.push_back(cursor_.take());
     } else if (text[0] >= 'A' && text[0] <= 'Z') {
@@ -84,9 +83,8 @@ class Parser {
   }
 
   void acceptance_name() {
-    out_.acceptance_name.push_back(cursor_.demand(Kind::Identifier, "the name of an acceptance condition"));
-    while (cursor_.peek().kind == Kind::Identifier || cursor_.peek().kind == Kind::Integer)
-      out_.acceptance_name.push_back(cursor_.take());
+    cursor_.demand(Kind::Identifier, "the name of an acceptance condition");
+    while (cursor_.peek().kind == Kind::Identifier || cursor_.peek().kind == Kind::Integer) cursor_.take();
   }
 
   void alias() {  // read when all headers are known
@@ -126,19 +124,21 @@ class Parser {
     if (out_.propositions.size() > Mtbdd::max_variables) cursor_.fail(count, "too many propositions");
   }
 
-  HoaCondition condition(std::size_t depth) { return junction(depth, Op::Or); }
+  HoaCondition condition(std::size_t depth) { return junction(depth, HoaCondition::Op::Or); }
 
   // Loosest first: ∨ of ∧ of atoms.
-  HoaCondition junction(std::size_t depth, Op op) {
+  HoaCondition junction(std::size_t depth, HoaCondition::Op op) {
     if (depth > HoaLabels::deepest)
       cursor_.fail(cursor_.peek(), "this acceptance condition is nested too deeply");
-    const auto part = [&] { return op == Op::Or ? junction(depth, Op::And) : condition_atom(depth); };
+    const auto part = [&] {
+      return op == HoaCondition::Op::Or ? junction(depth, HoaCondition::Op::And) : condition_atom(depth);
+    };
     HoaCondition first = part();
-    if (!cursor_.punctuation(op == Op::Or ? '|' : '&')) return first;
+    if (!cursor_.punctuation(op == HoaCondition::Op::Or ? '|' : '&')) return first;
     HoaCondition all;
     all.op = op;
     all.operands.push_back(std::move(first));
-    while (cursor_.accept(op == Op::Or ? '|' : '&')) all.operands.push_back(part());
+    while (cursor_.accept(op == HoaCondition::Op::Or ? '|' : '&')) all.operands.push_back(part());
     return all;
   }
 
@@ -150,13 +150,13 @@ class Parser {
       return out;
     }
     const HoaToken word = cursor_.demand(Kind::Identifier, "an acceptance condition");
-    out.op = word.text == "t"     ? Op::True
-             : word.text == "f"   ? Op::False
-             : word.text == "Inf" ? Op::Inf
-                                  : Op::Fin;
-    if (out.op == Op::Fin && word.text != "Fin")
+    out.op = word.text == "t"     ? HoaCondition::Op::True
+             : word.text == "f"   ? HoaCondition::Op::False
+             : word.text == "Inf" ? HoaCondition::Op::Inf
+                                  : HoaCondition::Op::Fin;
+    if (out.op == HoaCondition::Op::Fin && word.text != "Fin")
       cursor_.fail(word, "expected Inf, Fin, t or f, not " + described(word));
-    if (out.op != Op::Inf && out.op != Op::Fin) return out;
+    if (out.op != HoaCondition::Op::Inf && out.op != HoaCondition::Op::Fin) return out;
     cursor_.demand('(');
     out.complemented = cursor_.accept('!');
     const HoaToken set = cursor_.demand(Kind::Integer, "the number of an acceptance set");
@@ -220,12 +220,13 @@ class Parser {
   }
 
   void edge(HoaAutomaton::State& state, const std::optional<Mtbdd::Node>& shared) {
-    using Labels = HoaAutomaton::Labels;
     HoaAutomaton::Edge edge;
     edge.at = cursor_.peek();
     const std::optional<Mtbdd::Node> own = labels_.label();
     if (own && shared) cursor_.fail(edge.at, "a label on an edge of a state that has a label itself");
-    const Labels labels = own ? Labels::Edge : shared ? Labels::State : Labels::Implied;
+    const HoaAutomaton::Labels labels = own      ? HoaAutomaton::Labels::Edge
+                                        : shared ? HoaAutomaton::Labels::State
+                                                 : HoaAutomaton::Labels::Implied;
     if (!state.edges.empty() && labels != state.labels)
       cursor_.fail(state.at, "some edges of this state have labels and some have none");
     state.labels = labels;

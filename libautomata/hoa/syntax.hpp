@@ -1,8 +1,8 @@
 // Automata as HOA files write them, before anything is asked of them: headers in any order, aliases resolved, marks
 // on states or edges, labels on states, edges, or implied by position, universal branches. [BBD+15, Sec. 4]
 //
-// A text may hold a stream of automata; HoaReader reads one after the other. What a file says of itself in
-// `properties:` and `acc-name:` is kept as it stands; whether it is true is asked in claims.hpp.
+// A text may hold a stream of automata; HoaReader reads one after the other. What a file says of itself is kept
+// where somebody concludes something from it: `finite-words` under `properties:`.
 #pragma once
 #include <cstdint>
 #include <optional>
@@ -46,7 +46,6 @@ struct HoaAutomaton {
   std::string name;
   std::uint64_t sets = 0;
   HoaCondition acceptance;
-  std::vector<HoaToken> acceptance_name;  // `acc-name:`, the words after it; empty when there is none
   std::vector<HoaToken> properties;
   HoaToken acceptance_at, second_start_at;  // acceptance_at of an aborted one: the place of --ABORT--
   Mtbdd labels;

@@ -1,7 +1,7 @@
-// HOA as text: an automaton with explicit edges, ready to be printed.
+// HOA as text: an automaton with explicit edges, ready for output.
 //
-// The one place that knows the layout; what the headers say is for the writers of the kinds of automata. With aliases,
-// a label of several literals that occurs more than once is written once, in the header.
+// This header alone defines the layout; the writers of each kind of automaton supply the headers of the file. With
+// aliases, a label of several literals that occurs more than once is written once, in the header.
 #pragma once
 #include <cstdint>
 #include <string>

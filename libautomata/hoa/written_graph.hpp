@@ -1,6 +1,6 @@
-// The strongly connected components of an automaton as written, edges with the label f left out.
+// The strongly connected components of an automaton as written, without edges whose label is f.
 //
-// Universal branches count as edges to each target, marks are those of state and edge together.
+// A universal branch is an edge to each of its targets. The marks of an edge are those of its state and its own.
 #pragma once
 #include <cstdint>
 #include <unordered_map>

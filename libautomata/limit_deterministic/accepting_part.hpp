@@ -1,5 +1,5 @@
-// The accepting part of a limit-deterministic automaton while its entries are being chosen: deterministic Büchi
-// automata side by side, one for each jump.
+// The accepting part of a limit-deterministic automaton while jumps are selected: deterministic Büchi automata side by
+// side, one for each jump.
 #pragma once
 #include <cstdint>
 #include <vector>

@@ -1,12 +1,11 @@
-// The master theorem: φ as a choice among conditions on the far end of a word, each of them simple.
+// The master theorem: φ as a disjunction over choices of simple conditions on suffixes of a word.
 //
-// For a word w let X be the subformulas ψ = φ₁ U φ₂ with w ⊨ G F ψ, and Y the subformulas φ₁ R φ₂ with w ⊨ F G ψ. Far
-// enough, φ₁ U φ₂ means φ₁ W φ₂ when it is in X and false when it is not, so φ has become a safety formula φ[X]; and
-// with φ₁ R φ₂ read as true in Y and as φ₁ M φ₂ outside, the members of X become co-safe. [EKS20, the master theorem]:
-//   w ⊨ φ  iff  for some X and Y   a suffix of w and what is left of φ there satisfy φ[X],
+// For a word w let X be the subformulas ψ = φ₁ U φ₂ with w ⊨ G F ψ, and Y the subformulas φ₁ R φ₂ with w ⊨ F G ψ. On a
+// late suffix, φ₁ U φ₂ means φ₁ W φ₂ if in X, else false; this turns φ into a safety formula φ[X]. With φ₁ R φ₂ read as
+// true in Y and as φ₁ M φ₂ outside, the members of X become co-safe. [EKS20, the master theorem]:
+//   w ⊨ φ  iff  for some X and Y   a suffix of w and what progression leaves of φ there satisfy φ[X],
 //                                  w ⊨ G F ψ[Y] for all ψ in X,  w ⊨ F G ψ[X] for all ψ in Y.
-// Here G F (φ₁ U φ₂) = G F φ₂ and F G (φ₁ R φ₂) = F G φ₂ are used, and a subformula is decided only when a formula that
-// is asked for depends on it.
+// G F (φ₁ U φ₂) = G F φ₂ and F G (φ₁ R φ₂) = F G φ₂. Choices are made only where a formula in use depends on them.
 #pragma once
 #include <cstddef>
 #include <optional>

@@ -1,11 +1,11 @@
-// From jumps to a limit-deterministic automaton: which states the initial part keeps and where it jumps.
+// The assembly of a limit-deterministic automaton: the states of the initial part and their jumps.
 //
-// The initial part is a deterministic automaton of the language without its acceptance, states of one language being
-// one. A jump says: a run that is in this state may jump to that state of the accepting part. Whatever is accepted after the jump
-// must be in the language of the state, and the jumps together must be sound for MDPs (jump_on_colour.hpp has the
-// argument, and why the two freedoms that are taken here keep it):
-//   a jump may go to any state that accepts at least as much, and no more than the language left;
-//   a state whose whole language is accepted by one such state is replaced by it.
+// The initial part is a deterministic automaton without acceptance that follows the residual language; states of one
+// language are one. A jump leads from such a state to a state of the accepting part. The language after a jump must be
+// contained in the language of its source, and the jumps together must be sound for MDPs. jump_on_colour.hpp has the
+// proof, and the reason why two freedoms keep soundness:
+//   a jump may go to any state that accepts at least as much, and no more than the residual language;
+//   a state whose whole language one such state accepts is replaced by that state.
 #pragma once
 #include <vector>
 

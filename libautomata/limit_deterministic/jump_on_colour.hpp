@@ -1,16 +1,17 @@
-// Deterministic parity → limit-deterministic Büchi, by guessing the least colour that is met for ever.
+// Deterministic parity → limit-deterministic Büchi automata: a jump selects the least colour that occurs infinitely
+// often.
 //
-// The initial part follows what is left of the language: the states of the parity automaton, those of one language
-// being one. For each even colour c, the components of the automaton without colours below c are copied into the
-// accepting part, edges of colour c marked. A jump leads to a copy of any state of the same language.
+// The initial part follows the residual language: the states of the parity automaton, those of one language being one.
+// For each even colour c, the components of the automaton without colours below c are copied into the accepting part,
+// and edges of colour c are marked. A jump leads to a copy of any state of the same language.
 //
-// Why that is sound for MDPs: under the strategy that is best for the parity automaton, almost every run comes into an
-// end component of the product and stays, with one state set and one least colour; when that is even and c, jumping to
-// the copy of the current state is accepted with probability one, and no word outside the language is ever accepted
-// [SEJK16] with colours in place of formulas. A jump may lead to any state of the accepting part instead that
-// accepts all words of the first target and only words of the language: the accepting part is deterministic, so what
-// was accepted with probability one still is. And a state of the initial part whose whole language one such state
-// accepts is that state: no jump is left to make.
+// Soundness for MDPs: under an optimal strategy for the parity automaton, almost every run stays in an end component of
+// the product with one set of states and one least colour. When that colour is even and c, the run is accepted with
+// probability one after a jump to the copy of the current state, and no word outside the language is accepted [SEJK16],
+// with colours instead of formulas. A jump may instead lead to any state of the accepting part that accepts all words
+// of the first target and only words of the language: the accepting part is deterministic, so acceptance with
+// probability one is kept. A state of the initial part whose whole language one such state accepts is replaced by that
+// state.
 #pragma once
 #include <vector>
 

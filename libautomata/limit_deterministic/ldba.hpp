@@ -1,10 +1,10 @@
-// Limit-deterministic Büchi automata whose nondeterminism is harmless in Markov decision processes.
+// Limit-deterministic Büchi automata whose nondeterminism is sound for Markov decision processes.
 //
-// An initial part and an accepting part, both deterministic; marks in the accepting part only. In between, a state of
-// the initial part offers jumps to states of the accepting one, taken at no cost and reading no letter: a jump of what
-// will hold for ever. A run that jumps wrong is rejected; how often it may jump is what makes an automaton usable:
-// in the product with any MDP the best strategy must win with the probability of the formula. That is a theorem about a
-// construction [SEJK16], not something to be seen on the automaton, so only our constructions make an MdpSafe.
+// Such an automaton has an initial part and an accepting part, both deterministic; only the accepting part has marks. A
+// state of the initial part offers jumps to states of the accepting part. A jump costs nothing, reads no letter, and
+// asserts what holds for ever. A run with a wrong jump is rejected. The automaton is sound when, in its product with
+// any MDP, the best strategy wins with the probability of the formula. Soundness is a theorem about a construction
+// [SEJK16] and cannot be read off an automaton, so only our constructions make an MdpSafe.
 #pragma once
 #include <cstdint>
 #include <optional>

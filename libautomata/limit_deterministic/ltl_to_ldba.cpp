@@ -10,6 +10,7 @@
 #include "libautomata/limit_deterministic/master_theorem.hpp"
 #include "libautomata/omega/operations.hpp"
 #include "libautomata/translation/ltl_to_parity.hpp"
+#include "libautomata/translation/strategies.hpp"
 #include "libltl/rewriting/simplify.hpp"
 
 namespace waymark::automata {
@@ -26,8 +27,7 @@ class ProvedConstructions {
 namespace {
 
 constexpr std::size_t compared_states = 150;  // of the parity automaton: languages are compared for all pairs
-constexpr std::size_t comparison_steps = 50'000'000;
-constexpr std::size_t theorem_steps = 50'000'000;
+constexpr LdbaStrategies strategies;
 
 struct Candidate {
   LimitDeterministic ldba;
@@ -67,7 +67,7 @@ class Construction {
   // Two more ways where the first one has something to jump: its jumps over a larger accepting part, and the theorem's.
   void try_the_theorem(ltl::Formula f, const std::vector<ltl::Proposition>& reads) {
     if (!best_->reduced || parity_.states() > compared_states || is_deterministic()) return;
-    auto jumps = within(theorem_steps, limits_, [&](Budget& budget) {
+    auto jumps = within(strategies.theorem.steps, limits_, [&](Budget& budget) {
       return jump_by_master_theorem(f, parity_, reads, accepting_part_, budget);
     });
     if (!jumps || !*jumps || too_large()) return;
@@ -78,7 +78,7 @@ class Construction {
  private:
   // Languages compared; none when that takes too much.
   std::vector<LimitDeterministic> compared(std::vector<std::vector<Jump>> jumps) const {
-    auto made = within(comparison_steps, limits_, [&](Budget& budget) {
+    auto made = within(strategies.colours.steps, limits_, [&](Budget& budget) {
       return assembled(parity_, accepting_part_, std::move(jumps), true, budget);
     });
     return made ? *std::move(made) : std::vector<LimitDeterministic>();

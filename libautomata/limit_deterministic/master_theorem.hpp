@@ -1,11 +1,11 @@
-// Guesses by the master theorem: an entry of the accepting part for each choice of what holds for ever.
+// Jumps by the master theorem: one entry of the accepting part for each choice of what holds for ever.
 //
-// For one formula per language that can be left, each advice gives a deterministic Büchi automaton: the minimal one of
-// its safety formula, beside a round through the co-safe formulas that must hold again and again, each waited for in
-// turn. Sound for MDPs: in an end component of the product almost all words share X and Y, which holds for ever there
-// and so from every state of it on [SEJK16], [EKS20]; the argument asks nothing of the formula but its
-// language, so one formula for each language will do. Beside each entry stands one whose weak untils wait for nothing
-// (Advice::narrow): no jump is owed to it, but one that covers several entries may serve them all (assembly.hpp).
+// Each residual language has one formula. For this formula, each advice gives a deterministic Büchi automaton: the
+// minimal automaton of its safety formula, in parallel with a round through the co-safe formulas that must hold
+// infinitely often, each waited for in turn. Sound for MDPs: in an end component of the product, almost all words share
+// X and Y, which hold for ever there and hence from each of its states on [SEJK16], [EKS20]. The proof uses only the
+// language of the formula, so one formula for each language suffices. Beside each entry stands one without the waiting
+// of weak untils (Advice::narrow): no jump needs this entry, but it may replace several entries at once (assembly.hpp).
 #pragma once
 #include <optional>
 #include <vector>

@@ -1,9 +1,9 @@
-// Runtime monitors: what a finite beginning of a word already says of an LTL formula over infinite words.
+// Runtime monitors: the verdict of a finite prefix of a word about an LTL formula over infinite words.
 //
-// A beginning is bad when no continuation satisfies φ, good when all do; the verdict is false, true, or still open.
-// In a trimmed automaton of φ the set of states reached runs empty exactly on bad beginnings, in that of ¬φ on good
-// ones: two subset constructions, minimised. A state of the monitor is a pair of their states, and since equal
-// futures mean equal pairs, the monitor is the minimal one. [BLS11, Sec. 3]; the sets are leaves of diagrams here.
+// A prefix is bad when no continuation satisfies φ, and good when every continuation does; the verdict is false, true
+// or open. In a trimmed automaton of φ, the set of reached states is empty exactly after bad prefixes, and in that of
+// ¬φ after good prefixes. Both subset constructions are minimised. A state of the monitor is a pair of their states.
+// Equal futures give equal pairs, so the monitor is minimal. [BLS11, Sec. 3]; the sets are leaves of diagrams here.
 #pragma once
 #include <cstdint>
 #include <variant>

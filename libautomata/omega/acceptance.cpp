@@ -5,8 +5,6 @@
 namespace waymark::automata {
 namespace {
 
-using Op = Condition::Op;
-
 Acceptance of_pairs(std::uint32_t pairs, bool rabin) {
   std::vector<Condition> all;
   for (std::uint32_t i = 0; i < pairs; ++i) {
@@ -24,12 +22,12 @@ std::string print(const Condition& condition, bool inside_and) {
     return bracket ? '(' + out + ')' : out;
   };
   switch (condition.op()) {
-    case Op::True: return "t";
-    case Op::False: return "f";
-    case Op::Inf: return "Inf(" + std::to_string(condition.mark()) + ')';
-    case Op::Fin: return "Fin(" + std::to_string(condition.mark()) + ')';
-    case Op::And: return joined(" & ", false, true);
-    case Op::Or: return joined(" | ", inside_and, false);
+    case Condition::Op::True: return "t";
+    case Condition::Op::False: return "f";
+    case Condition::Op::Inf: return "Inf(" + std::to_string(condition.mark()) + ')';
+    case Condition::Op::Fin: return "Fin(" + std::to_string(condition.mark()) + ')';
+    case Condition::Op::And: return joined(" & ", false, true);
+    case Condition::Op::Or: return joined(" | ", inside_and, false);
   }
   return {};  // unreachable: -Werror=switch
 }
@@ -45,25 +43,26 @@ std::vector<std::uint32_t> Marks::members() const {
 
 Condition Condition::constant(bool value) {
   Condition out;
-  out.op_ = value ? Op::True : Op::False;
+  out.op_ = value ? Condition::Op::True : Condition::Op::False;
   return out;
 }
 
 Condition Condition::inf(std::uint32_t mark) {
   Condition out;
-  out.op_ = Op::Inf;
+  out.op_ = Condition::Op::Inf;
   out.mark_ = mark;
   return out;
 }
 
 Condition Condition::fin(std::uint32_t mark) {
   Condition out = inf(mark);
-  out.op_ = Op::Fin;
+  out.op_ = Condition::Op::Fin;
   return out;
 }
 
-Condition Condition::junction(Op op, std::vector<Condition> operands) {
-  const Op unit = op == Op::And ? Op::True : Op::False, absorbing = op == Op::And ? Op::False : Op::True;
+Condition Condition::junction(Condition::Op op, std::vector<Condition> operands) {
+  const Condition::Op unit = op == Condition::Op::And ? Condition::Op::True : Condition::Op::False,
+                      absorbing = op == Condition::Op::And ? Condition::Op::False : Condition::Op::True;
   Condition out;
   out.op_ = op;
   for (Condition& operand : operands) {
@@ -74,27 +73,29 @@ Condition Condition::junction(Op op, std::vector<Condition> operands) {
     else
       out.operands_.push_back(std::move(operand));
   }
-  if (out.operands_.empty()) return constant(op == Op::And);
+  if (out.operands_.empty()) return constant(op == Condition::Op::And);
   if (out.operands_.size() == 1) return Condition(out.operands_.front());
   return out;
 }
 
 Condition Condition::all_of(std::vector<Condition> operands) {
-  return junction(Op::And, std::move(operands));
+  return junction(Condition::Op::And, std::move(operands));
 }
-Condition Condition::any_of(std::vector<Condition> operands) { return junction(Op::Or, std::move(operands)); }
+Condition Condition::any_of(std::vector<Condition> operands) {
+  return junction(Condition::Op::Or, std::move(operands));
+}
 
 bool Condition::holds(Marks infinitely_often) const {
   switch (op_) {
-    case Op::True: return true;
-    case Op::False: return false;
-    case Op::Inf: return infinitely_often.contains(mark_);
-    case Op::Fin: return !infinitely_often.contains(mark_);
-    case Op::And:
+    case Condition::Op::True: return true;
+    case Condition::Op::False: return false;
+    case Condition::Op::Inf: return infinitely_often.contains(mark_);
+    case Condition::Op::Fin: return !infinitely_often.contains(mark_);
+    case Condition::Op::And:
       for (const Condition& operand : operands_)
         if (!operand.holds(infinitely_often)) return false;
       return true;
-    case Op::Or:
+    case Condition::Op::Or:
       for (const Condition& operand : operands_)
         if (operand.holds(infinitely_often)) return true;
       return false;
@@ -103,45 +104,46 @@ bool Condition::holds(Marks infinitely_often) const {
 }
 
 Marks Condition::marks() const {
-  Marks out = op_ == Op::Inf || op_ == Op::Fin ? Marks::of(mark_) : Marks();
+  Marks out = op_ == Condition::Op::Inf || op_ == Condition::Op::Fin ? Marks::of(mark_) : Marks();
   for (const Condition& operand : operands_) out = out | operand.marks();
   return out;
 }
 
 Marks Condition::fin_marks() const {
-  Marks out = op_ == Op::Fin ? Marks::of(mark_) : Marks();
+  Marks out = op_ == Condition::Op::Fin ? Marks::of(mark_) : Marks();
   for (const Condition& operand : operands_) out = out | operand.fin_marks();
   return out;
 }
 
 template <class Leaf>
 Condition Condition::mapped(const Leaf& leaf, bool exchange) const {
-  if (op_ != Op::And && op_ != Op::Or) return leaf(*this);
+  if (op_ != Condition::Op::And && op_ != Condition::Op::Or) return leaf(*this);
   std::vector<Condition> operands;
   for (const Condition& operand : operands_) operands.push_back(operand.mapped(leaf, exchange));
-  return junction((op_ == Op::And) != exchange ? Op::And : Op::Or, std::move(operands));
+  return junction((op_ == Condition::Op::And) != exchange ? Condition::Op::And : Condition::Op::Or,
+                  std::move(operands));
 }
 
 Condition Condition::negated() const {
   const auto leaf = [](const Condition& c) {
-    if (c.op_ == Op::Inf) return fin(c.mark_);
-    if (c.op_ == Op::Fin) return inf(c.mark_);
-    return constant(c.op_ == Op::False);
+    if (c.op_ == Condition::Op::Inf) return fin(c.mark_);
+    if (c.op_ == Condition::Op::Fin) return inf(c.mark_);
+    return constant(c.op_ == Condition::Op::False);
   };
   return mapped(leaf, true);
 }
 
 Condition Condition::replaced(std::uint32_t mark, bool seen) const {
   const auto leaf = [&](const Condition& c) {
-    if ((c.op_ != Op::Inf && c.op_ != Op::Fin) || c.mark_ != mark) return c;
-    return constant((c.op_ == Op::Inf) == seen);
+    if ((c.op_ != Condition::Op::Inf && c.op_ != Condition::Op::Fin) || c.mark_ != mark) return c;
+    return constant((c.op_ == Condition::Op::Inf) == seen);
   };
   return mapped(leaf, false);
 }
 
 Condition Condition::without_fin(std::uint32_t mark) const {
   const auto leaf = [&](const Condition& c) {
-    return c.op_ == Op::Fin && c.mark_ == mark ? constant(false) : c;
+    return c.op_ == Condition::Op::Fin && c.mark_ == mark ? constant(false) : c;
   };
   return mapped(leaf, false);
 }
@@ -149,7 +151,7 @@ Condition Condition::without_fin(std::uint32_t mark) const {
 Condition Condition::shifted(std::uint32_t by) const {
   const auto leaf = [&](const Condition& c) {
     Condition out = c;
-    if (c.op_ == Op::Inf || c.op_ == Op::Fin) out.mark_ += by;
+    if (c.op_ == Condition::Op::Inf || c.op_ == Condition::Op::Fin) out.mark_ += by;
     return out;
   };
   return mapped(leaf, false);

@@ -1,7 +1,8 @@
-// Acceptance of infinite runs: a positive Boolean combination of "mark i infinitely often" and "mark i finitely often".
+// Acceptance of infinite runs: a positive Boolean combination of Inf(i) and Fin(i), mark i infinitely or finitely
+// often.
 //
-// This is the `Acceptance:` line of HOA [BBD+15], and every named condition is an instance of it: Büchi Inf(0),
-// generalised Büchi Inf(0)&…&Inf(n−1), co-Büchi Fin(0), Rabin, Streett, parity. Marks sit on edges.
+// This is the `Acceptance:` line of HOA [BBD+15]. Every named condition is an instance: Büchi Inf(0), generalised Büchi
+// Inf(0)&…&Inf(n−1), co-Büchi Fin(0), Rabin, Streett, parity. Marks are on edges.
 #pragma once
 #include <bit>
 #include <cstdint>

@@ -1,7 +1,7 @@
-// What an automaton does on each kind of letter: letters on which every state has the same choice are one kind.
+// The alphabet classes of an automaton: two letters are in one class when every state has the same choice on both.
 //
-// Kinds can be as many as letters, so the table is made only where they are few. It is meant for relations between
-// states that look at all pairs again and again: a row is an array, where two diagrams would be walked together.
+// Classes can be as many as letters, so the table is built only where there are few. Algorithms that compare all pairs
+// of states again and again then read rows of an array instead of walking two diagrams.
 #pragma once
 #include <cstdint>
 #include <optional>

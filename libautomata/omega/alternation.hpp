@@ -1,10 +1,10 @@
 // Alternating automata, and the removal of their universal branches.
 //
-// On a letter a state offers edges; an edge leads to several states at once, all of which must accept the rest. The
-// breakpoint construction of [MH84] follows the set S of states that are owed and, in O ⊆ S, those that have not met a
-// mark since the last breakpoint; when O runs empty that edge is marked and O starts anew as S. Here marks sit on
-// edges, the alternatives of a set are one diagram, and of two alternatives that are comparable (S₁ ⊆ S₂ and O₁ ⊆ O₂)
-// the larger one is dropped: whatever it accepts, the smaller one does.
+// On a letter, a state offers edges. An edge leads to several states, all of which must accept the rest. The breakpoint
+// construction of [MH84] follows the set S of active states and the set O ⊆ S of those that have not met a mark since
+// the last breakpoint. When O becomes empty, the edge is marked and O becomes S. Here marks are on edges, and the
+// alternatives of a set are one diagram. Of two alternatives with S₁ ⊆ S₂ and O₁ ⊆ O₂, the second is dropped, because
+// the first accepts every word that the second accepts.
 #pragma once
 #include <cstdint>
 #include <vector>

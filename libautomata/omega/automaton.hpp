@@ -1,9 +1,9 @@
 // Nondeterministic automata on infinite words with symbolic, transition-based acceptance.
 //
-// 𝒜 = (Q, AP, δ, q₀, Acc): δ(q, ·) is one MTBDD over the propositions that the automaton reads, its terminals are
-// choices, sets of branches (marks, target). A run on a₀a₁… picks a branch of δ(qᵢ, aᵢ) at each step; it accepts when
-// the marks that it meets infinitely often satisfy Acc. Not every state needs a branch for every letter.
-// Determinism is a property here (is_deterministic); algorithms that need it take a type that was checked.
+// 𝒜 = (Q, AP, δ, q₀, Acc). δ(q, ·) is one MTBDD over the propositions that the automaton reads. Its terminals are
+// choices, sets of branches (marks, target). A run on a₀a₁… takes a branch of δ(qᵢ, aᵢ) at each step, and accepts when
+// the marks that occur infinitely often satisfy Acc. A state may have no branch on a letter. Determinism is a property
+// (is_deterministic); algorithms that need determinism take a type that was checked.
 #pragma once
 #include <span>
 #include <vector>

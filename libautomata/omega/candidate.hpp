@@ -1,4 +1,4 @@
-// One of several automata of a formula, of which the smallest is kept.
+// One of several automata of a formula; the smallest candidate is kept.
 #pragma once
 #include <optional>
 #include <utility>

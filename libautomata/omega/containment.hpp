@@ -1,7 +1,7 @@
-// φ ⇒ ψ over infinite words, decided by automata: the tableau of φ ∧ ¬ψ accepts nothing.
+// φ ⇒ ψ over infinite words, decided by emptiness of the tableau of φ ∧ ¬ψ.
 //
-// Most questions are answered by a few lassos that satisfy φ and not ψ. They all have four letters, so what a formula
-// says of every position of all of them is one 64-bit word, computed from those of its operands.
+// A few sample lassos that satisfy φ and not ψ refute most implications. All samples have four letters, so the truth of
+// a formula at every position of all samples is one 64-bit word, computed from the words of its operands.
 #pragma once
 #include <array>
 #include <cstdint>

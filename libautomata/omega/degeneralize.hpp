@@ -1,8 +1,8 @@
-// Generalised Büchi to Büchi with marks on states: copies of a state count how far a round through the sets has come.
+// Generalised Büchi to Büchi automata with marks on states: copies of a state count the sets met in a round.
 //
-// In a component, level l means that the sets before l in the order were met in this round; the copy at the last level
-// accepts. Levels start afresh in every component, a component that needs no counting has none, and a branch into
-// another component goes to a copy that exists. [BBDLF13, Sec. 4]
+// In a component, level l means that this round has met the sets before l in the order. The copy at the last level
+// accepts. Levels restart in every component, and a component that needs no counting has none. A branch into another
+// component goes to an existing copy. [BBDLF13, Sec. 4]
 #pragma once
 #include "libautomata/budget.hpp"
 #include "libautomata/omega/transition_relation.hpp"

@@ -1,7 +1,7 @@
-// The edges of an ω-automaton, spelled out: for people and files. Inside the library edges stay diagrams.
+// The explicit edges of an ω-automaton, for output. Inside the library, edges are decision diagrams.
 //
-// One edge for each (source, marks, target), its guard the letters on which that branch may be taken. They are counted
-// before any is made: nothing here takes longer than the limit allows.
+// There is one edge for each (source, marks, target), and its guard is the set of letters of that branch. Edges are
+// counted before they are built, so the limit bounds the running time.
 #pragma once
 #include <cstddef>
 #include <optional>

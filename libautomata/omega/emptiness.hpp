@@ -1,7 +1,7 @@
-// Which runs can accept: the graph of an automaton without its letters, its components, and emptiness.
+// The graph of an automaton without its letters, its components, and emptiness.
 //
-// Emptiness for any condition by removing Fin marks recursively: a component all of whose marks satisfy the condition
-// accepts; otherwise one mark under Fin is either avoided (its edges removed) or met (its Fin is false). [BBD+19]
+// Emptiness removes Fin marks recursively. A component whose marks together satisfy the condition accepts. Otherwise
+// one mark under Fin is avoided (its edges are removed) or met (its Fin is false). [BBD+19]
 #pragma once
 #include <cstdint>
 #include <span>

@@ -1,4 +1,4 @@
-// Marks that no accepting run needs, taken off: the opposite of what scc_filter does, and what counting levels wants.
+// Removal of marks that no accepting run needs. Degeneralisation prefers few marks, and scc_filter adds marks instead.
 #pragma once
 #include <optional>
 

@@ -1,10 +1,10 @@
-// The greatest direct simulation between the states of an automaton, forwards and backwards.
+// The greatest direct simulation between the states of an automaton, forward and backward.
 //
-// q ≤ r: whatever letter is read, each branch (m, s) of q has a branch (m′, s′) of r with m ⊆ m′ and s ≤ s′. All pairs
-// are taken to be in the relation until one is refuted, and those that are left are looked at again until nothing
-// changes. Where letters are of few kinds, a pair is compared kind by kind; else diagrams are compared pairwise with
-// early exit, after some letters refuted what they can. Reverse simulation is the same on reversed transitions, the
-// initial state related to itself only [SB00].
+// q ≤ r when, for every letter, each branch (m, s) of q has a branch (m′, s′) of r with m ⊆ m′ and s ≤ s′. The
+// computation starts from all pairs and removes refuted pairs until a fixed point. With few alphabet classes, a pair is
+// compared class by class. Otherwise some letters refute what they can, and diagrams are compared pairwise with early
+// exit. The backward simulation is the same relation on reversed transitions, with the initial state related to itself
+// only [SB00].
 #pragma once
 #include <cstdint>
 #include <vector>

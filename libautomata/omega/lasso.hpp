@@ -1,7 +1,7 @@
-// A word that an automaton accepts, for any acceptance condition; none when its language is empty.
+// An accepted word of an automaton with any acceptance condition; none when the language is empty.
 //
-// A component whose marks together satisfy the condition accepts: its cycle is walked once past every mark. Otherwise
-// one mark under Fin is either left out with its edges, or given up (its Fin is false) and kept. [BBD+19]
+// In a component whose marks together satisfy the condition, a cycle through every mark accepts. Otherwise one mark
+// under Fin is either removed with its edges, or given up (its Fin is false) and kept. [BBD+19]
 #pragma once
 #include <optional>
 

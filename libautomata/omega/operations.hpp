@@ -1,8 +1,8 @@
-// Boolean operations on ω-automata of any acceptance: the language of both, of either, of what is left.
+// Boolean operations on ω-automata of any acceptance: intersection, union, difference.
 //
-// Both automata read the same word; propositions are matched by name. Conditions are joined, those of the second one
-// speaking of marks of their own, so nothing is lost and nothing is degeneralised. Negation is free on deterministic,
-// complete automata (the condition is negated) and not offered for others. [BK08, Sec. 4.4.2], conditions as in HOA.
+// Both automata read the same word, and propositions are matched by name. The conditions are combined over disjoint
+// marks, without degeneralisation. Negation of a deterministic, complete automaton negates its condition; negation of
+// other automata is not offered. [BK08, Sec. 4.4.2], conditions as in HOA.
 #pragma once
 #include <optional>
 

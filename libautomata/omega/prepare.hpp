@@ -1,4 +1,4 @@
-// What is done to a formula before any automaton is made of it.
+// Rewriting of a formula before its translation.
 #pragma once
 #include <stop_token>
 #include <vector>

@@ -1,4 +1,4 @@
-// The synchronous product of two ω-automata over the same variables: runs of both on one word.
+// The synchronous product of two ω-automata over the same variables. Its runs are pairs of runs on one word.
 #pragma once
 #include <utility>
 #include <vector>

@@ -1,4 +1,4 @@
-// Random automata: same seed, same automaton, on every machine. For tests, and for those who test other tools.
+// Random automata for testing this and other tools. The same seed gives the same automaton on every machine.
 #pragma once
 #include "libautomata/omega/automaton.hpp"
 #include "libltl/structure/random.hpp"

@@ -1,8 +1,8 @@
-// Recurrence properties: a deterministic Büchi automaton on the structure that progression gives.
+// Recurrence properties: a deterministic Büchi automaton on the structure of progression.
 //
-// On the product of the structure with an automaton of ¬φ, the edges inside accepting components are those that some
-// rejected word takes for ever. All others are marked: a word that takes a marked edge again and again satisfies φ.
-// Whether every word of φ does so depends on the structure and is checked.
+// In the product of this structure with an automaton of ¬φ, the edges inside accepting components are those that some
+// rejected word takes infinitely often. All other edges are marked, so every accepted word satisfies φ. Whether every
+// word of φ is accepted depends on the structure and is checked.
 #pragma once
 #include <optional>
 

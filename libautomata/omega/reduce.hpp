@@ -1,5 +1,5 @@
-// Reduction of generalised Büchi automata: components and simulation in both directions, until nothing changes. The
-// cheapest step that helps goes first: states are merged, then branches pruned, then both are tried with other marks.
+// Reduction of generalised Büchi automata by components and by simulation in both directions, until a fixed point. The
+// cheapest useful step goes first: states are merged, then branches are pruned, then both are tried with other marks.
 #pragma once
 #include "libautomata/budget.hpp"
 #include "libautomata/omega/scc_filter.hpp"

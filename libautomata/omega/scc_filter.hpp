@@ -1,9 +1,9 @@
-// What components say about states and marks: the automaton without what no accepting run uses.
+// Removal of states and marks that no accepting run uses, component by component.
 //
-// States that no accepting run visits go, and the branches to them. Marks outside accepting components go. Inside one,
-// a branch gets mark i when every cycle through it has i anyway (its ends fall into different components once the
-// branches with i are gone); then a set implied by another one is dropped, and the others are numbered afresh, so that
-// there are as many sets as the component that needs most. [BBDLF13, Sec. 3], the saturation is ours.
+// States that no accepting run visits are removed, and marks outside accepting components. Inside a component, a branch
+// gets mark i when every cycle through the branch has mark i (its ends fall into different components without the
+// branches of i). A set implied by another set is then dropped, and the others are renumbered, so the number of sets is
+// that of the component that needs most. [BBDLF13, Sec. 3], the saturation is ours.
 #pragma once
 #include <optional>
 

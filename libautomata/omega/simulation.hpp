@@ -1,8 +1,8 @@
-// What the simulations between the states of an automaton allow to merge and to drop.
+// Merging of states and pruning of branches by simulation.
 //
-// States that simulate each other are merged ([EWS05] has the proof for direct simulation), a branch goes when its
-// choice has a better one ([EH00] "little brothers"). The same holds backwards. Both together prune more than either
-// [MC13]. How the relations are found: greatest_simulation.hpp.
+// States that simulate each other are merged ([EWS05] has the proof for direct simulation). A branch is removed when
+// its choice has a better one ([EH00] "little brothers"). Backward simulation allows the same. Both together prune more
+// than either [MC13]. greatest_simulation.hpp computes the relations.
 #pragma once
 #include <memory>
 #include <vector>

@@ -15,7 +15,7 @@ namespace {
 using Node = Mtbdd::Node;
 
 constexpr std::size_t most_vertices = 1U << 15U;
-constexpr std::size_t most_again = 1U << 12U;  // … of a second product, when states were folded
+constexpr std::size_t most_after_merging = 1U << 12U;  // … of a second product, when states were folded
 
 // The pairs of choices that some letter offers together, for pairs of roots of two automata.
 class JointChoicesBelow {
@@ -25,7 +25,7 @@ class JointChoicesBelow {
 
   template <class Visit>
   void visit(Node f, Node g, const Visit& visit_pair) {
-    ++round_;
+    seen_.clear();
     walk(f, g, visit_pair);
   }
 
@@ -34,8 +34,7 @@ class JointChoicesBelow {
   void walk(Node f, Node g, const Visit& visit_pair) {
     const Node none = Mtbdd::terminal(Choices::none);
     if (f == none || g == none) return;
-    if (const std::uint32_t* seen = seen_.find(f.id, g.id); seen != nullptr && *seen == round_) return;
-    seen_.store(f.id, g.id, round_);
+    if (!seen_.insert(f.id, g.id)) return;
     budget_.step();
     const Mtbdd::Variable of_f = first_.variable(f), of_g = second_.variable(g), top = std::min(of_f, of_g);
     if (top == Mtbdd::no_variable) return visit_pair(Mtbdd::payload(f), Mtbdd::payload(g));
@@ -45,8 +44,7 @@ class JointChoicesBelow {
 
   const Mtbdd &first_, &second_;
   Budget& budget_;
-  std::uint32_t round_ = 0;
-  ltl::PairMemo<std::uint32_t> seen_;  // in which round
+  ltl::PairMemo<bool> seen_;
 };
 
 // All pairs of states, reachable or not: (q, p) is vertex q · |P| + p. The marks of p follow those of q.
@@ -283,7 +281,7 @@ Reduced folded(TransitionRelation automaton, const TransitionRelation& outside, 
   try {
     for (; out.complete && out.automaton.states() * outside.states() <= most &&
            out.automaton.acceptance.sets + outside.acceptance.sets <= Marks::most;
-         most = most_again) {
+         most = most_after_merging) {
       const bool on_states = marks == MarksOn::States;
       const TransitionRelation base = on_states ? out.automaton : without_passing_marks(out.automaton);
       const std::vector<bool> colour =

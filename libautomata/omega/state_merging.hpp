@@ -1,12 +1,12 @@
-// States folded into others that accept other words, as long as the automaton accepts the same.
+// Language-preserving state merging: states of different languages become one where the automaton keeps its language.
 //
-// Two states made one accept whatever either did, and runs may cross from one to the other, so the language can only
-// grow. Whether it does is a question to an automaton of the words outside: their product, over all pairs of states,
-// is made once, and making states one makes vertices of it one. Most pairs of states are refused at a glance: with
-// some word u may q be reached, from r be left by some v, and uv lies outside. The others are tried, one after the
-// other. No simulation is asked for: a state that waits for the right moment takes in the component that the moment
-// leads to (F G a ∨ G F b). Nor need their languages be equal. That only the whole language need
-// stay is how SAT solvers find the smallest deterministic automata [BDL14]; they start afresh, ours only merges.
+// Merging two states can only add words. Whether a merge adds words is decided by emptiness of the product with an
+// automaton of the complement. The product over all pairs of states is built once, and merging states merges its
+// vertices. Most pairs are refuted by a pair of words: u leads to q, r accepts v, and uv is outside the language. The
+// other pairs are tried in turn. Merging needs neither simulation nor equal languages: for F G a ∨ G F b, a state that
+// waits for the right moment absorbs the component that the moment leads to. SAT solvers find the smallest
+// deterministic automata under the same condition, that the whole language stays [BDL14]; they search for a new
+// automaton, and ours only merges states.
 #pragma once
 #include "libautomata/budget.hpp"
 #include "libautomata/omega/reduce.hpp"

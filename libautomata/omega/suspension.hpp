@@ -1,7 +1,7 @@
-// ψ ∧ q where q only concerns the far end of the word: the automaton of q starts late.
+// ψ ∧ q where q depends on suffixes only: the automaton of q starts late.
 //
-// Whether q holds may be looked at from any position on, so the automaton of ψ runs alone outside its accepting
-// components and is paired with that of q, from its initial state, whenever it enters one. [BBDLF13, Sec. 3]
+// The verdict of q may be read from any position on. The automaton of ψ runs alone outside its accepting components,
+// and is paired with the automaton of q, in its initial state, whenever a run enters one. [BBDLF13, Sec. 3]
 #pragma once
 #include "libautomata/budget.hpp"
 #include "libautomata/omega/transition_relation.hpp"

@@ -1,12 +1,12 @@
-// LTL → transition-based generalised Büchi automata, by a tableau whose successor sets are diagrams.
+// LTL → transition-based generalised Büchi automata, by a tableau whose successor sets are decision diagrams.
 //
-// A state is a conjunction of formulas in negation normal form. Its successors are one MTBDD built bottom up, leaves
-// being antichains of (promises, next conjunction): [Cou99, Sec. 4], with letters decided by the diagram instead of
-// being part of the products there:
+// A state is a conjunction of formulas in negation normal form. Its successors are one MTBDD built bottom up; the
+// leaves are antichains of (promises, next conjunction): [Cou99, Sec. 4]. The diagram decides the letters, which are
+// part of the products there:
 //   δ(φ U ψ) = δ(ψ) ∪ (δ(φ) ⊗ {(P(ψ), φ U ψ)})    δ(φ R ψ) = δ(ψ) ⊗ (δ(φ) ∪ {(∅, φ R ψ)})    δ(X φ) = {(∅, φ)}
-// ∪ and ⊗ drop a branch when another one promises no more and leaves no more to do. A promise is named by what is
-// promised in the end: φ U (χ U ψ) and χ U ψ both promise ψ. Mark i says "promise i is not made on this edge".
-// Formulas with one successor diagram are one state.
+// ∪ and ⊗ drop a branch when another branch promises no more and leaves no more. A promise is named by its final goal:
+// φ U (χ U ψ) and χ U ψ both promise ψ. Mark i on an edge means that the edge does not make promise i. Formulas with
+// one successor diagram are one state.
 #pragma once
 #include <memory>
 #include <vector>

@@ -1,7 +1,7 @@
-// The transition function of a nondeterministic ω-automaton while it is being built or reduced.
+// The symbolic transition relation of a nondeterministic ω-automaton under construction.
 //
-// δ(q, ·) is one MTBDD whose terminals are choices: sets of branches (marks, target), interned, the empty set where no
-// run goes on. A letter picks a choice and the run picks a branch of it; nowhere is there a list of letters or cubes.
+// δ(q, ·) is one MTBDD whose terminals are choices: interned sets of branches (marks, target), the empty set where no
+// run continues. A letter determines a choice, and the run picks a branch. There are no lists of letters or cubes.
 #pragma once
 #include <cstdint>
 #include <functional>

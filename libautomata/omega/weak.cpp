@@ -13,7 +13,6 @@
 namespace waymark::automata {
 namespace {
 
-using Vertex = TransitionGraph::Vertex;
 using Letters = std::vector<ltl::Letter>;
 
 // Shortest words in the graph of a deterministic automaton.

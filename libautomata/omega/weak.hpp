@@ -1,9 +1,9 @@
 // Obligations: the minimal weak deterministic automaton, by progression.
 //
-// Progression closed off is a deterministic structure whose states mean what is left to satisfy. When the property is
-// an obligation, all loops of one component agree: one of them is read against the definition, and that colours the
-// component. Transient states take the colour that makes states of one language equal, then minimisation as for
-// finite words gives the minimal automaton [Loe01]. Trying this on any formula and checking the result is [DEK07].
+// The closure under progression is a deterministic structure whose states are residual formulas. For an obligation, all
+// loops of one component have the same verdict: one loop is evaluated by the definition and colours the component.
+// Transient states take the colour that makes states of one language equal. Minimisation as for finite words then gives
+// the minimal automaton [Loe01]. Trying this on any formula and checking the result is [DEK07].
 #pragma once
 #include <optional>
 

@@ -1,8 +1,8 @@
 // Any acceptance condition to generalised Büchi, by nondeterminism.
 //
-// The condition is a disjunction of clauses "these marks finitely often, those infinitely often". A run first waits in a
-// copy without marks; then it picks a clause and goes on in a copy that lacks the edges which the clause wants to see
-// finitely often, where those wanted infinitely often are counted.
+// The condition is a disjunction of clauses "these marks finitely often, those infinitely often". A run starts in a
+// copy without marks, then picks a clause and continues in a copy without the edges that the clause forbids infinitely
+// often. That copy counts the marks that the clause requires infinitely often.
 #pragma once
 #include <vector>
 

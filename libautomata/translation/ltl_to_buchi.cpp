@@ -19,6 +19,7 @@
 #include "libautomata/omega/suspension.hpp"
 #include "libautomata/omega/tableau.hpp"
 #include "libautomata/omega/weak.hpp"
+#include "libautomata/translation/strategies.hpp"
 #include "libltl/rewriting/nnf.hpp"
 #include "libltl/rewriting/separate.hpp"
 #include "libltl/structure/fragment.hpp"
@@ -28,12 +29,7 @@ namespace {
 
 using ltl::Formula;
 
-// What the parts may spend: constants chosen so that a formula of everyday size never meets one.
-constexpr std::size_t tableau_steps = 400'000'000;
-constexpr std::size_t reduction_steps = 30'000'000;
-constexpr std::size_t least_steps = 100'000;    // of one attempt, when those before it have spent nearly all
-constexpr std::size_t guess_steps = 2'000'000;  // to find out whether a formula is an obligation
-constexpr std::size_t guess_states = 2'000;
+constexpr BuchiStrategies strategies;
 constexpr std::size_t worth_reducing = 8;  // a tableau with more states than so many times a product's
 constexpr std::size_t few_states = 50;     // … and this many more is dropped,
 constexpr std::size_t many_states = 300;   // … and one with so many that has not fewer than a product
@@ -43,9 +39,8 @@ constexpr std::size_t promised_states = 200;  // of a tableau whose marks are tr
 constexpr std::size_t merged_languages = 60;  // states of deterministic automata whose languages are compared
 // Copies that have more states than the best by a part of that, here and from hopeful_from states on, are not reduced.
 constexpr std::size_t hopeful_few = 10, hopeful = 2, hopeful_from = 35;
-constexpr std::size_t fold_steps = 3'000'000;  // to fold states together
-constexpr std::size_t few_more = 3;            // halves of states that another route may have more by
-constexpr std::size_t large_states = 100;      // from here on, one way to count levels instead of all
+constexpr std::size_t few_more = 3;        // halves of states that another route may have more by
+constexpr std::size_t large_states = 100;  // from here on, one way to count levels instead of all
 
 class Construction {
  public:
@@ -150,7 +145,7 @@ class Construction {
 
   // The smallest of some ways to count levels, until one needs no more states than `enough`.
   void put_marks_on_states(const Candidate& general, std::size_t enough, std::optional<Candidate>& best) {
-    Budget budget(reduction_steps, SIZE_MAX, limits_.stop);
+    Budget budget(strategies.simulation.steps, SIZE_MAX, limits_.stop);
     const auto few = within([&] { return fewest_marks(general.automaton, budget); }).value_or(std::nullopt);
     for (const TransitionRelation* from : {&general.automaton, few ? &*few : nullptr})
       for (const LevelRule rule : {LevelRule{false, true, false}, LevelRule{false, false, false},
@@ -167,13 +162,14 @@ class Construction {
   }
   std::optional<Candidate> counted(const TransitionRelation& general, const LevelRule& rule, bool is_reduced,
                                    std::size_t most) {
-    Budget budget(reduction_steps, limits_.states, limits_.stop);
+    Budget budget(strategies.simulation.steps, limits_.states, limits_.stop);
     auto levels = within([&] { return canonical(degeneralize(general, rule, budget)); });
     if (!levels || levels->states() > most) return std::nullopt;
     for (const TransitionRelation& before : counted_)
       if (identical(before, *levels)) return std::nullopt;
     counted_.push_back(*levels);
-    Budget rest(std::max(level_steps_, least_steps), SIZE_MAX, limits_.stop);  // shared by all attempts
+    Budget rest(std::max(level_steps_, strategies.levels.steps), SIZE_MAX,
+                limits_.stop);  // shared by all attempts
     Reduced made = reduce(*levels, MarksOn::States, rest);
     level_steps_ = rest.steps_left();
     return Candidate{std::move(made.automaton), made.complete && is_reduced};
@@ -182,8 +178,9 @@ class Construction {
   // The tableau of the formula in which nothing was pulled out, where that makes a difference.
   std::optional<Candidate> unseparated(const TransitionRelation& best) {
     if (forms_.plain == formula_) return std::nullopt;
-    const auto raw = raw_tableau(forms_.plain, guess_steps,
-                                 std::min({guess_states, most_, worth_again * best.states() + few_again}));
+    const auto raw =
+        raw_tableau(forms_.plain, strategies.second.steps,
+                    std::min({strategies.second.states, most_, worth_again * best.states() + few_again}));
     if (!raw) return std::nullopt;
     routes_.push_back(reduced_tableau(*raw));
     return routes_.back();
@@ -191,7 +188,7 @@ class Construction {
   // The minimal weak automaton or the reduced tableau, whichever is smaller.
   std::optional<Candidate> direct(Formula f) {
     if (ltl::fragments(f, ltl::Semantics::Infinite).obligation) return obligation(f);
-    const auto raw = raw_tableau(f, tableau_steps, most_);
+    const auto raw = raw_tableau(f, strategies.tableau.steps, most_);
     if (!raw) return std::nullopt;
     Candidate first = reduced_tableau(*raw);
     std::optional<Candidate> second = fewer(deterministic(f, first.automaton)), third = fewer(recurring(f));
@@ -211,7 +208,7 @@ class Construction {
   // A deterministic Büchi automaton by the means for parity automata, as long as it needs no other colour.
   std::optional<Candidate> fewer(const std::optional<Candidate>& from) const {
     if (!from || from->weak || !is_deterministic(from->automaton)) return from;
-    Budget budget(guess_steps, guess_states, limits_.stop);
+    Budget budget(strategies.second.steps, strategies.second.states, limits_.stop);
     try {
       const TransitionRelation parity = degeneralize_on_edges(from->automaton, budget);
       Reduced made = reduce_parity(parity, budget, merged_languages);
@@ -226,12 +223,13 @@ class Construction {
   }
   std::optional<Candidate> obligation(Formula f) {
     std::optional<Candidate> best;
-    if (auto weak = trimmed_weak(f, tableau_steps, limits_.states))
+    if (auto weak = trimmed_weak(f, strategies.tableau.steps, limits_.states))
       best = Candidate{*std::move(weak), true, true};
     // What has an automaton of one state has a minimal deterministic one of one state, if it is an obligation.
     if (best && best->automaton.states() <= 2) return best;
-    const std::size_t most = best ? std::min(guess_states, 4 * best->automaton.states()) : limits_.states;
-    if (const auto raw = raw_tableau(f, best ? guess_steps : tableau_steps, most)) {
+    const std::size_t most =
+        best ? std::min(strategies.second.states, 4 * best->automaton.states()) : limits_.states;
+    if (const auto raw = raw_tableau(f, best ? strategies.second.steps : strategies.tableau.steps, most)) {
       Candidate other = reduced(raw->automaton, MarksOn::Edges);
       if (f == formula_) routes_.push_back(other);
       best = smallest(std::move(best), std::move(other));
@@ -252,7 +250,7 @@ class Construction {
   using Route = std::optional<TransitionRelation> (Construction::*)(Formula);
   std::optional<Candidate> restarted_each(const std::vector<Formula>& parts, Route route) {
     std::optional<TransitionRelation> product;
-    Budget budget(guess_steps, guess_states, limits_.stop);
+    Budget budget(strategies.second.steps, strategies.second.states, limits_.stop);
     for (Formula g : parts) {
       const std::optional<TransitionRelation> part = (this->*route)(g[1]);
       const std::optional<TransitionRelation> again = part ? restarted(*part) : std::nullopt;
@@ -263,16 +261,16 @@ class Construction {
     return reduced(*std::move(product), MarksOn::Edges);
   }
   std::optional<TransitionRelation> weak_only(Formula f) {
-    return trimmed_weak(f, guess_steps, guess_states);
+    return trimmed_weak(f, strategies.second.steps, strategies.second.states);
   }
   std::optional<TransitionRelation> tableau_only(Formula f) {
-    const auto raw = raw_tableau(f, guess_steps, guess_states);
+    const auto raw = raw_tableau(f, strategies.second.steps, strategies.second.states);
     if (!raw) return std::nullopt;
     return reduced(raw->automaton, MarksOn::Edges).automaton;
   }
   // The product, reduced; b starts late when it only concerns the far end of the word.
   std::optional<Candidate> both(const Candidate& a, const Candidate& b, bool late) {
-    Budget budget(reduction_steps, limits_.states, limits_.stop);
+    Budget budget(strategies.simulation.steps, limits_.states, limits_.stop);
     const auto product = within([&] {
       return late ? compose_late(a.automaton, b.automaton, budget)
                   : intersection(a.automaton, b.automaton, budget);
@@ -300,12 +298,12 @@ class Construction {
     return made;
   }
   Candidate reduced_tableau(const Tableau& raw) const {
-    Budget budget(reduction_steps, SIZE_MAX, limits_.stop);
+    Budget budget(strategies.simulation.steps, SIZE_MAX, limits_.stop);
     Reduced out = reduce_as_marked(raw.automaton, budget);
     return {std::move(out.automaton), out.complete};
   }
   Candidate reduced(TransitionRelation automaton, MarksOn marks) const {
-    Budget budget(reduction_steps, SIZE_MAX, limits_.stop);
+    Budget budget(strategies.simulation.steps, SIZE_MAX, limits_.stop);
     Reduced out = reduce(std::move(automaton), marks, budget);
     return {std::move(out.automaton), out.complete};
   }
@@ -316,7 +314,7 @@ class Construction {
   // `automaton` is φ's, by the tableau. One of two states is hardly ever larger than a deterministic one.
   std::optional<Candidate> deterministic(Formula f, const TransitionRelation& automaton) {
     if (automaton.states() <= 2) return std::nullopt;
-    Budget budget(guess_steps, guess_states, limits_.stop);
+    Budget budget(strategies.second.steps, strategies.second.states, limits_.stop);
     const auto found = within([&] {
                          return on_progression(f, reads_, automaton, outside(f, budget), budget);
                        }).value_or(std::nullopt);
@@ -344,7 +342,8 @@ class Construction {
   // Deterministic ones have one state for each language that is left.
   Candidate folded_together(const Candidate& from, MarksOn marks) {
     if (from.weak || is_deterministic(from.automaton)) return from;
-    Budget budget(guess_steps, guess_states, limits_.stop), folding(fold_steps, SIZE_MAX, limits_.stop);
+    Budget budget(strategies.second.steps, strategies.second.states, limits_.stop),
+        folding(strategies.merging.steps, SIZE_MAX, limits_.stop);
     const auto out =
         within([&] { return folded(from.automaton, outside(formula_, budget), marks, folding); });
     if (!out) return from;
@@ -358,7 +357,7 @@ class Construction {
   Formula formula_;
   Formula stated_;                     // before anything was done to it
   std::size_t most_ = limits_.states;  // states of a tableau that is worth reducing
-  std::size_t level_steps_ = reduction_steps;
+  std::size_t level_steps_ = strategies.simulation.steps;
   std::optional<std::pair<Formula, TransitionRelation>> outside_;
   std::vector<TransitionRelation> counted_;  // automata with levels that were reduced already
   std::vector<Candidate> routes_;            // of the whole formula, where there is a choice

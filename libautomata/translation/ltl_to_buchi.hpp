@@ -1,10 +1,10 @@
 // LTL over infinite words → generalised Büchi automata with marks on edges, and Büchi automata with marks on states.
 //
-// Three routes, the smallest result is kept: the tableau, reduced; the minimal weak deterministic automaton, when the
-// formula is an obligation by its syntax, or when that automaton turns out to have φ's language (its product with the
-// tableau of ¬φ, and its complement's with that of φ, are empty); and the product of the automata of a conjunction's
-// operands, reduced at every step, for the operands as they were stated and as rewriting left them. At the end states
-// are made one wherever that leaves the language as it is (state_merging.hpp).
+// Three constructions are tried, and the smallest result is kept. The first is the reduced tableau. The second is the
+// minimal weak deterministic automaton, when the formula is an obligation by its syntax, or when that automaton has the
+// language of φ (its product with the tableau of ¬φ, and that of its complement with φ's, are empty). The third is the
+// product of the automata of the operands of a conjunction, reduced at every step, for the operands as stated and as
+// rewritten. State merging follows (state_merging.hpp).
 #pragma once
 #include <cstddef>
 #include <stop_token>

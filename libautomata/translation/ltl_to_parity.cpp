@@ -20,6 +20,7 @@
 #include "libautomata/omega/scc_filter.hpp"
 #include "libautomata/omega/simulation.hpp"
 #include "libautomata/omega/weak.hpp"
+#include "libautomata/translation/strategies.hpp"
 #include "libltl/rewriting/delta2.hpp"
 #include "libltl/rewriting/nnf.hpp"
 #include "libltl/rewriting/separate.hpp"
@@ -31,13 +32,8 @@ namespace {
 
 using ltl::Formula;
 
-constexpr std::size_t weak_steps = 400'000'000;
-constexpr std::size_t product_steps = 200'000'000;  // of parts, and to make it a parity automaton
-constexpr std::size_t safra_steps = 2'000'000'000;
-constexpr std::size_t reduction_steps = 100'000'000;
-constexpr std::size_t window_states = 2'000;   // of G F e₁ ∧ G F e₂ ∧ …
+constexpr ParityStrategies strategies;
 constexpr std::size_t small_tableau = 300;     // states that any tableau may have
-constexpr std::size_t first_try = 1'000;       // states of determinisation, then ten times as many
 constexpr std::size_t wait_for = 20;           // times the states of the best one so far, of another one
 constexpr std::size_t small_enough = 24;       // states: the normal form in Δ₂ is not tried
 constexpr std::size_t most_rewritings = 300;   // to that normal form
@@ -134,15 +130,20 @@ class Construction {
       return std::nullopt;
     }
   }
+  template <class Make>
+  auto within(const Strategy& strategy, const Make& make) const {
+    return within(strategy.steps, strategy.states == SIZE_MAX ? limits_.states : strategy.states, make);
+  }
   // States of an automaton on the way to another one. The normal form's is not the measure of what else there is.
   std::size_t most(const std::optional<Candidate>& best) const {
     if (!best) return limits_.states;
     const std::size_t waited = wait_for * best->automaton.states();
-    return std::min(limits_.states, normalised_ ? std::max(next_try(first_try), waited) : waited);
+    return std::min(limits_.states,
+                    normalised_ ? std::max(next_try(strategies.determinising.states), waited) : waited);
   }
   std::optional<Candidate> obligation() const {
     if (!is_obligation(formula_)) return std::nullopt;
-    const auto weak = within(weak_steps, limits_.states, [&](Budget& budget) {
+    const auto weak = within(strategies.weak, [&](Budget& budget) {
       return reduce_parity(as_buchi(weak_deterministic(formula_, reads_, budget), {}), budget);
     });
     if (!weak) return std::nullopt;
@@ -154,7 +155,7 @@ class Construction {
     if (known) return *known;
     known.emplace();
     TranslationLimits limits = limits_;
-    if (const auto& product = direct_[2]; product && *product)
+    if (const auto& product = direct_[product_of_parts]; product && *product)
       limits.states = std::min(limits.states, std::max(small_tableau, 2 * (*product)->automaton.states()));
     auto found = ltl_to_tgba(negated ? ltl::negate(formula_) : formula_, limits);
     if (auto* made = std::get_if<Translated>(&found))
@@ -167,7 +168,8 @@ class Construction {
     for (std::size_t i = 0; i < direct_.size() && !minimal(best); ++i)
       if (const std::optional<Candidate>& from = direct(i)) best = smallest(best, paritised(*from));
     std::vector<bool> open{false, true};  // negated or not
-    for (std::size_t states = first_try; !open.empty() && !minimal(best); states = next_try(states)) {
+    for (std::size_t states = strategies.determinising.states; !open.empty() && !minimal(best);
+         states = next_try(states)) {
       std::vector<bool> still;
       for (const bool negated : open) {
         const std::size_t allowed = std::min(states, most(best));
@@ -177,7 +179,7 @@ class Construction {
         if (minimal(best)) return;
       }
       open = std::move(still);
-      if (states == first_try && !(best && best->automaton.states() <= small_enough)) {
+      if (states == strategies.determinising.states && !(best && best->automaton.states() <= small_enough)) {
         normalised_ = normalised();
         if (normalised_) best = smallest(best, paritised(*normalised_));
       }
@@ -188,7 +190,7 @@ class Construction {
   bool minimal(std::optional<Candidate>& found) const {
     if (!found || found->automaton.states() > compared_states) return false;
     if (!found->minimal) {
-      const auto all = within(reduction_steps, SIZE_MAX,
+      const auto all = within(strategies.reduction.steps, SIZE_MAX,
                               [&](Budget& budget) { return count_languages(found->automaton, budget); });
       found->minimal = all && *all == found->automaton.states();
     }
@@ -196,18 +198,24 @@ class Construction {
   }
   // Deterministic automata of φ with any condition, from routes that may have none.
   const std::optional<Candidate>& direct(std::size_t i) {
-    if (!direct_[i]) direct_[i].emplace(make_direct(i));
+    if (!direct_[i]) direct_[i].emplace((this->*direct_strategies()[i])());
     return *direct_[i];
   }
-  std::optional<Candidate> make_direct(std::size_t i) {
-    switch (i) {
-      case 0: return recurrent(false);
-      case 1: return negation(recurrent(true));
-      case 2: return combined(split(Split::Late::Each));
-      case 3: return together_differs() ? combined(split(Split::Late::Together)) : std::nullopt;
-      case 4: return if_deterministic(buchi(false));
-      default: return negation(if_deterministic(buchi(true)));
-    }
+  std::optional<Candidate> windows() { return recurrent(false); }
+  std::optional<Candidate> windows_of_negation() { return negation(recurrent(true)); }
+  std::optional<Candidate> each_part() { return combined(split(Split::Late::Each), strategies.parts); }
+  std::optional<Candidate> parts_together() {
+    return together_differs() ? combined(split(Split::Late::Together), strategies.parts) : std::nullopt;
+  }
+  std::optional<Candidate> tableau() { return if_deterministic(buchi(false)); }
+  std::optional<Candidate> tableau_of_negation() { return negation(if_deterministic(buchi(true))); }
+  // In the order in which they are tried.
+  static constexpr std::size_t product_of_parts = 2;  // the place of each_part
+  using Direct = std::optional<Candidate> (Construction::*)();
+  static constexpr std::array<Direct, 6> direct_strategies() {
+    return {&Construction::windows,   &Construction::windows_of_negation,
+            &Construction::each_part, &Construction::parts_together,
+            &Construction::tableau,   &Construction::tableau_of_negation};
   }
   static std::optional<Candidate> if_deterministic(const std::optional<Candidate>& found) {
     return found && is_deterministic(found->automaton) ? found : std::nullopt;
@@ -220,7 +228,7 @@ class Construction {
   std::optional<Candidate> recurrent(bool negated) const {
     const std::vector<Formula> parts = recurring_parts(negated ? ltl::nnf(ltl::negate(formula_)) : formula_);
     if (parts.empty()) return std::nullopt;
-    std::optional<TransitionRelation> out = within(weak_steps, window_states, [&](Budget& budget) {
+    std::optional<TransitionRelation> out = within(strategies.windows, [&](Budget& budget) {
       std::optional<TransitionRelation> product;
       for (Formula e : parts) {
         std::optional<TransitionRelation> next = recurring(weak_deterministic(e, reads_, budget), budget);
@@ -262,11 +270,11 @@ class Construction {
     const Formula shorter = ltl::nnf(ltl::separate(ltl::nnf(ltl::simplify(*form, ltl::Over::Infinite))));
     const Formula normal = ltl::is_delta2(shorter) ? shorter : *form;
     return combined(within(SIZE_MAX, SIZE_MAX, [&](Budget&) { return Split(normal, Split::Late::Each); }),
-                    &Construction::plain);
+                    strategies.normal_form, &Construction::plain);
   }
   // The product of deterministic automata of the parts.
   std::optional<Candidate> combined(
-      const std::optional<Split>& split,
+      const std::optional<Split>& split, const Strategy& strategy,
       std::optional<Candidate> (Construction::*make)() = &Construction::any) const {
     if (!split || split->parts().size() < 2) return std::nullopt;
     std::vector<Part> parts;
@@ -277,18 +285,18 @@ class Construction {
       reduced = reduced && made->reduced;
       parts.push_back({renamed(made->automaton, made->reads, reads_), ltl::purity(g).both()});
     }
-    auto product = within(product_steps, limits_.states,
-                          [&](Budget& budget) { return combination(parts, split->over(), budget); });
+    auto product =
+        within(strategy, [&](Budget& budget) { return combination(parts, split->over(), budget); });
     if (!product) return std::nullopt;
     return Candidate{trim(*product), reads_, reduced};
   }
   std::optional<Candidate> paritised(const Candidate& from) const {
-    auto made = within(product_steps, limits_.states, [&](Budget& e) { return paritise(from.automaton, e); });
+    auto made = within(strategies.paritising, [&](Budget& e) { return paritise(from.automaton, e); });
     return made ? reduced({*std::move(made), from.reads, from.reduced}) : std::nullopt;
   }
   std::optional<Candidate> determinized(const std::optional<Candidate>& from, std::size_t states) const {
     if (!from) return std::nullopt;
-    auto raw = within(safra_steps, states, [&](Budget& budget) {
+    auto raw = within(strategies.determinising.steps, states, [&](Budget& budget) {
       return is_deterministic(from->automaton) ? degeneralize_on_edges(from->automaton, budget)
                                                : determinize(from->automaton, budget);
     });
@@ -298,7 +306,7 @@ class Construction {
     return reduced({complement_parity(from.automaton), from.reads, from.reduced});
   }
   std::optional<Candidate> reduced(const Candidate& raw, std::size_t compared = compared_states) const {
-    Budget budget(reduction_steps, SIZE_MAX, limits_.stop);
+    Budget budget(strategies.reduction.steps, SIZE_MAX, limits_.stop);
     Reduced out = reduce_parity(raw.automaton, budget, compared);
     return Candidate{std::move(out.automaton), raw.reads, raw.reduced && out.complete};
   }

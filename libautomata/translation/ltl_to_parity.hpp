@@ -1,10 +1,10 @@
 // LTL over infinite words → deterministic automata with parity, Rabin or any condition.
 //
-// Obligations by their minimal weak automaton. For the rest, in this order: conjunctions of G F e and their negations
-// directly; Boolean combinations by the product of deterministic automata of their parts, made a parity automaton only
-// then; the generalised Büchi automata of φ and of ¬φ where they come out deterministic; both determinised; where that
-// has found nothing small, the normal form in Δ₂ [ERS24] as one more Boolean combination, if all of its parts come
-// without determinisation. The smallest one stays, and the search ends where one is proved minimal.
+// Obligations have their minimal weak automaton. Other formulas try these constructions in order: conjunctions of G F e
+// and their negations directly; the product of deterministic automata of the parts of a Boolean combination, made
+// parity at the end; the generalised Büchi automata of φ and of ¬φ where they are deterministic; both determinised;
+// where no small automaton was found, the normal form in Δ₂ [ERS24] as one more Boolean combination, if no part needs
+// determinisation. The smallest automaton is kept, and the search ends where one is proved minimal.
 #pragma once
 #include <variant>
 

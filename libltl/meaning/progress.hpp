@@ -1,10 +1,10 @@
-// Progression: what remains to be satisfied after reading one letter. The heart of waymark: automaton states,
-// the learner's reward and the task half of a Q-learning state are all this function.
+// Progression: the formula that the rest of a word must satisfy after one letter. Progression gives the states of
+// automata, the reward of learners, and the task component of a Q-learning state.
 //
 //   a·w ⊨ φ  iff  w ⊨ prog(φ, a)        for every letter a and every rest w, the empty one included, where
 //   ε ⊨ φ    iff  accepts_empty(φ):      G, R, N, true and ¬φ with ε ⊭ φ hold, F, U, X, false and atoms do not.
-// Over finite words the difference between the nexts is kept: prog(X φ) = φ ∧ F true, prog(N φ) = φ ∨ G false.
-// Source: [BK00, Table 1] for infinite words, [DV13] for finite ones; the end-of-word test is ours (docs/conventions.md 2).
+// Finite words keep the two next operators apart: prog(X φ) = φ ∧ F true, prog(N φ) = φ ∨ G false. Source: [BK00, Table
+// 1] for infinite words, [DV13] for finite ones; the end-of-word test is ours (docs/conventions.md 2).
 #pragma once
 #include "libltl/formula.hpp"
 #include "libltl/meaning/semantics.hpp"

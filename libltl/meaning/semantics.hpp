@@ -1,8 +1,8 @@
-// The meaning of a formula on a word, by definition: the referee that every other engine is tested against.
+// The meaning of a formula on a word, by definition. Every other engine is tested against this definition.
 //
 //   finite words w = a₀…aₙ₋₁ (n ≥ 1):  w,i ⊨ X φ iff i+1 < n and w,i+1 ⊨ φ      w,i ⊨ N φ iff i+1 = n or w,i+1 ⊨ φ
 //   infinite words u·vʷ:                X and N are the same operator
-// Slow and obvious on purpose. Source: finite [DV13, Sec. 2], infinite [BK08, Def. 5.6].
+// The code follows the definition and is slow. Source: finite [DV13, Sec. 2], infinite [BK08, Def. 5.6].
 #pragma once
 #include <cstdint>
 

@@ -1,12 +1,12 @@
-// Truth of formulas along a whole finite trajectory at once: a bit for every position, 64 positions a machine word.
+// Truth of formulas along a finite trajectory: one bit for each position, 64 positions in a machine word.
 //
-// A column says where a proposition holds. The last position is bit 0, so a trajectory that grows shifts its columns
-// up by one, and truth flows from low bits to high ones as carries do:
+// A column holds the positions of a proposition. The last position is bit 0, so a growing trajectory shifts its columns
+// up by one, and truth propagates from low bits to high bits like a carry:
 //   X φ    φ << 1                     F φ    φ | −φ                    (from the lowest set bit up)
 //   N φ    φ << 1 | 1                 φ U ψ  the carries of (φ | ψ) + ψ
 //   ¬ ∧ ∨  the bit operations         φ R ψ  the carries of ψ + (φ & ψ) + 1
-// Until is a ripple-carry adder: ψ generates, φ propagates. Longer words are blocks of 64 with a carry bit between.
-// The bit-parallel adder trick is that of approximate matching [Mye99]; for LTL on finite words it is ours.
+// Until is a ripple-carry adder: ψ generates a carry, φ propagates it. Longer words are blocks of 64 with a carry
+// between blocks. The adder is that of bit-parallel approximate matching [Mye99]; for LTL on finite words it is ours.
 #pragma once
 #include <cstddef>
 #include <cstdint>

@@ -15,13 +15,13 @@ namespace {
 
 using Places = std::span<const Formula>;
 
-struct Row {
+struct MissionRow {
   const char* name;
   const char* parameters;
   const char* sentence;
 };
 
-constexpr std::array<Row, 22> rows{{
+constexpr std::array<MissionRow, 22> mission_rows{{
     {"visit", "l..", "Visit all places, in any order."},
     {"sequenced-visit", "l..", "Visit the places, each some time after the one before."},
     {"ordered-visit", "l..", "Visit the places in this order, none before its predecessor."},
@@ -48,12 +48,12 @@ constexpr std::array<Row, 22> rows{{
     {"wait", "l p", "Stay at l until p holds, which it will."},
 }};
 
-const Row& row_of(Mission mission) { return rows[static_cast<std::size_t>(mission)]; }
+const MissionRow& row_of(Mission mission) { return mission_rows[static_cast<std::size_t>(mission)]; }
 
-bool counts(const Row& row) { return std::string_view(row.parameters) == "n l"; }
+bool counts(const MissionRow& row) { return std::string_view(row.parameters) == "n l"; }
 
 // How many arguments it takes; 0: one or more.
-std::size_t arity(const Row& row) {
+std::size_t arity(const MissionRow& row) {
   const std::string_view names = row.parameters;
   return names == "l.." ? 0 : (names.size() + 1) / 2;
 }
@@ -157,7 +157,7 @@ std::size_t number(const std::string& text) {
 }
 
 Formula instantiate_mission(Mission mission_, std::span<const std::string> arguments, Arena& arena) {
-  const Row& row = row_of(mission_);
+  const MissionRow& row = row_of(mission_);
   if (counts(row)) {
     if (arguments.size() != 2)
       throw std::invalid_argument(std::string(row.name) + " takes a number and a place");
@@ -171,7 +171,7 @@ Formula instantiate_mission(Mission mission_, std::span<const std::string> argum
 }  // namespace
 
 Formula mission(Mission mission, std::span<const Formula> places) {
-  const Row& row = row_of(mission);
+  const MissionRow& row = row_of(mission);
   const std::size_t wanted = arity(row);
   if (places.empty() || (wanted != 0 && places.size() != wanted))
     throw std::invalid_argument(std::string(row.name) + " takes " +
@@ -190,8 +190,8 @@ Formula restricted_avoidance(Mission mission, std::size_t times, Formula place) 
 
 std::vector<Pattern> mission_patterns() {
   std::vector<Pattern> out;
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    const Row& row = rows[i];
+  for (std::size_t i = 0; i < mission_rows.size(); ++i) {
+    const MissionRow& row = mission_rows[i];
     std::vector<std::string> arguments;
     for (std::size_t k = 0; k < arity(row); ++k) arguments.emplace_back(1, row.parameters[2 * k]);
     if (counts(row)) arguments[0] = "2";
@@ -210,9 +210,9 @@ std::vector<Pattern> mission_patterns() {
 
 Formula instantiate(std::string_view name, std::span<const std::string> arguments, Arena& arena) {
   Vocabulary names;
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    if (rows[i].name == name) return instantiate_mission(static_cast<Mission>(i), arguments, arena);
-    names.add(rows[i].name);
+  for (std::size_t i = 0; i < mission_rows.size(); ++i) {
+    if (mission_rows[i].name == name) return instantiate_mission(static_cast<Mission>(i), arguments, arena);
+    names.add(mission_rows[i].name);
   }
   const std::vector<Pattern> properties = property_patterns();
   for (std::size_t i = 0; i < properties.size(); ++i) {

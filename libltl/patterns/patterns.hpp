@@ -1,9 +1,9 @@
-// Specification patterns: what people ask for, by name.
+// Specification patterns by name, from two catalogues.
 //
-// Two catalogues. The property patterns of [DAC98]: eleven bodies (p never holds, s responds to p, …) in five scopes
-// (globally, before r, after q, between q and r, after q until r), 55 formulas as their authors published them. The
-// mission patterns of [MTP+21] for robots: visits, patrols, avoidance, reactions, over any number of places. Both were
-// written for infinite words; on finite ones X is strong, so a mission that owes a next instant cannot stop there.
+// The property patterns of [DAC98] have eleven bodies (p never holds, s responds to p, …) in five scopes (globally,
+// before r, after q, between q and r, after q until r): 55 formulas as published. The mission patterns of [MTP+21] for
+// robots are visits, patrols, avoidance and reactions, over any number of places. Both were written for infinite words.
+// On finite words X is strong, so a mission that requires a next letter cannot end there.
 #pragma once
 #include <cstddef>
 #include <cstdint>

@@ -9,7 +9,7 @@
 namespace waymark::ltl {
 namespace {
 
-struct Row {
+struct PropertyRow {
   const char* name;
   const char* parameters;
   const char* sentence;
@@ -21,7 +21,7 @@ constexpr std::array<const char*, 5> scope_parameters{"", " r", " q", " q r", " 
 constexpr std::array<const char*, 5> scope_phrases{"Globally, ", "Before r, ", "After q, ",
                                                    "Between q and r, ", "After q until r, "};
 
-constexpr std::array<Row, 11> rows{{
+constexpr std::array<PropertyRow, 11> property_rows{{
     {"absence",
      "p",
      "p never holds.",
@@ -94,14 +94,14 @@ constexpr std::array<Row, 11> rows{{
       "t))))))"}},
 }};
 
-std::string parameters(const Row& row, std::size_t scope) {
+std::string parameters(const PropertyRow& row, std::size_t scope) {
   return std::string(row.parameters) + scope_parameters[scope];
 }
 
 }  // namespace
 
 Formula property(Body body, Scope scope, std::span<const Formula> arguments) {
-  const Row& row = rows[static_cast<std::size_t>(body)];
+  const PropertyRow& row = property_rows[static_cast<std::size_t>(body)];
   const auto column = static_cast<std::size_t>(scope);
   Arena letters;  // single letters with blanks between: parameter i is character 2 i
   const std::string names = parameters(row, column);
@@ -117,7 +117,7 @@ Formula property(Body body, Scope scope, std::span<const Formula> arguments) {
 
 std::vector<Pattern> property_patterns() {
   std::vector<Pattern> out;
-  for (const Row& row : rows)
+  for (const PropertyRow& row : property_rows)
     for (std::size_t scope = 0; scope < scope_names.size(); ++scope)
       out.push_back({.name = std::string(row.name) + '-' + scope_names[scope],
                      .parameters = parameters(row, scope),

@@ -21,8 +21,6 @@ namespace {
 bool is_true(Formula f) { return f.op() == Op::True; }
 bool is_false(Formula f) { return f.op() == Op::False; }
 bool is_constant(Formula f) { return is_true(f) || is_false(f); }
-bool is_eventually(Formula f) { return f.op() == Op::Until && is_true(f[0]); }
-bool is_always(Formula f) { return f.op() == Op::Release && is_false(f[0]); }
 // G F φ, F G φ: true at every position of a word or at none.
 bool is_limit(Formula f) {
   return (is_always(f) && is_eventually(f[1])) || (is_eventually(f) && is_always(f[1]));

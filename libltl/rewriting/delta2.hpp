@@ -1,9 +1,9 @@
-// Every formula as a Boolean combination of formulas of Σ₂ and Π₂ (hierarchy.hpp), for infinite words.
+// The normal form in Δ₂: a Boolean combination of formulas of Σ₂ and Π₂ (hierarchy.hpp), for infinite words.
 //
-// Rules in place of automata, in three stages [ERS24]: no U under a W, at the cost of G F and F G of parts; these
-// pulled out to the Boolean top; no W inside G F, no U inside F G. What comes out is made of Σ₂, G F Σ₁ and F G Π₁. Exponential
-// at worst. Ours: what is in Σ₂ or Π₂ already stays as it is; of the form and of the negated form of the negation,
-// made of Π₂, the smaller one is taken for each temporal formula of the Boolean top.
+// Rewrite rules replace automata, in three stages [ERS24]: no U under a W, which adds G F and F G of subformulas; these
+// moved to the Boolean top; no W inside G F and no U inside F G. The result consists of Σ₂, G F Σ₁ and F G Π₁, and may
+// be exponentially larger. Ours: formulas in Σ₂ or Π₂ stay unchanged. For each temporal formula of the Boolean top, the
+// smaller one is taken of its form and of the negated form of its negation, which consists of Π₂.
 #pragma once
 #include <cstddef>
 #include <optional>

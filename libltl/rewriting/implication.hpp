@@ -1,7 +1,7 @@
-// φ ⇒ ψ at every position of every word, recognised from the syntax alone: sound, far from complete.
+// φ ⇒ ψ at every position of every word, recognised from the syntax: sound and incomplete.
 //
-// Holds for finite and infinite words alike (a position of a word is never past its end, so F true counts as true
-// here). After Somenzi and Bloem, Efficient Büchi automata from LTL formulae (CAV 2000), with the weak next added.
+// The relation holds on finite and infinite words (a position is never past the end of a word, so F true is true here).
+// After Somenzi and Bloem, Efficient Büchi automata from LTL formulae (CAV 2000), with the weak next added.
 #pragma once
 #include <cstddef>
 #include <cstdint>

@@ -1,5 +1,5 @@
-// Negation normal form: ¬ stands before atoms only. True on finite and on infinite words alike, because both
-// nexts are there: ¬X φ = N ¬φ, ¬N φ = X ¬φ. Source: [BK08, Def. 5.23], the weak next as in [DV13].
+// Negation normal form: ¬ stands before atoms only. The form exists on finite and infinite words, because both next
+// operators exist: ¬X φ = N ¬φ, ¬N φ = X ¬φ. Source: [BK08, Def. 5.23], the weak next as in [DV13].
 #pragma once
 #include "libltl/formula.hpp"
 

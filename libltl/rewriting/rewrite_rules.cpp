@@ -12,8 +12,6 @@ namespace {
 using Result = std::optional<Formula>;
 
 bool is(Formula f, Op op) { return f.op() == op; }
-bool is_eventually(Formula f) { return is(f, Op::Until) && is(f[0], Op::True); }
-bool is_always(Formula f) { return is(f, Op::Release) && is(f[0], Op::False); }
 Formula constant(Formula like, bool value) { return like.arena().constant(value); }
 
 // match:  N φ

@@ -1,7 +1,7 @@
-// The rewrite rules of simplify.hpp: each a comment (match, result), a function, and a row here.
+// The rewrite rules of simplify.hpp. Each rule has a comment (match, result), a function, and a row here.
 //
-// A rule is a claim about words: at every position of a finite (`finite`) or infinite (`infinite`) word the two sides
-// agree. The tests hold every rule to every claim, and every missing claim to a counterexample.
+// A rule claims that its two sides agree at every position of a finite (`finite`) or infinite (`infinite`) word. The
+// tests check every claim, and find a counterexample for every claim that a rule does not make.
 #pragma once
 #include <optional>
 #include <span>

@@ -12,9 +12,6 @@ namespace {
 
 constexpr int most_passes = 4;
 
-bool is_eventually(Formula f) { return f.op() == Op::Until && f[0].op() == Op::True; }
-bool is_always(Formula f) { return f.op() == Op::Release && f[0].op() == Op::False; }
-
 class Separation {
  public:
   explicit Separation(Arena& arena) : arena_(arena) {}

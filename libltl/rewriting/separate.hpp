@@ -1,9 +1,9 @@
-// Pure eventualities, universal formulas and what is both, pulled out of temporal operators. Infinite words only.
+// Eventual and universal formulas are moved out of temporal operators. Infinite words only.
 //
-// φ is eventual when it holds wherever some suffix satisfies it (F a), universal when every suffix of a word that
-// satisfies it does (G a), both when only the far end of a word matters (G F a): then it may be looked at now or later,
-// and an automaton that looks at it late is small. The classes: [EH00, Sec. 4]; the rules after [BKRS12, Sec. 3] and
-// [SB00]. Unlike simplify(), a rule may make the tree grow.
+// φ is eventual when φ holds wherever some suffix satisfies φ (F a), and universal when every suffix of a word with φ
+// satisfies φ (G a). A formula with both properties depends on late suffixes only (G F a): such a formula may be read
+// now or later, and an automaton that reads the formula late is small. The classes: [EH00, Sec. 4]; the rules after
+// [BKRS12, Sec. 3] and [SB00]. A rule may enlarge the formula, unlike simplify().
 #pragma once
 #include "libltl/formula.hpp"
 

@@ -1,10 +1,10 @@
-// Rewriting under a named semantics, to a smaller formula that is true of the same words.
+// Simplification under a given semantics: a smaller formula that holds on the same words.
 //
-// Which words is the whole question. A formula as someone states it is read on non-empty words, and there F true is
-// true. What progression leaves to do may be read on the empty rest of a word, and there F true says "more to come"
-// (docs/conventions.md 3). Inside a temporal operator every reading is of a position, so this concerns the Boolean
-// top layer only: there a rule is applied when both sides say the same of the empty word.
-// The rules: rewrite_rules.hpp. Negations are pushed inwards first, equivalences kept.
+// The kind of word decides which rules apply. A formula of a user is read on non-empty words, where F true is true. A
+// formula that progression leaves may be read on the empty rest of a word, where F true means that another letter
+// follows (docs/conventions.md 3). Inside a temporal operator every reading is of a position, so only the Boolean top
+// differs: there a rule applies when both sides agree on the empty word. The rules are in rewrite_rules.hpp. Negations
+// are pushed inwards first; equivalences are kept.
 #pragma once
 #include <cstdint>
 

@@ -1,5 +1,5 @@
-// A value for each subformula of a formula, computed from the operands up: two arrays, for passes over small formulas
-// that are made by the thousand.
+// A value for each subformula of a formula, computed from the operands up. Two arrays hold the values, for many passes
+// over small formulas.
 #pragma once
 #include <algorithm>
 #include <cassert>

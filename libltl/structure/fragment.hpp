@@ -1,10 +1,10 @@
-// Which fragments of LTL a formula lies in, read off its syntax. "Yes" is proved, "no" only means "not visibly".
+// The fragments of LTL that contain a formula, by its syntax. "Yes" is proved; "no" means: not visible in the syntax.
 //
 // Over infinite words these are the classes of the Manna–Pnueli hierarchy ([MP90], [CMP92]):
 //   safety ¬bad prefix   co-safety (guarantee) a good prefix   obligation: Boolean combinations of the two
 //   recurrence (G F)     persistence (F G)
-// Over finite words there is no hierarchy, but safety (a word that satisfies φ does so from its first letter on) and
-// co-safety (it does so however it goes on) remain; there X belongs to co-safety only and N to safety only.
+// Finite words have no such hierarchy. Safety (all prefixes of a word with φ satisfy φ) and co-safety (all extensions
+// do) remain; there X belongs to co-safety only and N to safety only.
 #pragma once
 #include "libltl/formula.hpp"
 #include "libltl/meaning/semantics.hpp"

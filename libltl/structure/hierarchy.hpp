@@ -1,9 +1,9 @@
-// Where a formula stands in the syntactic future hierarchy, for infinite words. [ERS24]
+// The place of a formula in the syntactic future hierarchy, for infinite words. [ERS24]
 //
-// Σ₀ = Π₀ = Δ₀ are the formulas without temporal operators. Σᵢ₊₁ holds Πᵢ and is closed under ∧, ∨, X and U (so F and M),
-// Πᵢ₊₁ holds Σᵢ and is closed under ∧, ∨, X and R (G and W); Δᵢ are the Boolean combinations of the two. Σ₁ is
-// syntactically co-safe, Π₁ safe, Δ₁ an obligation, Π₂ recurrent, Σ₂ persistent, and every formula has an equal in Δ₂
-// (delta2.hpp). Coarser than fragment.hpp, which knows more shapes that belong to the same classes of languages.
+// Σ₀ = Π₀ = Δ₀ are the formulas without temporal operators. Σᵢ₊₁ contains Πᵢ and is closed under ∧, ∨, X and U (hence F
+// and M). Πᵢ₊₁ contains Σᵢ and is closed under ∧, ∨, X and R (hence G and W). Δᵢ are the Boolean combinations of the
+// two. Σ₁ is syntactically co-safe, Π₁ safe, Δ₁ an obligation, Π₂ recurrence, Σ₂ persistence. Every formula has an
+// equivalent in Δ₂ (delta2.hpp). fragment.hpp recognises more formulas of the same language classes.
 #pragma once
 #include <cstdint>
 

@@ -1,8 +1,8 @@
-// Random formulas and words: same seed, same formulas, on every machine.
+// Random formulas and words. The same seed gives the same formulas on every machine.
 //
-// A formula of size n is a random operator over random formulas whose sizes add up to n − 1, every split equally
-// likely (as Spot's randltl does). The generator is std::mt19937_64, which the standard fixes bit for bit; the
-// standard's distributions are not fixed and not used.
+// A formula of size n is a random operator over random formulas whose sizes add up to n − 1, every split equally likely
+// (as in Spot's randltl). The generator is std::mt19937_64, which the standard fixes bit for bit. The distributions of
+// the standard are not fixed and not used.
 #pragma once
 #include <cstddef>
 #include <cstdint>

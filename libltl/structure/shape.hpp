@@ -1,8 +1,8 @@
-// What stays of a formula when its propositions lose their names.
+// The shape of a formula: the formula without the names of its propositions.
 //
-// Nothing that is computed from a formula asks for names, only for positions in the vocabulary; so two formulas of one
-// shape have the same automata, names changed. A shape speaks of the whole arena: the order in which other formulas
-// were made there decides ties too, and answers are to be the same to the byte.
+// Results that are computed from a formula depend on positions in the vocabulary and not on names, so two formulas of
+// one shape have the same automata up to names. A shape includes the whole arena, because the order in which formulas
+// were made breaks ties, and results are equal to the byte.
 #pragma once
 #include <string>
 

@@ -1,5 +1,5 @@
-// What was computed from formulas, remembered by their shapes: in a batch the same few patterns come again and again
-// under other names. Any number of threads may ask at once.
+// A memo of results by the shape of formulas, for batches that repeat patterns under other names. The memo is safe for
+// any number of threads.
 #pragma once
 #include <cstddef>
 #include <memory>

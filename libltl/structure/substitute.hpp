@@ -1,4 +1,4 @@
-// Formulas in the place of propositions. Renaming into another arena (transfer, formula.hpp) is the special case.
+// Substitution of formulas for propositions. Renaming into another arena (transfer, formula.hpp) is a special case.
 #pragma once
 #include <functional>
 

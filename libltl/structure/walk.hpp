@@ -1,4 +1,4 @@
-// The subformulas of a formula, as far in as one wants to go.
+// Traversal of the subformulas of a formula, to a depth that the caller decides.
 #pragma once
 #include <algorithm>
 #include <vector>

@@ -4,6 +4,8 @@
 #include <array>
 #include <utility>
 
+#include "libltl/text/character.hpp"
+
 namespace waymark::ltl {
 namespace {
 
@@ -39,8 +41,6 @@ constexpr Spelling spellings[] = {
     {"𝒲", Symbol::WeakUntil},   {"ℳ", Symbol::StrongRelease},
 };
 
-constexpr bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; }
-constexpr bool is_digit(char c) { return c >= '0' && c <= '9'; }
 constexpr bool is_space(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; }
 
 bool is_identifier(std::string_view s) {

@@ -1,9 +1,8 @@
 // Text → tokens of formulas, in any of the three notations.
 //
-// One operator has many spellings (`&`, `&&`, `/\`, `∧`); after the lexer there is one symbol for each meaning.
-// A word made only of the letters X N F G is that sequence of unary operators (GF is G F); so is a single U R W M V
-// a binary operator. Everything else of the shape [A-Za-z_][A-Za-z0-9_]* is a proposition, as is any text in
-// double quotes (with \" \\ and \n inside).
+// An operator has several spellings (`&`, `&&`, `/\`, `∧`) and one symbol after the lexer. A word of the letters X N F
+// G only is that sequence of unary operators (GF is G F). A single U R W M V is a binary operator. Every other
+// [A-Za-z_][A-Za-z0-9_]* is a proposition, and so is any text in double quotes (with \" \\ and \n inside).
 #pragma once
 #include <cstddef>
 #include <cstdint>

@@ -1,8 +1,8 @@
 // Formula → text. print(parse(s)) is a normal form; parse(print(φ)) = φ, as pointers, for all styles but Latex.
 //
-// F G W M -> ^ and, but for Lbt and Postfix, F<=k G<=k (k ≥ 2) are recognised in what is stored and written as such.
-// Operands of & | <-> stand in the order in which they were made. Every binary operator inside another one has its
-// parentheses; unary ones have none. Cost: the length of the text, which is the syntax tree, not the DAG.
+// F G W M -> ^ and, except for Lbt and Postfix, F<=k G<=k (k ≥ 2) are recognised in the stored formula. Operands of & |
+// <-> keep the order in which they were made. A binary operator inside another one has parentheses; unary operators
+// have none. Cost: the length of the text, which is the size of the syntax tree and not of the DAG.
 #pragma once
 #include <cstdint>
 #include <string>

@@ -1,7 +1,7 @@
-// Operators as they are written: the symbols of the concrete syntax, their arity and precedence.
+// The symbols of the concrete syntax, their arity and precedence.
 //
-// There are more symbols than stored operators (formula.hpp): F, G, W, M, -> and ^ are spelled out by the
-// constructors and recognised again by the printer. Grammar in full: docs/formats/formulas.md.
+// There are more symbols than stored operators (formula.hpp): the constructors replace F, G, W, M, -> and ^ by their
+// definitions, and the printer recognises these. Grammar in full: docs/formats/formulas.md.
 #pragma once
 #include <cstdint>
 

@@ -1,7 +1,7 @@
-// A formula as a reader wants to see it: the outermost operator of the concrete syntax and its operands.
+// A view of a formula: the outermost operator of the concrete syntax and its operands.
 //
-// The inverse of the constructors that spell operators out: true U φ is seen as F φ, ψ R (φ ∨ ψ) as φ W ψ, and so
-// on. Making a view makes no formula: an operand may be part of a stored junction (the φ of W), hence the type.
+// A view inverts the constructors that replace operators by definitions: true U φ is viewed as F φ, ψ R (φ ∨ ψ) as φ W
+// ψ, and so on. A view makes no formula. An operand may be part of a stored junction (the φ of W), hence the type.
 #pragma once
 #include <cstddef>
 #include <optional>

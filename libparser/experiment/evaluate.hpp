@@ -12,7 +12,6 @@
 #pragma once
 #include <cstddef>
 #include <functional>
-#include <map>
 #include <memory>
 #include <optional>
 #include <span>
@@ -20,22 +19,11 @@
 #include <vector>
 
 #include "libparser/experiment/checkpoints.hpp"
+#include "libparser/experiment/folds.hpp"
 #include "libparser/experiment/grounding_follower.hpp"
 #include "libparser/training/learn.hpp"
 
 namespace waymark::parser {
-
-struct Percent {  // a share of counted things
-  std::size_t hits = 0, total = 0;
-  double value() const {
-    return total == 0 ? 0 : 100.0 * static_cast<double>(hits) / static_cast<double>(total);
-  }
-  Percent& operator+=(Percent other) {
-    hits += other.hits;
-    total += other.total;
-    return *this;
-  }
-};
 
 struct ConventionScores {
   Percent absolute, relative;
@@ -64,11 +52,9 @@ struct Prediction {
   std::optional<std::string> paragraph = {};  // its id; nothing: by itself
 };
 
-struct Evaluation {
-  std::map<std::string, Scores> folds;  // by the name of the map tested on
-  Scores all;                           // weighted by counts
-  std::vector<Scores> singles;          // of an ensemble: all folds of each member
-  std::vector<Prediction> predictions;  // without those of folds whose scores had been kept
+struct Evaluation
+    : ScoresByMap<Scores, Prediction> {  // without predictions of folds whose scores had been kept
+  std::vector<Scores> singles;           // of an ensemble: all folds of each member
   double seconds = 0;
 };
 

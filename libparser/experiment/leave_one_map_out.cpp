@@ -17,14 +17,12 @@
 namespace waymark::parser {
 namespace {
 
-struct Fold {
+struct HallwayFold : Fold<Scores, Prediction> {  // scores of all members together
   Convention convention;
-  std::size_t map;                     // left out
+  std::size_t left_out;                // the number of its map
   std::vector<std::size_t> instances;  // maps that are learned from
   bool scored;                         // by a run before this one
-  Scores scores;                       // of all members together
-  std::vector<Scores> singles;         // of each, when there are several
-  std::vector<Prediction> predictions;
+  std::vector<Scores> singles;         // of each member, when there are several
 };
 
 class Experiment {
@@ -33,7 +31,7 @@ class Experiment {
              const EvaluateOptions& options)
       : train_(train), test_(test), maps_(maps), options_(options), executors_(maps.begin(), maps.end()) {}
 
-  std::vector<Fold> run() {
+  Evaluation run() {
     for (Convention convention : {Convention::Absolute, Convention::Relative})
       if (convention == Convention::Absolute ? options_.absolute : options_.relative) prepare(convention);
     if (folds_.empty())
@@ -42,9 +40,17 @@ class Experiment {
     const Report report = [&](double fraction, std::string_view what) {
       if (options_.train.progress) options_.train.progress(0.8 + 0.2 * fraction, what);
     };
-    run_jobs(folds_.size(), options_.train.threads, report, "learning to choose, testing",
-             [&](std::size_t i, const JobProgress& progress) { finish(folds_[i], progress); });
-    return std::move(folds_);
+    Evaluation evaluation{
+        run_folds<Scores, Prediction>(
+            folds_, options_.train.threads, report, "learning to choose, testing",
+            [&](HallwayFold& fold, const JobProgress& progress) { finish(fold, progress); }),
+        {},
+        0};
+    for (const HallwayFold& fold : folds_) {
+      evaluation.singles.resize(fold.singles.size());
+      for (std::size_t i = 0; i < fold.singles.size(); ++i) evaluation.singles[i] += fold.singles[i];
+    }
+    return evaluation;
   }
 
  private:
@@ -78,7 +84,7 @@ class Experiment {
       for (std::size_t m = 0; m < maps_.size(); ++m)
         if (m != left_out && !on(convention, {m}).empty()) instances.push_back(m);
       if (!tested || instances.empty()) continue;
-      folds_.push_back({convention, left_out, instances, false, {}, {}, {}});
+      folds_.push_back({{maps_[left_out].name()}, convention, left_out, instances, false, {}});
       if (find_scores(folds_.back())) continue;
       for (std::size_t member = 0; instances.size() > 1 && !options_.actions && member < options_.ensemble;
            ++member) {
@@ -125,15 +131,15 @@ class Experiment {
     return part(key.convention, std::to_string(options_.train.seed + key.member) + '-' + maps + ".reader");
   }
 
-  std::string reranker_part(const Fold& fold, std::size_t member) const {
-    return part(fold.convention, std::to_string(options_.train.seed + member) + "-without-" +
-                                     maps_[fold.map].name() + ".reranker");
+  std::string reranker_part(const HallwayFold& fold, std::size_t member) const {
+    return part(fold.convention,
+                std::to_string(options_.train.seed + member) + "-without-" + fold.map + ".reranker");
   }
 
-  std::string scores_part(const Fold& fold) const {
-    return part(fold.convention,
-                std::to_string(options_.train.seed) + '-' + std::to_string(options_.ensemble) +
-                    (options_.train.reranker ? "-reranker-" : "-") + maps_[fold.map].name() + ".scores");
+  std::string scores_part(const HallwayFold& fold) const {
+    return part(fold.convention, std::to_string(options_.train.seed) + '-' +
+                                     std::to_string(options_.ensemble) +
+                                     (options_.train.reranker ? "-reranker-" : "-") + fold.map + ".scores");
   }
 
   bool has(const std::string& name) const {
@@ -147,7 +153,7 @@ class Experiment {
     return parse_grounder(*options_.checkpoints->find(name), name);
   }
 
-  bool find_scores(Fold& fold) const {
+  bool find_scores(HallwayFold& fold) const {
     if (!has(scores_part(fold))) return false;
     std::istringstream lines(*options_.checkpoints->find(scores_part(fold)));
     std::string line;
@@ -157,7 +163,7 @@ class Experiment {
     return fold.scored = true;
   }
 
-  void keep_scores(const Fold& fold) const {
+  void keep_scores(const HallwayFold& fold) const {
     if (options_.checkpoints == nullptr) return;
     std::string lines = text_of(fold.scores);
     for (const Scores& single : fold.singles) lines += text_of(single);
@@ -167,7 +173,7 @@ class Experiment {
   bool something_to_learn(Convention convention) const {
     for (const auto& [key, reader] : readers_)
       if (key.convention == convention && !has(part(key))) return true;
-    for (const Fold& fold : folds_)
+    for (const HallwayFold& fold : folds_)
       for (std::size_t member = 0; member < options_.ensemble; ++member)
         if (fold.convention == convention && !fold.scored &&
             (options_.train.reranker || fold.instances.size() == 1) && !has(reranker_part(fold, member)))
@@ -195,18 +201,18 @@ class Experiment {
              });
   }
 
-  void finish(Fold& fold, const JobProgress& progress) {
+  void finish(HallwayFold& fold, const JobProgress& progress) {
     if (fold.scored) return;
     score(fold, progress);
     keep_scores(fold);
   }
 
-  void score(Fold& fold, const JobProgress& progress) {
+  void score(HallwayFold& fold, const JobProgress& progress) {
     if (options_.actions) {
       const auto follower =
           learn_actions(on(fold.convention, fold.instances), executors_, options_for(fold.convention, 0),
                         [&](double f) { progress(0.9 * f); });
-      fold.scores = evaluate(*follower, test_, maps_[fold.map], fold.convention, &fold.predictions,
+      fold.scores = evaluate(*follower, test_, maps_[fold.left_out], fold.convention, &fold.predictions,
                              options_.train.stop);
       return;
     }
@@ -216,15 +222,15 @@ class Experiment {
       progress(0.6 * static_cast<double>(member + 1) / static_cast<double>(options_.ensemble));
     }
     const auto test = [&](std::vector<Grounder> grounders, std::vector<Prediction>* predictions) {
-      return evaluate(*follower_of(std::move(grounders), options_), test_, maps_[fold.map], fold.convention,
-                      predictions, options_.train.stop);
+      return evaluate(*follower_of(std::move(grounders), options_), test_, maps_[fold.left_out],
+                      fold.convention, predictions, options_.train.stop);
     };
     if (members.size() > 1)
       for (const Grounder& member : members) fold.singles.push_back(test({member}, nullptr));
     fold.scores = test(std::move(members), &fold.predictions);
   }
 
-  Grounder member_of(const Fold& fold, std::size_t member) const {
+  Grounder member_of(const HallwayFold& fold, std::size_t member) const {
     const TrainOptions options = options_for(fold.convention, member);
     if (fold.instances.size() > 1 && !options.reranker)
       return readers_.at({member, fold.convention, fold.instances});
@@ -235,7 +241,7 @@ class Experiment {
   }
 
   // The fold's reader and a reranker that learned from readers of fewer maps.
-  Grounder choosing(const Fold& fold, std::size_t member, const TrainOptions& options) const {
+  Grounder choosing(const HallwayFold& fold, std::size_t member, const TrainOptions& options) const {
     RankingInstances instances;
     for (std::size_t m : fold.instances)
       add_ranking_instances(readers_.at({member, fold.convention, without(fold.instances, m)}),
@@ -250,7 +256,7 @@ class Experiment {
   std::vector<Executor> executors_;
   std::vector<Example> examples_[2];  // by convention
   std::map<ReaderKey, Grounder> readers_;
-  std::vector<Fold> folds_;
+  std::vector<HallwayFold> folds_;
 };
 
 }  // namespace
@@ -259,15 +265,7 @@ Evaluation evaluate_leave_one_map_out(const Corpus& train, const Corpus* test,
                                       std::span<const plan::Map> maps, const EvaluateOptions& options) {
   if (maps.empty()) throw std::invalid_argument("leaving one map out needs maps");
   const auto begin = std::chrono::steady_clock::now();
-  Evaluation evaluation;
-  for (const Fold& fold : Experiment(train, test == nullptr ? train : *test, maps, options).run()) {
-    evaluation.folds[maps[fold.map].name()] += fold.scores;
-    evaluation.all += fold.scores;
-    evaluation.singles.resize(fold.singles.size());
-    for (std::size_t i = 0; i < fold.singles.size(); ++i) evaluation.singles[i] += fold.singles[i];
-    evaluation.predictions.insert(evaluation.predictions.end(), fold.predictions.begin(),
-                                  fold.predictions.end());
-  }
+  Evaluation evaluation = Experiment(train, test == nullptr ? train : *test, maps, options).run();
   evaluation.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   return evaluation;
 }

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <chrono>
 #include <stdexcept>
+#include <utility>
 
 #include "libparser/experiment/action_network.hpp"
 #include "libparser/experiment/evaluate.hpp"
@@ -44,11 +45,10 @@ Evaluation evaluate_train_all(const Corpus& train, std::span<const plan::Map> ma
       if (!(map.vocabulary() == maps.front().vocabulary()))
         throw std::invalid_argument("maps " + maps.front().name() + " and " + map.name() +
                                     " have different vocabularies");
-      const Scores scores =
-          evaluate(*follower, test, map, convention, &evaluation.predictions, options.train.stop);
-      if (scores.sentence.absolute.total + scores.sentence.relative.total == 0) continue;
-      evaluation.folds[map.name()] += scores;
-      evaluation.all += scores;
+      Fold<Scores, Prediction> fold{map.name()};
+      fold.scores = evaluate(*follower, test, map, convention, &fold.predictions, options.train.stop);
+      if (fold.scores.sentence.absolute.total + fold.scores.sentence.relative.total == 0) continue;
+      evaluation.add(std::move(fold));
     }
   }
   evaluation.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();

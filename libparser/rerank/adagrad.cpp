@@ -8,7 +8,7 @@ namespace waymark::parser {
 void AdaGrad::update(std::uint32_t row, const float* gradient) {
   using Row = Eigen::Map<Eigen::ArrayXf>;
   const std::size_t columns = table_->columns();
-  if (squares_.size() < table_->rows() * columns) squares_.resize(table_->rows() * columns, 1e-6F);
+  if (squares_.size() < table_->rows() * columns) squares_.resize(table_->rows() * columns, first_squares_);
   const auto n = static_cast<Eigen::Index>(columns);
   Row weights(table_->row(row), n), squares(squares_.data() + row * columns, n);
   const Eigen::Map<const Eigen::ArrayXf> ascent(gradient, n);

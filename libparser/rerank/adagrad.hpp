@@ -9,16 +9,19 @@ namespace waymark::parser {
 
 class AdaGrad {
  public:
-  // The table must outlive it. decay: L2, per update of a row.
-  AdaGrad(WeightTable& table, double rate, double decay)
-      : table_(&table), rate_(static_cast<float>(rate)), decay_(static_cast<float>(decay)) {}
+  // The table must outlive it. decay: L2, per update of a row. first_squares: what each sum of squares begins with, above 0.
+  AdaGrad(WeightTable& table, double rate, double decay, double first_squares = 1e-6)
+      : table_(&table),
+        rate_(static_cast<float>(rate)),
+        decay_(static_cast<float>(decay)),
+        first_squares_(static_cast<float>(first_squares)) {}
 
   // Ascends: gradient [columns] of the log-likelihood. O(columns).
   void update(std::uint32_t row, const float* gradient);
 
  private:
   WeightTable* table_;
-  float rate_, decay_;
+  float rate_, decay_, first_squares_;
   std::vector<float> squares_;
 };
 

@@ -1,22 +1,12 @@
 #include "libparser/rerank/reranker.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 namespace waymark::parser {
 namespace {
 
-// Makes scores probabilities; returns the logarithm of what they summed to before.
-double normalise(std::vector<double>& scores) {
-  const double highest = *std::max_element(scores.begin(), scores.end());
-  double total = 0;
-  for (double& score : scores) total += score = std::exp(score - highest);
-  for (double& score : scores) score /= total;
-  return highest + std::log(total);
-}
-
-EndFeatures features_of(const RankingModel& model, const Executor& executor, const SentenceInput& input,
-                        std::span<const plan::PoseId> starts, const Decision& decision) {
+CandidateFeatures features_of(const RankingModel& model, const Executor& executor, const SentenceInput& input,
+                              std::span<const plan::PoseId> starts, const Decision& decision) {
   RerankerSentence sentence(model, input);
   for (const End& end : decision.ends)
     sentence.add_end(executor, starts[decision.start[end.candidate]], *decision.plans[end.candidate],
@@ -24,26 +14,7 @@ EndFeatures features_of(const RankingModel& model, const Executor& executor, con
   return sentence.take();
 }
 
-// w · f of every end: logarithms, up to one constant for each sentence.
-std::vector<double> scores(const WeightTable& table, const EndFeatures& features) {
-  const auto weight = [&](std::uint64_t feature) {
-    const std::uint32_t row = table.find(feature);
-    return row == WeightTable::absent ? 0.0 : static_cast<double>(table.weight(row, 0));
-  };
-  std::vector<double> bundles;
-  for (const auto& bundle : features.bundles) {
-    bundles.push_back(0);
-    for (const std::uint64_t feature : bundle) bundles.back() += weight(feature);
-  }
-  std::vector<double> out;
-  for (std::size_t i = 0; i < features.ends.size(); ++i) {
-    out.push_back(weight(log_mass_feature()) * static_cast<double>(features.log_mass[i]));
-    for (const std::uint32_t bundle : features.ends[i]) out.back() += bundles[bundle];
-  }
-  return out;
-}
-
-void choose(const RankingModel& model, const EndFeatures& features, Decision& decision) {
+void choose(const RankingModel& model, const CandidateFeatures& features, Decision& decision) {
   std::vector<double> p = scores(model.reranker, features);
   normalise(p);
   for (std::size_t i = 0; i < p.size(); ++i) decision.ends[i].mass = p[i];
@@ -69,7 +40,7 @@ double choose_and_locate(const RankingModel& model, const Executor& executor, co
   const bool locates = model.start_pose_model.rows() > 0;
   if (decision.ends.empty()) return locates ? nowhere_to_go : 0;
   if (!locates && !chooses(model, decision)) return 0;
-  const EndFeatures features = features_of(model, executor, input, {&start, 1}, decision);
+  const CandidateFeatures features = features_of(model, executor, input, {&start, 1}, decision);
   double evidence = 0;
   if (locates) {
     std::vector<double> located = scores(model.start_pose_model, features);

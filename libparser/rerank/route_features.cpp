@@ -179,13 +179,14 @@ void RerankerSentence::add_sights(const Executor& executor, const Walk& walk,
 
 void RerankerSentence::add_to_last_end(std::uint64_t first, const Property* property) {
   const auto [it, is_new] = index_.try_emplace(first, static_cast<std::uint32_t>(features_.bundles.size()));
-  features_.ends.back().push_back(it->second);
+  features_.candidates.back().push_back(it->second);
   if (!is_new) return;
-  auto& bundle = features_.bundles.emplace_back(1, first);
+  auto& bundle = features_.bundles.emplace_back();
+  bundle.push_back({first, 1});
   if (property == nullptr) return;
-  for (std::uint32_t word : words_) bundle.push_back(key(WithWord, property->kind, property->id, word));
+  for (std::uint32_t word : words_) bundle.push_back({key(WithWord, property->kind, property->id, word), 1});
   if (!property->with_pairs) return;
-  for (std::uint32_t pair : pairs_) bundle.push_back(key(WithPair, property->kind, property->id, pair));
+  for (std::uint32_t pair : pairs_) bundle.push_back({key(WithPair, property->kind, property->id, pair), 1});
 }
 
 void RerankerSentence::add_mentions(const std::vector<Property>& properties, std::size_t moves) {
@@ -205,8 +206,8 @@ void RerankerSentence::add_mentions(const std::vector<Property>& properties, std
 }
 
 void RerankerSentence::add_end(const Executor& executor, plan::PoseId start, const Plan& plan, double mass) {
-  features_.ends.emplace_back();
-  features_.log_mass.push_back(static_cast<float>(std::log(std::max(mass, 1e-9))));
+  features_.candidates.push_back({static_cast<std::uint32_t>(features_.bundles.size())});
+  features_.bundles.push_back({{log_mass_feature(), static_cast<float>(std::log(std::max(mass, 1e-9)))}});
   std::vector<Property> properties;
   const Walk walk = walk_of(executor, start, plan);
   add_shape(walk, properties);

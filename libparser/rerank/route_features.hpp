@@ -12,19 +12,15 @@
 #include <vector>
 
 #include "libparser/rerank/decide.hpp"
+#include "libparser/rerank/ranker.hpp"
 
 namespace waymark::parser {
 
-// Features of all ends of one decision. What a route is like (a property) goes with every word: such a bundle of features
-// is the same for all ends that share the property, so it is listed and weighed once.
-struct EndFeatures {
-  std::vector<std::vector<std::uint64_t>> bundles;  // keys
-  std::vector<std::vector<std::uint32_t>> ends;     // bundles of each end; one may count twice
-  std::vector<float> log_mass;                      // of each end, the value of log_mass_feature()
-};
+// The only feature whose value is not 1: the logarithm of an end's mass.
 std::uint64_t log_mass_feature();
 
-// What is known of a sentence, and the ends that are compared.
+// What is known of a sentence, and the ends that are compared. What a route is like (a property) goes with every word: such a bundle
+// of features is the same for all ends that share the property.
 class RerankerSentence {
  public:
   // `mirrored`: the tokens are a mirror image and routes are to be mirrored before they are looked at.
@@ -33,7 +29,7 @@ class RerankerSentence {
 
   // Adds one more end: where `plan` leads from `start`. O(actions · |AP| + new properties · words).
   void add_end(const Executor& executor, plan::PoseId start, const Plan& plan, double mass);
-  EndFeatures take() { return std::move(features_); }
+  CandidateFeatures take() { return std::move(features_); }
 
  private:
   struct Property {
@@ -55,7 +51,7 @@ class RerankerSentence {
   std::size_t things_ = 0;             // mentioned
   std::vector<std::size_t> counts_;    // numbers named
   bool heading_unknown_, mirrored_;
-  EndFeatures features_;
+  CandidateFeatures features_;
   std::unordered_map<std::uint64_t, std::uint32_t> index_;  // of bundles, by their first key
 };
 

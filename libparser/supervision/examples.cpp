@@ -1,10 +1,11 @@
 #include "libparser/supervision/examples.hpp"
 
-#include <atomic>
+#include <algorithm>
 #include <map>
 #include <stdexcept>
-#include <thread>
+#include <stop_token>
 
+#include "libltl/parallel.hpp"
 #include "libparser/supervision/constrained_search.hpp"
 #include "libplan/world/trajectory.hpp"
 
@@ -73,30 +74,22 @@ namespace {
 
 // do_one(i, thread) for i < n on so many threads; go_on(share done) is asked on the first.
 template <class DoOne>
-void share_out(std::size_t n, int threads, const std::function<bool(double fraction)>& go_on,
+void share_out(std::size_t n, std::size_t threads, const std::function<bool(double fraction)>& go_on,
                const DoOne& do_one) {
-  std::atomic<std::size_t> next{0};
-  std::atomic<bool> stop{false};
-  const auto run = [&](std::size_t thread) {
-    for (std::size_t i = next++; i < n && !stop; i = next++) {
-      do_one(i, thread);
-      if (thread == 0 && !go_on(static_cast<double>(i) / static_cast<double>(n))) stop = true;
-    }
+  std::stop_source stop;
+  const auto run = [&](std::size_t i, std::size_t thread) {
+    do_one(i, thread);
+    if (thread == 0 && !go_on(static_cast<double>(i) / static_cast<double>(n))) stop.request_stop();
   };
-  {
-    std::vector<std::jthread> helpers;
-    for (int t = 1; t < threads; ++t) helpers.emplace_back(run, static_cast<std::size_t>(t));
-    run(0);
-  }
-  if (stop) throw Stopped{};
+  ltl::parallel_for(n, threads, run, stop.get_token());
+  if (stop.stop_requested()) throw Stopped{};
 }
 
 // In the temporal dialect a sentence also has programs of its own.
-void add_said_programs(std::span<Example> examples, std::span<const Executor> executors, int threads,
+void add_said_programs(std::span<Example> examples, std::span<const Executor> executors, std::size_t threads,
                        const std::function<bool(double fraction)>& go_on) {
   const ProgramLanguage language(executors.front().map().vocabulary(), Dialect::Temporal);
-  std::vector<std::vector<UnitPlans>> plans(static_cast<std::size_t>(threads),
-                                            std::vector<UnitPlans>(executors.size()));
+  std::vector<std::vector<UnitPlans>> plans(threads, std::vector<UnitPlans>(executors.size()));
   share_out(examples.size(), threads, go_on, [&](std::size_t i, std::size_t thread) {
     Example& example = examples[i];
     std::vector<Consistent> all = said_programs(executors[example.map], language, example.gold,
@@ -119,10 +112,11 @@ void find_programs(std::span<Example> examples, std::span<const Executor> execut
   }
   std::vector<std::pair<const std::pair<std::size_t, GoldRoute>*, std::vector<Consistent>*>> work;
   for (auto& [route, programs] : routes) work.emplace_back(&route, programs.get());
-  share_out(work.size(), threads, go_on, [&](std::size_t i, std::size_t) {
+  const auto most = static_cast<std::size_t>(std::max(threads, 1));
+  share_out(work.size(), most, go_on, [&](std::size_t i, std::size_t) {
     *work[i].second = consistent_programs(executors[work[i].first->first], grammar, work[i].first->second);
   });
-  if (grammar.limits().dialect == Dialect::Temporal) add_said_programs(examples, executors, threads, go_on);
+  if (grammar.limits().dialect == Dialect::Temporal) add_said_programs(examples, executors, most, go_on);
 }
 
 }  // namespace waymark::parser

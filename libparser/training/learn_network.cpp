@@ -1,8 +1,8 @@
 #include "libparser/training/learn_network.hpp"
 
 #include <algorithm>
-#include <thread>
 
+#include "libltl/parallel.hpp"
 #include "libneural/adam.hpp"
 #include "libparser/corpus/token.hpp"
 #include "libparser/decode/network_trie.hpp"
@@ -120,7 +120,7 @@ class Learner {
 
   void step(std::span<const std::size_t> instances, bool explore, double done) {
     neural::Parameters& parameters = network_.parameters();
-    const auto learn_shard = [&](std::size_t s) {
+    const auto learn_shard = [&](std::size_t s, std::size_t) {
       std::vector<TrainingInstance*> own;
       for (std::size_t i = s; i < instances.size(); i += shards) own.push_back(&instances_[instances[i]]);
       if (!own.empty()) learn(shards_[s], own, explore);
@@ -129,12 +129,7 @@ class Learner {
       shard.parameters.values() = parameters.values();
       shard.parameters.gradients().setZero();
     }
-    if (options_.threads > 1) {
-      const std::jthread helper(learn_shard, 1);
-      learn_shard(0);
-    } else {
-      for (std::size_t s = 0; s < shards; ++s) learn_shard(s);
-    }
+    ltl::parallel_for(shards, static_cast<std::size_t>(std::max(options_.threads, 1)), learn_shard);
     for (const Shard& shard : shards_) parameters.gradients() += shard.parameters.gradients();
     parameters.gradients() /= static_cast<float>(instances.size());
     neural::clip_gradients(parameters, how_.clip);

@@ -1,31 +1,20 @@
-// Learning to choose: a softmax over options, of which some are right.
+// Learning the reranker and the start-pose model: the ranker in the domain of hallways, once for each question.
 //
-//   of ends     the options are the ends of a sentence's candidates from its gold start; right is the gold end
-//   of starts   the options are the ends from the gold start and from a few poses where the sentence before could have ended
+//   of ends     the candidates are the ends of a sentence's programs from its gold start; right is the gold end
+//   of starts   the candidates are the ends from the gold start and from a few poses where the sentence before could have ended
 //               instead; right is whatever begins at the gold start
-// The candidates must come from a reader that has not learned from the sentence (learn.cpp leaves out the whole map), or
+// The programs must come from a reader that has not learned from the sentence (learn.cpp leaves out the whole map), or
 // the reranker would learn to trust probabilities that are too good. The end pose of a candidate is right or wrong:
 // that is all the supervision there is.
 #pragma once
 #include <span>
 #include <vector>
 
+#include "libparser/domain/hallways/hallways.hpp"
 #include "libparser/rerank/reranker.hpp"
 #include "libparser/training/learn.hpp"
 
 namespace waymark::parser {
-
-// A sentence with two options or more, some right and some not.
-struct RankingInstance {
-  const Example* example;
-  struct Option {
-    plan::PoseId start;
-    Plan plan;
-    double mass;
-  };
-  std::vector<Option> options;
-  std::vector<std::size_t> right;  // ascending
-};
 
 struct RankingInstances {
   std::vector<RankingInstance> of_ends, of_starts;

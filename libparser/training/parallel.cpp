@@ -1,11 +1,10 @@
 #include "libparser/training/parallel.hpp"
 
 #include <algorithm>
-#include <atomic>
-#include <exception>
 #include <mutex>
-#include <thread>
 #include <vector>
+
+#include "libltl/parallel.hpp"
 
 namespace waymark::parser {
 namespace {
@@ -33,32 +32,15 @@ class Mean {
 void run_jobs(std::size_t jobs, int threads, const Report& report, std::string_view what,
               const std::function<void(std::size_t job, const JobProgress& progress)>& run) {
   Mean mean(jobs);
-  std::atomic<std::size_t> next{0};
-  std::atomic<bool> failed{false};
-  std::vector<std::exception_ptr> errors(jobs);
-  const auto work = [&](bool reports) {
-    for (std::size_t job = next++; job < jobs && !failed; job = next++) {
-      const JobProgress progress = [&, job](double fraction) {
-        const double all = mean.update(job, fraction);
-        if (reports && report) report(all, what);
-      };
-      try {
-        run(job, progress);
-        progress(1.0);
-      } catch (...) {  // kept for the caller, who gets the first of them
-        errors[job] = std::current_exception();
-        failed = true;
-      }
-    }
-  };
-  {
-    std::vector<std::jthread> helpers;
-    const auto wanted = static_cast<std::size_t>(std::max(threads, 1));
-    for (std::size_t t = 1; t < std::min(wanted, jobs); ++t) helpers.emplace_back(work, false);
-    work(true);
-  }
-  for (const std::exception_ptr& error : errors)
-    if (error) std::rethrow_exception(error);
+  ltl::parallel_for(jobs, static_cast<std::size_t>(std::max(threads, 1)),
+                    [&](std::size_t job, std::size_t thread) {
+                      const JobProgress progress = [&](double fraction) {
+                        const double all = mean.update(job, fraction);
+                        if (thread == 0 && report) report(all, what);
+                      };
+                      run(job, progress);
+                      progress(1.0);
+                    });
 }
 
 }  // namespace waymark::parser

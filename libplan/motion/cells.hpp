@@ -1,9 +1,9 @@
-// The trapezoids of a terrain: its free space cut into cells in each of which one letter is read [BCKO08, Sec. 6.1].
+// The trapezoids of a terrain: its free space, cut into cells with one letter each [BCKO08, Sec. 6.1].
 //
 // Vertical lines through every corner and every crossing of edges cut the terrain into slabs in which no two edges
-// cross; in a slab, the edges bound trapezoids. A motion whose centre does not go through a corner goes from cell to
-// cell through passages, pieces of common border of positive length: so a word that no run through the cells has is the
-// word of no motion.
+// cross. In a slab, the edges bound trapezoids. A passage is a piece of common border of positive length. A motion
+// whose centre avoids corners crosses cells through passages, so every word of a motion is the word of a run through
+// the cells.
 #pragma once
 #include <cstdint>
 #include <optional>

@@ -1,10 +1,10 @@
 // Formula → motion in one search: OMPL's LTLPlanner on the product of our automaton with the cells of the workspace.
 //
-// No route comes first. A symbol (ltl_bridge.hpp) is a pose, or a hallway with a heading; a state of the automaton is a
-// state of 𝒜_φ and the pose last entered, so a symbol that stands for an action of the map moves 𝒜_φ by the letter of
-// that action, and everything that is no event moves nothing: X counts actions, as on the map. Symbols that no action
-// leads to end the run. The letter of the start pose is read before the search begins.
-// The motion may be a disc's or a car's; it is far from shortest.
+// There is no route before the motion. A symbol (ltl_bridge.hpp) is a pose, or a hallway with a heading. A state of the
+// automaton is a state of 𝒜_φ and the pose last entered. A symbol that stands for an action of the map moves 𝒜_φ by the
+// letter of that action; other symbols move nothing. X therefore counts actions, as on the map. A symbol that no action
+// leads to ends the run. The letter of the start pose is read before the search. The robot is a disc or a car. The
+// motion is far from shortest.
 #pragma once
 #include <cstdint>
 #include <functional>

@@ -1,9 +1,10 @@
-// Free space: where a robot may be. The hallways of a map (workspace.hpp) and polygons (polygons.hpp) are two of it.
+// Free space: the allowed positions of a robot, in the hallways of a map (workspace.hpp) or among polygons
+// (terrain.hpp).
 //
-// Whether a body keeps off the border all along a piece of motion is proved, not sampled: no point of a car gets farther
-// along a part of a piece than the car drives there plus its reach times the angle that it turns. Where the body in
-// the middle of the part is farther from everything than half of that, the whole part is free; otherwise the part is
-// halved. This is conservative advancement [Mir96] by bisection. A body nearer than 1e-4 to the border touches it.
+// Freedom along a piece of motion is proved and not sampled. Along a part of a piece, no point of a car moves farther
+// than the car drives plus its reach times the turned angle. If the body in the middle of the part is farther from
+// every obstacle than half of this length, the part is free; otherwise the part is halved. This is conservative
+// advancement [Mir96] by bisection. A body nearer than 1e-4 to the border touches the border.
 #pragma once
 #include "libplan/motion/robot.hpp"
 

@@ -1,4 +1,4 @@
-// Plane geometry of motions: points, segments, boxes that stand askew, polygons. y grows southwards.
+// Plane geometry of motions: points, segments, oriented boxes, polygons. y grows southwards.
 #pragma once
 #include <array>
 #include <vector>

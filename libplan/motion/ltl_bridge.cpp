@@ -29,7 +29,7 @@ namespace oc = ompl::control;
 using State = ob::SE2StateSpace::StateType;
 using Control = oc::RealVectorControlSpace::ControlType;
 
-constexpr double quarter_turn = 90, degree = 3.14159265358979323846 / 180;
+constexpr double degree = 3.14159265358979323846 / 180;
 constexpr double turn_step = 15,
                  bend_step = 6;   // degrees that a disc turns in a step in place, and as it goes
 constexpr double backing = -0.6;  // below that a car goes backwards and a disc turns in place

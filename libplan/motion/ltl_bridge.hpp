@@ -1,12 +1,12 @@
-// The door to OMPL's control::LTLPlanner [BKV10, MLKKV13]: a tree of motions grown along runs of a product.
+// The interface to OMPL's control::LTLPlanner [BKV10, MLKKV13], which grows a tree of motions along runs of a product.
 //
-// The planner reads one world for every step of propagation, and its own translation of formulas, guards and start
-// differ from what we mean. So it is not told the formula: it gets an automaton over *symbols*, each of which names
-// what can be told apart about where the robot is. The automaton remembers the last symbol and moves only when another
-// one is read; what it does then is ours to say. Of the traps of OMPL 1.5.2 this leaves none: guards are complete
-// worlds (the number of one symbol in binary), hence disjoint; the symbol of the start is read by whoever makes the
-// automaton; X counts symbols and not steps; a symbol without transition is a run that ends.
-// The planner runs by the clock and follows hash tables of addresses: equal seeds need not give equal motions.
+// The planner reads one letter for every step of propagation, and its translation of formulas, its guards and its start
+// differ from our conventions. It therefore gets no formula, but an automaton over *symbols*: a symbol names the part
+// of the space that contains the robot. The automaton stores the last symbol and moves only when another symbol is
+// read. This avoids the pitfalls of OMPL 1.5.2. Guards are complete letters (the number of one symbol in binary), hence
+// disjoint. The maker of the automaton reads the symbol of the start. X counts symbols and not steps. A symbol without
+// a transition ends the run. The planner has a budget in seconds and iterates over hash tables of addresses, so equal
+// seeds may give different motions.
 #pragma once
 #include <cstdint>
 #include <functional>

@@ -8,8 +8,6 @@
 namespace waymark::plan {
 namespace {
 
-constexpr double quarter_turn = 90, full_turn = 360;
-
 // Follows a motion from cell to cell and quarter to quarter.
 class Reader {
  public:

@@ -1,12 +1,11 @@
-// Motions: what the robot does in continuous space, the route that can be read off it, and the proof that this route
-// does what was asked.
+// Motions: the movement of a robot in continuous space, the route of a motion, and the certificate of this route.
 //
-// A motion is a line of configurations, joined by the pieces that the robot can do (piece.hpp). Its route is read off
-// the geometry alone: FORWARD happens where the centre of the robot enters the cell of another node, a turn where its
-// heading comes nearer to the next quarter than to the last one; turning so far between two places, or entering a place
-// other than the one ahead, is no step of any route. Leaving a cell and coming back to it without having entered
-// another is no event. So a car, which cannot turn in place, turns by driving: its turn happens where its heading
-// passes the diagonal, and must do so inside the cell; it may back into a hallway meanwhile, but not into a place.
+// A motion is a sequence of configurations, joined by pieces (piece.hpp). Its route follows from the geometry alone.
+// FORWARD happens where the centre of the robot enters the cell of another node. A turn happens where the heading
+// becomes nearer to the next quarter than to the last one. A turn between two places, or entering a place other than
+// the one ahead, is no step of any route. Leaving a cell and returning without entering another one is no event. A car
+// cannot turn on the spot: its turn happens where its heading passes the diagonal, inside the cell. A car may back into
+// a hallway during a turn, but not into a place.
 #pragma once
 #include <cstddef>
 #include <string>

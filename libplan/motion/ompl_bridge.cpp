@@ -27,7 +27,7 @@ namespace og = ompl::geometric;
 using CarState = ob::SE2StateSpace::StateType;
 
 constexpr double degree = 3.14159265358979323846 / 180;
-constexpr double quarter_turn = 90, longest_arc = 45;
+constexpr double longest_arc = 45;
 
 Point point_of(const ob::State* state) {
   const auto& values = *state->as<ob::RealVectorStateSpace::StateType>();

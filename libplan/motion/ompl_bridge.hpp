@@ -1,9 +1,9 @@
-// The door to OMPL's geometric planners [SMK12]: short ways found by sampling, for points and for cars.
+// The interface to OMPL's geometric planners [SMK12]: short paths by sampling, for points and for cars.
 //
-// Informed RRT* [GSB14] or BIT* [GSB15], for a set number of iterations. OMPL seeds its generators from one process-wide
-// sequence; it is begun anew for every search, so that equal arguments give equal bytes whatever the process did
-// before. The informed subset is sampled by rejection, which serves both spaces and draws from the same distribution as
-// OMPL's direct way. Everything here silences OMPL's messages for the whole process.
+// Informed RRT* [GSB14] or BIT* [GSB15] runs for a given number of iterations. OMPL seeds its generators from one
+// sequence of the process. This sequence restarts before every search, so equal arguments give equal bytes. The
+// informed subset is sampled by rejection, which serves both spaces and has the distribution of OMPL's direct method.
+// The functions here silence OMPL's messages for the whole process.
 #pragma once
 #include <cstddef>
 #include <cstdint>

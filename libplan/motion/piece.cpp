@@ -6,7 +6,6 @@
 namespace waymark::plan {
 namespace {
 
-constexpr double half_turn = 180, full_turn = 360;
 constexpr double slip = 1e-7;      // off the arc, in units of the map: what rounding and printing may do
 constexpr double straight = 1e-9;  // radians: with less turn an arc is its chord
 

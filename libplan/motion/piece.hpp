@@ -1,9 +1,8 @@
-// A piece of a motion: how a robot gets from one configuration to the next.
+// A piece of a motion: the movement of a robot from one configuration to the next.
 //
-// There are two kinds. A robot that can move any way it likes glides: straight, turning the short way, both at constant
-// rates. A car drives: its position follows a circular arc, or a straight line, to which its heading is always tangent,
-// forwards or backwards. Both are functions of t in [0, 1], and where they pass a line or a heading is solved for, not
-// sampled: that is what motions are read by.
+// There are two kinds. A disc translates straight and rotates by the smaller angle, both at constant rates. A car
+// follows a circular arc, or a straight line, to which its heading is always tangent, forwards or backwards. Both are
+// functions of t in [0, 1]. The instants at which a piece crosses a line or a heading are solved for and not sampled.
 #pragma once
 #include <optional>
 #include <vector>
@@ -18,8 +17,9 @@ struct Configuration {
   friend bool operator==(const Configuration&, const Configuration&) = default;
 };
 inline Point position(const Configuration& c) { return {c.x, c.y}; }
-Point ahead_of(double heading);     // the unit vector
-double normalized(double heading);  // into [0, 360)
+Point ahead_of(double heading);                                        // the unit vector
+double normalized(double heading);                                     // into [0, 360)
+constexpr double quarter_turn = 90, half_turn = 180, full_turn = 360;  // degrees
 constexpr double radians(double degrees) { return degrees * (3.14159265358979323846 / 180); }
 
 // Degrees to turn from one heading to the other the short way, clockwise positive: in (−180, 180].

@@ -1,5 +1,6 @@
-// Motions from JSON: {"motion":[[x,y,heading],…],"radius":r}, as `waymark move --json` answers, of a car with
-// "car":{"length":l,"width":w,"turning_radius":r} in the place of the radius; other keys are passed over. Whether the motion is one of a robot in a workspace is the business of route_of and certify.
+// Motions from JSON: {"motion":[[x,y,heading],…],"radius":r}, as `waymark move --json` answers; of a car, "car" with
+// "length", "width" and "turning_radius" replaces the radius. Other keys are ignored. route_of and certify check the
+// motion.
 #pragma once
 #include <string_view>
 

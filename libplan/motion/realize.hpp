@@ -1,7 +1,7 @@
-// Route → motion: the last arrow of the corridor.
+// Route → motion, the last stage.
 //
-// How it is made depends on the robot: a disc glides and turns in place (steer_disc.hpp), a car drives (steer_car.hpp). Both plan
-// leg by leg inside cells where no other label can be read, and both answer with what route_of reads as the route.
+// The method depends on the robot: steer_disc.hpp for a disc, steer_car.hpp for a car. Both plan leg by leg inside
+// cells with one label, and return a motion whose route, by route_of, is the given one.
 #pragma once
 #include "libplan/motion/sampling.hpp"
 

@@ -1,12 +1,12 @@
-// Formula → motion through a terrain, in both ways.
+// Formula → motion through a terrain, by two methods.
 //
-// By a route first: the shortest run through the cells (tour.hpp); every stretch of it on which one letter is read is a
-// leg, which ends a little behind the passage to the next letter. A leg goes straight, or by the shortest drive of a car,
-// where that is free and reads no other letter; otherwise it is sampled (ompl_bridge.hpp) where its two letters are
-// read, and shortened. Where a leg is not found its last passage is blocked and the search begins anew; passages too
-// narrow for the body are blocked from the start.
-// By exploration: OMPL's LTLPlanner on the cells (ltl_bridge.hpp); a symbol is a letter.
-// A disc keeps the heading that it starts with.
+// By a route: the shortest run through the cells comes first (tour.hpp). Every stretch of the run with one letter is a
+// leg, which ends a little behind the passage to the next letter. A leg is a straight line, or the shortest curve of a
+// car, where this is free and reads no other letter. Otherwise the leg is sampled (ompl_bridge.hpp) where its two
+// letters are read, and shortened. When a leg is not found, its last passage is blocked and the search restarts.
+// Passages too narrow for the body are blocked at the start.
+// By exploration: OMPL's LTLPlanner on the cells (ltl_bridge.hpp); a symbol is a letter. A disc keeps its start
+// heading.
 #pragma once
 #include "libplan/motion/explore.hpp"
 #include "libplan/motion/sampling.hpp"

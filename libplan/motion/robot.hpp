@@ -1,9 +1,9 @@
-// Robots: what moves, how it is shaped, and how it can get from one configuration to another.
+// Robots: their shape, and how they get from one configuration to another.
 //
-// A disc (a point, where its radius is 0) glides and turns in place. A car is a rectangle. Its position is the middle of
-// its rear axle, which stands a fifth of its length before its back; there it follows arcs of at least its turning
-// radius, forwards and backwards [RS90]. Lengths are in units of the map: with 3 m between two places the
-// default car is 42 cm long, 24 cm wide, and turns on a circle of radius 30 cm.
+// A disc (a point when its radius is 0) translates and turns on the spot. A car is a rectangle. Its position is the
+// middle of its rear axle, a fifth of its length before its back. This point follows arcs of at least its turning
+// radius, forwards and backwards [RS90]. Lengths are in units of the map: with 3 m between two places, the default car
+// is 42 cm long and 24 cm wide, and turns on a circle of radius 30 cm.
 #pragma once
 #include <optional>
 #include <variant>

@@ -1,4 +1,4 @@
-// What a realization is asked with, and what it answers.
+// The options of the conversion of a route to a motion, and its outcome.
 #pragma once
 #include <cstddef>
 #include <cstdint>

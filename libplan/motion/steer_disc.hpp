@@ -1,11 +1,11 @@
-// Route → motion of a disc: turns in place, straight stretches driven round what stands in the way.
+// Route → motion of a disc: turns on the spot, and straight stretches around obstacles.
 //
-// Every straight stretch of the route (FORWARD after FORWARD) is one leg, confined to the rectangle of the cells it
-// passes, where no other label can be read: a path through it that does not go back has the word of the stretch. Where
-// the straight line is free it is the shortest path; otherwise the leg is sampled (ompl_bridge.hpp), tightened, and its
-// corners rounded. A robot that ends a leg at a piece of furniture stops beside it. The heading stays that of the
-// route while the robot moves: a disc moves sideways too.
-// Legs are planned one by one, each from where the last one ended: every leg is short, their sum need not be least.
+// Every straight stretch of the route (FORWARD after FORWARD) is one leg, confined to the rectangle of its cells. No
+// other label is read there, so a path through the rectangle that does not go back has the word of the stretch. A free
+// straight line is the shortest path. Otherwise the leg is sampled (ompl_bridge.hpp), shortened, and its corners are
+// rounded. A leg that ends at furniture ends beside the furniture. The heading stays that of the route during the leg,
+// because a disc can move sideways. Each leg starts where the last one ended. Each leg is short, and their sum need not
+// be least.
 #pragma once
 #include "libplan/motion/sampling.hpp"
 

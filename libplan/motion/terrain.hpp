@@ -1,8 +1,8 @@
-// A terrain: polygons as a workspace. A border, obstacles, and regions with names.
+// A terrain: a workspace of polygons, with a border, obstacles, and regions with names.
 //
-// Free is what lies inside the border and outside every obstacle. The letter of a point is the set of the regions that
-// contain it; regions may overlap, and several may share a name. Coordinates are whatever the polygons use, y
-// southwards; headings are degrees clockwise from north.
+// The free space is the inside of the border minus the obstacles. The letter of a point is the set of the regions that
+// contain the point. Regions may overlap and share a name. Coordinates are those of the polygons, y southwards;
+// headings are degrees clockwise from north.
 #pragma once
 #include <string>
 #include <vector>

@@ -1,9 +1,9 @@
-// Tours: motions through a terrain, the words they have, and the proof that a word does what was asked.
+// Tours: motions through a terrain, their words, and the certificate of a word.
 //
-// The word of a tour is the letter of its start followed by the letter of every change: letters are sets of regions that
-// contain the centre of the robot, and one is read when it differs from the last. Letters that hold for an instant only
-// are not read. A centre that goes through a corner where regions end or meet would have a word by rounding: that is no
-// tour. So X says what the next change brings, and how long the robot stays anywhere says nothing.
+// A letter is the set of regions that contain the centre of the robot. The word of a tour has the letter of the start
+// and one letter for every change. Letters that hold for an instant only are not read. A centre that passes a corner
+// where regions end or meet is refused, because rounding would decide the word. X refers to the next change, and the
+// time spent in a region has no influence.
 #pragma once
 #include <variant>
 #include <vector>

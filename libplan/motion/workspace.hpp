@@ -1,10 +1,10 @@
-// The workspace: the hallways of a map as free space in the plane, where a robot with a body moves.
+// The workspace: the hallways of a map as free space in the plane.
 //
-// Coordinates are the map's own: one unit is the distance of neighbouring places, y grows southwards. A node is a
+// Coordinates are those of the map: one unit is the distance of neighbouring places, y grows southwards. A node is a
 // square cell as wide as the hallways, an edge the rectangle between two of those squares, furniture a round obstacle
-// in the middle of its cell; everything else is wall. Cells are what a motion is read by (motion.hpp).
-// A map says nothing of metres. With 3 m between places the defaults are hallways 1.2 m wide and furniture 42 cm
-// across, and a robot of radius 0.05 is 30 cm across.
+// in the middle of its cell. Everything else is wall. The route of a motion follows from these cells (motion.hpp). A
+// map has no metres. With 3 m between places, the default hallways are 1.2 m wide, furniture is 42 cm across, and a
+// robot of radius 0.05 is 30 cm across.
 #pragma once
 #include <cstdint>
 #include <optional>

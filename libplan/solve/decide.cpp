@@ -1,6 +1,6 @@
 // A strategy must make progress: among choices that are worth the same, one that never arrives must not be taken. So it
 // is read off backwards from the targets: a state joins by a choice that is worth its value and has an outcome that has
-// attracted before. What counts as the same worth is made no wider than it takes for every state to attractor.
+// attracted before. What counts as the same worth is made no wider than it takes for every state to be attracted.
 #include "libplan/solve/decide.hpp"
 
 #include <algorithm>

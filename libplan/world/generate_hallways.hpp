@@ -1,6 +1,6 @@
 // Random hallway maps in our map format (docs/formats/maps-and-routes.md): a spanning tree of a grid of places, drawn
-// depth first, and every third of the segments that are left, so that every place can be reached in more than one way
-// now and then. Observables are those of the maps that come with waymark.
+// depth first, and every third of the remaining segments, so that some places have several routes. The observables are
+// those of the maps that come with waymark.
 #pragma once
 #include <cstdint>
 #include <string>

@@ -1,9 +1,9 @@
-// Hallways: the plan of a building as a graph on integer coordinates. Geometry only; what is observed where is the
-// business of world/labelling.hpp, letters and actions of world/map.hpp.
+// Hallways: the plan of a building as a graph on integer coordinates. This header has the geometry only;
+// world/labelling.hpp has the observations, world/map.hpp the letters and actions.
 //
-// y grows downwards (south); headings in degrees clockwise: 0 is y − 1, 90 is x + 1, 180 is y + 1, 270 is x − 1.
-// A hallway segment joins two orthogonal neighbours; where there is no segment there is a wall.
-// The environments of [MSK06] have this shape.
+// y grows downwards (south); headings in degrees clockwise: 0 is y − 1, 90 is x + 1, 180 is y + 1, 270 is x − 1. A
+// segment joins two orthogonal neighbours; without a segment there is a wall. The environments of [MSK06] have this
+// form.
 #pragma once
 #include <array>
 #include <cstdint>

@@ -1,7 +1,7 @@
-// Where in a JSON text a value stands, so that a value of the wrong shape is reported with its line and column.
+// The position of a value in a JSON text, so that a wrong value is reported with its line and column.
 //
-// The JSON library tells positions of syntax errors only; a document that parsed but means nothing needs a second
-// look. Scanning happens on the error path alone.
+// The JSON library reports positions of syntax errors only. For a document that parses and has a wrong value, this code
+// scans the text again. The scan runs in the case of an error only.
 #pragma once
 #include <cstddef>
 #include <string_view>

@@ -1,8 +1,8 @@
-// Reading JSON documents of one shape: every complaint names the value, its line and its column.
+// A reader of JSON documents of one form. Every error names the value, its line and its column.
 //
-// For the sources of readers only, since it brings the JSON library along. A path such as "nodes[3].x" says which value
-// is spoken of; where it stands is found when something is wrong with it (json_position.hpp). Keys that are not known
-// are left alone (documents may carry notes of their own) unless one looks like a slip of a known key that is missing.
+// Only sources of readers include this header, because the header includes the JSON library. A path such as
+// "nodes[3].x" names a value; its position is computed when the value is wrong (json_position.hpp). Unknown keys are
+// ignored (documents may carry notes), unless a key resembles a known key that is missing.
 #pragma once
 #include <cstdint>
 #include <nlohmann/json.hpp>

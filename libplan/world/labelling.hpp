@@ -1,4 +1,4 @@
-// The labelling function of hallway maps: every observable that instructions speak of, one line each.
+// The labelling function of hallway maps, with every observable of instructions:
 //
 //   here         chair · blue (a floor that meets this place) · intersection corner tee corridor dead_end · place_3
 //   seen         ahead_X left_X right_X behind_X   X: object (anywhere along the straight hallway), floor or
@@ -6,7 +6,7 @@
 //   one step on  next_X   X: object or kind of place at the node one step ahead
 //   events       moved turned_left turned_right, added by the action
 // corridor: two ways in line; corner: two not in line; tee: three; intersection: three or more; dead_end: one.
-// Looking along the hallway starts at the next node: what stands here is not `ahead`.
+// The view along the hallway starts at the next node: an object at this node is not `ahead`.
 #pragma once
 #include <array>
 #include <cstdint>

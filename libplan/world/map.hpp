@@ -1,12 +1,11 @@
 // The map 𝓜 = (S, A, T, P, L): poses, the three actions, and a labelling function with letters on moves.
 //
-// S are poses (x, y, heading): nodes of a hallway map times the four headings; A = FORWARD, LEFT, RIGHT.
-// The first letter of a word is L(start); each action appends L(pose after it) together with the event propositions
-// of the action (`moved`, `turned_left`, `turned_right`): docs/conventions.md 1.
-// What the observables are called and mean: world/labelling.hpp. Geometry: world/hallways.hpp.
+// S are poses (x, y, heading): nodes of a hallway map times the four headings; A = FORWARD, LEFT, RIGHT. The first
+// letter of a word is L(start). Each action appends L(pose after the action) with the event propositions of the action
+// (`moved`, `turned_left`, `turned_right`): docs/conventions.md 1. world/labelling.hpp defines the observables,
+// world/hallways.hpp the geometry.
 //
-// Equal letters are kept once: a letter has a small id, so that whatever reads letters (automata, feature
-// extractors) can tabulate by LetterId what it does with each.
+// Equal letters are stored once. A letter has a small id, so automata and feature extractors can tabulate by LetterId.
 #pragma once
 #include <array>
 #include <cstddef>

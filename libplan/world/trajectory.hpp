@@ -1,5 +1,4 @@
-// Trajectories: poses joined by actions, read from text, checked step by step, and turned into the words formulas
-// are read on.
+// Trajectories: poses joined by actions. They are read from text, checked step by step, and turned into words.
 //
 //   JSON    [[x,y,heading],…], or an object that holds such a list under "route" or "poses" (the answer of `waymark
 //           plan --json` can be fed back in); each pose differs from the one before by exactly one action

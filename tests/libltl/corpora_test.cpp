@@ -4,8 +4,10 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <string>
 
-#include "libltl/text/formula_lines.hpp"
+#include "libltl/diagnostic.hpp"
+#include "libltl/text/parse.hpp"
 #include "libltl/text/print.hpp"
 
 namespace waymark::ltl {
@@ -20,19 +22,20 @@ fs::path shared() {
 
 std::size_t read_all(const fs::path& file, const ParseOptions& options) {
   std::ifstream in(file);
-  FormulaLines lines(in, file.filename().string(), options);
-  std::size_t count = 0;
-  while (true) {
+  std::size_t count = 0, number = 0;
+  for (std::string line; std::getline(in, line);) {
+    ++number;
+    if (line.find_first_not_of(" \t") == std::string::npos || line.front() == '#') continue;
+    ++count;
     Arena arena;
-    const auto line = lines.next(arena);
-    if (!line) return count;
-    if (const auto* error = std::get_if<SyntaxError>(&line->content)) {
-      ADD_FAILURE() << error->what();
-    } else if (const auto* f = std::get_if<Formula>(&line->content)) {
-      ++count;
-      EXPECT_EQ(parse(print(*f), arena), *f) << file << ':' << line->number;
+    try {
+      const Formula f = parse(line, arena, options);
+      EXPECT_EQ(parse(print(f), arena), f) << file << ':' << number;
+    } catch (const SyntaxError& error) {
+      ADD_FAILURE() << error.in(file.filename().string(), number).what();
     }
   }
+  return count;
 }
 
 TEST(Corpora, AreReadToTheLastLine) {

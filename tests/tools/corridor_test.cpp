@@ -26,6 +26,21 @@ std::vector<std::string> keys(const json& object) {
   return names;  // nlohmann sorts them
 }
 
+TEST(Corridor, OnlyWhatWasCertifiedIsCalledCertified) {
+  const auto says_so = [](const Finished& drawn) {
+    EXPECT_EQ(drawn.exit_code, 0);
+    return drawn.output.find(", certified<") != std::string::npos;
+  };
+  const std::string walk = "1,9,0 LEFT LEFT FORWARD";
+  EXPECT_FALSE(says_so(waymark({"draw", "--map", "grid", "--route", "-", "--svg", "-"}, walk)));
+  EXPECT_TRUE(
+      says_so(waymark({"draw", "--map", "grid", "--start", "1,9,0", "--formula", "F easel", "--svg", "-"})));
+  const Finished lasso = waymark(
+      {"plan", "G F easel", "--semantics", "infinite", "--map", "grid", "--start", "1,9,0", "--svg", "-"});
+  EXPECT_TRUE(says_so(lasso));
+  EXPECT_NE(lasso.output.find(" for ever, certified<"), std::string::npos);
+}
+
 TEST(Corridor, AnswersTheDemoWithACertifiedRoute) {
   const Finished finished = waymark({"run", "--demo", "--json"});
   ASSERT_EQ(finished.exit_code, 0) << finished.output;

@@ -3,8 +3,8 @@
 #include <iostream>
 #include <memory>
 
+#include "tools/lab/compare_systems.hpp"
 #include "tools/lab/feedback_cost.hpp"
-#include "tools/lab/table4.hpp"
 #include "tools/render/cost_plot.hpp"
 #include "tools/shell/json.hpp"
 #include "tools/shell/options.hpp"
@@ -14,7 +14,7 @@
 namespace waymark::tools {
 namespace {
 
-struct Table2Options {
+struct FeedbackTableOptions {
   FeedbackCostOptions measure;
   std::string svg;
   bool json = false;
@@ -73,7 +73,7 @@ std::string plot_of(const FeedbackCosts& costs) {
   return render::draw_costs(plot);
 }
 
-ExitCode run_table2(const Table2Options& options, const Session& session) {
+ExitCode run_feedback_table(const FeedbackTableOptions& options, const Session& session) {
   check_writable(options.svg);
   FeedbackCostOptions measure = options.measure;
   measure.stop = session.stop;
@@ -99,7 +99,7 @@ ExitCode run_table2(const Table2Options& options, const Session& session) {
   return ExitCode::Done;
 }
 
-void add_table2_options(Command command, Table2Options& options) {
+void add_feedback_options(Command command, FeedbackTableOptions& options) {
   command.add_option("--seed", options.measure.seed, "of maps, formulas and walks")
       .type_name("N")
       .show_default();
@@ -115,7 +115,7 @@ void add_table2_options(Command command, Table2Options& options) {
   command.add_flag("--json", options.json, "one JSON object");
 }
 
-void add_table4_options(Command command, Table4Options& options) {
+void add_system_options(Command command, CompareSystemsOptions& options) {
   command
       .add_option("--corpus", options.corpus,
                   "directory with instructions.jsonl and, if it has its own, maps/")
@@ -159,15 +159,18 @@ void add_table4_options(Command command, Table4Options& options) {
 }  // namespace
 
 Runner setup_experiment(Command command) {
-  const auto table2 = std::make_shared<Table2Options>();
-  const auto table4 = std::make_shared<Table4Options>();
-  add_table2_options(
-      command.add_subcommand("table2", "what feedback costs: checking a trajectory, or planning"), *table2);
-  const Command fourth =
-      command.add_subcommand("table4", "systems, one map left out, beside the published rows");
-  add_table4_options(fourth, *table4);
+  const auto feedback = std::make_shared<FeedbackTableOptions>();
+  const auto systems = std::make_shared<CompareSystemsOptions>();
+  const Command costs =
+      command.add_subcommand("feedback-cost", "what feedback costs: checking a trajectory, or planning");
+  costs.alias("table2");  // of the seed paper
+  add_feedback_options(costs, *feedback);
+  const Command comparison =
+      command.add_subcommand("compare-systems", "systems, one map left out, beside the published rows");
+  comparison.alias("table4");  // of the seed paper
+  add_system_options(comparison, *systems);
   return [=](const Session& session) {
-    return fourth.parsed() ? run_table4(*table4, session) : run_table2(*table2, session);
+    return comparison.parsed() ? compare_systems(*systems, session) : run_feedback_table(*feedback, session);
   };
 }
 

@@ -114,7 +114,7 @@ std::string draw_page(const Page& page) {
   svg.open("g", translated({border, top}));
   draw_map(svg, view);
   if (page.route) draw_route(svg, view, *page.route);
-  if (page.motion) draw_motion(svg, {view.centre(0.0, 0.0), PlanView::cell}, *page.motion);
+  if (page.motion) draw_motion(svg, {view.centre(0.0, 0.0), PlanView::cell}, page.motion->motion());
   draw_place_numbers(svg, view);
   svg.close("g");
   draw_panel(svg, page, panel, {border + view.width() + gutter, top + 4});

@@ -15,7 +15,7 @@ struct Page {
   std::string formula = {};      // in Unicode notation; may be empty
   std::string caption = {};      // one line of facts; may be empty
   std::optional<plan::Trajectory> route = {};
-  std::optional<plan::Motion> motion = {};
+  std::optional<plan::CertifiedMotion> motion = {};
   std::optional<Drawing> automaton = {};
   std::string automaton_caption = {};  // "5 states, 11 edges"
 };

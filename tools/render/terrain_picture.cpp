@@ -54,7 +54,7 @@ std::string draw_page(const TerrainPage& page) {
   svg.text({border, border + 14}, 16, drawable(page.formula), R"(fill="#1c3f7c")");
   svg.text({border, border + 38}, 13, page.caption, R"(fill="#5c5c5c")");
   draw_terrain(svg, terrain, scale);
-  if (page.motion) draw_motion(svg, scale, *page.motion);
+  if (page.motion) draw_motion(svg, scale, page.motion->motion());
   if (page.automaton)
     embed(svg, *page.automaton, {border + unit * wide + gutter, border + title}, panel,
           height - 2 * border - title);

@@ -3,7 +3,7 @@
 #include <optional>
 #include <string>
 
-#include "libplan/motion/terrain.hpp"
+#include "libplan/motion/tour.hpp"
 #include "tools/render/motion_picture.hpp"
 
 namespace waymark::render {
@@ -12,7 +12,7 @@ struct TerrainPage {
   const plan::Terrain* terrain = nullptr;
   std::string formula = {};  // in Unicode notation
   std::string caption = {};  // one line of facts
-  std::optional<plan::Motion> motion = {};
+  std::optional<plan::CertifiedTour> motion = {};
   std::optional<Drawing> automaton = {};
 };
 std::string draw_page(const TerrainPage& page);  // a complete SVG document

@@ -76,6 +76,7 @@ Command Command::add_subcommand(const std::string& name, const std::string& help
   app_->require_subcommand(1);
   return Command(*app_->add_subcommand(name, help));
 }
+void Command::alias(const std::string& name) const { app_->alias(name); }
 bool Command::parsed() const { return app_->parsed(); }
 
 }  // namespace waymark::tools

@@ -55,7 +55,8 @@ class Command {
 
   // Its own commands, one of which must be given.
   Command add_subcommand(const std::string& name, const std::string& help);
-  bool parsed() const;  // was this the command that was given?
+  void alias(const std::string& name) const;  // another name of this command
+  bool parsed() const;                        // was this the command that was given?
 
  private:
   CLI::App* app_;

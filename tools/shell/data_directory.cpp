@@ -10,12 +10,22 @@ namespace fs = std::filesystem;
 
 fs::path executable() { return fs::read_symlink("/proc/self/exe"); }
 
+namespace {
+
+// share/waymark beside bin/, where waymark stands, or beside libexec/, where its helpers stand in a folder of their own.
+fs::path shipped_data() {
+  const fs::path above = executable().parent_path().parent_path();
+  return (above.filename() == "libexec" ? above.parent_path() : above) / "share" / "waymark";
+}
+
+}  // namespace
+
 fs::path data_directory(const std::string& option) {
   const char* variable = std::getenv("WAYMARK_DATA");
   const bool from_variable = option.empty() && variable != nullptr && *variable != '\0';
   const fs::path directory = !option.empty() ? fs::path(option)
                              : from_variable ? fs::path(variable)
-                                             : executable().parent_path().parent_path() / "share" / "waymark";
+                                             : shipped_data();
   std::error_code ignored;
   if (fs::is_directory(directory, ignored)) return directory;
   const std::string_view origin = !option.empty() ? "--data"

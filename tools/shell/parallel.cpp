@@ -1,11 +1,9 @@
 #include "tools/shell/parallel.hpp"
 
-#include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <condition_variable>
 #include <deque>
-#include <exception>
 #include <iostream>
 #include <mutex>
 #include <optional>
@@ -13,6 +11,7 @@
 #include <vector>
 
 #include "libltl/diagnostic.hpp"
+#include "libltl/parallel.hpp"
 #include "tools/shell/terminal.hpp"
 
 namespace waymark::tools {
@@ -81,11 +80,9 @@ class Batch {
       std::jthread watch;
       if (options_.seconds > 0)
         watch = std::jthread([this](const std::stop_token& over) { keep_time(over); });
-      std::vector<std::jthread> others;
-      for (std::size_t i = 1; i < workers_.size(); ++i) others.emplace_back([this, i] { work(workers_[i]); });
-      work(workers_.front());
+      ltl::parallel_for(workers_.size(), workers_.size(),
+                        [this](std::size_t i, std::size_t) { work(workers_[i]); });
     }
-    if (failure_) std::rethrow_exception(failure_);
     if (stop_.stop_requested()) throw Interrupted();
     if (taken_ == 0) throw ltl::FormatError(texts_.source(), 0, 0, "there is nothing to read");
     return worst_;
@@ -119,12 +116,13 @@ class Batch {
       }
     } catch (...) {
       const std::lock_guard lock(output_);
-      if (!failure_) failure_ = std::current_exception();
+      failed_ = true;
       room_.notify_all();
+      throw;
     }
   }
 
-  bool over() const { return failure_ || stop_.stop_requested(); }
+  bool over() const { return failed_ || stop_.stop_requested(); }
 
   std::optional<Job> take() {
     {
@@ -178,7 +176,7 @@ class Batch {
   std::deque<std::optional<Reply>> waiting_;  // from here on under output_; the first one is number written_
   std::size_t written_ = 0;
   ExitCode worst_ = ExitCode::Done;
-  std::exception_ptr failure_;
+  bool failed_ = false;
 };
 
 }  // namespace
@@ -186,7 +184,7 @@ class Batch {
 ExitCode answer_in_parallel(TextReader& texts, const std::stop_token& stop, const ParallelOptions& options,
                             const Replier& answer, const BadTextReply& bad) {
   ParallelOptions settled = options;
-  if (settled.threads == 0) settled.threads = std::max(1U, std::thread::hardware_concurrency());
+  if (settled.threads == 0) settled.threads = ltl::hardware_threads();
   if (!texts.is_batch()) settled.threads = 1;
   return Batch(texts, stop, settled, answer, bad).run();
 }

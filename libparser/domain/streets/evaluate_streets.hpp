@@ -3,21 +3,17 @@
 //   exact_path  the route read is the route described, landmark by landmark
 //   goal        it ends where that one ends
 //   floor       exact_path of the rough count that supplies the candidates: no learning at all
-//   together    exact_path where all texts about one figure are read as descriptions of one route (read_together.hpp):
-//               no number to be compared with systems that read one text, but how much of the error one text leaves open
+//   supply      the right route is among the candidates
 #pragma once
-#include <functional>
-#include <map>
-#include <string>
 #include <vector>
 
-#include "libparser/domain/streets/learn_streets.hpp"
-#include "libparser/experiment/evaluate.hpp"
+#include "libparser/domain/streets/streets.hpp"
+#include "libparser/experiment/folds.hpp"
 
 namespace waymark::streets {
 
 struct StreetScores {
-  parser::Percent exact_path, goal, floor, supply, together;  // supply: the right route was a candidate
+  parser::Percent exact_path, goal, floor, supply;
   StreetScores& operator+=(const StreetScores& other);
 };
 
@@ -27,18 +23,15 @@ struct StreetPrediction {  // of one instruction
   std::vector<StreetReading> readings;  // best first
 };
 
-struct StreetEvaluation {
-  std::map<std::string, StreetScores> by_map;
-  StreetScores all;                                              // weighted by instructions
-  double mean_exact_path = 0, mean_goal = 0, mean_together = 0;  // over maps, in percent
-  std::vector<StreetPrediction>
-      predictions;  // in the order of maps, then of the test corpus; readings cut to 3
+struct StreetEvaluation
+    : parser::ScoresByMap<StreetScores, StreetPrediction> {  // predictions: readings cut to 3
+  double mean_exact_path = 0, mean_goal = 0;                 // over maps, in percent
 };
 
 // One map left out: trained on the other maps of `train`, tested on the instructions of `test` about this one. A map of
 // `test` that `train` does not have is tested with everything in `train`; with `train_all` every map of `test` is.
-// Empty when a stop was requested. Throws std::invalid_argument when a fold has nothing to train on.
-std::optional<StreetEvaluation> evaluate_streets(const StreetCorpus& train, const StreetCorpus& test,
-                                                 bool train_all, int threads, const StreetOptions& options);
+// Throws std::invalid_argument when a fold has nothing to train on, Stopped when a stop was requested.
+StreetEvaluation evaluate_streets(const StreetCorpus& train, const StreetCorpus& test, bool train_all,
+                                  int threads, const StreetOptions& options);
 
 }  // namespace waymark::streets

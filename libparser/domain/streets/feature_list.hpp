@@ -1,4 +1,4 @@
-// Features by name, hashed into a table: what a reranker sums up is a list of (index, value).
+// Features by name, hashed into so many that those of all cities share them: what the ranker weights.
 #pragma once
 #include <cstdint>
 #include <initializer_list>
@@ -6,15 +6,13 @@
 #include <utility>
 #include <vector>
 
+#include "libparser/rerank/ranker.hpp"
+
 namespace waymark::streets {
 
-constexpr std::uint32_t feature_bits = 20;  // features are hashed into a table of that many bits
+constexpr std::uint32_t feature_bits = 20;  // of a key
 
-struct WeighedFeature {
-  std::uint32_t index;
-  float value;
-};
-using RouteFeatures = std::vector<WeighedFeature>;  // in no order; one may stand more than once
+using RouteFeatures = std::vector<parser::WeightedFeature>;  // in no order; one may stand more than once
 
 enum class FeatureKind : std::uint8_t {
   Move,
@@ -53,8 +51,7 @@ enum class FeatureKind : std::uint8_t {
   RivalExact,  // the text taken at its word is the rival
   Step,        // one mention as a step of the walk
   StepWord,    // … with the words before it
-  Walk,        // the walk as a whole
-  Habit        // what is named and what is not, by the habits of the city
+  Walk         // the walk as a whole
 };
 
 // Of a word, to be a part of a feature.
@@ -71,8 +68,7 @@ class FeatureList {
   void add(FeatureKind kind, double value, Parts... parts) {
     std::uint64_t hash = static_cast<std::uint64_t>(kind) + 1;
     ((hash = mix(hash, static_cast<std::uint64_t>(parts))), ...);
-    features_.push_back(
-        {static_cast<std::uint32_t>(hash & ((1U << feature_bits) - 1)), static_cast<float>(value)});
+    features_.push_back({hash & ((1U << feature_bits) - 1), static_cast<float>(value)});
   }
   RouteFeatures take() { return std::move(features_); }
 

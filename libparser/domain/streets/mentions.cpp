@@ -4,6 +4,8 @@
 #include <map>
 #include <set>
 
+#include "libparser/corpus/token.hpp"
+
 namespace waymark::streets {
 namespace {
 
@@ -12,7 +14,7 @@ constexpr std::size_t most_name_words =
     6;  // whose subsequences are all parts; longer names keep their stretches only
 constexpr double frequent = 0.004;      // share of the texts of a city
 constexpr float missing_letter = 0.1F;  // what a letter of the name that was left out costs
-constexpr float rival = 2.5F;           // letters by which a name may fit worse and still be kept
+constexpr float most_behind = 2.5F;     // letters by which a name may fit worse and still be kept
 
 constexpr float one_more = 1.5F;  // letters that a mention costs, so that names are not torn apart
 
@@ -23,7 +25,7 @@ constexpr std::string_view latin = "aaaaaaaceeeeiiiidnooooo ouuuuy saaaaaaaceeee
 
 std::vector<std::string> words_of_name(const Landmark& landmark) {
   std::vector<std::string> words;
-  for (const std::string& token : landmark.tokens) {
+  for (const std::string& token : parser::tokenize(landmark.name)) {
     std::string word;
     for (std::size_t i = 0; i <= token.size(); ++i) {
       if (i < token.size() && token[i] != '-' && token[i] != '/') {
@@ -157,7 +159,7 @@ const std::vector<NameFit>& MentionFinder::fits(const std::string& letters, bool
     if (fit.letters > 0) found.push_back(fit);
   std::stable_sort(found.begin(), found.end(),
                    [](const NameFit& a, const NameFit& b) { return a.letters > b.letters; });
-  while (found.size() > 1 && found.back().letters < found.front().letters - rival) found.pop_back();
+  while (found.size() > 1 && found.back().letters < found.front().letters - most_behind) found.pop_back();
   return found;
 }
 

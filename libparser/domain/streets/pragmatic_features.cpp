@@ -51,71 +51,6 @@ Count only_on(const TextOnRoute& text, const StreetRoute& here, const StreetRout
   return count;
 }
 
-// Log-odds of what a text does against what texts usually do, summed over a route.
-class Unusual {
- public:
-  Unusual(double usual_share, double usual_count) : usual_(usual_share), count_(usual_count) {}
-  // Of something that happens `count` times as often as it should, where `usual_count` is what happens with `usual_share`.
-  double share(double count) const { return std::clamp(usual_ * count / count_, least, 1 - least); }
-  void met(bool happens, double count) {
-    if (happens)
-      happened_ += std::log(share(count) / usual_);
-    else
-      did_not_ += std::log((1 - share(count)) / (1 - usual_));
-  }
-  double happened() const { return happened_; }
-  double did_not() const { return did_not_; }
-
- private:
-  static constexpr double least = 0.02;
-  double usual_, count_, happened_ = 0, did_not_ = 0;
-};
-
-constexpr double least_rate = 0.02;
-
-void add_landmark_habits(FeatureList& out, const TextOnRoute& text) {
-  const StreetRoute& route = text.route.landmarks;
-  const NamingHabits& habits = *text.habits;
-  const double usual_rate = std::max(least_rate, habits.usual_named);
-  Unusual naming(0.95, usual_rate);
-  for (std::size_t i = 1; i < route.size(); ++i) {
-    const double rate = habits.named[route[i]];
-    const bool is_named = named(text, route[i]);
-    naming.met(is_named, rate);
-    out.add(K::Habit, 1, 0, is_named, i + 1 == route.size(), bin(naming.share(rate), {0.4, 0.7, 0.85, 0.93}));
-  }
-  out.add(K::Habit, naming.happened(), 1);
-  out.add(K::Habit, naming.did_not(), 2);
-  double elsewhere = 0;
-  for (const PlacedMention& mention : text.placed) {
-    if (mention.position != off_route) continue;
-    const double rate = habits.named[mention.landmark] / usual_rate;
-    elsewhere += std::log(std::max(0.1, rate));
-    out.add(K::Habit, 1, 3, bin(rate, {0.5, 0.8, 1, 1.1, 1.2, 1.4}),
-            stands_on(text.route.rival, mention.landmark));
-  }
-  out.add(K::Habit, elsewhere, 4);
-}
-
-void add_way_habits(FeatureList& out, const TextOnRoute& text) {
-  const StreetRoute& route = text.route.landmarks;
-  const NamingHabits& habits = *text.habits;
-  std::set<WayEnds> said;
-  LandmarkIndex last = route[0];
-  for (const PlacedMention& mention : text.placed) {
-    if (mention.landmark != last) said.insert(std::minmax(last, mention.landmark));
-    last = mention.landmark;
-  }
-  Unusual saying(0.9, std::max(least_rate, habits.usual_said));
-  for (std::size_t i = 1; i < route.size(); ++i) {
-    const WayEnds way = std::minmax(route[i - 1], route[i]);
-    const auto at = habits.said.find(way);
-    saying.met(said.contains(way), at == habits.said.end() ? habits.usual_said : at->second);
-  }
-  out.add(K::Habit, saying.happened(), 5);
-  out.add(K::Habit, saying.did_not(), 6);
-}
-
 }  // namespace
 
 double closeness(const StreetMap& map, LandmarkIndex a, LandmarkIndex b) {
@@ -186,11 +121,6 @@ void add_walk(FeatureList& out, const TextOnRoute& text) {
         out.add(K::StepWord, 1, step, again, word);
     begin = text.mentions[i].end;
   }
-}
-
-void add_habits(FeatureList& out, const TextOnRoute& text) {
-  add_landmark_habits(out, text);
-  add_way_habits(out, text);
 }
 
 }  // namespace waymark::streets

@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "libparser/domain/streets/feature_list.hpp"
-#include "libparser/domain/streets/naming_habits.hpp"
 #include "libparser/domain/streets/street_readings.hpp"
 #include "libparser/domain/streets/street_walk.hpp"
 
@@ -21,8 +20,7 @@ struct TextOnRoute {
   const std::vector<Mention>& mentions;
   const std::vector<MentionCue>& cues;
   const CandidateRoute& route;
-  std::vector<PlacedMention> placed;     // place(mentions, route.landmarks)
-  const NamingHabits* habits = nullptr;  // of the city; null: unknown
+  std::vector<PlacedMention> placed;  // place(mentions, route.landmarks)
 };
 
 // How near two landmarks stand in the picture, of which each axis was stretched to fit: 0 where they coincide, 1 across the
@@ -31,7 +29,5 @@ double closeness(const StreetMap& map, LandmarkIndex a, LandmarkIndex b);
 
 void add_sight(FeatureList& out, const TextOnRoute& text);
 void add_walk(FeatureList& out, const TextOnRoute& text);
-// How usual it is for this city to name, and to leave out, what the text does if the route is meant. Requires known habits.
-void add_habits(FeatureList& out, const TextOnRoute& text);
 
 }  // namespace waymark::streets

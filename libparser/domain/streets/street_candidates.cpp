@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "libparser/domain/streets/route_prior.hpp"
-
 namespace waymark::streets {
 namespace {
 
@@ -79,8 +77,7 @@ std::vector<CandidateRoute> candidate_routes(const StreetMap& map, RouteTable& r
     const RankedRoute& route = ranked[scored[i].rank];
     const bool last = scored[i].rank + 1 == ranked.size();
     out.push_back({route.landmarks, scored[i].rank, route.length, ranked[0].length,
-                   last ? StreetRoute{} : ranked[scored[i].rank + 1].landmarks,
-                   rank_probability(scored[i].rank, ranked.size(), routes.most())});
+                   last ? StreetRoute{} : ranked[scored[i].rank + 1].landmarks});
   }
   return out;
 }

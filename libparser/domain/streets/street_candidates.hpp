@@ -20,7 +20,6 @@ struct CandidateRoute {
   double shortest = 0;  // length of the shortest way to its goal
   // What the map says one would mistake it for: the next longer route to the same goal; empty when there is none.
   StreetRoute rival;
-  double rank_share = 0;  // of the pictures with this start and goal (route_prior.hpp)
 };
 
 struct PlacedMention {

@@ -46,8 +46,6 @@ StreetInstruction read_instruction(const plan::JsonReader& line, const std::vect
   instruction.map = static_cast<std::size_t>(map - maps.begin());
   instruction.start = read_landmark(line, line.member(object, "", "start"), "start", *map);
   instruction.path = read_path(line, object, *map);
-  if (const auto figure = object.find("figure"); figure != object.end())
-    instruction.figure = line.integer(*figure, "figure");
   if (instruction.path.front() != instruction.start) line.fail("path[0]", "expected the start");
   return instruction;
 }

@@ -2,7 +2,6 @@
 #pragma once
 #include <cstdint>
 #include <filesystem>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -17,8 +16,6 @@ struct StreetInstruction {
   std::size_t map = 0;  // position in StreetCorpus::maps
   LandmarkIndex start = 0;
   StreetRoute path;  // the route described: the only supervision
-  // Texts of one map with the same figure were written about the same picture, so about one route; none: alone.
-  std::optional<int> figure;
 };
 
 struct StreetCorpus {

@@ -320,13 +320,12 @@ class Writer {
 
 RouteFeatures street_features(const StreetMap& map, double unit, const std::vector<std::string>& tokens,
                               const std::vector<Mention>& mentions, const std::vector<MentionCue>& cues,
-                              const CandidateRoute& route, const NamingHabits& habits) {
-  const TextOnRoute text{map, unit, tokens, mentions, cues, route, place(mentions, route.landmarks), &habits};
+                              const CandidateRoute& route) {
+  const TextOnRoute text{map, unit, tokens, mentions, cues, route, place(mentions, route.landmarks)};
   FeatureList out;
   Writer(out, text).write();
   add_sight(out, text);
   add_walk(out, text);
-  if (habits.known()) add_habits(out, text);
   return out.take();
 }
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "libparser/domain/streets/street_routes.hpp"
-#include "libplan/model/formats/read_streets.hpp"
 
 namespace waymark::streets {
 

@@ -14,7 +14,7 @@ namespace waymark::streets {
 // The landmarks to name, the goal last; none when a way of the route is longer than a detour.
 std::optional<StreetRoute> waypoints(const StreetMap& map, const StreetRoute& route);
 
-// Propositions are called as in street graphs that are planned on (libplan/model/formats/read_streets.hpp): "Blue Room", blue_room.
+// Propositions are called as in street graphs that are planned on (plan::landmark_name): "Blue Room", blue_room.
 ltl::Formula visit_in_order(const StreetMap& map, const StreetRoute& landmarks, ltl::Arena& arena);
 
 }  // namespace waymark::streets

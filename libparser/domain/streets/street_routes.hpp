@@ -33,7 +33,6 @@ class RouteTable {
  public:
   RouteTable(const StreetMap& map, std::size_t k) : map_(&map), k_(k) {}  // the map must outlive it
   const std::vector<RankedRoute>& routes(LandmarkIndex start, LandmarkIndex goal);
-  std::size_t most() const { return k_; }
 
  private:
   const StreetMap* map_;

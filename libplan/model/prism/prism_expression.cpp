@@ -6,13 +6,12 @@
 #include <cstdlib>
 #include <optional>
 
+#include "libltl/text/character.hpp"
 #include "libplan/model/prism/prism_names.hpp"
 
 namespace waymark::plan {
+using ltl::is_digit, ltl::is_letter;
 namespace {
-
-bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; }
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
 std::size_t end_of_number(std::string_view text, std::size_t at) {
   const auto digits = [&] {

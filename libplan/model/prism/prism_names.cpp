@@ -1,9 +1,12 @@
 #include "libplan/model/prism/prism_names.hpp"
 
+#include "libltl/text/character.hpp"
+
 #include <algorithm>
 #include <array>
 
 namespace waymark::plan {
+using ltl::is_digit, ltl::is_letter;
 namespace {
 
 constexpr std::array<std::string_view, 58> reserved{"A",
@@ -64,9 +67,6 @@ constexpr std::array<std::string_view, 58> reserved{"A",
                                                     "idtmc",
                                                     "imdp",
                                                     "ctmdp"};
-
-bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; }
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
 }  // namespace
 

@@ -48,7 +48,6 @@ TEST(HoaSyntax, ReadsNamesAndWhereLabelsStand) {
     State: 0 "zero" {0 1} 1 2 State: [0] 1 {} 1 State: 2 [0] 1 [!0] 2 {1}--END--)",
                                    "");
   EXPECT_EQ(a.name, "an \"automaton\" \\");
-  EXPECT_EQ(a.acceptance_name.size(), 2U);
   EXPECT_EQ(a.properties.size(), 3U);
   EXPECT_EQ(a.states[0].name, "zero");
   EXPECT_EQ(a.states[0].marks, (std::vector<std::uint64_t>{0, 1}));

@@ -5,7 +5,6 @@
 #include <string>
 
 #include "libltl/rewriting/nnf.hpp"
-#include "libltl/structure/closure.hpp"
 #include "libltl/text/parse.hpp"
 #include "libltl/text/print.hpp"
 #include "tests/support/generate.hpp"
@@ -14,14 +13,6 @@ namespace waymark::ltl {
 namespace {
 
 using testing::show;
-
-TEST(Closure, HoldsSubformulasAndTheirNegations) {
-  Arena arena;
-  const Formula f = parse("!a U X b", arena);
-  std::string all;
-  for (Formula g : closure(f)) all += print(g) + "; ";
-  EXPECT_EQ(all, "a; !a; b; X b; !a U (X b); !b; !X b; !(!a U (X b)); ");
-}
 
 // p propositional, n next-free, s safety, c co-safety, o obligation, r recurrence, e persistence
 std::string letters(const Fragments& f) {

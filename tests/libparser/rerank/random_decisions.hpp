@@ -46,9 +46,8 @@ inline void add_weights(const RankingModel& model, const Executor& executor, con
   const auto add = [&](std::uint64_t feature) {
     if (table.find(feature) == WeightTable::absent) *table.row(table.add(feature)) = weight(random);
   };
-  add(log_mass_feature());
   for (const auto& bundle : sentence.take().bundles)
-    for (const std::uint64_t feature : bundle) add(feature);
+    for (const WeightedFeature& feature : bundle) add(feature.key);
 }
 
 }  // namespace waymark::parser

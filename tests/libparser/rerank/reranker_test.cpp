@@ -43,11 +43,11 @@ struct Case {
   double score(const WeightTable& table, const End& end) const {
     RerankerSentence sentence(*model, input);
     sentence.add_end(executor, start, *decision.plans[end.candidate], end.mass);
-    const EndFeatures features = sentence.take();
-    double sum = static_cast<double>(table.weight(table.find(log_mass_feature()), 0)) * std::log(end.mass);
-    for (const std::uint32_t bundle : features.ends.front())
-      for (const std::uint64_t feature : features.bundles[bundle])
-        sum += static_cast<double>(table.weight(table.find(feature), 0));
+    const CandidateFeatures features = sentence.take();
+    double sum = 0;
+    for (const std::uint32_t bundle : features.candidates.front())
+      for (const auto& [feature, value] : features.bundles[bundle])
+        sum += static_cast<double>(table.weight(table.find(feature), 0)) * static_cast<double>(value);
     return sum;
   }
 };
@@ -112,9 +112,9 @@ std::multiset<std::uint64_t> features_of(const RankingModel& model, const Execut
   RerankerSentence sentence(model, input, seen_in_mirror);
   sentence.add_end(executor, start, plan, 0.5);
   std::multiset<std::uint64_t> out;
-  const EndFeatures features = sentence.take();
-  for (const std::uint32_t bundle : features.ends.front())
-    out.insert(features.bundles[bundle].begin(), features.bundles[bundle].end());
+  const CandidateFeatures features = sentence.take();
+  for (const std::uint32_t bundle : features.candidates.front())
+    for (const WeightedFeature& feature : features.bundles[bundle]) out.insert(feature.key);
   return out;
 }
 

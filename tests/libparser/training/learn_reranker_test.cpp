@@ -44,17 +44,23 @@ TEST(LearnReranker, OfEndsTheGoldOneIsRightOfStartsTheGoldOne) {
   ASSERT_FALSE(setting().instances.of_ends.empty());
   ASSERT_FALSE(setting().instances.of_starts.empty());
   for (const RankingInstance& instance : setting().instances.of_ends) {
-    ASSERT_EQ(instance.right.size(), 1U);
-    for (std::size_t i = 0; i < instance.options.size(); ++i) {
-      EXPECT_EQ(instance.options[i].start, instance.example->gold.start);
-      EXPECT_EQ(instance.options[i].plan.end == instance.example->gold.end, i == instance.right.front());
+    ASSERT_GT(instance.candidates.size(), 1U);
+    std::size_t right = 0;
+    for (const auto& [route, mass] : instance.candidates) {
+      EXPECT_EQ(route.start, instance.example->gold.start);
+      EXPECT_EQ(route.plan.end == instance.example->gold.end, Hallways::right(instance, route));
+      right += Hallways::right(instance, route) ? 1U : 0U;
     }
+    EXPECT_EQ(right, 1U);
   }
   for (const RankingInstance& instance : setting().instances.of_starts) {
-    ASSERT_LT(instance.right.size(), instance.options.size());
-    for (std::size_t i = 0; i < instance.options.size(); ++i)
-      EXPECT_EQ(instance.options[i].start == instance.example->gold.start,
-                std::binary_search(instance.right.begin(), instance.right.end(), i));
+    std::size_t right = 0;
+    for (const auto& [route, mass] : instance.candidates) {
+      EXPECT_EQ(route.start == instance.example->gold.start, Hallways::right(instance, route));
+      right += Hallways::right(instance, route) ? 1U : 0U;
+    }
+    EXPECT_GT(right, 0U);
+    EXPECT_LT(right, instance.candidates.size());
   }
 }
 
@@ -76,21 +82,20 @@ double log_likelihood(const RankingModel& model, const WeightTable& table,
                       const std::vector<RankingInstance>& instances) {
   double sum = 0;
   for (const RankingInstance& instance : instances) {
-    RerankerSentence sentence(model, instance.example->input);
-    for (const RankingInstance::Option& option : instance.options)
-      sentence.add_end(setting().executors[instance.example->map], option.start, option.plan, option.mass);
-    const EndFeatures features = sentence.take();
+    const CandidateFeatures features =
+        Hallways(model, setting().executors).features({&instance, false}, instance.candidates);
     double all = 0, right = 0;
-    for (std::size_t i = 0; i < features.ends.size(); ++i) {
+    for (std::size_t i = 0; i < features.candidates.size(); ++i) {
       const auto weight = [&](std::uint64_t feature) {
         const std::uint32_t row = table.find(feature);
         return row == WeightTable::absent ? 0.0 : static_cast<double>(table.weight(row, 0));
       };
-      double score = weight(log_mass_feature()) * static_cast<double>(features.log_mass[i]);
-      for (const std::uint32_t bundle : features.ends[i])
-        for (const std::uint64_t feature : features.bundles[bundle]) score += weight(feature);
+      double score = 0;
+      for (const std::uint32_t bundle : features.candidates[i])
+        for (const auto& [feature, value] : features.bundles[bundle])
+          score += weight(feature) * static_cast<double>(value);
       all += std::exp(score);
-      if (std::binary_search(instance.right.begin(), instance.right.end(), i)) right += std::exp(score);
+      if (Hallways::right(instance, instance.candidates[i].route)) right += std::exp(score);
     }
     sum += std::log(right / all);
   }

@@ -9,6 +9,7 @@
 #include "libltl/text/print.hpp"
 #include "libparser/corpus/token.hpp"
 #include "libparser/domain/streets/street_formula.hpp"
+#include "libparser/supervision/examples.hpp"
 #include "tests/libparser/domain/streets/town.hpp"
 
 namespace waymark::streets {
@@ -29,7 +30,7 @@ StreetCorpus invented(std::uint64_t seed, std::size_t texts) {
       const double right = static_cast<double>(i % 3) + 0.1 * static_cast<double>(random() % 5);
       const std::size_t row = i / 3;
       const double up = static_cast<double>(row) + 0.1 * static_cast<double>(random() % 5);
-      map.landmarks.push_back({static_cast<int>(i), town[i], {town[i]}, right, up});
+      map.landmarks.push_back({static_cast<int>(i), town[i], right, up});
     }
     map.ways.resize(town.size());
     for (LandmarkIndex a = 0; a < town.size(); ++a)
@@ -63,96 +64,44 @@ StreetCorpus invented(std::uint64_t seed, std::size_t texts) {
 TEST(Streets, AreReadInTownsNeverSeen) {
   const StreetCorpus corpus = invented(1, 300);
   const auto evaluation = evaluate_streets(corpus, corpus, false, 2, {});
-  ASSERT_TRUE(evaluation);
-  EXPECT_EQ(evaluation->by_map.size(), 3U);
-  EXPECT_EQ(evaluation->all.exact_path.total, 300U);
-  EXPECT_EQ(evaluation->all.supply.hits, 300U);
-  EXPECT_GE(evaluation->all.exact_path.hits, 294U);
-  EXPECT_GT(evaluation->all.exact_path.hits, evaluation->all.floor.hits);  // a fourth says its goal first
-  for (const StreetPrediction& p : evaluation->predictions) {
+  EXPECT_EQ(evaluation.folds.size(), 3U);
+  EXPECT_EQ(evaluation.all.exact_path.total, 300U);
+  EXPECT_EQ(evaluation.all.supply.hits, 300U);
+  EXPECT_GE(evaluation.all.exact_path.hits, 294U);
+  EXPECT_GT(evaluation.all.exact_path.hits, evaluation.all.floor.hits);  // a fourth says its goal first
+  for (const StreetPrediction& p : evaluation.predictions) {
     double sum = 0;
     for (const StreetReading& reading : p.readings) sum += reading.probability;
     EXPECT_LE(sum, 1 + 1e-9) << p.instruction->text;
   }
 }
 
-// Every route is described thrice, once by somebody who says nothing.
-TEST(Streets, TextsAboutOneFigureAreReadTogether) {
-  StreetCorpus corpus = invented(4, 60);
-  const std::vector<StreetInstruction> alone = corpus.instructions;
-  const auto one_by_one = evaluate_streets(corpus, corpus, false, 1, {});
-  ASSERT_TRUE(one_by_one);
-  EXPECT_EQ(one_by_one->all.together.hits, one_by_one->all.exact_path.hits);  // no figures: each alone
-  EXPECT_EQ(one_by_one->all.together.total, one_by_one->all.exact_path.total);
-  corpus.instructions.clear();
-  for (std::size_t i = 0; i < alone.size(); ++i)
-    for (int version = 0; version < 3; ++version) {
-      corpus.instructions.push_back(alone[i]);
-      corpus.instructions.back().figure = static_cast<int>(i / 3);  // the same numbers in every town
-      if (version == 1) corpus.instructions.back().tokens = {"what", "a", "nice", "picture"};
-    }
-  const auto evaluation = evaluate_streets(corpus, corpus, false, 1, {});
-  ASSERT_TRUE(evaluation);
-  EXPECT_EQ(evaluation->all.together.total, evaluation->all.exact_path.total);
-  EXPECT_LT(evaluation->all.exact_path.value(), 75);
-  EXPECT_GT(evaluation->all.together.value(), 90);
-}
-
-// Every route is described thrice, once by somebody who names its ends alone.
-TEST(Streets, ACityReadAtOnceIsReadBetterThanTextByText) {
-  StreetCorpus corpus = invented(5, 90);
-  const std::vector<StreetInstruction> alone = corpus.instructions;
-  corpus.instructions.clear();
-  for (const StreetInstruction& text : alone)
-    for (int version = 0; version < 3; ++version) {
-      corpus.instructions.push_back(text);
-      if (version != 1) continue;
-      const auto name = [&](LandmarkIndex l) { return corpus.maps[text.map].landmarks[l].name; };
-      corpus.instructions.back().text =
-          "from the " + name(text.path[0]) + " go to the " + name(text.path.back());
-      corpus.instructions.back().tokens = parser::tokenize(corpus.instructions.back().text);
-    }
-  StreetOptions options;
-  const auto by_text = evaluate_streets(corpus, corpus, false, 1, options);
-  options.adapt = true;
-  const auto at_once = evaluate_streets(corpus, corpus, false, 1, options);
-  ASSERT_TRUE(by_text && at_once);
-  EXPECT_EQ(at_once->all.exact_path.total, by_text->all.exact_path.total);
-  EXPECT_EQ(at_once->all.supply.hits, by_text->all.supply.hits);
-  EXPECT_GT(at_once->all.exact_path.value(), by_text->all.exact_path.value() + 8);
-  std::stop_source stop;
-  stop.request_stop();
-  options.stop = stop.get_token();
-  EXPECT_FALSE(evaluate_streets(corpus, corpus, false, 1, options));
-}
-
 TEST(Streets, AreReadTheSameByAnyNumberOfThreads) {
   const StreetCorpus corpus = invented(2, 60);
   const auto one = evaluate_streets(corpus, corpus, false, 1, {}),
              three = evaluate_streets(corpus, corpus, false, 3, {});
-  ASSERT_TRUE(one && three);
-  ASSERT_EQ(one->predictions.size(), three->predictions.size());
-  for (std::size_t i = 0; i < one->predictions.size(); ++i) {
-    EXPECT_EQ(one->predictions[i].readings[0].route.landmarks,
-              three->predictions[i].readings[0].route.landmarks);
-    EXPECT_EQ(one->predictions[i].readings[0].probability, three->predictions[i].readings[0].probability);
+  ASSERT_EQ(one.predictions.size(), three.predictions.size());
+  for (std::size_t i = 0; i < one.predictions.size(); ++i) {
+    EXPECT_EQ(one.predictions[i].readings[0].route.landmarks,
+              three.predictions[i].readings[0].route.landmarks);
+    EXPECT_EQ(one.predictions[i].readings[0].probability, three.predictions[i].readings[0].probability);
   }
 }
 
 TEST(Streets, TheRivalIsPushedAway) {
   const StreetCorpus corpus = invented(6, 60);
-  std::vector<const StreetInstruction*> texts;
+  std::vector<Streets::Text> texts;
   for (const StreetInstruction& text : corpus.instructions) texts.push_back(&text);
   // Of what the route described does not get, the part that the next longer one to its goal gets.
   const auto share = [&](double against_rival) {
     StreetOptions options;
-    options.epochs = 1;
-    options.against_rival = against_rival;
+    options.ranker.epochs = 1;
+    options.ranker.against_rival = against_rival;
     const auto model = learn_streets(texts, corpus.maps, options);
+    Streets streets(corpus.maps, model.common, model.limits);
     double rival = 0, wrong = 0;
     for (const StreetInstruction& text : corpus.instructions) {
-      StreetReader reader(corpus.maps[text.map], model->common, model->limits);
-      const auto readings = reader.read(*model, text.tokens, text.start);
+      const auto readings = rank_routes(streets, model.weights, &text, streets.candidates(&text));
       for (const StreetReading& gold : readings) {
         if (gold.route.landmarks != text.path) continue;
         wrong += 1 - gold.probability;
@@ -171,12 +120,12 @@ TEST(Streets, AskForSomethingToLearnFrom) {
   StreetCorpus one_town = corpus;
   std::erase_if(one_town.instructions, [](const StreetInstruction& i) { return i.map != 0; });
   EXPECT_THROW(evaluate_streets(one_town, one_town, false, 1, {}), std::invalid_argument);
-  EXPECT_TRUE(evaluate_streets(one_town, corpus, true, 1, {}));  // trained on all of it
+  EXPECT_EQ(evaluate_streets(one_town, corpus, true, 1, {}).folds.size(), 3U);  // trained on all of it
   StreetOptions stopped;
   std::stop_source stop;
   stop.request_stop();
-  stopped.stop = stop.get_token();
-  EXPECT_FALSE(evaluate_streets(corpus, corpus, false, 1, stopped));
+  stopped.ranker.stop = stop.get_token();
+  EXPECT_THROW(evaluate_streets(corpus, corpus, false, 1, stopped), parser::Stopped);
 }
 
 TEST(StreetFormula, ItsPlanIsTheRoute) {
@@ -197,6 +146,7 @@ TEST(StreetFormula, ItsPlanIsTheRoute) {
       }
   ltl::Arena arena;
   EXPECT_EQ(ltl::print(visit_in_order(map, {old_mill, wall}, arena)), "F(old_mill & F wall)");
+  EXPECT_EQ(Streets::vocabulary(map).find("old_mill"), ltl::Proposition{old_mill});
 }
 
 TEST(StreetCorpus, LinesSayWhatIsWrongWithThem) {
@@ -222,12 +172,6 @@ TEST(StreetCorpus, LinesSayWhatIsWrongWithThem) {
   EXPECT_NE(
       complaint(R"({"id": "1", "map": "town", "start": 1, "text": "", "path": [0, 1]})").find("the start"),
       std::string::npos);
-  EXPECT_NE(complaint(R"({"id": "1", "map": "town", "start": 0, "text": "", "path": [0, 1], "figure": "2"})")
-                .find("figure"),
-            std::string::npos);
-  const auto about = [&](const char* line) { return parse_street_instructions(line, maps)[0].figure; };
-  EXPECT_EQ(about(R"({"id": "1", "map": "town", "start": 0, "text": "", "path": [0, 1], "figure": 2})"), 2);
-  EXPECT_EQ(about(R"({"id": "1", "map": "town", "start": 0, "text": "", "path": [0, 1]})"), std::nullopt);
   EXPECT_NE(complaint("[").find("town.jsonl:1"), std::string::npos);
 }
 

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <random>
 
-#include "libltl/diagnostic.hpp"
 #include "tests/libparser/domain/streets/town.hpp"
 
 namespace waymark::streets {
@@ -32,7 +31,7 @@ StreetMap random_town(std::mt19937_64& random, std::size_t landmarks) {
   for (std::size_t i = 0; i < landmarks; ++i) {
     const auto coordinate = [&] { return static_cast<double>(random() % 1000); };
     const double right = coordinate(), up = coordinate();
-    map.landmarks.push_back({static_cast<int>(i), "L" + std::to_string(i), {}, right, up});
+    map.landmarks.push_back({static_cast<int>(i), "L" + std::to_string(i), right, up});
   }
   map.ways.resize(landmarks);
   for (LandmarkIndex a = 0; a < landmarks; ++a)
@@ -75,28 +74,6 @@ TEST(StreetRoutes, AvoidWhatIsToBeAvoided) {
             (StreetRoute{church, cafe, well, new_mill, old_mill, museum}));
   avoided[old_mill] = true;
   EXPECT_TRUE(shortest_street_route(map, church, museum, avoided).empty());
-}
-
-TEST(StreetMap, SaysWhatIsWrongAndWhere) {
-  const auto complaint = [](std::string_view json) {
-    try {
-      parse_street_map(json, "town.json");
-    } catch (const ltl::FormatError& error) {
-      return std::string(error.what());
-    }
-    return std::string("nothing");
-  };
-  const std::string nodes =
-      R"({"name": "t", "nodes": [{"id": 0, "name": "A", "x": 0, "y": 0}, {"id": 1, "name": "B", "x": 1, "y": 0}], )";
-  EXPECT_NE(
-      complaint(nodes + R"("edges": [{"a": 0, "b": 2, "metres": 1}]})").find("no landmark with that id"),
-      std::string::npos);
-  EXPECT_NE(complaint(nodes + R"("edges": [{"a": 0, "b": 1, "metres": -1}]})").find("negative length"),
-            std::string::npos);
-  EXPECT_NE(complaint(nodes + R"("edges": [{"a": 0, "b": 0, "metres": 1}]})").find("to itself"),
-            std::string::npos);
-  EXPECT_NE(complaint(R"({"name": "t", "nodes": [], "edges": []})").find("without landmarks"),
-            std::string::npos);
 }
 
 }  // namespace

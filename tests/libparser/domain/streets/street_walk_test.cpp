@@ -129,15 +129,15 @@ TEST(StreetSight, KnowsTheRivalsLandmarksFromThoseNobodyShowed) {
     const CandidateRoute route = candidate({church, bakery, well}, rival);
     FeatureList list;
     add_sight(list, {map, 1, tokens, mentions, cues, route, place(mentions, route.landmarks)});
-    std::vector<std::uint32_t> indices;
-    for (const WeighedFeature& f : list.take()) indices.push_back(f.index);
-    std::sort(indices.begin(), indices.end());
-    return indices;
+    std::vector<std::uint64_t> keys;
+    for (const parser::WeightedFeature& f : list.take()) keys.push_back(f.key);
+    std::sort(keys.begin(), keys.end());
+    return keys;
   };
   FeatureList unseen;
   unseen.add(FeatureKind::InSight, 1, 0, std::size_t{1});
-  const std::uint32_t one_unseen = unseen.take()[0].index;
-  const auto holds = [&](const std::vector<std::uint32_t>& list) {
+  const std::uint64_t one_unseen = unseen.take()[0].key;
+  const auto holds = [&](const std::vector<std::uint64_t>& list) {
     return std::find(list.begin(), list.end(), one_unseen) != list.end();
   };
   EXPECT_TRUE(holds(sight({church, cafe, well})));

@@ -1,0 +1,23 @@
+// waymark-lab: experiments. `waymark` starts it for the commands of this table and hands its own arguments on.
+#include <array>
+#include <iostream>
+
+#include "tools/shell/program.hpp"
+
+namespace waymark::tools {
+namespace {
+
+constexpr std::array rows{
+    Subcommand{"experiment", experiment_summary, setup_experiment},
+    Subcommand{"tune", tune_summary, setup_tune},
+    Subcommand{"generate", generate_summary, setup_generate_corpus},
+};
+
+}  // namespace
+}  // namespace waymark::tools
+
+int main(int argc, char** argv) {
+  using namespace waymark::tools;
+  std::ios::sync_with_stdio(false);
+  return static_cast<int>(guarded([&] { return run_subcommand(rows, argc, argv); }));
+}

@@ -1,0 +1,99 @@
+#include "tools/shell/program.hpp"
+
+#include <unistd.h>
+
+#include <CLI/App.hpp>
+#include <CLI/Config.hpp>
+#include <CLI/Formatter.hpp>
+#include <exception>
+#include <iostream>
+#include <new>
+
+#include "libltl/diagnostic.hpp"
+#include "libltl/vocabulary.hpp"
+#include "tools/shell/interrupt.hpp"
+
+namespace waymark::tools {
+namespace {
+
+// Every subcommand is known by name; only the one that is called gets its options, which take longer to set up than
+// a small formula to translate.
+struct Called {
+  CLI::App* command = nullptr;
+  Runner runner;
+};
+
+Called add_subcommands(CLI::App& app, std::span<const Subcommand> rows, std::string_view called) {
+  Called found;
+  for (const Subcommand& row : rows) {
+    CLI::App* command = app.add_subcommand(row.name, row.summary);
+    if (called == row.name && row.setup != nullptr) found = {command, row.setup(Command(*command))};
+  }
+  return found;
+}
+
+// A first argument that is neither an option nor a subcommand: most likely a slip of the fingers.
+void reject_unknown_subcommand(std::span<const Subcommand> rows, int argc, char** argv) {
+  if (argc < 2) throw UsageError("no subcommand given; see waymark --help");
+  if (argv[1][0] == '-') return;
+  ltl::Vocabulary known;
+  for (const Subcommand& row : rows) known.add(row.name);
+  const std::string_view given = argv[1];
+  if (given.empty()) throw UsageError("the name of the subcommand is empty; see waymark --help");
+  if (known.find(given)) return;
+  const auto nearest = known.nearest(given);
+  throw UsageError("there is no subcommand '" + std::string(given) + "'" +
+                   (nearest ? " (did you mean '" + *nearest + "'?)" : "; see waymark --help"));
+}
+
+}  // namespace
+
+ExitCode run_subcommand(std::span<const Subcommand> rows, int argc, char** argv) {
+  reject_unknown_subcommand(rows, argc, argv);
+  CLI::App app{"waymark: English route instructions → LTL → automata → certified routes"};
+  app.require_subcommand(1);
+  app.get_formatter()->column_width(34);
+  const Called called = add_subcommands(app, rows, argv[1]);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::Success& help) {  // --help
+    app.exit(help, std::cout, std::cerr);
+    return ExitCode::Done;
+  } catch (const CLI::ParseError& error) {
+    throw UsageError(error.what() + std::string("; see waymark ") +
+                     (called.command != nullptr ? called.command->get_name() + " " : "") + "--help");
+  }
+  if (!called.runner) throw UsageError("the subcommand comes first; see waymark --help");
+  const Interrupt interrupt;
+  const ExitCode code = called.runner({.stop = interrupt.token(), .out = terminal_of(STDOUT_FILENO)});
+  std::cout.flush();
+  if (!std::cout) throw ltl::FormatError("standard output", 0, 0, "cannot be written");
+  return code;
+}
+
+ExitCode guarded(const std::function<ExitCode()>& run) {
+  try {
+    return run();
+  } catch (const UsageError& error) {
+    complain("error", error.what());
+    return ExitCode::Usage;
+  } catch (const ltl::SyntaxError& error) {
+    complain("error", error.what());
+    return ExitCode::BadInput;
+  } catch (const ltl::FormatError& error) {
+    complain("error", error.what());
+    return ExitCode::BadInput;
+  } catch (const GaveUp& error) {
+    complain("error", error.what());
+    return ExitCode::GaveUp;
+  } catch (const std::bad_alloc&) {
+    complain("error", "out of memory");
+    return ExitCode::GaveUp;
+  } catch (
+      const std::exception& error) {  // an assertion of ours that did not hold: said so, never passed over
+    complain("error", std::string("this is a bug in waymark: ") + error.what());
+    return ExitCode::OurBug;
+  }
+}
+
+}  // namespace waymark::tools
