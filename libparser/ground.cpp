@@ -117,12 +117,12 @@ class Hearing {
 
   Decision decided(std::size_t k, std::span<const plan::PoseId> from) const {
     Decision decision = decide(programs_[k], executor_, from, options_.then);
-    choose_end(*grounder_.model, executor_, inputs_[k], from, decision);
+    choose_end(*grounder_.ranking, executor_, inputs_[k], from, decision);
     return decision;
   }
   TransitionDistribution outlook(std::size_t k, plan::PoseId from) const {
     Decision decision = decide(programs_[k], executor_, {&from, 1}, options_.then);
-    const double evidence = choose_and_locate(*grounder_.model, executor_, inputs_[k], from, decision);
+    const double evidence = choose_and_locate(*grounder_.ranking, executor_, inputs_[k], from, decision);
     return {shares(decision), evidence};
   }
   static std::vector<std::pair<plan::PoseId, double>> shares(const Decision& decision) {
@@ -178,7 +178,7 @@ Settled settle(const Grounder& grounder, const Executor& executor, const std::ve
 
 std::vector<Reading> ground(const Grounder& grounder, std::string_view text, ltl::Arena& arena,
                             const GroundOptions& options) {
-  grounder.model->check_vocabulary(arena.vocabulary(), "the formulas");
+  grounder.ranking->language.check_vocabulary(arena.vocabulary(), "the formulas");
   const std::vector<std::string> sentences = split_sentences(text);
   if (sentences.empty()) return {};
   std::vector<Weighed> programs{{}};
@@ -201,14 +201,14 @@ std::vector<Reading> ground(const Grounder& grounder, std::string_view text, con
                             std::span<const plan::PoseId> starts, ltl::Arena& arena,
                             const GroundOptions& options) {
   const plan::Map& map = executor.map();
-  grounder.model->check_vocabulary(arena.vocabulary(), "the formulas");
-  grounder.model->check_vocabulary(map.vocabulary(), "map " + map.name());
+  grounder.ranking->language.check_vocabulary(arena.vocabulary(), "the formulas");
+  grounder.ranking->language.check_vocabulary(map.vocabulary(), "map " + map.name());
   const std::vector<std::string> sentences = split_sentences(text);
   if (sentences.empty() || starts.empty()) return {};
   const Settled settled = settle(grounder, executor, sentences, starts, options);
   const SentenceInput input{tokenize(sentences.back()), settled.here.size() > 1};
   Decision decision = decide(grounder, executor, input, settled.here, {options.beam, options.then});
-  choose_end(*grounder.model, executor, input, settled.here, decision);
+  choose_end(*grounder.ranking, executor, input, settled.here, decision);
   const std::vector<double> weights = on_the_map(decision);
   std::vector<Weighed> programs;
   for (std::size_t c = 0; c < weights.size(); ++c) {

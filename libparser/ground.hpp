@@ -11,7 +11,7 @@
 #include <string_view>
 #include <vector>
 
-#include "libparser/decode/reader.hpp"
+#include "libparser/decode/grounder.hpp"
 #include "libparser/programs/execute.hpp"
 
 namespace waymark::parser {

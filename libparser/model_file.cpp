@@ -1,37 +1,15 @@
 #include "libparser/model_file.hpp"
 
 #include <array>
-#include <fstream>
-#include <sstream>
+#include <memory>
+#include <utility>
 
-#include "libltl/diagnostic.hpp"
-#include "libparser/decode/network_search.hpp"
 #include "libparser/model/weights_bytes.hpp"
 
 namespace waymark::parser {
 namespace {
 
-constexpr std::uint32_t linear = 9, encoder_decoder = 10;  // versions; + 2 in the temporal dialect
-
-std::uint32_t version_of(std::uint32_t kind, const LinearModel& model) {
-  return kind + (model.dialect() == Dialect::Temporal ? 2 : 0);
-}
-bool is_kind(std::uint32_t version, std::uint32_t kind) { return version == kind || version == kind + 2; }
-Dialect dialect_of(std::uint32_t version) {
-  return version > encoder_decoder ? Dialect::Temporal : Dialect::Plain;
-}
-
 constexpr std::int32_t largest = 4096;  // size of a layer, while reading
-
-LinearModel read_linear(WeightsReader& in) {
-  LinearModel model(in.vocabulary(), dialect_of(in.version()));
-  model.words = in.words();
-  in.table(model.reader);
-  in.table(model.reranker);
-  in.table(model.start_pose_model);
-  in.end();
-  return model;
-}
 
 std::array<std::int32_t*, 5> sizes_of(NetworkOptions& options) {
   return {&options.word, &options.width, &options.query, &options.symbol, &options.history};
@@ -46,100 +24,95 @@ std::size_t least_weights(const NetworkOptions& options, std::size_t words) {
          size(options.symbol) * (size(options.query) + 2 * size(options.width));
 }
 
-Grounder read_encoder_decoder(WeightsReader& in) {
-  auto model = std::make_shared<LinearModel>(in.vocabulary(), dialect_of(in.version()));
+std::shared_ptr<const LinearModel> read_linear(WeightsReader& in, const RankingModel& ranking) {
+  auto model = std::make_shared<LinearModel>(ranking.language);
+  model->words = ranking.words;
+  model->weights = in.table(model->weights.columns());
+  return model;
+}
+
+std::shared_ptr<const NetworkModel> read_network(WeightsReader& in, const ProgramLanguage& language) {
   WordTable words = in.words();
   NetworkOptions options;
   for (std::int32_t* size : sizes_of(options)) {
-    *size = in.number<std::int32_t>();
-    if (*size < 1 || *size > largest) in.fail("a layer of no possible size");
+    const std::uint64_t stored = in.number();
+    if (stored < 1 || stored > largest) in.fail("a layer of no possible size");
+    *size = static_cast<std::int32_t>(stored);
   }
   if (least_weights(options, words.words().size()) > in.left() / 4)  // before room is made for them
-    in.fail("the weights file promises more than it holds");
-  options.lexicon = in.number<std::uint8_t>() != 0;
-  EncoderDecoder network(TypedPostfix(model->grammar(), model->columns()), std::move(words), options,
-                         [] { return 0.5; });
+    in.fail("the model file promises more than it holds");
+  options.lexicon = in.number() != 0;
+  EncoderDecoder network(TypedPostfix(language), std::move(words), options, [] { return 0.5; });
   neural::Vector& values = network.parameters().values();
   in.floats({values.data(), static_cast<std::size_t>(values.size())});
-  model->words = in.words();
-  in.table(model->reranker);
-  in.table(model->start_pose_model);
+  return std::make_shared<const NetworkModel>(std::move(network));
+}
+
+Grounder read_grounder(WeightsReader& in) {
+  auto ranking = std::make_shared<RankingModel>(in.vocabulary(), in.header().dialect);
+  ranking->words = in.words();
+  WordModel word_model = in.header().kind == ModelHeader::Linear
+                             ? WordModel(read_linear(in, *ranking))
+                             : WordModel(read_network(in, ranking->language));
+  ranking->reranker = in.table(1);
+  ranking->start_pose_model = in.table(1);
   in.end();
-  return {std::make_shared<const NetworkReader>(std::move(network)), std::move(model)};
+  return {std::move(word_model), std::move(ranking)};
 }
 
-std::string serialize(const EncoderDecoder& network, const LinearModel& model, double threshold) {
-  WeightsWriter out(version_of(encoder_decoder, model));
-  out.strings(model.vocabulary().names());
-  out.strings(network.words().words());
-  NetworkOptions options = network.options();
-  for (const std::int32_t* size : sizes_of(options)) out.number(static_cast<std::uint32_t>(*size));
-  out.number(static_cast<std::uint8_t>(options.lexicon));
-  const neural::Vector& values = network.parameters().values();
-  out.floats({values.data(), static_cast<std::size_t>(values.size())});
-  out.strings(model.words.words());
-  out.table(model.reranker, least_of_rerankers * threshold);
-  out.table(model.start_pose_model, least_of_rerankers * threshold);
-  return out.finish();
+constexpr ModelHeader::Kind kind_of(const LinearModel&) { return ModelHeader::Linear; }
+constexpr ModelHeader::Kind kind_of(const NetworkModel&) { return ModelHeader::EncoderDecoder; }
+
+void write(WeightsWriter& out, const LinearModel& model, double threshold) {
+  out.table(model.weights, threshold);
 }
 
-// Fewer of the small weights until the file fits.
-template <class Serialize>
-std::string within(std::size_t bytes, const Serialize& serialize_with) {
-  double threshold = least_weight;
-  std::string out = serialize_with(threshold);
-  while (out.size() > bytes && threshold < 65'504) out = serialize_with(threshold *= 1.25);
-  return out;
+void write(WeightsWriter& out, const NetworkModel& model, double) {
+  out.strings(model.network.words().words());
+  NetworkOptions options = model.network.options();
+  for (const std::int32_t* size : sizes_of(options)) out.number(static_cast<std::uint64_t>(*size));
+  out.number(options.lexicon ? 1 : 0);
+  const neural::Vector& values = model.network.parameters().values();
+  out.list(std::span<const float>(values.data(), static_cast<std::size_t>(values.size())));
 }
 
 }  // namespace
 
-std::string serialize(const LinearModel& model, double threshold) {
-  WeightsWriter out(version_of(linear, model));
-  out.strings(model.vocabulary().names());
-  out.strings(model.words.words());
-  out.table(model.reader, threshold);
-  out.table(model.reranker, least_of_rerankers * threshold);
-  out.table(model.start_pose_model, least_of_rerankers * threshold);
-  return out.finish();
-}
-
-LinearModel parse_linear_model(std::string_view bytes, std::string_view source) {
-  WeightsReader in(bytes, source);
-  if (!is_kind(in.version(), linear)) in.fail("is no linear model");
-  return read_linear(in);
-}
-
 std::string serialize(const Grounder& grounder, double threshold) {
-  if (const auto* network = dynamic_cast<const NetworkReader*>(grounder.reader.get()))
-    return serialize(network->network(), *grounder.model, threshold);
-  return serialize(linear_model_of(grounder), threshold);
+  const RankingModel& ranking = *grounder.ranking;
+  return std::visit(
+      [&](const auto& word_model) {
+        WeightsWriter out({kind_of(*word_model), ranking.language.dialect()});
+        out.strings(ranking.language.vocabulary().names());
+        out.strings(ranking.words.words());
+        write(out, *word_model, threshold);
+        out.table(ranking.reranker, least_of_rerankers * threshold);
+        out.table(ranking.start_pose_model, least_of_rerankers * threshold);
+        return out.finish();
+      },
+      grounder.word_model);
 }
 
 std::string serialize_within(const Grounder& grounder, std::size_t bytes) {
-  if (const auto* network = dynamic_cast<const NetworkReader*>(grounder.reader.get()))
-    return within(bytes, [&](double t) { return serialize(network->network(), *grounder.model, t); });
-  const LinearModel model = linear_model_of(grounder);
-  return within(bytes, [&](double t) { return serialize(model, t); });
+  double threshold = least_weight;
+  std::string out = serialize(grounder, threshold);
+  while (out.size() > bytes && threshold < 65'504) out = serialize(grounder, threshold *= 1.25);
+  return out;
 }
 
 Grounder parse_grounder(std::string_view bytes, std::string_view source) {
-  WeightsReader in(bytes, source);
-  if (is_kind(in.version(), linear)) return grounder_of(read_linear(in));
-  if (is_kind(in.version(), encoder_decoder)) return read_encoder_decoder(in);
-  in.fail("weights file of an unknown version");
+  WeightsReader in(std::make_shared<const MappedFile>(bytes), source);
+  return read_grounder(in);
+}
+
+Grounder load_grounder(const std::filesystem::path& file) {
+  const std::string source = file.string();
+  WeightsReader in(std::make_shared<const MappedFile>(file), source);
+  return read_grounder(in);
 }
 
 void save(const Grounder& grounder, const std::filesystem::path& file) {
   write_weights(serialize_within(grounder, most_bytes), file.string());
-}
-
-Grounder load_grounder(const std::filesystem::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  std::ostringstream bytes;
-  bytes << in.rdbuf();
-  if (!in || !bytes) throw ltl::FormatError(file.string(), 0, 0, "cannot be read");
-  return parse_grounder(bytes.view(), file.string());
 }
 
 }  // namespace waymark::parser

@@ -1,14 +1,13 @@
-// The weights file: a trained model in one portable binary file. Layout: docs/formats/corpus-and-models.md.
+// The model file: a trained model in one file that is mapped, not read. Layout: docs/formats/corpus-and-models.md.
 //
-// Little endian; tables with only the weights that matter, as 16-bit floats, networks whole in float32; an FNV-1a
-// checksum at the end. Saving is lossy once: what is loaded saves to the same bytes.
+// Little endian. Tables keep the weights that matter as 16-bit floats and are looked up where they lie; networks are
+// whole, in float32; XXH64 at the end. Saving is lossy once: what is loaded saves to the same bytes.
 #pragma once
 #include <filesystem>
 #include <string>
 #include <string_view>
 
-#include "libparser/decode/beam.hpp"
-#include "libparser/model/linear_model.hpp"
+#include "libparser/decode/grounder.hpp"
 
 namespace waymark::parser {
 
@@ -17,15 +16,12 @@ inline constexpr double least_weight = 0.0085;
 inline constexpr double least_of_rerankers = 0.6;
 inline constexpr std::size_t most_bytes = 6'000'000;
 
-// Weights of tables smaller than `threshold` in absolute value are dropped. Throws std::invalid_argument on a reader that is
-// neither linear nor an encoder-decoder.
-std::string serialize(const LinearModel& model, double threshold = least_weight);
+// Weights of tables smaller than `threshold` in absolute value are dropped.
 std::string serialize(const Grounder& grounder, double threshold = least_weight);
 // The same with the threshold raised by quarters until the file fits; `bytes` must leave room for the rest.
 std::string serialize_within(const Grounder& grounder, std::size_t bytes);
 
-// These throw ltl::FormatError when it is no weights file, of another version, cut short or altered.
-LinearModel parse_linear_model(std::string_view bytes, std::string_view source = "");
+// These throw ltl::FormatError when it is no model file, of another version, cut short or altered.
 Grounder parse_grounder(std::string_view bytes, std::string_view source = "");
 Grounder load_grounder(const std::filesystem::path& file);
 

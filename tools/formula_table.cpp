@@ -49,7 +49,7 @@ void print_formulas(const parser::FormulaScores& scores) {
 
 ExitCode evaluate_pairs(const PairsExperiment& experiment, const Session& session) {
   const parser::Grounder grounder = read_model(experiment.model, experiment.data);
-  const ltl::Vocabulary& vocabulary = grounder.model->vocabulary();
+  const ltl::Vocabulary& vocabulary = grounder.ranking->language.vocabulary();
   const parser::Annotations annotations = parser::parse_annotations(
       read_file(experiment.pairs), vocabulary, parser::Dialect::Temporal, source_name(experiment.pairs));
   report_refused(annotations, experiment.pairs);

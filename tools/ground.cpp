@@ -4,14 +4,15 @@
 #include <memory>
 #include <mutex>
 #include <sstream>
+#include <variant>
 
 #include "libltl/diagnostic.hpp"
 #include "libltl/text/print.hpp"
 #include "libparser/corpus/token.hpp"
 #include "libparser/decode/explain.hpp"
-#include "libparser/decode/network_search.hpp"
 #include "libparser/ground.hpp"
 #include "libparser/grounding/instruction.hpp"
+#include "libparser/model/word_model.hpp"
 #include "libparser/rerank/decide.hpp"
 #include "tools/answer.hpp"
 #include "tools/shell/models.hpp"
@@ -74,8 +75,8 @@ class Grounding {
   };
 
   const parser::EncoderDecoder* network() const {
-    const auto* reader = dynamic_cast<const parser::NetworkReader*>(model_.reader.get());
-    return reader == nullptr ? nullptr : &reader->network();
+    const auto* model = std::get_if<std::shared_ptr<const parser::NetworkModel>>(&model_.word_model);
+    return model == nullptr ? nullptr : &(*model)->network;
   }
 
   const Place& place_of(const std::string& name) {

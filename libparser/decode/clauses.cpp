@@ -40,7 +40,7 @@ std::vector<Candidate> likeliest(std::vector<Joint> joints, std::size_t most) {
 }
 
 // Programs of two parts or more.
-std::vector<Candidate> in_parts(const Reader& reader, const SentenceInput& input,
+std::vector<Candidate> in_parts(const ReadSentence& read, const SentenceInput& input,
                                 const std::vector<Clause>& clauses, std::size_t beam) {
   const auto token = [&](std::size_t i) { return input.tokens.begin() + static_cast<std::ptrdiff_t>(i); };
   const std::size_t n = clauses.size(), kept = std::min(beam, most_kept);
@@ -52,7 +52,7 @@ std::vector<Candidate> in_parts(const Reader& reader, const SentenceInput& input
     for (std::size_t begin = end - std::min(end, most_clauses); begin < end; ++begin) {
       if (begin == 0 && end == n) continue;                                    // that is no part
       if (begin > 0 && *token(clauses[begin].begin) == "otherwise") continue;  // goes on with what "if" began
-      parts.push_back(reader.read(
+      parts.push_back(read(
           {{token(clauses[begin].begin), token(clauses[end - 1].end)}, input.heading_unknown && begin == 0},
           kept));
       for (const Candidate& first : beginnings[begin])
@@ -71,14 +71,15 @@ double log_of_sum(double a, double b) {
 
 }  // namespace
 
-std::vector<Candidate> read_by_clauses(const Reader& reader, const SentenceInput& input, std::size_t beam) {
-  std::vector<Candidate> whole = reader.read(input, beam);
+std::vector<Candidate> read_by_clauses(const ReadSentence& read, const SentenceInput& input,
+                                       std::size_t beam) {
+  std::vector<Candidate> whole = read(input, beam);
   const std::vector<Clause> clauses = clauses_of(input.tokens);
   if (clauses.size() == 1) return whole;
   std::map<Program, double> together;
   for (const Candidate& candidate : whole)
     together.emplace(candidate.program, candidate.log_probability + std::log(0.5));
-  for (const Candidate& candidate : in_parts(reader, input, clauses, beam)) {
+  for (const Candidate& candidate : in_parts(read, input, clauses, beam)) {
     if (candidate.program.empty())
       continue;  // nothing but staying: the whole sentence says so if it means it
     const double half = candidate.log_probability + std::log(0.5);

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "libparser/decode/symbol_trie.hpp"
+#include "libparser/model/network_scorer.hpp"
 
 namespace waymark::parser {
 

@@ -1,50 +1,71 @@
-// Many programs at once, sharing their prefixes: the marginal likelihood of a set of programs and its gradient.
+// Many programs sharing their prefixes: each prefix is scored once, whatever the word model.
 //
-//   value(node) = log Σ_child exp(log p(token | node) + value(child)),   value(leaf) = log weight of the program
-// A sentence has a few hundred consistent programs and about as many prefixes; each prefix is scored once.
+// A node is a prefix at which the grammar leaves a choice; what it forces after a token is taken with that token.
 #pragma once
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
 #include <cstdint>
+#include <span>
+#include <utility>
 #include <vector>
 
-#include "libparser/model/scorer.hpp"
+#include "libparser/programs/postfix_grammar.hpp"
 
 namespace waymark::parser {
 
+// Prefix: of one kind of word model (model/word_model.hpp).
+template <class Prefix>
 class ProgramTrie {
  public:
-  explicit ProgramTrie(const PostfixGrammar& grammar);
-
-  // Weights multiply probabilities: 1 counts fully. A program that is in already keeps its first weight.
-  // Returns whether it was new.
-  bool add(const Program& program, double weight);
-  std::size_t programs() const { return programs_; }
-  std::size_t nodes() const { return nodes_.size(); }
-
-  // Room for one pass; keep it to save allocations.
-  struct Scratch {
-    std::vector<float> log_p;  // [nodes × tokens]
-    std::vector<float> value, mass, delta;
-    std::vector<Scorer::GroupIds> groups;
-  };
-  // log Σ_z weight(z) p(z | x); its gradient goes to the scorer, which must have begun this sentence.
-  double accumulate_gradient(Scorer& scorer, Scratch& scratch) const;
-
- private:
   struct Child {
     Token token;
-    std::int32_t node;  // −1: a complete program
-    float log_weight;
+    std::int32_t to;  // a node, or ~program
   };
   struct Node {
-    PrefixState state;
-    Choice choice;
+    Prefix prefix;
     std::vector<Child> children;
   };
-  void forward(Scorer& scorer, Scratch& scratch) const;
 
-  const PostfixGrammar* grammar_;
-  std::vector<Node> nodes_;  // parents before children
-  std::size_t programs_ = 0;
+  // Weights multiply probabilities: 1 counts fully. A program that is in already keeps its first weight.
+  // Returns whether it was new. Throws as PostfixGrammar::tokens_of.
+  template <class Prefixes>
+  bool add(const Prefixes& prefixes, const Program& program, double weight) {
+    const auto tokens = prefixes.tokens_of(program);
+    if (nodes_.empty()) nodes_.push_back({prefixes.first(), {}});
+    std::vector<Token> taken;
+    for (std::size_t at = 0, i = 0;;) {
+      const auto& children = nodes_[at].children;
+      const Token token = tokens[i];
+      const auto child =
+          std::find_if(children.begin(), children.end(), [&](const Child& c) { return c.token == token; });
+      taken.clear();
+      Prefix next = prefixes.after(nodes_[at].prefix, token, taken);
+      i += taken.size();
+      if (child != children.end()) {
+        if (child->to < 0) return false;
+        at = static_cast<std::size_t>(child->to);
+        continue;
+      }
+      const bool complete = i == tokens.size();
+      const std::size_t to = nodes_.size();
+      nodes_[at].children.push_back(
+          {token, complete ? ~static_cast<std::int32_t>(programs()) : static_cast<std::int32_t>(to)});
+      if (complete) break;
+      nodes_.push_back({std::move(next), {}});
+      at = to;
+    }
+    log_weights_.push_back(static_cast<float>(std::log(weight)));
+    return true;
+  }
+
+  std::size_t programs() const { return log_weights_.size(); }
+  const std::vector<float>& log_weights() const { return log_weights_; }  // by program
+  std::span<const Node> nodes() const { return nodes_; }                  // parents before children
+
+ private:
+  std::vector<Node> nodes_;
+  std::vector<float> log_weights_;
 };
 
 }  // namespace waymark::parser

@@ -66,7 +66,7 @@ struct EvaluateOptions {
   std::function<std::shared_ptr<const Follower>(std::shared_ptr<const Follower>)> carried_out = {};
   std::size_t ensemble = 1;  // systems of seeds train.seed, train.seed + 1, …
   // Where finished readers, rerankers and scores are kept, if anywhere: a run that finds them there goes on from them, to
-  // the same scores as one that was never stopped. Tables of weights are rounded as in a weights file then.
+  // the same scores as one that was never stopped. Tables of weights are rounded as in a model file then.
   const Checkpoints* checkpoints = nullptr;
   std::string system = {};  // with which the names of those parts begin
 };

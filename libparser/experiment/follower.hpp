@@ -3,7 +3,7 @@
 #include <span>
 #include <vector>
 
-#include "libparser/decode/reader.hpp"
+#include "libparser/model/features.hpp"
 #include "libparser/rerank/decide.hpp"
 
 namespace waymark::parser {

@@ -18,7 +18,7 @@ GroundingFollower::Verdict GroundingFollower::judge(const Executor& executor, co
   std::vector<double> most;  // by answer: what a grounder gave it
   const auto members = static_cast<double>(grounders_.size());
   for (std::size_t g = 0; g < grounders_.size(); ++g) {
-    const LinearModel& model = *grounders_[g].model;
+    const RankingModel& model = *grounders_[g].ranking;
     Decision decision = decide(readings[g], executor, {&start, 1}, how_.deciding.then);
     verdict.evidence += choose_and_locate(model, executor, input, start, decision) / members;
     double total = 0;

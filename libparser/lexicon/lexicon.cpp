@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <iterator>
+#include <utility>
 
 namespace waymark::parser {
 namespace {
@@ -66,27 +68,30 @@ std::vector<std::string> phrases(const std::vector<std::string>& tokens) {
 
 }  // namespace
 
-std::vector<std::string> mentions(const std::vector<std::string>& tokens) {
+Part thing(std::string name) { return {PartKind::Thing, std::move(name), 0}; }
+Part count(std::size_t number) { return {PartKind::Count, std::to_string(number), number}; }
+
+std::vector<Part> mentions(const std::vector<std::string>& tokens) {
   const std::vector<std::string> said = phrases(tokens);
-  std::vector<std::string> out;
+  std::vector<Part> out;
   for (const Entry& entry : entries)
     for (const char* word : entry.words)
       if (word != nullptr && std::binary_search(said.begin(), said.end(), word))
-        out.push_back("thing " + std::string(entry.thing));
+        out.push_back(thing(entry.thing));
   for (const std::string& word : tokens)
     if (const std::size_t n = number_named(word); n > 0) {
-      out.push_back("count " + std::to_string(n));
-      out.push_back("thing " + std::to_string(n));
+      out.push_back(count(n));
+      out.push_back(thing(std::to_string(n)));
     }
   std::sort(out.begin(), out.end());
   out.erase(std::unique(out.begin(), out.end()), out.end());
   return out;
 }
 
-bool in_lexicon(const std::string& column) {
-  if (column.rfind("count ", 0) == 0) return column != "count 1";
-  return std::any_of(std::begin(entries), std::end(entries),
-                     [&](const Entry& entry) { return column == "thing " + std::string(entry.thing); });
+bool in_lexicon(const Part& part) {
+  if (part.kind == PartKind::Count) return part.number != 1;
+  return part.kind == PartKind::Thing && std::any_of(std::begin(entries), std::end(entries),
+                                                     [&](const Entry& e) { return part.name == e.thing; });
 }
 
 std::size_t number_named(const std::string& word) {

@@ -37,15 +37,12 @@ NetworkSentence EncoderDecoder::sentence(const SentenceInput& input) const {
   for (const std::string& word : input.tokens) out.words.push_back(words_.find(word));
   const SentenceFeatures features = sentence_features(input, words_);
   if (options_.lexicon)
-    for (const std::string& column : features.mentions) {
-      const Symbol symbol = symbols_.find(column);
-      if (symbol < symbols_.symbols()) {
+    for (const Part& part : features.mentions) {
+      const Symbol symbol = symbols_.find(part);
+      if (symbol < symbols_.symbols())
         out.marked.push_back(symbol);
-      } else if (column.rfind("count ", 0) == 0) {
-        const int count = std::stoi(column.substr(6));
-        if (count >= 1 && count <= PostfixGrammar::max_forward)
-          out.marked.push_back(static_cast<Symbol>(PostfixGrammar::first_forward + count - 1));
-      }
+      else if (part.kind == PartKind::Count && part.number <= PostfixGrammar::max_forward)
+        out.marked.push_back(static_cast<Symbol>(PostfixGrammar::first_forward + part.number - 1));
     }
   out.forbidden = symbols_.forbidden(features.places);
   return out;

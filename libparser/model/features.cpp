@@ -127,13 +127,13 @@ std::uint64_t last_two_tokens_feature(const Choice& c) {
 
 std::uint64_t mention_feature(const Choice& c) { return key(Mention, context_of(c.kind, c.step)); }
 
-std::vector<bool> forbidden_tokens(const PostfixGrammar& grammar, const ltl::Vocabulary& vocabulary,
-                                   const SentenceFeatures& features) {
+std::vector<bool> forbidden_tokens(const ProgramLanguage& language, const SentenceFeatures& features) {
+  const PostfixGrammar& grammar = language.grammar();
   std::vector<bool> forbidden(grammar.tokens(), false);
-  const auto propositions = static_cast<std::uint16_t>(vocabulary.size());
+  const auto propositions = static_cast<std::uint16_t>(language.vocabulary().size());
   for (std::uint16_t p = 0; p < propositions; ++p)
     if (!grammar.usable(p)) forbidden[PostfixGrammar::literal(p)] = true;
-  const std::vector<std::size_t> numbers = place_numbers(vocabulary);
+  const std::vector<std::size_t> numbers = place_numbers(language);
   for (std::uint16_t p = 0; p < propositions; ++p) {
     const std::size_t n = numbers[p];
     const bool named = n < features.places.size() && features.places[n];
@@ -142,10 +142,10 @@ std::vector<bool> forbidden_tokens(const PostfixGrammar& grammar, const ltl::Voc
   return forbidden;
 }
 
-std::vector<std::size_t> place_numbers(const ltl::Vocabulary& vocabulary) {
+std::vector<std::size_t> place_numbers(const ProgramLanguage& language) {
   std::vector<std::size_t> numbers;
-  for (const std::string& name : vocabulary.names())
-    numbers.push_back(name.rfind("place_", 0) == 0 ? number_named(name.substr(6)) : 0);
+  for (const auto& [direction, kind, name] : language.observables())
+    numbers.push_back(kind == plan::Kind::PlaceNumber ? number_named(name) : 0);
   return numbers;
 }
 

@@ -14,7 +14,8 @@
 #include <string>
 #include <vector>
 
-#include "libparser/model/linear_model.hpp"
+#include "libparser/model/program_language.hpp"
+#include "libparser/model/word_table.hpp"
 
 namespace waymark::parser {
 
@@ -37,8 +38,8 @@ struct SentenceInput {
 // Keys of the features of a sentence, by (kind, step): everything but what depends on the last tokens.
 struct SentenceFeatures {
   std::array<std::vector<std::vector<std::uint64_t>>, choice_kinds> by_context;  // later steps: the last
-  std::vector<std::string> mentions;  // columns whose names the sentence mentions: lexicon.hpp
-  std::vector<bool> places;           // places[n]: the sentence names the number n
+  std::vector<Part> mentions;                                                    // lexicon.hpp
+  std::vector<bool> places;  // places[n]: the sentence names the number n
 };
 
 // For programs of so many steps. New words are added to a table that may grow; otherwise they are left out.
@@ -53,10 +54,9 @@ std::uint64_t last_two_tokens_feature(const Choice& choice);
 std::uint64_t mention_feature(const Choice& choice);
 
 // n for place_n, 0 for any other proposition. By proposition.
-std::vector<std::size_t> place_numbers(const ltl::Vocabulary& vocabulary);
+std::vector<std::size_t> place_numbers(const ProgramLanguage& language);
 
 // Tokens that this sentence may not use: places it does not name, and what no goal may name. By token.
-std::vector<bool> forbidden_tokens(const PostfixGrammar& grammar, const ltl::Vocabulary& vocabulary,
-                                   const SentenceFeatures& features);
+std::vector<bool> forbidden_tokens(const ProgramLanguage& language, const SentenceFeatures& features);
 
 }  // namespace waymark::parser

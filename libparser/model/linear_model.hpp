@@ -3,109 +3,23 @@
 // The score of a token is a sum of weights, one row per feature of (sentence, prefix), one column per token *and* per
 // part of a token: the literal ahead_chair is scored by its own column, by `ahead` and by `chair`, so that what is
 // learned about chairs in front helps with chairs on the left. What the features are: features.hpp. A feature is 64
-// bits, a template and its arguments; words are numbered by the model's word table.
-// Weights file: model_file.hpp.
+// bits, a template and its arguments; words are numbered by the model's word table. Scores: scorer.hpp.
 #pragma once
-#include <cstdint>
-#include <span>
-#include <string>
-#include <string_view>
-#include <unordered_map>
-#include <vector>
-
-#include "libparser/programs/postfix_grammar.hpp"
+#include "libparser/model/program_language.hpp"
+#include "libparser/model/weight_table.hpp"
+#include "libparser/model/word_table.hpp"
 
 namespace waymark::parser {
 
-// Columns of the weight matrix: tokens first, then their parts.
-struct Columns {
-  explicit Columns(const PostfixGrammar& grammar);
-  std::size_t tokens = 0;
-  std::uint16_t mention = 0;                    // the column that weighs being mentioned
-  std::vector<std::uint16_t> direction, thing;  // of each token: columns ≥ tokens
-  std::vector<std::string> parts;               // names of the columns from `tokens` on
-  std::size_t size() const { return tokens + parts.size(); }
-};
+struct LinearModel {
+  explicit LinearModel(const ProgramLanguage& programs)
+      : language(programs), weights(language.columns().size()) {}
+  explicit LinearModel(const ltl::Vocabulary& vocabulary, Dialect dialect = Dialect::Plain)
+      : LinearModel(ProgramLanguage(vocabulary, dialect)) {}
 
-class WordTable {
- public:
-  static constexpr std::uint32_t unknown = 0, begin = 1, end = 2;  // of a sentence; ordinary words from 3 on
-  WordTable();
-  std::uint32_t find(std::string_view word) const;  // `unknown` when it is not in the table
-  std::uint32_t add(std::string_view word);
-  const std::vector<std::string>& words() const { return words_; }
-
- private:
-  std::vector<std::string> words_;
-  std::unordered_map<std::string, std::uint32_t> index_;
-};
-
-// Features → rows of weights. Rows are numbered in the order of their first use. While it is learned a table is dense;
-// one read from a file keeps the weights of the file alone, a tenth of the memory, and cannot be learned further.
-class WeightTable {
- public:
-  struct Weight {
-    std::uint16_t column;
-    float value;
-  };
-
-  explicit WeightTable(std::size_t columns) : columns_(columns) {}
-  static constexpr std::uint32_t absent = UINT32_MAX;
-
-  std::size_t columns() const { return columns_; }
-  std::size_t rows() const { return keys_.size(); }
-  std::uint32_t find(std::uint64_t feature) const;  // `absent` when it has no row
-  std::uint32_t add(std::uint64_t feature);         // a new row is zero
-  std::uint64_t key(std::uint32_t row) const { return keys_[row]; }
-  float* row(std::uint32_t r) {
-    return weights_.data() + r * columns_;
-  }  // columns() floats; of a dense table
-
-  // A row of a table that is read; false when the feature has one already. Columns < columns().
-  bool add_row(std::uint64_t feature, std::span<const Weight> weights);
-  void reserve(std::size_t rows);
-
-  float weight(std::uint32_t r, std::size_t column) const;  // O(weights of the row) when it was read
-  void add_to(std::uint32_t r, float* sums) const;          // sums: [columns()]
-
- private:
-  std::size_t columns_;
-  std::vector<std::uint64_t> keys_;
-  bool dense() const { return begin_.empty(); }
-  std::vector<float> weights_;        // dense: [rows][columns]
-  std::vector<std::uint32_t> begin_;  // read: where each row begins in `sparse_`
-  std::vector<Weight> sparse_;
-  std::size_t slot_of(std::uint64_t feature) const;
-  std::uint32_t new_row(std::size_t slot, std::uint64_t feature);
-  std::vector<std::uint32_t> slots_ =
-      std::vector<std::uint32_t>(64, absent);  // open addressing, a power of two
-};
-
-class LinearModel {
- public:
-  explicit LinearModel(const ltl::Vocabulary& vocabulary, Dialect dialect = Dialect::Plain);
-
-  const ltl::Vocabulary& vocabulary() const { return vocabulary_; }
-  const PostfixGrammar& grammar() const { return grammar_; }
-  Dialect dialect() const { return grammar_.limits().dialect; }
-  const Columns& columns() const { return columns_; }
+  ProgramLanguage language;
   WordTable words;
-  WeightTable reader;    // (sentence, prefix) → a score for every token
-  WeightTable reranker;  // (sentence, route) → one score; empty: ends are chosen by probability alone
-  WeightTable start_pose_model;  // the same, of where a sentence is said: reranker.hpp; empty: anywhere
-
-  // Throws ltl::FormatError naming the first difference when the vocabulary is not this model's.
-  void check_vocabulary(const ltl::Vocabulary& vocabulary, std::string_view whose) const;
-
- private:
-  ltl::Vocabulary vocabulary_;
-  PostfixGrammar grammar_;
-  Columns columns_;
+  WeightTable weights;  // (sentence, prefix) → a score for every token
 };
-
-// How many steps a program of the model's dialect has at most.
-inline std::size_t steps_of(const LinearModel& model) {
-  return static_cast<std::size_t>(model.grammar().limits().steps);
-}
 
 }  // namespace waymark::parser

@@ -14,7 +14,16 @@ constexpr float least_exponent =
 
 }  // namespace
 
-Scorer::Scorer(const LinearModel& model) : model_(&model), buffer_(model.columns().size()) {}
+LinearPrefix LinearPrefixes::after(const Prefix& prefix, Token token, std::vector<Token>& taken) const {
+  PrefixState state = prefix.state;
+  for (std::optional<Token> next = token; next; next = grammar_->forced(state)) {
+    state = grammar_->after(state, *next);
+    taken.push_back(*next);
+  }
+  return {state, choice_after(state, prefix.choice, token)};
+}
+
+Scorer::Scorer(const LinearModel& model) : model_(&model), buffer_(model.language.columns().size()) {}
 
 Scorer::Scorer(const LinearModel& model, const SentenceFeatures& features) : Scorer(model) {
   begin(features);
@@ -22,25 +31,25 @@ Scorer::Scorer(const LinearModel& model, const SentenceFeatures& features) : Sco
 
 void Scorer::begin(const SentenceFeatures& features) {
   features_ = &features;
-  forbidden_ = forbidden_tokens(model_->grammar(), model_->vocabulary(), features);
+  forbidden_ = forbidden_tokens(model_->language, features);
   used_ = 0;
   index_.clear();
-  const Columns& columns = model_->columns();
+  const Columns& columns = model_->language.columns();
   mentioned_.clear();
   for (std::size_t t = 0; t < columns.tokens; ++t) {
-    const std::string& thing = columns.parts[columns.thing[t] - columns.tokens];
-    if (std::binary_search(features.mentions.begin(), features.mentions.end(), thing))
+    if (std::binary_search(features.mentions.begin(), features.mentions.end(),
+                           columns.part(columns.thing[t])))
       mentioned_.push_back(static_cast<Token>(t));
   }
 }
 
 void Scorer::sum(Group& group) {
-  const Columns& columns = model_->columns();
+  const Columns& columns = model_->language.columns();
   std::fill(buffer_.begin(), buffer_.end(), 0.0F);
   float* const out = buffer_.data();
   for (std::uint64_t feature : group.features) {
-    const std::uint32_t r = model_->reader.find(feature);
-    if (r != WeightTable::absent) model_->reader.add_to(r, out);
+    const std::uint32_t r = model_->weights.find(feature);
+    if (r != WeightTable::absent) model_->weights.add_to(r, out);
   }
   if (group.of_mentions) {
     std::fill(group.scores.begin(), group.scores.end(), 0.0F);
@@ -55,7 +64,7 @@ void Scorer::sum(Group& group) {
 std::uint32_t Scorer::group(std::uint64_t id, std::span<const std::uint64_t> features, bool of_mentions) {
   const auto [it, is_new] = index_.try_emplace(id, static_cast<std::uint32_t>(used_));
   if (!is_new) return it->second;
-  const std::size_t tokens = model_->columns().tokens;
+  const std::size_t tokens = model_->language.columns().tokens;
   if (used_ == groups_.size())
     groups_.push_back({{}, false, 0, std::vector<float>(tokens), std::vector<float>(tokens)});
   Group& group = groups_[used_++];
@@ -107,7 +116,7 @@ void Scorer::add_gradient(const GroupIds& ids, const TokenRanges& choices, const
 }
 
 const float* Scorer::spread_gradient(const Group& group) {
-  const Columns& columns = model_->columns();
+  const Columns& columns = model_->language.columns();
   std::fill(buffer_.begin(), buffer_.end(), 0.0F);
   if (group.of_mentions) {
     for (Token t : mentioned_) {

@@ -12,11 +12,37 @@
 #include <vector>
 
 #include "libparser/model/features.hpp"
+#include "libparser/model/linear_model.hpp"
 
 namespace waymark::parser {
 
+// A prefix of a program, as the linear model sees it.
+struct LinearPrefix {
+  PrefixState state;
+  Choice choice;
+  bool ended() const { return state.ended; }
+};
+
+// Prefixes of the linear model: what follows them of necessity is taken with each token. The grammar must outlive it.
+class LinearPrefixes {
+ public:
+  using Prefix = LinearPrefix;
+  explicit LinearPrefixes(const PostfixGrammar& grammar) : grammar_(&grammar) {}
+  Prefix first() const { return {{}, first_choice()}; }
+  // Appends the tokens that were taken.
+  Prefix after(const Prefix& prefix, Token token, std::vector<Token>& taken) const;
+  TokenRanges choices(const Prefix& prefix) const { return grammar_->choices(prefix.state); }
+  std::vector<Token> tokens_of(const Program& program) const { return grammar_->tokens_of(program); }
+  Program program_of(std::span<const Token> tokens) const { return grammar_->program_of(tokens); }
+
+ private:
+  const PostfixGrammar* grammar_;
+};
+
 class Scorer {
  public:
+  using Prefix = LinearPrefix;
+  static constexpr std::size_t at_once = 1;  // prefixes that the search gives to log_p together
   using GroupIds = std::array<std::uint32_t, 4>;
 
   // The model must outlive the scorer.
@@ -25,7 +51,19 @@ class Scorer {
   // For another sentence. The features must outlive their use here.
   void begin(const SentenceFeatures& features);
 
-  bool forbids(Token token) const { return forbidden_[token]; }
+  std::size_t tokens() const { return model_->language.columns().tokens; }
+  LinearPrefixes prefixes() const { return LinearPrefixes(model_->language.grammar()); }
+  // visit(i, token, log p(token | batch[i], sentence)) for every token that may follow.
+  template <class Visit>
+  void log_p(std::span<const Prefix* const> batch, const Visit& visit) {
+    std::vector<float> out(tokens());
+    for (std::size_t i = 0; i < batch.size(); ++i) {
+      const TokenRanges choices = prefixes().choices(*batch[i]);
+      log_probabilities(groups(batch[i]->choice), choices, out.data());
+      choices.each([&](Token token) { visit(i, token, out[token]); });
+    }
+  }
+
   GroupIds groups(const Choice& choice);
 
   // log p(token | choice) of the choices, −∞ for forbidden ones; other entries are left alone. out: [tokens]

@@ -3,27 +3,29 @@
 #include <algorithm>
 #include <cassert>
 
-#include "libparser/lexicon/lexicon.hpp"
+#include "libparser/model/features.hpp"
 
 namespace waymark::parser {
 
-TypedPostfix::TypedPostfix(const PostfixGrammar& grammar, const Columns& columns) : grammar_(grammar) {
+TypedPostfix::TypedPostfix(const ProgramLanguage& language)
+    : grammar_(language.grammar()), place_numbers_(place_numbers(language)) {
+  const PostfixGrammar& grammar = grammar_;
+  const Columns& columns = language.columns();
   for (Token t = 0; t < PostfixGrammar::first_literal; ++t) names_.push_back(grammar.name(t));
   first_thing_ = static_cast<Symbol>(names_.size());
-  const auto column = [&](std::uint16_t c) { return columns.parts[c - columns.tokens]; };
-  const auto add = [&](const std::string& part) {
+  const auto add = [&](const Part& part) {
     const Symbol known = find(part);
     if (known < symbols()) return known;
-    names_.push_back(part.substr(part.find(' ') + 1));
-    columns_.push_back(part);
+    names_.push_back(part.name);
+    shared_.push_back(part);
     return static_cast<Symbol>(names_.size() - 1);
   };
   const Token literals = grammar.end_of_literals();
   for (Token t = PostfixGrammar::first_literal; t < literals; ++t)
-    parts_.emplace_back(add(column(columns.thing[t])), 0);
+    parts_.emplace_back(add(columns.part(columns.thing[t])), 0);
   first_direction_ = static_cast<Symbol>(names_.size());
   for (Token t = PostfixGrammar::first_literal; t < literals; ++t)
-    parts_[t - PostfixGrammar::first_literal].second = add(column(columns.direction[t]));
+    parts_[t - PostfixGrammar::first_literal].second = add(columns.part(columns.direction[t]));
   first_temporal_ = static_cast<Symbol>(names_.size());
   for (std::size_t t = literals; t < grammar.tokens(); ++t)
     names_.push_back(grammar.name(static_cast<Token>(t)));
@@ -35,10 +37,10 @@ TypedPostfix::TypedPostfix(const PostfixGrammar& grammar, const Columns& columns
   }
 }
 
-Symbol TypedPostfix::find(const std::string& column) const {
-  const auto it = std::find(columns_.begin(), columns_.end(), column);
+Symbol TypedPostfix::find(const Part& part) const {
+  const auto it = std::find(shared_.begin(), shared_.end(), part);
   return static_cast<Symbol>(
-      it == columns_.end() ? symbols() : first_thing_ + static_cast<std::size_t>(it - columns_.begin()));
+      it == shared_.end() ? symbols() : first_thing_ + static_cast<std::size_t>(it - shared_.begin()));
 }
 
 Token TypedPostfix::literal(Symbol thing, Symbol direction) const {
@@ -89,10 +91,8 @@ TypedState TypedPostfix::after(const TypedState& state, Symbol symbol) const {
 std::vector<bool> TypedPostfix::forbidden(const std::vector<bool>& named) const {
   std::vector<bool> out(symbols(), false);
   for (std::size_t l = 0; l < parts_.size(); ++l) {
-    const std::string& literal_name = grammar_.name(static_cast<Token>(PostfixGrammar::first_literal + l));
-    if (literal_name.rfind("place_", 0) != 0) continue;
-    const std::size_t n = number_named(literal_name.substr(6));
-    out[parts_[l].first] = n > 0 && (n >= named.size() || !named[n]);
+    const std::size_t n = place_numbers_[l];
+    if (n > 0 && (n >= named.size() || !named[n])) out[parts_[l].first] = true;
   }
   return out;
 }

@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "libparser/model/linear_model.hpp"
+#include "libparser/model/program_language.hpp"
 #include "libparser/programs/program.hpp"
 
 namespace waymark::parser {
@@ -27,12 +27,11 @@ struct TypedState {
 
 class TypedPostfix {
  public:
-  TypedPostfix(const PostfixGrammar& grammar, const Columns& columns);  // copies what it needs
+  explicit TypedPostfix(const ProgramLanguage& language);  // copies what it needs
 
   std::size_t symbols() const { return names_.size(); }
   const std::string& name(Symbol symbol) const { return names_[symbol]; }
-  // The symbol of a thing or direction by the name of its column ("thing chair"); symbols() when there is none.
-  Symbol find(const std::string& column) const;
+  Symbol find(const Part& part) const;  // of a thing or direction; symbols() when there is none
 
   std::vector<bool> allowed(const TypedState& state) const;  // by symbol
   // The only symbol that may follow, when the grammar leaves just one.
@@ -54,7 +53,9 @@ class TypedPostfix {
   Token token_of(Symbol symbol) const;  // of an operator
 
   PostfixGrammar grammar_;
-  std::vector<std::string> names_, columns_;  // of symbols; of things and directions, from first_thing_ on
+  std::vector<std::size_t> place_numbers_;  // of propositions
+  std::vector<std::string> names_;          // of symbols
+  std::vector<Part> shared_;                // things and directions: symbols from first_thing_ on
   Symbol first_thing_ = 0, first_direction_ = 0, first_temporal_ = 0;
   std::vector<std::pair<Symbol, Symbol>> parts_;  // of literals: thing and direction
   std::vector<Token> literals_;                   // by thing and direction

@@ -1,135 +1,180 @@
 #include "libparser/model/weights_bytes.hpp"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
+#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <limits>
 #include <utility>
 
 #include "libltl/diagnostic.hpp"
+#include "libparser/model/xxhash.hpp"
 
 namespace waymark::parser {
 namespace {
 
 constexpr std::string_view magic = "waymark\n";
-constexpr std::size_t most_weights = std::size_t{1} << 25U;  // of a table, while reading
+constexpr std::size_t header_bytes = 16, checksum_bytes = 8;
 
-// Binary16, rounded to nearest; magnitudes beyond its range saturate, tiny ones become 0.
-std::uint16_t to_half(float value) {
-  const auto bits = std::bit_cast<std::uint32_t>(value);
-  const std::uint32_t sign = (bits >> 16U) & 0x8000U;
-  const std::uint32_t rounded = (bits & 0x7FFFFFFFU) + 0x1000U;
-  if (rounded < 0x38800000U) return static_cast<std::uint16_t>(sign);             // below 2⁻¹⁴
-  if (rounded >= 0x47800000U) return static_cast<std::uint16_t>(sign | 0x7BFFU);  // 65,504 and beyond
-  return static_cast<std::uint16_t>(sign | ((rounded - 0x38000000U) >> 13U));
+void append_leb128(std::string& out, std::uint64_t value) {
+  for (; value >= 0x80U; value >>= 7U) out += static_cast<char>(value | 0x80U);
+  out += static_cast<char>(value);
 }
 
-float from_half(std::uint16_t half) {
-  const std::uint32_t sign = (half & 0x8000U) << 16U, rest = half & 0x7FFFU;
-  if (rest == 0) return std::bit_cast<float>(sign);
-  return std::bit_cast<float>(sign | ((rest << 13U) + 0x38000000U));
+template <class T>
+T read_at(std::string_view bytes, std::size_t at) {
+  T value{};
+  std::memcpy(&value, bytes.data() + at, sizeof value);
+  return value;
 }
+
+struct Weight {
+  std::uint64_t feature;
+  std::uint16_t column, half;
+};
+
+std::vector<Weight> kept(const WeightTable& table, double threshold) {
+  std::vector<Weight> out;
+  table.each([&](std::uint64_t feature, std::size_t column, float weight) {
+    const std::uint16_t half = half_of(weight);
+    if (const float rounded = float_of(half); rounded != 0 && std::abs(rounded) >= threshold)
+      out.push_back({feature, static_cast<std::uint16_t>(column), half});
+  });
+  std::sort(out.begin(), out.end(), [](const Weight& a, const Weight& b) {
+    return a.feature != b.feature ? a.feature < b.feature : a.column < b.column;
+  });
+  return out;
+}
+
+// The bytes of a table's rows, read with the care that bytes of unknown origin need.
+struct RowBytes {
+  std::string_view bytes;
+  std::size_t columns, at = 0;
+  const char* wrong = nullptr;  // what was wrong first
+
+  std::uint64_t failed(const char* what) {
+    if (wrong == nullptr) wrong = what;
+    return 0;
+  }
+  std::uint64_t leb128() {
+    std::uint64_t value = 0;
+    for (unsigned shift = 0; shift < 64; shift += 7) {
+      if (at == bytes.size()) return failed("a table is cut short");
+      const auto byte = static_cast<unsigned char>(bytes[at++]);
+      if (shift == 63 && byte > 1) break;
+      value |= std::uint64_t{byte & 0x7FU} << shift;
+      if (byte < 0x80U) return value;
+    }
+    return failed("a number in a table takes more than 64 bits");
+  }
+  void pass_weights() {
+    std::uint64_t column = 0;
+    for (std::uint64_t left = columns > 1 ? leb128() : 1; left > 0 && wrong == nullptr; --left, ++column) {
+      const std::uint64_t skipped = columns > 1 ? leb128() : 0;
+      if (skipped >= columns - column) failed("a weight lies outside its table");
+      column += skipped;
+      if (bytes.size() - at < sizeof(std::uint16_t)) {
+        failed("a table is cut short");
+      } else if ((read_at<std::uint16_t>(bytes, at) & 0x7C00U) == 0x7C00U) {
+        failed("a weight is no finite number");
+      }
+      at = std::min(at + sizeof(std::uint16_t), bytes.size());
+    }
+  }
+};
 
 }  // namespace
 
-std::uint64_t checksum(std::string_view bytes) {
-  std::uint64_t hash = 0xCBF29CE484222325ULL;
-  for (std::size_t i = 0; i < bytes.size(); i += 8) {
-    std::uint64_t word = 0;
-    for (std::size_t k = 0; k < 8 && i + k < bytes.size(); ++k)
-      word |= std::uint64_t{static_cast<unsigned char>(bytes[i + k])} << (8 * k);
-    hash = (hash ^ word) * 0x100000001B3ULL;
-    hash ^= hash >> 32U;
-  }
-  return hash;
+WeightsWriter::WeightsWriter(const ModelHeader& header) : bytes_(magic) {
+  const auto plain = static_cast<std::uint32_t>(header.dialect) << 16U;
+  number(ModelHeader::version | std::uint64_t{plain | header.kind} << 32U);
 }
 
-WeightsWriter::WeightsWriter(std::uint32_t version) : bytes_(magic) { number(version); }
-
-void WeightsWriter::strings(const std::vector<std::string>& list) {
-  number(static_cast<std::uint32_t>(list.size()));
-  for (const std::string& s : list) {
-    number(static_cast<std::uint16_t>(s.size()));
-    bytes_ += s;
-  }
+void WeightsWriter::number(std::uint64_t value) {
+  bytes_.append(reinterpret_cast<const char*>(&value), sizeof value);
 }
 
-void WeightsWriter::gap(std::uint64_t value) {
-  for (; value >= 0x80U; value >>= 7U) number(static_cast<std::uint8_t>(value | 0x80U));
-  number(static_cast<std::uint8_t>(value));
+void WeightsWriter::strings(const std::vector<std::string>& list_of_strings) {
+  std::vector<std::uint32_t> ends;
+  std::string text;
+  for (const std::string& s : list_of_strings) {
+    text += s;
+    ends.push_back(static_cast<std::uint32_t>(text.size()));
+  }
+  list(ends);
+  list(text);
 }
 
 void WeightsWriter::table(const WeightTable& table, double threshold) {
-  using Kept = std::vector<std::pair<std::size_t, std::uint16_t>>;  // columns and weights
-  std::vector<std::pair<std::uint64_t, Kept>> rows;
-  for (std::uint32_t r = 0; r < table.rows(); ++r) {
-    Kept kept;
-    for (std::size_t c = 0; c < table.columns(); ++c) {
-      const std::uint16_t half = to_half(table.weight(r, c));
-      if (const float kept_as = from_half(half); kept_as != 0 && std::abs(kept_as) >= threshold)
-        kept.emplace_back(c, half);
+  const std::vector<Weight> weights = kept(table, threshold);
+  std::string rows;
+  std::vector<std::uint64_t> last;
+  std::vector<std::uint32_t> ends;
+  std::uint64_t number_of_rows = 0, feature = 0;
+  for (auto row = weights.begin(); row != weights.end();) {
+    const auto next =
+        std::find_if(row, weights.end(), [&](const Weight& w) { return w.feature != row->feature; });
+    append_leb128(rows, row->feature - std::exchange(feature, row->feature));
+    if (table.columns() > 1) append_leb128(rows, static_cast<std::uint64_t>(next - row));
+    for (std::size_t column = 0; row != next; ++row) {
+      if (table.columns() > 1) append_leb128(rows, row->column - std::exchange(column, row->column + 1U));
+      rows.append(reinterpret_cast<const char*>(&row->half), sizeof row->half);
     }
-    if (!kept.empty()) rows.emplace_back(table.key(r), std::move(kept));
-  }
-  std::sort(rows.begin(), rows.end());
-  number(static_cast<std::uint32_t>(table.columns()));
-  number(static_cast<std::uint32_t>(rows.size()));
-  std::uint64_t last = 0;
-  for (const auto& [feature, kept] : rows) {
-    gap(feature - std::exchange(last, feature));
-    if (table.columns() > 1) gap(kept.size());
-    std::size_t next = 0;
-    for (const auto& [column, half] : kept) {
-      if (table.columns() > 1) gap(column - std::exchange(next, column + 1));
-      number(half);
+    if (++number_of_rows % StoredRows::block == 0 || next == weights.end()) {
+      last.push_back(feature);
+      ends.push_back(static_cast<std::uint32_t>(rows.size()));
     }
   }
-}
-
-void WeightsWriter::floats(std::span<const float> values) {
-  number(static_cast<std::uint32_t>(values.size()));
-  for (const float value : values) number(std::bit_cast<std::uint32_t>(value));
+  number(table.columns());
+  number(number_of_rows);
+  list(last);
+  list(ends);
+  list(rows);
 }
 
 std::string WeightsWriter::finish() {
-  number(checksum(bytes_));
+  number(xxh64(bytes_));
   return std::move(bytes_);
 }
 
-WeightsReader::WeightsReader(std::string_view bytes, std::string_view source)
-    : bytes_(bytes), source_(source) {
-  if (bytes.substr(0, magic.size()) != magic) fail("is no weights file of waymark");
-  if (bytes.size() < magic.size() + 12) fail("the weights file is cut short");
-  at_ = bytes.size() - 8;
-  const auto sum = number<std::uint64_t>();
-  bytes_ = bytes.substr(0, bytes.size() - 8);
-  at_ = magic.size();
-  version_ = number<std::uint32_t>();
-  if (version_ < 9 || version_ > 12)  // 1 to 8 had other features or wider tables
-    fail("weights file of version " + std::to_string(version_) + ", this waymark reads versions 9 to 12");
-  if (sum != checksum(bytes_)) fail("the weights file is damaged: its checksum does not fit");
+WeightsReader::WeightsReader(std::shared_ptr<const MappedFile> file, std::string_view source)
+    : file_(std::move(file)), bytes_(file_->bytes()), source_(source), at_(header_bytes) {
+  if (bytes_.substr(0, magic.size()) != magic) fail("is no model file of waymark");
+  if (bytes_.size() < header_bytes + checksum_bytes) fail("the model file is cut short");
+  const auto version = read_at<std::uint32_t>(bytes_, magic.size());
+  if (version != ModelHeader::version)
+    fail("is a model file of version " + std::to_string(version) + ", and this waymark reads version " +
+         std::to_string(ModelHeader::version) + ": train the model again with waymark train");
+  const auto sum = read_at<std::uint64_t>(bytes_, bytes_.size() - checksum_bytes);
+  bytes_.remove_suffix(checksum_bytes);
+  if (bytes_.size() % 8 != 0 || sum != xxh64(bytes_))
+    fail("the model file is damaged: its checksum does not fit");
+  const auto kind = read_at<std::uint16_t>(bytes_, 12), dialect = read_at<std::uint16_t>(bytes_, 14);
+  if (kind < ModelHeader::Linear || kind > ModelHeader::EncoderDecoder || dialect > 1)
+    fail("is a model file of an unknown kind");
+  header_ = {static_cast<ModelHeader::Kind>(kind), static_cast<Dialect>(dialect)};
 }
 
 void WeightsReader::fail(const std::string& message) const { throw ltl::FormatError(source_, 0, 0, message); }
 
-std::string_view WeightsReader::raw(std::size_t n) {
-  if (n > bytes_.size() - at_) fail("the weights file is cut short");
-  at_ += n;
-  return bytes_.substr(at_ - n, n);
-}
-
-std::size_t WeightsReader::count(std::size_t bytes_each) {
-  const auto n = number<std::uint32_t>();
-  if (n > (bytes_.size() - at_) / bytes_each) fail("the weights file promises more than it holds");
-  return n;
+std::uint64_t WeightsReader::number() {
+  if (left() < sizeof(std::uint64_t)) fail("the model file is cut short");
+  at_ += sizeof(std::uint64_t);
+  return read_at<std::uint64_t>(bytes_, at_ - sizeof(std::uint64_t));
 }
 
 std::vector<std::string> WeightsReader::strings() {
-  std::vector<std::string> list(count(2));
-  for (std::string& s : list) s = raw(number<std::uint16_t>());
-  return list;
+  const auto ends = list<std::uint32_t>();
+  const auto text = list<char>();
+  std::vector<std::string> out;
+  std::uint32_t begin = 0;
+  for (const std::uint32_t end : ends) {
+    if (end < begin || end > text.size()) fail("a string lies outside its text");
+    out.emplace_back(text.data() + begin, end - begin);
+    begin = end;
+  }
+  return out;
 }
 
 ltl::Vocabulary WeightsReader::vocabulary() {
@@ -143,56 +188,58 @@ ltl::Vocabulary WeightsReader::vocabulary() {
 }
 
 WordTable WeightsReader::words() {
+  const std::vector<std::string> list_of_words = strings();
   WordTable words;
-  for (const std::string& word : strings()) words.add(word);
+  for (const std::string& word : list_of_words) words.add(word);
+  if (words.words() != list_of_words) fail("the words are not a table of words");
   return words;
 }
 
-std::uint64_t WeightsReader::gap() {
-  std::uint64_t value = 0;
-  for (unsigned shift = 0; shift < 64; shift += 7) {
-    const std::uint64_t byte = number<std::uint8_t>();
-    if (shift == 63 && byte > 1) break;
-    value |= (byte & 0x7FU) << shift;
-    if (byte < 0x80U) return value;
-  }
-  fail("a number takes more than 64 bits");
+WeightTable WeightsReader::table(std::size_t columns) {
+  if (number() != columns) fail("a table's width does not fit the vocabulary");
+  StoredRows stored;
+  stored.file = file_;
+  stored.rows = number();
+  stored.last = list<std::uint64_t>();
+  stored.end = list<std::uint32_t>();
+  const auto bytes = list<char>();
+  stored.bytes = {bytes.data(), bytes.size()};
+  check_rows(stored, columns);
+  return WeightTable(columns, std::move(stored));
 }
 
-void WeightsReader::table(WeightTable& table) {
-  if (number<std::uint32_t>() != table.columns()) fail("a table's width does not fit the vocabulary");
-  const std::size_t rows = count(3);
-  if (rows > most_weights / table.columns()) fail("a table is too large");
-  table.reserve(rows);
-  std::vector<WeightTable::Weight> weights;
+void WeightsReader::check_rows(const StoredRows& stored, std::size_t columns) const {
+  const std::size_t blocks = stored.rows / StoredRows::block + (stored.rows % StoredRows::block > 0 ? 1 : 0);
+  if (stored.bytes.size() >= WeightTable::absent || stored.last.size() != blocks ||
+      stored.end.size() != blocks)
+    fail("a table's index does not fit its rows");
+  RowBytes rows{stored.bytes, columns};
   std::uint64_t feature = 0;
-  for (std::size_t r = 0; r < rows; ++r) {
-    const std::uint64_t further = gap();
+  for (std::size_t r = 0; r < stored.rows; ++r) {
+    const std::uint64_t further = rows.leb128();
+    if (further == 0 && r > 0) fail("a feature stands twice");
     if (further > std::numeric_limits<std::uint64_t>::max() - feature)
       fail("a feature takes more than 64 bits");
     feature += further;
-    weights.clear();
-    std::uint64_t next = 0;  // column
-    for (std::uint64_t left = table.columns() > 1 ? gap() : 1; left > 0; --left, ++next) {
-      const std::uint64_t skipped = table.columns() > 1 ? gap() : 0;
-      if (skipped >= table.columns() - next) fail("a weight lies outside its table");
-      next += skipped;
-      weights.push_back({static_cast<std::uint16_t>(next), from_half(number<std::uint16_t>())});
-    }
-    if (!table.add_row(feature, weights)) fail("a feature stands twice");
+    rows.pass_weights();
+    if (rows.wrong != nullptr) fail(rows.wrong);
+    if ((r + 1) % StoredRows::block != 0 && r + 1 != stored.rows) continue;
+    const std::size_t b = r / StoredRows::block;
+    if (stored.last[b] != feature || stored.end[b] != rows.at) fail("a table's index does not fit its rows");
   }
+  if (rows.at != stored.bytes.size()) fail("a table goes on after its end");
 }
 
 void WeightsReader::floats(std::span<float> values) {
-  if (count(4) != values.size()) fail("the number of weights does not fit the sizes of the layers");
-  for (float& value : values) {
-    value = std::bit_cast<float>(number<std::uint32_t>());
-    if (!std::isfinite(value)) fail("a weight is no number");
-  }
+  const auto stored = list<float>();
+  if (stored.size() != values.size()) fail("the number of weights does not fit the sizes of the layers");
+  if (!std::all_of(stored.begin(), stored.end(), [](float value) { return std::isfinite(value); }))
+    fail("a weight is no finite number");
+  std::copy(stored.begin(), stored.end(), values.begin());
 }
 
 void WeightsReader::end() const {
-  if (at_ != bytes_.size()) fail("the weights file goes on after its end");
+  if (at_ != bytes_.size()) fail("the model file goes on after its end");
 }
 
 void write_weights(const std::string& bytes, const std::string& file) {

@@ -1,32 +1,48 @@
-// Bytes of weights files, little endian: numbers, strings and tables, and a checksum at the end.
+// Bytes of model files, little endian: lists that begin at multiples of eight bytes, and a checksum at the end.
 // Layout: docs/formats/corpus-and-models.md.
 #pragma once
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <vector>
 
-#include "libparser/model/linear_model.hpp"
+#include "libltl/vocabulary.hpp"
+#include "libparser/model/mapped_file.hpp"
+#include "libparser/model/weight_table.hpp"
+#include "libparser/model/word_table.hpp"
+#include "libparser/programs/postfix_grammar.hpp"
 
 namespace waymark::parser {
 
+// What a model file says of itself first.
+struct ModelHeader {
+  static constexpr std::uint32_t version = 13;
+  enum Kind : std::uint16_t { Linear = 1, EncoderDecoder = 2 };
+  Kind kind = Linear;
+  Dialect dialect = Dialect::Plain;
+};
+
 class WeightsWriter {
  public:
-  explicit WeightsWriter(std::uint32_t version);  // begins the file
+  explicit WeightsWriter(const ModelHeader& header);  // begins the file
 
-  template <class Unsigned>
-  void number(Unsigned value) {
-    for (std::size_t k = 0; k < sizeof(Unsigned); ++k)
-      bytes_ += static_cast<char>(static_cast<std::uint64_t>(value) >> (8 * k) & 0xFFU);
+  void number(std::uint64_t value);
+  // The number of elements, the elements, and zeros up to a multiple of eight bytes.
+  template <class T>
+  void list(const T& elements) {
+    using Element = std::remove_cvref_t<decltype(elements[0])>;
+    static_assert(std::is_arithmetic_v<Element>);
+    number(elements.size());
+    bytes_.append(reinterpret_cast<const char*>(elements.data()), elements.size() * sizeof(Element));
+    bytes_.resize((bytes_.size() + 7) / 8 * 8);
   }
   void strings(const std::vector<std::string>& list);
-  void gap(std::uint64_t value);  // small ones in few bytes: seven bits each, the lowest first (LEB128)
-  // By ascending features, as gaps, with weights as 16-bit floats; without those below the threshold.
-  void table(const WeightTable& table, double threshold);
-  void floats(std::span<const float> values);  // as they are
-  std::string finish();                        // with the checksum
+  void table(const WeightTable& table, double threshold);  // without weights below the threshold
+  std::string finish();                                    // with the checksum
 
  private:
   std::string bytes_;
@@ -35,40 +51,36 @@ class WeightsWriter {
 // Every member throws ltl::FormatError when the bytes are not what they should be.
 class WeightsReader {
  public:
-  // Checks what stands around: that it is a weights file, whole and unaltered. The bytes must outlive it.
-  WeightsReader(std::string_view bytes, std::string_view source);
+  // Checks what stands around: that it is a model file, of this version, whole and unaltered.
+  WeightsReader(std::shared_ptr<const MappedFile> file, std::string_view source);
 
-  std::uint32_t version() const { return version_; }
-  template <class Unsigned>
-  Unsigned number() {
-    const std::string_view s = raw(sizeof(Unsigned));
-    std::uint64_t value = 0;
-    for (std::size_t k = 0; k < sizeof(Unsigned); ++k)
-      value |= std::uint64_t{static_cast<unsigned char>(s[k])} << (8 * k);
-    return static_cast<Unsigned>(value);
+  const ModelHeader& header() const { return header_; }
+  std::uint64_t number();
+  template <class T>
+  std::span<const T> list() {  // where it lies
+    const std::uint64_t n = number();
+    if (n > left() / sizeof(T)) fail("the model file promises more than it holds");
+    const void* const first = bytes_.data() + at_;
+    at_ += (n * sizeof(T) + 7) / 8 * 8;
+    return {static_cast<const T*>(first), n};
   }
-  std::uint64_t gap();
   std::vector<std::string> strings();
   ltl::Vocabulary vocabulary();
   WordTable words();
-  void table(WeightTable& table);
-  void floats(std::span<float> values);  // as many as there are, all of them finite
+  WeightTable table(std::size_t columns);  // of rows that stay where they lie
+  void floats(std::span<float> values);    // as many as there are, all of them finite
   std::size_t left() const { return bytes_.size() - at_; }
   void end() const;  // nothing may follow
   [[noreturn]] void fail(const std::string& message) const;
 
  private:
-  std::string_view raw(std::size_t n);
-  std::size_t count(std::size_t bytes_each);
+  void check_rows(const StoredRows& stored, std::size_t columns) const;
 
+  std::shared_ptr<const MappedFile> file_;
   std::string_view bytes_, source_;
   std::size_t at_ = 0;
-  std::uint32_t version_ = 0;
+  ModelHeader header_;
 };
-
-// What stands at the end of a file: FNV-1a over little-endian 64-bit words, the last one padded with zeros, the high half
-// folded in after each.
-std::uint64_t checksum(std::string_view bytes);
 
 // Bytes → file, under a temporary name that is renamed. Throws ltl::FormatError when the file cannot be written.
 void write_weights(const std::string& bytes, const std::string& file);

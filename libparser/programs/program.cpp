@@ -4,6 +4,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "libplan/world/observable.hpp"
+
 namespace waymark::parser {
 namespace {
 
@@ -120,18 +122,11 @@ Program mirror(Program program, std::span<const std::uint16_t> images) {
 }
 
 std::vector<std::uint16_t> mirror_images(const ltl::Vocabulary& vocabulary) {
-  const auto exchange = [](std::string name, const std::string& from, const std::string& to) {
-    return name.rfind(from, 0) == 0 ? to + name.substr(from.size()) : name;
-  };
-  std::vector<std::uint16_t> images(vocabulary.size());
+  const std::vector<plan::Observable> observables = plan::observables_of(vocabulary);
+  std::vector<std::uint16_t> images;
   for (std::uint32_t p = 0; p < vocabulary.size(); ++p) {
-    const std::string& name = vocabulary.name({p});
-    std::string image = name;
-    if (name.rfind("left_", 0) == 0) image = exchange(name, "left_", "right_");
-    if (name.rfind("right_", 0) == 0) image = exchange(name, "right_", "left_");
-    if (name == "turned_left") image = "turned_right";
-    if (name == "turned_right") image = "turned_left";
-    images[p] = static_cast<std::uint16_t>(vocabulary.find(image).value_or(ltl::Proposition{p}).index);
+    const auto image = vocabulary.find(plan::proposition_name(plan::mirrored(observables[p])));
+    images.push_back(static_cast<std::uint16_t>(image.value_or(ltl::Proposition{p}).index));
   }
   return images;
 }

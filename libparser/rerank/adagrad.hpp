@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "libparser/model/linear_model.hpp"
+#include "libparser/model/weight_table.hpp"
 
 namespace waymark::parser {
 

@@ -11,10 +11,13 @@ namespace waymark::parser {
 
 std::vector<Weighed> likely_programs(const Grounder& grounder, const SentenceInput& input,
                                      const Deciding& how) {
-  const Wording wording(*grounder.model, mentions(input.tokens));
+  const Wording wording(grounder.ranking->language, mentions(input.tokens));
   std::vector<Weighed> weighed;
-  for (Candidate& candidate : how.clauses ? read_by_clauses(*grounder.reader, input, how.beam)
-                                          : grounder.reader->read(input, how.beam)) {
+  const auto read_one = [&](const SentenceInput& one, std::size_t beam) {
+    return read(grounder.word_model, one, beam);
+  };
+  for (Candidate& candidate :
+       how.clauses ? read_by_clauses(read_one, input, how.beam) : read_one(input, how.beam)) {
     const double lexical_overlap_penalty = how.trust * wording.lexical_overlap_penalty(candidate.program),
                  p = candidate.log_probability;
     weighed.push_back({std::move(candidate.program), p - trust_in_wording * lexical_overlap_penalty,

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "libparser/decode/beam.hpp"
+#include "libparser/decode/grounder.hpp"
 #include "libparser/programs/execute.hpp"
 
 namespace waymark::parser {

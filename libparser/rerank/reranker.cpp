@@ -5,7 +5,7 @@
 namespace waymark::parser {
 namespace {
 
-CandidateFeatures features_of(const LinearModel& model, const Executor& executor, const SentenceInput& input,
+CandidateFeatures features_of(const RankingModel& model, const Executor& executor, const SentenceInput& input,
                               std::span<const plan::PoseId> starts, const Decision& decision) {
   RerankerSentence sentence(model, input);
   for (const End& end : decision.ends)
@@ -14,7 +14,7 @@ CandidateFeatures features_of(const LinearModel& model, const Executor& executor
   return sentence.take();
 }
 
-void choose(const LinearModel& model, const CandidateFeatures& features, Decision& decision) {
+void choose(const RankingModel& model, const CandidateFeatures& features, Decision& decision) {
   std::vector<double> p = scores(model.reranker, features);
   normalise(p);
   for (std::size_t i = 0; i < p.size(); ++i) decision.ends[i].mass = p[i];
@@ -22,19 +22,19 @@ void choose(const LinearModel& model, const CandidateFeatures& features, Decisio
                    [](const End& a, const End& b) { return a.mass > b.mass; });
 }
 
-bool chooses(const LinearModel& model, const Decision& decision) {
+bool chooses(const RankingModel& model, const Decision& decision) {
   return model.reranker.rows() > 0 && decision.ends.size() > 1;
 }
 
 }  // namespace
 
-void choose_end(const LinearModel& model, const Executor& executor, const SentenceInput& input,
+void choose_end(const RankingModel& model, const Executor& executor, const SentenceInput& input,
                 std::span<const plan::PoseId> starts, Decision& decision) {
   if (chooses(model, decision))
     choose(model, features_of(model, executor, input, starts, decision), decision);
 }
 
-double choose_and_locate(const LinearModel& model, const Executor& executor, const SentenceInput& input,
+double choose_and_locate(const RankingModel& model, const Executor& executor, const SentenceInput& input,
                          plan::PoseId start, Decision& decision) {
   constexpr double nowhere_to_go = -100;
   const bool locates = model.start_pose_model.rows() > 0;

@@ -18,12 +18,12 @@ namespace waymark::parser {
 
 // The ends of a decision are sorted by the reranker's probability, `mass` replaced by it.
 // Does nothing when the model has no reranker.
-void choose_end(const LinearModel& model, const Executor& executor, const SentenceInput& input,
+void choose_end(const RankingModel& model, const Executor& executor, const SentenceInput& input,
                 std::span<const plan::PoseId> starts, Decision& decision);
 
 // The same, and log p(start | sentence) up to one constant for each sentence: 0 when the model has no start-pose model; less than any
 // other when the decision has no ends.
-double choose_and_locate(const LinearModel& model, const Executor& executor, const SentenceInput& input,
+double choose_and_locate(const RankingModel& model, const Executor& executor, const SentenceInput& input,
                          plan::PoseId start, Decision& decision);
 
 }  // namespace waymark::parser

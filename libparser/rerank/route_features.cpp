@@ -56,7 +56,7 @@ plan::Action mirror_action(plan::Action action) {
 
 }  // namespace
 
-RerankerSentence::RerankerSentence(const LinearModel& model, const SentenceInput& input, bool mirrored)
+RerankerSentence::RerankerSentence(const RankingModel& model, const SentenceInput& input, bool mirrored)
     : model_(&model), heading_unknown_(input.heading_unknown), mirrored_(mirrored) {
   std::uint32_t before = WordTable::begin;
   for (std::size_t i = 0; i <= input.tokens.size(); ++i) {
@@ -69,23 +69,22 @@ RerankerSentence::RerankerSentence(const LinearModel& model, const SentenceInput
     std::sort(list->begin(), list->end());
     list->erase(std::unique(list->begin(), list->end()), list->end());
   }
-  const std::vector<std::string> said = mentions(input.tokens);
-  things_ = static_cast<std::size_t>(std::count_if(
-      said.begin(), said.end(), [](const std::string& s) { return s.rfind("thing ", 0) == 0; }));
+  const std::vector<Part> said = mentions(input.tokens);
+  things_ = static_cast<std::size_t>(
+      std::count_if(said.begin(), said.end(), [](const Part& part) { return part.kind == PartKind::Thing; }));
   for (const std::string& word : input.tokens)
     if (const std::size_t n = number_named(word); n > 0) counts_.push_back(n);
-  const Columns& columns = model.columns();
+  const Columns& columns = model.language.columns();
   const SentenceFeatures features = sentence_features(input, model.words);
-  const std::vector<bool> forbidden = forbidden_tokens(model.grammar(), model.vocabulary(), features);
-  const auto propositions = static_cast<std::uint16_t>(model.vocabulary().size());
+  const std::vector<bool> forbidden = forbidden_tokens(model.language, features);
+  const auto propositions = static_cast<std::uint16_t>(model.language.vocabulary().size());
   for (std::uint16_t p = 0; p < propositions; ++p) {
     const std::size_t token = PostfixGrammar::literal(p);
-    const std::string& thing = columns.parts[columns.thing[token] - columns.tokens];
-    mentioned_.push_back(std::binary_search(said.begin(), said.end(), thing));
+    mentioned_.push_back(std::binary_search(said.begin(), said.end(), columns.part(columns.thing[token])));
     hidden_.push_back(forbidden[token]);
     images_.push_back(p);
   }
-  if (mirrored) images_ = mirror_images(model.vocabulary());
+  if (mirrored) images_ = mirror_images(model.language.vocabulary());
 }
 
 // The actions that words may speak of, and the poses they are seen from (as Arrival counts them, without events).
@@ -144,8 +143,7 @@ void RerankerSentence::add_shape(const Walk& walk, std::vector<Property>& out) c
 
 void RerankerSentence::add_sights(const Executor& executor, const Walk& walk,
                                   std::vector<Property>& out) const {
-  const Columns& columns = model_->columns();
-  const auto crossing = model_->vocabulary().find("intersection");
+  const auto crossing = model_->language.vocabulary().find("intersection");
   const auto propositions = static_cast<std::uint16_t>(images_.size());
   for (std::uint16_t p = 0; p < propositions; ++p) {
     const std::uint16_t image = images_[p];
@@ -155,19 +153,19 @@ void RerankerSentence::add_sights(const Executor& executor, const Walk& walk,
       return static_cast<std::size_t>(std::count_if(begin, end, holds));
     };
     const auto& [poses, moved_from] = std::tie(walk.poses, walk.moved_from);
-    const std::string& direction =
-        columns.parts[columns.direction[PostfixGrammar::literal(p)] - columns.tokens];
-    const bool next = direction == "direction next";
+    const auto& [direction, kind, name] = model_->language.observables()[p];
+    const bool next = direction == plan::Direction::Next,
+               here = direction == plan::Direction::Here && kind != plan::Kind::PlaceNumber;
     if (holds(poses.back())) {
       const std::size_t before = count(poses.begin(), poses.end() - 1);
       out.push_back({AtEnd, image, false});
       if (before == 0) out.push_back({FirstAtEnd, image, false});
       if (mentioned_[image] && !next) out.push_back({Before, std::min<std::size_t>(before, 4), true});
     }
-    if (direction == "direction here" && poses.size() > 2 && count(poses.begin() + 1, poses.end() - 1) > 0)
+    if (here && poses.size() > 2 && count(poses.begin() + 1, poses.end() - 1) > 0)
       out.push_back({Passed, image, false});
     if (!moved_from.empty() && !next && holds(moved_from.front())) out.push_back({AtDeparture, image, false});
-    if (direction == "direction ahead") {
+    if (direction == plan::Direction::Ahead) {
       if (count(moved_from.begin(), moved_from.end()) > 0) out.push_back({Along, image, false});
       if (walk.last_run > 0 && holds(moved_from.back())) out.push_back({LastAlong, image, false});
     }
@@ -192,7 +190,7 @@ void RerankerSentence::add_to_last_end(std::uint64_t first, const Property* prop
 }
 
 void RerankerSentence::add_mentions(const std::vector<Property>& properties, std::size_t moves) {
-  const Columns& columns = model_->columns();
+  const Columns& columns = model_->language.columns();
   std::vector<std::uint16_t> met;  // things that are mentioned and met
   for (const Property& property : properties) {
     if (property.kind != AtEnd && property.kind != FirstAtEnd && property.kind != Passed) continue;

@@ -25,7 +25,7 @@ class RerankerSentence {
  public:
   // `mirrored`: the tokens are a mirror image and routes are to be mirrored before they are looked at.
   // The model (its words and columns) must outlive it.
-  RerankerSentence(const LinearModel& model, const SentenceInput& input, bool mirrored = false);
+  RerankerSentence(const RankingModel& model, const SentenceInput& input, bool mirrored = false);
 
   // Adds one more end: where `plan` leads from `start`. O(actions · |AP| + new properties · words).
   void add_end(const Executor& executor, plan::PoseId start, const Plan& plan, double mass);
@@ -43,7 +43,7 @@ class RerankerSentence {
   void add_mentions(const std::vector<Property>& properties, std::size_t moves);
   void add_to_last_end(std::uint64_t key, const Property* with_words);
 
-  const LinearModel* model_;
+  const RankingModel* model_;
   std::vector<std::uint32_t> words_, pairs_;
   std::vector<std::uint16_t> images_;  // of propositions: the identity, or mirror images
   std::vector<bool> mentioned_;        // propositions whose thing is mentioned

@@ -9,6 +9,8 @@
 namespace waymark::parser {
 namespace {
 
+using plan::Direction;
+
 struct Unit {
   Program program;
   std::size_t end;  // how much of the gold route is done after it
@@ -21,21 +23,21 @@ struct Said {
 
 class SaidSearch {
  public:
-  SaidSearch(const Executor& executor, const LinearModel& frame, const GoldRoute& gold,
+  SaidSearch(const Executor& executor, const ProgramLanguage& language, const GoldRoute& gold,
              const std::vector<std::string>& tokens, UnitPlans& plans)
       : executor_(executor),
-        grammar_(frame.grammar()),
+        grammar_(language.grammar()),
         gold_(gold),
         plans_(plans),
-        wording_(frame, mentions(tokens)),
+        wording_(language, mentions(tokens)),
         says_if_(says(tokens, "if")),
         says_otherwise_(says(tokens, "otherwise")),
         units_(gold.actions.size() + 1),
-        directed_(frame.vocabulary().size(), false) {
+        directed_(language.vocabulary().size(), false) {
     poses_.push_back(gold.start);
     for (const plan::Action action : gold.actions)
       poses_.push_back(*executor.map().successor(poses_.back(), action));
-    find_literals(frame, mentions(tokens));
+    find_literals(language, mentions(tokens));
     for (const std::uint16_t p : literals_) add_steps_of(p);
     for (int k = 1; k <= 4; ++k) steps_.push_back({StepKind::Forward, static_cast<std::uint8_t>(k), 0, {}});
   }
@@ -67,25 +69,24 @@ class SaidSearch {
     return std::find(tokens.begin(), tokens.end(), word) != tokens.end();
   }
 
-  void find_literals(const LinearModel& frame, const std::vector<std::string>& said) {
-    const Columns& columns = frame.columns();
-    const ltl::Vocabulary& vocabulary = frame.vocabulary();
-    const auto number = static_cast<std::uint16_t>(vocabulary.size());
+  void find_literals(const ProgramLanguage& language, const std::vector<Part>& said) {
+    const Columns& columns = language.columns();
+    const auto number = static_cast<std::uint16_t>(language.observables().size());
     for (std::uint16_t p = 0; p < number; ++p) {
-      const Token token = PostfixGrammar::literal(p);
-      const std::string& thing = columns.parts[columns.thing[token] - columns.tokens];
-      const std::string& direction = columns.parts[columns.direction[token] - columns.tokens];
-      const bool mentioned = std::binary_search(said.begin(), said.end(), thing);
+      const auto& [direction, kind, name] = language.observables()[p];
+      const bool mentioned = std::binary_search(said.begin(), said.end(),
+                                                columns.part(columns.thing[PostfixGrammar::literal(p)]));
       const bool is_said =
-          direction != "direction place" && direction != "direction behind" && direction != "direction next";
+          kind != plan::Kind::PlaceNumber && direction != Direction::Behind && direction != Direction::Next;
       if (!grammar_.usable(p) || !is_said) continue;
-      if (!mentioned && vocabulary.name({p}) != "ahead_wall") continue;
+      const bool wall_ahead = direction == Direction::Ahead && kind == plan::Kind::Passage && name == "wall";
+      if (!mentioned && !wall_ahead) continue;
       literals_.push_back(p);
-      directed_[p] = direction != "direction here" && !grammar_.is_turn(p);
+      directed_[p] = direction != Direction::Here && !grammar_.is_turn(p);
       if (grammar_.is_turn(p)) continue;
-      const bool around = direction == "direction left" || direction == "direction right";
-      if (mentioned && (around || direction == "direction ahead")) conditions_.push_back(p);
-      if (mentioned && (around || direction == "direction here")) guards_.push_back(p);
+      const bool around = direction == Direction::Left || direction == Direction::Right;
+      if (mentioned && (around || direction == Direction::Ahead)) conditions_.push_back(p);
+      if (mentioned && (around || direction == Direction::Here)) guards_.push_back(p);
     }
   }
 
@@ -201,10 +202,10 @@ class SaidSearch {
 
 }  // namespace
 
-std::vector<Consistent> said_programs(const Executor& executor, const LinearModel& frame,
+std::vector<Consistent> said_programs(const Executor& executor, const ProgramLanguage& language,
                                       const GoldRoute& gold, const std::vector<std::string>& tokens,
                                       UnitPlans& plans, std::size_t most) {
-  return SaidSearch(executor, frame, gold, tokens, plans).run(most);
+  return SaidSearch(executor, language, gold, tokens, plans).run(most);
 }
 
 }  // namespace waymark::parser

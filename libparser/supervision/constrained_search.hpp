@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-#include "libparser/model/linear_model.hpp"
+#include "libparser/model/program_language.hpp"
 #include "libparser/supervision/search.hpp"
 
 namespace waymark::parser {
@@ -21,8 +21,8 @@ namespace waymark::parser {
 // Plans of units by where they start: many sentences ask for the same. Of one map, for one thread.
 using UnitPlans = std::map<std::pair<plan::PoseId, Program>, std::optional<Plan>>;
 
-// Those that disagree least with the sentence, at most `most`. `frame`: an empty model of the temporal dialect.
-std::vector<Consistent> said_programs(const Executor& executor, const LinearModel& frame,
+// Those that disagree least with the sentence, at most `most`. `language`: of the temporal dialect.
+std::vector<Consistent> said_programs(const Executor& executor, const ProgramLanguage& language,
                                       const GoldRoute& gold, const std::vector<std::string>& tokens,
                                       UnitPlans& plans, std::size_t most = 100);
 

@@ -88,11 +88,11 @@ void share_out(std::size_t n, std::size_t threads, const std::function<bool(doub
 // In the temporal dialect a sentence also has programs of its own.
 void add_said_programs(std::span<Example> examples, std::span<const Executor> executors, std::size_t threads,
                        const std::function<bool(double fraction)>& go_on) {
-  const LinearModel frame(executors.front().map().vocabulary(), Dialect::Temporal);
+  const ProgramLanguage language(executors.front().map().vocabulary(), Dialect::Temporal);
   std::vector<std::vector<UnitPlans>> plans(threads, std::vector<UnitPlans>(executors.size()));
   share_out(examples.size(), threads, go_on, [&](std::size_t i, std::size_t thread) {
     Example& example = examples[i];
-    std::vector<Consistent> all = said_programs(executors[example.map], frame, example.gold,
+    std::vector<Consistent> all = said_programs(executors[example.map], language, example.gold,
                                                 example.input.tokens, plans[thread][example.map]);
     all.insert(all.end(), example.programs->begin(), example.programs->end());
     example.programs = std::make_shared<const std::vector<Consistent>>(std::move(all));

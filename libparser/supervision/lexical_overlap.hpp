@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "libparser/model/linear_model.hpp"
+#include "libparser/model/program_language.hpp"
 #include "libparser/programs/program.hpp"
 
 namespace waymark::parser {
@@ -18,14 +18,14 @@ class Wording {
   static constexpr double missing = 1.0;  // the sentence mentions it, the program does not name it
   static constexpr double added = 0.5;    // the program names it, the sentence does not mention it
 
-  // mentions: of the sentence, SentenceFeatures::mentions. The model must outlive it.
-  Wording(const LinearModel& model, const std::vector<std::string>& mentions);
+  // mentions: of the sentence, SentenceFeatures::mentions. The language must outlive it.
+  Wording(const ProgramLanguage& language, const std::vector<Part>& mentions);
   double lexical_overlap_penalty(const Program& program) const;  // ≥ 0; O(steps)
 
  private:
   std::vector<std::uint16_t> named_by(const Program& program) const;  // columns, sorted and unique
 
-  const LinearModel* model_;
+  const ProgramLanguage* language_;
   std::vector<std::vector<std::uint16_t>> topics_;  // what is mentioned, each by the columns that name it
   std::vector<bool> unsaid_;                        // columns of the lexicon that are not mentioned
   std::uint16_t left_, right_;                      // columns of the two sides, named by directions too

@@ -4,7 +4,6 @@
 #include <map>
 #include <stdexcept>
 
-#include "libparser/decode/beam.hpp"
 #include "libparser/training/learn_linear.hpp"
 #include "libparser/training/learn_network.hpp"
 #include "libparser/training/learn_reranker.hpp"
@@ -23,14 +22,14 @@ std::vector<std::vector<const Example*>> groups_of(std::span<const Example* cons
   return {{examples.begin(), half}, {half, examples.end()}};
 }
 
-// What a reader of another kind needs beside it: the words, for the reranker.
-std::shared_ptr<LinearModel> frame_of(std::span<const Example* const> examples,
-                                      const ltl::Vocabulary& vocabulary, Dialect dialect) {
-  auto frame = std::make_shared<LinearModel>(vocabulary, dialect);
+// The words, for the reranker.
+std::shared_ptr<const RankingModel> ranking_of(std::span<const Example* const> examples,
+                                               const ltl::Vocabulary& vocabulary, Dialect dialect) {
+  auto ranking = std::make_shared<RankingModel>(vocabulary, dialect);
   for (const Example* example : examples)
-    for (const std::string& word : example->input.tokens) frame->words.add(word);
-  for (const char* side : {"left", "right"}) frame->words.add(side);  // of mirror images
-  return frame;
+    for (const std::string& word : example->input.tokens) ranking->words.add(word);
+  for (const char* side : {"left", "right"}) ranking->words.add(side);  // of mirror images
+  return ranking;
 }
 
 }  // namespace
@@ -40,7 +39,7 @@ Grounder learn_reader(std::span<const Example* const> examples, std::span<const 
   if (options.reader == ReaderKind::Linear)
     return grounder_of(learn_linear(examples, executors, options, progress));
   return {learn_network(examples, executors, options, progress),
-          frame_of(examples, executors.front().map().vocabulary(), options.dialect)};
+          ranking_of(examples, executors.front().map().vocabulary(), options.dialect)};
 }
 
 Grounder train_on(std::span<const Example* const> examples, std::span<const Executor> executors,

@@ -11,8 +11,7 @@
 #include <stop_token>
 
 #include "libparser/corpus/corpus.hpp"
-#include "libparser/decode/reader.hpp"
-#include "libparser/model/linear_model.hpp"
+#include "libparser/decode/grounder.hpp"
 #include "libparser/model/network_options.hpp"
 #include "libparser/supervision/examples.hpp"
 #include "libparser/training/parallel.hpp"

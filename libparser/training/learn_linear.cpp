@@ -1,10 +1,9 @@
 #include "libparser/training/learn_linear.hpp"
 
-#include <random>
-
+#include "libltl/structure/random.hpp"
 #include "libparser/corpus/token.hpp"
-#include "libparser/decode/beam.hpp"
-#include "libparser/decode/trie.hpp"
+#include "libparser/decode/best_first.hpp"
+#include "libparser/decode/linear_trie.hpp"
 #include "libparser/rerank/adagrad.hpp"
 #include "libparser/supervision/lexical_overlap.hpp"
 #include "libparser/training/training_instance.hpp"
@@ -18,7 +17,7 @@ struct TrainingInstance {
   bool mirrored;
   SentenceFeatures features;
   Wording wording;
-  ProgramTrie trie;
+  LinearTrie trie;
 };
 
 class Learner {
@@ -29,13 +28,14 @@ class Learner {
         options_(options),
         progress_(progress),
         model_(executors.front().map().vocabulary(), options.dialect),
-        images_(mirror_images(model_.vocabulary())),
-        optimizer_(model_.reader, options.learning_rate, options.decay),
+        images_(mirror_images(model_.language.vocabulary())),
+        optimizer_(model_.weights, options.learning_rate, options.decay),
         scorer_(model_),
-        place_numbers_(place_numbers(model_.vocabulary())) {
+        place_numbers_(place_numbers(model_.language)) {
     for (std::uint8_t kind = 0; kind < choice_kinds; ++kind)
       for (std::uint8_t step = 0; step < choice_steps; ++step)
-        model_.reader.row(model_.reader.add(mention_feature({kind, step, 0, 0})))[model_.columns().mention] =
+        model_.weights.row(
+            model_.weights.add(mention_feature({kind, step, 0, 0})))[model_.language.columns().mention] =
             static_cast<float>(options.mention);
     instances_.reserve(2 * examples.size());
     for (const Example* example : examples) {
@@ -45,8 +45,8 @@ class Learner {
   }
 
   LinearModel run() {
-    std::mt19937_64 random(options_.seed);
-    const auto below = [&](std::size_t n) { return random() % n; };
+    ltl::Random random(options_.seed);
+    const auto below = [&](std::size_t n) { return random.below(n); };
     each_batch(instances_.size(), 1, options_.epochs, options_.stop, below,
                [&](std::span<const std::size_t> one, int epoch, std::size_t i) {
                  learn(instances_[one.front()], explores(options_, epoch));
@@ -64,10 +64,9 @@ class Learner {
   void add_lesson(const Example& example, bool mirrored) {
     SentenceInput input = example.input;
     if (mirrored) input.tokens = mirror(input.tokens);
-    SentenceFeatures features = sentence_features(input, model_.words, steps_of(model_));
-    Wording wording(model_, features.mentions);
-    TrainingInstance instance{&example, mirrored, std::move(features), std::move(wording),
-                              ProgramTrie(model_.grammar())};
+    SentenceFeatures features = sentence_features(input, model_.words, model_.language.steps());
+    Wording wording(model_.language, features.mentions);
+    TrainingInstance instance{&example, mirrored, std::move(features), std::move(wording), {}};
     for (const Consistent& candidate : *example.programs)
       add_program(instance, candidate.program, candidate.same_route);
     if (instance.trie.programs() > 0) instances_.push_back(std::move(instance));
@@ -78,15 +77,15 @@ class Learner {
     if (names_other_place(program, place_numbers_, instance.features.places)) return;
     const Program read = instance.mirrored ? mirror(program, images_) : program;
     const double weight = prior_weight(options_, same_route, instance.wording.lexical_overlap_penalty(read));
-    if (weight > 0) instance.trie.add(read, weight);
+    if (weight > 0) instance.trie.add(scorer_.prefixes(), read, weight);
   }
 
   void learn(TrainingInstance& instance, bool explore) {
     scorer_.begin(instance.features);
     if (explore) add_own_programs(instance);
-    instance.trie.accumulate_gradient(scorer_, scratch_);
+    accumulate_gradient(instance.trie, scorer_, scratch_);
     scorer_.each_gradient([this](std::uint64_t feature, const float* gradient) {
-      optimizer_.update(model_.reader.add(feature), gradient);
+      optimizer_.update(model_.weights.add(feature), gradient);
     });
   }
 
@@ -94,7 +93,7 @@ class Learner {
   void add_own_programs(TrainingInstance& instance) {
     const Example& example = *instance.example;
     const Executor& executor = executors_[example.map];
-    for (const Candidate& candidate : best_programs(scorer_, model_.grammar(), options_.explore)) {
+    for (const Candidate& candidate : best_programs(scorer_, options_.explore)) {
       const Program here = instance.mirrored ? mirror(candidate.program, images_) : candidate.program;
       const auto plan = executor.run(here, example.gold.start, options_.then);
       if (plan && plan->end == example.gold.end)
@@ -109,7 +108,7 @@ class Learner {
   std::vector<std::uint16_t> images_;
   AdaGrad optimizer_;
   Scorer scorer_;
-  ProgramTrie::Scratch scratch_;
+  TrieScratch scratch_;
   std::vector<std::size_t> place_numbers_;
   std::vector<TrainingInstance> instances_;
 };

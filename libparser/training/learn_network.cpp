@@ -5,6 +5,8 @@
 #include "libltl/parallel.hpp"
 #include "libneural/adam.hpp"
 #include "libparser/corpus/token.hpp"
+#include "libparser/decode/network_trie.hpp"
+#include "libparser/decode/randomised_beam.hpp"
 #include "libparser/supervision/lexical_overlap.hpp"
 #include "libparser/training/feedback.hpp"
 #include "libparser/training/objective.hpp"
@@ -22,7 +24,7 @@ struct TrainingInstance {
   NetworkSentence sentence;
   std::vector<bool> places;  // it names
   Wording wording;
-  SymbolTrie trie;
+  NetworkTrie trie;
 };
 
 class Learner {
@@ -33,10 +35,10 @@ class Learner {
         how_(options.network),
         progress_(progress),
         random_(options.seed),
-        frame_(executors.front().map().vocabulary(), options.dialect),
-        images_(mirror_images(frame_.vocabulary())),
-        place_numbers_(place_numbers(frame_.vocabulary())),
-        network_(TypedPostfix(frame_.grammar(), frame_.columns()), words_met_twice(examples), how_.sizes,
+        language_(executors.front().map().vocabulary(), options.dialect),
+        images_(mirror_images(language_.vocabulary())),
+        place_numbers_(place_numbers(language_)),
+        network_(TypedPostfix(language_), words_met_twice(examples), how_.sizes,
                  [this] { return random_.unit(); }),
         adam_(network_.parameters(), {.rate = how_.rate}) {
     for (std::size_t s = 0; s < shards; ++s) shards_.emplace_back(network_, executors, options, s);
@@ -47,7 +49,7 @@ class Learner {
     }
   }
 
-  std::shared_ptr<const NetworkReader> run() {
+  std::shared_ptr<const NetworkModel> run() {
     const std::size_t steps = (instances_.size() + how_.batch - 1) / how_.batch;
     each_batch(
         instances_.size(), how_.batch, how_.epochs, options_.stop,
@@ -58,7 +60,7 @@ class Learner {
           step(instances, how_.search == ProgramSearch::Beam || explores(options_, epoch), done);
           if (b % 16 == 0) progress_(done);
         });
-    return std::make_shared<const NetworkReader>(std::move(network_));
+    return std::make_shared<const NetworkModel>(std::move(network_));
   }
 
  private:
@@ -81,12 +83,12 @@ class Learner {
   void add_lesson(const Example& example, bool mirrored) {
     SentenceInput input = example.input;
     if (mirrored) input.tokens = mirror(input.tokens);
-    SentenceFeatures features = sentence_features(input, frame_.words);
+    SentenceFeatures features = sentence_features(input, network_.words());
     TrainingInstance instance{&example,
                               mirrored,
                               network_.sentence(input),
                               std::move(features.places),
-                              Wording(frame_, features.mentions),
+                              Wording(language_, features.mentions),
                               {}};
     if (how_.search == ProgramSearch::Consistent) {
       std::vector<std::pair<Program, double>> programs;
@@ -100,7 +102,7 @@ class Learner {
       }
       for (const auto& [program, weight] : programs)
         if (weight >= how_.least * best)
-          instance.trie.add(program, weight, shards_.front().masks, network_.first_history());
+          instance.trie.add(NetworkPrefixes(network_, shards_.front().masks), program, weight);
       if (instance.trie.programs() == 0) return;
     }
     instances_.push_back(std::move(instance));
@@ -144,7 +146,7 @@ class Learner {
     std::vector<History> histories;
     std::vector<Index> begin{0};
     for (const TrainingInstance* instance : instances) {
-      instance->trie.append_histories(histories);
+      append_histories(instance->trie, histories);
       begin.push_back(static_cast<Index>(histories.size()));
     }
     if (histories.empty()) return;
@@ -153,11 +155,11 @@ class Learner {
     for (std::size_t i = 0; i < instances.size(); ++i) {
       TrainingInstance& instance = *instances[i];
       if (instance.trie.programs() == 0) continue;
-      const auto likelihoods = instance.trie.likelihoods(scores, begin[i], instance.sentence.forbidden);
+      const Likelihoods found = likelihoods(instance.trie, scores, begin[i], instance.sentence.forbidden);
       std::vector<float> gradient =
-          objective_gradient(how_.objective, how_.beta, likelihoods.log_p, instance.trie.log_weights());
+          objective_gradient(how_.objective, how_.beta, found.log_p, instance.trie.log_weights());
       for (float& g : gradient) g = -g;  // Adam goes down
-      instance.trie.backpropagate(likelihoods, gradient, dscores, begin[i]);
+      backpropagate(instance.trie, found, gradient, dscores, begin[i]);
     }
     shard.pass.backward(shard.parameters, dscores);
     if (how_.search == ProgramSearch::Beam)
@@ -178,7 +180,7 @@ class Learner {
           continue;
         const auto [program, weight] =
             weigh(instance, here, goes_the_gold_route(here, *instance.example, shard), shard.feedback);
-        if (weight > 0) instance.trie.add(program, weight, shard.masks, network_.first_history());
+        if (weight > 0) instance.trie.add(NetworkPrefixes(network_, shard.masks), program, weight);
       }
     }
   }
@@ -194,7 +196,7 @@ class Learner {
   const NetworkTraining& how_;
   const JobProgress& progress_;
   ltl::Random random_;
-  LinearModel frame_;
+  ProgramLanguage language_;
   std::vector<std::uint16_t> images_;
   std::vector<std::size_t> place_numbers_;
   EncoderDecoder network_;
@@ -205,9 +207,9 @@ class Learner {
 
 }  // namespace
 
-std::shared_ptr<const NetworkReader> learn_network(std::span<const Example* const> examples,
-                                                   std::span<const Executor> executors,
-                                                   const TrainOptions& options, const JobProgress& progress) {
+std::shared_ptr<const NetworkModel> learn_network(std::span<const Example* const> examples,
+                                                  std::span<const Executor> executors,
+                                                  const TrainOptions& options, const JobProgress& progress) {
   return Learner(examples, executors, options, progress).run();
 }
 

@@ -11,14 +11,14 @@
 #pragma once
 #include <memory>
 
-#include "libparser/decode/network_search.hpp"
+#include "libparser/model/word_model.hpp"
 #include "libparser/training/learn.hpp"
 
 namespace waymark::parser {
 
 // As learn_reader of learn.hpp.
-std::shared_ptr<const NetworkReader> learn_network(std::span<const Example* const> examples,
-                                                   std::span<const Executor> executors,
-                                                   const TrainOptions& options, const JobProgress& progress);
+std::shared_ptr<const NetworkModel> learn_network(std::span<const Example* const> examples,
+                                                  std::span<const Executor> executors,
+                                                  const TrainOptions& options, const JobProgress& progress);
 
 }  // namespace waymark::parser

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <random>
 
+#include "libltl/structure/random.hpp"
 #include "libparser/rerank/adagrad.hpp"
 #include "libparser/training/training_instance.hpp"
 
@@ -116,8 +116,8 @@ void learn_ranker(WeightTable& weights, std::span<LabelledDecision> decisions, c
                   const JobProgress& progress) {
   if (options.least_maps > 1) leave_out_rare_features(weights.rows(), decisions, options.least_maps);
   RankerLearner learner(weights, options);
-  std::mt19937_64 random(options.seed);
-  const auto below = [&](std::size_t n) { return random() % n; };
+  ltl::Random random(options.seed);
+  const auto below = [&](std::size_t n) { return random.below(n); };
   each_epoch(decisions.size(), options.epochs, below, [&](std::span<const std::size_t> order, int epoch) {
     for (const std::size_t i : order) {
       if (options.stop.stop_requested()) throw Stopped{};

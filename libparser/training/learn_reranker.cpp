@@ -21,7 +21,7 @@ bool teaches(const RankingInstance& instance) {
   return right > 0 && static_cast<std::size_t>(right) < instance.candidates.size();
 }
 
-void learn_table(const LinearModel& model, WeightTable& table, std::span<const RankingInstance> all,
+void learn_table(const RankingModel& model, WeightTable& table, std::span<const RankingInstance> all,
                  std::span<const Executor> executors, const TrainOptions& options,
                  const JobProgress& progress) {
   *table.row(table.add(log_mass_feature())) = 1.0F;
@@ -81,13 +81,13 @@ void add_ranking_instances(const Grounder& reader, std::span<const Example* cons
 Grounder with_reranker(const Grounder& reader, const RankingInstances& all,
                        std::span<const Executor> executors, const TrainOptions& options,
                        const JobProgress& progress) {
-  auto model = std::make_shared<LinearModel>(reader.model->vocabulary(), reader.model->dialect());
-  model->words = reader.model->words;
+  auto model = std::make_shared<RankingModel>(reader.ranking->language.vocabulary(), reader.ranking->language.dialect());
+  model->words = reader.ranking->words;
   learn_table(*model, model->reranker, all.of_ends, executors, options,
               [&](double fraction) { progress(0.3 * fraction); });
   learn_table(*model, model->start_pose_model, all.of_starts, executors, options,
               [&](double fraction) { progress(0.3 + 0.7 * fraction); });
-  return {reader.reader, std::move(model)};
+  return {reader.word_model, std::move(model)};
 }
 
 }  // namespace waymark::parser

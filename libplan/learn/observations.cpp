@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <optional>
 
+#include "libplan/world/observable.hpp"
+
 namespace waymark::plan {
 namespace {
 
@@ -27,7 +29,8 @@ std::vector<std::string> named(const Map& map, Sight sight) {
   std::vector<std::string> names = map.objects();
   if (sight != Sight::Landmarks) return names;
   names.insert(names.end(), map.floors().begin(), map.floors().end());
-  for (const std::string& wall : map.walls()) names.push_back("ahead_" + wall);
+  for (const std::string& wall : map.walls())
+    names.push_back(proposition_name({Direction::Ahead, Kind::Painting, wall}));
   return names;
 }
 

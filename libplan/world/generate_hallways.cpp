@@ -2,11 +2,12 @@
 
 #include <algorithm>
 #include <array>
-#include <random>
 #include <stdexcept>
 #include <string_view>
 #include <utility>
 #include <vector>
+
+#include "libltl/structure/random.hpp"
 
 namespace waymark::plan {
 namespace {
@@ -54,7 +55,7 @@ class HallwayDrawing {
   }
 
  private:
-  std::uint32_t below(std::uint32_t bound) { return static_cast<std::uint32_t>(random_() % bound); }
+  std::uint32_t below(std::uint32_t bound) { return static_cast<std::uint32_t>(random_.below(bound)); }
 
   std::vector<std::uint32_t> neighbours(std::uint32_t p) const {
     std::vector<std::uint32_t> out;
@@ -106,7 +107,7 @@ class HallwayDrawing {
   }
 
   const std::uint32_t width_, places_;
-  std::mt19937_64 random_;
+  ltl::Random random_;
   std::vector<Segment> segments_;
 };
 

@@ -4,15 +4,17 @@
 #include <array>
 #include <numeric>
 #include <stdexcept>
+#include <string>
 #include <string_view>
+
+#include "libplan/world/observable.hpp"
 
 namespace waymark::plan {
 namespace {
 
 constexpr std::array<std::string_view, 5> kinds{"intersection", "corner", "tee", "corridor", "dead_end"};
-constexpr std::array<std::string_view, 4> directions{"ahead", "right", "behind",
-                                                     "left"};  // clockwise from the heading
-constexpr std::array<std::string_view, 3> events{"moved", "turned_left", "turned_right"};
+constexpr std::array<Direction, 4> directions{Direction::Ahead, Direction::Right, Direction::Behind,
+                                              Direction::Left};  // clockwise from the heading
 
 // Which kinds of place a node is, by the number of its open ways.
 std::vector<std::string_view> kinds_of(const Hallways& hallways, std::uint32_t node) {
@@ -28,14 +30,13 @@ std::vector<std::string_view> kinds_of(const Hallways& hallways, std::uint32_t n
   }
 }
 
-// Inserts propositions by name; a name the vocabulary lacks is an error.
+// Inserts propositions; one the vocabulary lacks is an error.
 class Writer {
  public:
   Writer(const ltl::Vocabulary& vocabulary, ltl::Letter& letter) : vocabulary_(vocabulary), letter_(letter) {}
-  void add(std::string_view prefix, std::string_view what) {
-    const std::string name = std::string(prefix) + std::string(what);
-    const auto p = vocabulary_.find(name);
-    if (!p) throw std::invalid_argument("the map shows '" + std::string(what) + "', which it does not list");
+  void add(Direction direction, Kind kind, std::string_view name) {
+    const auto p = vocabulary_.find(proposition_name({direction, kind, std::string(name)}));
+    if (!p) throw std::invalid_argument("the map shows '" + std::string(name) + "', which it does not list");
     letter_.insert(*p);
   }
 
@@ -46,62 +47,64 @@ class Writer {
 
 void write_here(const Hallways& hallways, std::uint32_t node, Writer& writer) {
   const Node& here = hallways.nodes()[node];
-  if (here.object) writer.add("", *here.object);
-  if (here.place) writer.add("place_", std::to_string(*here.place));
-  for (std::string_view kind : kinds_of(hallways, node)) writer.add("", kind);
+  if (here.object) writer.add(Direction::Here, Kind::Object, *here.object);
+  if (here.place) writer.add(Direction::Here, Kind::PlaceNumber, std::to_string(*here.place));
+  for (std::string_view kind : kinds_of(hallways, node)) writer.add(Direction::Here, Kind::NodeKind, kind);
   for (int heading = 0; heading < 360; heading += 90) {
     const Edge* way = hallways.hallway(node, heading);
-    if (way != nullptr && !way->floor.empty()) writer.add("", way->floor);
+    if (way != nullptr && !way->floor.empty()) writer.add(Direction::Here, Kind::Floor, way->floor);
   }
 }
 
 // `sight`: the objects along the hallway that way, by their bare propositions.
-void write_seen(const Hallways& hallways, std::uint32_t node, int heading, std::string_view direction,
+void write_seen(const Hallways& hallways, std::uint32_t node, int heading, Direction direction,
                 const ltl::Letter& sight, const ltl::Vocabulary& vocabulary, Writer& writer) {
-  const std::string prefix = std::string(direction) + "_";
   const Edge* way = hallways.hallway(node, heading);
-  writer.add(prefix, way == nullptr ? "wall" : "open");
+  writer.add(direction, Kind::Passage, way == nullptr ? "wall" : "open");
   if (way == nullptr) return;
-  if (!way->floor.empty()) writer.add(prefix, way->floor);
-  if (!way->wall.empty()) writer.add(prefix, way->wall);
-  for (ltl::Proposition object : sight.members()) writer.add(prefix, vocabulary.name(object));
+  if (!way->floor.empty()) writer.add(direction, Kind::Floor, way->floor);
+  if (!way->wall.empty()) writer.add(direction, Kind::Painting, way->wall);
+  for (ltl::Proposition object : sight.members())
+    writer.add(direction, Kind::Object, vocabulary.name(object));
 }
 
 void write_next(const Hallways& hallways, std::uint32_t node, int heading, Writer& writer) {
   const auto next = hallways.neighbour(node, heading);
   if (!next) return;
-  if (hallways.nodes()[*next].object) writer.add("next_", *hallways.nodes()[*next].object);
-  for (std::string_view kind : kinds_of(hallways, *next)) writer.add("next_", kind);
+  if (hallways.nodes()[*next].object)
+    writer.add(Direction::Next, Kind::Object, *hallways.nodes()[*next].object);
+  for (std::string_view kind : kinds_of(hallways, *next)) writer.add(Direction::Next, Kind::NodeKind, kind);
 }
 
 }  // namespace
 
 ltl::Vocabulary hallway_vocabulary(const Observables& observables) {
   ltl::Vocabulary vocabulary;
-  const auto add = [&](std::string_view prefix, std::string_view what) {
-    const std::string name = std::string(prefix) + std::string(what);
+  const auto add = [&](Direction direction, Kind kind, std::string_view what) {
+    const std::string name = proposition_name({direction, kind, std::string(what)});
     if (what.empty()) throw std::invalid_argument("an observable needs a name");
     if (vocabulary.find(name))
       throw std::invalid_argument("two observables would share the proposition '" + name + "'");
     vocabulary.add(name);
   };
-  const auto add_all = [&](std::string_view prefix, const auto& names) {
-    for (const auto& name : names) add(prefix, name);
+  const auto add_all = [&](Direction direction, Kind kind, const auto& names) {
+    for (const auto& name : names) add(direction, kind, name);
   };
-  add_all("", events);
-  add_all("", observables.objects);
-  add_all("", observables.floors);
-  add_all("", kinds);
-  for (std::string_view direction : directions) {
-    const std::string prefix = std::string(direction) + "_";
-    add_all(prefix, observables.objects);
-    add_all(prefix, observables.floors);
-    add_all(prefix, observables.walls);
-    add_all(prefix, std::array<std::string_view, 2>{"wall", "open"});
+  add(Direction::Here, Kind::Event, "moved");
+  for (const Direction side : {Direction::Left, Direction::Right}) add(side, Kind::Event, "turned");
+  add_all(Direction::Here, Kind::Object, observables.objects);
+  add_all(Direction::Here, Kind::Floor, observables.floors);
+  add_all(Direction::Here, Kind::NodeKind, kinds);
+  for (const Direction direction : directions) {
+    add_all(direction, Kind::Object, observables.objects);
+    add_all(direction, Kind::Floor, observables.floors);
+    add_all(direction, Kind::Painting, observables.walls);
+    add_all(direction, Kind::Passage, std::array<std::string_view, 2>{"wall", "open"});
   }
-  add_all("next_", observables.objects);
-  add_all("next_", kinds);
-  for (int place = 1; place <= observables.places; ++place) add("place_", std::to_string(place));
+  add_all(Direction::Next, Kind::Object, observables.objects);
+  add_all(Direction::Next, Kind::NodeKind, kinds);
+  for (int number = 1; number <= observables.places; ++number)
+    add(Direction::Here, Kind::PlaceNumber, std::to_string(number));
   return vocabulary;
 }
 

@@ -1,6 +1,6 @@
 // How long does grounding take? With the shipped model, on sentences of our own, one core.
 //
-//   load             reading the weights file
+//   load             mapping and checking the model file
 //   read             the 64 most probable programs of a sentence
 //   ground           the same, planned on the map from a start pose, and the end chosen
 //   execute          the plan of one program, for what a learner does thousands of times
@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "libparser/corpus/token.hpp"
-#include "libparser/decode/beam.hpp"
 #include "libparser/ground.hpp"
 #include "libparser/language/generate.hpp"
 #include "libparser/model_file.hpp"
@@ -50,7 +49,8 @@ void read(benchmark::State& state) {
   const Workload& w = workload();
   std::size_t i = 0;
   for (auto _ : state) {
-    benchmark::DoNotOptimize(w.model.reader->read({tokenize(w.texts[i++ % w.texts.size()]), false}, 64));
+    benchmark::DoNotOptimize(
+        parser::read(w.model.word_model, {tokenize(w.texts[i++ % w.texts.size()]), false}, 64));
   }
   state.SetItemsProcessed(state.iterations());
 }

@@ -1,4 +1,4 @@
-// Weights files: refused with a FormatError, or a model that writes and reads back as the same bytes. The checksum would
+// Model files: refused with a FormatError, or a model that writes and reads back as the same bytes. The checksum would
 // keep nearly every mutation away from the reader, so the target seals its inputs itself.
 #include <cstddef>
 #include <cstdint>
@@ -7,7 +7,7 @@
 #include <string_view>
 
 #include "libltl/diagnostic.hpp"
-#include "libparser/model/weights_bytes.hpp"
+#include "libparser/model/xxhash.hpp"
 #include "libparser/model_file.hpp"
 
 namespace {
@@ -16,7 +16,7 @@ using namespace waymark;
 
 // With the checksum that the reader asks for.
 std::string sealed(std::string body) {
-  const std::uint64_t sum = parser::checksum(body);
+  const std::uint64_t sum = parser::xxh64(body);
   for (std::size_t k = 0; k < 8; ++k) body += static_cast<char>(sum >> (8 * k) & 0xFFU);
   return body;
 }
@@ -31,7 +31,8 @@ void read(std::string_view bytes) {
 
 // A seal that the reader does not accept would leave it untested without a word.
 bool seal_fits() {
-  const std::string file = parser::serialize(parser::LinearModel(ltl::Vocabulary({"chair", "moved"})));
+  const std::string file =
+      parser::serialize(parser::grounder_of(parser::LinearModel(ltl::Vocabulary({"chair", "moved"}))));
   return sealed(file.substr(0, file.size() - 8)) == file;
 }
 

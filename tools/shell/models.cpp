@@ -3,7 +3,6 @@
 #include <map>
 
 #include "libltl/diagnostic.hpp"
-#include "libparser/decode/beam.hpp"
 #include "libparser/model_file.hpp"
 #include "libplan/world/read_map.hpp"
 #include "tools/shell/data_directory.hpp"
@@ -21,7 +20,8 @@ parser::Grounder read_model(const ModelOptions& options, const std::string& data
   const std::string file = options.file.empty()
                                ? (data_directory(data) / "models" / "encoder-decoder.waymark").string()
                                : options.file;
-  return parser::parse_grounder(read_file(file), file);
+  if (file == "-") return parser::parse_grounder(read_file(file), source_name(file));
+  return parser::load_grounder(file);
 }
 
 namespace {

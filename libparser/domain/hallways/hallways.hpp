@@ -40,7 +40,7 @@ class Hallways {
   using Route = HallwayRoute;
 
   // Words and columns are the model's. Model and executors, one for each map, must outlive it.
-  Hallways(const LinearModel& model, std::span<const Executor> executors)
+  Hallways(const RankingModel& model, std::span<const Executor> executors)
       : model_(&model), executors_(executors) {}
 
   static const ltl::Vocabulary& vocabulary(const Map& map) { return map.vocabulary(); }
@@ -52,7 +52,7 @@ class Hallways {
   static bool right(const RankingInstance& instance, const Route& route);
 
  private:
-  const LinearModel* model_;
+  const RankingModel* model_;
   std::span<const Executor> executors_;
 };
 static_assert(Domain<Hallways>);

@@ -4,9 +4,10 @@
 #include <charconv>
 #include <optional>
 #include <ostream>
-#include <random>
 #include <stdexcept>
 #include <utility>
+
+#include "libltl/structure/random.hpp"
 
 namespace waymark::plan {
 namespace {
@@ -17,7 +18,7 @@ constexpr std::uint32_t block = 4;                   // of streets
 
 class Drawing {
  public:
-  Drawing(const GridRecipe& recipe, std::mt19937_64& random)
+  Drawing(const GridRecipe& recipe, ltl::Random& random)
       : recipe_(recipe),
         width_(recipe.width),
         height_(recipe.height),
@@ -36,7 +37,7 @@ class Drawing {
   }
 
  private:
-  std::uint32_t below(std::uint32_t bound) { return static_cast<std::uint32_t>(random_() % bound); }
+  std::uint32_t below(std::uint32_t bound) { return static_cast<std::uint32_t>(random_.below(bound)); }
 
   // Walls every `pitch` cells, one door between any two rooms that touch.
   void rooms() {
@@ -122,7 +123,7 @@ class Drawing {
 
   const GridRecipe& recipe_;
   const std::uint32_t width_, height_;
-  std::mt19937_64& random_;
+  ltl::Random& random_;
   std::vector<std::string> rows_;
 };
 
@@ -203,19 +204,19 @@ std::vector<CaseTask> tasks(const GridRecipe& recipe, const std::vector<std::str
 }
 
 // Start and landmarks on different plain cells that the start reaches; false: the drawing has too few.
-bool settle(GridText& grid, const GridRecipe& recipe, std::mt19937_64& random) {
+bool settle(GridText& grid, const GridRecipe& recipe, ltl::Random& random) {
   std::vector<std::uint32_t> plain;
   for (std::uint32_t cell = 0; cell < recipe.width * recipe.height; ++cell)
     if (grid.rows[cell / recipe.width][cell % recipe.width] == '.') plain.push_back(cell);
   if (plain.empty()) return false;
-  const std::uint32_t start = plain[random() % plain.size()];
+  const std::uint32_t start = plain[random.below(plain.size())];
   std::vector<std::uint32_t> cells = reached(grid.rows, start);
   if (cells.size() < recipe.landmarks + 1 || 2 * cells.size() < plain.size()) return false;
   grid.x = start % recipe.width;
   grid.y = start / recipe.width;
   cells.erase(std::find(cells.begin(), cells.end(), start));
   for (std::uint32_t i = 0; i < recipe.landmarks; ++i) {
-    const std::size_t drawn = random() % cells.size();
+    const std::size_t drawn = random.below(cells.size());
     const std::uint32_t cell = cells[drawn];
     cells[drawn] = cells.back();
     cells.pop_back();
@@ -248,7 +249,7 @@ std::string_view name(GridKind kind) {
 
 GridText generate_grid(const GridRecipe& recipe) {
   check(recipe);
-  std::mt19937_64 random(recipe.seed);
+  ltl::Random random(recipe.seed);
   for (int drawing = 0; drawing < 100; ++drawing) {
     GridText out;
     out.rows = Drawing(recipe, random).draw();

@@ -40,15 +40,15 @@ TEST(Token, MirrorExchangesLeftAndRightAndIsItsOwnInverse) {
 }
 
 TEST(Lexicon, FindsOtherNamesPluralsCountsAndHyphens) {
-  const std::pair<const char*, Words> table[] = {
-      {"sit on the couch", {"thing sofa"}},
-      {"two stools", {"count 2", "thing 2", "thing barstool"}},
-      {"the honeycomb-tiled hall", {"thing yellow"}},
-      {"past the hat rack", {"thing hatrack"}},
+  const std::pair<const char*, std::vector<Part>> table[] = {
+      {"sit on the couch", {thing("sofa")}},
+      {"two stools", {count(2), thing("2"), thing("barstool")}},
+      {"the honeycomb-tiled hall", {thing("yellow")}},
+      {"past the hat rack", {thing("hatrack")}},
       {"go straight", {}},
-      {"the grass", {"thing grass"}},
+      {"the grass", {thing("grass")}},
   };
-  for (const auto& [text, columns] : table) EXPECT_EQ(mentions(tokenize(text)), columns) << text;
+  for (const auto& [text, parts] : table) EXPECT_EQ(mentions(tokenize(text)), parts) << text;
 }
 
 TEST(Lexicon, NumbersAreReadInWordsAndDigits) {

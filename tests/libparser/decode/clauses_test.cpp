@@ -24,9 +24,8 @@ std::string text_of(const SentenceInput& input) {
 }
 
 // What it answers is said beforehand, or drawn when it is first asked; never more than it is asked for.
-class Told : public Reader {
- public:
-  std::vector<Candidate> read(const SentenceInput& input, std::size_t beam) const override {
+struct Told {
+  std::vector<Candidate> read(const SentenceInput& input, std::size_t beam) const {
     const std::string text = text_of(input);
     asked.push_back(text);
     std::vector<Candidate> out;
@@ -42,11 +41,16 @@ class Told : public Reader {
   std::function<std::vector<Candidate>()> draw;
 };
 
+std::vector<Candidate> by_clauses(const Told& reader, const SentenceInput& input, std::size_t beam) {
+  return read_by_clauses([&](const SentenceInput& one, std::size_t most) { return reader.read(one, most); },
+                         input, beam);
+}
+
 using Mass = std::map<Program, double>;
 
 // By the definition: every way to cut into parts of at most four clauses, every reading of every part.
-void cut(const Reader& reader, const SentenceInput& input, const std::vector<Clause>& clauses,
-         std::size_t from, const Program& program, double p, Mass& best) {
+void cut(const Told& reader, const SentenceInput& input, const std::vector<Clause>& clauses, std::size_t from,
+         const Program& program, double p, Mass& best) {
   if (from == clauses.size()) {
     if (!program.empty()) best[program] = std::max(best[program], p);
     return;
@@ -66,7 +70,7 @@ void cut(const Reader& reader, const SentenceInput& input, const std::vector<Cla
   }
 }
 
-Mass by_definition(const Reader& reader, const SentenceInput& input) {
+Mass by_definition(const Told& reader, const SentenceInput& input) {
   Mass sum;
   cut(reader, input, clauses_of(input.tokens), 0, {}, 1, sum);
   for (auto& [program, p] : sum) p *= 0.5;
@@ -103,7 +107,7 @@ TEST(Clauses, ProbabilitiesAreThoseOfTheDefinition) {
         return out;
       };
       const Mass want = by_definition(reader, input);
-      const std::vector<Candidate> got = read_by_clauses(reader, input, 1000);
+      const std::vector<Candidate> got = by_clauses(reader, input, 1000);
       ASSERT_EQ(got.size(), want.size()) << text;
       for (std::size_t i = 0; i < got.size(); ++i) {
         ASSERT_TRUE(want.contains(got[i].program)) << text;
@@ -116,7 +120,7 @@ TEST(Clauses, ProbabilitiesAreThoseOfTheDefinition) {
 TEST(Clauses, OneClauseIsReadAsItIs) {
   Told reader;
   reader.answers["walk on "] = {{{forward(1)}, -0.5}, {{}, -1}};
-  const auto read = read_by_clauses(reader, {{"walk", "on"}, false}, 5);
+  const auto read = by_clauses(reader, {{"walk", "on"}, false}, 5);
   EXPECT_EQ(reader.asked, std::vector<std::string>{"walk on "});
   ASSERT_EQ(read.size(), 2U);
   EXPECT_EQ(read[0].log_probability, -0.5);
@@ -126,7 +130,7 @@ TEST(Clauses, OneClauseIsReadAsItIs) {
 TEST(Clauses, TheHeadingIsUnknownInTheFirstPartAlone) {
   Told reader;
   reader.draw = [] { return std::vector<Candidate>{{{forward(1)}, 0}}; };
-  read_by_clauses(reader, {{"x", "and", "y", "and", "z"}, true}, 5);
+  by_clauses(reader, {{"x", "and", "y", "and", "z"}, true}, 5);
   for (const std::string& text : reader.asked) EXPECT_EQ(text.find('?') == 0, text.find('x') <= 2) << text;
 }
 
@@ -137,22 +141,26 @@ TEST(Clauses, AsManyAsAskedForAndNoneTooLong) {
     for (int k = 1; k <= 8; ++k) out.push_back({{forward(k)}, -0.5 * k});
     return out;
   };
-  EXPECT_EQ(read_by_clauses(reader, {{"a", "and", "b"}, false}, 5).size(), 5U);
+  EXPECT_EQ(by_clauses(reader, {{"a", "and", "b"}, false}, 5).size(), 5U);
   reader.answers.clear();
   reader.draw = [] { return std::vector<Candidate>{{Program(50, forward(1)), -1}}; };
-  for (const Candidate& c : read_by_clauses(reader, {tokenize("a and b and c and d"), false}, 5))
+  for (const Candidate& c : by_clauses(reader, {tokenize("a and b and c and d"), false}, 5))
     EXPECT_LE(c.program.size(), 120U);
   SentenceInput endless;
   for (int i = 0; i < 500; ++i) endless.tokens.insert(endless.tokens.end(), {"a", "and"});
   reader.answers.clear();
   reader.draw = [] { return std::vector<Candidate>{{{forward(1)}, -0.1}}; };
-  EXPECT_EQ(read_by_clauses(reader, endless, 5).size(), 1U);  // the reader's own
+  EXPECT_EQ(by_clauses(reader, endless, 5).size(), 1U);  // the reader's own
 }
 
 TEST(Clauses, AskedForOnlyWhenDeciding) {
-  const auto reader = std::make_shared<Told>();
-  reader->draw = [] { return std::vector<Candidate>{{{forward(1)}, -0.1}}; };
-  const Grounder grounder{reader, std::make_shared<const LinearModel>(shipped_maps().front().vocabulary())};
+  LinearModel model(shipped_maps().front().vocabulary());  // of every sentence: one step forward
+  const auto all = sentence_features({{"walk"}, false}, model.words, model.language.steps()).by_context[0];
+  for (std::size_t step = 0; step < all.size(); ++step) {
+    const Token said = step == 0 ? PostfixGrammar::first_forward : PostfixGrammar::end;
+    model.weights.row(model.weights.add(all[step].front()))[said] = 30;
+  }
+  const Grounder grounder = grounder_of(std::move(model));
   const SentenceInput input{tokenize("walk on and walk on"), false};
   const auto longest = [&](bool clauses) {
     std::size_t steps = 0;

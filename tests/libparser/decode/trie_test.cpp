@@ -1,5 +1,5 @@
 // Decoding and the gradient of the marginal likelihood, both against enumeration on a small vocabulary.
-#include "libparser/decode/trie.hpp"
+#include "libparser/decode/linear_trie.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include <random>
 
 #include "libparser/corpus/token.hpp"
-#include "libparser/decode/beam.hpp"
+#include "libparser/decode/best_first.hpp"
 
 namespace waymark::parser {
 namespace {
@@ -21,14 +21,15 @@ class Decoding : public testing::Test {
       : features(sentence_features({tokenize("walk to the chair and turn left"), false}, model.words)) {
     std::mt19937_64 random(5);
     const auto fill = [&](std::uint64_t feature) {
-      float* const row = model.reader.row(model.reader.add(feature));
-      for (std::size_t c = 0; c < model.reader.columns(); ++c)
+      float* const row = model.weights.row(model.weights.add(feature));
+      for (std::size_t c = 0; c < model.weights.columns(); ++c)
         row[c] = static_cast<float>(static_cast<double>(random() % 1000) / 2000.0 - 0.25);
     };
     for (const auto& kind : features.by_context)
       for (const auto& step : kind)
         for (std::size_t i = 0; i < step.size(); i += 5) fill(step[i]);
-    for (Token last = 0; last < model.grammar().tokens(); ++last) fill(last_token_feature({0, 1, last, 0}));
+    for (Token last = 0; last < model.language.grammar().tokens(); ++last)
+      fill(last_token_feature({0, 1, last, 0}));
     fill(mention_feature({0, 0, 0, 0}));
   }
 
@@ -38,16 +39,18 @@ class Decoding : public testing::Test {
     double log_probability = 0;
     PrefixState state;
     Choice choice = first_choice();
-    std::vector<float> log_p(model.grammar().tokens());
-    for (Token token : model.grammar().tokens_of(program)) {
-      const bool forced = model.grammar().forced(state).has_value();
+    std::vector<float> log_p(model.language.grammar().tokens());
+    for (Token token : model.language.grammar().tokens_of(program)) {
+      const bool forced = model.language.grammar().forced(state).has_value();
       if (!forced) {
-        scorer.log_probabilities(scorer.groups(choice), model.grammar().choices(state), log_p.data());
+        scorer.log_probabilities(scorer.groups(choice), model.language.grammar().choices(state),
+                                 log_p.data());
         log_probability += static_cast<double>(log_p[token]);
       }
-      state = model.grammar().after(state, token);
+      state = model.language.grammar().after(state, token);
       PrefixState next = state;  // the choice is seen after what is forced
-      while (const auto t = model.grammar().forced(next)) next = model.grammar().after(next, *t);
+      while (const auto t = model.language.grammar().forced(next))
+        next = model.language.grammar().after(next, *t);
       if (!forced) choice = choice_after(next, choice, token);
     }
     return std::exp(log_probability);
@@ -59,7 +62,7 @@ class Decoding : public testing::Test {
 
 TEST_F(Decoding, ProbabilitiesOfAllProgramsSumToOne) {
   Scorer scorer(model, features);
-  const auto all = best_programs(scorer, model.grammar(), 10'000'000, 2'000'000);
+  const auto all = best_programs(scorer, 10'000'000, 2'000'000);
   double total = 0;
   for (const Candidate& candidate : all) total += std::exp(candidate.log_probability);
   EXPECT_NEAR(total, 1.0, 0.03) << all.size();  // programs below e⁻¹² are not made
@@ -68,8 +71,8 @@ TEST_F(Decoding, ProbabilitiesOfAllProgramsSumToOne) {
 
 TEST_F(Decoding, BestFirstGivesTheBestProgramsInOrder) {
   Scorer scorer(model, features);
-  const auto all = best_programs(scorer, model.grammar(), 5'000, 2'000'000);
-  const auto best = best_programs(scorer, model.grammar(), 50);
+  const auto all = best_programs(scorer, 5'000, 2'000'000);
+  const auto best = best_programs(scorer, 50);
   ASSERT_EQ(best.size(), 50U);
   for (std::size_t i = 0; i < best.size(); ++i) {
     EXPECT_EQ(best[i].program, all[i].program);
@@ -77,7 +80,7 @@ TEST_F(Decoding, BestFirstGivesTheBestProgramsInOrder) {
       EXPECT_LE(best[i].log_probability, best[i - 1].log_probability);
     }
     EXPECT_NEAR(std::exp(best[i].log_probability), probability(best[i].program), 1e-5)
-        << model.grammar().show(best[i].program);
+        << model.language.grammar().show(best[i].program);
     for (const Step& step : best[i].program)
       for (std::uint16_t p : step.literals()) EXPECT_NE(p, 2) << "place_1 is not named";
   }
@@ -89,22 +92,22 @@ TEST_F(Decoding, MarginalLikelihoodIsTheSumOverPrograms) {
       {{{StepKind::Reach, 0, 2, {0, 1}}}, 0.5},
       {{{StepKind::Forward, 2, 0, {}}, {StepKind::Next, 0, 1, {3}}}, 1.0},
       {{Step{}}, 0.25}};
-  ProgramTrie trie(model.grammar());
+  LinearTrie trie;
   double sum = 0;
   for (const auto& [program, weight] : programs) {
-    EXPECT_TRUE(trie.add(program, weight));
-    EXPECT_FALSE(trie.add(program, 0.9));
+    EXPECT_TRUE(trie.add(LinearPrefixes(model.language.grammar()), program, weight));
+    EXPECT_FALSE(trie.add(LinearPrefixes(model.language.grammar()), program, 0.9));
     sum += weight * probability(program);
   }
   Scorer scorer(model, features);
-  ProgramTrie::Scratch scratch;
-  EXPECT_NEAR(trie.accumulate_gradient(scorer, scratch), std::log(sum), 1e-5);
+  TrieScratch scratch;
+  EXPECT_NEAR(accumulate_gradient(trie, scorer, scratch), std::log(sum), 1e-5);
 
   // The gradient against central differences, for every weight of some rows.
   std::map<std::uint64_t, std::vector<float>> gradients;
   scorer.each_gradient([&](std::uint64_t feature, const float* gradient) {
     auto& total = gradients[feature];
-    total.resize(model.reader.columns(), 0.0F);
+    total.resize(model.weights.columns(), 0.0F);
     for (std::size_t c = 0; c < total.size(); ++c) total[c] += gradient[c];
   });
   const auto value = [&] {
@@ -112,11 +115,16 @@ TEST_F(Decoding, MarginalLikelihoodIsTheSumOverPrograms) {
     for (const auto& [program, weight] : programs) total += weight * probability(program);
     return std::log(total);
   };
+  std::vector<std::uint64_t> features_with_rows;
+  model.weights.each([&](std::uint64_t feature, std::size_t column, float) {
+    if (column == 0) features_with_rows.push_back(feature);
+  });
   std::size_t checked = 0;
-  for (std::uint32_t r = 0; r < model.reader.rows(); r += 3) {
-    const auto it = gradients.find(model.reader.key(r));
-    for (std::size_t c = 0; c < model.reader.columns(); c += 2) {
-      float& weight = model.reader.row(r)[c];
+  for (std::size_t i = 0; i < features_with_rows.size(); i += 3) {
+    const std::uint32_t r = model.weights.find(features_with_rows[i]);
+    const auto it = gradients.find(features_with_rows[i]);
+    for (std::size_t c = 0; c < model.weights.columns(); c += 2) {
+      float& weight = model.weights.row(r)[c];
       const float before = weight, h = 0.02F;
       weight = before + h;
       const double up = value();

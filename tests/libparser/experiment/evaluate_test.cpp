@@ -7,7 +7,7 @@
 #include <optional>
 
 #include "libparser/corpus/sail_corpus.hpp"
-#include "libparser/decode/beam.hpp"
+#include "libparser/decode/grounder.hpp"
 #include "libparser/language/generate.hpp"
 #include "tests/libparser/maps.hpp"
 #include "tests/support/sanitizers.hpp"
@@ -22,7 +22,7 @@ TEST(Evaluate, CountsSentencesParagraphsAndNodesByHand) {
   LinearModel model(grid.vocabulary());
   const SentenceFeatures features = sentence_features({{}, false}, model.words);
   for (std::uint64_t feature : features.by_context[0][0])
-    model.reader.row(model.reader.add(feature))[PostfixGrammar::stay] = 10.0F;
+    model.weights.row(model.weights.add(feature))[PostfixGrammar::stay] = 10.0F;
   Sentence stay{"1", "", {}, false, {{1, 9, 0}}, {{1, 9, 0}}, ""};
   Sentence walk{"2", "", {}, false, {{1, 9, 0}, {1, 8, 0}, {1, 7, 0}}, {{1, 9, 0}, {1, 8, 0}, {1, 7, 0}}, ""};
   Sentence turn{"3", "", {}, false, {{1, 9, 0}, {1, 9, 90}}, {{1, 9, 0}, {1, 9, 90}}, ""};

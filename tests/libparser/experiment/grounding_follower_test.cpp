@@ -14,12 +14,30 @@ namespace {
 
 constexpr double trust = 1.5;
 
+// Random weights for every word that random_sentence says.
+WordModel random_word_model(const ltl::Vocabulary& vocabulary) {
+  std::mt19937_64 random(3);
+  std::uniform_real_distribution<float> weight(-0.7F, 0.7F);
+  auto model = std::make_shared<LinearModel>(vocabulary);
+  for (const std::string& word : random_words)
+    for (const auto& by_step : sentence_features({{word}, false}, model->words).by_context)
+      for (const auto& features : by_step)
+        for (const std::uint64_t feature : features) {
+          float* const row = model->weights.row(model->weights.add(feature));
+          for (std::size_t c = 0; c < model->weights.columns(); ++c) row[c] = weight(random);
+        }
+  return model;
+}
+
 // A follower with random weights for all that a paragraph may need, and every way through the paragraph by enumeration.
 class World {
  public:
-  World() : executor_(map_), model_(std::make_shared<LinearModel>(map_.vocabulary())) {}
+  World()
+      : executor_(map_),
+        ranking_(std::make_shared<RankingModel>(map_.vocabulary())),
+        word_model_(random_word_model(map_.vocabulary())) {}
 
-  Grounder grounder() const { return {std::make_shared<RandomReader>(model_->grammar()), model_}; }
+  Grounder grounder() const { return {word_model_, ranking_}; }
   GroundingFollower follower(std::size_t beam_width) const {
     return {{grounder()}, {.deciding = {.beam = 16, .trust = 0}, .paragraph = {beam_width, trust}}};
   }
@@ -31,16 +49,16 @@ class World {
   }
 
   void draw_weights() {
-    model_ = std::make_shared<LinearModel>(map_.vocabulary());
+    ranking_ = std::make_shared<RankingModel>(map_.vocabulary());
     for (const SentenceInput& input : paragraph)
-      for (const std::string& word : input.tokens) model_->words.add(word);
+      for (const std::string& word : input.tokens) ranking_->words.add(word);
     for (const SentenceInput& input :
          paragraph)  // ends of sentences depend on where they begin: from a few poses
       for (int i = 0; i < 4; ++i) {
         const plan::PoseId from{i == 0 ? start.index : static_cast<std::uint32_t>(random_() % map_.poses())};
         const Decision decision = decide(grounder(), executor_, input, {&from, 1}, {.beam = 16, .trust = 0});
-        for (WeightTable* table : {&model_->reranker, &model_->start_pose_model})
-          add_weights(*model_, executor_, input, from, decision, *table, random_);
+        for (WeightTable* table : {&ranking_->reranker, &ranking_->start_pose_model})
+          add_weights(*ranking_, executor_, input, from, decision, *table, random_);
       }
   }
 
@@ -77,7 +95,8 @@ class World {
  private:
   const plan::Map& map_ = shipped_maps()[2];
   Executor executor_;
-  std::shared_ptr<LinearModel> model_;
+  std::shared_ptr<RankingModel> ranking_;
+  WordModel word_model_;
   std::mt19937_64 random_{11};
 };
 

@@ -4,7 +4,7 @@
 #include <numeric>
 
 #include "libneural/packing.hpp"
-#include "libparser/decode/symbol_trie.hpp"
+#include "libparser/decode/network_trie.hpp"
 #include "libparser/training/objective.hpp"
 #include "tests/libneural/reference.hpp"
 #include "tests/libparser/model/small_network.hpp"
@@ -128,14 +128,14 @@ void check(Objective objective, double dropout) {
   ltl::Random first(5), second(5);
   const Dropout drop{dropout, dropout, [&] { return first.unit(); }};
   ChoiceMasks masks(network.symbols());
-  std::vector<SymbolTrie> tries(sentences.size());
+  std::vector<NetworkTrie> tries(sentences.size());
   std::vector<const NetworkSentence*> batch;
   std::vector<History> histories;
   std::vector<Index> begin{0};
   for (std::size_t s = 0; s < sentences.size(); ++s) {
     for (const auto& [program, reward] : programs)
-      tries[s].add(program, reward, masks, network.first_history());
-    tries[s].append_histories(histories);
+      tries[s].add(NetworkPrefixes(network, masks), program, reward);
+    append_histories(tries[s], histories);
     begin.push_back(static_cast<Index>(histories.size()));
     batch.push_back(&sentences[s]);
   }
@@ -144,10 +144,9 @@ void check(Objective objective, double dropout) {
   const neural::Matrix& scores = pass.decode(begin, histories);
   neural::Matrix dscores = neural::Matrix::Zero(scores.rows(), scores.cols());
   for (std::size_t s = 0; s < sentences.size(); ++s) {
-    const auto likelihoods = tries[s].likelihoods(scores, begin[s], sentences[s].forbidden);
-    tries[s].backpropagate(likelihoods,
-                           objective_gradient(objective, beta, likelihoods.log_p, tries[s].log_weights()),
-                           dscores, begin[s]);
+    const Likelihoods found = likelihoods(tries[s], scores, begin[s], sentences[s].forbidden);
+    backpropagate(tries[s], found, objective_gradient(objective, beta, found.log_p, tries[s].log_weights()),
+                  dscores, begin[s]);
   }
   network.parameters().gradients().setZero();
   pass.backward(network.parameters(), dscores);

@@ -6,6 +6,7 @@
 
 #include "libltl/diagnostic.hpp"
 #include "libparser/corpus/token.hpp"
+#include "libparser/model/weight_table.hpp"
 #include "tests/libparser/maps.hpp"
 
 namespace waymark::parser {
@@ -50,12 +51,12 @@ TEST(Features, AnUnknownHeadingIsSeen) {
 
 TEST(Features, PlacesAreForbiddenUnlessTheSentenceNamesTheirNumber) {
   const ltl::Vocabulary& vocabulary = shipped_maps().front().vocabulary();
-  const PostfixGrammar grammar(vocabulary);
+  const ProgramLanguage language(vocabulary);
   WordTable words;
   const auto forbids = [&](const char* text, const char* literal) -> bool {
     const auto f = sentence_features({tokenize(text), false}, words);
     const auto p = static_cast<std::uint16_t>(vocabulary.find(literal).value().index);
-    return forbidden_tokens(grammar, vocabulary, f)[PostfixGrammar::literal(p)];
+    return forbidden_tokens(language, f)[PostfixGrammar::literal(p)];
   };
   EXPECT_TRUE(forbids("this is it", "place_4"));
   EXPECT_FALSE(forbids("this is position 4", "place_4"));
@@ -66,7 +67,7 @@ TEST(Features, PlacesAreForbiddenUnlessTheSentenceNamesTheirNumber) {
 }
 
 TEST(Features, ModelsOfAnotherVocabularyAreRefusedByName) {
-  const LinearModel model(ltl::Vocabulary({"chair", "moved"}));
+  const ProgramLanguage model(ltl::Vocabulary({"chair", "moved"}));
   EXPECT_NO_THROW(model.check_vocabulary(ltl::Vocabulary({"chair", "moved"}), "the map"));
   const std::pair<std::vector<std::string>, const char*> table[] = {
       {{"moved"}, "'chair' is missing"},

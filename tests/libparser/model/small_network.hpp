@@ -5,16 +5,15 @@
 
 #include "libltl/structure/random.hpp"
 #include "libparser/corpus/token.hpp"
-#include "libparser/decode/network_search.hpp"
+#include "libparser/model/network_scorer.hpp"
 
 namespace waymark::parser {
 
 struct SmallNetwork {
   explicit SmallNetwork(std::uint64_t seed = 3, PostfixGrammar::Limits limits = {.steps = 1, .goals = 2})
-      : vocabulary({"chair", "ahead_chair", "ahead_wall", "place_1", "turned_left"}),
-        grammar(vocabulary, limits),
+      : language(ltl::Vocabulary({"chair", "ahead_chair", "ahead_wall", "place_1", "turned_left"}), limits),
         random(seed),
-        network(TypedPostfix(grammar, Columns(grammar)), words(),
+        network(TypedPostfix(language), words(),
                 {.word = 5, .width = 4, .query = 6, .symbol = 5, .history = 3},
                 [this] { return random.unit(); }),
         sentence(network.sentence({tokenize("walk to the chair and turn left"), false})) {
@@ -36,8 +35,8 @@ struct SmallNetwork {
     return out;
   }
 
-  ltl::Vocabulary vocabulary;
-  PostfixGrammar grammar;
+  ProgramLanguage language;
+  const PostfixGrammar& grammar = language.grammar();
   ltl::Random random;
   EncoderDecoder network;
   NetworkSentence sentence;

@@ -9,8 +9,9 @@ namespace {
 
 class TypedPostfixTest : public testing::Test {
  protected:
-  PostfixGrammar grammar{shipped_maps().front().vocabulary()};
-  TypedPostfix symbols{grammar, Columns(grammar)};
+  const ProgramLanguage language{shipped_maps().front().vocabulary()};
+  const PostfixGrammar& grammar = language.grammar();
+  TypedPostfix symbols{language};
 };
 
 TEST_F(TypedPostfixTest, SaysEveryProgramAndReadsItBack) {
@@ -52,10 +53,10 @@ TEST_F(TypedPostfixTest, WhateverIsAllowedLeadsToAProgram) {
 TEST_F(TypedPostfixTest, PlacesMustBeNamed) {
   const std::vector<bool> named{false, false, true};  // the number 2
   const std::vector<bool> forbidden = symbols.forbidden(named);
-  EXPECT_FALSE(forbidden[symbols.find("thing 2")]);
-  EXPECT_TRUE(forbidden[symbols.find("thing 3")]);
-  EXPECT_FALSE(forbidden[symbols.find("thing chair")]);
-  EXPECT_EQ(symbols.find("thing piano"), symbols.symbols());
+  EXPECT_FALSE(forbidden[symbols.find(thing("2"))]);
+  EXPECT_TRUE(forbidden[symbols.find(thing("3"))]);
+  EXPECT_FALSE(forbidden[symbols.find(thing("chair"))]);
+  EXPECT_EQ(symbols.find(thing("piano")), symbols.symbols());
 }
 
 }  // namespace

@@ -11,34 +11,32 @@
 
 namespace waymark::parser {
 
+inline const std::vector<std::string> random_words{"left", "right", "chair", "blue",
+                                                   "two",  "until", "wall",  "second"};
+
 inline SentenceInput random_sentence(std::mt19937_64& random) {
-  static const std::vector<std::string> words{"left", "right", "chair", "blue",
-                                              "two",  "until", "wall",  "second"};
   SentenceInput input;
-  for (std::size_t n = 1 + random() % 5; n > 0; --n) input.tokens.push_back(words[random() % words.size()]);
+  for (std::size_t n = 1 + random() % 5; n > 0; --n)
+    input.tokens.push_back(random_words[random() % random_words.size()]);
   return input;
 }
 
-// Programs that depend on the words alone.
-class RandomReader : public Reader {
- public:
-  explicit RandomReader(const PostfixGrammar& grammar) : grammar_(grammar) {}
-  std::vector<Candidate> read(const SentenceInput& input, std::size_t beam) const override {
-    std::size_t seed = 1;
-    for (const std::string& word : input.tokens) seed = 31 * seed + std::hash<std::string>()(word);
-    std::mt19937_64 random(seed);
-    std::vector<Candidate> out;
-    for (std::size_t i = 0; i < beam; ++i)
-      out.push_back({random_program(grammar_, random), -0.05 * static_cast<double>(i)});
-    return out;
+// Random programs that depend on the words alone, as a word model may give them.
+inline std::vector<Weighed> random_candidates(const SentenceInput& input, const PostfixGrammar& grammar,
+                                              std::size_t beam) {
+  std::size_t seed = 1;
+  for (const std::string& word : input.tokens) seed = 31 * seed + std::hash<std::string>()(word);
+  std::mt19937_64 random(seed);
+  std::vector<Weighed> out;
+  for (std::size_t i = 0; i < beam; ++i) {
+    const double log_probability = -0.05 * static_cast<double>(i);
+    out.push_back({random_program(grammar, random), log_probability, log_probability});
   }
-
- private:
-  const PostfixGrammar& grammar_;
-};
+  return out;
+}
 
 // Gives every feature of the ends of this decision that the table does not have a random weight.
-inline void add_weights(const LinearModel& model, const Executor& executor, const SentenceInput& input,
+inline void add_weights(const RankingModel& model, const Executor& executor, const SentenceInput& input,
                         plan::PoseId start, const Decision& decision, WeightTable& table,
                         std::mt19937_64& random) {
   RerankerSentence sentence(model, input);

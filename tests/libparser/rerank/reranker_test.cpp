@@ -20,8 +20,7 @@ plan::PoseId random_pose(const plan::Map& map, std::mt19937_64& random) {
 struct Case {
   const plan::Map& map = shipped_maps()[1];
   Executor executor{map};
-  std::shared_ptr<LinearModel> model = std::make_shared<LinearModel>(map.vocabulary());
-  RandomReader reader{model->grammar()};
+  std::shared_ptr<RankingModel> model = std::make_shared<RankingModel>(map.vocabulary());
   std::mt19937_64 random{7};
   SentenceInput input;
   plan::PoseId start;
@@ -35,8 +34,8 @@ struct Case {
     input = random_sentence(random);
     input.heading_unknown = random() % 2 == 0;
     start = random_pose(map, random);
-    const Grounder grounder{std::make_shared<RandomReader>(model->grammar()), model};
-    decision = decide(grounder, executor, input, {&start, 1}, {.beam = 16, .trust = 0});
+    decision = decide(random_candidates(input, model->language.grammar(), 16), executor, {&start, 1},
+                      Then::WholePlan);
     add_weights(*model, executor, input, start, decision, model->reranker, random);
     add_weights(*model, executor, input, start, decision, model->start_pose_model, random);
   }
@@ -107,7 +106,7 @@ plan::Map mirrored(const plan::Map& map) {
 }
 plan::PoseId image(plan::PoseId pose) { return {pose.index / 4 * 4 + (4 - pose.index % 4) % 4}; }
 
-std::multiset<std::uint64_t> features_of(const LinearModel& model, const Executor& executor,
+std::multiset<std::uint64_t> features_of(const RankingModel& model, const Executor& executor,
                                          const SentenceInput& input, plan::PoseId start, const Plan& plan,
                                          bool seen_in_mirror) {
   RerankerSentence sentence(model, input, seen_in_mirror);

@@ -15,12 +15,12 @@ namespace {
 class SaidSearchTest : public testing::Test {
  protected:
   std::vector<Consistent> search(const Example& example) {
-    return said_programs(executors[example.map], frame, example.gold, example.input.tokens,
+    return said_programs(executors[example.map], language, example.gold, example.input.tokens,
                          plans[example.map]);
   }
 
   const std::vector<Executor> executors{shipped_maps().begin(), shipped_maps().end()};
-  const LinearModel frame{shipped_maps().front().vocabulary(), Dialect::Temporal};
+  const ProgramLanguage language{shipped_maps().front().vocabulary(), Dialect::Temporal};
   std::map<std::size_t, UnitPlans> plans;
 };
 
@@ -31,11 +31,12 @@ TEST_F(SaidSearchTest, ProgramsAreOfTheDialectAndEndAtTheGoldEnd) {
   for (const Example& example : make_examples(corpus, executors, Convention::Absolute).sentences)
     for (const Consistent& one : search(example)) {
       ++found;
-      ASSERT_TRUE(frame.grammar().contains(one.program));
+      ASSERT_TRUE(language.grammar().contains(one.program));
       const auto plan = executors[example.map].run(one.program, example.gold.start);
-      ASSERT_TRUE(plan.has_value()) << frame.grammar().show(one.program);
-      EXPECT_EQ(plan->end, example.gold.end) << frame.grammar().show(one.program);
-      EXPECT_EQ(plan->actions == example.gold.actions, one.same_route) << frame.grammar().show(one.program);
+      ASSERT_TRUE(plan.has_value()) << language.grammar().show(one.program);
+      EXPECT_EQ(plan->end, example.gold.end) << language.grammar().show(one.program);
+      EXPECT_EQ(plan->actions == example.gold.actions, one.same_route)
+          << language.grammar().show(one.program);
     }
   EXPECT_GT(found, 200U);
 }
@@ -49,7 +50,7 @@ TEST_F(SaidSearchTest, WhatWasMeantIsAmongThem) {
   std::size_t i = 0, meant = 0;
   for (const Paragraph& paragraph : corpus.paragraphs)
     for (const Sentence& sentence : paragraph.sentences) {
-      ltl::Arena arena(frame.vocabulary());
+      ltl::Arena arena(language.vocabulary());
       const ltl::Formula gold = ltl::parse(sentence.formula, arena);
       const auto programs = search(examples.sentences[i++]);
       meant += std::any_of(programs.begin(), programs.end(),

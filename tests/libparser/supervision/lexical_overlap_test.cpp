@@ -20,7 +20,7 @@ class WordingTest : public testing::Test {
   Step goal(StepKind kind, const char* literal) const { return {kind, 0, 1, {p(literal)}}; }
   static Step forward(std::uint8_t k) { return {StepKind::Forward, k, 0, {}}; }
 
-  const LinearModel model{shipped_maps().front().vocabulary()};
+  const ProgramLanguage model{shipped_maps().front().vocabulary()};
 };
 
 TEST_F(WordingTest, CountsWhatOneOfThemNamesAlone) {

@@ -80,7 +80,7 @@ TEST(Supervised, ASmallSetOfPairsIsLearnedByHeart) {
     EXPECT_EQ(scores.all.equivalent.hits, instances().pairs.size()) << static_cast<int>(kind);
     // The dialect is saved with the model.
     const Grounder saved = parse_grounder(serialize(grounder));
-    EXPECT_EQ(saved.model->dialect(), Dialect::Temporal);
+    EXPECT_EQ(saved.ranking->language.dialect(), Dialect::Temporal);
     EXPECT_EQ(serialize(saved), serialize(grounder));
   }
 }

@@ -78,7 +78,7 @@ TEST(LearnReranker, StartsAreAskedForOnlyWhereAParagraphGoesOn) {
 }
 
 // log p(right) of a table, by the definition; mean over instances.
-double log_likelihood(const LinearModel& model, const WeightTable& table,
+double log_likelihood(const RankingModel& model, const WeightTable& table,
                       const std::vector<RankingInstance>& instances) {
   double sum = 0;
   for (const RankingInstance& instance : instances) {
@@ -109,16 +109,16 @@ TEST(LearnReranker, WhatIsRightBecomesLikelier) {
     return with_reranker(setting().reader, setting().instances, setting().executors, options, [](double) {});
   };
   const Grounder before = learned(0), after = learned(6);
-  const auto gain = [&](const WeightTable LinearModel::*table,
+  const auto gain = [&](const WeightTable RankingModel::*table,
                         const std::vector<RankingInstance>& instances) {
-    return log_likelihood(*after.model, (*after.model).*table, instances) -
-           log_likelihood(*before.model, (*before.model).*table, instances);
+    return log_likelihood(*after.ranking, (*after.ranking).*table, instances) -
+           log_likelihood(*before.ranking, (*before.ranking).*table, instances);
   };
-  EXPECT_GT(gain(&LinearModel::reranker, setting().instances.of_ends), 0.1);
-  EXPECT_GT(gain(&LinearModel::start_pose_model, setting().instances.of_starts), 0.1);
+  EXPECT_GT(gain(&RankingModel::reranker, setting().instances.of_ends), 0.1);
+  EXPECT_GT(gain(&RankingModel::start_pose_model, setting().instances.of_starts), 0.1);
   // Each from its own instances: the reranker is the worse start-pose model.
-  EXPECT_GT(log_likelihood(*after.model, after.model->start_pose_model, setting().instances.of_starts),
-            log_likelihood(*after.model, after.model->reranker, setting().instances.of_starts));
+  EXPECT_GT(log_likelihood(*after.ranking, after.ranking->start_pose_model, setting().instances.of_starts),
+            log_likelihood(*after.ranking, after.ranking->reranker, setting().instances.of_starts));
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
 // Search and the gradient over a trie of programs, against the list of all programs of a small language.
-#include "libparser/decode/network_search.hpp"
+#include "libparser/decode/grounder.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,23 +10,26 @@
 #include <set>
 
 #include "libparser/decode/explain.hpp"
+#include "libparser/decode/network_trie.hpp"
+#include "libparser/decode/randomised_beam.hpp"
 #include "tests/libparser/model/small_network.hpp"
 
 namespace waymark::parser {
 namespace {
 
-TEST(NetworkSearch, ProbabilitiesOfAllProgramsSumToOne) {
+TEST(NetworkDecoding, ProbabilitiesOfAllProgramsSumToOne) {
   SmallNetwork small;
   double total = 0;
   for (const auto& [program, log_p] : small.all()) total += std::exp(log_p);
   EXPECT_NEAR(total, 1, 1e-5);
 }
 
-TEST(NetworkSearch, BestFirstIsTheSortedList) {
+TEST(NetworkDecoding, BestFirstIsTheSortedList) {
   SmallNetwork small;
   const auto all = small.all();
   ChoiceMasks masks(small.network.symbols());
-  const auto best = best_programs(small.network, small.sentence, masks, 30);
+  NetworkScorer scorer(small.network, small.sentence, masks);
+  const auto best = best_programs(scorer, 30);
   ASSERT_EQ(best.size(), 30U);
   std::vector<double> sorted;
   for (const auto& [program, log_p] : all) sorted.push_back(log_p);
@@ -39,24 +42,25 @@ TEST(NetworkSearch, BestFirstIsTheSortedList) {
 }
 
 // What was read before, and in which thread, makes no difference.
-TEST(NetworkSearch, AReaderReadsTheSameAgainAndInSeveralThreads) {
+TEST(NetworkDecoding, AReaderReadsTheSameAgainAndInSeveralThreads) {
   const SmallNetwork small;
-  const NetworkReader reader(small.network);
+  const WordModel model = std::make_shared<const NetworkModel>(small.network);
   std::vector<SentenceInput> inputs;
   for (const char* text :
        {"walk to the chair and turn left", "left", "walk", "to place 1", "chair left chair"})
     for (const bool unknown : {false, true}) inputs.push_back({tokenize(text), unknown});
   const auto read = [&](const SentenceInput& input) {
     std::vector<std::pair<Program, double>> out;
-    for (const Candidate& c : reader.read(input, 20)) out.emplace_back(c.program, c.log_probability);
+    for (const Candidate& c : parser::read(model, input, 20)) out.emplace_back(c.program, c.log_probability);
     return out;
   };
   std::vector<std::vector<std::pair<Program, double>>> fresh;
   for (const SentenceInput& input : inputs) {
     ChoiceMasks masks(small.network.symbols());
     auto& programs = fresh.emplace_back();
-    for (const Candidate& c : best_programs(small.network, small.network.sentence(input), masks, 20))
-      programs.emplace_back(c.program, c.log_probability);
+    const NetworkSentence sentence = small.network.sentence(input);
+    NetworkScorer scorer(small.network, sentence, masks);
+    for (const Candidate& c : best_programs(scorer, 20)) programs.emplace_back(c.program, c.log_probability);
     EXPECT_EQ(programs.size(), 20U);
   }
   EXPECT_NE(fresh.front(), fresh.back());
@@ -75,7 +79,7 @@ TEST(NetworkSearch, AReaderReadsTheSameAgainAndInSeveralThreads) {
   EXPECT_EQ(same, (std::array<bool, 4>{true, true, true, true}));
 }
 
-TEST(NetworkSearch, AWideBeamFindsEverythingAndANarrowOneWhatIsLikely) {
+TEST(NetworkDecoding, AWideBeamFindsEverythingAndANarrowOneWhatIsLikely) {
   SmallNetwork small;
   const auto all = small.all();
   ChoiceMasks masks(small.network.symbols());
@@ -100,7 +104,7 @@ TEST(NetworkSearch, AWideBeamFindsEverythingAndANarrowOneWhatIsLikely) {
   EXPECT_GT(seen.size(), 2 * all.size() / 3);
 }
 
-TEST(NetworkSearch, AnExplanationMultipliesToTheProbability) {
+TEST(NetworkDecoding, AnExplanationMultipliesToTheProbability) {
   SmallNetwork small;
   const SentenceInput input{tokenize("walk to the chair and turn left"), false};
   for (const auto& [program, log_p] : small.all()) {
@@ -127,9 +131,10 @@ class Trie : public testing::Test {
  protected:
   Trie() {
     for (const auto& [program, log_p] : small.all()) programs.push_back(program);
+    const NetworkPrefixes prefixes(small.network, masks);
     for (std::size_t i = 0; i < programs.size(); i += 3) {
-      EXPECT_TRUE(trie.add(programs[i], 0.5, masks, small.network.first_history()));
-      EXPECT_FALSE(trie.add(programs[i], 1, masks, small.network.first_history()));
+      EXPECT_TRUE(trie.add(prefixes, programs[i], 0.5));
+      EXPECT_FALSE(trie.add(prefixes, programs[i], 1));
       in.push_back(programs[i]);
     }
   }
@@ -137,25 +142,25 @@ class Trie : public testing::Test {
     const NetworkSentence* const only = &small.sentence;
     pass.encode(small.network, small.network.parameters(), {&only, 1});
     std::vector<History> histories;
-    trie.append_histories(histories);
-    const neural::Index begin[] = {0, trie.choices()};
+    append_histories(trie, histories);
+    const neural::Index begin[] = {0, static_cast<neural::Index>(histories.size())};
     return pass.decode(begin, histories);
   }
 
   SmallNetwork small;
   ChoiceMasks masks{small.network.symbols()};
   EncoderDecoder::Pass pass;
-  SymbolTrie trie;
+  NetworkTrie trie;
   std::vector<Program> programs, in;
 };
 
 TEST_F(Trie, KnowsTheProbabilityOfEachProgram) {
   const auto all = small.all();
-  const auto likelihoods = trie.likelihoods(scores(), 0, small.sentence.forbidden);
+  const Likelihoods found = likelihoods(trie, scores(), 0, small.sentence.forbidden);
   ASSERT_EQ(trie.programs(), in.size());
-  EXPECT_LT(trie.choices(), static_cast<neural::Index>(2 * in.size()));
+  EXPECT_LT(trie.nodes().size(), 2 * in.size());
   for (std::size_t i = 0; i < in.size(); ++i) {
-    EXPECT_NEAR(likelihoods.log_p[i], all.at(in[i]), 1e-4);
+    EXPECT_NEAR(found.log_p[i], all.at(in[i]), 1e-4);
     EXPECT_NEAR(trie.log_weights()[i], std::log(0.5), 1e-6);
   }
 }
@@ -166,14 +171,14 @@ TEST_F(Trie, GradientIsThatOfTheSumOfLogProbabilities) {
   std::vector<float> g(in.size());
   for (float& x : g) x = static_cast<float>(2 * small.random.unit() - 1);
   const auto loss = [&] {
-    const auto likelihoods = trie.likelihoods(s, 0, small.sentence.forbidden);
+    const Likelihoods found = likelihoods(trie, s, 0, small.sentence.forbidden);
     double sum = 0;
     for (std::size_t i = 0; i < g.size(); ++i)
-      sum += static_cast<double>(g[i]) * static_cast<double>(likelihoods.log_p[i]);
+      sum += static_cast<double>(g[i]) * static_cast<double>(found.log_p[i]);
     return sum;
   };
   neural::Matrix dscores = neural::Matrix::Zero(s.rows(), s.cols());
-  trie.backpropagate(trie.likelihoods(s, 0, small.sentence.forbidden), g, dscores, 0);
+  backpropagate(trie, likelihoods(trie, s, 0, small.sentence.forbidden), g, dscores, 0);
   constexpr float h = 1.0F / 64;
   for (neural::Index i = 0; i < s.size(); ++i) {
     const float kept = s.data()[i];

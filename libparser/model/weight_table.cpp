@@ -1,0 +1,78 @@
+#include "libparser/model/weight_table.hpp"
+
+#include <Eigen/Core>
+#include <algorithm>
+
+namespace waymark::parser {
+
+std::uint16_t half_of(float value) {
+  constexpr float most = 65'504.0F;
+  return Eigen::half_impl::float_to_half_rtne(std::clamp(value, -most, most)).x;
+}
+
+float float_of(std::uint16_t half) {
+  return Eigen::half_impl::half_to_float(Eigen::half_impl::raw_uint16_to_half(half));
+}
+
+// Where the feature stands, or the empty slot where it would.
+std::size_t WeightTable::slot_of(std::uint64_t feature) const {
+  std::uint64_t hash = (feature ^ feature >> 31U) * 0x9E3779B97F4A7C15ULL;
+  hash ^= hash >> 32U;
+  std::size_t slot = hash & (slots_.size() - 1);
+  while (slots_[slot] != absent && keys_[slots_[slot]] != feature) slot = (slot + 1) & (slots_.size() - 1);
+  return slot;
+}
+
+std::uint32_t WeightTable::find(std::uint64_t feature) const {
+  return is_stored() ? find_stored(feature) : slots_[slot_of(feature)];
+}
+
+// A row is told by where its weights begin among the bytes.
+std::uint32_t WeightTable::find_stored(std::uint64_t feature) const {
+  const auto in_block = std::lower_bound(stored_.last.begin(), stored_.last.end(), feature);
+  if (in_block == stored_.last.end()) return absent;
+  const auto b = static_cast<std::size_t>(in_block - stored_.last.begin());
+  const char* at = stored_.bytes.data() + (b > 0 ? stored_.end[b - 1] : 0);
+  for (std::uint64_t here = b > 0 ? stored_.last[b - 1] : 0;;) {
+    here += take_leb128(at);
+    if (here == feature) return static_cast<std::uint32_t>(at - stored_.bytes.data());
+    if (here > feature) return absent;
+    at = each_weight(at, [](std::size_t, std::uint16_t) {});
+  }
+}
+
+std::uint32_t WeightTable::add(std::uint64_t feature) {
+  assert(!is_stored());
+  const std::size_t slot = slot_of(feature);
+  if (slots_[slot] != absent) return slots_[slot];
+  const auto row = static_cast<std::uint32_t>(keys_.size());
+  slots_[slot] = row;
+  keys_.push_back(feature);
+  weights_.resize(weights_.size() + columns_, 0.0F);
+  if (2 * keys_.size() > slots_.size()) {
+    slots_.assign(4 * slots_.size(), absent);
+    for (std::uint32_t r = 0; r < keys_.size(); ++r) slots_[slot_of(keys_[r])] = r;
+  }
+  return row;
+}
+
+float WeightTable::weight(std::uint32_t r, std::size_t column) const {
+  if (!is_stored()) return weights_[r * columns_ + column];
+  float found = 0;
+  each_weight(stored_.bytes.data() + r, [&](std::size_t c, std::uint16_t half) {
+    if (c == column) found = float_of(half);
+  });
+  return found;
+}
+
+void WeightTable::add_to(std::uint32_t r, float* sums) const {
+  if (is_stored()) {
+    each_weight(stored_.bytes.data() + r,
+                [&](std::size_t c, std::uint16_t half) { sums[c] += float_of(half); });
+    return;
+  }
+  const float* const row = weights_.data() + r * columns_;
+  for (std::size_t c = 0; c < columns_; ++c) sums[c] += row[c];
+}
+
+}  // namespace waymark::parser
