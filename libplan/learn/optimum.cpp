@@ -5,10 +5,10 @@
 namespace waymark::plan {
 namespace {
 
-// A learner's product as solvers see one: traps are lost, actions that are offered are choices.
+// A learner's product as solvers see one: actions that are offered are choices.
 class AsSolved {
  public:
-  static constexpr std::uint32_t lost = UINT32_MAX;
+  static constexpr std::uint32_t trap = UINT32_MAX;
   struct State {
     std::uint32_t index;
   };
@@ -29,7 +29,7 @@ class AsSolved {
     double before = 0;
     for (const TabularProduct::Outcome& o : product_.outcomes_of(product_.position_of(s.index), action)) {
       const std::uint32_t next = product_.task.after(q, o.letter);
-      visit(product_.task.ending[next] == Ending::Trap ? lost : product_.state(o.position, next),
+      visit(product_.task.ending[next] == Ending::Trap ? trap : product_.state(o.position, next),
             o.up_to - before, false);
       before = o.up_to;
     }
