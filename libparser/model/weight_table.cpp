@@ -14,6 +14,22 @@ float float_of(std::uint16_t half) {
   return Eigen::half_impl::half_to_float(Eigen::half_impl::raw_uint16_to_half(half));
 }
 
+namespace {
+
+// std::lower_bound without branches that cannot be foretold.
+std::size_t first_not_less(std::span<const std::uint64_t> sorted, std::uint64_t value) {
+  if (sorted.empty()) return 0;
+  const std::uint64_t* from = sorted.data();
+  for (std::size_t n = sorted.size(); n > 1;) {
+    const std::size_t half = n / 2;
+    from += from[half - 1] < value ? half : 0;
+    n -= half;
+  }
+  return static_cast<std::size_t>(from - sorted.data()) + (*from < value ? 1 : 0);
+}
+
+}  // namespace
+
 // Where the feature stands, or the empty slot where it would.
 std::size_t WeightTable::slot_of(std::uint64_t feature) const {
   std::uint64_t hash = (feature ^ feature >> 31U) * 0x9E3779B97F4A7C15ULL;
@@ -24,16 +40,27 @@ std::size_t WeightTable::slot_of(std::uint64_t feature) const {
 }
 
 std::uint32_t WeightTable::find(std::uint64_t feature) const {
-  return is_stored() ? find_stored(feature) : slots_[slot_of(feature)];
+  std::size_t anywhere = 0;
+  return find(feature, anywhere);
 }
 
-// A row is told by where its weights begin among the bytes.
-std::uint32_t WeightTable::find_stored(std::uint64_t feature) const {
-  const auto in_block = std::lower_bound(stored_.last.begin(), stored_.last.end(), feature);
-  if (in_block == stored_.last.end()) return absent;
-  const auto b = static_cast<std::size_t>(in_block - stored_.last.begin());
+std::uint32_t WeightTable::find(std::uint64_t feature, std::size_t& near) const {
+  return is_stored() ? find_stored(feature, near) : slots_[slot_of(feature)];
+}
+
+// A row is told by where its weights begin among the bytes. A few blocks from
+// `near` on are tried one by one.
+std::uint32_t WeightTable::find_stored(std::uint64_t feature, std::size_t& near) const {
+  constexpr std::size_t tried = 4;
+  const std::span<const std::uint64_t> last = stored_.last;
+  std::size_t b = near > 0 && last[near - 1] >= feature ? 0 : near;
+  const std::size_t stop = std::min(b + tried, last.size());
+  while (b < stop && last[b] < feature) ++b;
+  if (b == stop) b += first_not_less(last.subspan(b), feature);
+  if (b == last.size()) return absent;
+  near = b;
   const char* at = stored_.bytes.data() + (b > 0 ? stored_.end[b - 1] : 0);
-  for (std::uint64_t here = b > 0 ? stored_.last[b - 1] : 0;;) {
+  for (std::uint64_t here = b > 0 ? last[b - 1] : 0;;) {
     here += take_leb128(at);
     if (here == feature) return static_cast<std::uint32_t>(at - stored_.bytes.data());
     if (here > feature) return absent;

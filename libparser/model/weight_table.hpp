@@ -48,7 +48,9 @@ class WeightTable {
   std::size_t columns() const { return columns_; }
   std::size_t rows() const { return is_stored() ? stored_.rows : keys_.size(); }
   std::uint32_t find(
-      std::uint64_t feature) const;          // its row; `absent` when it has none. O(log rows) when stored
+      std::uint64_t feature) const;  // its row; `absent` when it has none. O(log rows) when stored
+  // The same. `near` is where the last search ended, at first 0: features in ascending order are found sooner.
+  std::uint32_t find(std::uint64_t feature, std::size_t& near) const;
   std::uint32_t add(std::uint64_t feature);  // learned tables alone; a new row is zero
   // columns() floats of a learned table, whose rows are numbered in the order of their first use.
   float* row(std::uint32_t r) { return weights_.data() + r * columns_; }
@@ -86,7 +88,7 @@ class WeightTable {
     }
     return at;
   }
-  std::uint32_t find_stored(std::uint64_t feature) const;
+  std::uint32_t find_stored(std::uint64_t feature, std::size_t& near) const;
   std::size_t slot_of(std::uint64_t feature) const;
 
   std::size_t columns_;

@@ -7,10 +7,11 @@ namespace waymark::parser {
 
 std::vector<double> scores(const WeightTable& weights, const CandidateFeatures& features) {
   std::vector<double> bundles;
+  std::size_t near = 0;  // the features of a bundle ascend
   for (const auto& bundle : features.bundles) {
     bundles.push_back(0);
     for (const WeightedFeature& feature : bundle)
-      if (const std::uint32_t row = weights.find(feature.key); row != WeightTable::absent)
+      if (const std::uint32_t row = weights.find(feature.key, near); row != WeightTable::absent)
         bundles.back() += static_cast<double>(weights.weight(row, 0)) * static_cast<double>(feature.value);
   }
   std::vector<double> out;

@@ -13,7 +13,7 @@
 namespace waymark::parser {
 namespace {
 
-const ltl::Vocabulary small({"chair", "ahead_wall", "place_1", "turned_left"});
+const ltl::Vocabulary few_propositions({"chair", "ahead_wall", "place_1", "turned_left"});
 
 class Decoding : public testing::Test {
  protected:
@@ -56,7 +56,7 @@ class Decoding : public testing::Test {
     return std::exp(log_probability);
   }
 
-  LinearModel model{small};
+  LinearModel model{few_propositions};
   SentenceFeatures features;
 };
 
