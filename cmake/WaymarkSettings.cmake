@@ -65,17 +65,17 @@ function(waymark_precompile kind target)
 endfunction()
 
 # Compiles the sources of each room of a target together, six at a time. Names in unnamed namespaces are therefore
-# unique within a room; the sources in ARGN, whose names are not, are compiled by themselves.
+# unique within a room; the sources and rooms in ARGN, whose names are not, are compiled file by file.
 function(waymark_compile_rooms target)
   if(NOT WAYMARK_UNITY)
     return()
   endif()
   get_target_property(sources ${target} SOURCES)
   foreach(source IN LISTS sources)
-    if(NOT source MATCHES "\\.cpp$" OR source IN_LIST ARGN)
+    get_filename_component(room ${source} DIRECTORY)
+    if(NOT source MATCHES "\\.cpp$" OR source IN_LIST ARGN OR room IN_LIST ARGN)
       continue()
     endif()
-    get_filename_component(room ${source} DIRECTORY)
     string(MAKE_C_IDENTIFIER "room_${room}" room)
     math(EXPR ${room} "${${room}} + 1")
     math(EXPR part "(${${room}} - 1) / 6")
