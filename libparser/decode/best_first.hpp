@@ -114,6 +114,9 @@ class BestFirst {
   std::vector<Candidate> found_;
 };
 
+extern template class BestFirst<Scorer>;  // made in grounder.cpp, with the options of the library
+extern template class BestFirst<NetworkScorer>;
+
 // At most `beam` programs, none of probability below e⁻¹²; fewer when `expansions` prefixes did not suffice. Deterministic: ties by order of making.
 template <WordScorer Scores>
 std::vector<Candidate> best_programs(Scores& scores, std::size_t beam, std::size_t expansions = 2000) {

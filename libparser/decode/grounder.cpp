@@ -3,6 +3,10 @@
 #include <utility>
 
 namespace waymark::parser {
+
+template class BestFirst<Scorer>;
+template class BestFirst<NetworkScorer>;
+
 namespace {
 
 std::vector<Candidate> read_with(const LinearModel& model, const SentenceInput& input, std::size_t beam) {
