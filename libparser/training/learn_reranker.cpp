@@ -81,7 +81,8 @@ void add_ranking_instances(const Grounder& reader, std::span<const Example* cons
 Grounder with_reranker(const Grounder& reader, const RankingInstances& all,
                        std::span<const Executor> executors, const TrainOptions& options,
                        const JobProgress& progress) {
-  auto model = std::make_shared<RankingModel>(reader.ranking->language.vocabulary(), reader.ranking->language.dialect());
+  auto model = std::make_shared<RankingModel>(reader.ranking->language.vocabulary(),
+                                              reader.ranking->language.dialect());
   model->words = reader.ranking->words;
   learn_table(*model, model->reranker, all.of_ends, executors, options,
               [&](double fraction) { progress(0.3 * fraction); });

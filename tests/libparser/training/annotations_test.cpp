@@ -38,7 +38,7 @@ TEST(Annotations, LinesThatAreNoProgramsAreReportedWithTheirNumbers) {
 }
 
 // Some of our own language, as `waymark generate corpus` writes it.
-const Annotations& instances() {
+const Annotations& pairs_of_ours() {
   static const Annotations read = parse_annotations(
       pairs_text(generate_corpus(
           shipped_maps(),
@@ -47,9 +47,9 @@ const Annotations& instances() {
   return read;
 }
 
-FormulaScores scores_on_lessons(const Grounder& grounder) {
+FormulaScores scores_on_pairs(const Grounder& grounder) {
   FormulaJudge judge(vocabulary(), Dialect::Temporal);
-  for (const Annotation& pair : instances().pairs) {
+  for (const Annotation& pair : pairs_of_ours().pairs) {
     const auto read = likely_programs(grounder, {tokenize(pair.text), false},
                                       {.clauses = false});  // as its reader reads it
     judge.judge(pair.formula, read.empty() ? Program{} : read.front().program);
@@ -58,8 +58,8 @@ FormulaScores scores_on_lessons(const Grounder& grounder) {
 }
 
 TEST(Annotations, EveryGeneratedFormulaIsRecognised) {
-  EXPECT_EQ(instances().pairs.size(), 60U);
-  EXPECT_TRUE(instances().refused.empty());
+  EXPECT_EQ(pairs_of_ours().pairs.size(), 60U);
+  EXPECT_TRUE(pairs_of_ours().refused.empty());
 }
 
 TEST(Supervised, ASmallSetOfPairsIsLearnedByHeart) {
@@ -74,10 +74,10 @@ TEST(Supervised, ASmallSetOfPairsIsLearnedByHeart) {
   options.network.sizes = {.word = 24, .width = 24, .query = 32, .symbol = 16, .history = 4};
   for (const ReaderKind kind : {ReaderKind::Linear, ReaderKind::EncoderDecoder}) {
     options.reader = kind;
-    const Grounder grounder = train_supervised(instances().pairs, shipped_maps().front(), options);
-    const FormulaScores scores = scores_on_lessons(grounder);
+    const Grounder grounder = train_supervised(pairs_of_ours().pairs, shipped_maps().front(), options);
+    const FormulaScores scores = scores_on_pairs(grounder);
     EXPECT_EQ(scores.all.same.hits, scores.all.same.total) << static_cast<int>(kind);
-    EXPECT_EQ(scores.all.equivalent.hits, instances().pairs.size()) << static_cast<int>(kind);
+    EXPECT_EQ(scores.all.equivalent.hits, pairs_of_ours().pairs.size()) << static_cast<int>(kind);
     // The dialect is saved with the model.
     const Grounder saved = parse_grounder(serialize(grounder));
     EXPECT_EQ(saved.ranking->language.dialect(), Dialect::Temporal);

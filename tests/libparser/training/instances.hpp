@@ -6,10 +6,12 @@
 
 namespace waymark::parser {
 
-inline std::span<const plan::Map> lesson_maps() { return std::span(shipped_maps()).first(2); }  // grid, jelly
+inline std::span<const plan::Map> training_maps() {
+  return std::span(shipped_maps()).first(2);
+}  // grid, jelly
 
-inline Corpus lesson_corpus(std::size_t paragraphs) {
-  return generate_corpus(lesson_maps(), {.seed = 1, .paragraphs = paragraphs, .sentences = 4});
+inline Corpus training_corpus(std::size_t paragraphs) {
+  return generate_corpus(training_maps(), {.seed = 1, .paragraphs = paragraphs, .sentences = 4});
 }
 
 inline TrainOptions small_options(int epochs) {
@@ -23,8 +25,8 @@ inline TrainOptions small_options(int epochs) {
 }
 
 // All sentences of a corpus, ready for learn_actions.
-struct LessonExamples {
-  explicit LessonExamples(const Corpus& corpus)
+struct TrainingExamples {
+  explicit TrainingExamples(const Corpus& corpus)
       : executors(shipped_maps().begin(), shipped_maps().end()),
         examples(make_examples(corpus, executors, Convention::Absolute)) {
     for (const Example& example : examples.sentences) all.push_back(&example);

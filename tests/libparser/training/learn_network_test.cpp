@@ -11,8 +11,8 @@
 namespace waymark::parser {
 namespace {
 
-const Corpus& instances() {
-  static const Corpus corpus = lesson_corpus(10);
+const Corpus& small_corpus() {
+  static const Corpus corpus = training_corpus(10);
   return corpus;
 }
 
@@ -24,7 +24,7 @@ TEST(LearnNetwork, SameSeedGivesTheSameBytesAtAnyNumberOfThreads) {
     options.explore_from = 0;
     options.reranker = true;
     options.reranker_epochs = 1;
-    return serialize(train(instances(), lesson_maps(), options));
+    return serialize(train(small_corpus(), training_maps(), options));
   };
   const std::string one = bytes(1, 1);
   EXPECT_EQ(one, bytes(1, 3));
@@ -37,7 +37,7 @@ TEST(LearnNetwork, SameSeedGivesTheSameBytesAtAnyNumberOfThreads) {
 }
 
 TEST(LearnActions, AnswersAreRoutesOfTheMap) {
-  const LessonExamples on(instances());
+  const TrainingExamples on(small_corpus());
   const auto follower = learn_actions(on.all, on.executors, small_options(1), [](double) {});
   for (const Example* example : on.all) {
     const Answer answer = follower->follow(on.executors[example->map], example->input, example->gold.start);

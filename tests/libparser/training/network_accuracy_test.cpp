@@ -11,8 +11,8 @@
 namespace waymark::parser {
 namespace {
 
-const Corpus& instances() {
-  static const Corpus corpus = lesson_corpus(60);
+const Corpus& small_corpus() {
+  static const Corpus corpus = training_corpus(60);
   return corpus;
 }
 
@@ -25,14 +25,14 @@ double accuracy(const Follower& follower, std::size_t most_clauses = 2) {
 }
 
 TEST(NetworkAccuracy, LearnsItsOwnLanguageFromTrajectories) {
-  const Grounder grounder = train(instances(), lesson_maps(), small_options(8));
+  const Grounder grounder = train(small_corpus(), training_maps(), small_options(8));
   EXPECT_GE(accuracy(GroundingFollower({grounder}, {})), 70);
 }
 
 // Of one clause: rewards are found by chance there, and seldom for two.
 TEST(NetworkAccuracy, AsThePaperHasItLearnsSomethingFromItsOwnBeam) {
   const Corpus clauses =
-      generate_corpus(lesson_maps(), {.seed = 1, .paragraphs = 240, .sentences = 4, .most_clauses = 1});
+      generate_corpus(training_maps(), {.seed = 1, .paragraphs = 240, .sentences = 4, .most_clauses = 1});
   for (const Objective objective :
        {Objective::MarginalLikelihood, Objective::Meritocratic, Objective::Reinforce}) {
     TrainOptions options = small_options(16);
@@ -43,14 +43,14 @@ TEST(NetworkAccuracy, AsThePaperHasItLearnsSomethingFromItsOwnBeam) {
     options.wording = 0;
     options.other_route = 1;
     options.mirrored = false;
-    const Grounder grounder = train(clauses, lesson_maps(), options);
+    const Grounder grounder = train(clauses, training_maps(), options);
     EXPECT_GE(accuracy(GroundingFollower({grounder}, {.deciding = {.trust = 0}}), 1), 20)
         << static_cast<int>(objective);
   }
 }
 
 TEST(NetworkAccuracy, ActionsAreLearnedFromTheSameTrajectories) {
-  const LessonExamples on(instances());
+  const TrainingExamples on(small_corpus());
   EXPECT_GE(accuracy(*learn_actions(on.all, on.executors, small_options(12), [](double) {})), 30);
 }
 
