@@ -1,11 +1,12 @@
 // refused: cannot convert|could not convert|no viable conversion
-// The two halves of a product state are both numbers inside, and never each other.
-#include "libplan/product/graph.hpp"
+// Poses of a map and states of an automaton are both numbers inside, and never each other.
+#include "libautomata/finite/dfa.hpp"
+#include "libplan/world/map.hpp"
 
-bool accepting(const waymark::automata::Dfa& dfa, const waymark::plan::ProductState& state) {
 #ifdef MUST_NOT_COMPILE
-  return dfa.is_accepting(state.pose);
+bool accepting(const waymark::automata::Dfa& dfa, waymark::plan::PoseId s) { return dfa.is_accepting(s); }
 #else
-  return dfa.is_accepting(state.task);
-#endif
+bool accepting(const waymark::automata::Dfa& dfa, waymark::automata::StateId s) {
+  return dfa.is_accepting(s);
 }
+#endif
