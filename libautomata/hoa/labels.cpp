@@ -4,8 +4,10 @@
 
 namespace waymark::automata {
 
+namespace {
 using Kind = HoaToken::Kind;
 using Node = Mtbdd::Node;
+}  // namespace
 
 void HoaLabels::define(const HoaToken& alias) {
   const Node meaning = disjunction(0);

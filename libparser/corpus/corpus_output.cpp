@@ -6,22 +6,21 @@
 namespace waymark::parser {
 
 std::string json_lines(const Corpus& corpus) {
-  using json = nlohmann::ordered_json;
   std::string lines;
   for (const Paragraph& paragraph : corpus.paragraphs) {
-    json sentences = json::array();
+    nlohmann::ordered_json sentences = nlohmann::ordered_json::array();
     for (const Sentence& sentence : paragraph.sentences) {
       assert(!sentence.heading_unknown);
-      json path = json::array();
+      nlohmann::ordered_json path = nlohmann::ordered_json::array();
       for (const plan::Pose& pose : sentence.absolute) path.push_back({pose.x, pose.y, pose.heading});
-      json one{{"id", sentence.id}, {"text", sentence.text}, {"path", std::move(path)}};
+      nlohmann::ordered_json one{{"id", sentence.id}, {"text", sentence.text}, {"path", std::move(path)}};
       if (!sentence.formula.empty()) one["formula"] = sentence.formula;
       sentences.push_back(std::move(one));
     }
-    const json line{{"id", paragraph.id},
-                    {"map", paragraph.map},
-                    {"text", paragraph.text},
-                    {"sentences", std::move(sentences)}};
+    const nlohmann::ordered_json line{{"id", paragraph.id},
+                                      {"map", paragraph.map},
+                                      {"text", paragraph.text},
+                                      {"sentences", std::move(sentences)}};
     lines += line.dump() + '\n';
   }
   return lines;

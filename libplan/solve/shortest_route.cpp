@@ -145,8 +145,8 @@ struct AStar {
   struct Visitor : boost::default_astar_visitor {
     AStar* search;
     const std::vector<double>* rank;  // f = g + h, by index
-    void examine_vertex(const Vertex& v, const MapProduct& product) const {
-      const double f = (*rank)[product.index(v)];
+    void examine_vertex(const Vertex& v, const MapProduct& met) const {
+      const double f = (*rank)[met.index(v)];
       if (f == infinity || f > search->least) throw SearchEnds{};
       if (search->expanded++ % vertices_between_polls == 0 && search->stop.stop_requested()) {
         search->stopped = true;
