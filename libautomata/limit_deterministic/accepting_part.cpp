@@ -65,9 +65,9 @@ Choosing::Choosing(const AcceptingPart& accepting_part) : reached_(accepting_par
 }
 
 std::vector<std::uint32_t> Choosing::choose(const std::vector<std::vector<std::uint32_t>>& requests) {
-  const Answers alone = one_by_one(requests);
+  Answers alone = one_by_one(requests);
   Answers shared = by_most_answered(requests);
-  return shared.states < alone.states ? std::move(shared.chosen) : alone.chosen;
+  return std::move((shared.states < alone.states ? shared : alone).chosen);
 }
 
 Choosing::Answers Choosing::one_by_one(const Requests& requests) {

@@ -153,7 +153,7 @@ struct AStar {
         throw SearchEnds{};
       }
       search->closed.push_back(v);
-      if (product.is_accepting(v)) search->least = f;
+      if (met.is_accepting(v)) search->least = f;
     }
   };
 
