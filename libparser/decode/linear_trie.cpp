@@ -9,8 +9,7 @@ namespace {
 
 // The value of a child: of a program its log weight.
 float below(const LinearTrie& trie, const TrieScratch& scratch, const LinearTrie::Child& child) {
-  return child.to < 0 ? trie.log_weights()[static_cast<std::size_t>(~child.to)]
-                      : scratch.value[static_cast<std::size_t>(child.to)];
+  return child.is_program() ? trie.log_weights()[child.program()] : scratch.value[child.node()];
 }
 
 void forward(const LinearTrie& trie, Scorer& scorer, TrieScratch& scratch) {
@@ -57,7 +56,7 @@ double accumulate_gradient(const LinearTrie& trie, Scorer& scorer, TrieScratch& 
     for (const LinearTrie::Child& c : node.children) {
       const float share = mass * std::exp(log_p[c.token] + below(trie, scratch, c) - scratch.value[n]);
       scratch.delta[c.token] += share;
-      if (c.to >= 0) scratch.mass[static_cast<std::size_t>(c.to)] = share;
+      if (!c.is_program()) scratch.mass[c.node()] = share;
     }
     scorer.add_gradient(scratch.groups[n], choices, scratch.delta.data());
   }

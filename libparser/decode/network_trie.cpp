@@ -21,8 +21,7 @@ Likelihoods likelihoods(const NetworkTrie& trie, const neural::Matrix& scores, I
     log_softmax(scores, at + static_cast<Index>(n), *nodes[n].prefix.mask, forbidden, log_p);
     for (const NetworkTrie::Child& child : nodes[n].children) {
       const float sum = so_far[n] + log_p[child.token];
-      (child.to < 0 ? out.log_p[static_cast<std::size_t>(~child.to)]
-                    : so_far[static_cast<std::size_t>(child.to)]) = sum;
+      (child.is_program() ? out.log_p[child.program()] : so_far[child.node()]) = sum;
     }
   }
   return out;
@@ -36,8 +35,7 @@ void backpropagate(const NetworkTrie& trie, const Likelihoods& likelihoods, std:
   for (std::size_t n = nodes.size(); n-- > 0;) {
     auto column = dscores.col(at + static_cast<Index>(n));
     const auto part = [&](const NetworkTrie::Child& child) {
-      return child.to < 0 ? gradient[static_cast<std::size_t>(~child.to)]
-                          : below[static_cast<std::size_t>(child.to)];
+      return child.is_program() ? gradient[child.program()] : below[child.node()];
     };
     for (const NetworkTrie::Child& child : nodes[n].children) below[n] += part(child);
     const float* const log_p = likelihoods.symbols.data() + n * width;

@@ -21,6 +21,12 @@ class ProgramTrie {
   struct Child {
     Token token;
     std::int32_t to;  // a node, or ~program
+    bool is_program() const { return to < 0; }
+    std::size_t node() const { return static_cast<std::size_t>(to); }
+    std::size_t program() const {
+      const std::int32_t number = ~to;
+      return static_cast<std::size_t>(number);
+    }
   };
   struct Node {
     Prefix prefix;
