@@ -21,6 +21,7 @@ namespace {
 using streets::StreetEvaluation;
 using streets::StreetScores;
 
+// The scores are defined in evaluate_streets.hpp. `floor` needs no learning, `supply` bounds every ranker from above.
 JsonObject json_of(const StreetScores& scores) {
   return JsonObject()
       .add("exact_path", scores.exact_path.value())

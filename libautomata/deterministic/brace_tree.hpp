@@ -1,4 +1,8 @@
-// The macro-states of determinize(): states of runs in nested braces, and the successor of a macro-state on one letter.
+// The macro-states of determinize(), and the successor of a macro-state on one letter.
+//
+// A macro-state is the set of states that the runs of a nondeterministic automaton have reached. Nested braces group
+// these states, as the nodes of a Safra tree do: `parent` is the tree, and a state with a brace lies in its innermost
+// brace and in all braces around that one.
 #pragma once
 #include <compare>
 #include <cstdint>
@@ -23,14 +27,14 @@ struct BraceTree {
 
 struct BraceStep {
   BraceTree tree;
-  std::uint32_t colour;  // min even; `nothing` when no brace of before accepted or went
+  std::uint32_t colour;  // min even; `nothing` when no brace of the predecessor accepted or was removed
   static constexpr std::uint32_t nothing = UINT32_MAX;
 };
 
-// What does not change while an automaton is being determinised.
+// The successor function, with the data that does not change while an automaton is determinised.
 class BraceRules {
  public:
-  // above[q][r]: r simulates q. Büchi with marks on edges.
+  // The automaton is a Büchi automaton with marks on edges. above[q][r]: r simulates q.
   BraceRules(const TransitionRelation& automaton, std::vector<std::vector<bool>> above);
 
   BraceTree initial() const;

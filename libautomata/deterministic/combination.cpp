@@ -18,7 +18,7 @@ using Node = Mtbdd::Node;
 constexpr std::uint32_t absent = UINT32_MAX;
 using States = std::vector<std::uint32_t>;  // by part; `absent` for those that are not followed
 
-// Marks with which a loop gets an answer.
+// Marks such that a loop with exactly these marks is accepted (answer true) or rejected (answer false).
 std::optional<Marks> marks_for(const Acceptance& acceptance, bool answer) {
   std::vector<Marks> tried{Marks(), Marks::first(acceptance.sets)};
   for (std::uint32_t mark = 0; mark < acceptance.sets; ++mark) tried.push_back(Marks::of(mark));
@@ -27,7 +27,8 @@ std::optional<Marks> marks_for(const Acceptance& acceptance, bool answer) {
   return std::nullopt;
 }
 
-// With one set more, which all branches have, when no loop could be rejected.
+// An equivalent automaton that can reject a loop. If the condition holds for all marks that are tried, one more mark is
+// put on all branches and required infinitely often.
 TransitionRelation rejectable(const TransitionRelation& automaton) {
   if (marks_for(automaton.acceptance, false)) return automaton;
   const std::uint32_t mark = automaton.acceptance.sets;
@@ -43,7 +44,7 @@ TransitionRelation rejectable(const TransitionRelation& automaton) {
   return out;
 }
 
-// A part, and of its states whether they accept nothing or everything.
+// A component automaton (a part) with two sets of its states: those that accept no word, and those that accept all.
 struct Followed {
   TransitionRelation automaton;
   bool late;
@@ -60,7 +61,7 @@ struct Followed {
     BranchGraph graph(automaton);
     const auto sink = static_cast<std::uint32_t>(graph.size());
     graph.add_state();
-    graph.add(sink, {sink, Marks::of(sets)});
+    graph.add(sink, {sink, Marks::of(sets)});  // missing edges lead to the sink, whose extra mark rejects
     ChoiceLists lists(automaton);
     for (std::uint32_t q = 0; q < sink; ++q) {
       const auto choices = lists.of(q);
@@ -86,13 +87,15 @@ struct Followed {
   }
 };
 
-// What is left to decide once some parts are settled.
+// What is left to decide once some parts are settled. A part is settled when its state accepts nothing or everything.
 struct Question {
-  Condition over;
-  Marks parts;  // that matter
-  Marks fixed;  // on every edge: what makes the settled parts give their answers
+  Condition over;  // Inf(i): part i accepts; Fin(i): part i rejects
+  Marks parts;     // the numbers of the parts that occur in `over`
+  Marks fixed;     // on every edge: marks with which the settled parts give their answers
 };
 
+// First the product of the parts that are not late is made (`early`); then the late parts are added to it component by
+// component (`late`), each only in the components where its verdict matters.
 class Combination {
  public:
   Combination(const std::vector<Part>& parts, const Condition& over, Budget& budget)
@@ -117,7 +120,7 @@ class Combination {
 
  private:
   struct State {
-    std::uint32_t question;  // or the state of the early product
+    std::uint32_t question;  // in the early product; in the late one: the state of the early product
     States states;
     friend auto operator<=>(const State&, const State&) = default;
   };

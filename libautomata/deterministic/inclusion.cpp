@@ -6,7 +6,8 @@
 namespace waymark::automata {
 namespace {
 
-// Pairs (q, r), live when some word is accepted from q and not from r.
+// The graph of pairs (q, r), q a state of a and r a state of b. A pair is live when some word is accepted from q and
+// not from r.
 class Differences {
  public:
   Differences(const TransitionRelation& a, const TransitionRelation& b, Budget& budget) : a_(a), b_(b) {
@@ -26,10 +27,13 @@ class Differences {
   bool differ(std::uint32_t q, std::uint32_t r) const { return live_[pair(q, r)]; }
 
  private:
+  // A state includes its own language, so its pair with itself needs no edges.
   bool trivial(std::uint32_t q, std::uint32_t r) const { return &a_ == &b_ && q == r; }
   std::uint32_t pair(std::uint32_t q, std::uint32_t r) const {
     return q * static_cast<std::uint32_t>(b_.states()) + r;
   }
+  // Adds the edge of one joint choice. The marks of b are shifted behind those of a, so that both conditions can be
+  // read.
   void add(std::uint32_t source, std::uint32_t in_a, std::uint32_t in_b) {
     const Branch p = a_.choices[in_a].front(), q = b_.choices[in_b].front();
     if (!trivial(p.target, q.target))

@@ -30,8 +30,9 @@ std::vector<std::uint32_t> all_states(const TransitionRelation& automaton) {
   return out;
 }
 
-// By state of an automaton whose components each have one colour: the largest colours that decrease along edges, even
-// where cycles accept and odd where they reject; accepting are the even ones. [Loe01, Sec. 3]
+// For a weak automaton, in which either all cycles of a component accept or all reject: whether each state accepts.
+// Every component gets the largest colour that is at most those of its successors, even if its cycles accept and odd if
+// they reject. The states of even colour accept. [Loe01, Sec. 3]
 std::vector<bool> weak_acceptance(const TransitionRelation& automaton) {
   const BranchGraph graph(automaton);
   const LiveComponents live = live_components(graph, automaton.acceptance.condition);
@@ -55,6 +56,7 @@ std::vector<bool> weak_acceptance(const TransitionRelation& automaton) {
   return out;
 }
 
+// The minimal automaton of a weak one: weak_acceptance() makes it a DFA in normal form, which is minimised. [Loe01]
 TransitionRelation minimal_weak(const TransitionRelation& automaton, Budget& budget) {
   const TransitionRelation complete = completed_parity(automaton);
   Transitions weak;
@@ -146,7 +148,8 @@ TransitionRelation complement_parity(const TransitionRelation& automaton) {
   return out;
 }
 
-// Min odd: one more. Max: counted from the other end, so that what accepts stays even; no mark is the colour −1.
+// Min odd becomes min even by adding 1 to each colour. Max becomes min by counting colours from the other end, with an
+// offset that makes accepting colours even. A branch without a mark has the colour −1.
 TransitionRelation min_even_parity(const TransitionRelation& automaton) {
   const auto kind = parity_kind(automaton.acceptance);
   if (!kind) throw std::invalid_argument("not a parity condition");

@@ -1,7 +1,7 @@
 // Any automaton on infinite words to a deterministic parity automaton of the same language.
 //
-// A deterministic automaton keeps its states up to the copies that its condition needs [CCF21]. A nondeterministic one
-// is made generalised Büchi, reduced and determinised.
+// The states of a deterministic automaton are copied as often as its acceptance condition requires [CCF21]. A
+// nondeterministic automaton is first translated to a generalised Büchi automaton, then reduced and determinised.
 #pragma once
 #include "libautomata/budget.hpp"
 #include "libautomata/deterministic/parity.hpp"
@@ -10,7 +10,7 @@
 
 namespace waymark::automata {
 
-// Reduced, in canonical numbering. Throws what the budget throws.
+// The result is reduced and its states are numbered canonically. The function throws what the budget throws.
 Dpa to_parity(const Automaton& automaton, Budget& budget);
 
 // The automaton itself where it is deterministic, else to_parity() of it.

@@ -1,4 +1,5 @@
-// Guards: the condition on a letter that labels an edge, as an irredundant disjunction of cubes. [Min93]
+// Guards: the condition on a letter that labels an edge, as a disjunction of cubes (conjunctions of literals) from
+// which none can be dropped. [Min93]
 //
 // Inside the library, edges are decision diagrams. Guards are computed only for output.
 #pragma once
@@ -19,9 +20,10 @@ struct Literal {
 using Cube = std::vector<Literal>;  // a conjunction, variables ascending; empty is true
 using Guard = std::vector<Cube>;    // a disjunction; empty is false
 
-// A cover of f in which no cube and no literal can be dropped. The diagram is f's, and grows.
+// A disjunction of cubes equivalent to f, from which no cube and no literal can be dropped. `diagram` contains f and
+// receives new nodes.
 Guard irredundant_cover(Mtbdd& diagram, Boolean& logic, Mtbdd::Node f);
-// … nullopt when it has more cubes than that; no more than a multiple of them is looked at.
+// The same; nullopt when the cover has more than `most_cubes` cubes. The work is bounded by a multiple of `most_cubes`.
 std::optional<Guard> irredundant_cover(Mtbdd& diagram, Boolean& logic, Mtbdd::Node f, std::size_t most_cubes);
 
 struct Edge {
@@ -32,11 +34,11 @@ struct Edge {
 // The edges of one automaton, merged by (source, target), targets in order of first appearance in the diagram.
 class Edges {
  public:
-  explicit Edges(const Dfa& dfa);  // which must outlive it
+  explicit Edges(const Dfa& dfa);  // the DFA must outlive this object
   Edges(const Edges&) = delete;
   Edges& operator=(const Edges&) = delete;
   std::vector<Edge> from(StateId q);
-  // … nullopt when a guard has more cubes than that.
+  // The same; nullopt when a guard has more than `most_cubes` cubes.
   std::optional<std::vector<Edge>> from(StateId q, std::size_t most_cubes);
   // The letters that lead from q to r, negated when that is shorter to write: `otherwise` edges stay readable.
   ltl::Formula label(StateId q, StateId r, ltl::Arena& arena);
@@ -54,7 +56,7 @@ class Edges {
 std::vector<StateId> targets(const Dfa& dfa, StateId q);
 // Edges after merging by (source, target): pairs of states with a letter between them. O(states · diagram).
 std::size_t count_edges(const Dfa& dfa);
-// … nullopt when there are more than that. Stops there.
+// The same; nullopt as soon as there are more than `most` edges.
 std::optional<std::size_t> count_edges(const Dfa& dfa, std::size_t most);
 // Decision nodes that the automaton consists of.
 std::size_t count_nodes(const Dfa& dfa);

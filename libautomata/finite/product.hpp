@@ -14,19 +14,20 @@ namespace waymark::automata {
 
 using Verdict = bool (*)(bool first, bool second);
 
-// A state that is never left and whose acceptance settles the verdict of any pair with it. `first`: of the first
-// automaton of a product.
+// A settling state: a state that is never left and whose acceptance fixes the verdict of every pair that contains it.
+// `first` says whether `automaton` is the first or the second automaton of the product.
 std::optional<std::uint32_t> settling_state(const Transitions& automaton, Verdict verdict, bool first);
 
-// Over the same variables. Pairs that differ in the empty word at most, and not in that, are one state: same diagrams,
-// same verdict. Otherwise not minimised; throws what the budget throws. Disjoint, a promise that saves time: no variable
-// occurs in both, and in either automaton different states that letters lead to have different diagrams.
+// The product of two automata over the same variables. Pairs with the same diagrams and the same verdict are one state;
+// the result is not minimised further. The function throws what the budget throws.
+// `Disjoint` is a promise of the caller that saves time: no variable occurs in both automata, and in each automaton
+// different states that letters lead to have different diagrams.
 enum class Alphabets : std::uint8_t { Any, Disjoint };
 Transitions product(const Transitions& a, const Transitions& b, Verdict verdict, Budget& budget,
                     Alphabets alphabets = Alphabets::Any);
 
-// Propositions are matched by name; the vocabulary is a's, then what b adds. verdict(false, false) must be false: the
-// empty word is no word (std::invalid_argument otherwise).
+// Propositions are matched by name. The vocabulary of the product is a's, followed by what b adds. No DFA accepts the
+// empty word, so verdict(false, false) must be false; the function throws std::invalid_argument otherwise.
 Dfa product(const Dfa& a, const Dfa& b, Verdict verdict, Budget& budget);
 inline Dfa product(const Dfa& a, const Dfa& b, Verdict verdict) {
   Budget unlimited;

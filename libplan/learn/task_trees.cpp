@@ -14,6 +14,8 @@ using neural::Index;
 // Symbols: one for each operator, in the order of Op, then one for each proposition of the task.
 constexpr Index operators = static_cast<Index>(ltl::Op::Release) + 1;
 
+// The number of operand positions that the network distinguishes: 2 where the order of operands matters, 1 where all
+// operands play the same part.
 Index operands_told_apart(ltl::Op op) {
   switch (op) {
     case ltl::Op::False:
@@ -31,6 +33,7 @@ Index operands_told_apart(ltl::Op op) {
   return 0;  // unreachable: -Werror=switch
 }
 
+// Adds formulas to `out`, each subformula once.
 class Trees {
  public:
   explicit Trees(ltl::Formula phi) {

@@ -1,7 +1,7 @@
 // The formula that each state of an automaton stands for, as a tree of symbols: what a network reads of the task.
 //
 // The formula of a state is what progression leaves of φ along a shortest word that the model can write to that state,
-// simplified. States that no word of the model leads to are shown as `false`; nobody is ever there.
+// simplified. States that no word of the model leads to are represented by `false`; no trajectory reaches them.
 #pragma once
 #include <optional>
 #include <vector>

@@ -5,8 +5,8 @@
 // [BK08, Def. 10.1], are the special case in which all outcomes into a state carry one letter. Deterministic maps are
 // the special case in which every choice has one outcome.
 //
-// Equal letters are kept once and named by LetterId. Outcomes of a choice stand together, choices of a state too:
-// 16 bytes an outcome, 16 a choice, 4 a state.
+// Equal letters are stored once and named by LetterId. The outcomes of a choice are adjacent in one array, and so are
+// the choices of a state. An outcome takes 16 bytes, a choice 16 bytes, a state 4 bytes.
 #pragma once
 #include <cstdint>
 #include <span>
@@ -68,8 +68,8 @@ class Mdp {
   std::uint32_t initial_ = 0;
   LetterId initial_letter_;
   Letters letters_;
-  std::vector<std::uint32_t> first_choice_;  // by state, numbered through all states
-  std::vector<ChoiceRow> choices_;           // one more than there are, for the end of the last
+  std::vector<std::uint32_t> first_choice_;  // by state: index in choices_; one more entry, for the end
+  std::vector<ChoiceRow> choices_;           // one more entry, for the end of the last choice
   std::vector<ModelOutcome> outcomes_;
   std::vector<std::uint32_t> first_predecessor_;
   std::vector<std::uint32_t> predecessors_;

@@ -1,5 +1,4 @@
-// The distinct letters of a model, each with a small number: whatever reads letters tabulates by LetterId what it does
-// with each.
+// The distinct letters of a model. Each letter has a small number, its LetterId, which indexes tables over letters.
 #pragma once
 #include <compare>
 #include <cstddef>
@@ -24,6 +23,7 @@ class Letters {
  public:
   explicit Letters(ltl::Vocabulary vocabulary = {}) : vocabulary_(std::move(vocabulary)) {}
 
+  // The number of the letter; a new letter gets the next number.
   LetterId intern(const ltl::Letter& letter);
   const ltl::Vocabulary& vocabulary() const { return vocabulary_; }
   std::size_t size() const { return letters_.size(); }

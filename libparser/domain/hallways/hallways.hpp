@@ -1,6 +1,8 @@
-// Hallways as a domain: candidates are the ends of plans of programs, which a reader found before the ranker is learned.
+// Hallways as a domain: candidates are the ends of plans of programs, which a reader found before the ranker is
+// learned.
 //
-// Two questions are asked of a sentence, and each has a ranker of its own: where it ends, and where it is said (reranker.hpp).
+// Each of two questions about a sentence has a ranker of its own: at which pose its route ends, and at which pose its
+// route starts (reranker.hpp).
 #pragma once
 #include <cstdint>
 #include <span>
@@ -34,12 +36,12 @@ class Hallways {
   using Map = plan::Map;
   struct Text {
     const RankingInstance* instance;
-    bool mirrored;  // words and routes are looked at in a mirror
+    bool mirrored;  // left and right are exchanged in words and routes
   };
   using Candidates = std::vector<RankingInstance::Candidate>;
   using Route = HallwayRoute;
 
-  // Words and columns are the model's. Model and executors, one for each map, must outlive it.
+  // `model` numbers the words and the features. There is one executor for each map. Both must outlive this object.
   Hallways(const RankingModel& model, std::span<const Executor> executors)
       : model_(&model), executors_(executors) {}
 
