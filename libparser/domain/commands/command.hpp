@@ -1,0 +1,28 @@
+// English commands with LTL formulas: one JSON object a line. Format: docs/formats/commands.md.
+#pragma once
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace waymark::parser {
+
+struct Command {
+  std::string id, source, domain;  // "lifted", "cleanup", "osm:boston" …
+  std::string type;                // the template; "free" without one
+  std::size_t n = 0;               // its size, 0 without one
+  bool lifted = false;             // propositions stand in the text as they are
+  std::string text, formula;
+  std::vector<std::string> propositions;                        // of the formula
+  std::map<std::string, std::optional<std::string>> landmarks;  // proposition → its words in the text, if verbatim
+  std::size_t count = 1;
+  bool suspect = false;  // there are reasons to doubt the label
+};
+
+// Throws ltl::FormatError naming the line.
+std::vector<Command> read_commands(const std::filesystem::path& file);
+// The ids of a fold: the first column of a table with a header.
+std::vector<std::string> read_fold(const std::filesystem::path& file);
+
+}  // namespace waymark::parser

@@ -1,0 +1,184 @@
+#include "libparser/language/synchronous_grammar.hpp"
+
+#include <cctype>
+#include <fstream>
+#include <sstream>
+
+#include "libltl/diagnostic.hpp"
+#include "libparser/corpus/token.hpp"
+
+namespace waymark::parser {
+namespace {
+
+constexpr std::size_t deepest = 9;
+
+std::string trim(std::string_view text) {
+  const auto begin = text.find_first_not_of(" \t"), end = text.find_last_not_of(" \t");
+  return begin == std::string_view::npos ? "" : std::string(text.substr(begin, end - begin + 1));
+}
+
+// The parts between the bars that stand in no bracket.
+std::vector<std::string> alternatives(std::string_view text) {
+  std::vector<std::string> all;
+  std::size_t begin = 0, level = 0;
+  for (std::size_t i = 0; i <= text.size(); ++i) {
+    if (i < text.size() && text[i] == '(') ++level;
+    if (i < text.size() && text[i] == ')') --level;
+    if (i == text.size() || (text[i] == '|' && level == 0)) {
+      all.push_back(trim(text.substr(begin, i - begin)));
+      begin = i + 1;
+    }
+  }
+  return all;
+}
+
+std::size_t word_end(std::string_view text, std::size_t begin) {
+  while (begin < text.size() && (std::isalnum(static_cast<unsigned char>(text[begin])) != 0 || text[begin] == '_')) ++begin;
+  return begin;
+}
+
+}  // namespace
+
+SynchronousGrammar::SynchronousGrammar(const std::filesystem::path& file) {
+  std::ifstream in(file);
+  if (!in) throw ltl::FormatError(file.string(), 0, 0, "cannot be read");
+  std::string category;
+  std::size_t number = 0;
+  for (std::string line; std::getline(in, line);) {
+    ++number;
+    line = trim(line);
+    if (line.empty() || (line[0] == '#' && (line.size() < 2 || std::isdigit(static_cast<unsigned char>(line[1])) == 0))) continue;
+    if (line[0] == '@') {
+      category = trim(line.substr(1));
+      rules_[category];
+      continue;
+    }
+    const auto arrow = line.find("=>");
+    if (arrow == std::string::npos && line[0] == '$') {
+      const auto equals = line.find('=');
+      if (equals == std::string::npos) throw ltl::FormatError(file.string(), number, 0, "words need a '='");
+      for (std::string& a : alternatives(std::string_view(line).substr(equals + 1)))
+        words_[trim(line.substr(1, equals - 1))].push_back(std::move(a));
+      continue;
+    }
+    if (arrow == std::string::npos || category.empty())
+      throw ltl::FormatError(file.string(), number, 0, "no rule: a rule is TEXT => FORMULA, below a category");
+    Rule rule{trim(line.substr(0, arrow)), trim(line.substr(arrow + 2)), 1, number};
+    if (const auto colon = rule.text.find(": "); colon != std::string::npos && colon < 4 &&
+                                                 rule.text.find_first_not_of("0123456789.") == colon) {
+      rule.weight = std::stod(rule.text.substr(0, colon));
+      rule.text = trim(rule.text.substr(colon + 2));
+    }
+    rules_[category].push_back(std::move(rule));
+  }
+  check(file.string());
+}
+
+void SynchronousGrammar::check(const std::string& source) const {
+  const auto words_known = [&](const std::string& text, std::size_t line) {
+    for (auto at = text.find('$'); at != std::string::npos; at = text.find('$', at + 1))
+      if (const std::string word = text.substr(at + 1, word_end(text, at + 1) - at - 1); !words_.contains(word))
+        throw ltl::FormatError(source, line, 0, "no words are called $" + word);
+  };
+  for (const auto& [_, all] : words_)
+    for (const std::string& text : all) words_known(text, 0);
+  for (const auto& [_, rules] : rules_)
+    for (const Rule& rule : rules) {
+      words_known(rule.text, rule.line);
+      for (auto at = rule.text.find('<'); at != std::string::npos; at = rule.text.find('<', at + 1)) {
+        const auto end = rule.text.find('>', at);
+        const std::string name = end == std::string::npos ? "" : rule.text.substr(at + 1, end - at - 1);
+        if (name != "N" && (name.empty() || name[0] != '#') && !rules_.contains(name))
+          throw ltl::FormatError(source, rule.line, 0, "no category is called '" + name + "'");
+      }
+    }
+}
+
+std::string SynchronousGrammar::expand(std::string text, ltl::Random& random) const {
+  for (std::size_t at = 0; at < text.size();) {
+    if (text[at] == '$') {
+      const std::size_t end = word_end(text, at + 1);
+      const auto& all = words_.at(text.substr(at + 1, end - at - 1));
+      text.replace(at, end - at, all[random.below(all.size())]);
+    } else if (text[at] == '(') {
+      std::size_t level = 1, end = at + 1;
+      for (; end < text.size() && level > 0; ++end) level += text[end] == '(' ? 1 : text[end] == ')' ? std::size_t(-1) : 0;
+      const auto all = alternatives(std::string_view(text).substr(at + 1, end - at - 2));
+      text.replace(at, end - at, all[random.below(all.size())]);
+    } else {
+      ++at;
+    }
+  }
+  return text;
+}
+
+SynchronousGrammar::Draft SynchronousGrammar::draw(const std::string& category, std::size_t depth, std::size_t& places,
+                                                   ltl::Random& random) const {
+  if (category == "N") {
+    const std::string place = " #" + std::to_string(++places) + " ";
+    return {place, place};
+  }
+  const auto& rules = rules_.at(category);
+  double total = 0;
+  for (const Rule& rule : rules) total += rule.weight;
+  double drawn = random.unit() * total;
+  std::size_t chosen = 0;
+  while (chosen + 1 < rules.size() && (drawn -= rules[chosen].weight) >= 0) ++chosen;
+  if (depth > deepest) chosen = 0;  // the first rule of a category is its simplest
+  Draft out;
+  std::vector<std::string> parts;
+  const std::string text = expand(rules[chosen].text, random);
+  for (std::size_t at = 0; at < text.size();) {
+    if (text[at] != '<') {
+      out.text += text[at++];
+      continue;
+    }
+    const std::size_t end = text.find('>', at);
+    const std::string name = text.substr(at + 1, end - at - 1);
+    at = end + 1;
+    if (name[0] == '#') {
+      out.text += parts.at(std::stoul(name.substr(1)) - 1);
+      continue;
+    }
+    Draft part = draw(name, depth + 1, places, random);
+    out.text += part.text;
+    parts.push_back(std::move(part.lifted));
+  }
+  std::istringstream words(rules[chosen].lifted);
+  for (std::string word; words >> word;) {
+    const bool refers = std::isdigit(static_cast<unsigned char>(word[0])) != 0;
+    out.lifted += " " + (refers ? parts.at(std::stoul(word) - 1) : word[0] == '=' ? word.substr(1) : word);
+  }
+  return out;
+}
+
+SynchronousGrammar::Said SynchronousGrammar::say(const std::string& category, ltl::Random& random,
+                                                 std::size_t most_tokens) const {
+  for (;;) {
+    std::size_t places = 0;
+    const Draft draft = draw(category, 0, places, random);
+    Said said;
+    std::map<std::string, std::string> renamed;
+    std::istringstream words(draft.text);
+    for (std::string word; words >> word;) {
+      const std::string core = word.substr(0, word.find_first_of(",.;:!?"));
+      if (core.size() > 1 && core[0] == '#') {
+        const auto [it, _] = renamed.try_emplace(core, "#" + std::to_string(renamed.size() + 1));
+        said.tokens.push_back(it->second);
+        for (const char mark : word.substr(core.size())) said.tokens.emplace_back(1, mark);
+      } else {
+        for (std::string& token : tokenize(word)) said.tokens.push_back(std::move(token));
+      }
+    }
+    std::string lifted;
+    std::istringstream symbols(draft.lifted);
+    for (std::string symbol; symbols >> symbol;)
+      lifted += " " + (symbol[0] == '#' ? renamed.at(symbol) : symbol);
+    said.slots = renamed.size();
+    if (said.slots > 8 || said.tokens.size() > most_tokens) continue;
+    said.lifted = canonical(parse_lifted(lifted));
+    if (said.lifted.size() < LiftedPrefix::most_symbols - 8) return said;
+  }
+}
+
+}  // namespace waymark::parser

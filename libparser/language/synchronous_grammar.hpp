@@ -1,0 +1,52 @@
+// A grammar that says texts and their lifted formulas at once, for commands of our own.
+//
+//   # a comment
+//   $go = go to | head for | walk over to           words: one of the alternatives
+//   @GOAL                                           a category; its rules follow
+//   (please|) $go <N> => eventually 1               a rule: what is said => what it denotes; 1 is the formula of the
+//   $go <N> and then to <N> => sequence 1 2 end     first <…>, 2 of the second …
+//   3: … => …                                       drawn three times as often
+// <N> is a place, each one another; <#1> in a rule says the place of the first <N> once more. (x|y|) draws an alternative.
+// After [AU69]: a synchronous context-free grammar. Slots are numbered by first mention when a text is complete.
+#pragma once
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "libltl/structure/random.hpp"
+#include "libparser/lifted/lifted_symbol.hpp"
+
+namespace waymark::parser {
+
+class SynchronousGrammar {
+ public:
+  // Throws ltl::FormatError naming the line of what is no rule, or names a category or words that are not defined.
+  explicit SynchronousGrammar(const std::filesystem::path& file);
+
+  struct Said {
+    std::vector<std::string> tokens;  // slots as "#1", "#2" …, by first mention
+    Lifted lifted;
+    std::size_t slots = 0;
+  };
+  // A text of a category. Texts of more than `most_tokens` tokens are drawn anew.
+  Said say(const std::string& category, ltl::Random& random, std::size_t most_tokens = 48) const;
+
+ private:
+  struct Rule {
+    std::string text, lifted;
+    double weight = 1;
+    std::size_t line = 0;
+  };
+  struct Draft {
+    std::string text, lifted;  // slots by number of making
+  };
+  Draft draw(const std::string& category, std::size_t depth, std::size_t& places, ltl::Random& random) const;
+  std::string expand(std::string text, ltl::Random& random) const;
+  void check(const std::string& source) const;
+
+  std::map<std::string, std::vector<std::string>> words_;
+  std::map<std::string, std::vector<Rule>> rules_;
+};
+
+}  // namespace waymark::parser

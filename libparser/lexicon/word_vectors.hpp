@@ -1,0 +1,38 @@
+// Vectors of English words: words that are used alike have vectors that are close. GloVe [PSM14], in eight bits an entry.
+//
+// Words are looked up in the bytes of the file, by binary search. data/words/fetch makes the file and tells its layout.
+#pragma once
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string_view>
+
+namespace waymark::parser {
+
+class WordVectors {
+ public:
+  static constexpr std::size_t dimensions = 100;
+
+  // The bytes must outlive the vectors. Throws ltl::FormatError when they are no vectors, or cut short.
+  explicit WordVectors(std::string_view bytes, std::string_view source = "");
+
+  std::size_t size() const { return ends_.size(); }
+  std::optional<std::size_t> find(std::string_view word) const;  // its row, in O(log size)
+  std::string_view word(std::size_t row) const;
+  // entries of the vector of a row: scale(row) * entries(row)[i]
+  float scale(std::size_t row) const { return scales_[row]; }
+  std::span<const std::int8_t> entries(std::size_t row) const { return entries_.subspan(row * dimensions, dimensions); }
+
+  // The cosine of the angle between two vectors.
+  double similarity(std::size_t a, std::size_t b) const;
+
+ private:
+  std::span<const std::uint32_t> ends_;
+  std::string_view words_;
+  std::span<const float> scales_;
+  std::span<const std::int8_t> entries_;
+};
+
+}  // namespace waymark::parser

@@ -1,0 +1,142 @@
+#include "libparser/lifted/learn_lifted.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+
+#include "libltl/parallel.hpp"
+#include "libltl/structure/random.hpp"
+#include "libneural/adam.hpp"
+
+namespace waymark::parser {
+namespace {
+
+using neural::Index;
+
+// Slots, domains, and the words of two examples or more.
+WordTable words_of(std::span<const LiftedExample> examples) {
+  WordTable table;
+  for (std::size_t n = 1; n <= 12; ++n) table.add(name(slot(n)));
+  std::map<std::string, std::size_t> met;
+  for (const LiftedExample& example : examples) {
+    for (const std::string& token : example.text.tokens) ++met[token];
+    met["<" + example.text.domain + ">"] += 2;
+  }
+  for (const auto& [word, times] : met)
+    if (times >= 2) table.add(word);
+  return table;
+}
+
+class Learner {
+ public:
+  Learner(std::span<const LiftedExample> examples, std::shared_ptr<const WordVectors> vectors,
+          const LiftedTraining& options)
+      : examples_(examples),
+        options_(options),
+        random_(options.seed),
+        network_(words_of(examples), std::move(vectors), options.sizes, [this] { return random_.unit(); }),
+        adam_(network_.parameters(), {.rate = options.rate}) {
+    double total = 0;
+    for (const LiftedExample& example : examples) {
+      sentences_.push_back(network_.sentence(example.text));
+      total += example.weight;
+      up_to_.push_back(total);
+    }
+    for (std::size_t s = 0; s < shards; ++s) shards_.emplace_back(network_, options.seed + 1000 * (s + 1));
+  }
+
+  std::shared_ptr<const LiftedNetwork> run(const std::function<void(double)>& progress) {
+    const std::size_t steps =
+        static_cast<std::size_t>(options_.epochs) * ((examples_.size() + options_.batch - 1) / options_.batch);
+    for (std::size_t i = 0; i < steps; ++i) {
+      const double done = static_cast<double>(i) / static_cast<double>(steps);
+      step(done);
+      if (progress && i % 64 == 0) progress(done);
+    }
+    return std::make_shared<const LiftedNetwork>(std::move(network_));
+  }
+
+ private:
+  static constexpr std::size_t shards = 2;
+  struct Shard {
+    Shard(const LiftedNetwork& network, std::uint64_t seed) : parameters(network.parameters()), random(seed) {}
+    neural::Parameters parameters;
+    ltl::Random random;
+    LiftedNetwork::Pass pass;
+  };
+
+  std::size_t draw() {
+    const auto at = std::upper_bound(up_to_.begin(), up_to_.end(), random_.unit() * up_to_.back());
+    return std::min(static_cast<std::size_t>(at - up_to_.begin()), examples_.size() - 1);
+  }
+
+  void step(double done) {
+    std::vector<std::size_t> batch(options_.batch);
+    for (std::size_t& i : batch) i = draw();
+    neural::Parameters& parameters = network_.parameters();
+    for (Shard& shard : shards_) {
+      shard.parameters.values() = parameters.values();
+      shard.parameters.gradients().setZero();
+    }
+    ltl::parallel_for(shards, options_.threads, [&](std::size_t s, std::size_t) {
+      std::vector<std::size_t> own;
+      for (std::size_t i = s; i < batch.size(); i += shards) own.push_back(batch[i]);
+      learn(shards_[s], own);
+    });
+    for (const Shard& shard : shards_) parameters.gradients() += shard.parameters.gradients();
+    parameters.gradients() /= static_cast<float>(batch.size());
+    neural::clip_gradients(parameters, options_.clip);
+    adam_.set_rate(options_.rate * (1 - done));
+    adam_.step(parameters);
+  }
+
+  void learn(Shard& shard, std::span<const std::size_t> batch) const {
+    std::vector<const LiftedNetwork::Sentence*> sentences;
+    for (const std::size_t i : batch) sentences.push_back(&sentences_[i]);
+    shard.pass.encode(network_, shard.parameters, sentences,
+                      {options_.dropout, options_.word_dropout, [&] { return shard.random.unit(); }});
+    std::vector<LiftedNetwork::Prefix> prefixes;
+    std::vector<Index> begin{0};
+    for (const std::size_t i : batch) {
+      LiftedNetwork::Prefix prefix;
+      for (const LiftedSymbol s : examples_[i].lifted) {
+        prefixes.push_back(prefix);
+        prefix = prefix.after(s);
+      }
+      begin.push_back(static_cast<Index>(prefixes.size()));
+    }
+    const neural::Matrix& scores = shard.pass.decode(begin, prefixes);
+    neural::Matrix dscores = neural::Matrix::Zero(scores.rows(), scores.cols());
+    std::array<float, lifted_symbols> log_p;
+    Index column = 0;
+    for (const std::size_t i : batch)
+      for (const LiftedSymbol said : examples_[i].lifted) {
+        log_softmax(scores, column, prefixes[static_cast<std::size_t>(column)].grammar, examples_[i].text.scope, log_p);
+        for (std::size_t v = 0; v < lifted_symbols; ++v)
+          if (log_p[v] > -INFINITY) dscores(static_cast<Index>(v), column) = std::exp(log_p[v]);
+        dscores(static_cast<Index>(said), column++) -= 1;
+      }
+    shard.pass.backward(shard.parameters, dscores);
+  }
+
+  std::span<const LiftedExample> examples_;
+  const LiftedTraining& options_;
+  ltl::Random random_;
+  LiftedNetwork network_;
+  neural::Adam adam_;
+  std::vector<LiftedNetwork::Sentence> sentences_;
+  std::vector<double> up_to_;
+  std::vector<Shard> shards_;
+};
+
+}  // namespace
+
+std::shared_ptr<const LiftedNetwork> learn_lifted(std::span<const LiftedExample> examples,
+                                                  std::shared_ptr<const WordVectors> vectors,
+                                                  const LiftedTraining& options,
+                                                  const std::function<void(double)>& progress) {
+  return Learner(examples, std::move(vectors), options).run(progress);
+}
+
+}  // namespace waymark::parser

@@ -1,0 +1,33 @@
+// Learning to read lifted texts from texts with their lifted formulas: maximum likelihood by Adam.
+#pragma once
+#include <functional>
+#include <memory>
+#include <span>
+
+#include "libparser/lifted/lifted_network.hpp"
+
+namespace waymark::parser {
+
+struct LiftedExample {
+  LiftedText text;
+  Lifted lifted;
+  double weight = 1;  // how often it is drawn, compared with others
+};
+
+struct LiftedTraining {
+  LiftedSizes sizes = {};
+  std::uint64_t seed = 1;
+  int epochs = 8;
+  std::size_t batch = 32;
+  double rate = 3e-3, dropout = 0.3, word_dropout = 0.06, clip = 5;
+  std::size_t threads = 2;
+};
+
+// An epoch draws as many examples as there are, by weight. Examples must be spelled in their scope. Same seed, same bytes,
+// whatever the number of threads. progress: the share that is done.
+std::shared_ptr<const LiftedNetwork> learn_lifted(std::span<const LiftedExample> examples,
+                                                  std::shared_ptr<const WordVectors> vectors,
+                                                  const LiftedTraining& options,
+                                                  const std::function<void(double)>& progress = {});
+
+}  // namespace waymark::parser
