@@ -88,6 +88,14 @@ std::vector<Part> mentions(const std::vector<std::string>& tokens) {
   return out;
 }
 
+std::vector<std::string> other_names(const std::string& thing) {
+  std::vector<std::string> out;
+  for (const Entry& entry : entries)
+    for (const char* word : entry.words)
+      if (word != nullptr && thing == entry.thing) out.emplace_back(word);
+  return out;
+}
+
 bool in_lexicon(const Part& part) {
   if (part.kind == PartKind::Count) return part.number != 1;
   return part.kind == PartKind::Thing && std::any_of(std::begin(entries), std::end(entries),

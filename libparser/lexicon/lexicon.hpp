@@ -26,6 +26,9 @@ Part count(std::size_t number);
 // Things and counts, sorted and unique. A number is both: it counts, or names a place.
 std::vector<Part> mentions(const std::vector<std::string>& tokens);
 
+// Words for a thing, one or two each; none when it is not in the lexicon.
+std::vector<std::string> other_names(const std::string& thing);
+
 // Could any sentence mention this part? A count of one counts as a word that nobody says: "a step" is one step.
 bool in_lexicon(const Part& part);
 

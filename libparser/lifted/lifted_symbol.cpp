@@ -12,7 +12,7 @@ namespace {
 using enum LiftedSymbol;
 
 constexpr std::array<std::string_view, static_cast<std::size_t>(Number1)> names{
-    "end",    "true",   "not",     "and",     "or",       "implies",   "iff",        "next",        "eventually",
+    "end",    "route",  "nothing", "true",   "not",     "and",     "or",       "implies",   "iff",        "next",        "eventually",
     "always", "until",  "weakly",  "release", "visit",    "patrol",    "never",      "sequence",    "ordered",
     "strict", "exactly", "atmost", "atleast", "react",    "follow",    "after",      "alternate",   "stayon",
     "ifelse", "ahead",  "right",   "behind",  "left",     "beside",    "along",      "turned_left", "turned_right",
@@ -125,6 +125,7 @@ bool LiftedPrefix::allows(LiftedSymbol s, const LiftedScope& scope) const {
   if (is_slot(s) && number_of(s) > scope.slots) return false;
   if (is_constant(s) && number_of(s) > scope.constants) return false;
   if (frames_.empty()) return s != End && !is_number(s) && !is_action(s);
+  if (s == Route || s == Nothing) return false;
   const auto [parent, operands] = frames_.back();
   const bool counts = parent == Exactly || parent == AtMost || parent == AtLeast;
   if ((counts && operands == 0) || parent == Steps) return is_number(s);

@@ -18,6 +18,8 @@ namespace waymark::parser {
 
 enum class LiftedSymbol : std::uint8_t {
   End,
+  // whole answers: route instructions are read by the reader of programs; of other texts nothing is understood
+  Route, Nothing,
   // operators of LTL
   True, Not, And, Or, Implies, Iff, Next, Eventually, Always, Until, WeakUntil, Release,
   // macros over any number of places, closed by End

@@ -1,0 +1,35 @@
+// Mentions: which words of a text name which thing, and the text with its mentions as slots.
+#pragma once
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "libparser/lifted/lifted_network.hpp"
+
+namespace waymark::parser {
+
+// Something that texts may name.
+struct NamedThing {
+  std::string name;                               // of its proposition
+  std::vector<std::vector<std::string>> phrases;  // lower case, word by word, plurals as singulars
+};
+
+struct Mention {
+  std::size_t begin = 0, end = 0;  // in the tokens
+  std::size_t thing = 0;
+};
+
+// The longest phrases from left to right; ties: the thing that stands first. A word of five letters or more also matches with
+// one letter wrong, left out, added, or exchanged with its neighbour, when no thing has it exactly. O(tokens · phrases).
+std::vector<Mention> find_mentions(const std::vector<std::string>& tokens, const std::vector<NamedThing>& things);
+
+struct LiftedMentions {
+  LiftedText text;
+  std::vector<std::size_t> things;  // of slot 1, 2 …
+};
+// Mentions become slots, articles before them go.
+LiftedMentions lift(const std::vector<std::string>& tokens, const std::vector<Mention>& mentions);
+
+std::string singular(std::string word);  // "lamps" → "lamp"; words that end in "ss" stay
+
+}  // namespace waymark::parser
