@@ -84,13 +84,26 @@ function(waymark_compile_rooms target)
   set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
 endfunction()
 
+# Replaces the patterns in a list of sources by the files of the current folder that match them.
+function(waymark_expand list)
+  foreach(source IN LISTS ${list})
+    if(source MATCHES "\\*")
+      file(GLOB source CONFIGURE_DEPENDS RELATIVE ${CMAKE_CURRENT_SOURCE_DIR} ${source})
+    endif()
+    list(APPEND sources ${source})
+  endforeach()
+  set(${list} ${sources} PARENT_SCOPE)
+endfunction()
+
 # waymark_library(<area> SOURCES <file>... DEPENDS <target>... PRIVATE_DEPENDS <target>...
 #   PRECOMPILE <header>... APART <file>...)
 # One static library lib<area>, known to others as waymark::<area>, included as "lib<area>/name.hpp".
-# SOURCES stand in dependency order: a file may include only files of the same library that stand before it.
+# SOURCES stand in dependency order: a file may include only files of the same library that stand before it. `room/*.cpp`
+# names all sources of a room, which do not include each other in a circle.
 function(waymark_library area)
   cmake_parse_arguments(ARG "" "" "SOURCES;DEPENDS;PRIVATE_DEPENDS;PRECOMPILE;APART" ${ARGN})
   set(target waymark_${area})
+  waymark_expand(ARG_SOURCES)
   add_library(${target} STATIC ${ARG_SOURCES})
   add_library(waymark::${area} ALIAS ${target})
   set_target_properties(${target} PROPERTIES EXPORT_NAME ${area})

@@ -13,6 +13,26 @@
 #include "tools/shell/program.hpp"
 
 namespace waymark::tools {
+
+Runner setup_run(Command);
+Runner setup_ground(Command);
+Runner setup_translate(Command);
+Runner setup_automaton(Command);
+Runner setup_compose(Command);
+Runner setup_plan(Command);
+Runner setup_check(Command);
+Runner setup_compare(Command);
+Runner setup_train(Command);
+Runner setup_evaluate(Command);
+Runner setup_import(Command);
+Runner setup_corpus(Command);
+Runner setup_move(Command);
+Runner setup_generate(Command);
+Runner setup_draw(Command);
+Runner setup_patterns(Command);
+Runner setup_random(Command);
+Runner setup_version(Command);
+
 namespace {
 
 constexpr std::array rows{

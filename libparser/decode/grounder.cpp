@@ -1,32 +1,16 @@
 #include "libparser/decode/grounder.hpp"
 
 #include <utility>
+#include <variant>
 
 namespace waymark::parser {
 
 template class BestFirst<Scorer>;
 template class BestFirst<NetworkScorer>;
 
-namespace {
-
-std::vector<Candidate> read_with(const LinearModel& model, const SentenceInput& input, std::size_t beam) {
-  const SentenceFeatures features = sentence_features(input, model.words, model.language.steps());
-  Scorer scorer(model, features);
-  return best_programs(scorer, beam);
-}
-
-std::vector<Candidate> read_with(const NetworkModel& model, const SentenceInput& input, std::size_t beam) {
-  return model.masks.lend([&](ChoiceMasks& masks) {
-    const NetworkSentence sentence = model.network.sentence(input);
-    NetworkScorer scorer(model.network, sentence, masks);
-    return best_programs(scorer, beam);
-  });
-}
-
-}  // namespace
-
 std::vector<Candidate> read(const WordModel& model, const SentenceInput& input, std::size_t beam) {
-  return std::visit([&](const auto& one) { return read_with(*one, input, beam); }, model);
+  const auto read_with = [&](auto& scorer) { return best_programs(scorer, beam); };
+  return std::visit([&](const auto& one) { return with_scorer(*one, input, read_with); }, model);
 }
 
 Grounder grounder_of(LinearModel model) {

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "libltl/diagnostic.hpp"
+#include "libplan/world/labelling.hpp"
 
 namespace waymark::parser {
 namespace {

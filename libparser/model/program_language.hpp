@@ -25,7 +25,7 @@ struct Columns {
 
 class ProgramLanguage {
  public:
-  // Throws std::invalid_argument when a proposition has no known form (libplan/world/observable.hpp).
+  // Throws std::invalid_argument when a proposition has no known form (libplan/world/labelling.hpp).
   ProgramLanguage(const ltl::Vocabulary& vocabulary, PostfixGrammar::Limits limits);
   explicit ProgramLanguage(const ltl::Vocabulary& vocabulary, Dialect dialect = Dialect::Plain)
       : ProgramLanguage(vocabulary, PostfixGrammar::limits_of(dialect)) {}

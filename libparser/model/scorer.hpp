@@ -101,4 +101,11 @@ class Scorer {
   std::vector<float> buffer_;  // [columns]
 };
 
+template <class Use>
+auto with_scorer(const LinearModel& model, const SentenceInput& input, const Use& use) {
+  const SentenceFeatures features = sentence_features(input, model.words, model.language.steps());
+  Scorer scorer(model, features);
+  return use(scorer);
+}
+
 }  // namespace waymark::parser

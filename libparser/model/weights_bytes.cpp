@@ -151,9 +151,8 @@ WeightsReader::WeightsReader(std::shared_ptr<const MappedFile> file, std::string
   if (bytes_.size() % 8 != 0 || sum != xxh64(bytes_))
     fail("the model file is damaged: its checksum does not fit");
   const auto kind = read_at<std::uint16_t>(bytes_, 12), dialect = read_at<std::uint16_t>(bytes_, 14);
-  if (kind < ModelHeader::Linear || kind > ModelHeader::EncoderDecoder || dialect > 1)
-    fail("is a model file of an unknown kind");
-  header_ = {static_cast<ModelHeader::Kind>(kind), static_cast<Dialect>(dialect)};
+  if (dialect > 1) fail("is a model file of an unknown kind");
+  header_ = {kind, static_cast<Dialect>(dialect)};
 }
 
 void WeightsReader::fail(const std::string& message) const { throw ltl::FormatError(source_, 0, 0, message); }

@@ -21,8 +21,7 @@ namespace waymark::parser {
 // What a model file says of itself first.
 struct ModelHeader {
   static constexpr std::uint32_t version = 13;
-  enum Kind : std::uint16_t { Linear = 1, EncoderDecoder = 2 };
-  Kind kind = Linear;
+  std::uint16_t kind = 0;  // `file_kind` of the word model
   Dialect dialect = Dialect::Plain;
 };
 

@@ -7,14 +7,14 @@
 #pragma once
 #include <concepts>
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <span>
 #include <variant>
 #include <vector>
 
 #include "libparser/model/linear_model.hpp"
-#include "libparser/model/mask_pool.hpp"
-#include "libparser/model/network_scorer.hpp"
+#include "libparser/model/network_model.hpp"
 #include "libparser/model/scorer.hpp"
 
 namespace waymark::parser {
@@ -37,16 +37,22 @@ concept WordScorer = requires(S& scorer, std::span<const typename S::Prefix* con
   scorer.log_p(batch, visit);                          // calls it for every token that may follow batch[i]
 };
 
-// Masks of the network's symbols are shared by all who read with it.
-struct NetworkModel {
-  explicit NetworkModel(EncoderDecoder learned) : network(std::move(learned)), masks(network.symbols()) {}
-  NetworkModel(const NetworkModel&) = delete;
-  NetworkModel& operator=(const NetworkModel&) = delete;
-
-  EncoderDecoder network;
-  mutable MaskPool masks;
+// A type of word models: its place in a file, which `file_kind` announces, and its scorer of one sentence, which
+// with_scorer gives to `use` and takes back afterwards.
+struct AnyUse {
+  bool operator()(WordScorer auto&) const { return true; }
+};
+template <class M>
+concept ReadsSentences = requires(const M& model, const SentenceInput& input, WeightsReader& in,
+                                  const RankingModel& ranking, WeightsWriter& out, double threshold) {
+  { M::file_kind } -> std::convertible_to<std::uint16_t>;  // from 1, none twice
+  { M::read(in, ranking) } -> std::same_as<std::shared_ptr<const M>>;
+  model.write(out, threshold);  // without the weights below the threshold
+  { with_scorer(model, input, AnyUse()) } -> std::same_as<bool>;
 };
 
-using WordModel = std::variant<std::shared_ptr<const LinearModel>, std::shared_ptr<const NetworkModel>>;
+template <ReadsSentences... Models>
+using OneOf = std::variant<std::shared_ptr<const Models>...>;
+using WordModel = OneOf<LinearModel, NetworkModel>;
 
 }  // namespace waymark::parser

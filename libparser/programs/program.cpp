@@ -4,7 +4,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "libplan/world/observable.hpp"
+#include "libplan/world/labelling.hpp"
 
 namespace waymark::parser {
 namespace {

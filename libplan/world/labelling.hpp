@@ -16,6 +16,7 @@
 #include "libltl/vocabulary.hpp"
 #include "libltl/word.hpp"
 #include "libplan/world/hallways.hpp"
+#include "libplan/world/observable.hpp"
 
 namespace waymark::plan {
 
@@ -30,6 +31,11 @@ struct Observables {                 // what can be seen on a map; the order is 
 // carry over. Throws std::invalid_argument when two observables would share one proposition (a floor named like an
 // object, an object named `corner`), or on an empty name.
 ltl::Vocabulary hallway_vocabulary(const Observables& observables);
+
+// By proposition, of a hallway vocabulary or a part of one. What may be `next` is an object; what is seen but never stood
+// at, a painting; everything else that is named, a floor or an object by itself.
+// Throws std::invalid_argument naming a proposition that has none of the forms above.
+std::vector<Observable> observables_of(const ltl::Vocabulary& vocabulary);
 
 // L over hallway_vocabulary, without events. Hallways and vocabulary must outlive the object.
 class Labelling {

@@ -2,13 +2,10 @@
 //
 //   left_chair = {Left, Object, "chair"}     blue = {Here, Floor, "blue"}      next_tee = {Next, NodeKind, "tee"}
 //   turned_left = {Left, Event, "turned"}    moved = {Here, Event, "moved"}    place_3 = {Here, PlaceNumber, "3"}
-// What each of them means is said in labelling.hpp. Names of propositions are made and read here alone.
+// What each of them means is said in labelling.hpp, which also reads the names that are made here.
 #pragma once
 #include <cstdint>
 #include <string>
-#include <vector>
-
-#include "libltl/vocabulary.hpp"
 
 namespace waymark::plan {
 
@@ -37,10 +34,5 @@ std::string proposition_name(const Observable& observable);
 
 // Left and right exchanged.
 Observable mirrored(Observable observable);
-
-// By proposition, of a hallway vocabulary or a part of one. What may be `next` is an object; what is seen but never stood
-// at, a painting; everything else that is named, a floor or an object by itself.
-// Throws std::invalid_argument naming a proposition that has none of the forms above.
-std::vector<Observable> observables_of(const ltl::Vocabulary& vocabulary);
 
 }  // namespace waymark::plan

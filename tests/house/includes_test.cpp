@@ -2,8 +2,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <functional>
 #include <map>
 #include <regex>
+#include <set>
 
 #include "tests/house/source_tree.hpp"
 
@@ -70,31 +72,45 @@ TEST(Includes, FollowTheOrderOfTheList) {
     }
 }
 
-std::string room_of(const std::string& path) {
-  return std::filesystem::path(path).parent_path().generic_string();
-}
+using Edges =
+    std::map<std::string, std::map<std::string, std::string>>;  // from → to → an include that makes it
 
-// Repeatedly removes the rooms that include no room left; what then remains stands on a circle.
-TEST(Includes, RoomsDoNotIncludeEachOtherInACircle) {
-  std::map<std::string, std::map<std::string, std::string>> edges;  // from → to → an include that makes it
+// What `name_of` names is one node. Repeatedly removes the nodes that include no node left; what then remains stands on
+// a circle.
+void expect_no_circle(const std::function<std::string(const std::filesystem::path&)>& name_of) {
+  Edges edges;
   for (const SourceFile& file : files("hpp cpp")) {
     if (folder_of(file.path) == "tests") continue;
     for (const Include& include : includes(file)) {
-      const std::string from = room_of(file.path), to = room_of(include.path);
+      const std::string from = name_of(file.path), to = name_of(include.path);
       if (include.quoted && from != to) edges[from].try_emplace(to, at(file, include));
     }
   }
-  EXPECT_GT(edges.size(), 10U) << "no include between rooms was read";
+  EXPECT_GT(edges.size(), 10U) << "no include was read";
   for (bool removed = true; removed;) {
     removed = false;
-    for (auto room = edges.begin(); room != edges.end();) {
-      std::erase_if(room->second, [&](const auto& edge) { return !edges.contains(edge.first); });
-      removed = removed || room->second.empty();
-      room = room->second.empty() ? edges.erase(room) : std::next(room);
+    for (auto node = edges.begin(); node != edges.end();) {
+      std::erase_if(node->second, [&](const auto& edge) { return !edges.contains(edge.first); });
+      removed = removed || node->second.empty();
+      node = node->second.empty() ? edges.erase(node) : std::next(node);
     }
   }
   for (const auto& [from, targets] : edges)
     for (const auto& [to, example] : targets) ADD_FAILURE() << from << " and " << to << ": " << example;
+}
+
+TEST(Includes, RoomsDoNotIncludeEachOtherInACircle) {
+  expect_no_circle([](const auto& path) { return path.parent_path().generic_string(); });
+}
+
+// A header and the source of its name are one, unless the header is listed by itself.
+TEST(Includes, FilesDoNotIncludeEachOtherInACircle) {
+  std::set<std::string> listed;
+  for (const Library& library : libraries()) listed.insert(library.sources.begin(), library.sources.end());
+  expect_no_circle([&](const auto& path) {
+    const std::string name = path.generic_string();
+    return name.ends_with(".hpp") && listed.contains(name) ? name : name.substr(0, name.rfind('.'));
+  });
 }
 
 TEST(Includes, NobodyIncludesToolsOrTests) {

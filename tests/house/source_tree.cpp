@@ -116,6 +116,7 @@ std::optional<std::size_t> Library::position(std::string_view path) const {
   auto at = find(std::string(path));
   if (at == sources.end() && path.ends_with(".hpp"))
     at = find(std::string(path.substr(0, path.size() - 4)) + ".cpp");
+  if (at == sources.end()) at = find(std::string(path.substr(0, path.rfind('/'))) + "/*.cpp");
   if (at == sources.end()) return std::nullopt;
   return static_cast<std::size_t>(at - sources.begin());
 }

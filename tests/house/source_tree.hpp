@@ -24,7 +24,8 @@ struct Library {
   std::string folder;                // "libltl"
   std::vector<std::string> sources;  // from the root, in the order of its CMakeLists.txt
   std::set<std::string> below;       // folders of the libraries it may include, transitively
-  // Where the file stands in the list: by its own name, or, for a header, by that of the source beside it.
+  // Where the file stands in the list: by its own name, for a header by that of the source beside it, or by the
+  // pattern of its room.
   std::optional<std::size_t> position(std::string_view path) const;
 };
 

@@ -164,7 +164,7 @@ TEST(WeightsFile, TablesThatCannotBeAreRefused) {
     std::uint64_t rows;
   };
   const auto message = [&](const Rows& rows) {
-    WeightsWriter out({});
+    WeightsWriter out({.kind = LinearModel::file_kind});
     out.strings(empty.language.vocabulary().names());
     out.strings(empty.words.words());
     out.number(columns);

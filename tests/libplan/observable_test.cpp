@@ -1,4 +1,4 @@
-#include "libplan/world/observable.hpp"
+#include "libplan/world/labelling.hpp"
 
 #include <gtest/gtest.h>
 

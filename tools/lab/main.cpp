@@ -5,6 +5,11 @@
 #include "tools/shell/program.hpp"
 
 namespace waymark::tools {
+
+Runner setup_experiment(Command);
+Runner setup_tune(Command);
+Runner setup_generate_corpus(Command);
+
 namespace {
 
 constexpr std::array rows{

@@ -1,4 +1,4 @@
-// A subcommand: options, setup, run. One file each; main.cpp and lab/main.cpp hold the tables.
+// A subcommand: options, setup, run. One file each; main.cpp and lab/main.cpp declare them and hold the tables.
 //
 // setup_x adds the options of x to its CLI11 command and returns what to run once they are parsed.
 #pragma once
@@ -23,30 +23,6 @@ struct Subcommand {  // a row in the table of a program
   const char* summary;
   Runner (*setup)(Command);  // nullptr: another program runs it, and it is only listed here
 };
-
-Runner setup_run(Command command);
-Runner setup_ground(Command command);
-Runner setup_translate(Command command);
-Runner setup_automaton(Command command);
-Runner setup_compose(Command command);
-Runner setup_plan(Command command);
-Runner setup_check(Command command);
-Runner setup_compare(Command command);
-Runner setup_train(Command command);
-Runner setup_evaluate(Command command);
-Runner setup_import(Command command);
-Runner setup_corpus(Command command);
-Runner setup_move(Command command);
-Runner setup_generate(Command command);
-Runner setup_draw(Command command);
-Runner setup_patterns(Command command);
-Runner setup_random(Command command);
-Runner setup_version(Command command);
-
-// Of waymark-lab.
-Runner setup_experiment(Command command);
-Runner setup_tune(Command command);
-Runner setup_generate_corpus(Command command);
 
 // What both programs say of the commands of waymark-lab.
 inline constexpr const char* experiment_summary =
