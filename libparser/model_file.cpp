@@ -23,14 +23,16 @@ WordModel read_word_model(std::type_identity<OneOf<Models...>>, WeightsReader& i
   return model;
 }
 
-Grounder read_grounder(WeightsReader& in) {
+Grounder read_grounder(WeightsReader& in, const std::shared_ptr<const MappedFile>& file) {
   auto ranking = std::make_shared<RankingModel>(in.vocabulary(), in.header().dialect);
   ranking->words = in.words();
   WordModel word_model = read_word_model(std::type_identity<WordModel>(), in, *ranking);
   ranking->reranker = in.table(1);
   ranking->start_pose_model = in.table(1);
+  std::shared_ptr<const LiftedReader> commands;
+  if (in.number() != 0) commands = LiftedReader::read_from(in, file);
   in.end();
-  return {std::move(word_model), std::move(ranking)};
+  return {std::move(word_model), std::move(ranking), std::move(commands)};
 }
 
 }  // namespace
@@ -45,6 +47,8 @@ std::string serialize(const Grounder& grounder, double threshold) {
         word_model->write(out, threshold);
         out.table(ranking.reranker, least_of_rerankers * threshold);
         out.table(ranking.start_pose_model, least_of_rerankers * threshold);
+        out.number(grounder.commands ? 1 : 0);
+        if (grounder.commands) grounder.commands->write(out);
         return out.finish();
       },
       grounder.word_model);
@@ -58,14 +62,16 @@ std::string serialize_within(const Grounder& grounder, std::size_t bytes) {
 }
 
 Grounder parse_grounder(std::string_view bytes, std::string_view source) {
-  WeightsReader in(std::make_shared<const MappedFile>(bytes), source);
-  return read_grounder(in);
+  const auto file = std::make_shared<const MappedFile>(bytes);
+  WeightsReader in(file, source);
+  return read_grounder(in, file);
 }
 
 Grounder load_grounder(const std::filesystem::path& file) {
   const std::string source = file.string();
-  WeightsReader in(std::make_shared<const MappedFile>(file), source);
-  return read_grounder(in);
+  const auto mapped = std::make_shared<const MappedFile>(file);
+  WeightsReader in(mapped, source);
+  return read_grounder(in, mapped);
 }
 
 void save(const Grounder& grounder, const std::filesystem::path& file) {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "libparser/decode/best_first.hpp"
+#include "libparser/lifted/lifted_reader.hpp"
 #include "libparser/model/ranking_model.hpp"
 #include "libparser/model/word_model.hpp"
 
@@ -13,6 +14,7 @@ namespace waymark::parser {
 struct Grounder {
   WordModel word_model;
   std::shared_ptr<const RankingModel> ranking;  // and the language that both speak
+  std::shared_ptr<const LiftedReader> commands = nullptr;  // reads temporal words and named places; may be absent
 };
 
 // At most `beam` programs, the likeliest first. The same answer whenever it is asked; from several threads too.

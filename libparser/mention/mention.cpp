@@ -9,8 +9,9 @@ namespace {
 
 constexpr std::size_t least_for_misspelling = 5, most_slots = 12;
 
-// At most one letter wrong, missing, added, or two neighbours exchanged.
-bool nearly(std::string_view a, std::string_view b) {
+}  // namespace
+
+bool is_misspelled(std::string_view a, std::string_view b) {
   if (a.size() > b.size()) std::swap(a, b);
   if (b.size() - a.size() > 1) return false;
   std::size_t i = 0;
@@ -21,9 +22,12 @@ bool nearly(std::string_view a, std::string_view b) {
   return i + 1 < a.size() && a[i] == b[i + 1] && a[i + 1] == b[i] && a.substr(i + 2) == b.substr(i + 2);
 }
 
+namespace {
+
 class Finder {
  public:
-  Finder(const std::vector<std::string>& tokens, const std::vector<NamedThing>& things) : things_(things) {
+  Finder(const std::vector<std::string>& tokens, const std::vector<NamedThing>& things, const WordVectors* known)
+      : things_(things), known_(known) {
     for (const std::string& token : tokens) words_.push_back(singular(token));
   }
 
@@ -31,7 +35,8 @@ class Finder {
     std::vector<Mention> found;
     for (std::size_t at = 0; at < words_.size();) {
       Mention best = longest(at, false);
-      if (best.end == 0 && words_[at].size() >= least_for_misspelling) best = longest(at, true);
+      const bool is_word = known_ != nullptr && known_->find(words_[at]);
+      if (best.end == 0 && !is_word && words_[at].size() >= least_for_misspelling) best = longest(at, true);
       if (best.end == 0) {
         ++at;
         continue;
@@ -57,13 +62,14 @@ class Finder {
       const std::string& word = words_[at + i];
       if (word == phrase[i]) continue;
       const bool long_enough = std::min(word.size(), phrase[i].size()) >= least_for_misspelling;
-      if (!misspelled || !long_enough || !nearly(word, phrase[i])) return false;
+      if (!misspelled || !long_enough || !is_misspelled(word, phrase[i])) return false;
     }
     return true;
   }
 
   std::vector<std::string> words_;
   const std::vector<NamedThing>& things_;
+  const WordVectors* known_;
 };
 
 bool is_article(const std::string& word) {
@@ -78,11 +84,13 @@ std::string singular(std::string word) {
   return word;
 }
 
-std::vector<Mention> find_mentions(const std::vector<std::string>& tokens, const std::vector<NamedThing>& things) {
-  return Finder(tokens, things).all();
+std::vector<Mention> find_mentions(const std::vector<std::string>& tokens, const std::vector<NamedThing>& things,
+                                   const WordVectors* words) {
+  return Finder(tokens, things, words).all();
 }
 
-LiftedMentions lift(const std::vector<std::string>& tokens, const std::vector<Mention>& mentions) {
+LiftedMentions lift(const std::vector<std::string>& tokens, const std::vector<Mention>& mentions,
+                    Articles articles) {
   LiftedMentions out;
   auto next = mentions.begin();
   for (std::size_t at = 0; at < tokens.size();) {
@@ -90,7 +98,7 @@ LiftedMentions lift(const std::vector<std::string>& tokens, const std::vector<Me
       out.text.tokens.push_back(tokens[at++]);
       continue;
     }
-    while (!out.text.tokens.empty() && is_article(out.text.tokens.back())) out.text.tokens.pop_back();
+    while (articles == Articles::Go && !out.text.tokens.empty() && is_article(out.text.tokens.back())) out.text.tokens.pop_back();
     auto slot_at = std::find(out.things.begin(), out.things.end(), next->thing);
     if (slot_at == out.things.end() && out.things.size() < most_slots)
       slot_at = out.things.insert(out.things.end(), next->thing);

@@ -2,6 +2,7 @@
 #pragma once
 #include <cstddef>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "libparser/lifted/lifted_network.hpp"
@@ -20,15 +21,22 @@ struct Mention {
 };
 
 // The longest phrases from left to right; ties: the thing that stands first. A word of five letters or more also matches with
-// one letter wrong, left out, added, or exchanged with its neighbour, when no thing has it exactly. O(tokens · phrases).
-std::vector<Mention> find_mentions(const std::vector<std::string>& tokens, const std::vector<NamedThing>& things);
+// one letter wrong, left out, added, or exchanged with its neighbour, when no thing has it exactly and it is no word
+// itself. O(tokens · phrases).
+std::vector<Mention> find_mentions(const std::vector<std::string>& tokens, const std::vector<NamedThing>& things,
+                                   const WordVectors* words = nullptr);
 
 struct LiftedMentions {
   LiftedText text;
   std::vector<std::size_t> things;  // of slot 1, 2 …
 };
-// Mentions become slots, articles before them go.
-LiftedMentions lift(const std::vector<std::string>& tokens, const std::vector<Mention>& mentions);
+// Mentions become slots; articles before them go, unless they stay.
+enum class Articles : std::uint8_t { Go, Stay };
+LiftedMentions lift(const std::vector<std::string>& tokens, const std::vector<Mention>& mentions,
+                    Articles articles = Articles::Go);
+
+// One letter wrong, missing or added, or two neighbours exchanged.
+bool is_misspelled(std::string_view word, std::string_view meant);
 
 std::string singular(std::string word);  // "lamps" → "lamp"; words that end in "ss" stay
 

@@ -33,6 +33,7 @@ NamedThing named(const plan::Observable& observable) {
   }
   thing.phrases.push_back(words_of(observable.name));
   for (const std::string& other : other_names(observable.name)) thing.phrases.push_back(words_of(other));
+  if (observable.name == "concrete") thing.phrases.push_back({"stone"});  // before gravel, which the lexicon prefers
   return thing;
 }
 
@@ -98,7 +99,7 @@ std::vector<std::string> with_places(std::vector<std::string> tokens) {
     const std::string word = singular(tokens[i]);
     const std::size_t n = number_named(word);
     const std::string before = i > 0 ? singular(tokens[i - 1]) : "";
-    const bool after_noun = is_among(nouns, before) || before == "number";
+    const bool after_noun = word != "one" && (is_among(nouns, before) || before == "number");
     if (n > 0 && after_noun) {
       out.push_back(std::to_string(n));
       listing = true;
@@ -126,9 +127,9 @@ HallwayThings::HallwayThings(const ltl::Vocabulary& vocabulary) {
   }
 }
 
-LiftedMentions HallwayThings::lift(const std::vector<std::string>& tokens) const {
+LiftedMentions HallwayThings::lift(const std::vector<std::string>& tokens, const WordVectors* known) const {
   const std::vector<std::string> words = with_places(tokens);
-  LiftedMentions out = parser::lift(words, Absorbing(words, find_mentions(words, things_), kinds_).run());
+  LiftedMentions out = parser::lift(words, Absorbing(words, find_mentions(words, things_, known), kinds_).run());
   out.text.scope.spatial = true;
   return out;
 }

@@ -18,7 +18,7 @@ class HallwayThings {
 
   const std::vector<NamedThing>& things() const { return things_; }
   // Slots for what is mentioned; "the hall with the blue floor" is one mention.
-  LiftedMentions lift(const std::vector<std::string>& tokens) const;
+  LiftedMentions lift(const std::vector<std::string>& tokens, const WordVectors* words = nullptr) const;
   // `slots`: things of slot 1, 2 … start: where it is said, for "come back here"; none: not known.
   Bindings bindings(ltl::Arena& arena, std::vector<std::size_t> slots, std::optional<std::size_t> start) const;
 

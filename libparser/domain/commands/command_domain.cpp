@@ -1,0 +1,210 @@
+#include "libparser/domain/commands/command_domain.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "libltl/diagnostic.hpp"
+#include "libltl/text/parse.hpp"
+#include "libparser/corpus/token.hpp"
+#include "libparser/domain/commands/landmark_mentions.hpp"
+
+namespace waymark::parser {
+namespace {
+
+nlohmann::json read_json(const std::filesystem::path& file) {
+  std::ifstream in(file);
+  if (!in) throw ltl::FormatError(file.string(), 0, 0, "cannot be read");
+  try {
+    return nlohmann::json::parse(in);
+  } catch (const nlohmann::json::exception& e) {
+    throw ltl::FormatError(file.string(), 0, 0, e.what());
+  }
+}
+
+std::vector<std::string> split(std::string name) {
+  std::replace(name.begin(), name.end(), '_', ' ');
+  std::vector<std::string> words = tokenize(name);
+  for (std::string& word : words) word = singular(std::move(word));
+  return words;
+}
+
+struct Numeral {
+  std::array<const char*, 5> words;
+};
+constexpr Numeral numerals[] = {{{"one", "1", "first", "1st", "i"}},
+                                {{"two", "2", "second", "2nd", "ii"}},
+                                {{"three", "3", "third", "3rd", "iii"}},
+                                {{"four", "4", "fourth", "4th", "iv"}},
+                                {{"five", "5", "fifth", "5th", "v"}}};
+
+const Numeral* numeral_of(const std::string& word) {
+  for (const Numeral& n : numerals)
+    if (std::find(n.words.begin(), n.words.end(), word) != n.words.end()) return &n;
+  return nullptr;
+}
+
+// "first_floor": first floor, 1st floor, floor 1 …; "blue_room": blue room, blue, when nothing else begins so.
+NamedThing thing_of(const std::string& proposition, const std::vector<std::string>& all) {
+  NamedThing thing{proposition, {}};
+  const std::vector<std::string> words = split(proposition);
+  thing.phrases.push_back(words);
+  if (words.size() != 2) return thing;
+  for (const std::size_t at : {std::size_t{0}, std::size_t{1}})
+    if (const Numeral* n = numeral_of(words[at]))
+      for (const char* other : n->words) {
+        thing.phrases.push_back({other, words[1 - at]});
+        thing.phrases.push_back({words[1 - at], other});
+      }
+  const bool first_tells = std::count_if(all.begin(), all.end(), [&](const std::string& other) {
+                             return split(other).front() == words[0];
+                           }) == 1;
+  if (first_tells && numeral_of(words[0]) == nullptr) {
+    thing.phrases.push_back({words[0]});
+    for (const char* noun : {"area", "square", "region", "zone", "rm", "box", "space", "section"})
+      thing.phrases.push_back({words[0], noun});
+  }
+  return thing;
+}
+
+bool is_letter_name(const std::string& word) {
+  if (word.size() == 1) return std::isalpha(static_cast<unsigned char>(word[0])) != 0;
+  return word.size() == 2 && word[0] == 'x' && std::isdigit(static_cast<unsigned char>(word[1])) != 0;
+}
+
+}  // namespace
+
+std::vector<Landmark> read_landmarks(const std::filesystem::path& file) {
+  const nlohmann::json json = read_json(file);
+  std::vector<Landmark> all;
+  try {
+    for (const auto& entry : json.at("landmarks")) {
+      Landmark l{entry.at("prop").get<std::string>(), entry.value("name", ""), {}, {}};
+      if (entry.contains("other_names")) l.other_names = entry.at("other_names").get<std::vector<std::string>>();
+      if (entry.contains("tags"))
+        for (const auto& [key, value] : entry.at("tags").items())
+          if (value.is_string()) l.tags[key] = value.get<std::string>();
+      all.push_back(std::move(l));
+    }
+  } catch (const nlohmann::json::exception& e) {
+    throw ltl::FormatError(file.string(), 0, 0, std::string("no map of landmarks: ") + e.what());
+  }
+  return all;
+}
+
+CommandDomain CommandDomain::with_letters(std::string name, std::vector<std::string> names) {
+  CommandDomain domain;
+  domain.network_domain_ = name;
+  domain.name_ = std::move(name);
+  domain.letters_ = true;
+  domain.propositions_ = std::move(names);
+  return domain;
+}
+
+CommandDomain CommandDomain::small(std::string name, const std::vector<std::string>& propositions) {
+  CommandDomain domain;
+  domain.network_domain_ = name;
+  domain.name_ = std::move(name);
+  domain.propositions_ = propositions;
+  std::sort(domain.propositions_.begin(), domain.propositions_.end());
+  for (const std::string& p : domain.propositions_) domain.things_.push_back(thing_of(p, domain.propositions_));
+  domain.constants_ = domain.propositions_;
+  if (domain.constants_.size() > most_constants) domain.constants_.resize(most_constants);
+  return domain;
+}
+
+CommandDomain CommandDomain::city(std::string name, std::vector<Landmark> landmarks) {
+  CommandDomain domain;
+  domain.network_domain_ = "lifted";  // the same commands, with landmarks for letters
+  domain.name_ = std::move(name);
+  domain.landmarks_ = std::move(landmarks);
+  return domain;
+}
+
+std::vector<CommandDomain::Lift> CommandDomain::lift(const std::string& text) const {
+  if (!landmarks_.empty()) {
+    std::vector<Lift> out = lift_landmarks(text, landmarks_);
+    for (Lift& l : out) l.text.domain = network_domain_;
+    return out;
+  }
+  const std::vector<std::string> tokens = tokenize(text);
+  Lift out;
+  if (letters_) {
+    std::vector<NamedThing> things;
+    std::vector<Mention> mentions;
+    for (std::size_t i = 0; i < tokens.size(); ++i) {
+      const bool names = propositions_.empty()
+                             ? is_letter_name(tokens[i])
+                             : std::find(propositions_.begin(), propositions_.end(), tokens[i]) != propositions_.end();
+      if (!names) continue;
+      std::size_t t = 0;
+      while (t < things.size() && things[t].name != tokens[i]) ++t;
+      if (t == things.size()) things.push_back({tokens[i], {}});
+      mentions.push_back({i, i + 1, t});
+    }
+    LiftedMentions lifted = parser::lift(tokens, mentions, Articles::Stay);
+    out.text = std::move(lifted.text);
+    for (const std::size_t t : lifted.things) out.slots.push_back(things[t].name);
+  } else {
+    LiftedMentions lifted = parser::lift(tokens, find_mentions(tokens, things_));
+    out.text = std::move(lifted.text);
+    for (const std::size_t t : lifted.things) out.slots.push_back(things_[t].name);
+  }
+  out.text.scope.constants = constants_.size();
+  out.text.domain = network_domain_;
+  return {out};
+}
+
+Bindings CommandDomain::bindings(ltl::Arena& arena, std::vector<std::string> slots) const {
+  return {&arena, [this, &arena, slots = std::move(slots)](
+                      LiftedSymbol direction, LiftedSymbol thing) -> std::optional<ltl::Formula> {
+            if (direction != LiftedSymbol::End || !is_thing(thing)) return std::nullopt;
+            const auto& names = is_slot(thing) ? slots : constants_;
+            const std::size_t n = number_of(thing);
+            return n <= names.size() ? std::optional(arena.atom(names[n - 1])) : std::nullopt;
+          }};
+}
+
+std::optional<Lifted> CommandDomain::label(const Lift& lift, const std::string& formula) const {
+  ltl::Arena arena;
+  const ltl::Formula f = ltl::parse(formula, arena);
+  return spell(f, [&](ltl::Proposition p) -> std::optional<LiftedSymbol> {
+    const std::string& name = arena.vocabulary().name(p);
+    const auto at = std::find(lift.slots.begin(), lift.slots.end(), name);
+    if (at != lift.slots.end()) return slot(static_cast<std::size_t>(at - lift.slots.begin()) + 1);
+    const auto c = std::find(constants_.begin(), constants_.end(), name);
+    if (c == constants_.end()) return std::nullopt;
+    return constant(static_cast<std::size_t>(c - constants_.begin()) + 1);
+  });
+}
+
+CommandDomains::CommandDomains(const std::filesystem::path& domains, std::filesystem::path maps)
+    : maps_(std::move(maps)) {
+  const nlohmann::json json = read_json(domains);
+  try {
+    for (const auto& [name, domain] : json.items()) {
+      std::vector<std::string> propositions;
+      for (const auto& [p, _] : domain.at("propositions").items()) propositions.push_back(p);
+      const bool letters = std::all_of(propositions.begin(), propositions.end(),
+                                       [](const std::string& p) { return p.size() == 1; });
+      domains_.emplace(name, letters ? CommandDomain::with_letters(name, propositions)
+                                     : CommandDomain::small(name, propositions));
+    }
+  } catch (const nlohmann::json::exception& e) {
+    throw ltl::FormatError(domains.string(), 0, 0, std::string("no domains: ") + e.what());
+  }
+}
+
+const CommandDomain& CommandDomains::of(const std::string& name) {
+  const auto known = domains_.find(name);
+  if (known != domains_.end()) return known->second;
+  const auto colon = name.find(':');
+  if (colon == std::string::npos || name.find('/') != std::string::npos)
+    throw ltl::FormatError("", 0, 0, "no domain is called '" + name + "'");
+  auto landmarks = read_landmarks(maps_ / (name.substr(colon + 1) + ".json"));
+  return domains_.emplace(name, CommandDomain::city(name, std::move(landmarks))).first->second;
+}
+
+}  // namespace waymark::parser

@@ -1,0 +1,87 @@
+#include "libparser/lifted/lifted_reader.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+
+namespace waymark::parser {
+namespace {
+
+constexpr std::int32_t largest = 1024;  // size of a layer, while reading
+
+std::array<std::int32_t*, 5> layers_of(LiftedSizes& s) { return {&s.word, &s.vector, &s.width, &s.query, &s.symbol}; }
+
+}  // namespace
+
+LiftedReader::SharedVectors LiftedReader::load_vectors(const std::filesystem::path& file) {
+  auto mapped = std::make_shared<const MappedFile>(file);
+  return {mapped, mapped->bytes(), std::make_shared<const WordVectors>(mapped->bytes(), file.string())};
+}
+
+LiftedReader::LiftedReader(SharedVectors vectors, std::vector<std::shared_ptr<const LiftedNetwork>> networks)
+    : vectors_(std::move(vectors)), networks_(std::move(networks)) {}
+
+std::vector<LiftedReading> LiftedReader::read(const LiftedText& text, std::size_t beam) const {
+  std::map<Lifted, double> votes;
+  for (const auto& network : networks_)
+    for (const LiftedReading& reading : read_lifted(*network, text, beam))
+      votes[reading.lifted] += std::exp(reading.log_probability) / static_cast<double>(networks_.size());
+  std::vector<LiftedReading> out;
+  for (const auto& [lifted, p] : votes) out.push_back({lifted, std::log(p)});
+  std::stable_sort(out.begin(), out.end(), [](const LiftedReading& a, const LiftedReading& b) {
+    return a.log_probability > b.log_probability;
+  });
+  return out;
+}
+
+bool LiftedReader::knows(const std::string& word) const {
+  return std::any_of(networks_.begin(), networks_.end(), [&](const auto& network) {
+    return network->words().find(word) != WordTable::unknown;
+  });
+}
+
+void LiftedReader::write(WeightsWriter& out) const {
+  out.list(vectors_.bytes);
+  out.number(networks_.size());
+  for (const auto& network : networks_) {
+    out.strings(network->words().words());
+    LiftedSizes sizes = network->sizes();
+    for (const std::int32_t* size : layers_of(sizes)) out.number(static_cast<std::uint64_t>(*size));
+    const neural::Vector& values = network->parameters().values();
+    std::vector<std::uint16_t> halves;
+    for (const float v : values) halves.push_back(Eigen::half_impl::float_to_half_rtne(v).x);
+    out.list(halves);
+  }
+}
+
+std::shared_ptr<const LiftedReader> LiftedReader::read_from(WeightsReader& in, const std::shared_ptr<const void>& owner) {
+  const auto stored = in.list<char>();
+  const std::string_view bytes{stored.data(), stored.size()};
+  SharedVectors vectors{owner, bytes, std::make_shared<const WordVectors>(bytes)};
+  std::vector<std::shared_ptr<const LiftedNetwork>> networks;
+  const std::uint64_t n = in.number();
+  if (n < 1 || n > 16) in.fail("no possible number of networks that read commands");
+  for (std::uint64_t i = 0; i < n; ++i) {
+    WordTable words = in.words();
+    LiftedSizes sizes;
+    for (std::int32_t* size : layers_of(sizes)) {
+      const std::uint64_t layer = in.number();
+      if (layer < 1 || layer > largest) in.fail("a layer of no possible size");
+      *size = static_cast<std::int32_t>(layer);
+    }
+    LiftedNetwork network(std::move(words), vectors.vectors, sizes, [] { return 0.5; });
+    neural::Vector& values = network.parameters().values();
+    const auto halves = in.list<std::uint16_t>();
+    if (static_cast<neural::Index>(halves.size()) != values.size()) in.fail("a network of another size than it says");
+    for (std::size_t k = 0; k < halves.size(); ++k) {
+      const auto v = Eigen::half_impl::half_to_float(Eigen::half_impl::raw_uint16_to_half(halves[k]));
+      if (!std::isfinite(v)) in.fail("a weight that is no finite number");
+      values[static_cast<neural::Index>(k)] = v;
+    }
+    networks.push_back(std::make_shared<const LiftedNetwork>(std::move(network)));
+  }
+  return std::make_shared<const LiftedReader>(std::move(vectors), std::move(networks));
+}
+
+}  // namespace waymark::parser

@@ -1,0 +1,45 @@
+// A reader of lifted texts: networks that vote, and the word vectors that they share.
+//
+// p(lifted formula | text) is the mean over the networks; formulas with several spellings add up where they are formulas
+// (votes.hpp). In a model file: WordVectors' bytes once, then the networks in 16-bit floats.
+#pragma once
+#include <memory>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "libparser/lifted/lifted_network.hpp"
+#include "libparser/model/weights_bytes.hpp"
+
+namespace waymark::parser {
+
+class LiftedReader {
+ public:
+  // The owner keeps the bytes of the vectors alive.
+  struct SharedVectors {
+    std::shared_ptr<const void> owner;
+    std::string_view bytes;
+    std::shared_ptr<const WordVectors> vectors;
+  };
+  // Throws ltl::FormatError when the file holds no word vectors.
+  static SharedVectors load_vectors(const std::filesystem::path& file);
+
+  LiftedReader(SharedVectors vectors, std::vector<std::shared_ptr<const LiftedNetwork>> networks);
+
+  // The likeliest lifted formulas, best first; probabilities of those found sum to 1 at most.
+  std::vector<LiftedReading> read(const LiftedText& text, std::size_t beam = 12) const;
+  // Words that no network has learned: neither from texts nor, by a vector, in their sense.
+  bool knows(const std::string& word) const;
+  const WordVectors& vectors() const { return *vectors_.vectors; }
+  const SharedVectors& shared_vectors() const { return vectors_; }
+  std::span<const std::shared_ptr<const LiftedNetwork>> networks() const { return networks_; }
+
+  void write(WeightsWriter& out) const;
+  static std::shared_ptr<const LiftedReader> read_from(WeightsReader& in, const std::shared_ptr<const void>& owner);
+
+ private:
+  SharedVectors vectors_;
+  std::vector<std::shared_ptr<const LiftedNetwork>> networks_;
+};
+
+}  // namespace waymark::parser
