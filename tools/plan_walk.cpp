@@ -98,7 +98,7 @@ class LassoPlanning {
   }
 
   JsonObject json() const {
-    JsonObject out;
+    JsonObject out = options_.head;
     out.add("formula", task_.formula ? Json(ltl::print(*task_.formula)) : Json())
         .add("map", task_.map.name())
         .add("semantics", "infinite")
@@ -111,6 +111,8 @@ class LassoPlanning {
         .add("product", JsonObject().add("states", found_.budget.met).add("edges", found_.budget.edges));
     if (found_.lasso) {
       out.add("status", "solved")
+          .add("route", json_of(trajectory_of(ShownRoute(*found_.lasso), task_.map), task_.map))
+          .add("cost", found_.prefix.cost + found_.cycle.cost)
           .add("prefix", json_of(found_.prefix, task_.map))
           .add("cycle", json_of(found_.cycle, task_.map))
           .add("prefix_cost", found_.prefix.cost)

@@ -18,6 +18,7 @@ struct WalkOptions {
   std::size_t top = 1;
   bool json = false;
   double load = 0, translate = 0;  // seconds that reading the map took, and the translation of a DFA
+  JsonObject head = {};            // what comes first in the JSON
 };
 
 // The task on the map: the formula, or the automaton where there is none.

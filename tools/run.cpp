@@ -4,9 +4,10 @@
 
 #include "libautomata/hoa/finite.hpp"
 #include "libltl/text/print.hpp"
-#include "libparser/ground.hpp"
+#include "libparser/grounding/understand.hpp"
 #include "tools/answer.hpp"
 #include "tools/picture.hpp"
+#include "tools/plan_walk.hpp"
 #include "tools/shell/batch.hpp"
 #include "tools/shell/models.hpp"
 #include "tools/shell/options.hpp"
@@ -25,8 +26,9 @@ struct Options {
   TextOptions text;
   MapOptions map;
   ModelOptions model;
-  std::string start, svg, hoa;
+  std::string start, svg, hoa, semantics = "auto";
   std::size_t top = 0;  // 0: 1 as text, 5 in JSON
+  bool force = false;
   bool json = false, demo = false;
 };
 
@@ -44,15 +46,21 @@ class Running {
         session_(session),
         model_(read_model(options.model, options.map.data)),
         map_(read_map(options.map)),
+        executor_(map_),
         starts_(start_poses(options.start, map_)),
         load_(watch_.lap()) {}
 
   ExitCode operator()(const Text& text) const {
     ltl::Arena arena(map_.vocabulary());
     StopWatch watch;
-    const auto readings = read_instruction(model_, text, map_, starts_, arena);
+    const parser::Understanding understood = parser::understand(
+        model_, text.text, executor_, starts_, arena, {.least = options_.force ? 0.0 : parser::UnderstandOptions().least});
+    const std::vector<parser::Reading>& readings = understood.readings;
+    if (readings.empty()) return not_understood(text, understood);
     const double grounding = watch.lap();
     const ltl::Formula formula = readings.front().formula;
+    if (options_.semantics == "infinite" || (options_.semantics == "auto" && understood.ongoing))
+      return run_for_ever(text, readings);
     const automata::Dfa dfa = translate(formula, session_.stop);
     const double translating = watch.lap();
     Answer answer{.instruction = text.text,
@@ -68,6 +76,40 @@ class Running {
   }
 
  private:
+  ExitCode not_understood(const Text& text, const parser::Understanding& understood) const {
+    std::string message = "not understood: '" + text.text + "'";
+    if (!understood.words_not_understood.empty()) {
+      message += "; these words are not known here: ";
+      for (const std::string& word : understood.words_not_understood) message += (message.back() == ' ' ? "" : ", ") + word;
+    }
+    if (options_.json) {
+      JsonArray words;
+      for (const std::string& word : understood.words_not_understood) words.add(word);
+      std::cout << JsonObject()
+                       .add("instruction", text.text)
+                       .add("map", map_.name())
+                       .add("status", "not understood")
+                       .add("understood", Json())
+                       .add("probability", understood.probability)
+                       .add("words", words)
+                       .text()
+                << '\n';
+    }
+    std::cerr << message << '\n';
+    return ExitCode::NotUnderstood;
+  }
+
+  // A task without end: its lasso.
+  ExitCode run_for_ever(const Text& text, const std::vector<parser::Reading>& readings) const {
+    JsonArray array;
+    for (const WeighedFormula& reading : weighed(readings, options_.top > 0 ? options_.top : 5))
+      array.add(JsonObject().add("formula", ltl::print(reading.formula)).add("probability", reading.probability));
+    WalkOptions walk{.svg = options_.svg, .json = options_.json, .load = load_};
+    walk.head.add("instruction", text.text).add("readings", array);
+    return plan_lasso({map_, starts_, readings.front().formula}, walk, session_);
+  }
+
+
   void show(const Answer& answer, const automata::Dfa& dfa) const {
     if (options_.json)
       std::cout << json_of(answer, map_).text() << '\n';
@@ -89,6 +131,7 @@ class Running {
   StopWatch watch_;
   parser::Grounder model_;
   plan::Map map_;
+  parser::Executor executor_;
   std::vector<plan::PoseId> starts_;
   double load_;
 };
@@ -122,6 +165,10 @@ Runner setup_run(Command command) {
   add_start_option(command, options->start);
   command.add_option("--top", options->top, "show the K likeliest readings with their probabilities")
       .type_name("K");
+  command.add_option("--semantics", options->semantics, "finite or infinite words; auto: as the words say")
+      .type_name("KIND")
+      .one_of({"auto", "finite", "infinite"});
+  command.add_flag("--force", options->force, "answer what was hardly understood, too");
   command.add_flag("--json", options->json, "one JSON object a line");
   command.add_option("--svg", options->svg, "draw map, route and automaton").type_name("FILE");
   command.add_option("--hoa", options->hoa, "write the automaton").type_name("FILE");

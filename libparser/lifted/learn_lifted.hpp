@@ -17,9 +17,9 @@ struct LiftedExample {
 struct LiftedTraining {
   LiftedSizes sizes = {};
   std::uint64_t seed = 1;
-  int epochs = 8;
+  int epochs = 5;
   std::size_t batch = 32;
-  double rate = 3e-3, dropout = 0.3, word_dropout = 0.06, clip = 5;
+  double rate = 3e-3, dropout = 0.2, word_dropout = 0.05, clip = 5;
   std::size_t threads = 2;
 };
 

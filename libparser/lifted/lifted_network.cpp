@@ -85,7 +85,7 @@ void LiftedNetwork::Pass::place(std::span<const Sentence* const> sentences, cons
       vectors_[at] = sentences[s]->vectors[t];
       // A word that has a vector may be read by its vector alone, as unknown words are.
       const bool has_vector = vectors_[at] < network_->vectors_->size();
-      if (draws && (has_vector || t == 0) && dropout.uniform() < dropout.words * (has_vector ? 3 : 1))
+      if (draws && (has_vector || t == 0) && dropout.uniform() < dropout.words)
         words_[at] = WordTable::unknown;
     }
     h_begin_.push_back(static_cast<Index>(column_.size()));

@@ -119,6 +119,20 @@ Lifted parse_lifted(std::string_view text) {
   return lifted;
 }
 
+Lifted mirrored(Lifted lifted) {
+  for (LiftedSymbol& s : lifted)
+    switch (s) {
+      case Left: s = Right; break;
+      case Right: s = Left; break;
+      case TurnedLeft: s = TurnedRight; break;
+      case TurnedRight: s = TurnedLeft; break;
+      case TurnLeft: s = TurnRight; break;
+      case TurnRight: s = TurnLeft; break;
+      default: break;
+    }
+  return lifted;
+}
+
 bool LiftedPrefix::allows(LiftedSymbol s, const LiftedScope& scope) const {
   if (ended()) return false;
   if (is_spatial(s) && !scope.spatial) return false;

@@ -70,6 +70,9 @@ Lifted parse_lifted(std::string_view text);
 // Throws std::invalid_argument when it is no complete lifted formula.
 Lifted canonical(std::span<const LiftedSymbol> lifted);
 
+// Left and right exchanged.
+Lifted mirrored(Lifted lifted);
+
 // What may be said: how many slots and constants there are, and whether the domain is one where one turns and sees.
 struct LiftedScope {
   std::size_t slots = 0, constants = 0;

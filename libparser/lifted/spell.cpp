@@ -60,6 +60,7 @@ class Speller {
 
   std::optional<Lifted> macro(Formula f) const {
     const std::vector<LiftedSymbol> all = places(f);
+    if (all.empty()) return std::nullopt;
     if (all.size() == 1) return over_one(f, all.front());
     if (all.size() <= most_places) return over_many(f, all);
     return std::nullopt;

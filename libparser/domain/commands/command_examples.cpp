@@ -18,7 +18,11 @@ class Speaking {
     std::vector<LiftedExample> out;
     const auto silent = static_cast<std::size_t>(options_.nothing * static_cast<double>(options_.texts));
     for (std::size_t i = 0; i < options_.texts; ++i) {
-      const auto said = grammar_.say("COMMAND", random_);
+      auto said = grammar_.say("COMMAND", random_);
+      if (random_.chance(0.5)) {  // left and right exchanged in both
+        said.tokens = mirror(std::move(said.tokens));
+        said.lifted = mirrored(said.lifted);
+      }
       out.push_back(example(said.tokens, said.slots, said.lifted));
     }
     for (std::size_t i = 0; i < silent; ++i) out.push_back(nothing(i));

@@ -15,9 +15,9 @@
 namespace waymark::parser {
 
 struct OwnCommands {
-  std::size_t texts = 40000;
+  std::size_t texts = 60000;
   std::uint64_t seed = 1;
-  double weight = 0.02;      // of one text, compared with one of people's
+  double weight = 0.04;      // of one text, compared with one of people's
   double nothing = 0.16;     // share of texts that say nothing, on top
 };
 // Texts of the grammar; those that say nothing name a thing that is not there, or are chatter or random words.

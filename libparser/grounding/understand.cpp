@@ -1,0 +1,112 @@
+#include "libparser/grounding/understand.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "libparser/corpus/token.hpp"
+#include "libparser/domain/hallways/hallway_things.hpp"
+
+namespace waymark::parser {
+namespace {
+
+using enum LiftedSymbol;
+
+constexpr std::size_t beam = 12;
+
+// Does a formula speak of what happens again and again, or from some moment on for ever?
+bool is_ongoing(const Lifted& lifted) {
+  for (std::size_t i = 0; i < lifted.size(); ++i)
+    switch (lifted[i]) {
+      case Patrol:
+      case Alternate:
+      case React:
+      case Follow: return true;
+      case Eventually:
+        if (i + 1 < lifted.size() && lifted[i + 1] == Always) return true;
+        break;
+      case Always:
+        if (i == 0) return true;
+        break;
+      default: break;
+    }
+  return false;
+}
+
+// Words that say what no text of the training said: neither slots, nor known, nor marks.
+std::vector<std::string> unknown_words(const LiftedReader& reader, const LiftedText& text) {
+  std::vector<std::string> out;
+  for (const std::string& token : text.tokens)
+    if (token[0] != '#' && !reader.knows(token) && token.find_first_not_of(".,;:!?'\"()-") != std::string::npos)
+      out.push_back(token);
+  return out;
+}
+
+struct Found {
+  Reading reading;
+  bool ongoing = false;
+};
+
+void add(std::vector<Found>& all, Found found) {
+  const auto same = std::find_if(all.begin(), all.end(),
+                                 [&](const Found& f) { return f.reading.formula == found.reading.formula; });
+  if (same == all.end())
+    all.push_back(std::move(found));
+  else
+    same->reading.probability += found.reading.probability;
+}
+
+}  // namespace
+
+Understanding understand(const Grounder& grounder, const std::string& text, const Executor& executor,
+                         std::span<const plan::PoseId> starts, ltl::Arena& arena, const UnderstandOptions& options) {
+  Understanding out;
+  if (!grounder.commands) {
+    out.readings = ground(grounder, text, executor, starts, arena, options.ground);
+    return out;
+  }
+  const LiftedReader& reader = *grounder.commands;
+  const HallwayThings things(executor.map().vocabulary());
+  const LiftedMentions lifted = things.lift(tokenize(text), &reader.vectors());
+  const Bindings bindings = things.bindings(arena, lifted.things, place_number(executor.map(), starts));
+  double route = 0, nothing = 0;
+  std::vector<Found> found;
+  for (const LiftedReading& r : reader.read(lifted.text, beam)) {
+    const double p = std::exp(r.log_probability);
+    if (r.lifted.front() == Route) {
+      route += p;
+    } else if (r.lifted.front() == Nothing) {
+      nothing += p;
+    } else if (const auto formula = formula_of(r.lifted, bindings)) {
+      add(found, {{*formula, p, {}}, is_ongoing(r.lifted)});
+    }
+  }
+  double commands = 0;
+  for (const Found& f : found) commands += f.reading.probability;
+  out.words_not_understood = unknown_words(reader, lifted.text);
+  const double understood = route + commands;
+  out.probability = understood + nothing > 0 ? understood / (understood + nothing) : 0;
+  if (out.probability < options.least) return out;
+  std::stable_sort(found.begin(), found.end(), [](const Found& a, const Found& b) {
+    return a.reading.probability > b.reading.probability;
+  });
+  std::vector<Found> programs;
+  if (route > 0.05 * understood || found.empty())
+    for (Reading& r : ground(grounder, text, executor, starts, arena, options.ground)) {
+      r.probability *= route;
+      programs.push_back({std::move(r), false});
+    }
+  // The kind that is likelier comes first, with its own best reading: that of programs is chosen by where routes end.
+  std::vector<Found>& first = route > commands && !programs.empty() ? programs : found;
+  std::vector<Found>& second = &first == &found ? programs : found;
+  for (Found& f : second) add(first, std::move(f));
+  double total = 0;
+  for (const Found& f : first) total += f.reading.probability;
+  for (Found& f : first) {
+    if (total > 0) f.reading.probability /= total;
+    out.readings.push_back(std::move(f.reading));
+  }
+  if (!first.empty()) out.ongoing = first.front().ongoing;
+  return out;
+}
+
+}  // namespace waymark::parser

@@ -1,0 +1,29 @@
+// What a text means on a map: a route instruction read as a program, a command read as a formula, or neither.
+//
+// The reader of commands (lifted/) says how likely the text is a route instruction, a command, or nothing that was
+// understood. Readings of both kinds share the probability; formulas that two readings have in common add up.
+#pragma once
+#include <string>
+#include <vector>
+
+#include "libparser/ground.hpp"
+
+namespace waymark::parser {
+
+struct Understanding {
+  std::vector<Reading> readings;  // best first; empty: not understood
+  double probability = 1;         // that the text was understood at all
+  bool ongoing = false;           // the first reading speaks of what goes on for ever: read over infinite words
+  std::vector<std::string> words_not_understood;
+};
+
+struct UnderstandOptions {
+  GroundOptions ground = {};
+  double least = 0.5;  // probability of having understood below which there is no reading
+};
+
+Understanding understand(const Grounder& grounder, const std::string& text, const Executor& executor,
+                         std::span<const plan::PoseId> starts, ltl::Arena& arena,
+                         const UnderstandOptions& options = {});
+
+}  // namespace waymark::parser
