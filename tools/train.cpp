@@ -19,7 +19,7 @@
 namespace waymark::tools {
 namespace {
 
-struct Options {
+struct TrainCommandOptions {
   std::string corpus, supervised, out = "model.waymark", data, convention = "absolute";
   TrainingOptions training;
   bool json = false;
@@ -34,7 +34,7 @@ struct Lessons {
   std::size_t sentences = 0;
 };
 
-Lessons lessons_of(const Options& options, parser::Dialect dialect) {
+Lessons lessons_of(const TrainCommandOptions& options, parser::Dialect dialect) {
   Lessons instances;
   if (!options.supervised.empty()) {
     const std::string text = read_file(options.supervised);
@@ -63,7 +63,7 @@ Lessons lessons_of(const Options& options, parser::Dialect dialect) {
   return instances;
 }
 
-void report(const Options& options, const parser::TrainOptions& train, const Lessons& instances,
+void report(const TrainCommandOptions& options, const parser::TrainOptions& train, const Lessons& instances,
             std::size_t bytes, double seconds) {
   const bool supervised = !options.supervised.empty();
   if (options.json)
@@ -88,7 +88,7 @@ void report(const Options& options, const parser::TrainOptions& train, const Les
               << "), " << bytes << " bytes, " << fixed(seconds, 1) << " s: " << options.out << '\n';
 }
 
-ExitCode run_train(const Options& options, const Session& session) {
+ExitCode run_train(const TrainCommandOptions& options, const Session& session) {
   StopWatch watch;
   if (!options.corpus.empty() && !options.supervised.empty())
     throw UsageError("--corpus and --supervised: learning from trajectories, or from formulas?");
@@ -116,7 +116,7 @@ ExitCode run_train(const Options& options, const Session& session) {
 }  // namespace
 
 Runner setup_train(Command command) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<TrainCommandOptions>();
   add_corpus_option(command, options->corpus, false);
   command
       .add_option("--supervised", options->supervised,
