@@ -47,21 +47,19 @@ endfunction()
 # what they use; the preset `tidy` and `./dev alone` build without either.
 option(WAYMARK_UNITY "Compile the sources of a room together, a few at a time" ON)
 
-# Precompiles the standard headers that nearly every file includes. With HEADERS, heavy ones of this target, once more
-# for it alone; otherwise once for all targets of a kind (libraries, tools, tests), whose compiler options are the same.
+# Precompiles the standard headers that nearly every file includes, and those in ARGN, once for all targets of a kind
+# (libraries, tools, tests), whose compiler options are the same. The first target of a kind provides them.
 set(WAYMARK_STANDARD_HEADERS <algorithm> <array> <bit> <charconv> <cmath> <compare> <cstddef> <cstdint> <deque> <functional>
   <iterator> <limits> <map> <memory> <numeric> <optional> <queue> <set> <span> <sstream> <stdexcept> <stop_token> <string>
   <string_view> <tuple> <unordered_map> <unordered_set> <utility> <variant> <vector>)
 function(waymark_precompile kind target)
   get_property(provider GLOBAL PROPERTY WAYMARK_PRECOMPILED_${kind})
-  if(provider AND NOT ARGN)
+  if(provider)
     target_precompile_headers(${target} REUSE_FROM ${provider})
     return()
   endif()
   target_precompile_headers(${target} PRIVATE ${WAYMARK_STANDARD_HEADERS} ${ARGN})
-  if(NOT provider)
-    set_property(GLOBAL PROPERTY WAYMARK_PRECOMPILED_${kind} ${target})
-  endif()
+  set_property(GLOBAL PROPERTY WAYMARK_PRECOMPILED_${kind} ${target})
 endfunction()
 
 # Compiles the sources of each room of a target together, six at a time. Names in unnamed namespaces are therefore
@@ -73,7 +71,7 @@ function(waymark_compile_rooms target)
   get_target_property(sources ${target} SOURCES)
   foreach(source IN LISTS sources)
     get_filename_component(room ${source} DIRECTORY)
-    if(NOT source MATCHES "\\.cpp$" OR source IN_LIST ARGN OR room IN_LIST ARGN)
+    if(NOT source MATCHES "\\.cpp$" OR source IN_LIST ARGN OR (room AND room IN_LIST ARGN))
       continue()
     endif()
     string(MAKE_C_IDENTIFIER "room_${room}" room)
@@ -96,12 +94,12 @@ function(waymark_expand list)
 endfunction()
 
 # waymark_library(<area> SOURCES <file>... DEPENDS <target>... PRIVATE_DEPENDS <target>...
-#   PRECOMPILE <header>... APART <file>...)
+#   APART <file>...)
 # One static library lib<area>, known to others as waymark::<area>, included as "lib<area>/name.hpp".
 # SOURCES stand in dependency order: a file may include only files of the same library that stand before it. `room/*.cpp`
 # names all sources of a room, which do not include each other in a circle.
 function(waymark_library area)
-  cmake_parse_arguments(ARG "" "" "SOURCES;DEPENDS;PRIVATE_DEPENDS;PRECOMPILE;APART" ${ARGN})
+  cmake_parse_arguments(ARG "" "" "SOURCES;DEPENDS;PRIVATE_DEPENDS;APART" ${ARGN})
   set(target waymark_${area})
   waymark_expand(ARG_SOURCES)
   add_library(${target} STATIC ${ARG_SOURCES})
@@ -110,7 +108,7 @@ function(waymark_library area)
   set_property(GLOBAL APPEND PROPERTY WAYMARK_LIBRARIES ${target})  # what cmake --install exports,
   set_property(GLOBAL APPEND PROPERTY WAYMARK_FOLDERS ${CMAKE_CURRENT_SOURCE_DIR})  # and where the headers are
   target_compile_features(${target} PUBLIC cxx_std_20)
-  waymark_precompile(libraries ${target} ${ARG_PRECOMPILE})
+  waymark_precompile(libraries ${target})
   waymark_compile_rooms(${target} ${ARG_APART})
   target_include_directories(${target} PUBLIC
     $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/waymark>)

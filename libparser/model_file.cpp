@@ -1,6 +1,7 @@
 #include "libparser/model_file.hpp"
 
 #include <memory>
+#include <stdexcept>
 #include <type_traits>
 #include <utility>
 #include <variant>
@@ -23,8 +24,18 @@ WordModel read_word_model(std::type_identity<OneOf<Models...>>, WeightsReader& i
   return model;
 }
 
+// A proposition of no known form is an error of the file.
+std::shared_ptr<RankingModel> read_language(WeightsReader& in) {
+  const ltl::Vocabulary vocabulary = in.vocabulary();
+  try {
+    return std::make_shared<RankingModel>(vocabulary, in.header().dialect);
+  } catch (const std::invalid_argument& error) {
+    in.fail(error.what());
+  }
+}
+
 Grounder read_grounder(WeightsReader& in, const std::shared_ptr<const MappedFile>& file) {
-  auto ranking = std::make_shared<RankingModel>(in.vocabulary(), in.header().dialect);
+  auto ranking = read_language(in);
   ranking->words = in.words();
   WordModel word_model = read_word_model(std::type_identity<WordModel>(), in, *ranking);
   ranking->reranker = in.table(1);

@@ -8,7 +8,7 @@
 namespace waymark::tools {
 namespace {
 
-JsonObject json_of(const Seconds& seconds, bool grounded) {
+JsonObject seconds_json(const Seconds& seconds, bool grounded) {
   JsonObject json;
   json.add("load", seconds.load);
   if (grounded) json.add("ground", seconds.ground);
@@ -24,7 +24,7 @@ std::string place(const plan::Pose& pose) {
 }
 
 // "FORWARD to (1,8) over brick, at the lamp"
-std::string in_words(plan::Action action, plan::PoseId from, plan::PoseId to, const plan::Map& map) {
+std::string step_in_words(plan::Action action, plan::PoseId from, plan::PoseId to, const plan::Map& map) {
   const plan::Pose pose = map.pose(to);
   std::string words(plan::name(action));
   if (action != plan::Action::Forward) return words + " to face " + heading_name(pose.heading);
@@ -58,7 +58,7 @@ void print_steps(std::ostream& out, const plan::Trajectory& trajectory, const pl
                  std::size_t first) {
   for (std::size_t i = 0; i < trajectory.actions.size(); ++i)
     out << std::setw(5) << first + i << "  "
-        << in_words(trajectory.actions[i], trajectory.poses[i], trajectory.poses[i + 1], map) << '\n';
+        << step_in_words(trajectory.actions[i], trajectory.poses[i], trajectory.poses[i + 1], map) << '\n';
 }
 
 std::string heading_name(int heading) {
@@ -108,7 +108,7 @@ JsonObject json_of(const Answer& answer, const plan::Map& map) {
     json.add("status", "infeasible")
         .add("reason", std::get<plan::Infeasible>(corridor_run.destination).reason);
   }
-  return json.add("seconds", json_of(corridor_run.seconds, answer.instruction.has_value()));
+  return json.add("seconds", seconds_json(corridor_run.seconds, answer.instruction.has_value()));
 }
 
 void print(std::ostream& out, const Terminal& terminal, const Answer& answer, const plan::Map& map) {

@@ -16,7 +16,7 @@
 namespace waymark::tools {
 namespace {
 
-struct Options {
+struct AutomatonOptions {
   std::string file = "-";
   AutomatonRequest request;
   OutputOptions output;
@@ -24,7 +24,7 @@ struct Options {
 };
 
 Reply reply_to(automata::HoaAutomaton file, const std::string& source, std::size_t number,
-               const Options& options, automata::Budget& budget, const std::stop_token& stop) {
+               const AutomatonOptions& options, automata::Budget& budget, const std::stop_token& stop) {
   Shown about{.line = number, .name = file.name, .unicode_name = file.name};
   AnyAutomaton any = understood(std::move(file), source, budget);
   about.semantics = std::holds_alternative<automata::Dfa>(any) ? "finite" : "infinite";
@@ -41,7 +41,7 @@ Reply reply_to(automata::HoaAutomaton file, const std::string& source, std::size
 
 // A limit ends one automaton of the stream; a wrong one ends all.
 Reply limited_reply(automata::HoaAutomaton file, const std::string& source, std::size_t number,
-                    const Options& options, const Session& session) {
+                    const AutomatonOptions& options, const Session& session) {
   const Deadline deadline(options.seconds, session.stop);
   automata::Budget budget(SIZE_MAX, options.request.states, deadline.token());
   try {
@@ -55,7 +55,7 @@ Reply limited_reply(automata::HoaAutomaton file, const std::string& source, std:
   }
 }
 
-ExitCode run_automaton(const Options& options, const Session& session) {
+ExitCode run_automaton(const AutomatonOptions& options, const Session& session) {
   const std::string text = read_file(options.file), source = source_name(options.file);
   automata::HoaReader reader(text, source);
   ExitCode worst = ExitCode::Done;
@@ -78,7 +78,7 @@ ExitCode run_automaton(const Options& options, const Session& session) {
 }  // namespace
 
 Runner setup_automaton(Command command) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<AutomatonOptions>();
   AutomatonRequest& request = options->request;
   command.add_option("file", options->file, "HOA, a stream of automata (-: standard input)")
       .type_name("FILE");

@@ -23,11 +23,11 @@ struct Size {
   bool deterministic = false;
 };
 
-Size size_of(const automata::Dfa& dfa, std::size_t most_edges) {
+Size measure(const automata::Dfa& dfa, std::size_t most_edges) {
   return {dfa.states(), automata::count_nodes(dfa), 1, automata::count_edges(dfa, most_edges), true};
 }
 
-Size size_of(const automata::Automaton& automaton, std::size_t most_edges) {
+Size measure(const automata::Automaton& automaton, std::size_t most_edges) {
   return {automaton.states(), automata::count_nodes(automaton), automaton.acceptance().sets,
           automata::count_edges(automaton.transitions(), most_edges),
           automata::is_deterministic(automaton.transitions())};
@@ -62,7 +62,8 @@ JsonArray reads_of(const Any& automaton) {
 
 // All of JSON but the automaton itself.
 template <class Any>
-JsonObject json_of(const Any& automaton, const Size& size, const Shown& about, std::string_view status) {
+JsonObject automaton_json(const Any& automaton, const Size& size, const Shown& about,
+                          std::string_view status) {
   JsonObject out;
   out.add("formula", about.name)
       .add("semantics", about.semantics)
@@ -83,7 +84,7 @@ Reply too_large(const Any& automaton, const Size& size, const Shown& about, cons
                               counted(size.symbolic_nodes, "node") + ")";
   Reply reply{ExitCode::GaveUp, {}, problem};
   if (options.format == "json")
-    reply.text = json_of(automaton, size, about, "limit").text() + '\n';
+    reply.text = automaton_json(automaton, size, about, "limit").text() + '\n';
   else
     reply.text = show_none(about.line, about.seconds, "limit", problem, options);
   return reply;
@@ -93,7 +94,7 @@ template <class Any>
 Reply show_or_refuse(const Any& automaton, const std::optional<std::string>& text, const Shown& about,
                      const OutputOptions& options) {
   if (text) return {ExitCode::Done, *text};
-  return too_large(automaton, size_of(automaton, options.edges), about, options);
+  return too_large(automaton, measure(automaton, options.edges), about, options);
 }
 
 // A heading, then one edge a line; marks: "stop" where the word may stop behind the edge.
@@ -137,7 +138,7 @@ Reply show_omega(const automata::Automaton& automaton, const std::optional<Guess
   const std::string& format = options.format;
   const std::size_t most = options.edges;
   if (format == "stats")
-    return {ExitCode::Done, row(about.line, size_of(automaton, most), about.seconds, about.status)};
+    return {ExitCode::Done, row(about.line, measure(automaton, most), about.seconds, about.status)};
   if (format == "dot")
     return show_or_refuse(automaton, automata::write_dot_within(automaton, most, {about.unicode_name}), about,
                           options);
@@ -155,7 +156,7 @@ Reply show_omega(const automata::Automaton& automaton, const std::optional<Guess
   }
   const std::optional<std::string> hoa = automata::write_hoa_within(automaton, most, layout);
   if (format == "hoa" || !hoa) return show_or_refuse(automaton, hoa, about, options);
-  JsonObject out = json_of(automaton, size_of(automaton, most), about, about.status);
+  JsonObject out = automaton_json(automaton, measure(automaton, most), about, about.status);
   if (guesses) out.add("accepting_part", guesses->accepting_part).add("jumps", guesses->jumps);
   return {ExitCode::Done, out.add("hoa", *hoa).text() + '\n'};
 }
@@ -208,12 +209,12 @@ std::string show_none(std::size_t line, double seconds, std::string_view status,
 
 Reply show(const automata::Dfa& dfa, const Shown& about, const OutputOptions& options) {
   if (options.format == "stats")
-    return {ExitCode::Done, row(about.line, size_of(dfa, options.edges), about.seconds, about.status)};
+    return {ExitCode::Done, row(about.line, measure(dfa, options.edges), about.seconds, about.status)};
   if (options.format == "never" || options.format == "lbtt" || options.format == "ba")
     throw UsageError("--format " + options.format + " is one for infinite words");
   if (options.format == "tsv") return show_or_refuse(dfa, dfa_table(dfa, options.edges), about, options);
   if (options.format == "dot") {
-    const Size size = size_of(dfa, options.edges);
+    const Size size = measure(dfa, options.edges);
     if (!size.edges) return too_large(dfa, size, about, options);
     return {ExitCode::Done, automata::write_dot(dfa, {.name = about.unicode_name})};
   }
@@ -222,10 +223,11 @@ Reply show(const automata::Dfa& dfa, const Shown& about, const OutputOptions& op
       {.name = about.name,
        .marks_on_edges = options.acceptance == "edge",
        .layout = {.aliases = options.aliases, .one_line = options.one_line && options.format == "hoa"}});
-  if (!hoa) return too_large(dfa, size_of(dfa, options.edges), about, options);
+  if (!hoa) return too_large(dfa, measure(dfa, options.edges), about, options);
   if (options.format == "hoa") return {ExitCode::Done, *hoa};
-  return {ExitCode::Done,
-          json_of(dfa, size_of(dfa, options.edges), about, about.status).add("hoa", *hoa).text() + '\n'};
+  return {
+      ExitCode::Done,
+      automaton_json(dfa, measure(dfa, options.edges), about, about.status).add("hoa", *hoa).text() + '\n'};
 }
 
 Reply show(const automata::Automaton& automaton, const Shown& about, const OutputOptions& options) {

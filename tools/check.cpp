@@ -12,7 +12,7 @@
 namespace waymark::tools {
 namespace {
 
-struct Options {
+struct CheckOptions {
   TextOptions text;
   NotationOptions notation;
   MapOptions map;
@@ -31,7 +31,7 @@ std::vector<ltl::Formula> progressed(ltl::Formula formula, const ltl::Trace& wor
 }
 
 void print_json(ltl::Formula formula, const std::vector<ltl::Formula>& rest, const ltl::Trace& word,
-                bool satisfied, const Options& options, const plan::Map& map) {
+                bool satisfied, const CheckOptions& options, const plan::Map& map) {
   JsonObject json;
   json.add("formula", ltl::print(formula))
       .add("map", map.name())
@@ -45,8 +45,8 @@ void print_json(ltl::Formula formula, const std::vector<ltl::Formula>& rest, con
   std::cout << json.text() << '\n';
 }
 
-ExitCode check_one(const Text& text, const ltl::Trace& word, const plan::Map& map, const Options& options,
-                   const Session& session) {
+ExitCode check_one(const Text& text, const ltl::Trace& word, const plan::Map& map,
+                   const CheckOptions& options, const Session& session) {
   ltl::Arena arena(map.vocabulary());
   const ltl::Formula formula =
       parse_formula(text, arena, parse_options(options.notation, ltl::Unknown::Reject));
@@ -67,7 +67,7 @@ ExitCode check_one(const Text& text, const ltl::Trace& word, const plan::Map& ma
   return satisfied ? ExitCode::Done : ExitCode::No;
 }
 
-ExitCode run_check(const Options& options, const Session& session) {
+ExitCode run_check(const CheckOptions& options, const Session& session) {
   const bool formula_from_stdin = options.text.arguments.empty()
                                       ? options.text.file.empty() || options.text.file == "-"
                                       : options.text.arguments[0] == "-";
@@ -88,7 +88,7 @@ ExitCode run_check(const Options& options, const Session& session) {
 }  // namespace
 
 Runner setup_check(Command command) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<CheckOptions>();
   add_text_options(command, options->text, "formula");
   add_notation_options(command, options->notation);
   add_map_options(command, options->map);

@@ -19,7 +19,7 @@
 namespace waymark::tools {
 namespace {
 
-struct Options {
+struct CompareOptions {
   TextOptions text;
   NotationOptions notation;
   MapOptions map;
@@ -47,7 +47,7 @@ std::optional<Given> read_given(const std::string& file) {
 // Formulas on a hallway map.
 class OnMap {
  public:
-  OnMap(const Options& options, const Session& session, Comparison& comparison)
+  OnMap(const CompareOptions& options, const Session& session, Comparison& comparison)
       : options_(options),
         session_(session),
         comparison_(comparison),
@@ -91,7 +91,7 @@ class OnMap {
     return searched;
   }
 
-  const Options& options_;
+  const CompareOptions& options_;
   const Session& session_;
   Comparison& comparison_;
   plan::MapNoise noise_;
@@ -151,7 +151,7 @@ class OnModel {
 };
 
 // A task that is wrong, or no task for learners, is reported, and the others are compared; one that was asked for by name is an error.
-ExitCode compare_case(const Options& options, const Session& session, Comparison& comparison) {
+ExitCode compare_case(const CompareOptions& options, const Session& session, Comparison& comparison) {
   const plan::PlanningCase planning_case = plan::read_case(options.planning_case);
   const std::optional<Given> given = read_given(options.automaton);
   const bool is_single = !options.task.empty();
@@ -183,7 +183,7 @@ ExitCode compare_case(const Options& options, const Session& session, Comparison
   return worst;
 }
 
-void check(const Options& options) {
+void check(const CompareOptions& options) {
   const double discount = options.choice.protocol.discount;
   if (!(discount > 0 && discount < 1)) throw UsageError("--discount lies between 0 and 1");
   const bool formulas = !options.text.arguments.empty() || !options.text.file.empty();
@@ -199,7 +199,7 @@ void check(const Options& options) {
     throw UsageError("--svg is for a single task: name it by --task");
 }
 
-ExitCode run_compare(const Options& options, const Session& session) {
+ExitCode run_compare(const CompareOptions& options, const Session& session) {
   check(options);
   Comparison comparison(options.choice, session);
   if (!options.planning_case.empty()) return compare_case(options, session, comparison);
@@ -229,7 +229,7 @@ std::string method_names() {
 }  // namespace
 
 Runner setup_compare(Command command) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<CompareOptions>();
   Protocol& protocol = options->choice.protocol;
   add_text_options(command, options->text, "formula");
   command

@@ -10,22 +10,22 @@
 namespace waymark::tools {
 namespace {
 
-Json json_of(const plan::Estimate& estimate) {
+Json estimate_json(const plan::Estimate& estimate) {
   return JsonObject().add("estimate", estimate.value).add("low", estimate.low).add("high", estimate.high);
 }
 
-JsonObject json_of(const MethodRuns& method) {
+JsonObject method_json(const MethodRuns& method) {
   const plan::Summary& s = method.summary;
   JsonObject json;
   json.add("method", method.name)
       .add("runs", s.runs)
-      .add("success", json_of(s.success))
-      .add("score", json_of(s.score))
-      .add("cost_ratio", json_of(s.cost_ratio))
-      .add("steps_to_90", json_of(s.to_90))
-      .add("steps_to_optimum", json_of(s.to_optimum))
-      .add("steps_to_stay", json_of(s.to_stay))
-      .add("optimal", json_of(s.optimal))
+      .add("success", estimate_json(s.success))
+      .add("score", estimate_json(s.score))
+      .add("cost_ratio", estimate_json(s.cost_ratio))
+      .add("steps_to_90", estimate_json(s.to_90))
+      .add("steps_to_optimum", estimate_json(s.to_optimum))
+      .add("steps_to_stay", estimate_json(s.to_stay))
+      .add("optimal", estimate_json(s.optimal))
       .add("updates", s.updates)
       .add("seconds", s.seconds);
   if (method.curve.empty()) return json;
@@ -93,7 +93,7 @@ JsonObject json_of(const ComparedTask& task, const Protocol& protocol) {
   for (const plan::Pose& pose : task.starts)
     starts.add(JsonArray().add(pose.x).add(pose.y).add(pose.heading));
   if (!task.start.empty()) starts.add(task.start);
-  for (const MethodRuns& method : task.methods) methods.add(json_of(method));
+  for (const MethodRuns& method : task.methods) methods.add(method_json(method));
   JsonObject json;
   json.add("formula", task.formula ? Json(ltl::print(*task.formula)) : Json());
   if (!task.automaton.empty()) json.add("automaton", task.automaton);
@@ -143,7 +143,7 @@ void print(std::ostream& out, const Terminal& terminal, const ComparedTask& task
 JsonObject json_of_suite(const std::vector<MethodRuns>& methods, std::size_t tasks,
                          const Protocol& protocol) {
   JsonArray all;
-  for (const MethodRuns& method : methods) all.add(json_of(method));
+  for (const MethodRuns& method : methods) all.add(method_json(method));
   JsonObject json;
   json.add("suite", true).add("tasks", tasks);
   return add(json, protocol).add("methods", all);

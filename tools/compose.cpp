@@ -18,7 +18,7 @@
 namespace waymark::tools {
 namespace {
 
-struct Options {
+struct ComposeOptions {
   TextOptions text;
   NotationOptions notation;
   MapOptions map;
@@ -40,7 +40,7 @@ Counts count(const plan::MapProduct& product) {
   return counts;
 }
 
-Json json_of(const plan::MapProduct& product, std::optional<ltl::Formula> formula) {
+Json product_json(const plan::MapProduct& product, std::optional<ltl::Formula> formula) {
   const Counts counts = count(product);
   return JsonObject()
       .add("formula", formula ? Json(ltl::print(*formula)) : Json())
@@ -82,10 +82,10 @@ void print_dot(const plan::MapProduct& product) {
   std::cout << "}\n";
 }
 
-void answer(const plan::MapProduct& product, std::optional<ltl::Formula> formula, const Options& options,
-            const Session& session) {
+void answer(const plan::MapProduct& product, std::optional<ltl::Formula> formula,
+            const ComposeOptions& options, const Session& session) {
   if (options.output.format == "json")
-    std::cout << json_of(product, formula).text() << '\n';
+    std::cout << product_json(product, formula).text() << '\n';
   else if (options.output.format == "dot")
     print_dot(product);
   else
@@ -101,12 +101,12 @@ plan::MapProduct composed(const plan::Map& map, const automata::Dfa& dfa,
 
 // ---- any model: what solvers work on
 
-bool gives_formula(const Options& options) {
+bool gives_formula(const ComposeOptions& options) {
   return !options.text.arguments.empty() || !options.text.file.empty();
 }
 
 // Of a map a model, of a file what it holds.
-plan::PlanningCase model_of(const Options& options) {
+plan::PlanningCase model_of(const ComposeOptions& options) {
   if (!options.file.empty()) return plan::read_model(options.file, options.start);
   const plan::Map map = read_map(options.map);
   const auto starts = start_poses(options.start, map);
@@ -118,7 +118,7 @@ ltl::Arena arena_of(const plan::PlanningCase& model) {
   return std::visit([](const auto& m) { return ltl::Arena(m.letters().vocabulary()); }, model.model);
 }
 
-void compose_task(const plan::PlanningCase& model, const plan::CaseTask& task, const Options& options,
+void compose_task(const plan::PlanningCase& model, const plan::CaseTask& task, const ComposeOptions& options,
                   const Session& session) {
   ltl::Arena arena = arena_of(model);
   ltl::Formula f = ltl::parse(task.formula, arena);
@@ -131,7 +131,8 @@ void compose_task(const plan::PlanningCase& model, const plan::CaseTask& task, c
 }
 
 // The tasks of the file that were asked for and have an automaton: a tour has none.
-ExitCode compose_tasks(const plan::PlanningCase& model, const Options& options, const Session& session) {
+ExitCode compose_tasks(const plan::PlanningCase& model, const ComposeOptions& options,
+                       const Session& session) {
   std::vector<const plan::CaseTask*> chosen;
   for (const plan::CaseTask& task : model.tasks)
     if ((options.task.empty() || options.task == task.id) && task.query != plan::CaseTask::Query::MinCycle)
@@ -146,7 +147,7 @@ ExitCode compose_tasks(const plan::PlanningCase& model, const Options& options, 
   return ExitCode::Done;
 }
 
-ExitCode compose_any(const Options& options, const Session& session) {
+ExitCode compose_any(const ComposeOptions& options, const Session& session) {
   const plan::PlanningCase model = model_of(options);
   if (options.model_only) {
     if (gives_formula(options) || !options.automaton.empty())
@@ -181,7 +182,7 @@ ExitCode compose_any(const Options& options, const Session& session) {
       });
 }
 
-ExitCode run_compose(const Options& options, const Session& session) {
+ExitCode run_compose(const ComposeOptions& options, const Session& session) {
   if (!options.automaton.empty() && gives_formula(options))
     throw UsageError("give a formula or --automaton, not both");
   if (!options.output.out.empty() && options.output.format != "prism" && options.output.format != "explicit")
@@ -217,7 +218,7 @@ ExitCode run_compose(const Options& options, const Session& session) {
 }  // namespace
 
 Runner setup_compose(Command command) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<ComposeOptions>();
   add_text_options(command, options->text, "formula");
   command
       .add_option("--automaton", options->automaton,

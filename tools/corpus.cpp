@@ -14,7 +14,7 @@ namespace {
 
 using parser::CorpusStatistics;
 
-struct Options {
+struct CorpusOptions {
   std::string directory;
   bool json = false;
 };
@@ -40,7 +40,7 @@ constexpr Row row(const char* name, const char* key, int digits) {
   return {name, key, value<Member>, digits, number<Member>};
 }
 
-constexpr Row rows[] = {
+constexpr Row corpus_rows[] = {
     row<&CorpusStatistics::sequences>("sequences", "sequences", 0),
     row<&CorpusStatistics::unsegmented>("  of them without sentences", "unsegmented", 0),
     row<&CorpusStatistics::sentences>("sentences", "sentences", 0),
@@ -51,9 +51,9 @@ constexpr Row rows[] = {
     row<&CorpusStatistics::longest_trajectory>("longest trajectory", "longest_trajectory", 0),
 };
 
-Json json_of(const CorpusStatistics& statistics) {
+Json corpus_json(const CorpusStatistics& statistics) {
   JsonObject out;
-  for (const Row& row : rows) out.add(row.key, row.value(statistics));
+  for (const Row& row : corpus_rows) out.add(row.key, row.value(statistics));
   return out;
 }
 
@@ -62,7 +62,7 @@ void print_table(const parser::StatisticsByMap& statistics) {
   std::cout << std::left << std::setw(name_width) << "" << std::right;
   for (const auto& [map, unused] : statistics.by_map) std::cout << std::setw(width) << map;
   std::cout << std::setw(width) << "all" << '\n';
-  for (const Row& row : rows) {
+  for (const Row& row : corpus_rows) {
     std::cout << std::left << std::setw(name_width) << row.name << std::right;
     for (const auto& [map, one] : statistics.by_map)
       std::cout << std::setw(width) << fixed(row.number(one), row.digits);
@@ -80,7 +80,7 @@ parser::StatisticsByMap statistics_of(const streets::StreetCorpus& corpus) {
   return out;
 }
 
-ExitCode run_corpus(const Options& options) {
+ExitCode run_corpus(const CorpusOptions& options) {
   const bool streets = streets::is_street_corpus(options.directory);
   const parser::StatisticsByMap statistics =
       streets ? statistics_of(streets::read_street_corpus(options.directory))
@@ -91,8 +91,8 @@ ExitCode run_corpus(const Options& options) {
   }
   JsonObject by_map, out;
   out.add("kind", streets ? "streets" : "hallways");
-  for (const Row& row : rows) out.add(row.key, row.value(statistics.all));
-  for (const auto& [map, one] : statistics.by_map) by_map.add(map, json_of(one));
+  for (const Row& row : corpus_rows) out.add(row.key, row.value(statistics.all));
+  for (const auto& [map, one] : statistics.by_map) by_map.add(map, corpus_json(one));
   std::cout << out.add("by_map", by_map).text() << '\n';
   return ExitCode::Done;
 }
@@ -100,7 +100,7 @@ ExitCode run_corpus(const Options& options) {
 }  // namespace
 
 Runner setup_corpus(Command command) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<CorpusOptions>();
   command.add_option("directory", options->directory, "holds instructions.jsonl and maps/")
       .type_name("DIR")
       .required();

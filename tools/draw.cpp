@@ -10,14 +10,14 @@
 namespace waymark::tools {
 namespace {
 
-struct Options {
+struct DrawOptions {
   MapOptions map;
   NotationOptions notation;
   std::string route, formula, start, svg;
 };
 
 // The plan of the formula on its map, as `waymark plan` would give it.
-ExitCode draw_plan(const Options& options, const plan::Map& map, const Session& session) {
+ExitCode draw_plan(const DrawOptions& options, const plan::Map& map, const Session& session) {
   ltl::Arena arena(map.vocabulary());
   const ltl::Formula formula = parse_formula({.text = options.formula, .source = ""}, arena,
                                              parse_options(options.notation, ltl::Unknown::Reject));
@@ -32,7 +32,7 @@ ExitCode draw_plan(const Options& options, const plan::Map& map, const Session& 
   return ExitCode::No;
 }
 
-ExitCode run_draw(const Options& options, const Session& session) {
+ExitCode run_draw(const DrawOptions& options, const Session& session) {
   if (!options.route.empty() && !options.formula.empty())
     throw UsageError("give --route or --formula, not both");
   const plan::Map map = read_map(options.map);
@@ -47,7 +47,7 @@ ExitCode run_draw(const Options& options, const Session& session) {
 }  // namespace
 
 Runner setup_draw(Command command) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<DrawOptions>();
   add_map_options(command, options->map);
   command
       .add_option("--route", options->route, "a route or trajectory file (docs/formats); - is standard input")

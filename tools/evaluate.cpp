@@ -19,7 +19,7 @@
 namespace waymark::tools {
 namespace {
 
-struct Options {
+struct EvaluateCommandOptions {
   std::string corpus, test_corpus, data, predictions, paragraph_predictions, convention = "both";
   TrainingOptions training;
   PairsExperiment pairs;  // instead of a corpus
@@ -29,8 +29,8 @@ struct Options {
   bool leave_one_map_out = false, train_all = false, json = false;
 };
 
-Json json_of(const parser::Evaluation& evaluation, const parser::Scores& staying,
-             const parser::FormulaScores& formulas) {
+Json evaluation_json(const parser::Evaluation& evaluation, const parser::Scores& staying,
+                     const parser::FormulaScores& formulas) {
   JsonObject folds, json;
   for (const auto& [map, scores] : evaluation.folds) {
     JsonObject fold;
@@ -104,12 +104,12 @@ void print_scores(const parser::Evaluation& evaluation, const parser::Corpus& te
   const parser::FormulaScores formulas =
       parser::formula_scores(evaluation.predictions, test, maps, evaluate.absolute);
   if (json)
-    std::cout << json_of(evaluation, staying, formulas).text() << '\n';
+    std::cout << evaluation_json(evaluation, staying, formulas).text() << '\n';
   else
     print_table(evaluation, staying, formulas);
 }
 
-void check_what_is_held_out(const Options& options) {
+void check_what_is_held_out(const EvaluateCommandOptions& options) {
   if (options.corpus.empty()) throw UsageError("evaluate asks for --corpus, or for --pairs");
   if (!options.leave_one_map_out && !options.train_all)
     throw UsageError("say what is held out: --leave-one-map-out, or --train-all with --test-corpus");
@@ -124,7 +124,7 @@ void check_what_is_held_out(const Options& options) {
   if (options.planner != "exact") throw UsageError("--planner is for readers of formulas, not for actions");
 }
 
-ExitCode run_on_streets(const Options& options, const Session& session) {
+ExitCode run_on_streets(const EvaluateCommandOptions& options, const Session& session) {
   StreetExperiment experiment{options.corpus,
                               options.test_corpus,
                               options.predictions,
@@ -136,7 +136,7 @@ ExitCode run_on_streets(const Options& options, const Session& session) {
   return evaluate_streets(experiment, session);
 }
 
-ExitCode run_evaluate(const Options& options, const Session& session) {
+ExitCode run_evaluate(const EvaluateCommandOptions& options, const Session& session) {
   if (!options.pairs.pairs.empty())
     return evaluate_pairs({options.pairs.pairs, options.pairs.model, options.data, options.json,
                            options.training.train.clauses},
@@ -176,7 +176,7 @@ ExitCode run_evaluate(const Options& options, const Session& session) {
 }  // namespace
 
 Runner setup_evaluate(Command command) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<EvaluateCommandOptions>();
   add_corpus_option(command, options->corpus, false);
   command
       .add_option("--pairs", options->pairs.pairs,

@@ -11,7 +11,7 @@
 namespace waymark::tools {
 namespace {
 
-Json json_of(const parser::FormulaShare& share) {
+Json share_json(const parser::FormulaShare& share) {
   return JsonObject()
       .add("same", share.same.value())
       .add("equivalent", share.equivalent.value())
@@ -28,8 +28,8 @@ void print_row(const std::string& name, const parser::FormulaShare& share) {
 
 Json formulas_json(const parser::FormulaScores& scores) {
   JsonObject constructs, lengths;
-  for (const auto& [name, share] : scores.by_construct) constructs.add(name, json_of(share));
-  for (const auto& [length, share] : scores.by_length) lengths.add(std::to_string(length), json_of(share));
+  for (const auto& [name, share] : scores.by_construct) constructs.add(name, share_json(share));
+  for (const auto& [length, share] : scores.by_length) lengths.add(std::to_string(length), share_json(share));
   return JsonObject()
       .add("same", scores.all.same.value())
       .add("equivalent", scores.all.equivalent.value())

@@ -13,12 +13,12 @@
 namespace waymark::tools {
 namespace {
 
-struct Options {
+struct GenerateCommandOptions {
   std::string kind = "rooms";
   plan::GridRecipe recipe;
 };
 
-ExitCode run_generate(const Options& options) {
+ExitCode run_generate(const GenerateCommandOptions& options) {
   plan::GridRecipe recipe = options.recipe;
   for (plan::GridKind kind : plan::all_grid_kinds)
     if (plan::name(kind) == options.kind) recipe.kind = kind;
@@ -36,7 +36,7 @@ ExitCode run_generate(const Options& options) {
   return ExitCode::Done;
 }
 
-void add_map_recipe(Command command, Options& options) {
+void add_map_recipe(Command command, GenerateCommandOptions& options) {
   std::vector<std::string> kinds{"hallway"};
   for (plan::GridKind kind : plan::all_grid_kinds) kinds.emplace_back(plan::name(kind));
   command.add_option("--kind", options.kind, "what it looks like").one_of(kinds).show_default();
@@ -53,7 +53,7 @@ void add_map_recipe(Command command, Options& options) {
 }  // namespace
 
 Runner setup_generate(Command command) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<GenerateCommandOptions>();
   add_map_recipe(command.add_subcommand("map", "a map with landmarks"), *options);
   command.add_subcommand("corpus", corpus_summary);  // which waymark-lab runs
   return [options](const Session&) { return run_generate(*options); };

@@ -23,7 +23,7 @@
 namespace waymark::tools {
 namespace {
 
-struct Options {
+struct GroundCommandOptions {
   TextOptions text;
   MapOptions map;
   ModelOptions model;
@@ -41,7 +41,7 @@ struct Explained {
 
 class Grounding {
  public:
-  Grounding(const Options& options, const Session& session)
+  Grounding(const GroundCommandOptions& options, const Session& session)
       : options_(options), session_(session), model_(read_model(options.model, options.map.data)) {
     if (options.explain && network() == nullptr)
       throw UsageError("--explain shows what an encoder-decoder attends to; this model is a linear one");
@@ -162,14 +162,14 @@ class Grounding {
     out << '\n';
   }
 
-  const Options& options_;
+  const GroundCommandOptions& options_;
   const Session& session_;
   parser::Grounder model_;
   std::mutex reading_;
   std::map<std::string, std::unique_ptr<Place>> places_;  // by the name that was asked for
 };
 
-ExitCode run_ground(const Options& options, const Session& session) {
+ExitCode run_ground(const GroundCommandOptions& options, const Session& session) {
   TextReader texts(options.text, "instruction");
   Grounding grounding(options, session);
   return answer_in_parallel(
@@ -183,7 +183,7 @@ ExitCode run_ground(const Options& options, const Session& session) {
 }  // namespace
 
 Runner setup_ground(Command command) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<GroundCommandOptions>();
   add_text_options(command, options->text, "instruction");
   add_map_options(command, options->map);
   add_model_options(command, options->model);

@@ -10,12 +10,12 @@
 namespace waymark::tools {
 namespace {
 
-struct Options {
+struct ImportOptions {
   std::string directory, out;
   bool json = false;
 };
 
-Json json_of(const parser::Irregularity& irregularity) {
+Json irregularity_json(const parser::Irregularity& irregularity) {
   return JsonObject()
       .add("file", irregularity.file)
       .add("line", irregularity.line)
@@ -29,12 +29,12 @@ void write_corpus(const std::filesystem::path& folder, const parser::ImportedCor
   write_file(folder / "instructions.jsonl", corpus.instructions);
 }
 
-ExitCode run_import(const Options& options) {
+ExitCode run_import(const ImportOptions& options) {
   const parser::ImportedCorpus corpus = parser::import_sail(options.directory);
   if (!options.out.empty()) write_corpus(options.out, corpus);
   if (options.json) {
     JsonArray irregularities;
-    for (const parser::Irregularity& i : corpus.irregularities) irregularities.add(json_of(i));
+    for (const parser::Irregularity& i : corpus.irregularities) irregularities.add(irregularity_json(i));
     std::cout << JsonObject()
                      .add("format", corpus.format)
                      .add("maps", corpus.maps.size())
@@ -57,7 +57,7 @@ ExitCode run_import(const Options& options) {
 }  // namespace
 
 Runner setup_import(Command command) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<ImportOptions>();
   Command sail = command.add_subcommand("sail", "the route instructions of SAIL: XML, .settrc, or ours");
   sail.add_option("directory", options->directory, "looked through with all its folders")
       .type_name("DIR")

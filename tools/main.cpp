@@ -70,8 +70,7 @@ bool is_for_the_lab(std::span<char* const> arguments) {
 
 // waymark-lab takes the place of this process: its streams, its signals and its exit code are those of the command.
 [[noreturn]] void become_the_lab(char** argv) {
-  const auto program = helper("waymark-lab");
-  if (program.empty()) throw UsageError("waymark-lab, which runs experiments, is not installed");
+  const auto program = needed_helper("waymark-lab", "runs experiments");
   ::execv(program.c_str(), argv);
   throw std::system_error(errno, std::generic_category(), "cannot start " + program.string());
 }

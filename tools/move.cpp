@@ -23,7 +23,7 @@
 namespace waymark::tools {
 namespace {
 
-struct Options {
+struct MoveOptions {
   TextOptions text;
   NotationOptions notation;
   MapOptions map;
@@ -39,7 +39,7 @@ bool is_wide(const plan::Robot& robot, double hallway) {
   return disc != nullptr ? !(disc->radius < hallway / 2) : !(std::get<plan::Car>(robot).width < hallway);
 }
 
-plan::Workspace workspace_of(const plan::Map& map, const Options& options) {
+plan::Workspace workspace_of(const plan::Map& map, const MoveOptions& options) {
   try {
     plan::Workspace workspace(map, {options.shape.width, options.shape.furniture});
     if (is_wide(robot_of(options.robot), workspace.width()))
@@ -51,10 +51,9 @@ plan::Workspace workspace_of(const plan::Map& map, const Options& options) {
 }
 
 // The answer of waymark-motion; its messages, if any, are on standard error already.
-Finished sample(const Options& options, const plan::Route& route, ltl::Formula formula,
+Finished sample(const MoveOptions& options, const plan::Route& route, ltl::Formula formula,
                 const plan::Map& map) {
-  const auto program = helper("waymark-motion");
-  if (program.empty()) throw UsageError("the helper waymark-motion, which links OMPL, is not installed");
+  const auto program = needed_helper("waymark-motion", "finds motions by OMPL");
   std::vector<std::string> arguments = arguments_of(options.robot, options.search, options.shape);
   arguments.insert(arguments.end(),
                    {"--map", options.map.map, "--data", data_directory(options.map.data).string(),
@@ -68,7 +67,7 @@ struct Moved {
   double sample = 0, certify = 0;                    // seconds
 };
 
-JsonObject json_of(const Moved& moved, const Options& options, const plan::Map& map) {
+JsonObject motion_json(const Moved& moved, const MoveOptions& options, const plan::Map& map) {
   const CorridorRun& corridor_run = moved.answer.corridor_run;
   JsonObject json;
   json.add("formula", ltl::print(*moved.answer.formula)).add("map", map.name());
@@ -77,12 +76,12 @@ JsonObject json_of(const Moved& moved, const Options& options, const plan::Map& 
   json.add("planner", options.search.planner);
   if (moved.motion)
     json.add("status", "solved")
-        .add("route", tools::json_of(moved.motion->route().route(), map))
+        .add("route", json_of(moved.motion->route().route(), map))
         .add("motion", line_of(moved.motion->motion()))
         .add("length", plan::length(moved.motion->motion()))
         .add("certified", true);
   else if (const plan::Route* route = route_of(corridor_run))
-    json.add("status", "exhausted").add("route", tools::json_of(*route, map)).add("certified", false);
+    json.add("status", "exhausted").add("route", json_of(*route, map)).add("certified", false);
   else
     json.add("status", "infeasible")
         .add("reason", std::get<plan::Infeasible>(corridor_run.destination).reason);
@@ -109,7 +108,8 @@ std::vector<render::Visit> visits_of(const plan::CertifiedMotion& motion, const 
   return visits;
 }
 
-void draw(const Moved& moved, const Options& options, const plan::Map& map, const automata::Dfa& dfa) {
+void draw_motion(const Moved& moved, const MoveOptions& options, const plan::Map& map,
+                 const automata::Dfa& dfa) {
   render::Page page{.map = &map};
   page.formula = ltl::print(*moved.answer.formula, ltl::Style::Unicode);
   page.caption = "map " + map.name();
@@ -130,7 +130,7 @@ void draw(const Moved& moved, const Options& options, const plan::Map& map, cons
   write_file(options.svg, render::draw_page(page));
 }
 
-void print(const Moved& moved, const Options& options, const Session& session, const plan::Map& map) {
+void print(const Moved& moved, const MoveOptions& options, const Session& session, const plan::Map& map) {
   print(std::cout, session.out, moved.answer, map);
   const std::string label = session.out.paint(Paint::Bold, "motion       ");
   if (moved.motion)
@@ -142,7 +142,7 @@ void print(const Moved& moved, const Options& options, const Session& session, c
 }
 
 // Fills in the motion along the route, if it is found; the verdict of the helper.
-ExitCode move_along(const plan::Route& route, const Options& options, const plan::Workspace& workspace,
+ExitCode move_along(const plan::Route& route, const MoveOptions& options, const plan::Workspace& workspace,
                     ltl::Formula formula, Moved& moved) {
   StopWatch watch;
   const Finished finished = sample(options, route, formula, workspace.map());
@@ -155,7 +155,7 @@ ExitCode move_along(const plan::Route& route, const Options& options, const plan
 }
 
 // The route of the corridor, or the one given, which must satisfy the formula.
-CorridorRun journey_of(const Options& options, const plan::Map& map, const automata::Dfa& dfa,
+CorridorRun journey_of(const MoveOptions& options, const plan::Map& map, const automata::Dfa& dfa,
                        ltl::Formula formula, const Session& session) {
   if (options.route.empty())
     return run_corridor(map, dfa, formula, start_poses(options.start, map), session.stop);
@@ -171,7 +171,7 @@ CorridorRun journey_of(const Options& options, const plan::Map& map, const autom
   return corridor_run;
 }
 
-ExitCode run_move(const Options& options, const Session& session) {
+ExitCode run_move(const MoveOptions& options, const Session& session) {
   TextOptions text = options.text;
   if (text.arguments.empty() && text.file.empty() && !options.route.empty()) text.arguments = {"true"};
   TextReader texts(text, "formula");
@@ -200,17 +200,17 @@ ExitCode run_move(const Options& options, const Session& session) {
   const bool answered = code == ExitCode::Done || code == ExitCode::No || code == ExitCode::GaveUp;
   if (!answered) return code;  // the helper has said why
   if (options.json)
-    std::cout << json_of(moved, options, map).text() << '\n';
+    std::cout << motion_json(moved, options, map).text() << '\n';
   else
     print(moved, options, session, map);
-  if (!options.svg.empty()) draw(moved, options, map, dfa);
+  if (!options.svg.empty()) draw_motion(moved, options, map, dfa);
   return code;
 }
 
 }  // namespace
 
 Runner setup_move(Command command) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<MoveOptions>();
   add_text_options(command, options->text, "formula");
   add_notation_options(command, options->notation);
   add_map_options(command, options->map);

@@ -10,7 +10,7 @@
 namespace waymark::tools {
 namespace {
 
-struct Options {
+struct PatternsOptions {
   bool list = false, json = false;
   std::string name;
   std::vector<std::string> arguments;
@@ -35,7 +35,7 @@ void list(bool json) {
   }
 }
 
-ExitCode run_patterns(const Options& options) {
+ExitCode run_patterns(const PatternsOptions& options) {
   if (options.list || options.name.empty()) {
     list(options.json);
     return ExitCode::Done;
@@ -56,7 +56,7 @@ ExitCode run_patterns(const Options& options) {
 }  // namespace
 
 Runner setup_patterns(Command command) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<PatternsOptions>();
   command.add_option("name", options->name, "pattern, as --list names them").type_name("NAME");
   command.add_option("arguments", options->arguments, "formulas in the place of its parameters")
       .type_name("ARGUMENT");

@@ -19,7 +19,7 @@
 namespace waymark::tools {
 namespace {
 
-struct Options {
+struct PlanCommandOptions {
   TextOptions text;
   NotationOptions notation;
   MapOptions map;
@@ -29,11 +29,11 @@ struct Options {
   NoiseOptions noise;
 };
 
-bool is_infinite(const Options& options) { return options.semantics == "infinite"; }
+bool is_infinite(const PlanCommandOptions& options) { return options.semantics == "infinite"; }
 
 class Planning {
  public:
-  Planning(const Options& options, const Session& session)
+  Planning(const PlanCommandOptions& options, const Session& session)
       : options_(options),
         session_(session),
         map_(read_map(options.map)),
@@ -93,7 +93,7 @@ class Planning {
     return route ? ExitCode::Done : ExitCode::No;
   }
 
-  const Options& options_;
+  const PlanCommandOptions& options_;
   const Session& session_;
   StopWatch watch_;
   plan::Map map_;
@@ -101,11 +101,11 @@ class Planning {
   double load_;
 };
 
-bool gives_formula(const Options& options) {
+bool gives_formula(const PlanCommandOptions& options) {
   return !options.text.arguments.empty() || !options.text.file.empty();
 }
 
-plan::PlanningCase noisy_map(const Options& options) {
+plan::PlanningCase noisy_map(const PlanCommandOptions& options) {
   const plan::Map map = read_map(options.map);
   const auto starts = start_poses(options.start, map);
   if (starts.size() > 1) throw UsageError("a model starts in one pose: give --start with a heading");
@@ -113,7 +113,7 @@ plan::PlanningCase noisy_map(const Options& options) {
 }
 
 // What goes with one way of planning only.
-void check(const Options& options) {
+void check(const PlanCommandOptions& options) {
   const CaseChoice& choice = options.planning_case;
   if (!options.automaton.empty() && gives_formula(options))
     throw UsageError("give a formula or --automaton, not both");
@@ -133,7 +133,7 @@ void check(const Options& options) {
     throw UsageError("--hoa is for finite words; waymark translate writes automata on infinite ones");
 }
 
-ExitCode run_plan(const Options& options, const Session& session) {
+ExitCode run_plan(const PlanCommandOptions& options, const Session& session) {
   check(options);
   CaseChoice choice = options.planning_case;
   choice.json = options.json;
@@ -161,7 +161,7 @@ ExitCode run_plan(const Options& options, const Session& session) {
 }  // namespace
 
 Runner setup_plan(Command command) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<PlanCommandOptions>();
   add_text_options(command, options->text, "formula");
   command
       .add_option("--automaton", options->automaton,

@@ -28,11 +28,6 @@ plan::CaseMethod method_of(const std::string& name) {
   return plan::CaseMethod::Best;
 }
 
-plan::LassoOrder order_of(const std::string& name) {
-  if (name == "cycle") return plan::LassoOrder::Cycle;
-  return name == "mean" ? plan::LassoOrder::Mean : plan::LassoOrder::Prefix;
-}
-
 std::string_view name(Status status) {
   switch (status) {
     case Status::Solved: return "solved";
@@ -57,15 +52,15 @@ double peak_mib() {  // of the process so far
   return static_cast<double>(usage.ru_maxrss) / 1024;
 }
 
-JsonObject json_of(const plan::NamedRoute& route) {
+JsonObject case_json(const plan::NamedRoute& route) {
   JsonArray places, actions;
   for (const std::string& place : route.places) places.add(place);
   for (const std::string& action : route.actions) actions.add(action);
   return JsonObject().add("places", places).add("actions", actions).add("cost", route.cost);
 }
 
-JsonObject json_of(const plan::PlanningCase& planning_case, const plan::CaseTask& task,
-                   const CaseAnswer& answer) {
+JsonObject case_json(const plan::PlanningCase& planning_case, const plan::CaseTask& task,
+                     const CaseAnswer& answer) {
   const bool valued = answer.status != Status::Exhausted;
   const auto number = [&](double value) { return valued ? Json(value) : Json(); };
   JsonObject out;
@@ -84,12 +79,12 @@ JsonObject json_of(const plan::PlanningCase& planning_case, const plan::CaseTask
       .add("peak_mib", peak_mib())
       .add("status", name(answer.status));
   if (answer.lasso)
-    out.add("prefix", json_of(answer.lasso->prefix))
-        .add("cycle", json_of(answer.lasso->cycle))
+    out.add("prefix", case_json(answer.lasso->prefix))
+        .add("cycle", case_json(answer.lasso->cycle))
         .add("rounds", answer.lasso->rounds);
   if (!answer.routes.empty()) {
     JsonArray routes;
-    for (const plan::NamedRoute& route : answer.routes) routes.add(json_of(route));
+    for (const plan::NamedRoute& route : answer.routes) routes.add(case_json(route));
     out.add("routes", routes);
   }
   if (!answer.reason.empty()) out.add("reason", answer.reason);
@@ -178,7 +173,7 @@ class TaskAnswers {
     const CaseAnswer answer =
         given != nullptr ? plan::answer(case_, task, *given, options) : plan::answer(case_, task, options);
     if (choice_.json)
-      std::cout << json_of(case_, task, answer).text() << '\n';
+      std::cout << case_json(case_, task, answer).text() << '\n';
     else
       print(task, answer);
     if (answer.strategy) strategies_ += written(case_, task, answer);
@@ -246,6 +241,11 @@ void add_answer_options(Command command, CaseChoice& choice) {
 }
 
 }  // namespace
+
+plan::LassoOrder order_of(const std::string& name) {
+  if (name == "cycle") return plan::LassoOrder::Cycle;
+  return name == "mean" ? plan::LassoOrder::Mean : plan::LassoOrder::Prefix;
+}
 
 void add_case_options(Command command, CaseChoice& choice) {
   command

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "libplan/model/formats/read_case.hpp"
+#include "libplan/solve/least_lasso.hpp"
 #include "tools/shell/command.hpp"
 #include "tools/shell/exit_code.hpp"
 #include "tools/shell/input.hpp"
@@ -22,6 +23,7 @@ struct CaseChoice {
   double limit_seconds = 0;  // of each task; 0: none
   bool json = false;
 };
+plan::LassoOrder order_of(const std::string& name);  // `order` of a choice
 void add_case_options(Command command, CaseChoice& choice);
 ExitCode plan_case(const CaseChoice& choice, const Session& session);
 // Formulas, or the automaton that was chosen, on a model of any kind.

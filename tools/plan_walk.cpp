@@ -10,15 +10,10 @@
 #include "libplan/solve/least_routes.hpp"
 #include "tools/answer.hpp"
 #include "tools/picture.hpp"
+#include "tools/plan_case.hpp"
 
 namespace waymark::tools {
 namespace {
-
-plan::LassoOrder order_of(const std::string& name) {
-  return name == "cycle"  ? plan::LassoOrder::Cycle
-         : name == "mean" ? plan::LassoOrder::Mean
-                          : plan::LassoOrder::Prefix;
-}
 
 std::pair<double, double> rank(const plan::LassoRoute& route, plan::LassoOrder order) {
   switch (order) {

@@ -13,7 +13,7 @@
 namespace waymark::tools {
 namespace {
 
-struct Options {
+struct RandomOptions {
   std::size_t props = 4, count = 1;
   std::string size = "15..30", semantics = "infinite";
   std::uint64_t seed = 1;
@@ -25,7 +25,7 @@ struct Sizes {
   std::size_t least = 0, most = 0;
 };
 
-std::size_t size_of(std::string_view text) {
+std::size_t number_of(std::string_view text) {
   std::size_t value = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (error != std::errc() || end != text.data() + text.size() || value < 1 || value > 1'000'000)
@@ -36,20 +36,20 @@ std::size_t size_of(std::string_view text) {
 
 Sizes sizes_of(std::string_view text) {
   const std::size_t dots = text.find("..");
-  if (dots == std::string_view::npos) return {size_of(text), size_of(text)};
-  const Sizes sizes{size_of(text.substr(0, dots)), size_of(text.substr(dots + 2))};
+  if (dots == std::string_view::npos) return {number_of(text), number_of(text)};
+  const Sizes sizes{number_of(text.substr(0, dots)), number_of(text.substr(dots + 2))};
   if (sizes.least > sizes.most) throw UsageError("--size: the first number is the smaller one");
   return sizes;
 }
 
-std::vector<std::string> names_of(const Options& options) {
+std::vector<std::string> names_of(const RandomOptions& options) {
   std::vector<std::string> names;
   for (std::size_t p = 0; p < options.props; ++p) names.push_back("p" + std::to_string(p));
   return names;
 }
 
 // In HOA, one a line; any condition over the sets that there are.
-ExitCode run_random_automata(const Options& options, const Session& session) {
+ExitCode run_random_automata(const RandomOptions& options, const Session& session) {
   if (options.props > 16) throw UsageError("random automata read at most 16 propositions");
   const ltl::Vocabulary vocabulary(names_of(options));
   ltl::Random random(options.seed);
@@ -67,7 +67,7 @@ ExitCode run_random_automata(const Options& options, const Session& session) {
 }
 
 // Different formulas, none a constant: drawing goes on until there are enough, or new ones stay away.
-ExitCode run_random(const Options& options, const Session& session) {
+ExitCode run_random(const RandomOptions& options, const Session& session) {
   const Sizes sizes = sizes_of(options.size);
   const std::vector<std::string> names = names_of(options);
   ltl::Random random(options.seed);
@@ -99,7 +99,7 @@ ExitCode run_random(const Options& options, const Session& session) {
 }  // namespace
 
 Runner setup_random(Command command) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<RandomOptions>();
   command.add_option("--props", options->props, "propositions p0, p1, … (of automata: at most 16)")
       .type_name("N")
       .between(1, 1'000)

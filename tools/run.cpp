@@ -22,7 +22,7 @@ constexpr std::string_view demo_instruction =
     "walk past the lamp to the easel. take a left. go forward until you reach the blue hall.";
 constexpr std::string_view demo_map = "grid", demo_start = "1,9,0";
 
-struct Options {
+struct RunOptions {
   TextOptions text;
   MapOptions map;
   ModelOptions model;
@@ -41,7 +41,7 @@ std::vector<WeighedFormula> weighed(const std::vector<parser::Reading>& readings
 
 class Running {
  public:
-  Running(const Options& options, const Session& session)
+  Running(const RunOptions& options, const Session& session)
       : options_(options),
         session_(session),
         model_(read_model(options.model, options.map.data)),
@@ -126,7 +126,7 @@ class Running {
          options_.svg);
   }
 
-  const Options& options_;
+  const RunOptions& options_;
   const Session& session_;
   StopWatch watch_;
   parser::Grounder model_;
@@ -136,7 +136,7 @@ class Running {
   double load_;
 };
 
-ExitCode run_all(Options options, const Session& session) {
+ExitCode run_all(RunOptions options, const Session& session) {
   const bool asked_nothing = options.text.arguments.empty() && options.text.file.empty();
   if (options.demo && !asked_nothing) throw UsageError("--demo has its own instruction");
   if (options.demo || (asked_nothing && stdin_is_terminal())) {
@@ -158,7 +158,7 @@ ExitCode run_all(Options options, const Session& session) {
 }  // namespace
 
 Runner setup_run(Command command) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<RunOptions>();
   add_text_options(command, options->text, "instruction");
   add_map_options(command, options->map);
   add_model_options(command, options->model);

@@ -22,7 +22,7 @@ using streets::StreetEvaluation;
 using streets::StreetScores;
 
 // The scores are defined in evaluate_streets.hpp. `floor` needs no learning, `supply` bounds every ranker from above.
-JsonObject json_of(const StreetScores& scores) {
+JsonObject scores_json(const StreetScores& scores) {
   return JsonObject()
       .add("exact_path", scores.exact_path.value())
       .add("goal", scores.goal.value())
@@ -115,12 +115,12 @@ ExitCode evaluate_streets(const StreetExperiment& experiment, const Session& ses
     return ExitCode::Done;
   }
   JsonObject cities;
-  for (const auto& [map, scores] : evaluation.folds) cities.add(map, json_of(scores));
+  for (const auto& [map, scores] : evaluation.folds) cities.add(map, scores_json(scores));
   std::cout << JsonObject()
                    .add("exact_path", evaluation.mean_exact_path)
                    .add("goal", evaluation.mean_goal)
                    .add("by_map", cities)
-                   .add("all", json_of(evaluation.all))
+                   .add("all", scores_json(evaluation.all))
                    .add("seconds", seconds)
                    .text()
             << '\n';

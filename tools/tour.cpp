@@ -24,13 +24,13 @@ struct TourAnswer {
   double load = 0, translate = 0, plan = 0, sample = 0, certify = 0;  // seconds
 };
 
-JsonArray json_of(const ltl::Letter& letter, const ltl::Vocabulary& names) {
+JsonArray letter_json(const ltl::Letter& letter, const ltl::Vocabulary& names) {
   JsonArray out;
   for (const ltl::Proposition p : letter.members()) out.add(names.name(p));
   return out;
 }
 
-JsonObject json_of(const TourAnswer& answer, const TourRequest& request, const plan::Terrain& terrain) {
+JsonObject tour_json(const TourAnswer& answer, const TourRequest& request, const plan::Terrain& terrain) {
   JsonObject json;
   json.add("formula", ltl::print(answer.formula)).add("workspace", terrain.name());
   json.add("robot", request.robot.robot);
@@ -39,7 +39,7 @@ JsonObject json_of(const TourAnswer& answer, const TourRequest& request, const p
   if (answer.tour) {
     JsonArray word;
     for (const ltl::Letter& letter : answer.tour->word().letters)
-      word.add(json_of(letter, terrain.vocabulary()));
+      word.add(letter_json(letter, terrain.vocabulary()));
     json.add("status", "solved")
         .add("word", word)
         .add("motion", line_of(answer.tour->motion()))
@@ -77,8 +77,8 @@ void print(const TourAnswer& answer, const TourRequest& request, const plan::Ter
             << fixed(1000 * answer.sample, 1) << " ms\n";
 }
 
-void draw(const TourAnswer& answer, const TourRequest& request, const plan::Terrain& terrain,
-          const automata::Dfa& dfa) {
+void draw_tour(const TourAnswer& answer, const TourRequest& request, const plan::Terrain& terrain,
+               const automata::Dfa& dfa) {
   render::TerrainPage page{.terrain = &terrain};
   page.formula = ltl::print(answer.formula, ltl::Style::Unicode);
   page.caption = terrain.name();
@@ -105,8 +105,7 @@ void draw(const TourAnswer& answer, const TourRequest& request, const plan::Terr
 }
 
 Finished sample(const TourRequest& request, ltl::Formula formula) {
-  const auto program = helper("waymark-motion");
-  if (program.empty()) throw UsageError("the helper waymark-motion, which links OMPL, is not installed");
+  const auto program = needed_helper("waymark-motion", "finds motions by OMPL");
   std::vector<std::string> arguments = arguments_of(request.robot, request.search, ShapeOptions{});
   arguments.insert(arguments.end(), {"--workspace", request.workspace, "--start", request.start, "--formula",
                                      ltl::print(formula)});
@@ -150,10 +149,10 @@ ExitCode run_tour(const TourRequest& request, const Session& session) {
   const ExitCode code = answer.reason.empty() ? find_tour(request, terrain, answer) : ExitCode::No;
   if (code != ExitCode::Done && code != ExitCode::No && code != ExitCode::GaveUp) return code;
   if (request.json)
-    std::cout << json_of(answer, request, terrain).text() << '\n';
+    std::cout << tour_json(answer, request, terrain).text() << '\n';
   else
     print(answer, request, terrain, session.out);
-  if (!request.svg.empty()) draw(answer, request, terrain, dfa);
+  if (!request.svg.empty()) draw_tour(answer, request, terrain, dfa);
   return code;
 }
 

@@ -21,7 +21,7 @@
 namespace waymark::tools {
 namespace {
 
-struct Options {
+struct TrainCommandOptions {
   std::string corpus, supervised, out = "model.waymark", data, convention = "absolute";
   TrainingOptions training;
   std::vector<std::string> commands;  // files, or "own"
@@ -41,7 +41,7 @@ struct Lessons {
   std::size_t sentences = 0;
 };
 
-Lessons lessons_of(const Options& options, parser::Dialect dialect) {
+Lessons lessons_of(const TrainCommandOptions& options, parser::Dialect dialect) {
   Lessons instances;
   if (!options.supervised.empty()) {
     const std::string text = read_file(options.supervised);
@@ -70,7 +70,7 @@ Lessons lessons_of(const Options& options, parser::Dialect dialect) {
   return instances;
 }
 
-void report(const Options& options, const parser::TrainOptions& train, const Lessons& instances,
+void report(const TrainCommandOptions& options, const parser::TrainOptions& train, const Lessons& instances,
             std::size_t bytes, double seconds) {
   const bool supervised = !options.supervised.empty();
   if (options.json)
@@ -96,7 +96,7 @@ void report(const Options& options, const parser::TrainOptions& train, const Les
 }
 
 // The reader of commands: from people's commands, our own, and what it must leave to the reader of programs.
-std::shared_ptr<const parser::LiftedReader> learn_commands(const Options& options, const Lessons& instances,
+std::shared_ptr<const parser::LiftedReader> learn_commands(const TrainCommandOptions& options, const Lessons& instances,
                                                            const parser::TrainOptions& train) {
   if (options.commands.empty()) return nullptr;
   const std::filesystem::path data = data_directory(options.data);
@@ -128,7 +128,7 @@ std::shared_ptr<const parser::LiftedReader> learn_commands(const Options& option
   return std::make_shared<const parser::LiftedReader>(vectors, std::move(networks));
 }
 
-ExitCode run_train(const Options& options, const Session& session) {
+ExitCode run_train(const TrainCommandOptions& options, const Session& session) {
   StopWatch watch;
   if (!options.corpus.empty() && !options.supervised.empty())
     throw UsageError("--corpus and --supervised: learning from trajectories, or from formulas?");
@@ -157,7 +157,7 @@ ExitCode run_train(const Options& options, const Session& session) {
 }  // namespace
 
 Runner setup_train(Command command) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<TrainCommandOptions>();
   add_corpus_option(command, options->corpus, false);
   command
       .add_option("--supervised", options->supervised,

@@ -15,7 +15,7 @@
 namespace waymark::tools {
 namespace {
 
-struct Options {
+struct TranslateOptions {
   TextOptions text;
   NotationOptions notation;
   OutputOptions output;
@@ -25,7 +25,7 @@ struct Options {
   ParallelOptions parallel;
 };
 
-Reply gave_up(const Text& text, double seconds, const Options& options, const std::string& reason) {
+Reply gave_up(const Text& text, double seconds, const TranslateOptions& options, const std::string& reason) {
   return {ExitCode::GaveUp, show_none(text.line, seconds, "limit", reason, options.output),
           reason + (text.source.empty() ? "" : "\n  " + text.source + ':' + std::to_string(text.line))};
 }
@@ -67,8 +67,8 @@ std::shared_ptr<const Translated> renamed(Translated result, const ltl::Vocabula
   return std::make_shared<const Translated>(std::move(result));
 }
 
-Reply translate_one(const Text& text, const Options& options, const Translation& translation, Memo& memo,
-                    const TextDeadline& deadline) {
+Reply translate_one(const Text& text, const TranslateOptions& options, const Translation& translation,
+                    Memo& memo, const TextDeadline& deadline) {
   ltl::Arena arena;
   StopWatch watch;
   const ltl::Formula formula = parse_formula(text, arena, parse_options(options.notation, ltl::Unknown::Add));
@@ -100,7 +100,7 @@ Reply translate_one(const Text& text, const Options& options, const Translation&
           : "gave up: more than " + counted(options.states, "state") + " before minimisation");
 }
 
-ExitCode run_translate(const Options& options, const Session& session) {
+ExitCode run_translate(const TranslateOptions& options, const Session& session) {
   const Translation& translation = find_translation(options.semantics, options.target);
   TextReader texts(options.text, "formula");
   Memo memo(texts.is_batch() ? most_shapes : 0);
@@ -117,7 +117,7 @@ ExitCode run_translate(const Options& options, const Session& session) {
 }  // namespace
 
 Runner setup_translate(Command command) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<TranslateOptions>();
   add_text_options(command, options->text, "formula");
   add_notation_options(command, options->notation);
   command.add_option("--semantics", options->semantics, "what words formulas are read on (with dfa: finite)")

@@ -41,7 +41,7 @@ Translated ldba(ltl::Formula f, const automata::TranslationLimits& limits) {
   return widened(automata::ltl_to_ldba(f, limits));
 }
 
-constexpr std::array rows{
+constexpr std::array all_translations{
     Translation{"finite", "dfa", finite_dfa}, Translation{"infinite", "tgba", tgba},
     Translation{"infinite", "buchi", buchi},  Translation{"infinite", "parity", parity},
     Translation{"infinite", "rabin", rabin},  Translation{"infinite", "generic", generic},
@@ -50,13 +50,13 @@ constexpr std::array rows{
 
 }  // namespace
 
-std::span<const Translation> translations() { return rows; }
+std::span<const Translation> translations() { return all_translations; }
 
 const Translation& find_translation(std::string_view semantics, std::string_view target) {
   if (semantics.empty()) semantics = target == "dfa" ? "finite" : "infinite";
   if (target.empty()) target = semantics == "finite" ? "dfa" : "tgba";
   std::string there;
-  for (const Translation& row : rows) {
+  for (const Translation& row : all_translations) {
     if (row.semantics == semantics && row.target == target) return row;
     if (row.semantics == semantics) there += (there.empty() ? "" : ", ") + std::string(row.target);
   }

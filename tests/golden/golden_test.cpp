@@ -4,7 +4,7 @@
 //   1	2	3	1	1	SECONDS	ok	1
 //   [exit 0]
 //
-// run by sh in this folder, with seconds replaced by a word. To write them anew after a change that was meant:
+// run by sh in this transcript_folder, with seconds replaced by a word. To write them anew after a change that was meant:
 // WAYMARK_GOLDEN=write build/<preset>/bin/test_golden, then read the diff.
 #include <gtest/gtest.h>
 
@@ -19,11 +19,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const fs::path folder = WAYMARK_GOLDEN_FOLDER;
+const fs::path transcript_folder = WAYMARK_GOLDEN_FOLDER;
 
 std::vector<fs::path> transcripts() {
   std::vector<fs::path> files;
-  for (const auto& entry : fs::directory_iterator(folder))
+  for (const auto& entry : fs::directory_iterator(transcript_folder))
     if (entry.path().extension() == ".transcript") files.push_back(entry.path());
   std::sort(files.begin(), files.end());
   return files;
@@ -35,7 +35,7 @@ std::string rerun(const std::string& transcript) {
   std::string out;
   for (std::string line; std::getline(in, line);) {
     if (line.starts_with("$ ")) {
-      const Answer answer = run(line.substr(2), folder);
+      const Answer answer = run(line.substr(2), transcript_folder);
       out += line + '\n' + answer.output + "[exit " + std::to_string(answer.exit) + "]\n";
     } else if (line.starts_with("# ")) {
       out += line + '\n';

@@ -223,6 +223,17 @@ TEST(WeightsFile, MessagesSayWhatIsWrong) {
   EXPECT_NE(message_of(bytes.substr(0, 10)).find("a.waymark"), std::string::npos);
 }
 
+TEST(WeightsFile, APropositionOfNoFormAndAnUnknownKindAreErrorsOfTheFile) {
+  const auto message = [](const ModelHeader& header, const std::string& proposition) {
+    WeightsWriter out(header);
+    out.strings({proposition});
+    out.strings(WordTable().words());
+    return message_of(out.finish());
+  };
+  EXPECT_NE(message({.kind = LinearModel::file_kind}, "left_").find("'left_'"), std::string::npos);
+  EXPECT_NE(message({.kind = 999}, "chair").find("unknown kind"), std::string::npos);
+}
+
 TEST(WeightsFile, IsWrittenWholeOrNotAtAll) {
   const auto directory =
       std::filesystem::temp_directory_path() / ("waymark_weights_" + std::to_string(getpid()));

@@ -18,7 +18,7 @@
 namespace waymark::tools {
 namespace {
 
-struct Options {
+struct GenerateCorpusOptions {
   parser::GenerateOptions recipe{.dialect = parser::Dialect::Temporal, .most_clauses = 3};
   std::vector<std::string> maps;
   std::string data, out, format = "jsonl", clauses = "1..3", formulas = "all";
@@ -30,7 +30,7 @@ std::filesystem::path map_file(const std::string& name, const std::string& data)
                                        : data_directory(data) / "maps" / (name + ".json");
 }
 
-parser::GenerateOptions recipe_of(const Options& options) {
+parser::GenerateOptions recipe_of(const GenerateCorpusOptions& options) {
   parser::GenerateOptions recipe = options.recipe;
   std::istringstream clauses(options.clauses);
   char first = 0, second = 0;
@@ -44,7 +44,7 @@ parser::GenerateOptions recipe_of(const Options& options) {
   return recipe;
 }
 
-ExitCode generate_corpus(const Options& options) {
+ExitCode generate_corpus(const GenerateCorpusOptions& options) {
   std::vector<plan::Map> maps;
   for (const std::string& name : options.maps)
     maps.push_back(plan::read_map(name, data_directory(options.data)));
@@ -71,7 +71,7 @@ ExitCode generate_corpus(const Options& options) {
   return ExitCode::Done;
 }
 
-void add_recipe(Command command, Options& options) {
+void add_recipe(Command command, GenerateCorpusOptions& options) {
   command.add_option("--map", options.maps, "a shipped map or a file, several times; else all shipped maps")
       .type_name("MAP");
   add_data_option(command, options.data);
@@ -101,7 +101,7 @@ void add_recipe(Command command, Options& options) {
 }  // namespace
 
 Runner setup_generate_corpus(Command command) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<GenerateCorpusOptions>();
   add_recipe(command.add_subcommand("corpus", corpus_summary), *options);
   return [options](const Session&) { return generate_corpus(*options); };
 }

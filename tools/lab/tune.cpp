@@ -15,7 +15,7 @@
 namespace waymark::tools {
 namespace {
 
-struct Options {
+struct TuneOptions {
   std::string corpus, data, convention = "absolute";
   TrainingOptions training;
   std::vector<std::string> grid;
@@ -148,7 +148,7 @@ std::vector<double> validated(const parser::Corpus& corpus, const std::vector<pl
   });
 }
 
-ExitCode run_tune(const Options& options, const Session& session) {
+ExitCode run_tune(const TuneOptions& options, const Session& session) {
   const parser::Corpus corpus = read_hallway_corpus(options.corpus);
   const std::vector<plan::Map> maps = maps_of(corpus, options.data);
   const std::vector<Setting> settings = settings_of(options.grid);
@@ -186,7 +186,7 @@ ExitCode run_tune(const Options& options, const Session& session) {
 }  // namespace
 
 Runner setup_tune(Command command) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<TuneOptions>();
   add_corpus_option(command, options->corpus);
   command
       .add_option("--grid", options->grid,

@@ -3,6 +3,7 @@
 #include <cstdlib>
 
 #include "libltl/diagnostic.hpp"
+#include "tools/shell/exit_code.hpp"
 
 namespace waymark::tools {
 
@@ -42,6 +43,14 @@ fs::path helper(std::string_view name) {
     if (fs::is_regular_file(candidate, ignored)) return candidate;
   }
   return {};
+}
+
+fs::path needed_helper(std::string_view name, std::string_view what_it_does) {
+  fs::path program = helper(name);
+  if (program.empty())
+    throw UsageError(std::string(name) + ", which " + std::string(what_it_does) +
+                     ", is not built; to build it: ./dev setup motion tests && ./dev build release");
+  return program;
 }
 
 }  // namespace waymark::tools

@@ -15,4 +15,7 @@ std::filesystem::path data_directory(const std::string& option);
 // `name` beside the executable or in ../libexec/waymark; empty when it was not built or installed.
 std::filesystem::path helper(std::string_view name);
 
+// The same; throws UsageError that says what `name` does and how it is built when it is not there.
+std::filesystem::path needed_helper(std::string_view name, std::string_view what_it_does);
+
 }  // namespace waymark::tools
