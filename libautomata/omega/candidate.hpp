@@ -1,7 +1,6 @@
 // One of several automata of a formula; the smallest candidate is kept.
 #pragma once
 #include <optional>
-#include <utility>
 
 #include "libautomata/omega/transition_relation.hpp"
 
