@@ -3,7 +3,6 @@
 #include <cstddef>
 #include <string>
 #include <string_view>
-#include <vector>
 
 #include "libautomata/finite/dfa.hpp"
 #include "libautomata/limit_deterministic/ldba.hpp"

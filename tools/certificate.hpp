@@ -5,8 +5,6 @@
 // question is tried on words, the definition of ⊨ being the referee.
 #pragma once
 #include <cstddef>
-#include <stop_token>
-#include <string>
 
 #include "tools/translations.hpp"
 

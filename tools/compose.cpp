@@ -176,9 +176,7 @@ ExitCode compose_any(const Options& options, const Session& session) {
         write_product(model, dfa, {"", ltl::print(formula)}, options.output, session.stop);
         return ExitCode::Done;
       },
-      [&](const Text& text, const std::string& message) {
-        if (options.output.format == "json") std::cout << json_error(text.line, message).text() << '\n';
-      });
+      options.output.format == "json");
 }
 
 ExitCode run_compose(const Options& options, const Session& session) {
@@ -209,9 +207,7 @@ ExitCode run_compose(const Options& options, const Session& session) {
         answer(composed(map, dfa, starts, session), formula, options, session);
         return ExitCode::Done;
       },
-      [&](const Text& text, const std::string& message) {
-        if (options.output.format == "json") std::cout << json_error(text.line, message).text() << '\n';
-      });
+      options.output.format == "json");
 }
 
 }  // namespace

@@ -327,9 +327,7 @@ ExitCode plan_model(const plan::PlanningCase& model, const CaseChoice& choice, c
             throw error.in(text.source, text.line);
           }
         },
-        [&](const Text& text, const std::string& message) {
-          if (choice.json) std::cout << json_error(text.line, message).text() << '\n';
-        });
+        choice.json);
   }
   answers.write_strategies();
   return code;

@@ -48,7 +48,7 @@ struct Prediction {
   std::string id, map;
   Convention convention;
   plan::PoseId start, gold_end;
-  Answer answer;
+  Response answer;
   std::optional<std::string> paragraph = {};  // its id; nothing: by itself
 };
 

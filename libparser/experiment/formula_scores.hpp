@@ -4,7 +4,6 @@
 //   equivalent   they have the same finite words: their minimal automata do not differ
 // By construct, as the gold program has it, and by length in units (steps with the functions around them).
 #pragma once
-#include <cstdint>
 #include <map>
 #include <string>
 #include <string_view>

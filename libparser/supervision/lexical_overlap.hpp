@@ -5,7 +5,6 @@
 // floors, paintings, kinds of places, left and right, numbers. No formula is given to learn from: this is a prior.
 #pragma once
 #include <cstdint>
-#include <string>
 #include <vector>
 
 #include "libparser/model/program_language.hpp"

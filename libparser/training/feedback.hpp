@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "libltl/meaning/trace_check.hpp"
-#include "libltl/structure/random.hpp"
 #include "libparser/model/network_options.hpp"
 #include "libparser/supervision/examples.hpp"
 #include "libplan/world/trajectory.hpp"

@@ -44,8 +44,8 @@ class Learner {
     for (std::size_t s = 0; s < shards; ++s) shards_.emplace_back(network_, executors, options, s);
     instances_.reserve(2 * examples.size());
     for (const Example* example : examples) {
-      add_lesson(*example, false);
-      if (options.mirrored) add_lesson(*example, true);
+      add_instance(*example, false);
+      if (options.mirrored) add_instance(*example, true);
     }
   }
 
@@ -80,7 +80,7 @@ class Learner {
     EncoderDecoder::Pass pass;
   };
 
-  void add_lesson(const Example& example, bool mirrored) {
+  void add_instance(const Example& example, bool mirrored) {
     SentenceInput input = example.input;
     if (mirrored) input.tokens = mirror(input.tokens);
     SentenceFeatures features = sentence_features(input, network_.words());

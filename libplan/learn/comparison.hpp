@@ -11,7 +11,6 @@
 #include <optional>
 #include <span>
 #include <string>
-#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -72,11 +71,6 @@ class LearningTask {
   std::array<std::optional<Observations>, 3> observations_;  // by Sight
   std::optional<TaskTrees> trees_;
 };
-
-extern template LearningTask::LearningTask(const Mdp&, const automata::Dfa&, std::optional<ltl::Formula>,
-                                           const LearningTaskOptions&);
-extern template LearningTask::LearningTask(const GridWorld&, const automata::Dfa&,
-                                           std::optional<ltl::Formula>, const LearningTaskOptions&);
 
 double success(const PolicyValue& value, const PolicyValue& optimum);
 double score(const PolicyValue& value, const PolicyValue& optimum);

@@ -31,8 +31,6 @@ Observations observe(const Map& map, Sight sight);
 // proposition has just been read.
 template <class Model>
 Observations observe(const Model& model);
-extern template Observations observe(const Mdp&);
-extern template Observations observe(const GridWorld&);
 
 // By pose: the fewest actions to a pose whose label carries the proposition; nullopt where there is no way. O(poses).
 std::vector<std::optional<std::uint32_t>> actions_to(const Map& map, ltl::Proposition p);

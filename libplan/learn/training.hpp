@@ -10,7 +10,6 @@
 #include <stop_token>
 #include <vector>
 
-#include "libltl/structure/random.hpp"
 #include "libplan/learn/policy_value.hpp"
 
 namespace waymark::plan {

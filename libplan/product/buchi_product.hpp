@@ -70,7 +70,4 @@ struct BuchiProduct {
 template <Model M>
 BuchiProduct compose(const M& model, const automata::Automaton& automaton, automata::Budget& budget);
 
-extern template BuchiProduct compose(const Mdp&, const automata::Automaton&, automata::Budget&);
-extern template BuchiProduct compose(const GridWorld&, const automata::Automaton&, automata::Budget&);
-
 }  // namespace waymark::plan

@@ -39,7 +39,7 @@ class MapProduct : public Product<MapMdp, TaskSteps> {
   Action action(const ProductEdge& e) const { return model().move(e.from.place, e.choice); }
   std::uint32_t index(const ProductState& v) const { return order_.number(v); }  // in the order of vertices()
 
-  struct traversal_category : virtual boost::incidence_graph_tag, virtual boost::vertex_list_graph_tag {};
+  using traversal_category = ListedProduct;
   using vertices_size_type = std::size_t;
   using vertex_iterator = std::vector<ProductState>::const_iterator;
   friend std::pair<vertex_iterator, vertex_iterator> vertices(const MapProduct& g) {

@@ -25,14 +25,14 @@ concept Task = requires(const T& task, std::uint32_t q, LetterId letter) {
   { task.jumps(q)[0] } -> std::convertible_to<std::uint32_t>;
 };
 
-template <class Step>
+template <class Successor>
 struct AtMostOne {  // the steps of a deterministic automaton
-  Step step;
+  Successor step;
   bool some = true;
   std::size_t size() const { return some ? 1 : 0; }
-  const Step& operator[](std::size_t) const { return step; }
-  const Step* begin() const { return &step; }
-  const Step* end() const { return &step + size(); }
+  const Successor& operator[](std::size_t) const { return step; }
+  const Successor* begin() const { return &step; }
+  const Successor* end() const { return &step + size(); }
 };
 
 }  // namespace waymark::plan

@@ -7,7 +7,6 @@
 #include <cmath>
 #include <deque>
 #include <stdexcept>
-#include <utility>
 
 #include "libplan/solve/end_components.hpp"
 #include "libplan/solve/reachability.hpp"

@@ -16,9 +16,4 @@ template <class Model>
 std::optional<Decided> greatest_discounted(const ProductMdp<Model>& product, double discount,
                                            const IterationOptions& limits = {});
 
-extern template std::optional<Decided> greatest_discounted(const ProductMdp<Mdp>&, double,
-                                                           const IterationOptions&);
-extern template std::optional<Decided> greatest_discounted(const ProductMdp<GridWorld>&, double,
-                                                           const IterationOptions&);
-
 }  // namespace waymark::plan

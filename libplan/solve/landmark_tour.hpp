@@ -34,9 +34,4 @@ std::optional<std::variant<LandmarkTour, NoLandmarkTour>> shortest_tour(
     const Model& model, const std::vector<std::string>& landmarks, bool closed,
     const std::stop_token& stop = {});
 
-extern template std::optional<std::variant<LandmarkTour, NoLandmarkTour>> shortest_tour(
-    const Mdp&, const std::vector<std::string>&, bool, const std::stop_token&);
-extern template std::optional<std::variant<LandmarkTour, NoLandmarkTour>> shortest_tour(
-    const GridWorld&, const std::vector<std::string>&, bool, const std::stop_token&);
-
 }  // namespace waymark::plan

@@ -33,7 +33,7 @@ struct LassoRoute {
 };
 struct LassoAnswer {
   std::optional<LassoRoute> route;  // nullopt: proved that there is none
-  SearchEffort budget;              // vertices and edges of the product
+  SearchStatistics statistics;      // vertices and edges of the product
 };
 
 // nullopt: stopped, or more vertices than the limit; (vertex, set of marks) count. Throws std::invalid_argument for a model that is not
@@ -69,16 +69,5 @@ template <class Model>
 CertifiedLasso certify(LassoRoute route, const Model& model, ltl::Formula f);
 template <class Model>
 CertifiedLasso certify(LassoRoute route, const Model& model, const automata::Automaton& automaton);
-
-extern template std::optional<LassoAnswer> least_lasso(const Mdp&, const automata::Automaton&, LassoOrder,
-                                                       std::size_t, const std::stop_token&);
-extern template std::optional<LassoAnswer> least_lasso(const GridWorld&, const automata::Automaton&,
-                                                       LassoOrder, std::size_t, const std::stop_token&);
-extern template ltl::Lasso word_of(const Mdp&, const LassoRoute&);
-extern template ltl::Lasso word_of(const GridWorld&, const LassoRoute&);
-extern template CertifiedLasso certify(LassoRoute, const Mdp&, ltl::Formula);
-extern template CertifiedLasso certify(LassoRoute, const GridWorld&, ltl::Formula);
-extern template CertifiedLasso certify(LassoRoute, const Mdp&, const automata::Automaton&);
-extern template CertifiedLasso certify(LassoRoute, const GridWorld&, const automata::Automaton&);
 
 }  // namespace waymark::plan

@@ -16,7 +16,7 @@ namespace waymark::plan {
 
 struct RoutesAnswer {
   std::vector<ChoiceRoute> routes;  // fewer than asked for: proved that there are no more
-  SearchEffort budget;              // walks settled, edges looked at
+  SearchStatistics statistics;      // walks settled, edges looked at
 };
 
 // By cost; of routes of as many choices, all equally dear, those whose choices come first. 24 bytes a walk. nullopt: stopped, or
@@ -24,10 +24,5 @@ struct RoutesAnswer {
 template <Model M>
 std::optional<RoutesAnswer> least_routes(const Product<M, TaskTable>& product, std::size_t most,
                                          std::size_t limit = 1'000'000'000, const std::stop_token& stop = {});
-
-extern template std::optional<RoutesAnswer> least_routes(const Product<Mdp, TaskTable>&, std::size_t,
-                                                         std::size_t, const std::stop_token&);
-extern template std::optional<RoutesAnswer> least_routes(const Product<GridWorld, TaskTable>&, std::size_t,
-                                                         std::size_t, const std::stop_token&);
 
 }  // namespace waymark::plan

@@ -32,13 +32,4 @@ std::optional<SearchAnswer> search(const Product<M, TaskTable>& product, std::si
 template <class Model>
 ltl::Trace word_of(const Model& model, const ChoiceRoute& route);
 
-extern template std::optional<double> uniform_cost(const Mdp&);
-extern template std::optional<double> uniform_cost(const GridWorld&);
-extern template std::optional<SearchAnswer> search(const Product<Mdp, TaskTable>&, std::size_t,
-                                                   const std::stop_token&);
-extern template std::optional<SearchAnswer> search(const Product<GridWorld, TaskTable>&, std::size_t,
-                                                   const std::stop_token&);
-extern template ltl::Trace word_of(const Mdp&, const ChoiceRoute&);
-extern template ltl::Trace word_of(const GridWorld&, const ChoiceRoute&);
-
 }  // namespace waymark::plan

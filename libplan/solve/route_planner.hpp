@@ -28,14 +28,14 @@ namespace waymark::plan {
 // Map and automaton must outlive it; one thread at a time.
 class RoutePlanner {
  public:
-  using Answer = std::variant<Route, Infeasible, Exhausted>;
+  using Result = std::variant<Route, Infeasible, Exhausted>;
 
   // Throws ltl::FormatError on a proposition that the map lacks.
   RoutePlanner(const Map& map, const automata::Dfa& dfa);
 
   // The cheapest over all starts; among equally cheap ones of the first start given. (conventions.md 8)
-  Answer plan(std::span<const PoseId> starts, const std::stop_token& stop = {});
-  Answer plan(PoseId start, const std::stop_token& stop = {}) { return plan({&start, 1}, stop); }
+  Result plan(std::span<const PoseId> starts, const std::stop_token& stop = {});
+  Result plan(PoseId start, const std::stop_token& stop = {}) { return plan({&start, 1}, stop); }
 
   std::size_t met() const { return met_.size(); }  // pairs, by the last plan
   std::size_t edges() const { return edges_; }     // looked at

@@ -15,7 +15,6 @@
 #include <cmath>
 #include <cstdint>
 #include <optional>
-#include <stop_token>
 #include <type_traits>
 #include <utility>
 #include <vector>

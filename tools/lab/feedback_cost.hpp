@@ -8,7 +8,6 @@
 #include <array>
 #include <cstdint>
 #include <stop_token>
-#include <string>
 #include <vector>
 
 namespace waymark::tools {

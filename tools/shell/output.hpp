@@ -1,7 +1,6 @@
 // Files written whole or not at all: to a temporary name beside the target, then renamed.
 #pragma once
 #include <filesystem>
-#include <string>
 #include <string_view>
 
 namespace waymark::tools {

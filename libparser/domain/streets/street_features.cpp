@@ -62,7 +62,7 @@ class Writer {
 
   // Which readings of the text are the route, or leave out a few of its landmarks?
   void as_read() {
-    for (const streets::Reading& reading : readings(nodes_[0], placed_, cues_)) {
+    for (const streets::Interpretation& reading : readings(nodes_[0], placed_, cues_)) {
       std::size_t at = 0;
       for (const LandmarkIndex node : nodes_)
         at += at < reading.landmarks.size() && reading.landmarks[at] == node;

@@ -23,14 +23,14 @@ struct MentionCue {
 std::vector<MentionCue> mention_cues(const std::vector<std::string>& tokens,
                                      const std::vector<Mention>& mentions);
 
-struct Reading {
+struct Interpretation {
   static constexpr unsigned reordered = 1, passed_by = 2, another_start = 4;
   unsigned followed = 0;  // of the three
   StreetRoute landmarks;  // start first, none twice
 };
 
 // Distinct, the plainest first; at most eight.
-std::vector<Reading> readings(LandmarkIndex start, const std::vector<PlacedMention>& mentions,
-                              const std::vector<MentionCue>& cues);
+std::vector<Interpretation> readings(LandmarkIndex start, const std::vector<PlacedMention>& mentions,
+                                     const std::vector<MentionCue>& cues);
 
 }  // namespace waymark::streets

@@ -14,11 +14,11 @@
 
 namespace waymark::streets {
 
-enum class Step : std::uint8_t { Stays, GoesOn, Ahead, Behind, AtStart, OnRival, Unseen };
+enum class MentionRole : std::uint8_t { Stays, GoesOn, Ahead, Behind, AtStart, OnRival, Unseen };
 constexpr double cost_unreached = 1, cost_no_step = 0.4;
 
 struct Walk {
-  std::vector<Step> steps;    // by mention
+  std::vector<MentionRole> steps;  // by mention
   std::size_t unreached = 0;  // landmarks of the route that no mention steps on; the start counts as reached
   bool reaches_goal = false;  // by its last step
   double cost = 0;

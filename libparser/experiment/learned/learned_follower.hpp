@@ -23,7 +23,7 @@ class LearnedFollower : public Follower {
  public:
   LearnedFollower(std::shared_ptr<const Follower> reader, const LearnedExecution& how)
       : reader_(std::move(reader)), how_(how) {}
-  Answer follow(const Executor& executor, const SentenceInput& input, plan::PoseId start) const override;
+  Response follow(const Executor& executor, const SentenceInput& input, plan::PoseId start) const override;
 
  private:
   using Task = std::tuple<std::string, std::uint32_t, Program>;  // on which map, from where
