@@ -1,4 +1,4 @@
-// How an automaton is shown: every format of `waymark translate` and `waymark automaton`, and when it is too large.
+// The output of an automaton: every format of `waymark translate` and `waymark automaton`, and the size limits.
 #pragma once
 #include <cstddef>
 #include <string>

@@ -149,7 +149,8 @@ class OnModel {
   Comparison& comparison_;
 };
 
-// A task that is wrong, or no task for learners, is reported, and the others are compared; one that was asked for by name is an error.
+// A task that is wrong, or no task for learners, is reported, and the others are compared; one that was asked for by
+// name is an error.
 ExitCode compare_case(const Options& options, const Session& session, Comparison& comparison) {
   const plan::PlanningCase planning_case = plan::read_case(options.planning_case);
   const std::optional<Given> given = read_given(options.automaton);

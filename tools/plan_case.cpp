@@ -127,7 +127,8 @@ void print(const plan::CaseTask& task, const CaseAnswer& answer) {
        answer.lasso->cycle);
 }
 
-// One object that says what the strategy is worth and which automaton it follows, then one for every state that it meets.
+// One object that says what the strategy is worth and which automaton it follows, then one for every state that it
+// meets.
 std::string written(const plan::PlanningCase& planning_case, const plan::CaseTask& task,
                     const CaseAnswer& answer) {
   const CaseAnswer::Written& strategy = *answer.strategy;

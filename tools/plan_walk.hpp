@@ -1,4 +1,5 @@
-// waymark plan on a map beyond one route of a finite task: the K cheapest routes, and lassos of tasks over infinite words.
+// waymark plan on a map beyond one route of a finite task: the K cheapest routes, and lassos of tasks over infinite
+// words.
 #pragma once
 #include <optional>
 #include <span>

@@ -26,7 +26,7 @@ struct Options {
 };
 
 // Of a corpus, of pairs, or of our own language when neither is named.
-struct Lessons {
+struct TrainingData {
   parser::Corpus corpus;
   std::vector<plan::Map> maps;
   std::vector<parser::Annotation> pairs;
@@ -34,8 +34,8 @@ struct Lessons {
   std::size_t sentences = 0;
 };
 
-Lessons lessons_of(const Options& options, parser::Dialect dialect) {
-  Lessons instances;
+TrainingData training_data_of(const Options& options, parser::Dialect dialect) {
+  TrainingData instances;
   if (!options.supervised.empty()) {
     const std::string text = read_file(options.supervised);
     instances.maps = shipped_maps(options.data);
@@ -63,7 +63,7 @@ Lessons lessons_of(const Options& options, parser::Dialect dialect) {
   return instances;
 }
 
-void report(const Options& options, const parser::TrainOptions& train, const Lessons& instances,
+void report(const Options& options, const parser::TrainOptions& train, const TrainingData& instances,
             std::size_t bytes, double seconds) {
   const bool supervised = !options.supervised.empty();
   if (options.json)
@@ -100,7 +100,7 @@ ExitCode run_train(const Options& options, const Session& session) {
       options.convention == "relative" ? parser::Convention::Relative : parser::Convention::Absolute;
   ProgressBar bar;
   train.progress = [&](double fraction, std::string_view what) { bar.show(fraction, what); };
-  const Lessons instances = lessons_of(options, train.dialect);
+  const TrainingData instances = training_data_of(options, train.dialect);
   const std::string& source = options.supervised.empty() ? options.corpus : options.supervised;
   const parser::Grounder grounder = learn_from(source, [&] {
     return instances.pairs.empty() ? parser::train(instances.corpus, instances.maps, train)

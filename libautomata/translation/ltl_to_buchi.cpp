@@ -328,7 +328,8 @@ class Construction {
           f, scc_filter(tableau(ltl::nnf(ltl::negate(f)), reads_, budget).automaton, MarksOn::Edges, budget));
     return outside_->second;
   }
-  // Where a deterministic automaton is the smallest, one that is not much larger may be less when its states are merged.
+  // Where a deterministic automaton is the smallest, one that is not much larger may be less when its states are
+  // merged.
   Candidate least(const Candidate& general) {
     Candidate best = with_merged_states(general, MarksOn::Edges);
     if (!is_deterministic(general.automaton)) return best;

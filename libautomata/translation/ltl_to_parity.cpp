@@ -76,7 +76,7 @@ class Construction {
   Construction(Formula f, const TranslationLimits& limits)
       : limits_(limits), formula_(f), reads_(ltl::propositions(f)) {}
 
-  // What there is when the caller's patience ends is not reduced.
+  // An automaton that is returned because the deadline has passed is not reduced.
   std::optional<Candidate> parity() {
     std::optional<Candidate> best = obligation();
     if (best) return best;

@@ -1,4 +1,4 @@
-// Whoever follows instructions: a sentence and a pose in, a route out; or a paragraph.
+// A follower of instructions maps a sentence and a start pose to a route, or a paragraph to a sequence of routes.
 #pragma once
 #include <span>
 #include <vector>

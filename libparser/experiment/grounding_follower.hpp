@@ -1,7 +1,8 @@
 // The follower that grounds: it reads programs and carries out their plans.
 //
 // Several grounders vote: the probabilities of ends are averaged, and the first of those that give the winning end the
-// most says how it is read. Paragraphs are read as a whole (choosing/paragraph.hpp); evidence is a mean over the grounders.
+// most says how it is read. Paragraphs are read as a whole (rerank/paragraph.hpp); evidence is a mean over the
+// grounders.
 #pragma once
 #include "libparser/experiment/follower.hpp"
 #include "libparser/rerank/paragraph.hpp"
@@ -22,7 +23,8 @@ class GroundingFollower : public Follower {
   std::vector<Response> follow_all(const Executor& executor, std::span<const SentenceInput> paragraph,
                                    plan::PoseId start) const override;
 
-  // What a sentence comes to from one start: answers, of which the most probable first; probabilities sum to 1, or there is none.
+  // What a sentence comes to from one start: answers, of which the most probable first; probabilities sum to 1, or
+  // there is none.
   struct Verdict {
     std::vector<Response> answers;
     double evidence = 0;  // of the start, up to one constant for each sentence

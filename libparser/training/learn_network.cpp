@@ -108,7 +108,8 @@ class Learner {
     instances_.push_back(std::move(instance));
   }
 
-  // A program of the sentence as it stands → the program of the instance, mirrored or not, and its reward times its prior.
+  // A program of the sentence as it stands → the program of the instance, mirrored or not, and its reward times its
+  // prior.
   std::pair<Program, double> weigh(const TrainingInstance& instance, const Program& program, bool same_route,
                                    Feedback& feedback) const {
     if (names_other_place(program, place_numbers_, instance.places)) return {program, 0};

@@ -5,7 +5,8 @@
 //   score     success · (cost of the optimum / cost of the policy given acceptance), in [0, 1]: 1 is a best route
 // A run comes to 90 % at the first checkpoint whose score is at least 0.9, and to the optimum at the first whose
 // discounted value is that of the optimum within 10⁻⁹; it stays there from the checkpoint on after which none is worse.
-// The checkpoint before the first step does not count: nothing has been learnt there. Of many runs: estimates with 95 % intervals (statistics.hpp).
+// The checkpoint before the first step does not count: nothing has been learnt there. Of many runs: estimates with 95 %
+// intervals (statistics.hpp).
 #pragma once
 #include <array>
 #include <optional>

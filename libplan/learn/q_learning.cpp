@@ -14,7 +14,8 @@ namespace {
 constexpr double not_offered = -std::numeric_limits<double>::infinity();
 constexpr std::size_t tabulated_rates = 1U << 12U;  // later updates are made at the last of them
 
-// Sub-tasks to begin episodes with: the states of the automaton that a start can owe, easiest first, the task itself last.
+// Sub-tasks to begin episodes with: the states of the automaton that a start can owe, easiest first, the task itself
+// last.
 class Curriculum {
  public:
   Curriculum(const TabularProduct& product, std::size_t passes) : passes_(passes) {

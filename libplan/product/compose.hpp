@@ -20,8 +20,9 @@ struct CompositionLimits {
   std::stop_token stop = {};  // polled every few hundred vertices
 };
 
-// The product that routes are searched on, with its reachable pairs numbered breadth first; Boost.Graph's IncidenceGraph and
-// VertexListGraph. Out-edges are in action order FORWARD, LEFT, RIGHT. Traps of the automaton are vertices without out-edges.
+// The product that routes are searched on, with its reachable pairs numbered breadth first; Boost.Graph's
+// IncidenceGraph and VertexListGraph. Out-edges are in action order FORWARD, LEFT, RIGHT. Traps of the automaton are
+// vertices without out-edges.
 class MapProduct : public Product<MapMdp, TaskSteps> {
  public:
   // Map and automaton must outlive it. Throws ltl::FormatError naming a proposition that the map lacks. nullopt: more

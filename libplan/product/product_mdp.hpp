@@ -1,9 +1,9 @@
 // The product of a model and a task with its reachable pairs numbered, two bits a pair: what value iteration works on.
 //
 // Reachable pairs are numbered in ascending order of (task, place): a component of the automaton is a range of numbers,
-// no outcome leads into a higher range. An outcome from which the task cannot be met leads to `trap`. Solvers are written
-// against what is public here; MarkovChain (solve/markov_chain.hpp) has it too. As a graph this is a Boost.Graph
-// IncidenceGraph and VertexListGraph.
+// no outcome leads into a higher range. An outcome from which the task cannot be met leads to `trap`. Solvers are
+// written against what is public here; MarkovChain (solve/markov_chain.hpp) has it too. As a graph this is a
+// Boost.Graph IncidenceGraph and VertexListGraph.
 #pragma once
 #include <cstddef>
 #include <cstdint>
@@ -36,7 +36,8 @@ class ProductMdp : public Product<M, TaskTable> {
 
   std::uint32_t states() const { return states_; }
   std::uint64_t edges() const { return edges_; }  // outcomes of all choices, those into the trap left out
-  // Where a run may begin: the first letter is read, after a jump or none. Empty: the task cannot be met from the start.
+  // Where a run may begin: the first letter is read, after a jump or none. Empty: the task cannot be met from the
+  // start.
   const std::vector<std::uint32_t>& starts() const { return starts_; }
   State state(std::uint32_t index) const {
     const std::uint64_t pair = pairs_.select(index);

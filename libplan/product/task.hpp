@@ -1,4 +1,4 @@
-// What a task is to a product: numbered states, and steps on the letters of one model.
+// The concept of a task: an automaton with numbered states, and its steps on the letters of one model.
 //
 // TaskTable is a DFA or an MdpSafe, tabulated; TaskSteps is a DFA whose steps are looked up when they are first taken;
 // BuchiTask is a generalised Büchi automaton, whose steps are choices.

@@ -1,7 +1,7 @@
 // A DFA as one map drives it: steps on the letters that the map can append, computed when a state is first visited.
 //
-// Rows are kept: one diagram walk per class of letters (alphabet_classes.hpp) and state, then a look-up. Nothing is done
-// for states that are never visited, of which large automata have many.
+// Rows are kept: one diagram walk per class of letters (alphabet_classes.hpp) and state, then a look-up. Nothing is
+// done for states that are never visited, of which large automata have many.
 #pragma once
 #include <array>
 #include <cstddef>

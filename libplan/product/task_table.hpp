@@ -2,8 +2,8 @@
 //
 // Letters that the automaton cannot tell apart form one class. States are renumbered so that strongly connected
 // components stand together and none leads to a higher one: solvers take them in ascending order. States from which
-// nothing is accepted are no states here, a step into one leads to `trap`. Propositions that the model does not know never
-// hold.
+// nothing is accepted are no states here, a step into one leads to `trap`. Propositions that the model does not know
+// never hold.
 #pragma once
 #include <cstdint>
 #include <span>

@@ -194,9 +194,9 @@ class TaskSolver {
     if (options_.strategy) answer_.strategy = {automaton, decisions(model_, task, routes[0]), answer_.value};
   }
 
-  // By the definition, not by the automaton: the finite word satisfies f, and so, of a co-safe f without X, does all that
-  // begins with it. Of another good prefix the word that stands still in its last letter is tried. Without a formula by a run
-  // of the automaton.
+  // By the definition, not by the automaton: the finite word satisfies f, and so, of a co-safe f without X, does all
+  // that begins with it. Of another good prefix the word that stands still in its last letter is tried. Without a
+  // formula by a run of the automaton.
   void certify_route(const ChoiceRoute& route, const TaskAutomaton& automaton,
                      std::optional<ltl::Formula> f) const {
     const ltl::Trace word = word_of(model_, route);

@@ -43,7 +43,8 @@ template <class Model>
 std::optional<Decided> least_probability(const ProductMdp<Model>& product,
                                          const IterationOptions& limits = {});
 
-// Least expected cost until a goal is reached; infinite (lower = upper = ∞) unless some strategy reaches one almost surely.
+// Least expected cost until a goal is reached; infinite (lower = upper = ∞) unless some strategy reaches one almost
+// surely.
 template <class Model>
 std::optional<Decided> least_cost(const ProductMdp<Model>& product, const IterationOptions& limits = {});
 

@@ -48,9 +48,9 @@ class PairSet {  // of places and states of the task: one bit for every pair the
   std::vector<std::uint64_t> bits_;
 };
 
-// By state of the task: every route to a goal comes into it, and can do so in one cell only. Once a search arrives there,
-// nothing that it has met before matters any more: the task is cut into legs. From the first state on, for as long as each
-// can be left for one other alone, in one cell alone.
+// By state of the task: every route to a goal comes into it, and can do so in one cell only. Once a search arrives
+// there, nothing that it has met before matters any more: the task is cut into legs. From the first state on, for as
+// long as each can be left for one other alone, in one cell alone.
 std::vector<bool> gates(const GridWorld& grid, const TaskTable& task, std::uint32_t first) {
   std::vector<std::uint32_t> cells(grid.letters().size(), 0);  // by letter
   for (std::uint32_t cell = 0; cell < grid.states(); ++cell)
@@ -80,8 +80,8 @@ struct Everywhere {
   bool operator()(std::uint32_t, std::uint32_t, std::uint32_t) const { return true; }
 };
 
-// Pairs in the order in which they were met, each with the number of the one it was met from. `may_lie(place, q, depth)`:
-// false for pairs that lie on no shortest route, which are passed over.
+// Pairs in the order in which they were met, each with the number of the one it was met from. `may_lie(place, q,
+// depth)`: false for pairs that lie on no shortest route, which are passed over.
 template <Model M, class MayLie>
 class BreadthFirst {
  public:
@@ -169,8 +169,8 @@ class BestFirst {
         gates_(std::move(gates)),
         settled_(grid_.states(), task_.states()) {}
 
-  // nullopt: stopped, no route, or given up: `most` pairs were settled, or the way is more than twice as long as the bound
-  // had it, so that walls decide and the bound hardly helps.
+  // nullopt: stopped, no route, or given up: `most` pairs were settled, or the way is more than twice as long as the
+  // bound had it, so that walls decide and the bound hardly helps.
   std::optional<std::uint32_t> moves(const ProductState& first, std::uint64_t most,
                                      const std::stop_token& stop) {
     put(first, 0);
@@ -238,8 +238,8 @@ Bounded by_best_first(const Product<Mdp, TaskTable>&, const ProductState&, std::
   return {};  // no places to measure between
 }
 
-// Breadth first. On a grid A* comes first, for a quarter of the pairs there are at most: where it finds how many moves it
-// takes, breadth first looks only at pairs whose depth and bound do not exceed them, and finds the same route.
+// Breadth first. On a grid A* comes first, for a quarter of the pairs there are at most: where it finds how many moves
+// it takes, breadth first looks only at pairs whose depth and bound do not exceed them, and finds the same route.
 template <Model M>
 std::optional<SearchAnswer> in_layers(const Product<M, TaskTable>& product, const ProductState& first,
                                       std::size_t limit, const std::stop_token& stop) {

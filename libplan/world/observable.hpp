@@ -38,8 +38,8 @@ std::string proposition_name(const Observable& observable);
 // Left and right exchanged.
 Observable mirrored(Observable observable);
 
-// By proposition, of a hallway vocabulary or a part of one. What may be `next` is an object; what is seen but never stood
-// at, a painting; everything else that is named, a floor or an object by itself.
+// By proposition, of a hallway vocabulary or a part of one. What may be `next` is an object; what is seen but never
+// stood at, a painting; everything else that is named, a floor or an object by itself.
 // Throws std::invalid_argument naming a proposition that has none of the forms above.
 std::vector<Observable> observables_of(const ltl::Vocabulary& vocabulary);
 

@@ -1,4 +1,4 @@
-// Many texts, one answer each: a bad one is reported, the others are still answered.
+// A batch of texts, each answered in order: an error in one text is reported, and the others are still answered.
 #pragma once
 #include <functional>
 #include <stop_token>

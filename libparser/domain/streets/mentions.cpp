@@ -135,7 +135,8 @@ void MentionFinder::add_parts(LandmarkIndex landmark, const std::vector<std::str
   }
 }
 
-// The names that a stretch of letters fits. `common`: every word of it is a common one, which must then be a whole name.
+// The names that a stretch of letters fits. `common`: every word of it is a common one, which must then be a whole
+// name.
 const std::vector<NameFit>& MentionFinder::fits(const std::string& letters, bool common) {
   const auto [at, fresh] = known_[common ? 1 : 0].try_emplace(letters);
   std::vector<NameFit>& found = at->second;

@@ -89,7 +89,8 @@ class Writer {
     return bin(extra / unit_, {0.002, 0.01, 0.05, 0.2});
   }
 
-  // A landmark off the route that stands beside one on it, unnamed and in the right place of the order, was taken for it.
+  // A landmark off the route that stands beside one on it, unnamed and in the right place of the order, was taken for
+  // it.
   void take_for_neighbours() {
     std::uint32_t least = 0;
     for (std::size_t m = 0; m < placed_.size(); ++m) {

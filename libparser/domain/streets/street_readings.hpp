@@ -1,9 +1,9 @@
 // The ways in which the landmarks of a text can be strung together: typed candidates F(a ∧ F(b ∧ …)) before any map.
 //
-// Read as they stand, mentions are the route in order. Words between them may say otherwise: "to c via b", "to c from a",
-// "to c after b" put a later mention first; "past b", "not b" may name what is only passed by, or not met at all; a text
-// may open with the neighbour of the landmark where it starts. Each of these can be followed or not: a reading is the
-// sequence that comes out, with what was followed to get it.
+// Read as they stand, mentions are the route in order. Words between them may say otherwise: "to c via b", "to c from
+// a", "to c after b" put a later mention first; "past b", "not b" may name what is only passed by, or not met at all; a
+// text may open with the neighbour of the landmark where it starts. Each of these can be followed or not: a reading is
+// the sequence that comes out, with what was followed to get it.
 #pragma once
 #include <string_view>
 #include <vector>

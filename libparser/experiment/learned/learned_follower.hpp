@@ -1,8 +1,8 @@
 // Formulas carried out as the paper does it: not by search but by a policy that deep Q-learning finds for each of them.
 //
-// What another follower reads is taken as the task; a network learns it from where the sentence begins, by the distances to
-// objects, floors and paintings and the one-hot state of the task's automaton (libplan/learn/dqn.hpp), and its greedy policy is
-// followed until the task is done, cannot be done any more, or `horizon` steps are taken.
+// What another follower reads is taken as the task; a network learns it from where the sentence begins, by the
+// distances to objects, floors and paintings and the one-hot state of the task's automaton (libplan/learn/dqn.hpp), and
+// its greedy policy is followed until the task is done, cannot be done any more, or `horizon` steps are taken.
 #pragma once
 #include <map>
 #include <memory>
