@@ -97,7 +97,8 @@ class Arena {
   std::unique_ptr<Store> store_;
 };
 
-// All operands of one call come from one arena (asserted). Cost: O(operands), O(n log n) for conjunction and disjunction.
+// All operands of one call come from one arena (asserted). Cost: O(operands), O(n log n) for conjunction and
+// disjunction.
 Formula negate(Formula f);  // ¬φ, with ¬¬φ = φ and constants folded
 Formula conjunction(Arena& arena, std::span<const Formula> operands);  // ∧; true when empty
 Formula disjunction(Arena& arena, std::span<const Formula> operands);  // ∨; false when empty

@@ -5,7 +5,6 @@
 #include <limits>
 #include <queue>
 
-#include "libltl/diagnostic.hpp"
 #include "libparser/corpus/token.hpp"
 #include "libparser/rerank/paragraph.hpp"
 #include "libparser/rerank/reranker.hpp"

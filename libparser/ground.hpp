@@ -1,13 +1,12 @@
 // English → LTL: the formulas that a model reads out of an instruction, best first.
 //
-// Without a map, `ground` ranks programs by p(program | sentence) alone. With one, each sentence's candidate programs are
-// planned from where the last sentence ended, and the end pose that carries most probability wins: the answer to
+// Without a map, `ground` ranks programs by p(program | sentence) alone. With one, each sentence's candidate programs
+// are planned from where the last sentence ended, and the end pose that carries most probability wins: the answer to
 // "which place is meant" is the mass of all readings that lead there, not the single likeliest reading. Where several
 // sentences are said, what follows tells where those before it ended (choosing/paragraph.hpp).
 #pragma once
 #include <cstddef>
 #include <span>
-#include <string>
 #include <string_view>
 #include <vector>
 

@@ -12,7 +12,8 @@
 namespace waymark::parser {
 
 inline constexpr double least_weight = 0.0085;
-// Of the reranker and the start-pose model, whose many small weights add up, the threshold is this share of what it is for others.
+// Of the reranker and the start-pose model, whose many small weights add up, the threshold is this share of what it is
+// for others.
 inline constexpr double least_of_rerankers = 0.6;
 inline constexpr std::size_t most_bytes = 12'000'000;
 

@@ -1,4 +1,4 @@
-// What `run` and `plan` answer, as text for people and as one JSON object (docs/cli.md documents every key).
+// The answer of `run` and `plan`, as text for people and as one JSON object (docs/cli.md documents every key).
 #pragma once
 #include <iosfwd>
 #include <optional>

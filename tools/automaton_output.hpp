@@ -1,9 +1,8 @@
-// How an automaton is shown: every format of `waymark translate` and `waymark automaton`, and when it is too large.
+// The output of an automaton: every format of `waymark translate` and `waymark automaton`, and the size limits.
 #pragma once
 #include <cstddef>
 #include <string>
 #include <string_view>
-#include <vector>
 
 #include "libautomata/finite/dfa.hpp"
 #include "libautomata/limit_deterministic/ldba.hpp"

@@ -1,4 +1,4 @@
-// What `waymark automaton` does with one automaton: operations on it, and questions about it.
+// The operations and questions of `waymark automaton` about one automaton.
 //
 // A question is answered "yes", or "no" with a word that shows why. Two automata must both be about finite words or
 // both about infinite ones.

@@ -5,8 +5,6 @@
 // question is tried on words, the definition of ⊨ being the referee.
 #pragma once
 #include <cstddef>
-#include <stop_token>
-#include <string>
 
 #include "tools/translations.hpp"
 
@@ -17,8 +15,8 @@ struct Certificate {
   std::size_t words = 0;  // that were tried
 };
 
-// Throws std::logic_error, with the formula and a word, when the automaton is wrong, and automata::Budget::Exceeded when
-// the stop comes first. Of a result that is an automaton.
+// Throws std::logic_error, with the formula and a word, when the automaton is wrong, and automata::Budget::Exceeded
+// when the stop comes first. Of a result that is an automaton.
 Certificate certify(ltl::Formula formula, const Translated& result, const Translation& translation,
                     const automata::TranslationLimits& limits);
 

@@ -80,9 +80,7 @@ ExitCode run_check(const CheckOptions& options, const Session& session) {
   const ltl::Trace word = plan::word_of(trajectory, map);
   return answer_each(
       texts, session.stop, [&](const Text& text) { return check_one(text, word, map, options, session); },
-      [&](const Text& text, const std::string& message) {
-        if (options.json) std::cout << json_error(text.line, message).text() << '\n';
-      });
+      options.json);
 }
 
 }  // namespace

@@ -8,12 +8,11 @@
 #include "libplan/solve/product_search.hpp"
 #include "libplan/solve/route_planner.hpp"
 #include "libplan/solve/task_automaton.hpp"
-#include "tools/answer.hpp"
 #include "tools/compare_runs.hpp"
+#include "tools/corridor.hpp"
 #include "tools/shell/batch.hpp"
 #include "tools/shell/noise.hpp"
 #include "tools/shell/options.hpp"
-#include "tools/shell/output.hpp"
 #include "tools/shell/subcommand.hpp"
 
 namespace waymark::tools {
@@ -150,7 +149,8 @@ class OnModel {
   Comparison& comparison_;
 };
 
-// A task that is wrong, or no task for learners, is reported, and the others are compared; one that was asked for by name is an error.
+// A task that is wrong, or no task for learners, is reported, and the others are compared; one that was asked for by
+// name is an error.
 ExitCode compare_case(const CompareOptions& options, const Session& session, Comparison& comparison) {
   const plan::PlanningCase planning_case = plan::read_case(options.planning_case);
   const std::optional<Given> given = read_given(options.automaton);
@@ -211,9 +211,7 @@ ExitCode run_compare(const CompareOptions& options, const Session& session) {
   OnMap on_map(options, session, comparison);
   const ExitCode code = answer_each(
       texts, session.stop, [&](const Text& text) { return on_map.compare(text, !texts.is_batch()); },
-      [&](const Text& text, const std::string& message) {
-        if (options.choice.json) std::cout << json_error(text.line, message).text() << '\n';
-      });
+      options.choice.json);
   if (texts.is_batch()) comparison.suite();
   return code;
 }

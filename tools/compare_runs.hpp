@@ -1,6 +1,7 @@
 // The runs of a comparison: exact methods and learners on one task, and on a suite of tasks, by one protocol.
 //
-// Where a task comes from (a map, a planning case) is the business of compare.cpp; how answers look, that of comparing.hpp.
+// Where a task comes from (a map, a planning case) is the business of compare.cpp; how answers look, that of
+// comparing.hpp.
 #pragma once
 #include <array>
 #include <span>
@@ -30,7 +31,8 @@ class Comparison {
   plan::LearningTaskOptions task_options() const;  // the discount, and what the chosen methods need
 
   // What is said of the task beforehand is in `compared`, with the exact search where there is one. Runs the learners,
-  // prints the answer, and draws it where it is the only one. Throws std::logic_error when search and value iteration disagree.
+  // prints the answer, and draws it where it is the only one. Throws std::logic_error when search and value iteration
+  // disagree.
   ExitCode run(ComparedTask compared, const plan::LearningTask& task, bool is_single);
   void suite() const;  // all runs together
   std::size_t tasks() const { return tasks_; }

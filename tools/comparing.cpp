@@ -2,7 +2,6 @@
 
 #include <cmath>
 #include <iomanip>
-#include <iostream>
 
 #include "libltl/text/print.hpp"
 #include "tools/answer.hpp"

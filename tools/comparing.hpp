@@ -1,4 +1,5 @@
-// The comparison of one formula, or of a suite of them, as text for people and as JSON (docs/cli.md documents every key).
+// The comparison of one formula, or of a suite of them, as text for people and as JSON (docs/cli.md documents every
+// key).
 #pragma once
 #include <iosfwd>
 #include <optional>

@@ -177,9 +177,7 @@ ExitCode compose_any(const ComposeOptions& options, const Session& session) {
         write_product(model, dfa, {"", ltl::print(formula)}, options.output, session.stop);
         return ExitCode::Done;
       },
-      [&](const Text& text, const std::string& message) {
-        if (options.output.format == "json") std::cout << json_error(text.line, message).text() << '\n';
-      });
+      options.output.format == "json");
 }
 
 ExitCode run_compose(const ComposeOptions& options, const Session& session) {
@@ -210,9 +208,7 @@ ExitCode run_compose(const ComposeOptions& options, const Session& session) {
         answer(composed(map, dfa, starts, session), formula, options, session);
         return ExitCode::Done;
       },
-      [&](const Text& text, const std::string& message) {
-        if (options.output.format == "json") std::cout << json_error(text.line, message).text() << '\n';
-      });
+      options.output.format == "json");
 }
 
 }  // namespace

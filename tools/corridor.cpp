@@ -38,7 +38,7 @@ CorridorRun run_corridor(const plan::Map& map, const automata::Dfa& dfa, std::op
   Seconds seconds;
   plan::RoutePlanner planner(map, dfa);
   seconds.compose = watch.lap();
-  plan::RoutePlanner::Answer answer = planner.plan(starts, stop);
+  plan::RoutePlanner::Result answer = planner.plan(starts, stop);
   seconds.solve = watch.lap();
   const auto corridor_run = [&](Destination destination) {
     seconds.certify = watch.lap();

@@ -4,7 +4,6 @@
 #include "tools/corridor.hpp"
 #include "tools/picture.hpp"
 #include "tools/shell/options.hpp"
-#include "tools/shell/output.hpp"
 #include "tools/shell/subcommand.hpp"
 
 namespace waymark::tools {

@@ -52,7 +52,8 @@ Json evaluation_json(const parser::Evaluation& evaluation, const parser::Scores&
   return json.add("seconds", evaluation.seconds);
 }
 
-// One object a line, so that anyone can score the answers again: those to sentences by themselves, or in their paragraphs.
+// One object a line, so that anyone can score the answers again: those to sentences by themselves, or in their
+// paragraphs.
 void write_predictions(const std::string& file, bool in_paragraphs, const parser::Evaluation& evaluation,
                        std::span<const plan::Map> maps) {
   if (file.empty()) return;

@@ -1,4 +1,4 @@
-// How often formulas were read as they were meant: as a table, as JSON, and of pairs of a file.
+// The share of formulas that were read as they were meant: as a table, as JSON, and for the pairs of a file.
 #pragma once
 #include <string>
 

@@ -15,6 +15,7 @@
 #include "libparser/model/word_model.hpp"
 #include "libparser/rerank/decide.hpp"
 #include "tools/answer.hpp"
+#include "tools/shell/batch.hpp"
 #include "tools/shell/models.hpp"
 #include "tools/shell/options.hpp"
 #include "tools/shell/parallel.hpp"

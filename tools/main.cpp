@@ -4,7 +4,6 @@
 #include <array>
 #include <cerrno>
 #include <cstddef>
-#include <iostream>
 #include <span>
 #include <string_view>
 #include <system_error>

@@ -155,8 +155,8 @@ ExitCode move_along(const plan::Route& route, const MoveOptions& options, const 
 }
 
 // The route of the corridor, or the one given, which must satisfy the formula.
-CorridorRun journey_of(const MoveOptions& options, const plan::Map& map, const automata::Dfa& dfa,
-                       ltl::Formula formula, const Session& session) {
+CorridorRun corridor_run_of(const MoveOptions& options, const plan::Map& map, const automata::Dfa& dfa,
+                            ltl::Formula formula, const Session& session) {
   if (options.route.empty())
     return run_corridor(map, dfa, formula, start_poses(options.start, map), session.stop);
   StopWatch watch;
@@ -191,7 +191,7 @@ ExitCode run_move(const MoveOptions& options, const Session& session) {
   const automata::Dfa dfa = translate(formula, session.stop);
   const double translating = watch.lap();
   Moved moved{
-      .answer = {.formula = formula, .corridor_run = journey_of(options, map, dfa, formula, session)}};
+      .answer = {.formula = formula, .corridor_run = corridor_run_of(options, map, dfa, formula, session)}};
   moved.answer.corridor_run.seconds.load = load;
   moved.answer.corridor_run.seconds.translate = translating;
   const plan::Route* route = route_of(moved.answer.corridor_run);

@@ -152,10 +152,7 @@ ExitCode run_plan(const PlanCommandOptions& options, const Session& session) {
     throw UsageError("--svg and --hoa are for a single formula given as an argument");
   Planning planning(options, session);
   return answer_each(
-      texts, session.stop, [&](const Text& text) { return planning.of_formula(text); },
-      [&](const Text& text, const std::string& message) {
-        if (options.json) std::cout << json_error(text.line, message).text() << '\n';
-      });
+      texts, session.stop, [&](const Text& text) { return planning.of_formula(text); }, options.json);
 }
 
 }  // namespace

@@ -122,7 +122,8 @@ void print(const plan::CaseTask& task, const CaseAnswer& answer) {
        answer.lasso->cycle);
 }
 
-// One object that says what the strategy is worth and which automaton it follows, then one for every state that it meets.
+// One object that says what the strategy is worth and which automaton it follows, then one for every state that it
+// meets.
 std::string written(const plan::PlanningCase& planning_case, const plan::CaseTask& task,
                     const CaseAnswer& answer) {
   const CaseAnswer::Written& strategy = *answer.strategy;
@@ -327,9 +328,7 @@ ExitCode plan_model(const plan::PlanningCase& model, const CaseChoice& choice, c
             throw error.in(text.source, text.line);
           }
         },
-        [&](const Text& text, const std::string& message) {
-          if (choice.json) std::cout << json_error(text.line, message).text() << '\n';
-        });
+        choice.json);
   }
   answers.write_strategies();
   return code;

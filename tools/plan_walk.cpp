@@ -37,7 +37,7 @@ std::string poses_of(std::span<const plan::PoseId> starts, const plan::Map& map)
 struct FoundLasso {
   std::optional<plan::CertifiedLasso> lasso;
   plan::Route prefix, cycle;
-  plan::SearchEffort budget;  // of all starts
+  plan::SearchStatistics statistics;  // of all starts
   double translating = 0, solving = 0;
 };
 
@@ -77,8 +77,8 @@ class LassoPlanning {
     auto answer = plan::least_lasso(mdp, automaton_, order, 100'000'000, session_.stop);
     if (!answer && session_.stop.stop_requested()) throw Interrupted();
     if (!answer) throw GaveUp("the search for a lasso met its limit");
-    found_.budget.met += answer->budget.met;
-    found_.budget.edges += answer->budget.edges;
+    found_.statistics.met += answer->statistics.met;
+    found_.statistics.edges += answer->statistics.edges;
     if (!answer->route) return;
     if (found_.lasso && !(rank(*answer->route, order) < rank(found_.lasso->route(), order))) return;
     found_.lasso = task_.formula ? plan::certify(std::move(*answer->route), mdp, *task_.formula)
@@ -103,7 +103,8 @@ class LassoPlanning {
                               .add("edges", automata::count_edges(automaton_.transitions()))
                               .add("sets", automaton_.acceptance().sets)
                               .add("propositions", automaton_.reads().size()))
-        .add("product", JsonObject().add("states", found_.budget.met).add("edges", found_.budget.edges));
+        .add("product",
+             JsonObject().add("states", found_.statistics.met).add("edges", found_.statistics.edges));
     if (found_.lasso) {
       out.add("status", "solved")
           .add("route", json_of(trajectory_of(ShownRoute(*found_.lasso), task_.map), task_.map))
@@ -133,8 +134,8 @@ class LassoPlanning {
           << '\n';
     out << label(terminal, "automaton") << counted(automaton_.states(), "state") << ", "
         << counted(automata::count_edges(automaton_.transitions()), "edge") << ", over infinite words\n"
-        << label(terminal, "product") << counted(found_.budget.met, "state") << ", "
-        << counted(found_.budget.edges, "edge") << ", with the map " << task_.map.name() << '\n';
+        << label(terminal, "product") << counted(found_.statistics.met, "state") << ", "
+        << counted(found_.statistics.edges, "edge") << ", with the map " << task_.map.name() << '\n';
     if (found_.lasso) {
       out << label(terminal, "prefix") << counted(found_.prefix.actions.size(), "action") << ", cost "
           << Json(found_.prefix.cost).text() << '\n';
@@ -176,7 +177,7 @@ CheckedRoute checked(plan::Route route, const WalkTask& task, const automata::Df
 
 struct FoundRoutes {
   std::vector<CheckedRoute> routes;
-  plan::SearchEffort budget;  // of all starts
+  plan::SearchStatistics statistics;  // of all starts
   double solving = 0;
 };
 
@@ -190,8 +191,8 @@ FoundRoutes cheapest(const WalkTask& task, const automata::Dfa& dfa, std::size_t
                                            100'000'000, session.stop);
     if (!answer && session.stop.stop_requested()) throw Interrupted();
     if (!answer) throw GaveUp("the search for routes met its limit");
-    found.budget.met += answer->budget.met;
-    found.budget.edges += answer->budget.edges;
+    found.statistics.met += answer->statistics.met;
+    found.statistics.edges += answer->statistics.edges;
     for (const plan::ChoiceRoute& route : answer->routes)
       found.routes.push_back(checked(route_of(route, task.map), task, dfa));
   }
@@ -213,7 +214,7 @@ JsonObject routes_json(const FoundRoutes& found, const WalkTask& task, const aut
   json.add("formula", task.formula ? Json(ltl::print(*task.formula)) : Json())
       .add("map", task.map.name())
       .add("automaton", json_of(size_of(dfa)))
-      .add("product", JsonObject().add("states", found.budget.met).add("edges", found.budget.edges))
+      .add("product", JsonObject().add("states", found.statistics.met).add("edges", found.statistics.edges))
       .add("status", found.routes.empty() ? "infeasible" : "solved")
       .add("routes", list);
   if (!found.routes.empty()) add_certificate(json, shown(found.routes.front()));

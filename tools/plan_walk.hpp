@@ -1,4 +1,5 @@
-// waymark plan on a map beyond one route of a finite task: the K cheapest routes, and lassos of tasks over infinite words.
+// waymark plan on a map beyond one route of a finite task: the K cheapest routes, and lassos of tasks over infinite
+// words.
 #pragma once
 #include <optional>
 #include <span>
@@ -8,7 +9,6 @@
 #include "libplan/solve/task_automaton.hpp"
 #include "libplan/world/map.hpp"
 #include "tools/shell/exit_code.hpp"
-#include "tools/shell/json.hpp"
 #include "tools/shell/subcommand.hpp"
 
 namespace waymark::tools {

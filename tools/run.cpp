@@ -149,10 +149,7 @@ ExitCode run_all(RunOptions options, const Session& session) {
     throw UsageError("--svg and --hoa are for a single instruction given as an argument");
   const Running running(options, session);
   return answer_each(
-      texts, session.stop, [&](const Text& text) { return running(text); },
-      [&](const Text& text, const std::string& message) {
-        if (options.json) std::cout << json_error(text.line, message).text() << '\n';
-      });
+      texts, session.stop, [&](const Text& text) { return running(text); }, options.json);
 }
 
 }  // namespace

@@ -1,4 +1,5 @@
-// Routes as they are shown. The type of a route says whether, and by what, the route is certified; no flag beside it does.
+// Routes as they are shown. The type of a route says whether, and by what, the route is certified; no flag beside it
+// does.
 #pragma once
 #include <cstddef>
 #include <optional>

@@ -2,7 +2,6 @@
 
 #include <iomanip>
 #include <iostream>
-#include <stdexcept>
 
 #include "libltl/diagnostic.hpp"
 #include "libltl/text/print.hpp"

@@ -33,7 +33,7 @@ struct TrainCommandOptions {
 };
 
 // Of a corpus, of pairs, or of our own language when neither is named.
-struct Lessons {
+struct TrainingData {
   parser::Corpus corpus;
   std::vector<plan::Map> maps;
   std::vector<parser::Annotation> pairs;
@@ -41,8 +41,8 @@ struct Lessons {
   std::size_t sentences = 0;
 };
 
-Lessons lessons_of(const TrainCommandOptions& options, parser::Dialect dialect) {
-  Lessons instances;
+TrainingData training_data_of(const TrainCommandOptions& options, parser::Dialect dialect) {
+  TrainingData instances;
   if (!options.supervised.empty()) {
     const std::string text = read_file(options.supervised);
     instances.maps = shipped_maps(options.data);
@@ -70,7 +70,7 @@ Lessons lessons_of(const TrainCommandOptions& options, parser::Dialect dialect) 
   return instances;
 }
 
-void report(const TrainCommandOptions& options, const parser::TrainOptions& train, const Lessons& instances,
+void report(const TrainCommandOptions& options, const parser::TrainOptions& train, const TrainingData& instances,
             std::size_t bytes, double seconds) {
   const bool supervised = !options.supervised.empty();
   if (options.json)
@@ -96,7 +96,7 @@ void report(const TrainCommandOptions& options, const parser::TrainOptions& trai
 }
 
 // The reader of commands: from people's commands, our own, and what it must leave to the reader of programs.
-std::shared_ptr<const parser::LiftedReader> learn_commands(const TrainCommandOptions& options, const Lessons& instances,
+std::shared_ptr<const parser::LiftedReader> learn_commands(const TrainCommandOptions& options, const TrainingData& instances,
                                                            const parser::TrainOptions& train) {
   if (options.commands.empty()) return nullptr;
   const std::filesystem::path data = data_directory(options.data);
@@ -140,7 +140,7 @@ ExitCode run_train(const TrainCommandOptions& options, const Session& session) {
       options.convention == "relative" ? parser::Convention::Relative : parser::Convention::Absolute;
   ProgressBar bar;
   train.progress = [&](double fraction, std::string_view what) { bar.show(fraction, what); };
-  const Lessons instances = lessons_of(options, train.dialect);
+  const TrainingData instances = training_data_of(options, train.dialect);
   const std::string& source = options.supervised.empty() ? options.corpus : options.supervised;
   parser::Grounder grounder = !options.base.empty() ? parser::load_grounder(options.base) : learn_from(source, [&] {
     return instances.pairs.empty() ? parser::train(instances.corpus, instances.maps, train)

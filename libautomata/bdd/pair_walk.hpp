@@ -1,7 +1,6 @@
 // Two diagrams walked together: to which pairs of terminals do letters lead?
 #pragma once
 #include <algorithm>
-#include <cstdint>
 
 #include "libautomata/bdd/mtbdd.hpp"
 #include "libautomata/budget.hpp"

@@ -5,8 +5,8 @@
 namespace waymark::automata {
 namespace {
 
-// One root after the other, each depth first with the low side first: states get their numbers on the way down, nodes on
-// the way up, so both depend on the functions alone. Numbers are one to one: different nodes stay different.
+// One root after the other, each depth first with the low side first: states get their numbers on the way down, nodes
+// on the way up, so both depend on the functions alone. Numbers are one to one: different nodes stay different.
 class CanonicalCopy {
  public:
   CanonicalCopy(const Transitions& from, Budget& budget)

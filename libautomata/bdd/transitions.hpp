@@ -4,7 +4,6 @@
 // two children; a terminal is the state that it names. The graph has no letters. Reachability questions (components,
 // distances, traps) are linear in this shared graph, and not in the number of letters or cubes.
 #pragma once
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>

@@ -175,7 +175,7 @@ AlternatingCycles::Node AlternatingCycles::entry(std::uint32_t q) const {
   return root_[q] == none ? none : descend(root_[q], q);
 }
 
-AlternatingCycles::Step AlternatingCycles::step(std::uint32_t q, Node at, const Branch& branch) const {
+AlternatingCycles::Transition AlternatingCycles::step(std::uint32_t q, Node at, const Branch& branch) const {
   if (at == none || root_[branch.target] != root_[q]) return {entry(branch.target), no_colour};
   const auto& own = graph_.branches(q);
   const auto edge = first_edge_[q] + static_cast<std::uint32_t>(

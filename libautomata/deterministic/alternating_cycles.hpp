@@ -6,7 +6,6 @@
 // of an unsatisfied conjunction names the marks to remove, so Rabin and Streett conditions branch only where necessary.
 #pragma once
 #include <cstdint>
-#include <optional>
 #include <vector>
 
 #include "libautomata/budget.hpp"
@@ -25,14 +24,14 @@ class AlternatingCycles {
   // Where a run stands that enters a component at q, none when q lies on no cycle: nodes are entered by their first
   // child that has q.
   Node entry(std::uint32_t q) const;
-  struct Step {
+  struct Transition {
     Node node;             // none outside of cycles
     std::uint32_t colour;  // min even; `no_colour` when no cycle has the branch
   };
   static constexpr std::uint32_t no_colour = UINT32_MAX;
   // From q at a node over one of its branches: up to the node that has the branch, whose depth is the colour, and down
   // again by the child after the one that was left.
-  Step step(std::uint32_t q, Node at, const Branch& branch) const;
+  Transition step(std::uint32_t q, Node at, const Branch& branch) const;
   std::uint32_t colours() const { return colours_; }
 
  private:

@@ -61,7 +61,7 @@ class Heights {
   }
 
  private:
-  struct Part {
+  struct Subgraph {
     const std::vector<std::vector<std::uint32_t>>& targets;
     std::size_t size() const { return targets.size(); }
     const std::vector<std::uint32_t>& successors(std::uint32_t q) const { return targets[q]; }
@@ -69,7 +69,7 @@ class Heights {
   Components components_of(const std::vector<std::size_t>& edges) const {
     std::vector<std::vector<std::uint32_t>> targets(states_);
     for (std::size_t e : edges) targets[edges_[e].source].push_back(edges_[e].target);
-    return components(Part{targets});
+    return components(Subgraph{targets});
   }
   // Sets the heights of the edges that lie on cycles of these edges; returns the greatest of them.
   std::uint32_t lift(const std::vector<std::size_t>& edges) {

@@ -52,7 +52,7 @@ struct Followed {
   std::vector<bool> nothing, everything;
   std::vector<Node> roots;  // in the manager of the product that is being made
 
-  Followed(const Part& part, std::uint32_t mark)
+  Followed(const Operand& part, std::uint32_t mark)
       : automaton(rejectable(part.late ? started_inside(part.automaton) : part.automaton)),
         late(part.late),
         first_mark(mark) {
@@ -98,10 +98,10 @@ struct Question {
 // component (`late`), each only in the components where its verdict matters.
 class Combination {
  public:
-  Combination(const std::vector<Part>& parts, const Condition& over, Budget& budget)
+  Combination(const std::vector<Operand>& parts, const Condition& over, Budget& budget)
       : budget_(budget), over_(over) {
     if (parts.size() > Marks::most) throw Budget::Exceeded{Budget::Exceeded::Reason::States};
-    for (const Part& part : parts) {
+    for (const Operand& part : parts) {
       parts_.emplace_back(part, sets_);
       sets_ += parts_.back().automaton.acceptance.sets;
     }
@@ -315,7 +315,7 @@ class Combination {
 
 }  // namespace
 
-TransitionRelation combination(const std::vector<Part>& parts, const Condition& over, Budget& budget) {
+TransitionRelation combination(const std::vector<Operand>& parts, const Condition& over, Budget& budget) {
   return Combination(parts, over, budget).run();
 }
 

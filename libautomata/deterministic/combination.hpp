@@ -13,13 +13,13 @@
 
 namespace waymark::automata {
 
-struct Part {
+struct Operand {
   TransitionRelation automaton;  // deterministic, any condition
   bool late = false;             // it accepts uv exactly when it accepts v
 };
 
 // over: Inf(i) stands for "part i accepts", Fin(i) for "it does not". All parts over the same variables. One state of
 // budget per state; more than Marks::most parts or marks count as too many.
-TransitionRelation combination(const std::vector<Part>& parts, const Condition& over, Budget& budget);
+TransitionRelation combination(const std::vector<Operand>& parts, const Condition& over, Budget& budget);
 
 }  // namespace waymark::automata

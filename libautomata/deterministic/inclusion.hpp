@@ -3,7 +3,6 @@
 // A word that one state accepts and the other rejects is a run of pairs that satisfies the first condition and not the
 // second. The graph of all pairs is built once, and its live part decides every pair of states. [BK08, Sec. 4.4.2]
 #pragma once
-#include <cstdint>
 #include <vector>
 
 #include "libautomata/budget.hpp"

@@ -43,7 +43,7 @@ class Copies {
   std::uint32_t choice(const Copy& at, std::span<const Branch> branches) {
     if (branches.empty()) return Choices::none;
     const Branch& b = branches.front();
-    const AlternatingCycles::Step step = cycles_.step(at.first, at.second, b);
+    const AlternatingCycles::Transition step = cycles_.step(at.first, at.second, b);
     const Marks marks = step.colour == AlternatingCycles::no_colour ? Marks() : mark_of(step.colour, sets_);
     return out_.choices.intern({{copy(b.target, step.node), marks}});
   }

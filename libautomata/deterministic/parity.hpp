@@ -37,8 +37,8 @@ std::size_t count_languages(const TransitionRelation& automaton, Budget& budget)
 
 // Trimmed; as few colours as the components need [CM99, Sec. 4]; states with one signature merged, and those of one
 // language where fewer_states.hpp finds colours. When every component accepts or rejects as a whole the language is an
-// obligation, and the result is the minimal automaton [Loe01]. Never throws Budget::Exceeded except when stopped: what was
-// reached is returned.
+// obligation, and the result is the minimal automaton [Loe01]. Never throws Budget::Exceeded except when stopped: what
+// was reached is returned.
 Reduced reduce_parity(const TransitionRelation& automaton, Budget& budget,
                       std::size_t compared = compared_states);
 

@@ -13,8 +13,6 @@
 // other, the diagrams of the pairs are copies: of the first for each root of the second, of the second for each state
 // of the first.
 #pragma once
-#include <cstdint>
-
 #include "libautomata/bdd/transitions.hpp"
 #include "libautomata/budget.hpp"
 #include "libautomata/finite/product.hpp"

@@ -111,36 +111,35 @@ std::vector<Formula> disjoint_groups(const Decomposition& parts, const Reads& re
 }
 
 // A minimal automaton on its way into products.
-struct Part {
+struct Factor {
   Transitions automaton;
   std::vector<bool> reads;                     // by variable: may depend on it
   std::optional<AtEachLength> at_each_length;  // none: not looked at yet
   std::size_t weight() const { return automaton.roots.size() + automaton.diagram.size(); }
 };
-using Known = std::shared_ptr<Part>;
+using Known = std::shared_ptr<Factor>;
 
-bool share(const Part& a, const Part& b) {
+bool share(const Factor& a, const Factor& b) {
   for (std::size_t v = 0; v < a.reads.size(); ++v)
     if (a.reads[v] && b.reads[v]) return true;
   return false;
 }
 
 // All variables of a stand above those of b.
-bool is_above(const Part& a, const Part& b) {
+bool is_above(const Factor& a, const Factor& b) {
   const auto last = std::find(a.reads.rbegin(), a.reads.rend(), true).base();
   const auto first = std::find(b.reads.begin(), b.reads.end(), true);
   return last - a.reads.begin() <= first - b.reads.begin();
 }
 
-AtEachLength properties(Part& part, Budget& budget) {
-  if (!part.at_each_length) part.at_each_length = at_each_length(part.automaton, budget);
-  return *part.at_each_length;
+AtEachLength properties(const Factor& factor, Budget& budget) {
+  return factor.at_each_length ? *factor.at_each_length : at_each_length(factor.automaton, budget);
 }
 
-// Neither shares a proposition with the other one; the verdict is "both" or "either".
-Part disjoint_part(Part& a, Part& b, Verdict verdict, Budget& budget) {
-  Part out;
-  const AtEachLength first = properties(a, budget), second = properties(b, budget);
+// The factors share no proposition, and their properties are known. The verdict is "both" or "either".
+Factor disjoint_factor(const Factor& a, const Factor& b, Verdict verdict, Budget& budget) {
+  Factor out;
+  const AtEachLength first = *a.at_each_length, second = *b.at_each_length;
   const AtEachLength common{first.told_apart && second.told_apart, first.reached && second.reached,
                             first.own_roots && second.own_roots};
   if (common.told_apart && common.reached && common.own_roots && is_above(a, b)) {
@@ -204,9 +203,9 @@ class Translation {
 
   void direct(Formula f, Task& task, std::size_t step_budget) {
     const auto construct = [&](Budget& budget) {
-      Part part{minimize(closed(f, reads_, budget), budget), std::vector<bool>(reads_.size(), false), {}};
-      for (const ltl::Proposition p : ltl::propositions(f)) part.reads[position(p, reads_)] = true;
-      return part;
+      Factor factor{minimize(closed(f, reads_, budget), budget), std::vector<bool>(reads_.size(), false), {}};
+      for (const ltl::Proposition p : ltl::propositions(f)) factor.reads[position(p, reads_)] = true;
+      return factor;
     };
     const Outcome outcome =
         within(task.composable ? step_budget / rounds.direct_share : step_budget, construct);
@@ -251,17 +250,20 @@ class Translation {
 
   bool multiply(Task& task, std::size_t step_budget) {
     const auto [first, second] = task.disjoint ? neighbours(task.waiting) : relatives(task.waiting);
-    Part &a = *task.waiting[first], &b = *task.waiting[second];
+    Factor &a = *task.waiting[first], &b = *task.waiting[second];
     const Outcome outcome = within(step_budget, [&](Budget& budget) {
-      Part part;
-      if (task.disjoint)
-        part = disjoint_part(a, b, verdict_of(task.by), budget);
-      else
-        part.automaton = minimize(product(a.automaton, b.automaton, verdict_of(task.by), budget), budget);
-      part.reads = a.reads;
+      Factor factor;
+      if (task.disjoint) {
+        a.at_each_length = properties(a, budget);
+        b.at_each_length = properties(b, budget);
+        factor = disjoint_factor(a, b, verdict_of(task.by), budget);
+      } else {
+        factor.automaton = minimize(product(a.automaton, b.automaton, verdict_of(task.by), budget), budget);
+      }
+      factor.reads = a.reads;
       for (std::size_t v = 0; v < b.reads.size(); ++v)
-        if (b.reads[v]) part.reads[v] = true;
-      return part;
+        if (b.reads[v]) factor.reads[v] = true;
+      return factor;
     });
     if (outcome.out_of_states) task.composable = false;  // nor would it be the next time
     if (!outcome.made) return false;
@@ -315,7 +317,7 @@ class Translation {
     Budget budget(step_budget, limits_.states, limits_.stop);
     Outcome outcome;
     try {
-      outcome.made = std::make_shared<Part>(construction(budget));
+      outcome.made = std::make_shared<Factor>(construction(budget));
     } catch (const Budget::Exceeded& spent) {
       made_ = std::max(made_, budget.states());
       if (spent.reason == Budget::Exceeded::Reason::Stopped) throw;

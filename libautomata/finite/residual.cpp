@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <stdexcept>
 #include <unordered_set>
-#include <utility>
 
 namespace waymark::automata {
 namespace {

@@ -25,7 +25,8 @@ std::optional<std::string> write_lbtt(const Automaton& automaton, std::size_t mo
 // Büchi, marks on states. The format has letters and no guards: an edge for each letter, written as "a&!b". Where no
 // state accepts, one that is not reached does, since a file without accepting states means that all of them are.
 std::optional<std::string> write_ba(const Automaton& automaton, std::size_t most_edges);
-// A heading, then one edge a line: source, target, marks with commas or "-", guard in ASCII notation. State 0 is initial.
+// A heading, then one edge a line: source, target, marks with commas or "-", guard in ASCII notation. State 0 is
+// initial.
 std::optional<std::string> write_table(const Automaton& automaton, std::size_t most_edges);
 
 }  // namespace waymark::automata

@@ -1,6 +1,5 @@
 // The labels of HOA edges: Boolean expressions over numbered propositions and aliases, as decision diagrams.
 #pragma once
-#include <cstdint>
 #include <optional>
 #include <string_view>
 #include <unordered_map>

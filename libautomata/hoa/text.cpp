@@ -1,6 +1,5 @@
 #include "libautomata/hoa/text.hpp"
 
-#include <algorithm>
 #include <map>
 
 namespace waymark::automata {

@@ -15,12 +15,12 @@ using ltl::Op;
 
 // Formulas under decisions: U and R subformulas that are in (true) or out. An image is unknown when it depends on one
 // that is not decided; that one is remembered.
-class Reading {
+class AdviceEvaluation {
  public:
   enum class As { Safe, Cosafe };
   using Decisions = std::unordered_map<Formula, bool>;
 
-  Reading(ltl::Arena& arena, const Decisions& decisions) : arena_(arena), decisions_(decisions) {}
+  AdviceEvaluation(ltl::Arena& arena, const Decisions& decisions) : arena_(arena), decisions_(decisions) {}
 
   std::optional<Formula> image(Formula f, As as) {
     auto& known = known_[as == As::Safe ? 0 : 1];
@@ -135,7 +135,7 @@ class Enumeration {
  private:
   void decide() {
     if (made_.size() > most_) return;
-    Reading reading(arena_, decisions_);
+    AdviceEvaluation reading(arena_, decisions_);
     std::optional<Advice> advice = read(reading);
     if (!advice) return;
     if (!reading.undecided()) {
@@ -153,20 +153,20 @@ class Enumeration {
     order_.pop_back();
   }
   // nullopt: false by its look. What is not known yet is left out.
-  std::optional<Advice> read(Reading& reading) const {
+  std::optional<Advice> read(AdviceEvaluation& reading) const {
     std::vector<Formula> safe;
     Advice out{formula_, {}, formula_};
     const auto add = [&](std::optional<Formula> image, std::vector<Formula>& to) {
       if (image && *image != arena_.constant(true)) to.push_back(*image);
       return image != arena_.constant(false);
     };
-    if (!add(reading.image(formula_, Reading::As::Safe), safe)) return std::nullopt;
+    if (!add(reading.image(formula_, AdviceEvaluation::As::Safe), safe)) return std::nullopt;
     for (Formula g : order_) {
       if (!decisions_.at(g)) continue;
-      if (g.op() == Op::Until && !add(reading.image(g[1], Reading::As::Cosafe), out.often))
+      if (g.op() == Op::Until && !add(reading.image(g[1], AdviceEvaluation::As::Cosafe), out.often))
         return std::nullopt;
       if (g.op() == Op::Release) {
-        const std::optional<Formula> image = reading.image(g[1], Reading::As::Safe);
+        const std::optional<Formula> image = reading.image(g[1], AdviceEvaluation::As::Safe);
         if (!add(image ? std::optional(ltl::always(*image)) : std::nullopt, safe)) return std::nullopt;
       }
     }
@@ -177,12 +177,12 @@ class Enumeration {
   }
 
   // The members of Y whole, G (φ₁ R φ₂) in place of G φ₂, so that there is something to give up.
-  Formula narrow(Reading& reading) const {
-    std::vector<Formula> all{reading.image(formula_, Reading::As::Safe).value()};
+  Formula narrow(AdviceEvaluation& reading) const {
+    std::vector<Formula> all{reading.image(formula_, AdviceEvaluation::As::Safe).value()};
     for (Formula g : order_) {
       if (g.op() != Op::Release || !decisions_.at(g)) continue;
-      std::optional<Formula> image = reading.image(g, Reading::As::Safe);
-      if (!image) image = reading.image(g[1], Reading::As::Safe);
+      std::optional<Formula> image = reading.image(g, AdviceEvaluation::As::Safe);
+      if (!image) image = reading.image(g[1], AdviceEvaluation::As::Safe);
       all.push_back(ltl::always(image.value()));
     }
     return without_goals(ltl::conjunction(arena_, all));
@@ -191,7 +191,7 @@ class Enumeration {
   Formula formula_;
   ltl::Arena& arena_;
   std::size_t most_;
-  Reading::Decisions decisions_;
+  AdviceEvaluation::Decisions decisions_;
   std::vector<Formula> order_;  // decided, in this order
   std::vector<Advice> made_;
 };

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <map>
-#include <numeric>
 #include <utility>
 
 #include "libautomata/deterministic/colours.hpp"
@@ -12,8 +11,8 @@
 namespace waymark::automata {
 namespace {
 
-// What is known of the languages of the states of an automaton and of an accepting part. Nothing compared: each state is the only
-// one of its kind, and only what a jump says is known.
+// What is known of the languages of the states of an automaton and of an accepting part. Nothing compared: each state
+// is the only one of its kind, and only what a jump says is known.
 class Languages {
  public:
   Languages(const TransitionRelation& parity, const AcceptingPart& accepting_part, bool compare,
@@ -74,8 +73,8 @@ class Assembly {
   }
 
  private:
-  // The classes that the initial part needs, and what is asked of the accepting part: replaced_ and jumps_ hold the numbers of
-  // requests, until run() puts the chosen states in their place.
+  // The classes that the initial part needs, and what is asked of the accepting part: replaced_ and jumps_ hold the
+  // numbers of requests, until run() puts the chosen states in their place.
   void explore() {
     std::vector<std::uint32_t> queue;
     const auto meet = [&](std::uint32_t q) {

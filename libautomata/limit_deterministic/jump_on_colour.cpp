@@ -1,7 +1,6 @@
 #include "libautomata/limit_deterministic/jump_on_colour.hpp"
 
 #include <algorithm>
-#include <utility>
 
 #include "libautomata/deterministic/colours.hpp"
 #include "libautomata/omega/emptiness.hpp"
@@ -11,7 +10,7 @@ namespace {
 
 constexpr std::uint32_t unset = UINT32_MAX;
 
-struct Part {  // a graph without letters
+struct Digraph {  // a graph without letters
   std::vector<std::vector<std::uint32_t>> targets;
   std::size_t size() const { return targets.size(); }
   const std::vector<std::uint32_t>& successors(std::uint32_t q) const { return targets[q]; }
@@ -51,7 +50,7 @@ class Copies {
   }
 
   void add_components(std::uint32_t least, AcceptingPart& accepting_part, std::vector<Jump>& out) const {
-    Part above{std::vector<std::vector<std::uint32_t>>(graph_.size())};
+    Digraph above{std::vector<std::vector<std::uint32_t>>(graph_.size())};
     for (std::uint32_t q = 0; q < graph_.size(); ++q)
       for (const Branch& b : graph_.branches(q))
         if (colour(b) >= least) above.targets[q].push_back(b.target);

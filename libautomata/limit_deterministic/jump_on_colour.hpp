@@ -19,7 +19,8 @@
 
 namespace waymark::automata {
 
-// parity(Min, Even, ·), deterministic, complete. Adds the copies to the accepting part; a jump for each state of each copy.
+// parity(Min, Even, ·), deterministic, complete. Adds the copies to the accepting part; a jump for each state of each
+// copy.
 std::vector<Jump> jump_on_colour(const TransitionRelation& parity, AcceptingPart& accepting_part);
 
 }  // namespace waymark::automata

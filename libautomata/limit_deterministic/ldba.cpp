@@ -90,11 +90,11 @@ bool MdpSafe::is_deterministic() const {
   return std::all_of(jumps_.begin(), jumps_.end(), [](const auto& jumps) { return jumps.empty(); });
 }
 
-std::optional<MdpSafe::Step> MdpSafe::next(StateId q, const ltl::Letter& letter) const {
+std::optional<MdpSafe::Transition> MdpSafe::next(StateId q, const ltl::Letter& letter) const {
   const auto holds = [&](Mtbdd::Variable v) { return letter.contains(reads()[v]); };
   const auto choice = steps_.choices[Mtbdd::payload(steps_.diagram.evaluate(steps_.roots[q.index], holds))];
   if (choice.empty()) return std::nullopt;
-  return Step{StateId{choice.front().target}, !choice.front().marks.empty()};
+  return Transition{StateId{choice.front().target}, !choice.front().marks.empty()};
 }
 
 }  // namespace waymark::automata

@@ -32,7 +32,7 @@ TransitionRelation without_jumps(const LimitDeterministic& ldba, Budget& budget)
 
 class MdpSafe {
  public:
-  struct Step {
+  struct Transition {
     StateId target;
     bool accepting;  // the edge is marked
   };
@@ -47,7 +47,7 @@ class MdpSafe {
   // Where a run may go before it reads the next letter, in a fixed order: the index names the jump.
   std::span<const StateId> jumps(StateId q) const { return jumps_[q.index]; }
   // The step on a letter; none: the run is rejected. O(|reads|).
-  std::optional<Step> next(StateId q, const ltl::Letter& letter) const;
+  std::optional<Transition> next(StateId q, const ltl::Letter& letter) const;
 
   // Other names for the same positions. Throws std::invalid_argument when one that is read has none.
   void rename(ltl::Vocabulary names) { branches_.rename(std::move(names)); }

@@ -52,7 +52,8 @@ bool smaller(const LimitDeterministic& a, const LimitDeterministic& b) {
 
 class Construction {
  public:
-  // parity(Min, Even, ·), deterministic. Throws Budget::Exceeded when the accepting part has more states than the limit.
+  // parity(Min, Even, ·), deterministic. Throws Budget::Exceeded when the accepting part has more states than the
+  // limit.
   Construction(const TransitionRelation& parity, TranslationLimits limits)
       : parity_(completed_parity(parity)),
         limits_(std::move(limits)),

@@ -1,6 +1,5 @@
 #include "libautomata/limit_deterministic/master_theorem.hpp"
 
-#include <algorithm>
 #include <utility>
 
 #include "libautomata/bdd/pair_walk.hpp"

@@ -15,8 +15,9 @@
 
 namespace waymark::automata {
 
-// parity: complete, deterministic, of φ. Adds entries to the accepting part, with jumps for each state of `parity`. reads[v] is
-// the proposition of variable v of both. nullopt when there are too many choices; throws what the budget throws.
+// parity: complete, deterministic, of φ. Adds entries to the accepting part, with jumps for each state of `parity`.
+// reads[v] is the proposition of variable v of both. nullopt when there are too many choices; throws what the budget
+// throws.
 std::optional<std::vector<Jump>> jump_by_master_theorem(ltl::Formula f, const TransitionRelation& parity,
                                                         const std::vector<ltl::Proposition>& reads,
                                                         AcceptingPart& accepting_part, Budget& budget);

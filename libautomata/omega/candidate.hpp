@@ -1,7 +1,6 @@
-// One of several automata of a formula; the smallest candidate is kept.
+// A candidate is one of several automata of the same formula; the smallest candidate is kept.
 #pragma once
 #include <optional>
-#include <utility>
 
 #include "libautomata/omega/transition_relation.hpp"
 

@@ -1,6 +1,5 @@
 #include "libautomata/omega/containment.hpp"
 
-#include "libautomata/omega/emptiness.hpp"
 #include "libltl/rewriting/nnf.hpp"
 #include "libltl/structure/random.hpp"
 

@@ -1,7 +1,6 @@
 #include "libautomata/omega/emptiness.hpp"
 
 #include <algorithm>
-#include <utility>
 
 namespace waymark::automata {
 namespace {

@@ -33,16 +33,16 @@ class OnKinds {
         below_(below),
         budget_(budget),
         choices_(table.choices.size()),
-        known_(choices_ <= most_remembered ? choices_ * choices_ : 0, Answer::Unknown) {}
+        known_(choices_ <= most_remembered ? choices_ * choices_ : 0, Coverage::Unknown) {}
 
   void run() {
     while (round())
-      for (Answer& answer : known_)  // a "no" stays true
-        if (answer == Answer::Yes) answer = Answer::Unknown;
+      for (Coverage& answer : known_)  // a "no" stays true
+        if (answer == Coverage::Yes) answer = Coverage::Unknown;
   }
 
  private:
-  enum class Answer : std::uint8_t { Unknown, Yes, No };
+  enum class Coverage : std::uint8_t { Unknown, Yes, No };
   static constexpr std::size_t most_remembered = 512;  // choices: a quarter of a MiB
 
   bool round() {
@@ -69,18 +69,18 @@ class OnKinds {
   }
   bool covered(std::uint32_t c, std::uint32_t d) {
     if (known_.empty()) return is_covered(table_.choices[c], table_.choices[d], below_);
-    Answer& known = known_[c * choices_ + d];
-    if (known == Answer::Unknown)
-      known = is_covered(table_.choices[c], table_.choices[d], below_) ? Answer::Yes : Answer::No;
-    return known == Answer::Yes;
+    Coverage& known = known_[c * choices_ + d];
+    if (known == Coverage::Unknown)
+      known = is_covered(table_.choices[c], table_.choices[d], below_) ? Coverage::Yes : Coverage::No;
+    return known == Coverage::Yes;
   }
 
   const AlphabetClasses& table_;
   StatePairs& below_;
   Budget& budget_;
   std::size_t choices_;
-  std::size_t telling_ = 0;    // a kind that has just told two states apart is looked at first
-  std::vector<Answer> known_;  // [c · choices + d]: is c covered by d?
+  std::size_t telling_ = 0;      // a kind that has just told two states apart is looked at first
+  std::vector<Coverage> known_;  // [c · choices + d]: is c covered by d?
 };
 
 class OnDiagrams {
@@ -94,7 +94,7 @@ class OnDiagrams {
   }
 
  private:
-  struct Answer {
+  struct Coverage {
     std::uint32_t round = 0;  // when it was given; a "no" stays true, a "yes" only in its round
     bool yes = false;
   };
@@ -142,7 +142,7 @@ class OnDiagrams {
   }
   bool compare(Node x, Node y) {
     if (x == y) return true;
-    if (const Answer* known = known_.find(x.id, y.id))
+    if (const Coverage* known = known_.find(x.id, y.id))
       if (!known->yes || known->round == rounds_) return known->yes;
     budget_.step();
     const bool yes = look(x, y);
@@ -165,7 +165,7 @@ class OnDiagrams {
   const TransitionRelation& automaton_;
   StatePairs& below_;
   Budget& budget_;
-  ltl::PairMemo<Answer> known_;
+  ltl::PairMemo<Coverage> known_;
   std::uint32_t rounds_ = 0;
 };
 

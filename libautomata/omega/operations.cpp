@@ -1,7 +1,6 @@
 #include "libautomata/omega/operations.hpp"
 
 #include <algorithm>
-#include <array>
 #include <stdexcept>
 #include <utility>
 

@@ -15,9 +15,9 @@ struct Reduced {
 // Never throws Budget::Exceeded except when stopped: what was reached is returned.
 Reduced reduce(TransitionRelation automaton, MarksOn marks, Budget& budget);
 
-// The same for marks on edges as a construction gave them. Marks that scc_filter adds let some states simulate others, and
-// tell apart some that were equal: where they do, and where the result is small, states are merged and branches pruned
-// by the given marks first.
+// The same for marks on edges as a construction gave them. Marks that scc_filter adds let some states simulate others,
+// and tell apart some that were equal: where they do, and where the result is small, states are merged and branches
+// pruned by the given marks first.
 Reduced reduce_as_marked(const TransitionRelation& automaton, Budget& budget);
 
 }  // namespace waymark::automata

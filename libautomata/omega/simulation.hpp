@@ -43,10 +43,10 @@ class Simulations {
   // The same backwards. colour[q]: states of different colours are not merged (those with and without mark, where marks
   // belong to states).
   TransitionRelation reverse_quotient(const std::vector<bool>& colour);
-  // Branches (m, s) of p dropped, letter by letter, when a state p′ that is strictly above p in reverse simulation has a
-  // branch (m′, s′) with m ⊆ m′ and s ≤ s′: whatever run comes to p and goes on by the one, another comes to p′ and goes
-  // on by the other. All at once: put right from left to right, a run only ever climbs in reverse simulation at the
-  // leftmost position that changes, so each beginning is put right after finitely many steps.
+  // Branches (m, s) of p dropped, letter by letter, when a state p′ that is strictly above p in reverse simulation has
+  // a branch (m′, s′) with m ⊆ m′ and s ≤ s′: whatever run comes to p and goes on by the one, another comes to p′ and
+  // goes on by the other. All at once: put right from left to right, a run only ever climbs in reverse simulation at
+  // the leftmost position that changes, so each beginning is put right after finitely many steps.
   TransitionRelation without_overtaken();
 
  private:

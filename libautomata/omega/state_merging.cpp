@@ -15,7 +15,7 @@ namespace {
 using Node = Mtbdd::Node;
 
 constexpr std::size_t most_vertices = 1U << 15U;
-constexpr std::size_t most_after_merging = 1U << 12U;  // … of a second product, when states were folded
+constexpr std::size_t most_after_merging = 1U << 12U;  // … of a second product, when states were merged
 
 // The pairs of choices that some letter offers together, for pairs of roots of two automata.
 class JointChoicesBelow {
@@ -174,10 +174,10 @@ class StateSet {
   std::vector<std::uint64_t> words_;
 };
 
-class Folding {
+class StateMerging {
  public:
-  Folding(const TransitionRelation& automaton, const TransitionRelation& outside,
-          const std::vector<bool>& colour, Budget& budget)
+  StateMerging(const TransitionRelation& automaton, const TransitionRelation& outside,
+               const std::vector<bool>& colour, Budget& budget)
       : colour_(colour),
         width_(static_cast<std::uint32_t>(outside.states())),
         sets_(automaton.acceptance.sets + outside.acceptance.sets),
@@ -194,12 +194,12 @@ class Folding {
     explore();
   }
 
-  // Folds until there is nothing more to fold, or the budget has run out: then false.
+  // Merges until no two states can be merged, or the budget has run out: then false.
   bool run() {
     try {
       for (std::uint32_t c = 1; c < name_.size(); ++c)
         for (std::uint32_t d = 0; d < c && name_[c] == c; ++d)
-          if (name_[d] == d && colour_[c] == colour_[d] && !is_refused(c, d)) fold(c, d);
+          if (name_[d] == d && colour_[c] == colour_[d] && !is_refused(c, d)) merge(c, d);
       return true;
     } catch (const Budget::Exceeded& spent) {
       if (spent.reason == Budget::Exceeded::Reason::Stopped) throw;
@@ -207,7 +207,7 @@ class Folding {
       return false;
     }
   }
-  // By state: the least state that it is folded into, maybe itself.
+  // By state: the least state that this state is merged into, maybe itself.
   const std::vector<std::uint32_t>& names() const { return name_; }
   bool changed() const {
     for (std::uint32_t q = 0; q < name_.size(); ++q)
@@ -234,7 +234,7 @@ class Folding {
   bool is_refused(std::uint32_t c, std::uint32_t d) const {
     return met_[c].meets(live_[d]) || met_[d].meets(live_[c]);
   }
-  void fold(std::uint32_t c, std::uint32_t d) {
+  void merge(std::uint32_t c, std::uint32_t d) {
     for (const std::uint32_t q : members_[c]) name_[q] = d;
     const std::size_t before = members_[d].size();
     members_[d].insert(members_[d].end(), members_[c].begin(), members_[c].end());
@@ -274,8 +274,8 @@ TransitionRelation without_passing_marks(const TransitionRelation& automaton) {
 
 }  // namespace
 
-Reduced folded(TransitionRelation automaton, const TransitionRelation& outside, MarksOn marks,
-               Budget& budget) {
+Reduced state_merged(TransitionRelation automaton, const TransitionRelation& outside, MarksOn marks,
+                     Budget& budget) {
   Reduced out{std::move(automaton), true};
   std::size_t most = most_vertices;
   try {
@@ -286,10 +286,10 @@ Reduced folded(TransitionRelation automaton, const TransitionRelation& outside, 
       const TransitionRelation base = on_states ? out.automaton : without_passing_marks(out.automaton);
       const std::vector<bool> colour =
           on_states ? marked_states(base) : std::vector<bool>(base.states(), false);
-      Folding folding(base, outside, colour, budget);
-      const bool complete = folding.run();
-      if (!folding.changed()) return {std::move(out.automaton), complete};
-      out = reduce(united(base, folding.names(), budget), marks, budget);
+      StateMerging merging(base, outside, colour, budget);
+      const bool complete = merging.run();
+      if (!merging.changed()) return {std::move(out.automaton), complete};
+      out = reduce(united(base, merging.names(), budget), marks, budget);
       out.complete = out.complete && complete;
     }
   } catch (const Budget::Exceeded& spent) {

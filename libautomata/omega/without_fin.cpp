@@ -1,7 +1,6 @@
 #include "libautomata/omega/without_fin.hpp"
 
 #include <algorithm>
-#include <numeric>
 
 #include "libautomata/omega/scc_filter.hpp"
 

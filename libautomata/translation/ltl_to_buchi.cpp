@@ -72,7 +72,7 @@ class Construction {
         if (other.automaton.states() <= 2 * general->automaton.states())
           put_marks_on_states(other, first.automaton.states(), best);
     }
-    if (best) best = folded_together(*best, MarksOn::States);
+    if (best) best = with_merged_states(*best, MarksOn::States);
     return general->weak ? smallest(general, std::move(best)) : best;
   }
 
@@ -328,24 +328,25 @@ class Construction {
           f, scc_filter(tableau(ltl::nnf(ltl::negate(f)), reads_, budget).automaton, MarksOn::Edges, budget));
     return outside_->second;
   }
-  // Where a deterministic automaton is the smallest, one that is not much larger may be less when it is folded.
+  // Where a deterministic automaton is the smallest, one that is not much larger may be less when its states are
+  // merged.
   Candidate least(const Candidate& general) {
-    Candidate best = folded_together(general, MarksOn::Edges);
+    Candidate best = with_merged_states(general, MarksOn::Edges);
     if (!is_deterministic(general.automaton)) return best;
     for (const Candidate& other : routes_) {
       if (2 * other.automaton.states() > 3 * general.automaton.states() + few_more) continue;
-      Candidate next = folded_together(other, MarksOn::Edges);
+      Candidate next = with_merged_states(other, MarksOn::Edges);
       if (smaller(next.automaton, best.automaton)) best = std::move(next);
     }
     return best;
   }
   // Deterministic ones have one state for each language that is left.
-  Candidate folded_together(const Candidate& from, MarksOn marks) {
+  Candidate with_merged_states(const Candidate& from, MarksOn marks) {
     if (from.weak || is_deterministic(from.automaton)) return from;
     Budget budget(strategies.second.steps, strategies.second.states, limits_.stop),
-        folding(strategies.merging.steps, SIZE_MAX, limits_.stop);
+        merging(strategies.merging.steps, SIZE_MAX, limits_.stop);
     const auto out =
-        within([&] { return folded(from.automaton, outside(formula_, budget), marks, folding); });
+        within([&] { return state_merged(from.automaton, outside(formula_, budget), marks, merging); });
     if (!out) return from;
     const bool is_smaller = smaller(out->automaton, from.automaton);
     return {is_smaller ? out->automaton : from.automaton, out->complete && from.reduced};

@@ -6,8 +6,6 @@
 // product of the automata of the operands of a conjunction, reduced at every step, for the operands as stated and as
 // rewritten. State merging follows (state_merging.hpp).
 #pragma once
-#include <cstddef>
-#include <stop_token>
 #include <variant>
 
 #include "libautomata/finite/ltlf_to_dfa.hpp"

@@ -76,13 +76,13 @@ class Construction {
   Construction(Formula f, const TranslationLimits& limits)
       : limits_(limits), formula_(f), reads_(ltl::propositions(f)) {}
 
-  // What there is when the caller's patience ends is not reduced.
+  // An automaton that is returned because the deadline has passed is not reduced.
   std::optional<Candidate> parity() {
     std::optional<Candidate> best = obligation();
     if (best) return best;
     try {
       search(best);
-      if (minimal(best)) {
+      if (is_minimal(best)) {
         best->reduced = true;
       } else if (best && best->automaton.states() > compared_states &&
                  best->automaton.states() <= compared_at_last) {
@@ -165,36 +165,41 @@ class Construction {
   }
   // By each route in turn; by determinisation with more and more states, of φ and of ¬φ side by side.
   void search(std::optional<Candidate>& best) {
-    for (std::size_t i = 0; i < direct_.size() && !minimal(best); ++i)
-      if (const std::optional<Candidate>& from = direct(i)) best = smallest(best, paritised(*from));
+    const auto keep_smaller = [&](std::optional<Candidate> next) {
+      best = smallest(best, std::move(next));
+      if (best) best->minimal = has_fewest_states(*best);
+    };
+    for (std::size_t i = 0; i < direct_.size() && !is_minimal(best); ++i)
+      if (const std::optional<Candidate>& from = direct(i)) keep_smaller(paritised(*from));
     std::vector<bool> open{false, true};  // negated or not
-    for (std::size_t states = strategies.determinising.states; !open.empty() && !minimal(best);
+    for (std::size_t states = strategies.determinising.states; !open.empty() && !is_minimal(best);
          states = next_try(states)) {
       std::vector<bool> still;
       for (const bool negated : open) {
         const std::size_t allowed = std::min(states, most(best));
         std::optional<Candidate> next = determinized(buchi(negated), allowed);
         if (!next && buchi(negated) && allowed < most(best)) still.push_back(negated);
-        best = smallest(best, next && negated ? complement(*next) : std::move(next));
-        if (minimal(best)) return;
+        keep_smaller(next && negated ? complement(*next) : std::move(next));
+        if (is_minimal(best)) return;
       }
       open = std::move(still);
       if (states == strategies.determinising.states && !(best && best->automaton.states() <= small_enough)) {
         normalised_ = normalised();
-        if (normalised_) best = smallest(best, paritised(*normalised_));
+        if (normalised_) keep_smaller(paritised(*normalised_));
       }
     }
   }
   static std::size_t next_try(std::size_t states) { return states > SIZE_MAX / 10 ? SIZE_MAX : 10 * states; }
+  static bool is_minimal(const std::optional<Candidate>& found) {
+    return found && found->minimal.value_or(false);
+  }
   // As many states as there are languages of states: no deterministic automaton has fewer.
-  bool minimal(std::optional<Candidate>& found) const {
-    if (!found || found->automaton.states() > compared_states) return false;
-    if (!found->minimal) {
-      const auto all = within(strategies.reduction.steps, SIZE_MAX,
-                              [&](Budget& budget) { return count_languages(found->automaton, budget); });
-      found->minimal = all && *all == found->automaton.states();
-    }
-    return *found->minimal;
+  bool has_fewest_states(const Candidate& found) const {
+    if (found.minimal) return *found.minimal;
+    if (found.automaton.states() > compared_states) return false;
+    const auto all = within(strategies.reduction.steps, SIZE_MAX,
+                            [&](Budget& budget) { return count_languages(found.automaton, budget); });
+    return all && *all == found.automaton.states();
   }
   // Deterministic automata of φ with any condition, from routes that may have none.
   const std::optional<Candidate>& direct(std::size_t i) {
@@ -277,7 +282,7 @@ class Construction {
       const std::optional<Split>& split, const Strategy& strategy,
       std::optional<Candidate> (Construction::*make)() = &Construction::any) const {
     if (!split || split->parts().size() < 2) return std::nullopt;
-    std::vector<Part> parts;
+    std::vector<Operand> parts;
     bool reduced = true;
     for (Formula g : split->parts()) {
       const std::optional<Candidate> made = (Construction(g, limits_).*make)();

@@ -91,7 +91,7 @@ TraceCheck::TraceCheck(std::span<const Formula> formulas) {
   value_.resize(program_.size());
   carry_.resize(program_.size());
   // Past the end of the word N, R and G hold: the border of accepts_empty (progress.hpp).
-  for (const Step& s : program_)
+  for (const Instruction& s : program_)
     carry_at_end_.push_back(
         s.code == Code::WeakNext || s.code == Code::Release || s.code == Code::Globally ? 1 : 0);
 }
@@ -192,9 +192,9 @@ std::vector<std::uint32_t> TraceCheck::order_by_code(const std::vector<bool>& ne
 void TraceCheck::schedule() {
   const std::vector<std::uint32_t> order = order_by_code(needed());
   std::vector<std::uint32_t> moved(program_.size());
-  std::vector<Step> program;
+  std::vector<Instruction> program;
   for (std::uint32_t i : order) {
-    Step step = program_[i];
+    Instruction step = program_[i];
     const auto at = static_cast<std::uint32_t>(program.size());
     moved[i] = at;
     if (arity(step.code) > 0) step.a = moved[step.a];
@@ -212,27 +212,27 @@ template <bool Carries>
 void TraceCheck::run(const std::uint64_t* columns) {
   std::uint64_t* const value = value_.data();
   std::uint64_t* const carry = carry_.data();
-  const Step* const program = program_.data();
+  const Instruction* const program = program_.data();
   for (const Run run : runs_) {
     const auto each = [&](auto&& truth) {
       for (std::uint32_t i = run.begin; i < run.end; ++i) value[i] = truth(program[i]);
     };
     const auto temporal = [&](std::uint64_t at_end, auto&& bits_of) {
       for (std::uint32_t i = run.begin; i < run.end; ++i) {
-        const Step& s = program[i];  // s.b is 0 where there is no ψ: read and not used
+        const Instruction& s = program[i];  // s.b is 0 where there is no ψ: read and not used
         const Bits bits = bits_of(value[s.a], value[s.b], Carries ? carry[i] : at_end);
         value[i] = bits.truth;
         if (Carries) carry[i] = bits.out >> 63U;
       }
     };
     switch (run.code) {
-      case Code::Load: each([&](const Step& s) { return columns[s.a]; }); break;
-      case Code::False: each([](const Step&) { return std::uint64_t{0}; }); break;
-      case Code::True: each([](const Step&) { return ~std::uint64_t{0}; }); break;
-      case Code::Not: each([&](const Step& s) { return ~value[s.a]; }); break;
-      case Code::And: each([&](const Step& s) { return value[s.a] & value[s.b]; }); break;
-      case Code::Or: each([&](const Step& s) { return value[s.a] | value[s.b]; }); break;
-      case Code::Iff: each([&](const Step& s) { return ~(value[s.a] ^ value[s.b]); }); break;
+      case Code::Load: each([&](const Instruction& s) { return columns[s.a]; }); break;
+      case Code::False: each([](const Instruction&) { return std::uint64_t{0}; }); break;
+      case Code::True: each([](const Instruction&) { return ~std::uint64_t{0}; }); break;
+      case Code::Not: each([&](const Instruction& s) { return ~value[s.a]; }); break;
+      case Code::And: each([&](const Instruction& s) { return value[s.a] & value[s.b]; }); break;
+      case Code::Or: each([&](const Instruction& s) { return value[s.a] | value[s.b]; }); break;
+      case Code::Iff: each([&](const Instruction& s) { return ~(value[s.a] ^ value[s.b]); }); break;
       case Code::Next: temporal(0, next_bits); break;
       case Code::WeakNext: temporal(1, next_bits); break;
       case Code::Finally: temporal(0, finally_bits); break;

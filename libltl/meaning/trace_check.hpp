@@ -73,7 +73,7 @@ class TraceCheck {
     Finally,
     Globally
   };
-  struct Step {
+  struct Instruction {
     Code code;
     std::uint32_t a = 0, b = 0;  // earlier steps; of a Load the proposition
   };
@@ -92,7 +92,7 @@ class TraceCheck {
   void run(const std::uint64_t* columns);
   void run_all(const Columns& word);
 
-  std::vector<Step> program_;
+  std::vector<Instruction> program_;
   std::vector<Run> runs_;
   std::vector<std::uint32_t> roots_;         // the step of each formula
   std::vector<std::uint64_t> value_;         // of each step, in the current block

@@ -1,5 +1,4 @@
 // The mission patterns, and patterns by name. [MTP+21, Tables 2 to 4]
-#include <algorithm>
 #include <array>
 #include <charconv>
 #include <initializer_list>

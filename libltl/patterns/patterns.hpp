@@ -74,7 +74,8 @@ std::vector<Pattern> property_patterns();  // 55, the order of the catalogue
 std::vector<Pattern> mission_patterns();
 
 // The pattern of that name with these arguments, formulas of the arena; a number stands first where the parameters
-// begin with n. Throws SyntaxError in an argument, std::invalid_argument (name unknown, nearest one named; wrong count).
+// begin with n. Throws SyntaxError in an argument, std::invalid_argument (name unknown, nearest one named; wrong
+// count).
 Formula instantiate(std::string_view name, std::span<const std::string> arguments, Arena& arena);
 
 }  // namespace waymark::ltl

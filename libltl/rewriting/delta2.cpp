@@ -7,7 +7,6 @@
 #include <map>
 #include <tuple>
 #include <unordered_map>
-#include <utility>
 #include <vector>
 
 #include "libltl/rewriting/nnf.hpp"

@@ -4,7 +4,6 @@
 // After Somenzi and Bloem, Efficient Büchi automata from LTL formulae (CAV 2000), with the weak next added.
 #pragma once
 #include <cstddef>
-#include <cstdint>
 #include <functional>
 #include <unordered_map>
 #include <utility>

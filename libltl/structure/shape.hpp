@@ -10,8 +10,8 @@
 
 namespace waymark::ltl {
 
-// Equal for f in arena 𝒜 and g in ℬ iff 𝒜 and ℬ hold the same formulas in the same order over as many propositions and f, g
-// stand at the same place. Bytes without meaning. O(arena), at best right after parsing.
+// Equal for f in arena 𝒜 and g in ℬ iff 𝒜 and ℬ hold the same formulas in the same order over as many propositions and
+// f, g stand at the same place. Bytes without meaning. O(arena), at best right after parsing.
 std::string shape(Formula f);
 
 }  // namespace waymark::ltl

@@ -18,14 +18,14 @@ class ShapeMemo {
  public:
   explicit ShapeMemo(std::size_t most) : most_(most) {}
 
-  struct Answer {
+  struct Entry {
     std::shared_ptr<const Result> result;
     bool known = false;  // computed for another formula: over that one's names
   };
   // compute(f), unless it is known for f's shape. worth_keeping(result): whether it is what any other formula of that
   // shape would get, and small enough. Two threads may compute the same at the same time.
   template <class Compute, class Worth>
-  Answer operator()(Formula f, const Compute& compute, const Worth& worth_keeping) {
+  Entry operator()(Formula f, const Compute& compute, const Worth& worth_keeping) {
     std::string key = shape(f);
     {
       const std::lock_guard lock(mutex_);

@@ -1,7 +1,6 @@
 #include "libltl/text/lexer.hpp"
 
 #include <algorithm>
-#include <array>
 #include <utility>
 
 #include "libltl/text/character.hpp"

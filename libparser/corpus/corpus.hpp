@@ -4,7 +4,6 @@
 // stands beside every number we publish (docs/conventions.md 8).
 #pragma once
 #include <cstdint>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>

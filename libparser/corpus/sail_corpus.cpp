@@ -1,6 +1,5 @@
 #include "libparser/corpus/sail_corpus.hpp"
 
-#include <algorithm>
 #include <cstdlib>
 
 #include "libparser/corpus/corpus_file.hpp"

@@ -1,4 +1,4 @@
-// How large a corpus is and how its texts and trajectories run: the rows of the table that papers print.
+// Statistics of a corpus: its size and the lengths of its texts and trajectories, as the table that papers print.
 #pragma once
 #include <cstddef>
 #include <map>

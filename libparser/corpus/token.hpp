@@ -15,8 +15,8 @@ std::vector<std::string> tokenize(std::string_view text);  // O(|text|)
 // The sentences of an instruction: cut after . ; ! ? (each cut mark stays with its sentence), empty ones dropped.
 std::vector<std::string> split_sentences(std::string_view text);
 
-// The clauses of a sentence, [begin, end) in its tokens: cut at "and", "then" and the marks , ; : . — the cuts are in none, and each has
-// a word at least; the whole sentence when there is no other word.
+// The clauses of a sentence, [begin, end) in its tokens: cut at "and", "then" and the marks , ; : . — the cuts are in
+// none, and each has a word at least; the whole sentence when there is no other word.
 struct Clause {
   std::size_t begin, end;
 };

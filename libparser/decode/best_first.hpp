@@ -1,8 +1,8 @@
 // The most probable programs of a sentence, best first, exactly, under any word model.
 //
 // p(prefix) bounds p(every completion), so taking the likeliest open prefix first yields complete programs in order
-// of probability; the beam is the number of complete programs wanted. Only well-typed prefixes are ever made. Prefixes are
-// expanded a batch at a time where that is cheaper; a program is given when no open prefix is likelier.
+// of probability; the beam is the number of complete programs wanted. Only well-typed prefixes are ever made. Prefixes
+// are expanded a batch at a time where that is cheaper; a program is given when no open prefix is likelier.
 #pragma once
 #include <cstddef>
 #include <cstdint>
@@ -117,7 +117,8 @@ class BestFirst {
 extern template class BestFirst<Scorer>;  // made in grounder.cpp, with the options of the library
 extern template class BestFirst<NetworkScorer>;
 
-// At most `beam` programs, none of probability below e⁻¹²; fewer when `expansions` prefixes did not suffice. Deterministic: ties by order of making.
+// At most `beam` programs, none of probability below e⁻¹²; fewer when `expansions` prefixes did not suffice.
+// Deterministic: ties by order of making.
 template <WordScorer Scores>
 std::vector<Candidate> best_programs(Scores& scores, std::size_t beam, std::size_t expansions = 2000) {
   return BestFirst<Scores>(scores).run(beam, expansions);

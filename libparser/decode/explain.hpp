@@ -1,4 +1,4 @@
-// Why an encoder-decoder says what it says: for each symbol of a program, the words it attended to.
+// The attention of an encoder-decoder: for each symbol of a program, the weights of the words of the sentence.
 #pragma once
 #include <string>
 #include <vector>

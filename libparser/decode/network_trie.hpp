@@ -1,6 +1,7 @@
-// A trie of programs under an encoder-decoder: log p of each, and the gradient of any objective that is a function of these.
+// A trie of programs under an encoder-decoder: log p of each program, and the gradient of any objective of these.
 //
-//   ∂ objective / ∂ score(node, v) = Σ_{leaves below (node, v)} g − p(v | node) Σ_{leaves below node} g,  g = ∂ objective / ∂ log p(leaf)
+//   ∂ objective / ∂ score(node, v) = Σ_{leaves below (node, v)} g − p(v | node) Σ_{leaves below node} g
+// where g is ∂ objective / ∂ log p(leaf).
 #pragma once
 #include <span>
 #include <vector>

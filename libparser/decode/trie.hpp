@@ -1,4 +1,4 @@
-// Many programs sharing their prefixes: each prefix is scored once, whatever the word model.
+// A trie of programs: shared prefixes are scored once, whatever the word model.
 //
 // A node is a prefix at which the grammar leaves a choice; what it forces after a token is taken with that token.
 #pragma once

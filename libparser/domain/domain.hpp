@@ -1,12 +1,13 @@
-// What a domain of instructions provides; the ranker is learned (training/learn_ranker.hpp) and asked on these terms alone.
+// What a domain of instructions provides; the ranker is learned (training/learn_ranker.hpp) and asked on these terms
+// alone.
 //
 //   vocabulary   the propositions of a map, by their names
 //   candidates   what a text may mean on its map, in an order of the domain's
 //   features     what the ranker sees of a text and its candidates
 //   execute      the route that a candidate stands for
 //   right        is that the route which the text describes? All the supervision that there is
-// A domain that knows the likeliest mistake for a right candidate also has `rival`. A text is a handle, cheap to copy; it
-// knows its map by number, and its right route. Nothing is const, for a domain may remember what it has computed.
+// A domain that knows the likeliest mistake for a right candidate also has `rival`. A text is a handle, cheap to copy;
+// it knows its map by number, and its right route. Nothing is const, for a domain may remember what it has computed.
 #pragma once
 #include <concepts>
 #include <cstddef>

@@ -149,7 +149,7 @@ class ActionFollower : public Follower {
   explicit ActionFollower(ActionNetwork network) : network_(std::move(network)) {}
   bool reads_formulas() const override { return false; }
 
-  Answer follow(const Executor& executor, const SentenceInput& input, plan::PoseId start) const override {
+  Response follow(const Executor& executor, const SentenceInput& input, plan::PoseId start) const override {
     struct Route {
       Moment moment;
       std::vector<plan::Action> actions;
@@ -220,8 +220,8 @@ class Learner {
         adam_(network_.parameters, {.rate = how_.rate}) {
     std::iota(identity_.begin(), identity_.end(), std::uint16_t{0});
     for (const Example* example : examples) {
-      add_lesson(*example, executors[example->map], false);
-      if (options.mirrored) add_lesson(*example, executors[example->map], true);
+      add_instance(*example, executors[example->map], false);
+      if (options.mirrored) add_instance(*example, executors[example->map], true);
     }
   }
 
@@ -239,7 +239,7 @@ class Learner {
   }
 
  private:
-  void add_lesson(const Example& example, const Executor& executor, bool mirrored) {
+  void add_instance(const Example& example, const Executor& executor, bool mirrored) {
     SentenceInput input = example.input;
     if (mirrored) input.tokens = mirror(input.tokens);
     TrainingInstance instance{

@@ -1,6 +1,5 @@
 #include "libparser/experiment/evaluate.hpp"
 
-#include <algorithm>
 #include <set>
 
 #include "libparser/supervision/examples.hpp"
@@ -39,7 +38,7 @@ class Test {
 
   void sentence(const Example& example, const std::string& id) {
     if (stop_.stop_requested()) throw Stopped{};
-    Answer answer = follower_.follow(executor_, example.input, example.gold.start);
+    Response answer = follower_.follow(executor_, example.input, example.gold.start);
     of(scores_.sentence) += {answer.end == example.gold.end ? 1U : 0U, 1};
     if (follower_.reads_formulas())
       scores_.satisfiable +=
@@ -68,7 +67,7 @@ class Test {
     }
     if (stop_.stop_requested()) throw Stopped{};
     std::size_t k = 0;
-    for (Answer& answer : follower_.follow_all(executor_, inputs, pose)) {
+    for (Response& answer : follower_.follow_all(executor_, inputs, pose)) {
       const plan::PoseId from = pose;
       walk(map(), pose, answer.actions, got);
       if (predictions_ != nullptr)

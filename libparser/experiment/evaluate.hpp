@@ -1,14 +1,14 @@
-// Scores of a grounding model against trajectories, and the experiment that everybody reports: leave one map out.
+// Scores of a grounding model against trajectories, in percent, and the experiment that leaves one map out.
 //
-//   sentence    end node and heading equal the gold ones, from the gold start pose
-//   paragraph   all its sentences from the gold start pose of the first, each going on from where the last one ended; end node
-//               equals the gold end node of the last sentence. Unsegmented paragraphs are skipped and counted
-//   path        sets of nodes walked over, start node left out: precision, recall over all sentences together (micro),
-//               accuracy over all (sentence, node other than the start) pairs; under the absolute convention; the same
-//               by paragraph, along the whole of it
-//   satisfiable sentences for which a formula was read that has a plan on the map from the gold start pose; all formulas are
-//               well typed, for nothing else can be decoded. Of followers that read formulas only
-// All in percent. A model is trained and tested under the same convention.
+//   sentence     end node and heading equal the gold ones, from the gold start pose
+//   paragraph    all sentences from the gold start pose of the first, each from the end of the last one; the end node
+//                equals the gold one of the last sentence. Unsegmented paragraphs are skipped and counted
+//   path         sets of visited nodes without the start node: precision and recall over all sentences (micro),
+//                accuracy over all (sentence, node other than the start) pairs, under the absolute convention; the same
+//                along whole paragraphs
+//   satisfiable  sentences whose formula has a plan on the map from the gold start pose; only of followers that read
+//                formulas. All formulas are well typed, since no others can be decoded
+// A model is trained and tested under the same convention.
 #pragma once
 #include <cstddef>
 #include <functional>
@@ -43,12 +43,13 @@ struct Scores {
   Scores& operator+=(const Scores& other);
 };
 
-// One sentence that was tested: by itself, from its gold start, or in its paragraph, from where the one before it had ended.
+// One sentence that was tested: by itself, from its gold start, or in its paragraph, from where the one before it had
+// ended.
 struct Prediction {
   std::string id, map;
   Convention convention;
   plan::PoseId start, gold_end;
-  Answer answer;
+  Response answer;
   std::optional<std::string> paragraph = {};  // its id; nothing: by itself
 };
 
@@ -65,8 +66,8 @@ struct EvaluateOptions {
   // Who carries out what the systems read; nobody: their own plans count.
   std::function<std::shared_ptr<const Follower>(std::shared_ptr<const Follower>)> carried_out = {};
   std::size_t ensemble = 1;  // systems of seeds train.seed, train.seed + 1, …
-  // Where finished readers, rerankers and scores are kept, if anywhere: a run that finds them there goes on from them, to
-  // the same scores as one that was never stopped. Tables of weights are rounded as in a model file then.
+  // Where finished readers, rerankers and scores are kept, if anywhere: a run that finds them there goes on from them,
+  // to the same scores as one that was never stopped. Tables of weights are rounded as in a model file then.
   const Checkpoints* checkpoints = nullptr;
   std::string system = {};  // with which the names of those parts begin
 };

@@ -46,8 +46,8 @@ struct ScoresByMap {
   }
 };
 
-// finish(fold, progress) learns and tests each fold, side by side on so many threads, of no influence on the result. AnyFold is a
-// Fold<Scores, Prediction>, maybe with more; its scores stay, its predictions move to the result.
+// finish(fold, progress) learns and tests each fold, side by side on so many threads, of no influence on the result.
+// AnyFold is a Fold<Scores, Prediction>, maybe with more; its scores stay, its predictions move to the result.
 template <class Scores, class Prediction, class AnyFold, class Finish>
 ScoresByMap<Scores, Prediction> run_folds(std::vector<AnyFold>& folds, int threads, const Report& report,
                                           std::string_view what, const Finish& finish) {

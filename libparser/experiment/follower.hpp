@@ -1,4 +1,4 @@
-// Whoever follows instructions: a sentence and a pose in, a route out; or a paragraph.
+// A follower of instructions maps a sentence and a start pose to a route, or a paragraph to a sequence of routes.
 #pragma once
 #include <span>
 #include <vector>
@@ -8,7 +8,7 @@
 
 namespace waymark::parser {
 
-struct Answer {
+struct Response {
   plan::PoseId end;
   std::vector<plan::Action> actions;  // empty: stays where it is
   Program program;                    // what was read; empty when nothing was
@@ -19,18 +19,18 @@ class Follower {
  public:
   virtual ~Follower() = default;
   // The same answer whenever it is asked; from several threads too.
-  virtual Answer follow(const Executor& executor, const SentenceInput& input, plan::PoseId start) const = 0;
+  virtual Response follow(const Executor& executor, const SentenceInput& input, plan::PoseId start) const = 0;
   // A paragraph, a sentence each: answers that begin where the answer before them ends. Here sentence after sentence,
   // each settled before the next is heard; whether the heading is unknown counts for the first alone.
-  virtual std::vector<Answer> follow_all(const Executor& executor, std::span<const SentenceInput> paragraph,
-                                         plan::PoseId start) const;
+  virtual std::vector<Response> follow_all(const Executor& executor, std::span<const SentenceInput> paragraph,
+                                           plan::PoseId start) const;
   virtual bool reads_formulas() const { return true; }  // or does without
 };
 
 // Stays where it is, whatever it is told: what scores are worth without listening.
 class StayingFollower : public Follower {
  public:
-  Answer follow(const Executor&, const SentenceInput&, plan::PoseId start) const override {
+  Response follow(const Executor&, const SentenceInput&, plan::PoseId start) const override {
     return {start, {}, {}, 0};
   }
   bool reads_formulas() const override { return false; }

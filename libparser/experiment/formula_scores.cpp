@@ -1,6 +1,5 @@
 #include "libparser/experiment/formula_scores.hpp"
 
-#include <algorithm>
 #include <set>
 #include <unordered_map>
 

@@ -1,10 +1,9 @@
-// How often the formula that was read is the one that was meant.
+// The share of sentences whose formula was read as it was meant.
 //
 //   same         the two are one formula, node by node
 //   equivalent   they have the same finite words: their minimal automata do not differ
 // By construct, as the gold program has it, and by length in units (steps with the functions around them).
 #pragma once
-#include <cstdint>
 #include <map>
 #include <string>
 #include <string_view>
@@ -43,8 +42,8 @@ class FormulaJudge {
   FormulaScores scores_;
 };
 
-// Of the predictions to sentences by themselves, of the corpus, that have a formula; sentences go by map and id. Where both conventions
-// were asked about, under the absolute one.
+// Of the predictions to sentences by themselves, of the corpus, that have a formula; sentences go by map and id. Where
+// both conventions were asked about, under the absolute one.
 FormulaScores formula_scores(const std::vector<Prediction>& predictions, const Corpus& corpus,
                              std::span<const plan::Map> maps, bool absolute);
 

@@ -25,7 +25,7 @@ GroundingFollower::Verdict GroundingFollower::judge(const Executor& executor, co
     for (const End& end : decision.ends) total += end.mass;
     for (const End& end : decision.ends) {
       const auto found = std::find_if(verdict.answers.begin(), verdict.answers.end(),
-                                      [&](const Answer& a) { return a.end == end.pose; });
+                                      [&](const Response& a) { return a.end == end.pose; });
       const auto i = static_cast<std::size_t>(found - verdict.answers.begin());
       if (found == verdict.answers.end()) {
         verdict.answers.push_back({end.pose, {}, {}, 0});
@@ -40,23 +40,23 @@ GroundingFollower::Verdict GroundingFollower::judge(const Executor& executor, co
     }
   }
   double total = 0;  // a grounder that finds no end has no vote
-  for (const Answer& answer : verdict.answers) total += answer.probability;
-  for (Answer& answer : verdict.answers) answer.probability /= total;
+  for (const Response& answer : verdict.answers) total += answer.probability;
+  for (Response& answer : verdict.answers) answer.probability /= total;
   std::stable_sort(verdict.answers.begin(), verdict.answers.end(),
-                   [](const Answer& a, const Answer& b) { return a.probability > b.probability; });
+                   [](const Response& a, const Response& b) { return a.probability > b.probability; });
   return verdict;
 }
 
-Answer GroundingFollower::follow(const Executor& executor, const SentenceInput& input,
-                                 plan::PoseId start) const {
+Response GroundingFollower::follow(const Executor& executor, const SentenceInput& input,
+                                   plan::PoseId start) const {
   Verdict verdict = judge(executor, input, read(input), start);
   if (verdict.answers.empty()) return {start, {}, {}, 0};
   return std::move(verdict.answers.front());
 }
 
-std::vector<Answer> GroundingFollower::follow_all(const Executor& executor,
-                                                  std::span<const SentenceInput> paragraph,
-                                                  plan::PoseId start) const {
+std::vector<Response> GroundingFollower::follow_all(const Executor& executor,
+                                                    std::span<const SentenceInput> paragraph,
+                                                    plan::PoseId start) const {
   if (how_.paragraph.beam_width <= 1 || paragraph.empty())
     return Follower::follow_all(executor, paragraph, start);
   std::vector<SentenceInput> inputs(paragraph.begin(), paragraph.end());
@@ -71,16 +71,16 @@ std::vector<Answer> GroundingFollower::follow_all(const Executor& executor,
   const auto outlook = [&](std::size_t k, plan::PoseId from) {
     const Verdict verdict = judged(k, from);
     TransitionDistribution out{{}, verdict.evidence};
-    for (const Answer& answer : verdict.answers) out.ends.emplace_back(answer.end, answer.probability);
+    for (const Response& answer : verdict.answers) out.ends.emplace_back(answer.end, answer.probability);
     return out;
   };
   TransitionDistribution first = outlook(0, start);
   if (first.ends.empty()) first.ends.emplace_back(start, 1);
-  std::vector<Answer> answers;
+  std::vector<Response> answers;
   for (const plan::PoseId end :
        likeliest_way(executor.map(), first, inputs.size(), outlook, how_.paragraph)) {
-    Answer answer{start, {}, {}, 0};
-    for (Answer& one : judged(answers.size(), start).answers)
+    Response answer{start, {}, {}, 0};
+    for (Response& one : judged(answers.size(), start).answers)
       if (one.end == end) answer = std::move(one);
     answers.push_back(std::move(answer));
     start = end;

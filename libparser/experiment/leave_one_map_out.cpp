@@ -1,6 +1,6 @@
 // The experiment: for each convention one search for programs; for each seed one reader for every one or two maps,
-// shared by the folds that need it, and for each map left out a reranker; then the tests. What a run before this one has
-// kept is taken from there.
+// shared by the folds that need it, and for each map left out a reranker; then the tests. What a run before this one
+// has kept is taken from there.
 #include <algorithm>
 #include <chrono>
 #include <map>

@@ -1,5 +1,4 @@
 // The other experiment: everything is learned from, another corpus is tested on.
-#include <algorithm>
 #include <chrono>
 #include <stdexcept>
 #include <utility>

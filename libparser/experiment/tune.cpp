@@ -1,6 +1,5 @@
 #include "libparser/experiment/tune.hpp"
 
-#include <algorithm>
 #include <stdexcept>
 
 namespace waymark::parser {

@@ -1,5 +1,5 @@
-// Validation for choosing settings: learn from one training map, test on another. The map that an experiment leaves out is
-// touched by no pair that counts for it.
+// Validation of settings: learn from one training map, test on another. A map that an experiment leaves out is in no
+// pair that counts for it.
 #pragma once
 #include <span>
 #include <string>

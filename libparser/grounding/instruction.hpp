@@ -1,7 +1,8 @@
 // One instruction of a batch: a line of text, or a JSON object that says where it is spoken, too.
 //
 //   go to the chair
-//   {"text":"go to the chair","map":"grid","start":[1,9,0]}       map and start may be left out; "start":"1,9,0" does as well
+//   {"text":"go to the chair","map":"grid","start":[1,9,0]}       map and start may be left out; "start":"1,9,0" does
+//     as well
 #pragma once
 #include <optional>
 #include <string>

@@ -1,6 +1,5 @@
 #include "libparser/language/generate.hpp"
 
-#include <algorithm>
 #include <stdexcept>
 
 #include "libltl/meaning/semantics.hpp"

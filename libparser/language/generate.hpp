@@ -22,8 +22,8 @@ struct GenerateOptions {
   Formulas formulas = Formulas::All;
 };
 
-// Sentences of route_language.hpp that can be carried out where the speaker stands; trajectories are the programs' plans,
-// checked against the definition: their words satisfy the formulas. Headings are known. Same seed, same corpus.
+// Sentences of route_language.hpp that can be carried out where the speaker stands; trajectories are the programs'
+// plans, checked against the definition: their words satisfy the formulas. Headings are known. Same seed, same corpus.
 // Where nothing more can be said (a paragraph that ends in a corner of a split) a paragraph has fewer sentences.
 // Throws std::invalid_argument when the maps do not share a vocabulary, or it lacks what sentences speak of.
 Corpus generate_corpus(std::span<const plan::Map> maps, const GenerateOptions& options = {});

@@ -1,4 +1,5 @@
-// A small language of routes: sentences, each said of a program. A grammar of our own, for corpora whose meaning is known.
+// A small language of routes: sentences, each said of a program. A grammar of our own, for corpora whose meaning is
+// known.
 //
 //   plain      turns, counts, landmarks, floors, ends of halls, one or two of them in a sentence
 //   temporal   also: past, the second and third, until (keep), without, before and after, if and otherwise; any number

@@ -12,7 +12,8 @@
 
 namespace waymark::parser {
 
-// What tokens of programs share: literals a direction and a thing, forward_k the moving and its count, other tokens that they are operators.
+// What tokens of programs share: literals a direction and a thing, forward_k the moving and its count, other tokens
+// that they are operators.
 enum class PartKind : std::uint8_t { Mention, Operator, OperatorName, Forward, Direction, Count, Thing };
 struct Part {
   PartKind kind = PartKind::Mention;

@@ -8,7 +8,6 @@
 #pragma once
 #include <map>
 #include <span>
-#include <string>
 #include <vector>
 
 #include "libparser/model/features.hpp"

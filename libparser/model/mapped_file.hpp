@@ -4,7 +4,6 @@
 // In all three cases the first byte is aligned to eight. A file must not be cut short in place while it is mapped;
 // waymark replaces files by renaming.
 #pragma once
-#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <string_view>

@@ -1,4 +1,4 @@
-// How large an encoder-decoder is, and how it is trained.
+// The sizes of an encoder-decoder and the parameters of its training.
 #pragma once
 #include <cstddef>
 #include <cstdint>

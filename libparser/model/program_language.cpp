@@ -10,7 +10,7 @@
 namespace waymark::parser {
 namespace {
 
-// A turn shares no direction with what is seen to its side: its side is its thing. Neither does a place number with what is here.
+// A turn shares no direction with things seen to its side: the side is its thing. Nor do place numbers with `here`.
 std::pair<Part, Part> parts_of(const plan::Observable& observable) {
   const auto direction = [](std::string name) { return Part{PartKind::Direction, std::move(name), 0}; };
   const std::string& side = plan::word_of(observable.direction);

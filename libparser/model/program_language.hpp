@@ -12,7 +12,7 @@
 
 namespace waymark::parser {
 
-// Columns of a matrix of weights: tokens first, then their parts. The literal ahead_chair has the parts `ahead` and `chair`.
+// Columns of a matrix of weights: tokens, then their parts. The literal ahead_chair has the parts `ahead`, `chair`.
 struct Columns {
   Columns(const PostfixGrammar& grammar, const std::vector<plan::Observable>& observables);
   std::size_t tokens = 0;

@@ -1,4 +1,4 @@
-// What ranks routes beside a word model: the weights of the reranker and of the start-pose model (rerank/reranker.hpp).
+// The weights of the reranker and of the start-pose model (rerank/reranker.hpp), which stand beside a word model.
 #pragma once
 #include "libparser/model/program_language.hpp"
 #include "libparser/model/weight_table.hpp"

@@ -1,6 +1,5 @@
 // Features → rows of weights, as they are learned (WeightTable) and as they lie in a model file (StoredRows).
 #pragma once
-#include <cassert>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>

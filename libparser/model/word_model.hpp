@@ -1,8 +1,8 @@
 // A word model is log p(next token | prefix, sentence) for a batch of prefixes, and nothing else.
 //
-//   prefixes   which prefixes there are: the empty one, those one token longer, and the program of a complete one. A prefix
-//              holds what the model remembers of it. Tokens that the grammar forces are taken with the token before them
-//   scorer     what the model says of one sentence
+//   prefixes   the empty prefix, prefixes one token longer, and the program of a complete prefix. A prefix holds the
+//              state of the model after it. Tokens that the grammar forces are taken with the token before them
+//   scorer     the probabilities of one sentence
 // decode/ finds the likeliest programs and holds many programs at once, for every model alike.
 #pragma once
 #include <concepts>

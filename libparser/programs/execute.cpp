@@ -1,7 +1,6 @@
 #include "libparser/programs/execute.hpp"
 
 #include <algorithm>
-#include <array>
 #include <bitset>
 #include <stdexcept>
 

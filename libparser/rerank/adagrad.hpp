@@ -9,7 +9,8 @@ namespace waymark::parser {
 
 class AdaGrad {
  public:
-  // The table must outlive it. decay: L2, per update of a row. first_squares: what each sum of squares begins with, above 0.
+  // The table must outlive it. decay: L2, per update of a row. first_squares: what each sum of squares begins with,
+  // above 0.
   AdaGrad(WeightTable& table, double rate, double decay, double first_squares = 1e-6)
       : table_(&table),
         rate_(static_cast<float>(rate)),

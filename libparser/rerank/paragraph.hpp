@@ -1,10 +1,11 @@
-// A paragraph as a whole: several poses are kept beam_width, and what is said next tells which of them was meant.
+// The reading of a paragraph as a whole: a beam of poses is kept, and later sentences tell which of them was meant.
 //
-//   P_k(end) = Σ_start P_{k−1}(start) · e^(trust · evidence_k(start)) · p_k(end | start),   the `beam_width` likeliest kept
-// with p_k(end | start) the reranker's and the evidence the start-pose model's (reranker.hpp): probabilities that sum to 1 from every start
-// cannot say that a sentence makes no sense there, the start-pose model does. The way taken ends at the place that is likeliest after the
-// last sentence, and is the likeliest single way to the likeliest pose there. With one pose beam_width each sentence is settled
-// before the next is heard.
+//   P_k(end) = Σ_start P_{k−1}(start) · e^(trust · evidence_k(start)) · p_k(end | start)
+// Only the `beam_width` likeliest poses are kept. p_k(end | start) is the reranker's, the evidence the start-pose
+// model's (reranker.hpp). The reranker's probabilities sum to 1 from every start, so they cannot express that a
+// sentence makes no sense there; the start-pose model can. The result ends at the place that is likeliest after the
+// last sentence, and is the likeliest sequence of poses that leads there. With beam width 1, each sentence is decided
+// before the next one is read.
 #pragma once
 #include <functional>
 #include <utility>
@@ -25,8 +26,9 @@ struct TransitionDistribution {
   double evidence = 0;  // log p(start | sentence) up to one constant for each sentence
 };
 
-// Where the way taken stands after each sentence. first: the outlook of sentence 0, which may not be empty; later(k, start): of
-// sentence k ≥ 1 < sentences, asked at most `beam_width` times for each k. O(sentences · beam_width · ends · log).
+// The poses of the result after each sentence. first: the distribution after sentence 0, not empty. later(k, start):
+// the one after sentence k, 1 ≤ k < sentences, asked at most `beam_width` times for each k.
+// O(sentences · beam_width · ends · log).
 std::vector<plan::PoseId> likeliest_way(
     const plan::Map& map, const TransitionDistribution& first, std::size_t sentences,
     const std::function<TransitionDistribution(std::size_t, plan::PoseId)>& later,

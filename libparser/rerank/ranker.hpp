@@ -1,8 +1,8 @@
 // The ranker: which of several candidates is meant, a softmax over weighted sparse features.
 //
 //   p(candidate) ∝ exp(w · f(candidate))
-// It knows nothing of what candidates are: ends of hallway routes and of start poses (reranker.hpp), routes over streets
-// (domain/streets). The weights are one column of a WeightTable; training/learn_ranker.hpp learns them.
+// It knows nothing of what candidates are: ends of hallway routes and of start poses (reranker.hpp), routes over
+// streets (domain/streets). The weights are one column of a WeightTable; training/learn_ranker.hpp learns them.
 #pragma once
 #include <cstdint>
 #include <vector>
@@ -16,7 +16,8 @@ struct WeightedFeature {
   float value;
 };
 
-// Features of all candidates of one decision. Features that several candidates share are listed and weighted once, as a bundle.
+// Features of all candidates of one decision. Features that several candidates share are listed and weighted once, as a
+// bundle.
 struct CandidateFeatures {
   std::vector<std::vector<WeightedFeature>> bundles;
   std::vector<std::vector<std::uint32_t>> candidates;  // bundles of each; one may count twice

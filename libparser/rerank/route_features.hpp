@@ -1,11 +1,12 @@
-// What routes are like, as features: the reranker's and the start-pose model's (reranker.hpp).
+// The features of routes that the reranker and the start-pose model weigh (reranker.hpp).
 //
-//   of the whole route    its actions, those without repetitions, how many moves and turns, runs of moves, crossings passed
-//   of its poses          what is true at its end, for the first time there or how often before; before the first move; walked over;
-//                         ahead while walking, and in the last run; where a turn follows a move
-// each alone and with every word of the sentence, some with pairs of words; and how many of the things mentioned are met, and
-// whether numbers named are the moves. Place numbers count only where the sentence names them. Where the first heading is
-// unknown, no word says the turns before the first move: they are one feature, and the rest is looked at without them.
+//   whole route   its actions; the actions without repetitions; numbers of moves, turns, runs and crossings
+//   poses         what holds at its end, for the first time there or how often before; before the first move;
+//                 what is walked over; what is ahead while walking, and in the last run; where a turn follows a move
+// Each feature counts alone and with every word of the sentence, some with pairs of words. Further features say how
+// many of the mentioned things are met, and whether numbers in the sentence equal the moves. Place numbers count only
+// where the sentence names them. Where the first heading is unknown, no word stands for the turns before the first
+// move: these turns are one feature, and the other features leave them out.
 #pragma once
 #include <cstdint>
 #include <unordered_map>
@@ -19,8 +20,8 @@ namespace waymark::parser {
 // The only feature whose value is not 1: the logarithm of an end's mass.
 std::uint64_t log_mass_feature();
 
-// What is known of a sentence, and the ends that are compared. What a route is like (a property) goes with every word: such a bundle
-// of features is the same for all ends that share the property.
+// What is known of a sentence, and the ends that are compared. What a route is like (a property) goes with every word:
+// such a bundle of features is the same for all ends that share the property.
 class RerankerSentence {
  public:
   // `mirrored`: the tokens are a mirror image and routes are to be mirrored before they are looked at.

@@ -107,7 +107,8 @@ class SaidSearch {
     return it->second;
   }
 
-  // Where the gold route is after this unit, when it goes that way. One may be where one has to go to, and be done at once.
+  // Where the gold route is after this unit, when it goes that way. One may be where one has to go to, and be done at
+  // once.
   std::optional<std::size_t> done_by(std::size_t at, const Program& unit) {
     const auto& plan = plan_of(at, unit);
     const std::size_t left = gold_.actions.size() - at;

@@ -1,13 +1,13 @@
-// The search for programs of the temporal dialect, guided by what the sentence mentions.
+// The lexically constrained search for programs of the temporal dialect.
 //
-// That something was avoided, kept or asked about leaves few traces in a trajectory: far too many programs lead along it.
-// Only those are listed that are made of what the sentence mentions, unit by unit along the gold route:
-//   literals     here, ahead, to the left or right; where several programs say as much, those with fewer directions first
-//   steps        forward k; next, reach, advance, advance_k, past and face of a thing that is mentioned, or of a wall ahead
-//   guards       `without` and `keep` of a thing that is mentioned, where the route would be another one without them
-//   conditions   where the sentence says "if": of a thing that is mentioned; what they do not let happen is any step of the
-//                kind above. "otherwise" tells `whether` from `when`
-// "if" and "otherwise" are words that are given, like the lexicon. No formula is looked at.
+// A trajectory shows little of what was avoided, kept or asked about: far too many programs lead along it. The search
+// lists only programs that are made of what the sentence mentions, unit by unit along the gold route:
+//   literals     here, ahead, to the left or right; of several programs that say as much, those with fewer directions
+//   steps        forward k; next, reach, advance, advance_k, past and face of a mentioned thing or of a wall ahead
+//   guards       `without` and `keep` of a mentioned thing, where the route would be another one without them
+//   conditions   where the sentence says "if": of a mentioned thing; the step that they prevent is any of the above.
+//                "otherwise" tells `whether` from `when`
+// The words "if" and "otherwise" are given, like the lexicon. The search reads no formula.
 #pragma once
 #include <map>
 #include <string>

@@ -1,11 +1,10 @@
-// How far a sentence and a program speak of the same things.
+// The lexical-overlap penalty: how far a sentence and a program name different things.
 //
-// Many programs lead where a sentence leads; people expect to read the one that says what they said. A program disagrees
-// with a sentence by the things that one of them names and the other does not, as far as the lexicon knows them: objects,
-// floors, paintings, kinds of places, left and right, numbers. No formula is given to learn from: this is a prior.
+// Many programs lead where a sentence leads; the right one usually names what the sentence names. The penalty counts
+// the things that only one of the two names, as far as the lexicon knows them: objects, floors, paintings, kinds of
+// places, left and right, numbers. The penalty is a prior: learning sees no formula.
 #pragma once
 #include <cstdint>
-#include <string>
 #include <vector>
 
 #include "libparser/model/program_language.hpp"

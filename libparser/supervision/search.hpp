@@ -5,7 +5,8 @@
 //   oriented      orient, then forward k or advance with one or two literals: for starts whose heading is unknown
 //   more steps    the gold route cut where it changes between turning and moving; each part by a short step that does
 //                 just that part; kept when the plan of the whole is the gold route
-// One-step goals are tested by bit sets over the arrivals in shortlex order: the plan of a goal ends at its first set bit.
+// One-step goals are tested by bit sets over the arrivals in shortlex order: the plan of a goal ends at its first set
+// bit.
 #pragma once
 #include <vector>
 

@@ -27,13 +27,13 @@ struct Annotations {
   std::vector<Refused> refused;  // lines whose formula is none, or no program of the dialect
 };
 
-// Lines `sentence TAB formula`; blank ones and those that begin with # are skipped. Throws ltl::FormatError with the line
-// that has no tab or no sentence.
+// Lines `sentence TAB formula`; blank ones and those that begin with # are skipped. Throws ltl::FormatError with the
+// line that has no tab or no sentence.
 Annotations parse_annotations(std::string_view text, const ltl::Vocabulary& vocabulary, Dialect dialect,
                               std::string_view source = "");
 
-// Programs over the map's vocabulary. Without a reranker: there is no trajectory to choose by. Throws std::invalid_argument
-// when there is no pair; Stopped when a stop was requested.
+// Programs over the map's vocabulary. Without a reranker: there is no trajectory to choose by. Throws
+// std::invalid_argument when there is no pair; Stopped when a stop was requested.
 Grounder train_supervised(const std::vector<Annotation>& pairs, const plan::Map& map, TrainOptions options);
 
 }  // namespace waymark::parser

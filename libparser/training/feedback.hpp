@@ -1,8 +1,8 @@
-// What a program earns from a trajectory: the feedback of network_options.hpp, in [0, 1].
+// The feedback that a program earns from a trajectory, in [0, 1]: the kinds of network_options.hpp.
 //
-// From an unknown heading a trajectory stands for four, one for each heading at its start, each with the fewest turns to the
-// first heading that is known: progression gives their mean. The other trajectories are random walks of the same length, drawn
-// once for each sentence.
+// From an unknown heading a trajectory stands for four, one for each heading at its start, each with the fewest turns
+// to the first heading that is known: progression gives their mean. The other trajectories are random walks of the same
+// length, drawn once for each sentence.
 #pragma once
 #include <cstdint>
 #include <span>
@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "libltl/meaning/trace_check.hpp"
-#include "libltl/structure/random.hpp"
 #include "libparser/model/network_options.hpp"
 #include "libparser/supervision/examples.hpp"
 #include "libplan/world/trajectory.hpp"

@@ -39,8 +39,8 @@ class Learner {
             static_cast<float>(options.mention);
     instances_.reserve(2 * examples.size());
     for (const Example* example : examples) {
-      add_lesson(*example, false);
-      if (options.mirrored) add_lesson(*example, true);
+      add_instance(*example, false);
+      if (options.mirrored) add_instance(*example, true);
     }
   }
 
@@ -61,7 +61,7 @@ class Learner {
     return (epoch + done) / options_.epochs;
   }
 
-  void add_lesson(const Example& example, bool mirrored) {
+  void add_instance(const Example& example, bool mirrored) {
     SentenceInput input = example.input;
     if (mirrored) input.tokens = mirror(input.tokens);
     SentenceFeatures features = sentence_features(input, model_.words, model_.language.steps());

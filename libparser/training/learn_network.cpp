@@ -44,8 +44,8 @@ class Learner {
     for (std::size_t s = 0; s < shards; ++s) shards_.emplace_back(network_, executors, options, s);
     instances_.reserve(2 * examples.size());
     for (const Example* example : examples) {
-      add_lesson(*example, false);
-      if (options.mirrored) add_lesson(*example, true);
+      add_instance(*example, false);
+      if (options.mirrored) add_instance(*example, true);
     }
   }
 
@@ -80,7 +80,7 @@ class Learner {
     EncoderDecoder::Pass pass;
   };
 
-  void add_lesson(const Example& example, bool mirrored) {
+  void add_instance(const Example& example, bool mirrored) {
     SentenceInput input = example.input;
     if (mirrored) input.tokens = mirror(input.tokens);
     SentenceFeatures features = sentence_features(input, network_.words());
@@ -108,7 +108,8 @@ class Learner {
     instances_.push_back(std::move(instance));
   }
 
-  // A program of the sentence as it stands → the program of the instance, mirrored or not, and its reward times its prior.
+  // A program of the sentence as it stands → the program of the instance, mirrored or not, and its reward times its
+  // prior.
   std::pair<Program, double> weigh(const TrainingInstance& instance, const Program& program, bool same_route,
                                    Feedback& feedback) const {
     if (names_other_place(program, place_numbers_, instance.places)) return {program, 0};

@@ -1,5 +1,5 @@
-// Learning the ranker: one step of AdaGrad [DHS11] up log p(a right candidate) for each decision, in an order drawn anew in each
-// epoch.
+// Learning the ranker: one step of AdaGrad [DHS11] up log p(a right candidate) for each decision, in an order drawn
+// anew in each epoch.
 //
 // One wrong candidate may be known to be the likeliest mistake, the rival. It is pushed away once more:
 //   loss = −log p(right) + against_rival · log(1 + exp(1 + score(rival) − score(right)))
@@ -26,7 +26,8 @@ struct RankerOptions {
   double first_squares = 1e-6;      // what AdaGrad's sums of squared gradients begin with
   double least_error = 0;           // a bundle whose error is smaller teaches nothing
   double against_rival = 0;         // 0: the rival is a candidate like any other
-  // Steps a row once more, by its decay alone, whenever its gradient stands at zero and a further candidate has its feature.
+  // Steps a row once more, by its decay alone, whenever its gradient stands at zero and a further candidate has its
+  // feature.
   bool decay_again = false;
   std::size_t least_maps = 1;  // features met on fewer maps are left out: they are about those maps
   std::stop_token stop = {};   // polled once for each decision; then Stopped is thrown

@@ -1,11 +1,11 @@
-// Learning the reranker and the start-pose model: the ranker in the domain of hallways, once for each question.
+// Learning of the reranker and the start-pose model: the ranker in the domain of hallways, once for each question.
 //
-//   of ends     the candidates are the ends of a sentence's programs from its gold start; right is the gold end
-//   of starts   the candidates are the ends from the gold start and from a few poses where the sentence before could have ended
-//               instead; right is whatever begins at the gold start
-// The programs must come from a reader that has not learned from the sentence (learn.cpp leaves out the whole map), or
-// the reranker would learn to trust probabilities that are too good. The end pose of a candidate is right or wrong:
-// that is all the supervision there is.
+//   ends     candidates: the ends of a sentence's programs from its gold start; right: the gold end
+//   starts   candidates: the ends from the gold start and from a few poses where the sentence before could have ended
+//            instead; right: those that begin at the gold start
+// The programs come from a reader that has not learned from the sentence (learn.cpp leaves out the map). Otherwise the
+// reranker would learn to trust probabilities that are too high. The only supervision is whether the end pose of a
+// candidate is right.
 #pragma once
 #include <span>
 #include <vector>

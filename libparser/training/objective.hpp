@@ -1,8 +1,8 @@
-// What is maximised of the programs z that were found for a sentence, with probabilities p and rewards (times priors) r.
+// Objectives of training over the programs z found for a sentence, with probabilities p_z and rewards times priors r_z.
 //
 //   REINFORCE              Σ p_z r_z
 //   marginal likelihood    log Σ p_z r_z
-//   meritocratic, β        (1/β) log Σ (p_z r_z)^β: β = 1 is marginal likelihood, β → 0 treats all rewarded programs alike
+//   meritocratic, β        (1/β) log Σ (p_z r_z)^β: β = 1 is marginal likelihood; β → 0 treats all programs alike
 // Source: [GPLL17], where the three are compared.
 #pragma once
 #include <span>

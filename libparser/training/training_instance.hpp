@@ -1,4 +1,4 @@
-// What learners of programs share: passes over instances, and what a program that may be meant counts.
+// Training instances of learners of programs: passes over instances, and the weight of a program.
 #pragma once
 #include <algorithm>
 #include <numeric>

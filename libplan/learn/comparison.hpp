@@ -5,13 +5,13 @@
 //   score     success · (cost of the optimum / cost of the policy given acceptance), in [0, 1]: 1 is a best route
 // A run comes to 90 % at the first checkpoint whose score is at least 0.9, and to the optimum at the first whose
 // discounted value is that of the optimum within 10⁻⁹; it stays there from the checkpoint on after which none is worse.
-// The checkpoint before the first step does not count: nothing has been learnt there. Of many runs: estimates with 95 % intervals (statistics.hpp).
+// The checkpoint before the first step does not count: nothing has been learnt there. Of many runs: estimates with 95 %
+// intervals (statistics.hpp).
 #pragma once
 #include <array>
 #include <optional>
 #include <span>
 #include <string>
-#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -72,11 +72,6 @@ class LearningTask {
   std::array<std::optional<Observations>, 3> observations_;  // by Sight
   std::optional<TaskTrees> trees_;
 };
-
-extern template LearningTask::LearningTask(const Mdp&, const automata::Dfa&, std::optional<ltl::Formula>,
-                                           const LearningTaskOptions&);
-extern template LearningTask::LearningTask(const GridWorld&, const automata::Dfa&,
-                                           std::optional<ltl::Formula>, const LearningTaskOptions&);
 
 double success(const PolicyValue& value, const PolicyValue& optimum);
 double score(const PolicyValue& value, const PolicyValue& optimum);

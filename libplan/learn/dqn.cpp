@@ -146,7 +146,7 @@ class Learner {
       show(state, column_, 0);
       action = best_offered(network_.forward(online_, column_, single_), 0, state);
     }
-    const Environment::Step taken = environment_.step(action);
+    const Environment::Transition taken = environment_.step(action);
     const std::size_t place = replay_.add(
         {product_.position_of(state), product_.task_of(state), action, taken.position, taken.letter});
     if (method_.prioritised) priorities_.set(place, priorities_.greatest());

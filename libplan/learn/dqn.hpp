@@ -9,8 +9,8 @@
 // Options: the action of the target chosen by Q and valued by Q⁻ [HGS16]; experiences drawn by priority [SQAS16].
 // Where the action is not offered its output is passed over.
 //
-// Without an encoder nothing is allocated in a step. Q⁻ of a state is computed once for each copy, when a batch first asks for it: on a
-// product of a few hundred states that saves most of a forward pass.
+// Without an encoder nothing is allocated in a step. Q⁻ of a state is computed once for each copy, when a batch first
+// asks for it: on a product of a few hundred states that saves most of a forward pass.
 #pragma once
 #include <vector>
 

@@ -3,8 +3,6 @@
 // An episode begins in a start and ends where the task does, or is cut after `horizon` steps. A cut is no ending: what
 // would have come is unknown, not nothing.
 #pragma once
-#include <algorithm>
-
 #include "libltl/structure/random.hpp"
 #include "libplan/learn/tabular_product.hpp"
 
@@ -12,7 +10,7 @@ namespace waymark::plan {
 
 class Environment {  // product and generator must outlive it
  public:
-  struct Step {
+  struct Transition {
     std::uint32_t position = 0, letter = 0;  // of the outcome
     std::uint32_t state = 0;
     Ending ending = Ending::Open;
@@ -37,7 +35,7 @@ class Environment {  // product and generator must outlive it
     age_ = 0;
   }
 
-  Step step(std::uint32_t action) {  // one that is offered
+  Transition step(std::uint32_t action) {  // one that is offered
     const auto outcomes = product_->outcomes_of(product_->position_of(state_), action);
     std::size_t i = 0;
     if (outcomes.size() > 1)

@@ -1,8 +1,9 @@
-// What a network sees of a pose: how far it is to everything that instructions name.
+// The observation of a pose by a network: the distances to everything that instructions name.
 //
 //   Objects    for each object, the fewest actions from the pose to where it stands
 //   Landmarks  the same for each floor (to a place that it meets) and each painting (to a pose that looks at it) too
-//   Literal    for each object, the fewest hallway segments from the place to where it stands, whatever the heading: four
+//   Literal    for each object, the fewest hallway segments from the place to where it stands, whatever the heading:
+//     four
 //              poses of a place look alike, so no policy can turn in one of them and go ahead in another
 // Rows are divided by the greatest distance in the table, so that numbers are in [0, 1]; what cannot be reached is 1.
 #pragma once
@@ -27,12 +28,10 @@ struct Observations {
 
 Observations observe(const Map& map, Sight sight);
 
-// Of any model: for each proposition that its letters carry, the fewest actions, if all goes well, to a state in which the
-// proposition has just been read.
+// Of any model: for each proposition that its letters carry, the fewest actions, if all goes well, to a state in which
+// the proposition has just been read.
 template <class Model>
 Observations observe(const Model& model);
-extern template Observations observe(const Mdp&);
-extern template Observations observe(const GridWorld&);
 
 // By pose: the fewest actions to a pose whose label carries the proposition; nullopt where there is no way. O(poses).
 std::vector<std::optional<std::uint32_t>> actions_to(const Map& map, ltl::Proposition p);

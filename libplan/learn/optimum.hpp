@@ -1,5 +1,5 @@
-// The best that a learner can come to: the solvers' sweeps (solve/discounted_sweeps.hpp) for the discounted return that all
-// learners maximise, over the product that they step in.
+// The best that a learner can come to: the solvers' sweeps (solve/discounted_sweeps.hpp) for the discounted return that
+// all learners maximise, over the product that they step in.
 //
 // On a deterministic model that is γ^(n−1) for the fewest actions n, so the best policy is a route of least cost where
 // every action costs the same. With γ < 1 the sweeps end when no value is further than `tolerance` (relative) from V.

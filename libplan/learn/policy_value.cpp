@@ -2,7 +2,6 @@
 
 #include <Eigen/SparseCore>
 #include <Eigen/SparseLU>
-#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <stdexcept>

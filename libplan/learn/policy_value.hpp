@@ -1,8 +1,9 @@
-// What a policy is worth, exactly: the Markov chain that it leaves of the product, solved as linear systems.
+// The exact value of a policy: the Markov chain that the policy leaves of the product, solved as linear systems.
 //
 //   probability   of acceptance                          x = P x + (P to accepting states)
 //   cost          expected until acceptance, given it     y = P y + c ∘ x,  cost = y / x
-//   value         E γ^(T−1), T the actions to acceptance  v = γ P v + (P to accepting states): what the learners maximise
+//   value         E γ^(T−1), T the actions to acceptance  v = γ P v + (P to accepting states): what the learners
+//     maximise
 // over the states from which acceptance is reachable, where the matrices are regular; all means over the starts.
 // Source: [BK08, Sec. 10.1.1]. Chains in which every state has one successor are walked instead.
 #pragma once

@@ -14,7 +14,8 @@ namespace {
 constexpr double not_offered = -std::numeric_limits<double>::infinity();
 constexpr std::size_t tabulated_rates = 1U << 12U;  // later updates are made at the last of them
 
-// Sub-tasks to begin episodes with: the states of the automaton that a start can owe, easiest first, the task itself last.
+// Sub-tasks to begin episodes with: the states of the automaton that a start can owe, easiest first, the task itself
+// last.
 class Curriculum {
  public:
   Curriculum(const TabularProduct& product, std::size_t passes) : passes_(passes) {
@@ -27,21 +28,21 @@ class Curriculum {
     std::stable_sort(tasks.begin(), tasks.end(), [&](std::uint32_t a, std::uint32_t b) {
       return product.task.distance[a] < product.task.distance[b];
     });
-    for (const std::uint32_t q : tasks) lessons_.push_back(product.state(position, q));
+    for (const std::uint32_t q : tasks) starts_.push_back(product.state(position, q));
   }
-  bool is_over() const { return lesson_ == lessons_.size(); }
-  std::uint32_t start() const { return lessons_[lesson_]; }
+  bool is_over() const { return current_ == starts_.size(); }
+  std::uint32_t start() const { return starts_[current_]; }
   void report(bool solved) {
     in_a_row_ = solved ? in_a_row_ + 1 : 0;
     if (in_a_row_ < passes_ && ++tries_ < most_tries) return;
-    ++lesson_;
+    ++current_;
     in_a_row_ = tries_ = 0;
   }
 
  private:
   static constexpr std::size_t most_tries = 20;  // a sub-task that cannot be solved from here holds nobody up
-  std::size_t passes_, lesson_ = 0, in_a_row_ = 0, tries_ = 0;
-  std::vector<std::uint32_t> lessons_;
+  std::size_t passes_, current_ = 0, in_a_row_ = 0, tries_ = 0;
+  std::vector<std::uint32_t> starts_;
 };
 
 class Learner {
@@ -99,7 +100,7 @@ class Learner {
     const std::uint32_t state = environment_.state();
     const std::uint32_t action =
         random_.chance(training_.epsilon(step)) ? environment_.random_action() : best_action(state);
-    const Environment::Step taken = environment_.step(action);
+    const Environment::Transition taken = environment_.step(action);
     const Experience experience{product_.position_of(state), product_.task_of(state), action, taken.position,
                                 taken.letter};
     learn_from(experience);

@@ -7,10 +7,13 @@
 // learner who acts greedily tries what it has not tried. Variants, which can be combined:
 //   counterfactual  what was seen, (position, action, position, letter), is an experience for every state of the
 //                   automaton: all of them are updated. [TKVM22, Sec. 3.2]
-//   shaped          r + γ Φ(s′) − Φ(s) in the place of r, Φ(s) = γ^(d − 1) for d letters from s's task to acceptance and
-//                   0 where the task has ended: leaves the best policies as they are [NHR99, Th. 1]. Φ is itself an upper
+//   shaped          r + γ Φ(s′) − Φ(s) in the place of r, Φ(s) = γ^(d − 1) for d letters from s's task to acceptance
+//     and
+//                   0 where the task has ended: leaves the best policies as they are [NHR99, Th. 1]. Φ is itself an
+//                     upper
 //                   bound, so tables then begin at 0, which means Φ. [Wie03]
-//   curriculum      one value function for each progressed formula, all learnt off policy from every step as LPOPL does;
+//   curriculum      one value function for each progressed formula, all learnt off policy from every step as LPOPL
+//     does;
 //                   episodes are given the sub-tasks in turn, easiest first, and each until it has been solved
 //                   `passes` times in a row. [TKVM18]
 //   replays         past experiences updated again after every step, evenly drawn from the last `memory`. [Lin92]

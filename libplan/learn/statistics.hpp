@@ -1,7 +1,8 @@
-// What a few dozen runs say, with how far that can be trusted: estimates with 95 % intervals.
+// Estimates from a few dozen runs, with 95 % confidence intervals.
 //
 //   rates      Wilson's score interval                                                            [Wil27]
-//   others     percentile bootstrap, 2,000 resamples drawn with a fixed seed: the same runs, the same bytes  [ET93, Ch. 13]
+//   others     percentile bootstrap, 2,000 resamples drawn with a fixed seed: the same runs, the same bytes  [ET93, Ch.
+//     13]
 // Values may be infinite (a goal that was never reached): medians remain meaningful, and may be infinite themselves.
 #pragma once
 #include <cstddef>

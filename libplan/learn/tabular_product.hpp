@@ -60,7 +60,8 @@ struct TabularProduct {
 // without choices.
 TabularProduct compose(const Mdp& model, TaskRows task);
 TabularProduct compose(const GridWorld& model, TaskRows task);
-// Throws ltl::FormatError as task_rows.hpp says. `starts`: each one equally likely (the mean over unknown headings, conventions.md 8); noise: chances to slip.
+// Throws ltl::FormatError as task_rows.hpp says. `starts`: each one equally likely (the mean over unknown headings,
+// conventions.md 8); noise: chances to slip.
 TabularProduct tabulate(const Map& map, const automata::Dfa& dfa, std::span<const PoseId> starts,
                         const MapNoise& noise = {});
 inline TabularProduct tabulate(const Map& map, const automata::Dfa& dfa, PoseId start,

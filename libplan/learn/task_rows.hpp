@@ -1,6 +1,7 @@
 // A task as a learner meets it: automaton states and letters as small numbers, every step in one flat table.
 //
-// Letters are classes of letters of the model (alphabet_classes.hpp). Learners stop where a task ends: at acceptance (the prefix is good enough to stop there, conventions.md 4) and in traps.
+// Letters are classes of letters of the model (alphabet_classes.hpp). Learners stop where a task ends: at acceptance
+// (the prefix is good enough to stop there, conventions.md 4) and in traps.
 #pragma once
 #include <cstdint>
 #include <vector>

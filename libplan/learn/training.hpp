@@ -1,4 +1,4 @@
-// What all learners are told and what they all report.
+// The parameters of training that all learners share, and the learning curve that they return.
 //
 // A learner takes `steps` steps in the environment. Every `interval` steps it is interrupted, and the policy that it
 // would follow now, without exploring, is solved exactly: learning curves carry values, not averages of a few episodes.
@@ -10,7 +10,6 @@
 #include <stop_token>
 #include <vector>
 
-#include "libltl/structure/random.hpp"
 #include "libplan/learn/policy_value.hpp"
 
 namespace waymark::plan {

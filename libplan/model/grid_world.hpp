@@ -1,10 +1,10 @@
 // Grid worlds: cells with four moves that may slip, kept implicit.
 //
-// A state is a cell, y · width + x, y growing downwards; the choices are the moves N E S W, always all four. A move goes
-// forward with the given probability, else to the left, right or back of where it was meant to go; against a wall, off
-// the grid, or against a one-way cell it stays where it is. A one-way cell is entered and left in its direction only.
-// The letter of an outcome is that of the cell it leads into. Three bytes a cell; successors are computed when asked
-// for, so that grids of millions of cells fit.
+// A state is a cell, y · width + x, y growing downwards; the choices are the moves N E S W, always all four. A move
+// goes forward with the given probability, else to the left, right or back of where it was meant to go; against a wall,
+// off the grid, or against a one-way cell it stays where it is. A one-way cell is entered and left in its direction
+// only. The letter of an outcome is that of the cell it leads into. Three bytes a cell; successors are computed when
+// asked for, so that grids of millions of cells fit.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -43,8 +43,8 @@ class GridWorld {
     std::array<SlipChances, 4> motion = {};     // by the direction that was meant
     std::array<double, 4> cost = {1, 1, 1, 1};  // of a move
   };
-  // Every cell has an index into `palette`: row by row. Throws std::invalid_argument naming the fault: sizes, chances that do
-  // not add up to 1, a start off the grid or in a wall.
+  // Every cell has an index into `palette`: row by row. Throws std::invalid_argument naming the fault: sizes, chances
+  // that do not add up to 1, a start off the grid or in a wall.
   GridWorld(const Shape& shape, const ltl::Vocabulary& vocabulary, const std::vector<GridCell>& palette,
             const std::vector<std::uint16_t>& cells, std::uint32_t start);
 

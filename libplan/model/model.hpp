@@ -1,7 +1,7 @@
-// What a model is: a Markov decision process with letters on moves, however it is stored.
+// The concept of a model: a Markov decision process with letters on moves, however the process is stored.
 //
-// States are numbered from 0. In a state one of its choices is made, one of the outcomes of the choice is drawn, and the
-// letter of the outcome is appended to the word; the first letter is that of the start (docs/conventions.md 1).
+// States are numbered from 0. In a state one of its choices is made, one of the outcomes of the choice is drawn, and
+// the letter of the outcome is appended to the word; the first letter is that of the start (docs/conventions.md 1).
 // Mdp stores all of it, GridWorld and MapMdp compute it when asked. Products, solvers and learners take any Model.
 #pragma once
 #include <concepts>

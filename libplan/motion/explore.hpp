@@ -28,12 +28,12 @@ struct OutOfTime {     // nothing proved
 };
 using Explored = std::variant<Motion, NoRun, OutOfTime>;
 
-// A motion from the cell of that pose whose word the automaton accepts. Throws std::invalid_argument when the robot does
-// not fit where it starts.
+// A motion from the cell of that pose whose word the automaton accepts. Throws std::invalid_argument when the robot
+// does not fit where it starts.
 Explored explore(const automata::Dfa& dfa, const Workspace& workspace, PoseId start, const Exploration& how);
 
-// What OMPL is told of the task: pose p is the symbol p, the hallway e with heading 90 h is 4 · (nodes + e) + h. Its start
-// is the state after the letter of the start pose, and may accept.
+// What OMPL is told of the task: pose p is the symbol p, the hallway e with heading 90 h is 4 · (nodes + e) + h. Its
+// start is the state after the letter of the start pose, and may accept.
 SymbolAutomaton task_over_symbols(const automata::Dfa& dfa, const Workspace& workspace, PoseId start);
 
 // Tries OMPL on the problem until `is_done` says that the line is a solution or the time is over.

@@ -47,8 +47,9 @@ void set(ob::State* state, const Configuration& c) {
   pose.setYaw(-turn_between(c.heading, quarter_turn) * degree);  // −π ≤ yaw < π, or no start is taken
 }
 
-// One step. Both controls are drawn from −1 … 1. Cubed, the second says how sharply to turn, more often little than much:
-// a car or a disc bends its way. The first is the speed; for a fifth of it a car backs up, and a disc turns in place.
+// One step. Both controls are drawn from −1 … 1. Cubed, the second says how sharply to turn, more often little than
+// much: a car or a disc bends its way. The first is the speed; for a fifth of it a car backs up, and a disc turns in
+// place.
 Configuration stepped(const ExplorationProblem& problem, const Configuration& from, double first,
                       double second) {
   const double steering = second * second * second, speed = std::max(0.2, (first + 1) / 2);

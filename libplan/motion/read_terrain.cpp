@@ -1,6 +1,5 @@
 #include "libplan/motion/read_terrain.hpp"
 
-#include <array>
 #include <stdexcept>
 #include <string>
 

@@ -8,8 +8,8 @@
 namespace waymark::plan {
 
 Realization realize(const Trajectory& route, const Workspace& workspace, const Sampling& sampling) {
-  Realization outcome = std::holds_alternative<Disc>(sampling.robot) ? glide(route, workspace, sampling)
-                                                                     : drive(route, workspace, sampling);
+  Realization outcome = std::holds_alternative<Disc>(sampling.robot) ? steer_disc(route, workspace, sampling)
+                                                                     : steer_car(route, workspace, sampling);
   assert(!std::holds_alternative<Motion>(outcome) ||
          std::get<Trajectory>(route_of(std::get<Motion>(outcome), workspace)) == route);
   return outcome;

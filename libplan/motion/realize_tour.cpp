@@ -68,8 +68,8 @@ class TourMaker {
     const std::vector<Point> ends = ends_of(leg);
     if (ends.empty()) return false;
     const SamplingBudget budget = sampling_budget(sampling_, index);
-    Line way =
-        car_ == nullptr ? glided(leg, line.back(), ends, budget) : driven(leg, line.back(), ends, budget);
+    Line way = car_ == nullptr ? disc_line(leg, line.back(), ends, budget)
+                               : car_line(leg, line.back(), ends, budget);
     if (way.size() < 2 || !reads(way, {leg.now, leg.next})) return false;
     line.insert(line.end(), way.begin() + 1, way.end());
     return true;
@@ -102,8 +102,8 @@ class TourMaker {
     return word->letters.size() <= 2 && std::all_of(word->letters.begin(), word->letters.end(), is_one);
   }
 
-  Line glided(const Leg& leg, const Configuration& from, const std::vector<Point>& ends,
-              const SamplingBudget& budget) const {
+  Line disc_line(const Leg& leg, const Configuration& from, const std::vector<Point>& ends,
+                 const SamplingBudget& budget) const {
     const auto line_of = [&](const std::vector<Point>& points) {
       Line line;
       for (const Point& p : points) line.push_back({p.x, p.y, from.heading});
@@ -119,8 +119,8 @@ class TourMaker {
     return line_of(rounded(tightened(sample_path(problem, budget), is_free), is_free));
   }
 
-  Line driven(const Leg& leg, const Configuration& from, const std::vector<Point>& ends,
-              const SamplingBudget& budget) const {
+  Line car_line(const Leg& leg, const Configuration& from, const std::vector<Point>& ends,
+                const SamplingBudget& budget) const {
     const auto is_free = [&](const Line& line) { return reads(line, {leg.now, leg.next}, true); };
     std::vector<Configuration> goals;
     const Point c = cells_.cells()[leg.into].centre,

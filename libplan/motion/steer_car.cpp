@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <optional>
 #include <span>
 #include <stdexcept>
 
@@ -240,7 +239,7 @@ class Driver {
 
 }  // namespace
 
-Realization drive(const Trajectory& route, const Workspace& workspace, const Sampling& sampling) {
+Realization steer_car(const Trajectory& route, const Workspace& workspace, const Sampling& sampling) {
   return Driver(route, workspace, sampling).run();
 }
 

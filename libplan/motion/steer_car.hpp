@@ -11,6 +11,6 @@
 namespace waymark::plan {
 
 // As realize says; the robot must be a car.
-Realization drive(const Trajectory& route, const Workspace& workspace, const Sampling& sampling);
+Realization steer_car(const Trajectory& route, const Workspace& workspace, const Sampling& sampling);
 
 }  // namespace waymark::plan

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <stdexcept>
-#include <string>
 
 namespace waymark::plan {
 namespace {
@@ -135,7 +134,7 @@ std::vector<Point> rounded(std::vector<Point> path, const std::function<bool(Poi
   return path;
 }
 
-Realization glide(const Trajectory& route, const Workspace& workspace, const Sampling& sampling) {
+Realization steer_disc(const Trajectory& route, const Workspace& workspace, const Sampling& sampling) {
   return Glider(route, workspace, sampling).run();
 }
 

@@ -12,7 +12,7 @@
 namespace waymark::plan {
 
 // As realize says; the robot must be a disc.
-Realization glide(const Trajectory& route, const Workspace& workspace, const Sampling& sampling);
+Realization steer_disc(const Trajectory& route, const Workspace& workspace, const Sampling& sampling);
 
 // Paths of straight lines. From every point straight on to the farthest one that can be reached; corners cut a quarter
 // into both of their sides [Cha74], where the cut is free, three times over.

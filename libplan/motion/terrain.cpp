@@ -1,7 +1,6 @@
 #include "libplan/motion/terrain.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <stdexcept>
 
 namespace waymark::plan {

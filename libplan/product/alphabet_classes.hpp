@@ -1,8 +1,8 @@
 // The letters of a model as an automaton reads them: letters that the automaton cannot tell apart form one class.
 //
-// Propositions are matched by name. A model may lack a proposition that the automaton reads; the caller says what follows:
-// the task is refused (maps and learners: a misspelt name), or the proposition never holds (planning cases: a model
-// file lists only what occurs).
+// Propositions are matched by name. A model may lack a proposition that the automaton reads; the caller says what
+// follows: the task is refused (maps and learners: a misspelt name), or the proposition never holds (planning cases: a
+// model file lists only what occurs).
 #pragma once
 #include <cstdint>
 #include <string>

@@ -1,8 +1,8 @@
-// The product of a deterministic model with a generalised Büchi automaton, written out with marks on its edges.
+// The product of a deterministic model with a generalised Büchi automaton, stored with marks on its edges.
 //
-// A run of the automaton may choose, and where nothing is left to chance a planner chooses for it: so the automaton may
-// be nondeterministic here, and nowhere else in libplan. Built in full, 32 bytes an edge: a lasso is looked for in whole
-// components, not on the way to a goal.
+// The model is deterministic, so the planner chooses the run of the automaton. Only here in libplan may an automaton be
+// nondeterministic. The product is built in full, 32 bytes an edge, because lassos are searched for in whole
+// components.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -69,8 +69,5 @@ struct BuchiProduct {
 // budget throws, and std::invalid_argument for a model that is not deterministic or another acceptance condition.
 template <Model M>
 BuchiProduct compose(const M& model, const automata::Automaton& automaton, automata::Budget& budget);
-
-extern template BuchiProduct compose(const Mdp&, const automata::Automaton&, automata::Budget&);
-extern template BuchiProduct compose(const GridWorld&, const automata::Automaton&, automata::Budget&);
 
 }  // namespace waymark::plan

@@ -20,8 +20,9 @@ struct CompositionLimits {
   std::stop_token stop = {};  // polled every few hundred vertices
 };
 
-// The product that routes are searched on, with its reachable pairs numbered breadth first; Boost.Graph's IncidenceGraph and
-// VertexListGraph. Out-edges are in action order FORWARD, LEFT, RIGHT. Traps of the automaton are vertices without out-edges.
+// The product that routes are searched on, with its reachable pairs numbered breadth first; Boost.Graph's
+// IncidenceGraph and VertexListGraph. Out-edges are in action order FORWARD, LEFT, RIGHT. Traps of the automaton are
+// vertices without out-edges.
 class MapProduct : public Product<MapMdp, TaskSteps> {
  public:
   // Map and automaton must outlive it. Throws ltl::FormatError naming a proposition that the map lacks. nullopt: more
@@ -39,7 +40,7 @@ class MapProduct : public Product<MapMdp, TaskSteps> {
   Action action(const ProductEdge& e) const { return model().move(e.from.place, e.choice); }
   std::uint32_t index(const ProductState& v) const { return order_.number(v); }  // in the order of vertices()
 
-  struct traversal_category : virtual boost::incidence_graph_tag, virtual boost::vertex_list_graph_tag {};
+  using traversal_category = ListedProduct;
   using vertices_size_type = std::size_t;
   using vertex_iterator = std::vector<ProductState>::const_iterator;
   friend std::pair<vertex_iterator, vertex_iterator> vertices(const MapProduct& g) {

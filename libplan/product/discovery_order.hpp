@@ -1,5 +1,5 @@
-// Pairs of a product in the order in which a search met them, each with its number: four bytes for every place and every
-// state of the task that was met, eight for every pair that was.
+// Pairs of a product in the order in which a search met them, each with its number: four bytes for every place and
+// every state of the task that was met, eight for every pair that was.
 #pragma once
 #include <cstddef>
 #include <cstdint>

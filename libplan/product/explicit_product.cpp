@@ -31,7 +31,7 @@ class Unfolding {
     product_.for_each_state([&](const State& s) { goals_.push_back(product_.is_goal(s)); });
     product_.for_each_state([&](const State& s) { add(builder, s); });
     const std::vector<std::uint32_t>& starts = product_.starts();
-    if (needs_lost_ || starts.empty()) {
+    if (needs_trap_ || starts.empty()) {
       add_apart(builder, "lost", -1);
       stay(builder, trap(), {});
     }
@@ -78,7 +78,7 @@ class Unfolding {
       builder.add_choice(product_.is_jump(s, k) ? "jump" : model.action(s.place, k), product_.cost(s, k));
       product_.for_each_outcome(s, k, [&](std::uint32_t target, double probability, bool marked) {
         if (target == ProductMdp<Model>::trap) {
-          needs_lost_ = true;
+          needs_trap_ = true;
           builder.add_outcome(trap(), builder.letter({}), probability);
         } else {
           builder.add_outcome(target, builder.letter(letter(target, marked)), probability);
@@ -92,7 +92,7 @@ class Unfolding {
   ltl::Proposition goal_, marked_;
   StateValues values_;
   std::vector<bool> goals_;
-  bool needs_lost_ = false;
+  bool needs_trap_ = false;
 };
 
 }  // namespace

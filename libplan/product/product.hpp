@@ -9,6 +9,7 @@
 // ProductMdp and MapProduct are products whose reachable pairs are numbered, and so list their vertices.
 #pragma once
 #include <boost/graph/graph_traits.hpp>
+#include <boost/iterator/iterator_facade.hpp>
 #include <compare>
 #include <cstddef>
 #include <cstdint>
@@ -31,7 +32,8 @@ struct ProductEdge {
   friend bool operator==(const ProductEdge&, const ProductEdge&) = default;
 };
 
-struct ProductTraversal : virtual boost::incidence_graph_tag, virtual boost::vertex_list_graph_tag {};
+// The traversal category of a product whose vertices are listed.
+struct ListedProduct : virtual boost::incidence_graph_tag, virtual boost::vertex_list_graph_tag {};
 
 template <Model M, Task T>
 class Product {
@@ -75,14 +77,9 @@ class Product {
   using traversal_category = boost::incidence_graph_tag;
   using degree_size_type = std::size_t;
 
-  class out_edge_iterator {
+  class out_edge_iterator : public boost::iterator_facade<out_edge_iterator, const ProductEdge,
+                                                          boost::single_pass_traversal_tag> {
    public:
-    using iterator_category = std::input_iterator_tag;
-    using value_type = ProductEdge;
-    using difference_type = std::ptrdiff_t;
-    using pointer = const ProductEdge*;
-    using reference = const ProductEdge&;
-
     out_edge_iterator() = default;
     out_edge_iterator(const Product& product, const ProductState& from, std::uint32_t choice)
         : product_(&product), choices_(product.choices(from)) {
@@ -90,24 +87,18 @@ class Product {
       edge_.choice = choice;
       settle();
     }
-    reference operator*() const { return edge_; }
-    pointer operator->() const { return &edge_; }
-    out_edge_iterator& operator++() {
-      ++edge_.step;
-      settle();
-      return *this;
-    }
-    out_edge_iterator operator++(int) {
-      out_edge_iterator before = *this;
-      ++*this;
-      return before;
-    }
-    friend bool operator==(const out_edge_iterator& a, const out_edge_iterator& b) {
-      return a.edge_.choice == b.edge_.choice && a.edge_.outcome == b.edge_.outcome &&
-             a.edge_.step == b.edge_.step;
-    }
 
    private:
+    friend class boost::iterator_core_access;
+    const ProductEdge& dereference() const { return edge_; }
+    void increment() {
+      ++edge_.step;
+      settle();
+    }
+    bool equal(const out_edge_iterator& other) const {
+      return edge_.choice == other.edge_.choice && edge_.outcome == other.edge_.outcome &&
+             edge_.step == other.edge_.step;
+    }
     // To the first edge at or after (choice, outcome, step), or to the end (choices, 0, 0).
     void settle() {
       for (; edge_.choice < choices_; ++edge_.choice, edge_.outcome = 0)

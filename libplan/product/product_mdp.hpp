@@ -1,9 +1,9 @@
 // The product of a model and a task with its reachable pairs numbered, two bits a pair: what value iteration works on.
 //
 // Reachable pairs are numbered in ascending order of (task, place): a component of the automaton is a range of numbers,
-// no outcome leads into a higher range. An outcome from which the task cannot be met leads to `trap`. Solvers are written
-// against what is public here; MarkovChain (solve/markov_chain.hpp) has it too. As a graph this is a Boost.Graph
-// IncidenceGraph and VertexListGraph.
+// no outcome leads into a higher range. An outcome from which the task cannot be met leads to `trap`. Solvers are
+// written against what is public here; MarkovChain (solve/markov_chain.hpp) has it too. As a graph this is a
+// Boost.Graph IncidenceGraph and VertexListGraph.
 #pragma once
 #include <cstddef>
 #include <cstdint>
@@ -36,7 +36,8 @@ class ProductMdp : public Product<M, TaskTable> {
 
   std::uint32_t states() const { return states_; }
   std::uint64_t edges() const { return edges_; }  // outcomes of all choices, those into the trap left out
-  // Where a run may begin: the first letter is read, after a jump or none. Empty: the task cannot be met from the start.
+  // Where a run may begin: the first letter is read, after a jump or none. Empty: the task cannot be met from the
+  // start.
   const std::vector<std::uint32_t>& starts() const { return starts_; }
   State state(std::uint32_t index) const {
     const std::uint64_t pair = pairs_.select(index);
@@ -70,7 +71,7 @@ class ProductMdp : public Product<M, TaskTable> {
       return;
     }
     this->model().for_each_outcome(s.place, k, [&](std::uint32_t place, LetterId letter, double probability) {
-      const TaskTable::Step step = this->task().next(s.task, letter);
+      const TaskTable::Successor step = this->task().next(s.task, letter);
       visit(step.target == TaskTable::trap ? trap : index(place, step.target), probability, step.marked);
     });
   }
@@ -86,26 +87,19 @@ class ProductMdp : public Product<M, TaskTable> {
   }
 
   // ---- the graph: vertices are listed in the order of their numbers
-  struct traversal_category : virtual boost::incidence_graph_tag, virtual boost::vertex_list_graph_tag {};
+  using traversal_category = ListedProduct;
   using vertices_size_type = std::size_t;
-  class vertex_iterator {
+  class vertex_iterator : public boost::iterator_facade<vertex_iterator, const ProductState,
+                                                        boost::single_pass_traversal_tag, ProductState> {
    public:
-    using iterator_category = std::input_iterator_tag;
-    using value_type = ProductState;
-    using difference_type = std::ptrdiff_t;
-    using pointer = const ProductState*;
-    using reference = ProductState;
     vertex_iterator() = default;
     vertex_iterator(const ProductMdp& product, std::uint32_t index) : product_(&product), index_(index) {}
-    ProductState operator*() const { return product_->state(index_); }
-    vertex_iterator& operator++() {
-      ++index_;
-      return *this;
-    }
-    vertex_iterator operator++(int) { return {*product_, index_++}; }
-    friend bool operator==(const vertex_iterator&, const vertex_iterator&) = default;
 
    private:
+    friend class boost::iterator_core_access;
+    ProductState dereference() const { return product_->state(index_); }
+    void increment() { ++index_; }
+    bool equal(const vertex_iterator& other) const { return index_ == other.index_; }
     const ProductMdp* product_ = nullptr;
     std::uint32_t index_ = 0;
   };
@@ -129,41 +123,5 @@ class ProductMdp : public Product<M, TaskTable> {
   std::uint64_t edges_ = 0;
   std::vector<std::uint32_t> starts_, blocks_;
 };
-
-template <Model M>
-std::optional<ProductMdp<M>> ProductMdp<M>::explore(const M& model, const TaskTable& task, std::size_t limit,
-                                                    const std::stop_token& stop) {
-  ProductMdp out(model, task);
-  std::vector<ProductState> open, first;
-  const auto reach = [&](const ProductState& s) {
-    if (!out.pairs_.insert(out.pair(s.place, s.task))) return;
-    ++out.states_;
-    open.push_back(s);
-  };
-  out.for_each_start([&](const ProductState& s) {
-    reach(s);
-    first.push_back(s);
-  });
-  constexpr std::size_t polling_interval = 4096;
-  for (std::size_t done = 0; !open.empty(); ++done) {
-    if (out.states_ > limit || (done % polling_interval == 0 && stop.stop_requested())) return std::nullopt;
-    const ProductState s = open.back();
-    open.pop_back();
-    for (std::uint32_t k = 0, choices = out.choices(s); k < choices; ++k)
-      out.for_each_successor(s, k, [&](const ProductState& t) {
-        ++out.edges_;
-        reach(t);
-      });
-  }
-  out.number();
-  for (const ProductState& s : first) out.starts_.push_back(out.index(s.place, s.task));
-  return out;
-}
-
-template <Model M>
-void ProductMdp<M>::number() {
-  pairs_.rank();
-  for (std::uint32_t q : this->task().components()) blocks_.push_back(pairs_.rank(q * places_));
-}
 
 }  // namespace waymark::plan

@@ -1,4 +1,4 @@
-// What a task is to a product: numbered states, and steps on the letters of one model.
+// The concept of a task: an automaton with numbered states, and its steps on the letters of one model.
 //
 // TaskTable is a DFA or an MdpSafe, tabulated; TaskSteps is a DFA whose steps are looked up when they are first taken;
 // BuchiTask is a generalised Büchi automaton, whose steps are choices.
@@ -25,14 +25,14 @@ concept Task = requires(const T& task, std::uint32_t q, LetterId letter) {
   { task.jumps(q)[0] } -> std::convertible_to<std::uint32_t>;
 };
 
-template <class Step>
+template <class Successor>
 struct AtMostOne {  // the steps of a deterministic automaton
-  Step step;
+  Successor step;
   bool some = true;
   std::size_t size() const { return some ? 1 : 0; }
-  const Step& operator[](std::size_t) const { return step; }
-  const Step* begin() const { return &step; }
-  const Step* end() const { return &step + size(); }
+  const Successor& operator[](std::size_t) const { return step; }
+  const Successor* begin() const { return &step; }
+  const Successor* end() const { return &step + size(); }
 };
 
 }  // namespace waymark::plan

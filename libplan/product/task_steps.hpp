@@ -1,7 +1,7 @@
 // A DFA as one map drives it: steps on the letters that the map can append, computed when a state is first visited.
 //
-// Rows are kept: one diagram walk per class of letters (alphabet_classes.hpp) and state, then a look-up. Nothing is done
-// for states that are never visited, of which large automata have many.
+// Rows are kept: one diagram walk per class of letters (alphabet_classes.hpp) and state, then a look-up. Nothing is
+// done for states that are never visited, of which large automata have many.
 #pragma once
 #include <array>
 #include <cstddef>
@@ -18,7 +18,7 @@ namespace waymark::plan {
 
 class TaskSteps {  // not for two threads at once, though const: rows are kept
  public:
-  struct Step {
+  struct Successor {
     std::uint32_t target;
   };
   // Whether a step into a trap is one: products that are shown have traps, as states without choices.
@@ -40,7 +40,7 @@ class TaskSteps {  // not for two threads at once, though const: rows are kept
   std::array<std::uint32_t, 1> initial_states() const { return {dfa_->initial().index}; }
   bool is_goal(std::uint32_t q) const { return dfa_->is_accepting(automata::StateId{q}); }
   bool is_over(std::uint32_t q) const { return dfa_->is_trap(automata::StateId{q}); }
-  AtMostOne<Step> steps(std::uint32_t q, LetterId letter) const {
+  AtMostOne<Successor> steps(std::uint32_t q, LetterId letter) const {
     const automata::StateId target = next(automata::StateId{q}, letter);
     return {{target.index}, traps_ == Traps::Kept || !dfa_->is_trap(target)};
   }

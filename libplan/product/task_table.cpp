@@ -1,8 +1,5 @@
 #include "libplan/product/task_table.hpp"
 
-#include <algorithm>
-#include <utility>
-
 #include "libautomata/graph/scc.hpp"
 
 namespace waymark::plan {

@@ -2,8 +2,8 @@
 //
 // Letters that the automaton cannot tell apart form one class. States are renumbered so that strongly connected
 // components stand together and none leads to a higher one: solvers take them in ascending order. States from which
-// nothing is accepted are no states here, a step into one leads to `trap`. Propositions that the model does not know never
-// hold.
+// nothing is accepted are no states here, a step into one leads to `trap`. Propositions that the model does not know
+// never hold.
 #pragma once
 #include <cstdint>
 #include <span>
@@ -19,7 +19,7 @@ namespace waymark::plan {
 class TaskTable {
  public:
   static constexpr std::uint32_t trap = UINT32_MAX >> 1U;
-  struct Step {
+  struct Successor {
     std::uint32_t target;  // or trap
     bool marked;           // an accepting edge of a Büchi automaton
   };
@@ -32,12 +32,12 @@ class TaskTable {
   std::uint32_t states() const { return static_cast<std::uint32_t>(goal_.size()); }
   bool is_goal(std::uint32_t q) const { return goal_[q]; }
   std::uint32_t origin(std::uint32_t q) const { return origin_[q]; }  // as the automaton numbers it
-  Step next(std::uint32_t q, LetterId letter) const {
+  Successor next(std::uint32_t q, LetterId letter) const {
     const std::uint32_t step = steps_[std::size_t{q} * row_ + classes_.of(letter)];
     return {step & trap, (step & marked) != 0};
   }
-  AtMostOne<Step> steps(std::uint32_t q, LetterId letter) const {
-    const Step step = next(q, letter);
+  AtMostOne<Successor> steps(std::uint32_t q, LetterId letter) const {
+    const Successor step = next(q, letter);
     return {step, step.target != trap};
   }
   const std::vector<std::uint32_t>& initial_states() const { return initial_states_; }

@@ -1,6 +1,7 @@
 // Φ at one state: its best action value, given values of all states (the operator of value_iteration.hpp).
 //
-// A choice that may come to nothing is taken until it comes to something: its value is divided by the chance that it does.
+// A choice that may come to nothing is taken until it comes to something: its value is divided by the chance that it
+// does.
 #pragma once
 #include <cmath>
 #include <cstdint>

@@ -168,22 +168,22 @@ class TaskSolver {
   void find_routes(const TaskTable& task, const TaskAutomaton& automaton, std::optional<ltl::Formula> f,
                    Clock& clock) {
     std::vector<ChoiceRoute> routes;
-    SearchEffort budget;
+    SearchStatistics statistics;
     if (options_.top > 1) {
       auto found = least_routes(Product(model_, task), options_.top, options_.states, options_.stop);
       if (!found) throw Spent{"the search met its limit"};
       routes = std::move(found->routes);
-      budget = found->budget;
+      statistics = found->statistics;
     } else {
       auto found = search(Product(model_, task), options_.states, options_.stop);
       if (!found) throw Spent{"the search met its limit"};
       if (found->route) routes.push_back(std::move(*found->route));
-      budget = found->budget;
+      statistics = found->statistics;
     }
     answer_.seconds.solve = clock.lap();
     answer_.method = CaseMethod::Search;
-    answer_.product_states = budget.met;
-    answer_.product_edges = budget.edges;
+    answer_.product_states = statistics.met;
+    answer_.product_edges = statistics.edges;
     if (routes.empty()) return infeasible(INFINITY);
     for (const ChoiceRoute& route : routes) {
       certify_route(route, automaton, f);
@@ -194,9 +194,9 @@ class TaskSolver {
     if (options_.strategy) answer_.strategy = {automaton, decisions(model_, task, routes[0]), answer_.value};
   }
 
-  // By the definition, not by the automaton: the finite word satisfies f, and so, of a co-safe f without X, does all that
-  // begins with it. Of another good prefix the word that stands still in its last letter is tried. Without a formula by a run
-  // of the automaton.
+  // By the definition, not by the automaton: the finite word satisfies f, and so, of a co-safe f without X, does all
+  // that begins with it. Of another good prefix the word that stands still in its last letter is tried. Without a
+  // formula by a run of the automaton.
   void certify_route(const ChoiceRoute& route, const TaskAutomaton& automaton,
                      std::optional<ltl::Formula> f) const {
     const ltl::Trace word = word_of(model_, route);
@@ -223,8 +223,8 @@ class TaskSolver {
     answer_.seconds.solve = clock.lap();
     if (!found) throw Spent{"the search for a lasso met its limit"};
     answer_.method = CaseMethod::Search;
-    answer_.product_states = found->budget.met;
-    answer_.product_edges = found->budget.edges;
+    answer_.product_states = found->statistics.met;
+    answer_.product_edges = found->statistics.edges;
     if (!found->route) {
       infeasible(INFINITY);
       answer_.reason = "no walk without end satisfies the task";

@@ -1,4 +1,4 @@
-// One task on any model: formula or automaton → product → value between proved bounds, or why there is none.
+// The solution of one task on any model: formula or automaton → product → value between proved bounds, or a reason.
 #pragma once
 #include <cstdint>
 #include <optional>

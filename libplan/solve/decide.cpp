@@ -1,13 +1,13 @@
 // A strategy must make progress: among choices that are worth the same, one that never arrives must not be taken. So it
 // is read off backwards from the targets: a state joins by a choice that is worth its value and has an outcome that has
-// attracted before. What counts as the same action value is made no wider than it takes for every state to be attracted.
+// attracted before. What counts as the same action value is made no wider than it takes for every state to be
+// attracted.
 #include "libplan/solve/decide.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <deque>
 #include <stdexcept>
-#include <utility>
 
 #include "libplan/solve/end_components.hpp"
 #include "libplan/solve/reachability.hpp"
@@ -170,8 +170,8 @@ EndComponents merged(const Product& product, const StateSet& unknown) {
   });
 }
 
-// Least probabilities are 1 where no strategy has a chance of staying for ever away from the targets, nor of ending in the trap.
-// By the graph, since sweeps would take as long as a strategy can put off what must come.
+// Least probabilities are 1 where no strategy has a chance of staying for ever away from the targets, nor of ending in
+// the trap. By the graph, since sweeps would take as long as a strategy can put off what must come.
 template <class Product>
 Unknowns unknowns_of_least(const Product& product, const StateSet& targets) {
   StateSet away(product.states());
@@ -252,9 +252,9 @@ void tighten(Decided& decided) {
         std::min(decided.value.upper, std::max(decided.re_evaluated.upper, decided.value.lower));
 }
 
-// The strategy of the unknown states: by the bounds that some choice of every state attains. Slack costs at most so much
-// in every step, but with too little of it the only way on may be one that drift makes endless: so it is a strategy that
-// was evaluated and found good that counts.
+// The strategy of the unknown states: by the bounds that some choice of every state attains. Slack costs at most so
+// much in every step, but with too little of it the only way on may be one that drift makes endless: so it is a
+// strategy that was evaluated and found good that counts.
 template <Measure measure, class Product>
 bool choose_and_evaluate(const Product& product, const Unknowns& unknowns,
                          const std::vector<double>& attained, const StateSet& kept,

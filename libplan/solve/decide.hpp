@@ -8,8 +8,8 @@
 #include "libplan/model/grid_world.hpp"
 #include "libplan/model/mdp.hpp"
 #include "libplan/product/product_mdp.hpp"
-#include "libplan/solve/markov_chain.hpp"
 #include "libplan/solve/optimistic_iteration.hpp"
+#include "libplan/solve/strategy.hpp"
 
 namespace waymark::plan {
 
@@ -43,19 +43,9 @@ template <class Model>
 std::optional<Decided> least_probability(const ProductMdp<Model>& product,
                                          const IterationOptions& limits = {});
 
-// Least expected cost until a goal is reached; infinite (lower = upper = ∞) unless some strategy reaches one almost surely.
+// Least expected cost until a goal is reached; infinite (lower = upper = ∞) unless some strategy reaches one almost
+// surely.
 template <class Model>
 std::optional<Decided> least_cost(const ProductMdp<Model>& product, const IterationOptions& limits = {});
-
-extern template Qualitative qualitative(const ProductMdp<Mdp>&);
-extern template Qualitative qualitative(const ProductMdp<GridWorld>&);
-extern template std::optional<Decided> greatest_probability(const ProductMdp<Mdp>&, const IterationOptions&);
-extern template std::optional<Decided> greatest_probability(const ProductMdp<GridWorld>&,
-                                                            const IterationOptions&);
-extern template std::optional<Decided> least_probability(const ProductMdp<Mdp>&, const IterationOptions&);
-extern template std::optional<Decided> least_probability(const ProductMdp<GridWorld>&,
-                                                         const IterationOptions&);
-extern template std::optional<Decided> least_cost(const ProductMdp<Mdp>&, const IterationOptions&);
-extern template std::optional<Decided> least_cost(const ProductMdp<GridWorld>&, const IterationOptions&);
 
 }  // namespace waymark::plan

@@ -37,7 +37,7 @@ struct Dijkstra {
       if (ended.goal == nothing) return std::nullopt;
       answer.route = route(ended.goal);
     }
-    answer.budget.met = met.size();
+    answer.statistics.met = met.size();
     return answer;
   }
 
@@ -99,7 +99,7 @@ struct Dijkstra {
           (search->settled++ % pairs_between_polls == 0 && stop->stop_requested()))
         throw Ended{nothing};
       if (g.is_goal(s)) throw Ended{search->order.number(s)};
-      answer->budget.edges += g.choices(s);
+      answer->statistics.edges += g.choices(s);
     }
     template <class Graph>
     void edge_relaxed(const ProductEdge& e, const Graph&) {

@@ -19,23 +19,17 @@ struct ChoiceRoute {  // places and the choices between them
   std::vector<std::uint32_t> places, choices;
   double cost = 0;
 };
-struct SearchEffort {
+struct SearchStatistics {
   std::uint64_t met = 0, edges = 0;  // pairs of place and task; edges looked at
 };
 struct SearchAnswer {
   std::optional<ChoiceRoute> route;  // nullopt: proved that there is none
-  SearchEffort budget;
+  SearchStatistics statistics;
 };
 
 // From one pair to the nearest goal. nullopt: stopped, or more pairs met than the limit.
 template <Model M>
 std::optional<SearchAnswer> dijkstra(const Product<M, TaskTable>& product, const ProductState& first,
                                      std::size_t limit, const std::stop_token& stop);
-
-extern template std::optional<SearchAnswer> dijkstra(const Product<Mdp, TaskTable>&, const ProductState&,
-                                                     std::size_t, const std::stop_token&);
-extern template std::optional<SearchAnswer> dijkstra(const Product<GridWorld, TaskTable>&,
-                                                     const ProductState&, std::size_t,
-                                                     const std::stop_token&);
 
 }  // namespace waymark::plan

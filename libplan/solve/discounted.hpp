@@ -2,8 +2,8 @@
 // the first time, 0 when it never is; 1 where it is at the start. What learners maximise (libplan/learn), on any model.
 //
 // Sweeps from below in place (discounted_sweeps.hpp). A strategy that is greedy for values within ε loses at most
-// 2 ε γ / (1 − γ) [SB18, Sec. 4.2], so the sweeps go on until that is below the tolerance; the strategy is evaluated as a
-// Markov chain by the same sweeps.
+// 2 ε γ / (1 − γ) [SB18, Sec. 4.2], so the sweeps go on until that is below the tolerance; the strategy is evaluated as
+// a Markov chain by the same sweeps.
 #pragma once
 #include <optional>
 
@@ -15,10 +15,5 @@ namespace waymark::plan {
 template <class Model>
 std::optional<Decided> greatest_discounted(const ProductMdp<Model>& product, double discount,
                                            const IterationOptions& limits = {});
-
-extern template std::optional<Decided> greatest_discounted(const ProductMdp<Mdp>&, double,
-                                                           const IterationOptions&);
-extern template std::optional<Decided> greatest_discounted(const ProductMdp<GridWorld>&, double,
-                                                           const IterationOptions&);
 
 }  // namespace waymark::plan

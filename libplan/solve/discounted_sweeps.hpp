@@ -1,8 +1,8 @@
 // Sweeps of the discounted optimality equation, from below and in place, over any product: of solvers, and of learners.
 //
 //   V(s) = max over choices of Σ Pr(t | s) · (1 if t is a goal, γ V(t) otherwise)           [SB18, Sec. 4.4]
-// With γ < 1 a contraction: after a sweep that changed nothing by more than δ, values are within δ γ / (1 − γ) of V. With γ = 1 V is the
-// greatest probability of reaching a goal, and the sweeps promise nothing but to come closer.
+// With γ < 1 a contraction: after a sweep that changed nothing by more than δ, values are within δ γ / (1 − γ) of V.
+// With γ = 1 V is the greatest probability of reaching a goal, and the sweeps promise nothing but to come closer.
 //
 // Product: states, goals, choices and outcomes by the names that ProductMdp has for them.
 #pragma once
@@ -30,8 +30,8 @@ class DiscountedSweeps {
     });
   }
 
-  // Until a sweep changes nothing by more than `enough` of what it becomes: γ^n is small, and a goal a thousand steps away is one all
-  // the same. False: stopped, or so many sweeps were made.
+  // Until a sweep changes nothing by more than `enough` of what it becomes: γ^n is small, and a goal a thousand steps
+  // away is one all the same. False: stopped, or so many sweeps were made.
   bool run(double enough, const std::stop_token& stop, std::uint64_t most = UINT64_MAX) {
     for (double change = 2 * enough + 1; change > enough; ++sweeps_) {
       if (stop.stop_requested() || sweeps_ == most) return false;

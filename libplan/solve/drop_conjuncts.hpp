@@ -1,5 +1,5 @@
-// What to give up when a conjunction cannot be met: the fewest conjuncts without which the rest can, and a smallest
-// reason why not all. Minimum violation planning [TRCK13] with equal priorities, over top-level conjuncts.
+// The fewest conjuncts to drop from a conjunction that cannot be satisfied, and a smallest set that cannot hold
+// together. Minimum violation planning [TRCK13] with equal priorities, over top-level conjuncts.
 #pragma once
 #include <functional>
 #include <string>

@@ -30,7 +30,8 @@ bool stays(const Product& product, const typename Product::State& s, std::uint32
 
 namespace detail {
 
-// One round: the strongly connected components of the choices that stay. [Tar72], successors of open calls on one stack.
+// One round: the strongly connected components of the choices that stay. [Tar72], successors of open calls on one
+// stack.
 template <class Product, class Usable>
 class Round {
  public:

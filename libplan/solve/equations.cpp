@@ -162,8 +162,8 @@ std::vector<std::uint32_t> Equations::greedy() const {
   return policy;
 }
 
-// (I − P) x = constant, by sparse LU. False: singular, the policy goes round for ever. (BiCGSTAB with incomplete factors,
-// tried for more rows than can be factored, stagnates on large grids and takes longer than sweeps do.)
+// (I − P) x = constant, by sparse LU. False: singular, the policy goes round for ever. (BiCGSTAB with incomplete
+// factors, tried for more rows than can be factored, stagnates on large grids and takes longer than sweeps do.)
 bool Equations::evaluate(const std::vector<std::uint32_t>& policy, std::vector<double>& x) const {
   std::vector<Eigen::Triplet<double>> entries;
   Eigen::VectorXd right(rows());

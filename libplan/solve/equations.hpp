@@ -43,8 +43,9 @@ class Equations {
     std::vector<double> lower, upper;  // by row
     std::uint64_t sweeps = 0;
   };
-  // Optimistic value iteration [HK20, Alg. 2]; what is slow to settle, and everything when limits.policy_iteration say so,
-  // by policy iteration with sparse linear solves [BT91, Prop. 2], the upper bound proved as before. nullopt: stopped, out of sweeps, or the bounds do not meet in doubles.
+  // Optimistic value iteration [HK20, Alg. 2]; what is slow to settle, and everything when limits.policy_iteration say
+  // so, by policy iteration with sparse linear solves [BT91, Prop. 2], the upper bound proved as before. nullopt:
+  // stopped, out of sweeps, or the bounds do not meet in doubles.
   std::optional<Solution> solve(const IterationOptions& limits);
 
   // The backend of optimistic_iteration.hpp.

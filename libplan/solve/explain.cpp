@@ -1,7 +1,6 @@
 #include "libplan/solve/explain.hpp"
 
 #include <algorithm>
-#include <cassert>
 #include <queue>
 #include <string>
 #include <vector>

@@ -1,4 +1,4 @@
-// Why no route satisfies φ: the smallest part of the task that is already too much, in words.
+// The explanation that no route satisfies φ: a smallest part of the task that cannot be satisfied, in words.
 #pragma once
 #include <span>
 #include <stop_token>

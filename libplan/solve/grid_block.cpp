@@ -222,8 +222,8 @@ std::size_t GridBlock::chunk_size() {
   return std::max(smallest, layers_of_a_chunk * cells_.size() / static_cast<std::size_t>(deepest));
 }
 
-// The greatest change: absolute for probabilities; for costs relative to the value, or to so many moves where it is more:
-// bounds a share of the value apart are inductive where what is left to change is that share of a move.
+// The greatest change: absolute for probabilities; for costs relative to the value, or to so many moves where it is
+// more: bounds a share of the value apart are inductive where what is left to change is that share of a move.
 double GridBlock::sweep(std::size_t first, std::size_t last, double over_relaxation) {
   constexpr double many_moves = 512;
   const auto& costs = product_.model().shape().cost;
@@ -241,8 +241,8 @@ double GridBlock::sweep(std::size_t first, std::size_t last, double over_relaxat
   return change;
 }
 
-// Sweeps of the cells between two fronts, then of all of them. Behind the first front they have settled; the second moves
-// on by some chunks a sweep, as fast as news travels, since before that a sweep changes little for good.
+// Sweeps of the cells between two fronts, then of all of them. Behind the first front they have settled; the second
+// moves on by some chunks a sweep, as fast as news travels, since before that a sweep changes little for good.
 bool GridBlock::refine(double change, const IterationOptions& options) {
   constexpr std::uint64_t patience = 64;  // sweeps in which nothing settles until over-relaxation is given up
   set_around(Side::Middle);
@@ -326,12 +326,12 @@ double GridBlock::likely() const {
   return sum / static_cast<double>(cells_.size());
 }
 
-// Over-relaxation where moves are likely to slip: where they are not, cells follow each other in long chains, along which
-// a factor too great would grow.
+// Over-relaxation where moves are likely to slip: where they are not, cells follow each other in long chains, along
+// which a factor too great would grow.
 double GridBlock::over_relaxation() const { return std::clamp(0.85 / likely(), 1.0, 1.1); }
 
-// Much finer than the tolerance asks for: guesses are proved in a few sweeps then, or not at all. From what is claimed or
-// guessed first, by over-relaxation; where that comes to nothing, as value iteration goes about it.
+// Much finer than the tolerance asks for: guesses are proved in a few sweeps then, or not at all. From what is claimed
+// or guessed first, by over-relaxation; where that comes to nothing, as value iteration goes about it.
 std::optional<std::uint64_t> GridBlock::solve(const IterationOptions& options) {
   for (const bool boldly : {true, false}) {
     if (!boldly || !started_) start_from_nothing(boldly);

@@ -1,15 +1,15 @@
 // The unknowns of one block of a grid's product, swept without their equations written out.
 //
-// All four moves of a cell lead to the same four neighbours, and cells with the same barred moves have the same chances:
-// so the equations of a cell are its neighbours' values and a row of a table, of 256 rows at most. Values stand where the
-// cells stand, so neighbours need no numbers: 22 bytes a cell, where equations written out take 272 (probabilities) or
-// 356 (costs). A strategy is swept in the same way, with one choice a cell.
+// All four moves of a cell lead to the same four neighbours, and cells with the same barred moves have the same
+// chances: so the equations of a cell are its neighbours' values and a row of a table, of 256 rows at most. Values
+// stand where the cells stand, so neighbours need no numbers: 22 bytes a cell, where equations written out take 272
+// (probabilities) or 356 (costs). A strategy is swept in the same way, with one choice a cell.
 //
 // Values are found as it suits: costs from a guess that may be too great, by over-relaxation, with a
 // window that moves outwards from what is solved. What holds of them is proved afterwards, on both sides: u with
-// Φ(u) ≤ u lies above the least fixpoint of Φ, which is the value [HK20]; l with l ≤ Φ(l) lies below it, since nothing is
-// merged here: of probabilities every strategy leaves the unknowns almost surely, of costs the best one does, so that
-// l ≤ Φⁿ(l) comes down to the value. Guesses that are not inductive are swept until they are.
+// Φ(u) ≤ u lies above the least fixpoint of Φ, which is the value [HK20]; l with l ≤ Φ(l) lies below it, since nothing
+// is merged here: of probabilities every strategy leaves the unknowns almost surely, of costs the best one does, so
+// that l ≤ Φⁿ(l) comes down to the value. Guesses that are not inductive are swept until they are.
 // For blocks of one state of the automaton in which a cell is met with one task only, as in tasks of visits and
 // avoidance; others are left to Equations.
 #pragma once

@@ -1,9 +1,12 @@
-// A lower bound on the moves that a cell and a state of the task are away from acceptance: the heuristic of A* on grids.
+// A lower bound on the moves that a cell and a state of the task are away from acceptance: the heuristic of A* on
+// grids.
 //
-// To get on, the task must leave its state q by a letter λ, that is in a cell of the box B(λ) around all cells that show
-// λ; from there it leaves the state it came to, and so on. With |·| the moves between boxes on a grid without walls,
+// To get on, the task must leave its state q by a letter λ, that is in a cell of the box B(λ) around all cells that
+// show λ; from there it leaves the state it came to, and so on. With |·| the moves between boxes on a grid without
+// walls,
 //
-//   G(λ, q) = 0 where q accepts, else  min over λ' with q' = δ(q, λ') ≠ q, q' no trap:  max(1, |B(λ), B(λ')|) + G(λ', q')
+//   G(λ, q) = 0 where q accepts, else  min over λ' with q' = δ(q, λ') ≠ q, q' no trap:  max(1, |B(λ), B(λ')|) + G(λ',
+//     q')
 //   h(p, q) = the same with the cell p in the place of B(λ)
 //
 // so a task of waypoints is seen to its end, as if there were no walls. Nothing is searched: O(letters² · states) once,

@@ -38,8 +38,8 @@ class KeptBounds {
   std::vector<double> lower_, upper_;
 };
 
-// The unknown states that outcomes lead into from a block above theirs, and the starts: whose values are asked for after
-// their block has been solved.
+// The unknown states that outcomes lead into from a block above theirs, and the starts: whose values are asked for
+// after their block has been solved.
 template <class Product>
 StateSet entries(const Product& product, const StateSet& unknown, const std::vector<std::uint32_t>& starts) {
   StateSet out(product.states(), false);

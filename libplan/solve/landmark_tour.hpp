@@ -1,9 +1,9 @@
 // Tours of landmarks: the shortest closed walk through all of them, and the shortest walk that visits all, by landmark
 // compression. A landmark is a proposition; it is visited where a letter carries it.
 //
-// Least costs between the places that carry a landmark, one search on the model from each, then dynamic programming over
-// (landmarks visited, last place) [HK62]. Exact: whatever a least-cost walk passes on its way is a landmark place too
-// and a step of its own. O(places · model + 2^landmarks · places²) instead of 2^landmarks · model.
+// Least costs between the places that carry a landmark, one search on the model from each, then dynamic programming
+// over (landmarks visited, last place) [HK62]. Exact: whatever a least-cost walk passes on its way is a landmark place
+// too and a step of its own. O(places · model + 2^landmarks · places²) instead of 2^landmarks · model.
 #pragma once
 #include <cstdint>
 #include <optional>
@@ -26,17 +26,13 @@ struct NoLandmarkTour {  // proved
 };
 constexpr std::size_t most_landmarks = 20;
 
-// Closed: through all landmarks and back, anywhere within reach of the start; the way to it costs nothing. Open: from the
-// start, whose own letter counts, until all have been visited. nullopt: stopped. Throws std::invalid_argument for a model that is not
-// deterministic, for more than most_landmarks, and for a landmark whose place shows it on one way in but not on another.
+// Closed: through all landmarks and back, anywhere within reach of the start; the way to it costs nothing. Open: from
+// the start, whose own letter counts, until all have been visited. nullopt: stopped. Throws std::invalid_argument for a
+// model that is not deterministic, for more than most_landmarks, and for a landmark whose place shows it on one way in
+// but not on another.
 template <class Model>
 std::optional<std::variant<LandmarkTour, NoLandmarkTour>> shortest_tour(
     const Model& model, const std::vector<std::string>& landmarks, bool closed,
     const std::stop_token& stop = {});
-
-extern template std::optional<std::variant<LandmarkTour, NoLandmarkTour>> shortest_tour(
-    const Mdp&, const std::vector<std::string>&, bool, const std::stop_token&);
-extern template std::optional<std::variant<LandmarkTour, NoLandmarkTour>> shortest_tour(
-    const GridWorld&, const std::vector<std::string>&, bool, const std::stop_token&);
 
 }  // namespace waymark::plan

@@ -1,9 +1,9 @@
 // Least-cost lassos of a deterministic model: a prefix to a cycle that is walked for ever and satisfies the task.
 //
-// Routes are those of the product with a generalised Büchi automaton [STBR11]: the prefix also does what must be done once, and the
-// cycle closes in place and automaton state. Costs are therefore those of the automaton that was given: another one of
-// the same language may settle its state earlier or close its cycle sooner. Of a conjunction of G F p the automaton of
-// our translation has one state, and the cycle is the shortest closed walk through all of them.
+// Routes are those of the product with a generalised Büchi automaton [STBR11]: the prefix also does what must be done
+// once, and the cycle closes in place and automaton state. Costs are therefore those of the automaton that was given:
+// another one of the same language may settle its state earlier or close its cycle sooner. Of a conjunction of G F p
+// the automaton of our translation has one state, and the cycle is the shortest closed walk through all of them.
 #pragma once
 #include <cstdint>
 #include <optional>
@@ -33,11 +33,11 @@ struct LassoRoute {
 };
 struct LassoAnswer {
   std::optional<LassoRoute> route;  // nullopt: proved that there is none
-  SearchEffort budget;              // vertices and edges of the product
+  SearchStatistics statistics;      // vertices and edges of the product
 };
 
-// nullopt: stopped, or more vertices than the limit; (vertex, set of marks) count. Throws std::invalid_argument for a model that is not
-// deterministic and an automaton that is not generalised Büchi.
+// nullopt: stopped, or more vertices than the limit; (vertex, set of marks) count. Throws std::invalid_argument for a
+// model that is not deterministic and an automaton that is not generalised Büchi.
 template <class Model>
 std::optional<LassoAnswer> least_lasso(const Model& model, const automata::Automaton& automaton,
                                        LassoOrder order, std::size_t limit = 100'000'000,
@@ -69,16 +69,5 @@ template <class Model>
 CertifiedLasso certify(LassoRoute route, const Model& model, ltl::Formula f);
 template <class Model>
 CertifiedLasso certify(LassoRoute route, const Model& model, const automata::Automaton& automaton);
-
-extern template std::optional<LassoAnswer> least_lasso(const Mdp&, const automata::Automaton&, LassoOrder,
-                                                       std::size_t, const std::stop_token&);
-extern template std::optional<LassoAnswer> least_lasso(const GridWorld&, const automata::Automaton&,
-                                                       LassoOrder, std::size_t, const std::stop_token&);
-extern template ltl::Lasso word_of(const Mdp&, const LassoRoute&);
-extern template ltl::Lasso word_of(const GridWorld&, const LassoRoute&);
-extern template CertifiedLasso certify(LassoRoute, const Mdp&, ltl::Formula);
-extern template CertifiedLasso certify(LassoRoute, const GridWorld&, ltl::Formula);
-extern template CertifiedLasso certify(LassoRoute, const Mdp&, const automata::Automaton&);
-extern template CertifiedLasso certify(LassoRoute, const GridWorld&, const automata::Automaton&);
 
 }  // namespace waymark::plan

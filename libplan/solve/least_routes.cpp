@@ -22,16 +22,16 @@ class WalkSearch {
     heap_.push({0, 0});
     while (!heap_.empty() && answer.routes.size() < most_) {
       if (walks_.size() > std::min<std::size_t>(limit, no_walk - 1) ||
-          (answer.budget.met % walks_between_polls == 0 && stop.stop_requested()))
+          (answer.statistics.met % walks_between_polls == 0 && stop.stop_requested()))
         return std::nullopt;
       const std::uint32_t i = heap_.top().second;
       heap_.pop();
       if (!settle(walks_[i])) continue;
-      ++answer.budget.met;
+      ++answer.statistics.met;
       if (product_.is_goal(walks_[i].state))
         answer.routes.push_back(route(i));
       else
-        expand(i, answer.budget);
+        expand(i, answer.statistics);
     }
     return answer;
   }
@@ -49,10 +49,10 @@ class WalkSearch {
            settled_[walk.state.task * std::uint64_t{product_.model().states()} + walk.state.place]++ < most_;
   }
 
-  void expand(std::uint32_t i, SearchEffort& budget) {
+  void expand(std::uint32_t i, SearchStatistics& statistics) {
     next_.clear();
     const Walk from = walks_[i];
-    for (std::uint32_t k = 0; k < product_.choices(from.state); ++k, ++budget.edges)
+    for (std::uint32_t k = 0; k < product_.choices(from.state); ++k, ++statistics.edges)
       product_.for_each_successor(from.state, k, [&](const ProductState& to) {
         const Walk walk{to, i, k, from.cost + product_.cost(from.state, k)};
         const auto twin =

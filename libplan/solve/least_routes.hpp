@@ -2,8 +2,9 @@
 //
 // Dijkstra over walks: a pair of place and task is settled up to K times, each time by another walk, for no more than K
 // walks that end in a pair can begin K cheapest routes. Walks may come by a pair again; none goes on after a goal, so
-// every route satisfies its task for the first time at its end. Two routes differ where they pass different pairs: of several choices
-// that lead to one pair the cheapest counts, the first such. The automaton is deterministic, so a walk has one run.
+// every route satisfies its task for the first time at its end. Two routes differ where they pass different pairs: of
+// several choices that lead to one pair the cheapest counts, the first such. The automaton is deterministic, so a walk
+// has one run.
 #pragma once
 #include <cstddef>
 #include <optional>
@@ -16,18 +17,13 @@ namespace waymark::plan {
 
 struct RoutesAnswer {
   std::vector<ChoiceRoute> routes;  // fewer than asked for: proved that there are no more
-  SearchEffort budget;              // walks settled, edges looked at
+  SearchStatistics statistics;      // walks settled, edges looked at
 };
 
-// By cost; of routes of as many choices, all equally dear, those whose choices come first. 24 bytes a walk. nullopt: stopped, or
-// more walks than the limit. Throws std::invalid_argument for a model that is not deterministic.
+// By cost; of routes of as many choices, all equally dear, those whose choices come first. 24 bytes a walk. nullopt:
+// stopped, or more walks than the limit. Throws std::invalid_argument for a model that is not deterministic.
 template <Model M>
 std::optional<RoutesAnswer> least_routes(const Product<M, TaskTable>& product, std::size_t most,
                                          std::size_t limit = 1'000'000'000, const std::stop_token& stop = {});
-
-extern template std::optional<RoutesAnswer> least_routes(const Product<Mdp, TaskTable>&, std::size_t,
-                                                         std::size_t, const std::stop_token&);
-extern template std::optional<RoutesAnswer> least_routes(const Product<GridWorld, TaskTable>&, std::size_t,
-                                                         std::size_t, const std::stop_token&);
 
 }  // namespace waymark::plan

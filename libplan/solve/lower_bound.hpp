@@ -10,7 +10,8 @@
 // state is first asked about. It joins the two bounds one would take apart (letters left, way to the next useful
 // place) and is at least as large as either.
 // Admissible: an accepting route from (p, q) leaves q first by some such move. Consistent: an action that stays in q
-// leads p to p', and cost(p ⇝ u) ≤ cost + cost(p' ⇝ u); one that leaves q is among the moves, and h(p', q') ≥ c · d(q').
+// leads p to p', and cost(p ⇝ u) ≤ cost + cost(p' ⇝ u); one that leaves q is among the moves, and h(p', q') ≥ c ·
+// d(q').
 #pragma once
 #include <vector>
 

@@ -1,5 +1,5 @@
-// What a strategy makes of a product: a Markov chain, stored flat, with the public face of ProductMdp, so that the
-// same solvers evaluate a strategy without a word about choices. Quicker to sweep than a StrategyChain, and larger.
+// The Markov chain that a strategy makes of a product, stored flat, with the public interface of ProductMdp.
+// The same solvers evaluate a strategy. Sweeps are faster than on a StrategyChain; the memory is larger.
 #pragma once
 #include <cstdint>
 #include <vector>
@@ -16,7 +16,8 @@ class MarkovChain {
   using Compact = State;
   static constexpr std::uint32_t trap = UINT32_MAX;
 
-  // The states that the strategy meets from its start; the product has one. Where it makes no choice the chain stays, at no cost.
+  // The states that the strategy meets from its start; the product has one. Where it makes no choice the chain stays,
+  // at no cost.
   template <class Product>
   MarkovChain(const Product& product, const Strategy& strategy) {
     std::vector<std::uint32_t> number(product.states(), trap);

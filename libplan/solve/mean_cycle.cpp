@@ -34,14 +34,14 @@ class RatioSearch {
   }
 
  private:
-  struct Step {  // a layered edge
+  struct LayeredEdge {  // a layered edge
     std::uint32_t from = no_index, edge = no_index, to = no_index;
     double weight = 0;  // cost · rounds of the best one − its cost a round: of the best one 0 in sum
     bool completes = false;
   };
   double scale() const { return static_cast<double>(best_.rounds) * dearest_ + best_.cycle.cost; }
 
-  Step step(std::uint32_t node, std::uint32_t edge) const {
+  LayeredEdge step(std::uint32_t node, std::uint32_t edge) const {
     const MarkedEdge& e = graph_.edges[edge];
     Marks met = (Marks::from_bits(node & graph_.all().bits()) | e.marks) & graph_.all();
     const bool completes = met == graph_.all();
@@ -60,13 +60,13 @@ class RatioSearch {
   // Relaxes until nothing changes or the last steps into each node close a circle: that one is negative.
   std::optional<MeanCycle> negative_cycle() {
     std::fill(potential_.begin(), potential_.end(), 0.0);
-    std::fill(parent_.begin(), parent_.end(), Step{});
+    std::fill(parent_.begin(), parent_.end(), LayeredEdge{});
     const double slack = 1e-12 * scale();
     for (bool changed = true; changed;) {
       changed = false;
       for (std::uint32_t node = 0; node < nodes(); ++node) {
         budget_.step();
-        for_each_step(node, [&](const Step& s) {
+        for_each_step(node, [&](const LayeredEdge& s) {
           if (!(potential_[node] + s.weight < potential_[s.to] - slack)) return;
           potential_[s.to] = potential_[node] + s.weight;
           parent_[s.to] = s;
@@ -91,15 +91,15 @@ class RatioSearch {
     return no_index;
   }
   MeanCycle circle(std::uint32_t first) const {
-    std::vector<Step> steps;
+    std::vector<LayeredEdge> steps;
     for (std::uint32_t node = first; steps.empty() || node != first; node = parent_[node].from)
       steps.push_back(parent_[node]);
     std::reverse(steps.begin(), steps.end());
     return measured(steps);
   }
-  MeanCycle measured(const std::vector<Step>& steps) const {
+  MeanCycle measured(const std::vector<LayeredEdge>& steps) const {
     MeanCycle out{{}, 0};
-    for (const Step& s : steps) {
+    for (const LayeredEdge& s : steps) {
       out.cycle.edges.push_back(s.edge);
       out.rounds += s.completes ? 1 : 0;
     }
@@ -115,16 +115,16 @@ class RatioSearch {
       std::size_t size() const { return targets.size(); }
       const std::vector<std::uint32_t>& successors(std::uint32_t v) const { return targets[v]; }
     } graph{std::vector<std::vector<std::uint32_t>>(nodes())};
-    std::vector<Step> completing;
+    std::vector<LayeredEdge> completing;
     for (std::uint32_t node = 0; node < nodes(); ++node)
-      for_each_step(node, [&](const Step& s) {
+      for_each_step(node, [&](const LayeredEdge& s) {
         if (!is_tight(s)) return;
         graph.targets[node].push_back(s.to);
         if (s.completes) completing.push_back(s);
       });
     const automata::Components found = automata::components(graph);
     std::vector<bool> wanted(found.count, false);
-    for (const Step& s : completing)
+    for (const LayeredEdge& s : completing)
       if (found.of[s.from] == found.of[s.to]) wanted[found.of[s.from]] = true;
     std::uint32_t entry = no_index;
     for (std::uint32_t node = 0; node < nodes(); ++node)
@@ -135,23 +135,24 @@ class RatioSearch {
     const MeanCycle nearest = measured(shortest_circle(entry, found));
     return nearest.mean() <= best_.mean() ? nearest : best_;
   }
-  bool is_tight(const Step& s) const {
+  bool is_tight(const LayeredEdge& s) const {
     return potential_[s.from] + s.weight <= potential_[s.to] + 1e-9 * scale();
   }
 
   // Through tight steps of the component, past one that completes a round; fewest steps.
-  std::vector<Step> shortest_circle(std::uint32_t entry, const automata::Components& components) const {
-    std::vector<Step> by(2 * potential_.size());  // 2 · node + whether a round was completed
+  std::vector<LayeredEdge> shortest_circle(std::uint32_t entry,
+                                           const automata::Components& components) const {
+    std::vector<LayeredEdge> by(2 * potential_.size());  // 2 · node + whether a round was completed
     std::vector<std::uint32_t> before(by.size(), no_index), queue{2 * entry};
     for (std::size_t i = 0; i < queue.size() && before[2 * entry + 1] == no_index; ++i)
-      for_each_step(queue[i] / 2, [&](const Step& s) {
+      for_each_step(queue[i] / 2, [&](const LayeredEdge& s) {
         const std::uint32_t to = 2 * s.to + ((queue[i] % 2 == 1 || s.completes) ? 1 : 0);
         if (!is_tight(s) || components.of[s.to] != components.of[entry] || before[to] != no_index) return;
         before[to] = queue[i];
         by[to] = s;
         queue.push_back(to);
       });
-    std::vector<Step> out;
+    std::vector<LayeredEdge> out;
     for (std::uint32_t at = 2 * entry + 1; out.empty() || at != 2 * entry; at = before[at])
       out.push_back(by[at]);
     std::reverse(out.begin(), out.end());
@@ -164,7 +165,7 @@ class RatioSearch {
   MeanCycle best_;
   double dearest_ = 0;
   std::vector<double> potential_;  // by node: vertex and marks met
-  std::vector<Step> parent_;
+  std::vector<LayeredEdge> parent_;
 };
 
 }  // namespace

@@ -1,8 +1,9 @@
-// Closed walks of least cost a round: cost over the number of pieces, each meeting every mark, that they can be cut into.
+// Closed walks of least cost a round: cost over the number of pieces, each meeting every mark, that they can be cut
+// into.
 //
-// On (vertex, marks met in this round) an edge that completes a round starts the next one. The ratio cost / rounds falls
-// with every cycle that is negative under costs less the ratio a round, found by relaxation; when none is left the last
-// one was the least [DBR67]. Exact where costs are whole numbers; else up to one part in 10⁹.
+// On (vertex, marks met in this round) an edge that completes a round starts the next one. The ratio cost / rounds
+// falls with every cycle that is negative under costs less the ratio a round, found by relaxation; when none is left
+// the last one was the least [DBR67]. Exact where costs are whole numbers; else up to one part in 10⁹.
 #pragma once
 #include <cstdint>
 #include <vector>

@@ -1,4 +1,4 @@
-// What a solver answers. "No route satisfies φ" and "I gave up" are different facts, and both are values.
+// The outcome of a solver. "No route satisfies φ" and "the limit was reached" are different facts; both are values.
 #pragma once
 #include <cstddef>
 #include <optional>

@@ -14,25 +14,14 @@ constexpr std::uint32_t nothing = UINT32_MAX;
 constexpr std::uint64_t pairs_between_polls = 1U << 16U;
 constexpr std::uint64_t worth_a_bound = 1U << 16U;  // pairs
 
-struct Target {
-  std::uint32_t place = 0;
-  LetterId letter;
-};
-template <class Model>
-Target target_of(const Model& model, std::uint32_t place, std::uint32_t k) {
-  Target out;
-  model.for_each_outcome(place, k, [&](std::uint32_t t, LetterId letter, double) { out = {t, letter}; });
-  return out;
-}
-
 // The choice that leads from one pair to the other at least cost, the first such.
 template <class Model>
 std::uint32_t choice_between(const Model& model, const TaskTable& task, std::uint32_t place, std::uint32_t q,
                              std::uint32_t to, std::uint32_t to_q) {
   std::uint32_t best = nothing;
   for (std::uint32_t k = 0; k < model.choices(place); ++k) {
-    const auto target = target_of(model, place, k);
-    if (target.place != to || task.next(q, target.letter).target != to_q) continue;
+    const ModelOutcome outcome = model.outcome(place, k, 0);
+    if (outcome.target != to || task.next(q, outcome.letter).target != to_q) continue;
     if (best == nothing || model.cost(place, k) < model.cost(place, best)) best = k;
   }
   return best;
@@ -59,9 +48,9 @@ class PairSet {  // of places and states of the task: one bit for every pair the
   std::vector<std::uint64_t> bits_;
 };
 
-// By state of the task: every route to a goal comes into it, and can do so in one cell only. Once a search arrives there,
-// nothing that it has met before matters any more: the task is cut into legs. From the first state on, for as long as each
-// can be left for one other alone, in one cell alone.
+// By state of the task: every route to a goal comes into it, and can do so in one cell only. Once a search arrives
+// there, nothing that it has met before matters any more: the task is cut into legs. From the first state on, for as
+// long as each can be left for one other alone, in one cell alone.
 std::vector<bool> gates(const GridWorld& grid, const TaskTable& task, std::uint32_t first) {
   std::vector<std::uint32_t> cells(grid.letters().size(), 0);  // by letter
   for (std::uint32_t cell = 0; cell < grid.states(); ++cell)
@@ -91,8 +80,8 @@ struct Everywhere {
   bool operator()(std::uint32_t, std::uint32_t, std::uint32_t) const { return true; }
 };
 
-// Pairs in the order in which they were met, each with the number of the one it was met from. `may_lie(place, q, depth)`:
-// false for pairs that lie on no shortest route, which are passed over.
+// Pairs in the order in which they were met, each with the number of the one it was met from. `may_lie(place, q,
+// depth)`: false for pairs that lie on no shortest route, which are passed over.
 template <Model M, class MayLie>
 class BreadthFirst {
  public:
@@ -116,7 +105,7 @@ class BreadthFirst {
       }
       const Met from = met_[i];
       const std::uint32_t choices = product_.choices({from.place, from.task});
-      answer.budget.edges += choices;
+      answer.statistics.edges += choices;
       for (std::uint32_t k = 0; k < choices && goal_ == nothing && through_ == nothing; ++k)
         product_.for_each_successor({from.place, from.task}, k,
                                     [&](const ProductState& to) { meet(to.place, to.task, i); });
@@ -126,7 +115,7 @@ class BreadthFirst {
         through_ = nothing;
       }
     }
-    answer.budget.met = met_.size();
+    answer.statistics.met = met_.size();
     if (goal_ != nothing) answer.route = route();
     return answer;
   }
@@ -180,8 +169,8 @@ class BestFirst {
         gates_(std::move(gates)),
         settled_(grid_.states(), task_.states()) {}
 
-  // nullopt: stopped, no route, or given up: `most` pairs were settled, or the way is more than twice as long as the bound
-  // had it, so that walls decide and the bound hardly helps.
+  // nullopt: stopped, no route, or given up: `most` pairs were settled, or the way is more than twice as long as the
+  // bound had it, so that walls decide and the bound hardly helps.
   std::optional<std::uint32_t> moves(const ProductState& first, std::uint64_t most,
                                      const std::stop_token& stop) {
     put(first, 0);
@@ -194,9 +183,9 @@ class BestFirst {
         if (task_.is_goal(q)) return f;
         if (gates_[q]) buckets_ = std::vector<std::vector<ProductState>>(buckets_.size());
         gates_[q] = false;
-        if (++budget_.met > most || (budget_.met % pairs_between_polls == 0 && stop.stop_requested()))
+        if (++statistics_.met > most || (statistics_.met % pairs_between_polls == 0 && stop.stop_requested()))
           return std::nullopt;
-        budget_.edges += 4;
+        statistics_.edges += 4;
         const std::uint32_t depth = f - bound_(place, q);
         for (std::uint32_t k = 0; k < 4; ++k)
           product_.for_each_successor({place, q}, k, [&](const ProductState& to) {
@@ -205,7 +194,7 @@ class BestFirst {
       }
     return std::nullopt;
   }
-  const SearchEffort& budget() const { return budget_; }
+  const SearchStatistics& statistics() const { return statistics_; }
 
  private:
   void put(const ProductState& s, std::uint32_t depth) {
@@ -222,13 +211,13 @@ class BestFirst {
   std::vector<bool> gates_;  // those that have not been settled
   PairSet settled_;
   std::vector<std::vector<ProductState>> buckets_;  // by depth + bound
-  SearchEffort budget_;
+  SearchStatistics statistics_;
 };
 
 struct Bounded {  // what A* found: the moves of a shortest route, and the bound that it found them by
   std::optional<GridBound> bound;
   std::optional<std::uint32_t> moves;
-  SearchEffort budget;
+  SearchStatistics statistics;
 };
 Bounded by_best_first(const Product<GridWorld, TaskTable>& product, const ProductState& first,
                       std::size_t limit, const std::stop_token& stop) {
@@ -241,7 +230,7 @@ Bounded by_best_first(const Product<GridWorld, TaskTable>& product, const Produc
   if (!out.bound) return out;
   BestFirst search(product, gates(grid, task, first.task), *out.bound);
   out.moves = search.moves(first, std::min<std::uint64_t>(limit, pairs / 4), stop);
-  out.budget = search.budget();
+  out.statistics = search.statistics();
   return out;
 }
 Bounded by_best_first(const Product<Mdp, TaskTable>&, const ProductState&, std::size_t,
@@ -249,8 +238,8 @@ Bounded by_best_first(const Product<Mdp, TaskTable>&, const ProductState&, std::
   return {};  // no places to measure between
 }
 
-// Breadth first. On a grid A* comes first, for a quarter of the pairs there are at most: where it finds how many moves it
-// takes, breadth first looks only at pairs whose depth and bound do not exceed them, and finds the same route.
+// Breadth first. On a grid A* comes first, for a quarter of the pairs there are at most: where it finds how many moves
+// it takes, breadth first looks only at pairs whose depth and bound do not exceed them, and finds the same route.
 template <Model M>
 std::optional<SearchAnswer> in_layers(const Product<M, TaskTable>& product, const ProductState& first,
                                       std::size_t limit, const std::stop_token& stop) {
@@ -263,8 +252,8 @@ std::optional<SearchAnswer> in_layers(const Product<M, TaskTable>& product, cons
   auto answer = known.moves ? BreadthFirst(product, legs, within).run(first, limit, stop)
                             : BreadthFirst(product, legs, Everywhere{}).run(first, limit, stop);
   if (answer) {
-    answer->budget.met += known.budget.met;
-    answer->budget.edges += known.budget.edges;
+    answer->statistics.met += known.statistics.met;
+    answer->statistics.edges += known.statistics.edges;
   }
   return answer;
 }
@@ -298,10 +287,10 @@ template <class Model>
 ltl::Trace word_of(const Model& model, const ChoiceRoute& route) {
   std::vector<ltl::Letter> letters{model.letters()[model.initial_letter()]};
   for (std::size_t i = 0; i < route.choices.size(); ++i) {
-    const auto target = target_of(model, route.places[i], route.choices[i]);
-    if (target.place != route.places[i + 1])
+    const ModelOutcome outcome = model.outcome(route.places[i], route.choices[i], 0);
+    if (outcome.target != route.places[i + 1])
       throw std::logic_error("a route that takes a step it cannot take");
-    letters.push_back(model.letters()[target.letter]);
+    letters.push_back(model.letters()[outcome.letter]);
   }
   return ltl::Trace(std::move(letters));
 }

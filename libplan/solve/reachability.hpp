@@ -2,7 +2,8 @@
 //
 // Product: anything with the public face of ProductMdp. Sets are indexed by state. Backward searches over the
 // predecessors that the product enumerates; a choice is looked at again when one of its outcomes joins. O(edges) for
-// the first question, O(edges · rounds) for the second, where every round but the last removes states. [BK08, Sec. 10.6.1]
+// the first question, O(edges · rounds) for the second, where every round but the last removes states. [BK08, Sec.
+// 10.6.1]
 #pragma once
 #include <cstdint>
 #include <deque>
@@ -13,7 +14,8 @@ namespace waymark::plan {
 
 using StateSet = std::vector<bool>;
 
-// The states from which `targets` are reached when only choices count that `usable(state, choice, reached)` says yes to.
+// The states from which `targets` are reached when only choices count that `usable(state, choice, reached)` says yes
+// to.
 template <class Product, class Usable>
 StateSet backward(const Product& product, const StateSet& targets, const Usable& usable) {
   StateSet reached = targets;

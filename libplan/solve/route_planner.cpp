@@ -53,7 +53,7 @@ bool RoutePlanner::expand(std::uint32_t i) {
   return done;
 }
 
-RoutePlanner::Answer RoutePlanner::plan(std::span<const PoseId> starts, const std::stop_token& stop) {
+RoutePlanner::Result RoutePlanner::plan(std::span<const PoseId> starts, const std::stop_token& stop) {
   forget();
   const Product product(model_, task_);
   for (PoseId start : starts) {

@@ -3,9 +3,10 @@
 // All actions of a map cost the same (map.hpp), so the first accepting pair that is met ends a least-cost route. Pairs
 // are met in the order of (number of actions, start, action string), for those of a layer are expanded in the order in
 // which they were met and in action order FORWARD, LEFT, RIGHT: hence the parents of a pair spell the first of its
-// least-cost routes, and the route is the one of conventions.md 4 without a second pass. A bit for every pair that could be met with a task
-// that was, sixteen bytes for one that was met. (A* with LowerBound expands fewer pairs, but bounds cost a search of the
-// whole map for every state of the task: more than looking at its pairs. docs/planning.md has the numbers.)
+// least-cost routes, and the route is the one of conventions.md 4 without a second pass. A bit for every pair that
+// could be met with a task that was, sixteen bytes for one that was met. (A* with LowerBound expands fewer pairs, but
+// bounds cost a search of the whole map for every state of the task: more than looking at its pairs. docs/planning.md
+// has the numbers.)
 //
 // The search is our own: bench_search, 512 plans on the map grid, ms of processor time in one run: this 0.66,
 // Boost.Graph's breadth_first_visit on the same product, arrays kept between plans, 1.15.
@@ -28,14 +29,14 @@ namespace waymark::plan {
 // Map and automaton must outlive it; one thread at a time.
 class RoutePlanner {
  public:
-  using Answer = std::variant<Route, Infeasible, Exhausted>;
+  using Result = std::variant<Route, Infeasible, Exhausted>;
 
   // Throws ltl::FormatError on a proposition that the map lacks.
   RoutePlanner(const Map& map, const automata::Dfa& dfa);
 
   // The cheapest over all starts; among equally cheap ones of the first start given. (conventions.md 8)
-  Answer plan(std::span<const PoseId> starts, const std::stop_token& stop = {});
-  Answer plan(PoseId start, const std::stop_token& stop = {}) { return plan({&start, 1}, stop); }
+  Result plan(std::span<const PoseId> starts, const std::stop_token& stop = {});
+  Result plan(PoseId start, const std::stop_token& stop = {}) { return plan({&start, 1}, stop); }
 
   std::size_t met() const { return met_.size(); }  // pairs, by the last plan
   std::size_t edges() const { return edges_; }     // looked at

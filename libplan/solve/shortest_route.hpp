@@ -1,6 +1,7 @@
 // Least-cost routes in the product by Dijkstra or A* (Boost.Graph), ties broken by action order FORWARD, LEFT, RIGHT:
 // among the least-cost routes the one whose action string is lexicographically least (conventions.md 4). With several
-// start poses: the cheapest; among equally cheap ones the first given. For a route alone the product need not be built: route_planner.hpp.
+// start poses: the cheapest; among equally cheap ones the first given. For a route alone the product need not be built:
+// route_planner.hpp.
 #pragma once
 #include <cstdint>
 #include <stop_token>

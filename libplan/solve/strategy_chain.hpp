@@ -1,7 +1,7 @@
-// What a strategy makes of a product, not written out: a Markov chain with the public face of ProductMdp, whose states
-// are those of the product that the strategy meets, under the numbers that they have there, and whose outcomes are
-// computed when asked for. One bit a state of the product. So the solvers of products evaluate a strategy, block after
-// block in the order of the product, and grids in place.
+// The Markov chain that a strategy makes of a product, implicit, with the public interface of ProductMdp.
+// Its states are the states of the product that the strategy meets, with the same numbers; outcomes are computed on
+// demand. A state of the product takes one bit. Hence the solvers of products evaluate a strategy block after block, in
+// the order of the product, and grids in place.
 #pragma once
 #include <cstdint>
 #include <vector>

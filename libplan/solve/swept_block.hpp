@@ -1,7 +1,7 @@
 // A block of a product swept state by state, its equations not written out: optimistic value iteration [HK20, Alg. 2].
 //
-// For blocks that are too large to be written out and no grids. Sixteen bytes a state of the product, since outcomes are
-// told by state.
+// For blocks that are too large to be written out and no grids. Sixteen bytes a state of the product, since outcomes
+// are told by state.
 #pragma once
 #include <algorithm>
 #include <cstdint>

@@ -28,8 +28,8 @@ auto* found(Result& result) {
   return std::get_if<0>(&result);
 }
 
-// The same over infinite words, where N is X, with strong nexts only, ↔ expanded. Read on a finite word a weak next, or a
-// strong one under a negation, is satisfied by the end of the word, of which infinite words know nothing.
+// The same over infinite words, where N is X, with strong nexts only, ↔ expanded. Read on a finite word a weak next, or
+// a strong one under a negation, is satisfied by the end of the word, of which infinite words know nothing.
 ltl::Formula with_strong_nexts(ltl::Formula f) {
   using ltl::Op;
   const ltl::Formula normal = ltl::nnf(f);

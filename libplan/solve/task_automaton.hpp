@@ -1,7 +1,8 @@
 // The automaton that answers the query of a task: finite where goals say it all, limit-deterministic otherwise.
 //
 // A task may come as an automaton in the place of a formula. What is asked of a Markov decision process needs an
-// automaton whose choices do no harm there; a file proves nothing of the kind, so a nondeterministic one is determinised, whatever it claims.
+// automaton whose choices do no harm there; a file proves nothing of the kind, so a nondeterministic one is
+// determinised, whatever it claims.
 #pragma once
 #include <optional>
 #include <string_view>

@@ -1,4 +1,4 @@
-// What a question about values does not know yet, and in which order it is best found out.
+// The unknowns of a question about values: states without a known value, and the order in which they are solved.
 #pragma once
 #include <cstdint>
 #include <vector>
@@ -8,8 +8,8 @@
 namespace waymark::plan {
 
 // The unknowns of one question. For probabilities, states that are neither unknown nor targets have value 0; for costs
-// only choices that never leave `unknown` ∪ `targets` count. Nothing is merged for least probabilities: there staying for
-// ever is worth 0.
+// only choices that never leave `unknown` ∪ `targets` count. Nothing is merged for least probabilities: there staying
+// for ever is worth 0.
 struct Unknowns {
   StateSet unknown, targets;
   EndComponents merged;  // among the unknown ones

@@ -1,27 +1,22 @@
 // Values of a Markov decision process between proved bounds: optimistic value iteration [HK20, Alg. 2].
 //
-// From below, values grow in place until they hardly change; then a little is added to all of them, and when one more
-// sweep raises none, they are an upper bound: whatever Φ does not raise lies above its least fixpoint, the value. Else
-// the iteration from below goes on with a finer measure. Interval iteration, which comes down from 1, does not close
+// Values grow from below, in place, until they hardly change. Then all are raised a little; when one more sweep raises
+// none of them, they are upper bounds: what Φ does not raise lies above its least fixpoint, the value. Otherwise
+// iteration from below goes on with a finer measure. Interval iteration, which comes down from 1, does not converge
 // where a strategy can waste time almost for ever.
 //
-// Blocks of the product are solved in the order in which outcomes lead, each in the order of distance from what is
-// solved, so that a sweep carries news all the way. States between which one can move at will and for nothing have one
-// value and are swept as one (`merged`): otherwise they could hold each other up. A choice that may come to nothing is
-// taken until it comes to something: its value is divided by the chance that it does.
-// Bounds are sound up to the rounding of doubles, as in the tools we compare with.
+// Blocks of the product are solved in the order in which outcomes lead, each in the order of distance from solved
+// states. States of one end component have one value and are swept as one (`merged`). An outcome that changes nothing
+// is divided out. Bounds are sound up to the rounding of doubles.
 #pragma once
-#include <algorithm>
-#include <cmath>
 #include <cstdint>
 #include <optional>
-#include <stop_token>
 #include <type_traits>
 #include <utility>
 #include <vector>
 
 #include "libplan/solve/bellman_operator.hpp"
-#include "libplan/solve/equations.hpp"
+#include "libplan/solve/block_equations.hpp"
 #include "libplan/solve/grid_block.hpp"
 #include "libplan/solve/kept_bounds.hpp"
 #include "libplan/solve/swept_block.hpp"
@@ -30,16 +25,15 @@
 namespace waymark::plan {
 
 struct Values {
-  KeptBounds bounds;  // of targets 1 (probability) or 0 (cost)
-  std::vector<double>
-      attained;  // by state: the bound that some choice attains, the lower one of probabilities
+  KeptBounds bounds;             // of targets 1 (probability) or 0 (cost)
+  std::vector<double> attained;  // by state: the bound that a choice attains, the lower one of probabilities
   std::uint64_t sweeps = 0;
 };
 
 // What is remembered of states whose block has been solved.
 struct Keep {
   const StateSet* bounds =
-      nullptr;  // of which states; those that other blocks lead into among them. None: of all
+      nullptr;  // of these states, which include those that other blocks lead into; none: of all
   bool attained = false;
 };
 
@@ -60,7 +54,9 @@ class ValueIteration {
   }
 
   std::optional<Values> run() {  // nullopt: stopped, out of sweeps, or the bounds do not meet in doubles
-    begin();
+    for (std::uint32_t i = 0; i < product_.states(); ++i)
+      if (unknowns_.targets[i])
+        set(i, target_value, target_value);  // unknowns are 0 until their block is solved
     const std::vector<std::uint32_t>& blocks = product_.blocks();
     for (std::size_t b = 0; b + 1 < blocks.size(); ++b)
       if (!solve_block(blocks[b], blocks[b + 1])) return std::nullopt;
@@ -72,11 +68,6 @@ class ValueIteration {
   using Compact = typename Product::Compact;
 
   static constexpr double target_value = is_probability(measure) ? 1 : 0;
-  // Unknowns are 0 until their block is solved.
-  void begin() {
-    for (std::uint32_t i = 0; i < product_.states(); ++i)
-      if (unknowns_.targets[i]) set(i, target_value, target_value);
-  }
   void set(std::uint32_t i, double lower, double upper) {
     values_.bounds.set(i, lower, upper);
     if (!values_.attained.empty()) values_.attained[i] = is_probability(measure) ? lower : upper;
@@ -87,13 +78,6 @@ class ValueIteration {
     else
       for (const Compact& member : merged_.members(own)) set(product_.state(member).index, lower, upper);
   }
-  double lower(std::uint32_t i) const {  // of what is known
-    return unknowns_.unknown[i] ? values_.bounds.lower(i) : unknowns_.targets[i] ? target_value : 0;
-  }
-  double upper(std::uint32_t i) const {
-    return unknowns_.unknown[i] ? values_.bounds.upper(i) : unknowns_.targets[i] ? target_value : 0;
-  }
-
   bool solve_block(std::uint32_t first, std::uint32_t last) {
     std::vector<Compact> order = merged_.in_order(first, last);
     if (order.empty()) return true;
@@ -127,75 +111,22 @@ class ValueIteration {
     return true;
   }
 
-  // The rows of the block. Outcomes among merged states come to nothing.
   bool solve_equations(const std::vector<Compact>& order, std::uint32_t first, std::uint32_t last) {
-    Equations equations(measure);
-    first_ = first;
-    row_.assign(last - first, no_row);
-    for (std::uint32_t i = 0; i < order.size(); ++i) number(product_.state(order[i]), i);
-    for (const Compact& c : order) {
-      equations.add_row();
-      const State s = product_.state(c);
-      if (const std::uint32_t own = merged_.component(s.index); own == EndComponents::none)
-        add_choices(s, equations);
-      else
-        for (const Compact& member : merged_.members(own)) add_choices(product_.state(member), equations);
-    }
-    const auto solution = equations.solve(limits_);
+    const KnownValues known{unknowns_, values_.bounds, target_value};
+    const auto solution =
+        BlockEquations<Product, measure>(product_, merged_, known, first, last).solve(order, limits_);
     if (!solution) return false;
-    for (std::uint32_t i = 0; i < order.size(); ++i) {
-      const State s = product_.state(order[i]);
-      set_merged(s, solution->lower[i], solution->upper[i]);
-    }
-    std::vector<std::uint32_t>().swap(row_);
+    for (std::uint32_t i = 0; i < order.size(); ++i)
+      set_merged(product_.state(order[i]), solution->lower[i], solution->upper[i]);
     values_.sweeps += solution->sweeps;
     return true;
   }
 
-  void number(const State& s, std::uint32_t row) {
-    if (const std::uint32_t own = merged_.component(s.index); own == EndComponents::none)
-      row_[s.index - first_] = row;
-    else
-      for (const Compact& member : merged_.members(own)) row_[product_.state(member).index - first_] = row;
-  }
-
-  std::uint32_t row(std::uint32_t i) const {  // of states outside the block there is none
-    return i - first_ < row_.size() ? row_[i - first_] : no_row;
-  }
-  void add_choices(const State& s, Equations& equations) const {
-    const std::uint32_t own = row(s.index), choices = product_.choices(s);
-    for (std::uint32_t k = 0; k < choices; ++k) {
-      const double cost = measure == Measure::MinCost ? product_.cost(s, k) : 0;
-      double below = cost, above = cost, stays = 0, least_known = INFINITY;
-      bool counts = true;
-      product_.for_each_outcome(s, k, [&](std::uint32_t t, double p, bool) {
-        if (t != Product::trap && row(t) == own) {
-          stays += p;
-        } else if (t != Product::trap && row(t) == no_row &&
-                   (is_probability(measure) || unknowns_.unknown[t] || unknowns_.targets[t])) {
-          below += p * lower(t);
-          above += p * upper(t);
-          least_known = std::min(least_known, lower(t));
-        } else if (t == Product::trap || row(t) == no_row) {
-          counts = counts && is_probability(measure);
-        }
-      });
-      if (!counts) continue;
-      const bool leaves = stays < 1 - 1e-12;
-      if (!leaves && measure != Measure::MinProbability) continue;
-      equations.add_choice();
-      const double scale = leaves ? 1 / (1 - stays) : 0;
-      product_.for_each_outcome(s, k, [&](std::uint32_t t, double p, bool) {
-        if (t != Product::trap && row(t) != no_row && row(t) != own) equations.add_term(row(t), p * scale);
-      });
-      equations.end_choice({below * scale, above * scale, cost * scale, least_known});
-    }
-  }
-
   bool sweep(const std::vector<Compact>& order) {
+    const KnownValues known{unknowns_, values_.bounds, target_value};
     SweptBlock<Product, measure> block(product_, merged_, best_);
     for (std::uint32_t i = 0; i < product_.states(); ++i)
-      if (!unknowns_.unknown[i] || values_.bounds.keeps(i)) block.know(i, lower(i), upper(i));
+      if (!unknowns_.unknown[i] || values_.bounds.keeps(i)) block.know(i, known.lower(i), known.upper(i));
     const auto sweeps = block.solve(order, limits_);
     if (!sweeps) return false;
     for (const Compact& c : order) {
@@ -213,9 +144,6 @@ class ValueIteration {
   const BellmanOperator<Product, measure> best_;
   const std::vector<double>* claimed_;
   Values values_;
-  static constexpr std::uint32_t no_row = UINT32_MAX;
-  std::uint32_t first_ = 0;         // of the block at hand
-  std::vector<std::uint32_t> row_;  // of the block at hand, by state
 };
 
 }  // namespace waymark::plan

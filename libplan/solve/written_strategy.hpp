@@ -1,4 +1,4 @@
-// What a strategy or a route says to do, in the names of the model: for files, and for people.
+// A strategy or a route written with the names of the model, for files and for people.
 #pragma once
 #include <cstdint>
 #include <string>

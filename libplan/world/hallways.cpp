@@ -1,7 +1,6 @@
 #include "libplan/world/hallways.hpp"
 
 #include <cassert>
-#include <cstdlib>
 #include <stdexcept>
 
 namespace waymark::plan {

@@ -15,7 +15,8 @@ namespace waymark::plan {
 // counts, as in the reader. O(|json|).
 std::size_t offset_of(std::string_view json, std::string_view path);
 
-// "nodes[3].x: expected a whole number" at the line and column of that value. The text begins in `first_line` of its file.
+// "nodes[3].x: expected a whole number" at the line and column of that value. The text begins in `first_line` of its
+// file.
 ltl::FormatError format_error(std::string_view source, std::string_view json, std::string_view path,
                               std::string_view message, std::size_t first_line = 1);
 // The same for a byte of the text, for syntax errors.

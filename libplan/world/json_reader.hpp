@@ -4,7 +4,6 @@
 // "nodes[3].x" names a value; its position is computed when the value is wrong (json_position.hpp). Unknown keys are
 // ignored (documents may carry notes), unless a key resembles a known key that is missing.
 #pragma once
-#include <cstdint>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 #include <string>

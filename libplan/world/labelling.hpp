@@ -43,7 +43,7 @@ class Labelling {
   // Looks along every hallway once. O(nodes · |objects|).
   Labelling(const Hallways& hallways, const ltl::Vocabulary& vocabulary);
 
-  // L(node, heading). Throws std::invalid_argument naming an object, floor, painting or place that the vocabulary lacks.
+  // L(node, heading). Throws std::invalid_argument naming an object, floor, painting or place that is unknown.
   ltl::Letter label(std::uint32_t node, int heading) const;
 
  private:

@@ -38,8 +38,8 @@ class Map {
   static constexpr std::size_t max_size = std::size_t{1}
                                           << 24U;  // nodes · propositions: the letters fit in memory
 
-  // Throws std::invalid_argument on a map without nodes, on one beyond max_size, and as world/hallways.hpp and world/labelling.hpp say.
-  // places: the highest place number of the nodes.
+  // Throws std::invalid_argument on a map without nodes, on one beyond max_size, and as world/hallways.hpp and
+  // world/labelling.hpp say. places: the highest place number of the nodes.
   Map(std::string name, Hallways hallways, std::vector<std::string> objects, std::vector<std::string> floors,
       std::vector<std::string> walls);
   Map(std::string name, const std::vector<Node>& nodes, const std::vector<Edge>& edges,

@@ -1,5 +1,5 @@
-// A street map: named landmarks and the ways between them, nothing else [PPT20]. Planned on (model/formats/read_streets.hpp) and
-// instructed about (libparser/domain/streets).
+// A street map: named landmarks and the ways between them, nothing else [PPT20]. Planned on
+// (model/formats/read_streets.hpp) and instructed about (libparser/domain/streets).
 //
 // A landmark is a node; a route is a list of landmarks, every step along a way. Lengths are those the map gives, in its
 // own unit. People were shown a picture in which a landmark stands at (right, up): what they call north is up there,
@@ -42,14 +42,16 @@ struct StreetMap {
 // What is read beside landmarks and ways.
 enum class StreetView : std::uint8_t {
   Ground,  // lengths in metres; landmarks differ in landmark_name
-  Picture  // what people were shown: the map's name, positions in the picture and lengths there; those on the ground where absent
+  // What people were shown: the map's name, positions in the picture and lengths there; those on the ground where
+  // absent.
+  Picture
 };
 
 // Format: docs/formats/corpus-and-models.md. Throws ltl::FormatError with line and column.
 StreetMap parse_street_map(std::string_view json, StreetView view, std::string_view source = "");
 
-// What a landmark's proposition is called, "Blue Room" → "blue_room": letters and digits in lower case, apostrophes left out,
-// anything else an underscore.
+// What a landmark's proposition is called, "Blue Room" → "blue_room": letters and digits in lower case, apostrophes
+// left out, anything else an underscore.
 std::string landmark_name(std::string_view name);
 
 }  // namespace waymark::plan

@@ -17,7 +17,8 @@ const plan::Map& corner() {
   static const plan::Map map = plan::parse_map(R"({"name": "corner", "objects": ["chair"], "floors": ["blue"],
     "walls": ["fish"], "nodes": [{"x": 0, "y": 0, "object": null, "place": null}, {"x": 1, "y": 0, "object": null,
     "place": null}, {"x": 1, "y": 1, "object": "chair", "place": null}], "edges": [
-    {"a": [0, 0], "b": [1, 0], "floor": "blue", "wall": "fish"}, {"a": [1, 0], "b": [1, 1], "floor": "blue", "wall": "fish"}]})");
+    {"a": [0, 0], "b": [1, 0], "floor": "blue", "wall": "fish"}, {"a": [1, 0], "b": [1, 1], "floor": "blue",
+     "wall": "fish"}]})");
   return map;
 }
 

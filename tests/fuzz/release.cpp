@@ -1,5 +1,5 @@
-// Released files of SAIL: refused with a FormatError, or what is made of them is what our own readers take. The text says by
-// its beginning what it is: "<map", other XML, or set traces.
+// Released files of SAIL: refused with a FormatError, or what is made of them is what our own readers take. The text
+// says by its beginning what it is: "<map", other XML, or set traces.
 #include <cstddef>
 #include <cstdint>
 #include <string_view>

@@ -18,8 +18,10 @@ const plan::Map& square() {
     "walls": ["fish"], "nodes": [{"x": 0, "y": 0, "object": "chair", "place": 1}, {"x": 1, "y": 0, "object": null,
     "place": null}, {"x": 0, "y": 1, "object": null, "place": null}, {"x": 1, "y": 1, "object": null, "place": null},
     {"x": 2, "y": 1, "object": null, "place": null}], "edges": [
-    {"a": [0, 0], "b": [1, 0], "floor": "blue", "wall": "fish"}, {"a": [0, 0], "b": [0, 1], "floor": "blue", "wall": "fish"},
-    {"a": [1, 0], "b": [1, 1], "floor": "blue", "wall": "fish"}, {"a": [0, 1], "b": [1, 1], "floor": "blue", "wall": "fish"},
+    {"a": [0, 0], "b": [1, 0], "floor": "blue", "wall": "fish"}, {"a": [0, 0], "b": [0, 1], "floor": "blue",
+     "wall": "fish"},
+    {"a": [1, 0], "b": [1, 1], "floor": "blue", "wall": "fish"}, {"a": [0, 1], "b": [1, 1], "floor": "blue",
+     "wall": "fish"},
     {"a": [1, 1], "b": [2, 1], "floor": "blue", "wall": "fish"}]})");
   return map;
 }

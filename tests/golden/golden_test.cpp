@@ -35,7 +35,7 @@ std::string rerun(const std::string& transcript) {
   std::string out;
   for (std::string line; std::getline(in, line);) {
     if (line.starts_with("$ ")) {
-      const Answer answer = run(line.substr(2), transcript_folder);
+      const CommandResult answer = run(line.substr(2), transcript_folder);
       out += line + '\n' + answer.output + "[exit " + std::to_string(answer.exit) + "]\n";
     } else if (line.starts_with("# ")) {
       out += line + '\n';

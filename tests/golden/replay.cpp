@@ -28,13 +28,13 @@ std::string without_seconds(std::string text) {
 
 }  // namespace
 
-Answer run(const std::string& command, const std::filesystem::path& folder) {
+CommandResult run(const std::string& command, const std::filesystem::path& folder) {
   ::setenv("PATH", (std::string(WAYMARK_BIN) + ":" + std::getenv("PATH")).c_str(), 1);
   ::unsetenv("WAYMARK_DATA");
   const std::string line = "cd '" + folder.string() + "' && { " + command + "\n} 2>&1 </dev/null";
   FILE* pipe = ::popen(line.c_str(), "r");
   if (pipe == nullptr) return {"cannot start sh\n"};
-  Answer out;
+  CommandResult out;
   std::array<char, 4096> buffer{};
   while (const std::size_t got = std::fread(buffer.data(), 1, buffer.size(), pipe))
     out.output.append(buffer.data(), got);

@@ -5,14 +5,14 @@
 
 namespace waymark::golden {
 
-struct Answer {
+struct CommandResult {
   std::string
       output;  // both streams, ending in a line break if there is any; what differs from run to run is SECONDS
   int exit = -1;  // −1: killed by a signal
 };
 
 // `waymark` is the program of this build; standard input is empty.
-Answer run(const std::string& command, const std::filesystem::path& folder);
+CommandResult run(const std::string& command, const std::filesystem::path& folder);
 
 std::string read(const std::filesystem::path& file);  // empty when it cannot be read
 // In a run with WAYMARK_GOLDEN=write the expected text is written anew, otherwise it is compared.

@@ -1,5 +1,5 @@
-// Pages whose ```console blocks are run: every command, in order, in one empty folder. A line that starts with `$ ` is a
-// command; the lines up to the next one, or to the end of the block, are what it prints.
+// Pages whose ```console blocks are run: every command, in order, in one empty folder. A line that starts with `$ ` is
+// a command; the lines up to the next one, or to the end of the block, are what it prints.
 #include <gtest/gtest.h>
 #include <unistd.h>
 

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 
@@ -44,8 +45,9 @@ TEST_F(Input, RefusesArgumentsBesideAFile) {
 
 TEST_F(Input, OfABatchIsAnsweredToItsEndWhenALineIsBad) {
   TextReader texts = reader("F a\nF (\nF b\n");
-  std::vector<std::size_t> answered, refused;
+  std::vector<std::size_t> answered;
   testing::internal::CaptureStderr();
+  testing::internal::CaptureStdout();
   const ExitCode code = answer_each(
       texts, {},
       [&](const Text& text) {
@@ -54,32 +56,29 @@ TEST_F(Input, OfABatchIsAnsweredToItsEndWhenALineIsBad) {
         answered.push_back(text.line);
         return ExitCode::Done;
       },
-      [&](const Text& text, const std::string&) { refused.push_back(text.line); });
+      true);
+  const std::string refused = testing::internal::GetCapturedStdout();
   const std::string messages = testing::internal::GetCapturedStderr();
   EXPECT_EQ(code, ExitCode::BadInput);
   EXPECT_EQ(answered, (std::vector<std::size_t>{1, 3}));
-  EXPECT_EQ(refused, (std::vector<std::size_t>{2}));
+  EXPECT_EQ(refused.rfind(R"({"line":2,"status":"error",)", 0), 0U) << refused;
+  EXPECT_EQ(std::count(refused.begin(), refused.end(), '\n'), 1);
   EXPECT_NE(messages.find(file_.string() + ":2:"), std::string::npos) << messages;
 }
 
 TEST_F(Input, ThatIsEmptyIsNotPassedOverInSilence) {
   TextReader texts = reader("# only a comment\n");
-  EXPECT_THROW(
-      answer_each(
-          texts, {}, [](const Text&) { return ExitCode::Done; }, [](const Text&, const std::string&) {}),
-      ltl::FormatError);
+  EXPECT_THROW(answer_each(texts, {}, [](const Text&) { return ExitCode::Done; }), ltl::FormatError);
 }
 
 TEST_F(Input, StopsBetweenTextsWhenAsked) {
   TextReader texts = reader("F a\nF b\n");
   std::stop_source stop;
-  EXPECT_THROW(answer_each(
-                   texts, stop.get_token(),
-                   [&](const Text&) {
-                     stop.request_stop();
-                     return ExitCode::Done;
-                   },
-                   [](const Text&, const std::string&) {}),
+  EXPECT_THROW(answer_each(texts, stop.get_token(),
+                           [&](const Text&) {
+                             stop.request_stop();
+                             return ExitCode::Done;
+                           }),
                Interrupted);
 }
 

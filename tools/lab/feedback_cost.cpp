@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <chrono>
 #include <memory>
-#include <random>
 #include <stdexcept>
 
 #include "libautomata/finite/ltlf_to_dfa.hpp"
 #include "libltl/meaning/progress.hpp"
 #include "libltl/meaning/trace_check.hpp"
+#include "libltl/structure/random.hpp"
 #include "libparser/programs/execute.hpp"
 #include "libplan/plan_of.hpp"
 #include "libplan/world/generate_hallways.hpp"
@@ -43,10 +43,10 @@ plan::Map map_of(std::uint32_t width, std::uint32_t height, std::uint64_t seed) 
       plan::generate_hallways({width, height, static_cast<std::uint32_t>(furniture.size()), seed}));
 }
 
-Program random_program(const plan::Map& map, std::size_t steps, std::mt19937_64& random) {
+Program random_program(const plan::Map& map, std::size_t steps, ltl::Random& random) {
   Program program;
   while (program.size() < steps) {
-    const auto object = map.vocabulary().find(furniture[random() % furniture.size()]);
+    const auto object = map.vocabulary().find(furniture[random.below(furniture.size())]);
     parser::Step step{parser::StepKind::Reach, 0, 1, {static_cast<std::uint16_t>(object->index)}};
     if (program.empty() || program.back() != step) program.push_back(step);
   }
@@ -54,10 +54,10 @@ Program random_program(const plan::Map& map, std::size_t steps, std::mt19937_64&
 }
 
 plan::Trajectory random_walk(const plan::Map& map, plan::PoseId start, std::size_t letters,
-                             std::mt19937_64& random) {
+                             ltl::Random& random) {
   plan::Trajectory walk{{start}, {}};
   while (walk.poses.size() < letters) {
-    const auto action = static_cast<plan::Action>(random() % 3);
+    const auto action = static_cast<plan::Action>(random.below(3));
     const auto next = map.successor(walk.poses.back(), action);
     if (!next) continue;
     walk.poses.push_back(*next);
@@ -138,7 +138,7 @@ class Sentence {
 // letters 0: the trajectory is the plan of the first candidate; otherwise a random walk of so many letters.
 FeedbackCost row(const plan::Map& map, std::size_t steps, std::size_t letters,
                  const FeedbackCostOptions& options) {
-  std::mt19937_64 random(options.seed);
+  ltl::Random random(options.seed);
   const parser::Executor executor(map);
   FeedbackCost cost{map.nodes().size(), steps, 0, {}};
   const auto all = static_cast<double>(options.sentences);
@@ -146,7 +146,7 @@ FeedbackCost row(const plan::Map& map, std::size_t steps, std::size_t letters,
     if (options.stop.stop_requested()) throw Interrupted();
     std::vector<Program> programs;
     while (programs.size() < options.candidates) programs.push_back(random_program(map, steps, random));
-    const plan::PoseId start{static_cast<std::uint32_t>(random() % map.poses())};
+    const plan::PoseId start{static_cast<std::uint32_t>(random.below(map.poses()))};
     const plan::Trajectory trajectory =
         letters > 0 ? random_walk(map, start, letters, random)
                     : *plan::follow(map, start, executor.run(programs.front(), start)->actions);

@@ -1,14 +1,13 @@
-// What the feedback of a learner costs: the paper's Table 2, measured.
+// The cost of the feedback of a learner: Table 2 of the paper, measured.
 //
 // A candidate formula is checked along the trajectory people took, or planned and its end compared. The paper argues
-// that the first, O(|S| · |s|), is an order of magnitude cheaper than the second, O(|S|^|s|) for route formulas. Here both
-// on random hallway maps that grow, and along random walks that grow, with routes to one to three pieces of furniture in order
-// as formulas.
+// that the first, O(|S| · |s|), is an order of magnitude cheaper than the second, O(|S|^|s|) for route formulas. Here
+// both on random hallway maps that grow, and along random walks that grow, with routes to one to three pieces of
+// furniture in order as formulas.
 #pragma once
 #include <array>
 #include <cstdint>
 #include <stop_token>
-#include <string>
 #include <vector>
 
 namespace waymark::tools {

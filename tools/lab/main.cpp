@@ -1,6 +1,5 @@
 // waymark-lab: experiments. `waymark` starts it for the commands of this table and hands its own arguments on.
 #include <array>
-#include <iostream>
 
 #include "tools/shell/program.hpp"
 

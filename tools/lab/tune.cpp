@@ -5,8 +5,8 @@
 #include <memory>
 #include <sstream>
 
-#include "libltl/diagnostic.hpp"
 #include "libparser/experiment/tune.hpp"
+#include "tools/shell/json.hpp"
 #include "tools/shell/learning.hpp"
 #include "tools/shell/models.hpp"
 #include "tools/shell/options.hpp"

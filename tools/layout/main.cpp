@@ -6,7 +6,6 @@
 
 #include <iostream>
 #include <iterator>
-#include <memory>
 #include <string>
 
 namespace {

@@ -22,11 +22,11 @@ constexpr std::array patterns{
     Pattern{"concrete", 17, 13, "#d3d3d1",
             R"(<g fill="#a9a9a6"><circle cx="3" cy="3" r="0.8"/><circle cx="11" cy="5.5" r="0.6"/>)"
             R"(<circle cx="6" cy="10" r="0.7"/><circle cx="15" cy="11" r="0.5"/></g>)"},
-    Pattern{
-        "flower", 18, 18, "#f7dbe6",
-        R"(<g fill="#c74f86"><circle cx="9" cy="6.4" r="1.9"/><circle cx="11.5" cy="8.2" r="1.9"/>)"
-        R"(<circle cx="10.5" cy="11.1" r="1.9"/><circle cx="7.5" cy="11.1" r="1.9"/><circle cx="6.5" cy="8.2" r="1.9"/>)"
-        R"(</g><circle cx="9" cy="9" r="1.5" fill="#fff3b0"/>)"},
+    Pattern{"flower", 18, 18, "#f7dbe6",
+            R"(<g fill="#c74f86"><circle cx="9" cy="6.4" r="1.9"/><circle cx="11.5" cy="8.2" r="1.9"/>)"
+            R"(<circle cx="10.5" cy="11.1" r="1.9"/><circle cx="7.5" cy="11.1" r="1.9"/>)"
+            R"(<circle cx="6.5" cy="8.2" r="1.9"/>)"
+            R"(</g><circle cx="9" cy="9" r="1.5" fill="#fff3b0"/>)"},
     Pattern{"grass", 14, 12, "#9dc46c",
             R"(<path d="M3 6 L2 2.5 M3 6 L4.4 2 M10 11.5 L9 8 M10 11.5 L11.4 7.5" stroke="#3f7a1f" )"
             R"(stroke-width="1.2" stroke-linecap="round"/>)"},

@@ -1,4 +1,4 @@
-// What the marks on the map mean: only those that occur on it.
+// The legend of a picture: the meaning of the marks that occur on the map.
 #pragma once
 #include "libplan/world/map.hpp"
 #include "tools/render/svg.hpp"

@@ -1,4 +1,4 @@
-// One page: the task as its title, the map with the route on it, the automaton and the legend beside it.
+// The page of a map: the task as title, the map with the route, the automaton and the legend beside it.
 #pragma once
 #include <optional>
 #include <string>

@@ -1,4 +1,4 @@
-// One page: the task as its title, the terrain with the motion in it, the automaton beside it.
+// The page of a terrain: the task as title, the terrain with the motion, the automaton beside it.
 #pragma once
 #include <optional>
 #include <string>

@@ -24,9 +24,12 @@ std::optional<std::string> attempt(const std::function<ExitCode(const Text&)>& a
 
 }  // namespace
 
+JsonObject json_error(std::size_t line, const std::string& message) {
+  return JsonObject().add("line", line).add("status", "error").add("message", message);
+}
+
 ExitCode answer_each(TextReader& texts, const std::stop_token& stop,
-                     const std::function<ExitCode(const Text&)>& answer,
-                     const std::function<void(const Text&, const std::string& message)>& on_error) {
+                     const std::function<ExitCode(const Text&)>& answer, bool json) {
   ExitCode worst = ExitCode::Done;
   bool any = false;
   while (const std::optional<Text> text = texts.next()) {
@@ -37,7 +40,7 @@ ExitCode answer_each(TextReader& texts, const std::stop_token& stop,
       code = answer(*text);
     } else if (const auto message = attempt(answer, *text, code)) {
       complain("error", *message);
-      on_error(*text, *message);
+      if (json) std::cout << json_error(text->line, *message).text() << '\n';
     }
     worst = worse(worst, code);
     std::cout.flush();

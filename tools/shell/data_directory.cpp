@@ -13,7 +13,8 @@ fs::path executable() { return fs::read_symlink("/proc/self/exe"); }
 
 namespace {
 
-// share/waymark beside bin/, where waymark stands, or beside libexec/, where its helpers stand in a folder of their own.
+// share/waymark beside bin/, where waymark stands, or beside libexec/, where its helpers stand in a folder of their
+// own.
 fs::path shipped_data() {
   const fs::path above = executable().parent_path().parent_path();
   return (above.filename() == "libexec" ? above.parent_path() : above) / "share" / "waymark";

@@ -1,4 +1,4 @@
-// Where maps and models lie, and where the helper executables are: beside this one, wherever it was put.
+// The directories of maps and models, and of the helper executables: relative to this executable.
 #pragma once
 #include <filesystem>
 #include <string>

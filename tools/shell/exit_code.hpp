@@ -1,4 +1,4 @@
-// What the exit code of waymark says: one verdict per block, the same for every subcommand (docs/cli.md).
+// The exit codes of waymark: one verdict per block, the same for every subcommand (docs/cli.md).
 #pragma once
 #include <stdexcept>
 

@@ -1,4 +1,4 @@
-// Where formulas and instructions come from: arguments, a file with one a line, or standard input.
+// The sources of formulas and instructions: arguments, a file with one text a line, or standard input.
 #pragma once
 #include <cstddef>
 #include <iosfwd>
@@ -24,7 +24,8 @@ struct Text {
 // lines beginning with # are passed over; line numbers count them.
 class TextReader {
  public:
-  // Without arguments and file, standard input is read unless it is a terminal: then UsageError, saying `what` is missing.
+  // Without arguments and file, standard input is read unless it is a terminal: then UsageError, saying `what` is
+  // missing.
   TextReader(TextOptions options, const std::string& what);
   ~TextReader();
   std::optional<Text> next();

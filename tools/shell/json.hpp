@@ -1,7 +1,6 @@
 // JSON written, not read: one compact object a line, keys in the order they are added.
 #pragma once
 #include <concepts>
-#include <cstdint>
 #include <string>
 #include <string_view>
 

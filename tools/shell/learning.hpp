@@ -1,4 +1,4 @@
-// What commands that learn from trajectories share: the corpus, and what may go wrong while they learn.
+// The parts that commands of learning share: reading the corpus, and reporting errors of learning.
 #pragma once
 #include <stdexcept>
 #include <string>
@@ -13,7 +13,8 @@ namespace waymark::tools {
 // Of sentences on hallway maps. Throws ltl::FormatError, also for a corpus of streets, which it names.
 parser::Corpus read_hallway_corpus(const std::string& directory);
 
-// step(), which learns from that corpus: Interrupted when it was stopped, ltl::FormatError when there is too little of it.
+// step(), which learns from that corpus: Interrupted when it was stopped, ltl::FormatError when there is too little of
+// it.
 template <class Step>
 auto learn_from(const std::string& corpus, Step step) {
   try {

@@ -1,6 +1,7 @@
 #include "tools/shell/options.hpp"
 
 #include "libltl/diagnostic.hpp"
+#include "libplan/world/trajectory.hpp"
 #include "tools/shell/data_directory.hpp"
 
 namespace waymark::tools {
@@ -72,10 +73,6 @@ ltl::Formula parse_formula(const Text& text, ltl::Arena& arena, const ltl::Parse
     if (text.source.empty()) throw;
     throw error.in(text.source, text.line);
   }
-}
-
-JsonObject json_error(std::size_t line, const std::string& message) {
-  return JsonObject().add("line", line).add("status", "error").add("message", message);
 }
 
 }  // namespace waymark::tools

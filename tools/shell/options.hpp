@@ -5,10 +5,8 @@
 
 #include "libltl/text/parse.hpp"
 #include "libplan/world/read_map.hpp"
-#include "libplan/world/trajectory.hpp"
 #include "tools/shell/command.hpp"
 #include "tools/shell/input.hpp"
-#include "tools/shell/json.hpp"
 
 namespace waymark::tools {
 
@@ -36,8 +34,5 @@ ltl::ParseOptions parse_options(const NotationOptions& options, ltl::Unknown unk
 
 // The formula of one text; errors name the file and line that it came from.
 ltl::Formula parse_formula(const Text& text, ltl::Arena& arena, const ltl::ParseOptions& options);
-
-// What stands in the place of an answer that a bad line of a batch does not have.
-JsonObject json_error(std::size_t line, const std::string& message);
 
 }  // namespace waymark::tools

@@ -8,7 +8,6 @@
 #include <mutex>
 #include <optional>
 #include <thread>
-#include <vector>
 
 #include "libltl/diagnostic.hpp"
 #include "libltl/parallel.hpp"

@@ -1,5 +1,5 @@
-// Many texts, one reply each, several at a time: the replies come out in the order of the texts, each one flushed as
-// soon as all before it are out. A bad text is reported, the others are still answered.
+// A batch of texts answered in parallel: replies are printed in the order of the texts, each one as soon as all before
+// it are printed. An error in one text is reported, and the others are still answered.
 #pragma once
 #include <cstddef>
 #include <functional>

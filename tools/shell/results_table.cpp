@@ -15,8 +15,8 @@ using parser::Percent, parser::Scores;
 
 constexpr int name_width = 34;
 
-// What others published for the whole corpus: Table 4 of the paper that waymark follows, and two rows from elsewhere; path
-// scores are on masks that are not defined.
+// What others published for the whole corpus: Table 4 of the paper that waymark follows, and two rows from elsewhere;
+// path scores are on masks that are not defined.
 struct Published {
   const char* name;
   double sentence, paragraph;  // per cent; NaN: none

@@ -18,7 +18,8 @@ struct ResultRow {
 JsonObject& add_scores(JsonObject& json, const parser::Scores& scores);
 // The mean of the runs under the same keys; of several, "deviation" beside it and "runs".
 JsonObject json_of(const ResultRow& row);
-// {"name","convention","sentence","paragraph","path"}: the paper's Table 4 and what else was published; null where nothing was.
+// {"name","convention","sentence","paragraph","path"}: the paper's Table 4 and what else was published; null where
+// nothing was.
 JsonArray published_results();
 
 // Of an agent that does not listen, on the maps of this corpus, under the conventions asked for.

@@ -1,4 +1,4 @@
-// What standard output and standard error may show: colour, Unicode, a progress bar.
+// The abilities of standard output and standard error: colour, Unicode, a progress bar.
 #pragma once
 #include <chrono>
 #include <cstdint>

@@ -1,8 +1,9 @@
 // The SAIL corpus as it was released [CM11], and as navi passed it on [AZ13], in the JSON Lines that we read.
 //
-// A directory is looked through for maps (map-*.xml of either release), SingleSentence.xml with Paragraph.xml, or *.settrc;
-// one that holds our own instructions.jsonl is read and checked. What is odd is never repaired silently: it is reported
-// with file and line, and named among the `flags` of its paragraph. Formats: docs/formats/corpus-and-models.md.
+// A directory is looked through for maps (map-*.xml of either release), SingleSentence.xml with Paragraph.xml, or
+// *.settrc; one that holds our own instructions.jsonl is read and checked. What is odd is never repaired silently: it
+// is reported with file and line, and named among the `flags` of its paragraph. Formats:
+// docs/formats/corpus-and-models.md.
 #pragma once
 #include <filesystem>
 #include <map>

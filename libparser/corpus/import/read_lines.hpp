@@ -14,7 +14,8 @@ struct FlaggedParagraph {
   std::optional<int> start_place;
   std::vector<Irregularity> flags;  // that the line itself names
 };
-// Lines that parse_sail_corpus has read. Throws ltl::FormatError where start_place, goal, path, num or flags have another shape.
+// Lines that parse_sail_corpus has read. Throws ltl::FormatError where start_place, goal, path, num or flags have
+// another shape.
 std::vector<FlaggedParagraph> parse_lines(std::string_view json_lines, std::string_view file);
 
 ReleasedMap released(const plan::Map& map);

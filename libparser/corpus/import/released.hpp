@@ -49,8 +49,8 @@ struct ReleasedMap {
   std::vector<std::string> objects, floors, walls;  // values used, sorted; nodes and edges point into them
 };
 
-// "[(3, 5, -1), (3, 5, 180)]" and "RIGHT(1,6,0);(1, 6, 90)". The text begins in that line, at a column that is not known,
-// or at `column`. Throw ltl::FormatError.
+// "[(3, 5, -1), (3, 5, 180)]" and "RIGHT(1,6,0);(1, 6, 90)". The text begins in that line, at a column that is not
+// known, or at `column`. Throw ltl::FormatError.
 std::vector<plan::Pose> parse_pose_list(std::string_view text, std::string_view file, std::size_t line);
 ReleasedTrace parse_trace(std::string_view text, std::string_view file, std::size_t line, std::size_t column);
 

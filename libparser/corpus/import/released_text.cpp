@@ -9,7 +9,8 @@ namespace {
 
 bool continues(char c) { return (static_cast<unsigned char>(c) & 0xC0U) == 0x80U; }
 
-// Bytes of the well-formed character that the text begins with (no surrogates, nothing overlong); 0: it begins with none.
+// Bytes of the well-formed character that the text begins with (no surrogates, nothing overlong); 0: it begins with
+// none.
 std::size_t character(std::string_view text) {
   const auto first = static_cast<unsigned char>(text[0]);
   if (first < 0x80) return 1;

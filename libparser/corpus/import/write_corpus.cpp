@@ -17,7 +17,8 @@ json json_of(const std::vector<Pose>& path) {
   return out;
 }
 
-// The trajectory from the heading `from` in the place of the open one: the shortest turns are put in, LEFT LEFT for half a turn.
+// The trajectory from the heading `from` in the place of the open one: the shortest turns are put in, LEFT LEFT for
+// half a turn.
 std::vector<Pose> resolved(const std::vector<Pose>& path, int from) {
   std::vector<Pose> out{{path[0].x, path[0].y, from}};
   if (path.size() == 1) return out;

@@ -135,7 +135,8 @@ void MentionFinder::add_parts(LandmarkIndex landmark, const std::vector<std::str
   }
 }
 
-// The names that a stretch of letters fits. `common`: every word of it is a common one, which must then be a whole name.
+// The names that a stretch of letters fits. `common`: every word of it is a common one, which must then be a whole
+// name.
 const std::vector<NameFit>& MentionFinder::fits(const std::string& letters, bool common) {
   const auto [at, fresh] = known_[common ? 1 : 0].try_emplace(letters);
   std::vector<NameFit>& found = at->second;
@@ -165,11 +166,11 @@ const std::vector<NameFit>& MentionFinder::fits(const std::string& letters, bool
 
 std::vector<Mention> MentionFinder::find(const std::vector<std::string>& tokens) {
   const std::size_t n = tokens.size();
-  struct Step {
+  struct Segment {
     float letters = 0;
     std::size_t words = 0;  // of the stretch that ends here; 0: the word is no part of a name
   };
-  std::vector<Step> steps(n + 1);
+  std::vector<Segment> steps(n + 1);
   std::vector<std::string> letters(n);
   for (std::size_t i = 0; i < n; ++i) letters[i] = letters_of(tokens[i]);
   for (std::size_t end = 1; end <= n; ++end) {

@@ -1,9 +1,9 @@
 // Landmarks that a text names, lifted out of it: what is left of the text never says in which city it was written.
 //
-// Writers misspell names, shorten them and write them together or apart, so a stretch of words is compared with every part
-// of every name, letter by letter with white space and accents left out, and may be off by a letter in four. The best
-// covering of the text by such stretches is taken; a stretch that fits several names ("the statue") keeps them all.
-// Words that people use in every city ("east", "start") name nothing by themselves.
+// Writers misspell names, shorten them and write them together or apart, so a stretch of words is compared with every
+// part of every name, letter by letter with white space and accents left out, and may be off by a letter in four. The
+// best covering of the text by such stretches is taken; a stretch that fits several names ("the statue") keeps them
+// all. Words that people use in every city ("east", "start") name nothing by themselves.
 #pragma once
 #include <span>
 #include <string>

@@ -92,15 +92,15 @@ void add_sight(FeatureList& out, const TextOnRoute& text) {
 void add_walk(FeatureList& out, const TextOnRoute& text) {
   const Walk walk = walk_along(text.route, text.placed);
   const std::size_t n = text.placed.size();
-  const auto count = [&](Step step) {
+  const auto count = [&](MentionRole step) {
     return static_cast<std::size_t>(std::count(walk.steps.begin(), walk.steps.end(), step));
   };
-  const std::size_t ahead = count(Step::Ahead), behind = count(Step::Behind);
+  const std::size_t ahead = count(MentionRole::Ahead), behind = count(MentionRole::Behind);
   out.add(K::Walk, 1, 0, at_most(walk.unreached, 3), at_most(ahead, 2), at_most(behind, 2),
-          at_most(count(Step::OnRival), 2), walk.reaches_goal);
+          at_most(count(MentionRole::OnRival), 2), walk.reaches_goal);
   out.add(K::Walk, 1, 1, at_most(walk.unreached, 4), walk.reaches_goal);
   out.add(K::Walk, 1, 2, at_most(ahead, 3), at_most(behind, 3));
-  out.add(K::Walk, 1, 3, at_most(count(Step::AtStart), 2), ahead > 0);
+  out.add(K::Walk, 1, 3, at_most(count(MentionRole::AtStart), 2), ahead > 0);
   out.add(K::Walk, 1, 4, n > 0 ? static_cast<unsigned>(walk.steps.back()) : 9U, walk.reaches_goal);
   out.add(K::Walk, static_cast<double>(walk.unreached), 5);
   out.add(K::Walk, static_cast<double>(ahead), 6);

@@ -1,8 +1,10 @@
-// Features of a text against a route and its rival: what the writer can have seen, what had to be told apart, and the walk.
+// Features of a text against a route and its rival: what the writer can have seen, what had to be told apart, and the
+// walk.
 //
-// The writer of a text saw two routes, the one to describe and the next longer one to the same goal, and the names of the
-// landmarks on them, no others. So if a route was the one to describe, what is named stands on it or on its rival; a landmark of
-// the rival alone is named because it was in the way, or is mistaken for one beside it; and the text should tell the two apart.
+// The writer of a text saw two routes, the one to describe and the next longer one to the same goal, and the names of
+// the landmarks on them, no others. So if a route was the one to describe, what is named stands on it or on its rival;
+// a landmark of the rival alone is named because it was in the way, or is mistaken for one beside it; and the text
+// should tell the two apart.
 #pragma once
 #include <string>
 #include <vector>
@@ -23,8 +25,8 @@ struct TextOnRoute {
   std::vector<PlacedMention> placed;  // place(mentions, route.landmarks)
 };
 
-// How near two landmarks stand in the picture, of which each axis was stretched to fit: 0 where they coincide, 1 across the
-// picture; names are written along the horizontal axis, so one above the other counts four times.
+// How near two landmarks stand in the picture, of which each axis was stretched to fit: 0 where they coincide, 1 across
+// the picture; names are written along the horizontal axis, so one above the other counts four times.
 double closeness(const StreetMap& map, LandmarkIndex a, LandmarkIndex b);
 
 void add_sight(FeatureList& out, const TextOnRoute& text);

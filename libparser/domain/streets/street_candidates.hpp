@@ -1,8 +1,8 @@
 // The routes among which a text is read, and where each of its mentions falls on them.
 //
-// Supply: the shortest simple routes from the start to every landmark (street_routes.hpp), and for longer texts the route
-// through all landmarks that are named, in their order. A rough count (named landmarks on the route, others on it, order,
-// rank) keeps the likeliest, which the log-linear reranker then weighs.
+// Supply: the shortest simple routes from the start to every landmark (street_routes.hpp), and for longer texts the
+// route through all landmarks that are named, in their order. A rough count (named landmarks on the route, others on
+// it, order, rank) keeps the likeliest, which the log-linear reranker then weighs.
 #pragma once
 #include <vector>
 

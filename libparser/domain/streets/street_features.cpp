@@ -62,7 +62,7 @@ class Writer {
 
   // Which readings of the text are the route, or leave out a few of its landmarks?
   void as_read() {
-    for (const streets::Reading& reading : readings(nodes_[0], placed_, cues_)) {
+    for (const streets::Interpretation& reading : readings(nodes_[0], placed_, cues_)) {
       std::size_t at = 0;
       for (const LandmarkIndex node : nodes_)
         at += at < reading.landmarks.size() && reading.landmarks[at] == node;
@@ -89,7 +89,8 @@ class Writer {
     return bin(extra / unit_, {0.002, 0.01, 0.05, 0.2});
   }
 
-  // A landmark off the route that stands beside one on it, unnamed and in the right place of the order, was taken for it.
+  // A landmark off the route that stands beside one on it, unnamed and in the right place of the order, was taken for
+  // it.
   void take_for_neighbours() {
     std::uint32_t least = 0;
     for (std::size_t m = 0; m < placed_.size(); ++m) {

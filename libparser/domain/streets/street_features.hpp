@@ -1,9 +1,9 @@
-// What the reranker looks at: a text without its names, against a route.
+// The features of a text against a route, for the reranker: the text has no names any more.
 //
-// From mention to mention, how the route moves on (one landmark further, back, nowhere, off the route) goes with the words
-// between; landmarks that the route passes and nobody names go with how far out of the way they are; landmarks that are
-// named and not passed with how near the route comes; directions with the angle of the leg in the picture. Nothing is about
-// a city: distances are in units of its mean way.
+// From mention to mention, how the route moves on (one landmark further, back, nowhere, off the route) goes with the
+// words between; landmarks that the route passes and nobody names go with how far out of the way they are; landmarks
+// that are named and not passed with how near the route comes; directions with the angle of the leg in the picture.
+// Nothing is about a city: distances are in units of its mean way.
 #pragma once
 #include <vector>
 

@@ -87,22 +87,22 @@ std::vector<MentionCue> mention_cues(const std::vector<std::string>& tokens,
   return out;
 }
 
-std::vector<Reading> readings(LandmarkIndex start, const std::vector<PlacedMention>& mentions,
-                              const std::vector<MentionCue>& cues) {
+std::vector<Interpretation> readings(LandmarkIndex start, const std::vector<PlacedMention>& mentions,
+                                     const std::vector<MentionCue>& cues) {
   const std::vector<std::size_t> order = walking_order(start, mentions, cues);
-  std::vector<Reading> out;
+  std::vector<Interpretation> out;
   for (unsigned followed = 0; followed < 8; ++followed) {
-    Reading reading{followed, {start}};
+    Interpretation reading{followed, {start}};
     for (std::size_t i = 0; i < mentions.size(); ++i) {
-      const std::size_t m = (followed & Reading::reordered) != 0 ? order[i] : i;
-      if ((followed & Reading::passed_by) != 0 && dropped(cues[m].cue)) continue;
-      if ((followed & Reading::another_start) != 0 && m == 0 && mentions.size() > 1) continue;
+      const std::size_t m = (followed & Interpretation::reordered) != 0 ? order[i] : i;
+      if ((followed & Interpretation::passed_by) != 0 && dropped(cues[m].cue)) continue;
+      if ((followed & Interpretation::another_start) != 0 && m == 0 && mentions.size() > 1) continue;
       const LandmarkIndex here = mentions[m].landmark;
       if (std::find(reading.landmarks.begin(), reading.landmarks.end(), here) == reading.landmarks.end())
         reading.landmarks.push_back(here);
     }
-    const bool fresh = std::none_of(out.begin(), out.end(),
-                                    [&](const Reading& r) { return r.landmarks == reading.landmarks; });
+    const bool fresh = std::none_of(
+        out.begin(), out.end(), [&](const Interpretation& r) { return r.landmarks == reading.landmarks; });
     if (fresh) out.push_back(std::move(reading));
   }
   return out;

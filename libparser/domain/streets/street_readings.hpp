@@ -1,9 +1,9 @@
 // The ways in which the landmarks of a text can be strung together: typed candidates F(a ∧ F(b ∧ …)) before any map.
 //
-// Read as they stand, mentions are the route in order. Words between them may say otherwise: "to c via b", "to c from a",
-// "to c after b" put a later mention first; "past b", "not b" may name what is only passed by, or not met at all; a text
-// may open with the neighbour of the landmark where it starts. Each of these can be followed or not: a reading is the
-// sequence that comes out, with what was followed to get it.
+// Read as they stand, mentions are the route in order. Words between them may say otherwise: "to c via b", "to c from
+// a", "to c after b" put a later mention first; "past b", "not b" may name what is only passed by, or not met at all; a
+// text may open with the neighbour of the landmark where it starts. Each of these can be followed or not: a reading is
+// the sequence that comes out, with what was followed to get it.
 #pragma once
 #include <string_view>
 #include <vector>
@@ -23,14 +23,14 @@ struct MentionCue {
 std::vector<MentionCue> mention_cues(const std::vector<std::string>& tokens,
                                      const std::vector<Mention>& mentions);
 
-struct Reading {
+struct Interpretation {
   static constexpr unsigned reordered = 1, passed_by = 2, another_start = 4;
   unsigned followed = 0;  // of the three
   StreetRoute landmarks;  // start first, none twice
 };
 
 // Distinct, the plainest first; at most eight.
-std::vector<Reading> readings(LandmarkIndex start, const std::vector<PlacedMention>& mentions,
-                              const std::vector<MentionCue>& cues);
+std::vector<Interpretation> readings(LandmarkIndex start, const std::vector<PlacedMention>& mentions,
+                                     const std::vector<MentionCue>& cues);
 
 }  // namespace waymark::streets

@@ -1,8 +1,8 @@
 // The k shortest simple routes of a street map between two landmarks, by Yen's algorithm [Yen71].
 //
-// A way is at least as short as any detour where lengths are distances, so naming all landmarks of a simple route makes it
-// a plan: F(a ∧ F(b ∧ …)). Routes are therefore a complete supply of plans to choose from, and the rank of a route says
-// how far out of the way it leads.
+// A way is at least as short as any detour where lengths are distances, so naming all landmarks of a simple route makes
+// it a plan: F(a ∧ F(b ∧ …)). Routes are therefore a complete supply of plans to choose from, and the rank of a route
+// says how far out of the way it leads.
 #pragma once
 #include <map>
 #include <utility>

@@ -36,11 +36,12 @@ Table fill(const std::vector<PlacedMention>& mentions, std::size_t positions) {
   return table;
 }
 
-Step no_step(const PlacedMention& mention, std::uint32_t at, const StreetRoute& rival) {
-  if (mention.position == off_route) return stands_on(rival, mention.landmark) ? Step::OnRival : Step::Unseen;
-  if (mention.position == at) return Step::Stays;
-  if (mention.position > at) return Step::Ahead;
-  return mention.position == 0 ? Step::AtStart : Step::Behind;
+MentionRole no_step(const PlacedMention& mention, std::uint32_t at, const StreetRoute& rival) {
+  if (mention.position == off_route)
+    return stands_on(rival, mention.landmark) ? MentionRole::OnRival : MentionRole::Unseen;
+  if (mention.position == at) return MentionRole::Stays;
+  if (mention.position > at) return MentionRole::Ahead;
+  return mention.position == 0 ? MentionRole::AtStart : MentionRole::Behind;
 }
 
 }  // namespace
@@ -65,7 +66,7 @@ Walk walk_along(const CandidateRoute& route, const std::vector<PlacedMention>& m
   walk.steps.resize(n);
   for (std::size_t i = n; i-- > 0;) {
     const std::uint32_t before = table.before[(i + 1) * positions + at];
-    walk.steps[i] = before == at ? no_step(mentions[i], at, route.rival) : Step::GoesOn;
+    walk.steps[i] = before == at ? no_step(mentions[i], at, route.rival) : MentionRole::GoesOn;
     walk.unreached -= before == at ? 0U : 1U;
     at = before;
   }

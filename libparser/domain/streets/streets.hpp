@@ -37,8 +37,8 @@ class Streets {
   parser::CandidateFeatures features(Text text, const StreetCandidates& candidates);
   static const StreetRoute& execute(const CandidateRoute& route) { return route.landmarks; }
   static bool right(Text text, const StreetRoute& route) { return route == text->path; }
-  // The picture showed the next longer route to the same goal as the one not to describe (`alt_path` of the corpus, which is
-  // that route in every line).
+  // The picture showed the next longer route to the same goal as the one not to describe (`alt_path` of the corpus,
+  // which is that route in every line).
   static std::optional<std::size_t> rival(const StreetCandidates& candidates, std::size_t right);
 
  private:

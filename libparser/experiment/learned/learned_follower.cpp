@@ -25,9 +25,9 @@ std::vector<plan::Action> walk(const TabularProduct& product, const plan::Action
 
 }  // namespace
 
-Answer LearnedFollower::follow(const Executor& executor, const SentenceInput& input,
-                               plan::PoseId start) const {
-  Answer answer = reader_->follow(executor, input, start);
+Response LearnedFollower::follow(const Executor& executor, const SentenceInput& input,
+                                 plan::PoseId start) const {
+  Response answer = reader_->follow(executor, input, start);
   if (answer.program.empty()) return answer;
   const Task task{executor.map().name(), start.index, answer.program};
   std::unique_lock lock(mutex_);

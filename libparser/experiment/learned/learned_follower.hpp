@@ -1,8 +1,8 @@
 // Formulas carried out as the paper does it: not by search but by a policy that deep Q-learning finds for each of them.
 //
-// What another follower reads is taken as the task; a network learns it from where the sentence begins, by the distances to
-// objects, floors and paintings and the one-hot state of the task's automaton (libplan/learn/dqn.hpp), and its greedy policy is
-// followed until the task is done, cannot be done any more, or `horizon` steps are taken.
+// What another follower reads is taken as the task; a network learns it from where the sentence begins, by the
+// distances to objects, floors and paintings and the one-hot state of the task's automaton (libplan/learn/dqn.hpp), and
+// its greedy policy is followed until the task is done, cannot be done any more, or `horizon` steps are taken.
 #pragma once
 #include <map>
 #include <memory>
@@ -23,7 +23,7 @@ class LearnedFollower : public Follower {
  public:
   LearnedFollower(std::shared_ptr<const Follower> reader, const LearnedExecution& how)
       : reader_(std::move(reader)), how_(how) {}
-  Answer follow(const Executor& executor, const SentenceInput& input, plan::PoseId start) const override;
+  Response follow(const Executor& executor, const SentenceInput& input, plan::PoseId start) const override;
 
  private:
   using Task = std::tuple<std::string, std::uint32_t, Program>;  // on which map, from where

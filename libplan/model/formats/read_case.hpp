@@ -1,4 +1,5 @@
-// Planning cases: a labelled map with tasks, in the JSON formats ltlgrid/1 and ltlmap/1 (docs/formats/planning-cases.md).
+// Planning cases: a labelled map with tasks, in the JSON formats ltlgrid/1 and ltlmap/1
+// (docs/formats/planning-cases.md).
 #pragma once
 #include <filesystem>
 #include <string>

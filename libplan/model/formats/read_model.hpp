@@ -1,4 +1,4 @@
-// One reader for every kind of file that holds a model, told apart by its name and, of JSON, by what is in it.
+// The reader of models of every kind: the name of a file tells the kind; for JSON, the contents do.
 #pragma once
 #include <filesystem>
 #include <string_view>

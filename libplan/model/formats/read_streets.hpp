@@ -1,7 +1,7 @@
 // Street maps as Markov decision processes (docs/formats/planning-cases.md).
 //
-// A state is a landmark, its letter the landmark's name in snake_case ("Ashley's" is ashleys); a choice is a way, called
-// after where it leads, its cost are metres. Nothing slips.
+// A state is a landmark, its letter the landmark's name in snake_case ("Ashley's" is ashleys); a choice is a way,
+// called after where it leads, its cost are metres. Nothing slips.
 #pragma once
 #include <string_view>
 

@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <cstdlib>
-#include <optional>
 
 #include "libltl/text/character.hpp"
 #include "libplan/model/prism/prism_names.hpp"

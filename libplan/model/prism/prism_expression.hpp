@@ -65,7 +65,8 @@ class PrismExpressions {
   // Throws ltl::SyntaxError: an unknown name, an operand of the wrong type, a formula that needs itself.
   Type type(Id e);
   void expect_type(Id e, Type type);  // whole numbers are doubles too
-  // The value in one state: `values` may be changed between calls only after next_state(). Types must have been asked for.
+  // The value in one state: `values` may be changed between calls only after next_state(). Types must have been asked
+  // for.
   double value(Id e, const PrismValues& values);
   void next_state() { ++now_; }
   double constant(Id e);  // throws ltl::SyntaxError where a variable is read

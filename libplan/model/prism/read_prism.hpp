@@ -2,8 +2,8 @@
 //
 // An mdp of one module; constants, formulas, labels, rewards; bounded whole numbers and truth values; guarded commands
 // with probabilistic updates. Labels become propositions, rewards become costs: the structure named "cost" or "steps",
-// else the first; 1 a choice when there is none. A state in which no command is enabled gets a choice that stays, "stay",
-// as in PRISM.
+// else the first; 1 a choice when there is none. A state in which no command is enabled gets a choice that stays,
+// "stay", as in PRISM.
 #pragma once
 #include <cstddef>
 #include <string_view>

@@ -18,7 +18,8 @@ struct PrismFiles {                        // the contents
   std::optional<std::string> state_rewards = {}, transition_rewards = {};  // .srew, .trew: added up
 };
 
-// States and choices keep their order. Throws ltl::FormatError with line and column; `prefix` names the files in messages.
+// States and choices keep their order. Throws ltl::FormatError with line and column; `prefix` names the files in
+// messages.
 Mdp parse_prism_explicit(const PrismFiles& files, const std::string& prefix = "");
 
 // PREFIX.tra, and PREFIX.lab, .sta, .srew, .trew beside it; the last three may be missing.

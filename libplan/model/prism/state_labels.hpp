@@ -1,7 +1,8 @@
 // Letters moved from moves onto states, as other tools have them: what a model is before it is written for PRISM.
 //
 // A state that is entered with different letters becomes one state for each of them; the initial one has the letter
-// that is read first. Words, probabilities and costs stay what they were [BK08, Def. 10.1]. Reachable part only, breadth first.
+// that is read first. Words, probabilities and costs stay what they were [BK08, Def. 10.1]. Reachable part only,
+// breadth first.
 #pragma once
 #include <cstdint>
 #include <string>

@@ -1,4 +1,5 @@
-// Models for PRISM [KNP11]: explicit files and the language, so that others can check our values (docs/formats/prism.md).
+// Models for PRISM [KNP11]: explicit files and the language, so that others can check our values
+// (docs/formats/prism.md).
 //
 // Propositions become labels, costs become rewards named "cost". Names that PRISM cannot read are changed: what is no
 // letter or digit becomes an underscore, reserved words get one at the end, the second of two equal names a number.

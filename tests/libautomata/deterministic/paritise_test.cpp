@@ -130,7 +130,7 @@ TEST(Combination, IsTheBooleanOneOfTheLanguages) {
   const auto words = testing::all_lassos({.length = 3, .atoms = 2});
   for (int i = 0; i < 200; ++i) {
     std::vector<Automaton> automata;
-    std::vector<Part> parts;
+    std::vector<Operand> parts;
     const std::uint32_t count = 1 + static_cast<std::uint32_t>(i % 3);
     for (std::uint32_t k = 0; k < count; ++k) {
       RandomAutomaton options = shape(i + static_cast<int>(k));

@@ -64,14 +64,14 @@ TEST_F(Fold, KeepsTheLanguageOfSmallFormulas) {
     const Formula f = ltl::disjunction(i % 2 == 0 ? left : ltl::eventually(ltl::always(left)),
                                        ltl::always(ltl::eventually(right)));
     const TransitionRelation general = reduced_tableau(f), outside = reduced_tableau(negate(f));
-    const Reduced made = folded(general, outside, MarksOn::Edges, budget_);
+    const Reduced made = state_merged(general, outside, MarksOn::Edges, budget_);
     EXPECT_TRUE(made.complete);
     ASSERT_TRUE(accepts_the_words_of(f, made.automaton));
     ASSERT_TRUE(is_folded_up(made.automaton, outside)) << testing::show(f);
     smaller += made.automaton.states() < general.states() ? 1 : 0;
     const TransitionRelation levels =
         reduce(degeneralize(general, {.look_ahead = true}, budget_), MarksOn::States, budget_).automaton;
-    const TransitionRelation on_states = folded(levels, outside, MarksOn::States, budget_).automaton;
+    const TransitionRelation on_states = state_merged(levels, outside, MarksOn::States, budget_).automaton;
     ASSERT_TRUE(accepts_the_words_of(f, on_states));
     smaller_on_states += on_states.states() < levels.states() ? 1 : 0;
   }
@@ -87,7 +87,7 @@ TEST_F(Fold, KeepsTheLanguageOfRandomFormulas) {
     const Formula f = ltl::nnf(ltl::random_formula(random, arena_, {.size = 14, .atoms = 2}));
     const TransitionRelation general = reduced_tableau(f), outside = reduced_tableau(negate(f));
     if (general.states() > 30) continue;
-    const Reduced made = folded(general, outside, MarksOn::Edges, budget_);
+    const Reduced made = state_merged(general, outside, MarksOn::Edges, budget_);
     ASSERT_TRUE(accepts_the_words_of(f, made.automaton)) << "seed " << seed << ", formula " << i;
     ASSERT_TRUE(is_folded_up(made.automaton, outside)) << testing::show(f);
     smaller += made.automaton.states() < general.states() ? 1 : 0;
@@ -103,7 +103,7 @@ TEST_F(Fold, StatesWithAndWithoutMarksAreNotMixed) {
     const TransitionRelation levels = degeneralize(reduced_tableau(f), {.look_ahead = true}, budget_);
     if (levels.states() > 40) continue;
     const TransitionRelation out =
-        folded(levels, reduced_tableau(negate(f)), MarksOn::States, budget_).automaton;
+        state_merged(levels, reduced_tableau(negate(f)), MarksOn::States, budget_).automaton;
     ASSERT_TRUE(accepts_the_words_of(f, out));
     const std::vector<bool> marked = marked_states(out);
     for (std::uint32_t q = 0; q < out.states(); ++q)
@@ -116,7 +116,7 @@ TEST_F(Fold, AStateThatWaitsTakesInAComponent) {
   const Formula f = ltl::parse("F G a | G F b", arena_);
   const TransitionRelation before = reduced_tableau(f), outside = reduced_tableau(negate(f));
   EXPECT_EQ(before.states(), 3U);
-  EXPECT_EQ(folded(before, outside, MarksOn::Edges, budget_).automaton.states(), 2U);
+  EXPECT_EQ(state_merged(before, outside, MarksOn::Edges, budget_).automaton.states(), 2U);
 }
 
 TEST_F(Fold, WithoutEffortTheAutomatonIsValidAndSaysSo) {
@@ -125,7 +125,7 @@ TEST_F(Fold, WithoutEffortTheAutomatonIsValidAndSaysSo) {
   std::size_t complete = 0, cut_short = 0;
   for (std::size_t steps = 0; steps < 1000; steps += 5) {
     Budget little(steps, SIZE_MAX, {});
-    const Reduced made = folded(before, outside, MarksOn::Edges, little);
+    const Reduced made = state_merged(before, outside, MarksOn::Edges, little);
     ASSERT_TRUE(accepts_the_words_of(f, made.automaton)) << steps << " steps";
     ++(made.complete ? complete : cut_short);
   }

@@ -10,10 +10,10 @@
 namespace waymark::parser {
 namespace {
 
-const std::string good =
-    R"({"id":"a","map":"grid","text":"Stroll on. Stay put.","sentences":[)"
-    R"({"id":"1-1","text":"Stroll on","path":[[1,9,-1],[1,8,0]],"path_north":[[1,9,0],[1,8,0]],"path_right90":[[1,9,270],[1,9,0],[1,8,0]]},)"
-    R"({"id":"1-2","text":"Stay put","tokens":["stay","put"],"path":[[1,8,0]]}]})";
+const std::string good = R"({"id":"a","map":"grid","text":"Stroll on. Stay put.","sentences":[)"
+                         R"({"id":"1-1","text":"Stroll on","path":[[1,9,-1],[1,8,0]],)"
+                         R"("path_north":[[1,9,0],[1,8,0]],"path_right90":[[1,9,270],[1,9,0],[1,8,0]]},)"
+                         R"({"id":"1-2","text":"Stay put","tokens":["stay","put"],"path":[[1,8,0]]}]})";
 
 TEST(SailCorpus, ReadsSentencesUnderBothConventions) {
   const auto paragraphs = parse_sail_corpus(good + "\n\n" + good + "\n");

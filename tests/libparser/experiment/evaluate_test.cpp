@@ -51,10 +51,10 @@ TEST(Evaluate, CountsSentencesParagraphsAndNodesByHand) {
 // Does one thing, whatever is said, where the map lets it.
 class OneStep : public Follower {
  public:
-  Answer follow(const Executor& executor, const SentenceInput& input, plan::PoseId start) const override {
+  Response follow(const Executor& executor, const SentenceInput& input, plan::PoseId start) const override {
     const plan::Action action = input.tokens.size() % 2 == 0 ? plan::Action::Forward : plan::Action::Left;
     const auto end = executor.map().successor(start, action);
-    return end ? Answer{*end, {action}, {}, 1} : Answer{start, {}, {}, 1};
+    return end ? Response{*end, {action}, {}, 1} : Response{start, {}, {}, 1};
   }
   bool reads_formulas() const override { return false; }
 };

@@ -79,7 +79,7 @@ class World {
           longer.back().ends.push_back(end);
           longer.back().weight = here * p;
         };
-        for (const Answer& answer : verdict.answers) go(answer.end, answer.probability);
+        for (const Response& answer : verdict.answers) go(answer.end, answer.probability);
         if (verdict.answers.empty()) go(from, 1);
       }
       ways = std::move(longer);
@@ -142,7 +142,7 @@ TEST(GroundingFollower, AnswersGoOnWhereTheLastOneEnded) {
     world.draw();
     for (const std::size_t beam_width : {1U, 3U}) {
       plan::PoseId pose = world.start;
-      for (const Answer& answer :
+      for (const Response& answer :
            world.follower(beam_width).follow_all(world.executor(), world.paragraph, world.start)) {
         if (!answer.program.empty()) {
           const auto plan = world.executor().run(answer.program, pose);
@@ -165,7 +165,7 @@ TEST(GroundingFollower, WithOnePoseAliveSentencesAreSettledOneByOne) {
     plan::PoseId pose = world.start;
     const auto answers = follower.follow_all(world.executor(), world.paragraph, world.start);
     for (std::size_t k = 0; k < answers.size(); ++k) {
-      const Answer want = follower.follow(world.executor(), world.paragraph[k], pose);
+      const Response want = follower.follow(world.executor(), world.paragraph[k], pose);
       EXPECT_EQ(answers[k].end, want.end);
       EXPECT_EQ(answers[k].actions, want.actions);
       pose = want.end;
@@ -189,11 +189,11 @@ TEST(GroundingFollower, VotersAreAveraged) {
     const auto a = judged({one}), b = judged({other}), both = judged({one, other});
     const auto of = [](const GroundingFollower::Verdict& verdict, plan::PoseId end) {
       double p = 0;
-      for (const Answer& answer : verdict.answers) p += answer.end == end ? answer.probability : 0;
+      for (const Response& answer : verdict.answers) p += answer.end == end ? answer.probability : 0;
       return p;
     };
     EXPECT_NEAR(both.evidence, (a.evidence + b.evidence) / 2, 1e-9);
-    for (const Answer& answer : both.answers) {
+    for (const Response& answer : both.answers) {
       EXPECT_NEAR(answer.probability, (of(a, answer.end) + of(b, answer.end)) / 2, 1e-9);
       compared += of(a, answer.end) != of(b, answer.end) ? 1U : 0U;
     }

@@ -1,4 +1,5 @@
-// The whole encoder-decoder, from embeddings to objectives, against its definition in double precision, number by number.
+// The whole encoder-decoder, from embeddings to objectives, against its definition in double precision, number by
+// number.
 #include "libparser/model/encoder_decoder.hpp"
 
 #include <numeric>

@@ -1,5 +1,5 @@
-// What tests of choosing share: sentences of any words, a reader that reads random programs, and models with weights for
-// whatever features their routes have.
+// What tests of choosing share: sentences of any words, a reader that reads random programs, and models with weights
+// for whatever features their routes have.
 #pragma once
 #include <random>
 #include <string>

@@ -143,8 +143,8 @@ TEST(RouteFeatures, OfAMirrorImageAreThoseOfTheRouteInTheMirror) {
   EXPECT_GT(2 * changed, routes);
 }
 
-// Where the heading is unknown, a route is looked at from its first move on, but for one property (alone, its words and pairs) and
-// what is true at poses.
+// Where the heading is unknown, a route is looked at from its first move on, but for one property (alone, its words and
+// pairs) and what is true at poses.
 TEST(RouteFeatures, TurnsThatNobodySpeaksOfAreOneProperty) {
   Case c;
   SentenceInput known{{"chair"}, false}, unknown{{"chair"}, true};

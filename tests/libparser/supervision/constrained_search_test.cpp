@@ -41,8 +41,8 @@ TEST_F(SaidSearchTest, ProgramsAreOfTheDialectAndEndAtTheGoldEnd) {
   EXPECT_GT(found, 200U);
 }
 
-// Of two clauses, what was meant is mostly among them, though no formula was looked at. A quarter of what is avoided makes
-// no difference to the route, and is not found.
+// Of two clauses, what was meant is mostly among them, though no formula was looked at. A quarter of what is avoided
+// makes no difference to the route, and is not found.
 TEST_F(SaidSearchTest, WhatWasMeantIsAmongThem) {
   const Corpus corpus = generate_corpus(
       shipped_maps(), {.seed = 7, .paragraphs = 20, .dialect = Dialect::Temporal, .most_clauses = 2});

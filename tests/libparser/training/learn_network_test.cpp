@@ -40,7 +40,7 @@ TEST(LearnActions, AnswersAreRoutesOfTheMap) {
   const TrainingExamples on(small_corpus());
   const auto follower = learn_actions(on.all, on.executors, small_options(1), [](double) {});
   for (const Example* example : on.all) {
-    const Answer answer = follower->follow(on.executors[example->map], example->input, example->gold.start);
+    const Response answer = follower->follow(on.executors[example->map], example->input, example->gold.start);
     const auto walked = plan::follow(on.executors[example->map].map(), example->gold.start, answer.actions);
     ASSERT_TRUE(walked.has_value());
     EXPECT_EQ(walked->poses.back(), answer.end);

@@ -64,7 +64,7 @@ TEST(PolicyValue, AgreesWithRollouts) {
   for (int i = 0; i < episodes; ++i) {
     environment.reset();
     double steps = 0;
-    Environment::Step step;
+    Environment::Transition step;
     do {
       step = environment.step(policy[environment.state()]);
       ++steps;

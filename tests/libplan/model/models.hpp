@@ -8,7 +8,8 @@
 
 namespace waymark::plan::test {
 
-// A few states over the propositions a and b; letters on moves, costs that differ, now and then a state without choices.
+// A few states over the propositions a and b; letters on moves, costs that differ, now and then a state without
+// choices.
 Mdp random_mdp(std::mt19937& random);
 // At most 5 × 5 cells with walls, one-way cells, propositions a and b, and moves that slip.
 GridWorld random_grid(std::mt19937& random);

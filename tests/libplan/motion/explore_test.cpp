@@ -49,7 +49,8 @@ std::optional<std::uint32_t> read(const SymbolAutomaton& task, std::uint32_t sta
   return state;
 }
 
-// Route by route, each symbol read for several steps: what OMPL is told agrees with the automaton, X and events included.
+// Route by route, each symbol read for several steps: what OMPL is told agrees with the automaton, X and events
+// included.
 TEST(Explore, SymbolsSayWhatTheWordSays) {
   const Map map = square();
   const Workspace workspace(map);

@@ -28,7 +28,7 @@ void expect_driven(const Motion& motion, double turning_radius) {
 }
 
 Motion driven(const Trajectory& there, const Workspace& workspace, const Sampling& sampling) {
-  const auto outcome = drive(there, workspace, sampling);
+  const auto outcome = steer_car(there, workspace, sampling);
   const std::string label = workspace.map().name() + " " + show(there, workspace.map());
   if (const auto* unreached = std::get_if<Unreached>(&outcome))
     throw std::runtime_error("unreached: " + label + " to " + show(workspace.map().pose(unreached->to)));
@@ -103,15 +103,16 @@ TEST(Drive, RefusesACarThatFitsNowhere) {
   const Workspace workspace(map);
   for (const Car& car :
        {Car{.width = 0.4}, Car{.length = 0}, Car{.turning_radius = -1}, Car{.length = std::nan("")}})
-    EXPECT_THROW(drive(route("0,0,90", map), workspace, {.robot = car}), std::invalid_argument) << car.width;
-  EXPECT_THROW(drive(route("1,0,90", map), workspace, {.robot = Car{.length = 1, .width = 0.3}}),
+    EXPECT_THROW(steer_car(route("0,0,90", map), workspace, {.robot = car}), std::invalid_argument)
+        << car.width;
+  EXPECT_THROW(steer_car(route("1,0,90", map), workspace, {.robot = Car{.length = 1, .width = 0.3}}),
                std::invalid_argument);
 }
 
 TEST(Drive, SaysWhichLegItDidNotFind) {
   const Map map = past_a_sofa();
   const Workspace blocked(map, {.width = 0.4, .furniture = 0.15});
-  const auto outcome = drive(route("0,0,90 F F", map), blocked, {.iterations = 50, .robot = Car{}});
+  const auto outcome = steer_car(route("0,0,90 F F", map), blocked, {.iterations = 50, .robot = Car{}});
   ASSERT_TRUE(std::holds_alternative<Unreached>(outcome));
   EXPECT_EQ(map.pose(std::get<Unreached>(outcome).to), (Pose{1, 0, 90}));
 }

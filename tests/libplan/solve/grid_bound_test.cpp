@@ -110,8 +110,8 @@ TEST(GridBound, RoutesAreThoseOfAPlainSearch) {
       if (!on_grid->route) continue;
       EXPECT_EQ(on_grid->route->places, on_mdp->route->places) << text << " on " << name(kind);
       EXPECT_EQ(on_grid->route->choices, on_mdp->route->choices) << text << " on " << name(kind);
-      plain += on_mdp->budget.met;
-      bounded += on_grid->budget.met;
+      plain += on_mdp->statistics.met;
+      bounded += on_grid->statistics.met;
     }
   }
   EXPECT_LT(bounded, plain / 2);
@@ -154,10 +154,10 @@ TEST(ProductSearch, LegsMakeTheRouteOfTheWhole) {
       ASSERT_TRUE(on_grid && on_mdp);
       ASSERT_EQ(on_grid->route.has_value(), on_mdp->route.has_value())
           << ltl::print(f) << ", seed " << seed << ", grid " << i;
-      ASSERT_LE(on_grid->budget.met, on_mdp->budget.met) << ltl::print(f) << ", seed " << seed;
+      ASSERT_LE(on_grid->statistics.met, on_mdp->statistics.met) << ltl::print(f) << ", seed " << seed;
       if (!on_grid->route) continue;
       ++routes;
-      ++(on_grid->budget.met < on_mdp->budget.met ? cut : uncut);
+      ++(on_grid->statistics.met < on_mdp->statistics.met ? cut : uncut);
       ASSERT_EQ(on_grid->route->places, on_mdp->route->places)
           << ltl::print(f) << ", seed " << seed << ", grid " << i;
       ASSERT_EQ(on_grid->route->choices, on_mdp->route->choices)

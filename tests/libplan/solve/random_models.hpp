@@ -67,7 +67,8 @@ inline std::string show(const Mdp& mdp) {
   return out;
 }
 
-// Values of all pairs (place, automaton state) by sweeps without end conditions but a number: what is reached from below.
+// Values of all pairs (place, automaton state) by sweeps without end conditions but a number: what is reached from
+// below.
 class Plainly {
  public:
   Plainly(const Mdp& mdp, const automata::Dfa& dfa) : mdp_(mdp), dfa_(dfa) {}

@@ -70,7 +70,8 @@ std::vector<StreetRoute> sequences(const std::string& text, LandmarkIndex start)
   const auto tokens = parser::tokenize(text);
   const auto mentions = MentionFinder(map, common).find(tokens);
   std::vector<StreetRoute> out;
-  for (const Reading& reading : readings(start, place(mentions, {start}), mention_cues(tokens, mentions)))
+  for (const Interpretation& reading :
+       readings(start, place(mentions, {start}), mention_cues(tokens, mentions)))
     out.push_back(reading.landmarks);
   return out;
 }

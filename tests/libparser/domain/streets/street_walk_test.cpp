@@ -33,18 +33,25 @@ TEST(StreetWalk, SaysWhatEveryMentionIs) {
   const CandidateRoute route = candidate({church, cafe, well, bakery}, {church, bakery, well, new_mill});
   const struct {
     StreetRoute names;
-    std::vector<Step> steps;
+    std::vector<MentionRole> steps;
     std::size_t unreached;
     bool reaches_goal;
   } rows[] = {
-      {{cafe, well, bakery}, {Step::GoesOn, Step::GoesOn, Step::GoesOn}, 0, true},
-      {{church, cafe, cafe}, {Step::Stays, Step::GoesOn, Step::Stays}, 2, false},
-      {{bakery, cafe, well, bakery}, {Step::Ahead, Step::GoesOn, Step::GoesOn, Step::GoesOn}, 0, true},
-      {{cafe, well, cafe, church, bakery},
-       {Step::GoesOn, Step::GoesOn, Step::Behind, Step::AtStart, Step::GoesOn},
+      {{cafe, well, bakery}, {MentionRole::GoesOn, MentionRole::GoesOn, MentionRole::GoesOn}, 0, true},
+      {{church, cafe, cafe}, {MentionRole::Stays, MentionRole::GoesOn, MentionRole::Stays}, 2, false},
+      {{bakery, cafe, well, bakery},
+       {MentionRole::Ahead, MentionRole::GoesOn, MentionRole::GoesOn, MentionRole::GoesOn},
        0,
        true},
-      {{cafe, new_mill, wall, bakery}, {Step::GoesOn, Step::OnRival, Step::Unseen, Step::GoesOn}, 1, true},
+      {{cafe, well, cafe, church, bakery},
+       {MentionRole::GoesOn, MentionRole::GoesOn, MentionRole::Behind, MentionRole::AtStart,
+        MentionRole::GoesOn},
+       0,
+       true},
+      {{cafe, new_mill, wall, bakery},
+       {MentionRole::GoesOn, MentionRole::OnRival, MentionRole::Unseen, MentionRole::GoesOn},
+       1,
+       true},
       {{}, {}, 3, false},
   };
   for (const auto& row : rows) {
@@ -93,8 +100,9 @@ TEST(StreetWalk, CostsLeastOfAll) {
     const Walk walk = walk_along(candidate(route), mentions);
     EXPECT_NEAR(walk.cost, least_cost(mentions, route.size()), 1e-9) << "round " << round;
     // The cost is that of the steps it names.
-    const auto no_steps = std::count_if(walk.steps.begin(), walk.steps.end(),
-                                        [](Step s) { return s != Step::Stays && s != Step::GoesOn; });
+    const auto no_steps = std::count_if(walk.steps.begin(), walk.steps.end(), [](MentionRole s) {
+      return s != MentionRole::Stays && s != MentionRole::GoesOn;
+    });
     EXPECT_NEAR(
         walk.cost,
         cost_no_step * static_cast<double>(no_steps) + cost_unreached * static_cast<double>(walk.unreached),

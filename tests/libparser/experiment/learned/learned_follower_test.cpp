@@ -13,7 +13,7 @@ namespace {
 class OneProgram : public Follower {
  public:
   explicit OneProgram(Program program) : program_(std::move(program)) {}
-  Answer follow(const Executor& executor, const SentenceInput&, plan::PoseId start) const override {
+  Response follow(const Executor& executor, const SentenceInput&, plan::PoseId start) const override {
     const auto plan = executor.run(program_, start);
     return {plan->end, plan->actions, program_, 1};
   }
@@ -40,7 +40,7 @@ TEST(LearnedFollower, ShortTasksComeToTheExactPlan) {
       if (!executor.run(program, start)) continue;
       const auto exact = std::make_shared<const OneProgram>(program);
       const LearnedFollower learned(exact, {.steps = 3'000});
-      const Answer want = exact->follow(executor, {}, start), got = learned.follow(executor, {}, start);
+      const Response want = exact->follow(executor, {}, start), got = learned.follow(executor, {}, start);
       ltl::Arena arena(map.vocabulary());
       EXPECT_EQ(got.end, want.end) << ltl::print(formula_of(program, arena)) << " from pose " << s;
       EXPECT_EQ(got.actions.size(), want.actions.size());
@@ -53,7 +53,7 @@ TEST(LearnedFollower, ShortTasksComeToTheExactPlan) {
 TEST(LearnedFollower, WhatIsNotReadIsNotLearned) {
   const Executor executor(shipped_maps()[0]);
   const LearnedFollower learned(std::make_shared<const StayingFollower>(), {});
-  const Answer answer = learned.follow(executor, {}, plan::PoseId{4});
+  const Response answer = learned.follow(executor, {}, plan::PoseId{4});
   EXPECT_EQ(answer.end, plan::PoseId{4});
   EXPECT_TRUE(answer.actions.empty());
 }

@@ -1,0 +1,47 @@
+#include "libplan/product/product_mdp.hpp"
+
+#include "libplan/model/grid_world.hpp"
+#include "libplan/model/mdp.hpp"
+
+namespace waymark::plan {
+
+template <Model M>
+std::optional<ProductMdp<M>> ProductMdp<M>::explore(const M& model, const TaskTable& task, std::size_t limit,
+                                                    const std::stop_token& stop) {
+  ProductMdp out(model, task);
+  std::vector<ProductState> open, first;
+  const auto reach = [&](const ProductState& s) {
+    if (!out.pairs_.insert(out.pair(s.place, s.task))) return;
+    ++out.states_;
+    open.push_back(s);
+  };
+  out.for_each_start([&](const ProductState& s) {
+    reach(s);
+    first.push_back(s);
+  });
+  constexpr std::size_t polling_interval = 4096;
+  for (std::size_t done = 0; !open.empty(); ++done) {
+    if (out.states_ > limit || (done % polling_interval == 0 && stop.stop_requested())) return std::nullopt;
+    const ProductState s = open.back();
+    open.pop_back();
+    for (std::uint32_t k = 0, choices = out.choices(s); k < choices; ++k)
+      out.for_each_successor(s, k, [&](const ProductState& t) {
+        ++out.edges_;
+        reach(t);
+      });
+  }
+  out.number();
+  for (const ProductState& s : first) out.starts_.push_back(out.index(s.place, s.task));
+  return out;
+}
+
+template <Model M>
+void ProductMdp<M>::number() {
+  pairs_.rank();
+  for (std::uint32_t q : this->task().components()) blocks_.push_back(pairs_.rank(q * places_));
+}
+
+template class ProductMdp<Mdp>;
+template class ProductMdp<GridWorld>;
+
+}  // namespace waymark::plan
