@@ -88,7 +88,9 @@ JsonObject json_of(const AutomatonSize& size) {
 
 JsonObject json_of(const Answer& answer, const plan::Map& map) {
   JsonObject json;
+  if (answer.id) json.add("id", *answer.id);
   if (answer.instruction) json.add("instruction", *answer.instruction);
+  if (answer.understood) json.add("understood", *answer.understood);
   json.add("formula", answer.formula ? Json(ltl::print(*answer.formula)) : Json());
   if (answer.instruction) {
     JsonArray readings;
@@ -117,6 +119,7 @@ void print(std::ostream& out, const Terminal& terminal, const Answer& answer, co
   };
   const CorridorRun& corridor_run = answer.corridor_run;
   if (answer.instruction) out << label("instruction") << *answer.instruction << '\n';
+  if (answer.understood) out << label("understood") << *answer.understood << '\n';
   if (answer.formula)
     out << label("formula") << terminal.paint(Paint::Blue, shown(*answer.formula, terminal)) << '\n';
   if (answer.readings.size() > 1)

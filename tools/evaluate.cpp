@@ -7,6 +7,7 @@
 #include "libparser/domain/streets/street_corpus.hpp"
 #include "libparser/experiment/evaluate.hpp"
 #include "libparser/experiment/learned/learned_follower.hpp"
+#include "tools/evaluate_commands.hpp"
 #include "tools/formula_table.hpp"
 #include "tools/shell/learning.hpp"
 #include "tools/shell/models.hpp"
@@ -24,6 +25,7 @@ struct EvaluateCommandOptions {
   TrainingOptions training;
   PairsExperiment pairs;  // instead of a corpus
   std::size_t ensemble = 1;
+  CommandsRequest commands;
   std::string planner = "exact";
   parser::LearnedExecution dqn;
   bool leave_one_map_out = false, train_all = false, json = false;
@@ -215,7 +217,17 @@ Runner setup_evaluate(Command command) {
                   "the same of sentences in their paragraphs, each from where the one before it had ended")
       .type_name("FILE");
   command.add_flag("--json", options->json, "one JSON object");
-  return [options](const Session& session) { return run_evaluate(*options, session); };
+  add_commands_request(command, options->commands);
+  return [options](const Session& session) {
+    if (options->commands.training.files.empty() && options->commands.tests.empty())
+      return run_evaluate(*options, session);
+    CommandsRequest request = options->commands;
+    request.model_file = options->pairs.model.file;
+    request.data = options->data;
+    request.seed = options->training.train.seed;
+    request.json = options->json;
+    return evaluate_commands(request, session);
+  };
 }
 
 }  // namespace waymark::tools

@@ -5,6 +5,7 @@
 
 #include "libparser/corpus/token.hpp"
 #include "libparser/domain/hallways/hallway_things.hpp"
+#include "libplan/plan_of.hpp"
 
 namespace waymark::parser {
 namespace {
@@ -46,6 +47,19 @@ struct Found {
   bool ongoing = false;
 };
 
+// People seldom ask for what cannot be done: the likeliest readings without a route are worth less.
+constexpr double without_route = 0.1, least_planned = 0.02;
+constexpr std::size_t planned = 5;
+
+void weigh_by_routes(std::vector<Found>& all, const plan::Map& map, std::span<const plan::PoseId> starts) {
+  for (std::size_t i = 0; i < std::min(all.size(), planned); ++i) {
+    Found& f = all[i];
+    if (f.ongoing || f.reading.probability < least_planned) continue;
+    const auto plan = plan::plan_of(map, f.reading.formula, starts, {.automaton_states = 5'000, .explain = false});
+    if (std::holds_alternative<plan::Infeasible>(plan)) f.reading.probability *= without_route;
+  }
+}
+
 void add(std::vector<Found>& all, Found found) {
   const auto same = std::find_if(all.begin(), all.end(),
                                  [&](const Found& f) { return f.reading.formula == found.reading.formula; });
@@ -86,9 +100,10 @@ Understanding understand(const Grounder& grounder, const std::string& text, cons
   const double understood = route + commands;
   out.probability = understood + nothing > 0 ? understood / (understood + nothing) : 0;
   if (out.probability < options.least) return out;
-  std::stable_sort(found.begin(), found.end(), [](const Found& a, const Found& b) {
-    return a.reading.probability > b.reading.probability;
-  });
+  const auto likelier = [](const Found& a, const Found& b) { return a.reading.probability > b.reading.probability; };
+  std::stable_sort(found.begin(), found.end(), likelier);
+  weigh_by_routes(found, executor.map(), starts);
+  std::stable_sort(found.begin(), found.end(), likelier);
   std::vector<Found> programs;
   if (route > 0.05 * understood || found.empty())
     for (Reading& r : ground(grounder, text, executor, starts, arena, options.ground)) {

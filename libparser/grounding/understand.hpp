@@ -17,9 +17,11 @@ struct Understanding {
   std::vector<std::string> words_not_understood;
 };
 
+inline constexpr double least_understood = 0.5;
+
 struct UnderstandOptions {
   GroundOptions ground = {};
-  double least = 0.5;  // probability of having understood below which there is no reading
+  double least = least_understood;  // probability of having understood below which there is no reading
 };
 
 Understanding understand(const Grounder& grounder, const std::string& text, const Executor& executor,

@@ -9,7 +9,7 @@
 namespace waymark::parser {
 
 struct Command {
-  std::string id, source, domain;  // "lifted", "cleanup", "osm:boston" …
+  std::string id, from, source, domain;  // `from`: the row it was made of; "lifted", "cleanup", "osm:boston" …
   std::string type;                // the template; "free" without one
   std::size_t n = 0;               // its size, 0 without one
   bool lifted = false;             // propositions stand in the text as they are

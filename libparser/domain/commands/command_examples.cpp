@@ -9,6 +9,13 @@
 namespace waymark::parser {
 namespace {
 
+std::vector<std::string> mirrored(std::vector<std::string> tokens) {
+  tokens = mirror(std::move(tokens));
+  for (std::string& token : tokens)
+    if (token == "lefts" || token == "rights") token = token == "lefts" ? "rights" : "lefts";
+  return tokens;
+}
+
 class Speaking {
  public:
   Speaking(const SynchronousGrammar& grammar, const WordVectors& vectors, const OwnCommands& options)
@@ -20,12 +27,15 @@ class Speaking {
     for (std::size_t i = 0; i < options_.texts; ++i) {
       auto said = grammar_.say("COMMAND", random_);
       if (random_.chance(0.5)) {  // left and right exchanged in both
-        said.tokens = mirror(std::move(said.tokens));
-        said.lifted = mirrored(said.lifted);
+        said.tokens = mirrored(std::move(said.tokens));
+        said.lifted = parser::mirrored(said.lifted);
       }
       out.push_back(example(said.tokens, said.slots, said.lifted));
     }
-    for (std::size_t i = 0; i < silent; ++i) out.push_back(nothing(i));
+    for (std::size_t i = 0; i < silent; ++i) {
+      out.push_back(nothing(i));
+      out.back().weight *= 0.5;
+    }
     return out;
   }
 
@@ -114,12 +124,12 @@ LabelledCommands labelled_commands(std::span<const Command> commands, CommandDom
       ++out.left_out;
       continue;
     }
-    out.examples.push_back({lift.text, *label, 1 - unnamed});
+    if (unnamed < 1) out.examples.push_back({lift.text, *label, 1 - unnamed});
     const bool says_all = std::none_of(label->begin(), label->end(), is_constant);
-    if (unnamed <= 0 || !says_all) continue;
+    if (unnamed <= 0 || (!says_all && unnamed < 1)) continue;
     out.examples.push_back({lift.text, *label, unnamed});
     out.examples.back().text.domain.clear();
-    out.examples.back().text.scope.constants = 0;
+    if (says_all) out.examples.back().text.scope.constants = 0;
   }
   return out;
 }
