@@ -1,11 +1,24 @@
 #include "tools/understood.hpp"
 
-#include "libltl/text/print.hpp"
+#include <algorithm>
+
+#include "libltl/english/verbalise.hpp"
+#include "libplan/world/observable_english.hpp"
 
 namespace waymark::tools {
 
-std::string in_english(ltl::Formula formula, ltl::Semantics, const plan::Map&) { return ltl::print(formula); }
-std::string in_english(ltl::Formula formula, ltl::Semantics) { return ltl::print(formula); }
+std::string in_english(ltl::Formula formula, ltl::Semantics semantics, const plan::Map& map) {
+  return ltl::verbalise(formula, {semantics, plan::hallway_english(map.vocabulary())});
+}
+
+std::string in_english(ltl::Formula formula, ltl::Semantics semantics) {
+  const ltl::Vocabulary& vocabulary = formula.arena().vocabulary();
+  return ltl::verbalise(formula, {semantics, [&vocabulary](ltl::Proposition p) {
+                                    std::string name = vocabulary.name(p);
+                                    std::replace(name.begin(), name.end(), '_', ' ');
+                                    return ltl::place(name);
+                                  }});
+}
 
 std::string not_understood_message(const std::string& text, const parser::Understanding& understood) {
   std::string message = "not understood: '" + text + "'";

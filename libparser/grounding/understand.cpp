@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "libltl/english/read_english.hpp"
 #include "libparser/corpus/token.hpp"
 #include "libparser/domain/hallways/hallway_things.hpp"
 #include "libplan/plan_of.hpp"
+#include "libplan/world/observable_english.hpp"
 
 namespace waymark::parser {
 namespace {
@@ -46,6 +48,20 @@ struct Found {
   Reading reading;
   bool ongoing = false;
 };
+
+// A text in the words in which waymark says formulas itself has that formula.
+constexpr double exactly_said = 0.9;
+struct Said {
+  ltl::Formula formula;
+  bool ongoing = false;
+};
+std::optional<Said> exact_reading(const std::string& text, const plan::Map& map, ltl::Arena& arena) {
+  const auto describe = plan::hallway_english(map.vocabulary());
+  for (const ltl::Semantics semantics : {ltl::Semantics::Finite, ltl::Semantics::Infinite})
+    if (const auto formula = ltl::read_english(text, arena, {semantics, describe}))
+      return Said{*formula, semantics == ltl::Semantics::Infinite};
+  return std::nullopt;
+}
 
 // People seldom ask for what cannot be done: the likeliest readings without a route are worth less.
 constexpr double without_route = 0.1, least_planned = 0.02;
@@ -93,6 +109,12 @@ Understanding understand(const Grounder& grounder, const std::string& text, cons
     } else if (const auto formula = formula_of(r.lifted, bindings)) {
       add(found, {{*formula, p, {}}, is_ongoing(r.lifted)});
     }
+  }
+  if (const auto said = exact_reading(text, executor.map(), arena)) {
+    for (Found& f : found) f.reading.probability *= 1 - exactly_said;
+    route *= 1 - exactly_said;
+    nothing *= 1 - exactly_said;
+    add(found, {{said->formula, exactly_said, {}}, said->ongoing});
   }
   double commands = 0;
   for (const Found& f : found) commands += f.reading.probability;
