@@ -98,6 +98,7 @@ JsonObject json_of(const Answer& answer, const plan::Map& map) {
       readings.add(
           JsonObject().add("formula", ltl::print(reading.formula)).add("probability", reading.probability));
     json.add("readings", readings);
+    if (answer.alternatives) json.add("alternatives", *answer.alternatives);
   }
   const CorridorRun& corridor_run = answer.corridor_run;
   json.add("map", map.name()).add("automaton", json_of(corridor_run.automaton));

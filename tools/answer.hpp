@@ -22,6 +22,7 @@ struct Answer {
   std::optional<ltl::Formula> formula = {};
   std::vector<WeighedFormula> readings = {};  // best first; of an instruction only
   CorridorRun corridor_run;
+  std::optional<JsonArray> alternatives = {};  // readings of another meaning
 };
 
 JsonObject json_of(const Answer& answer, const plan::Map& map);

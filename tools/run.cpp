@@ -1,4 +1,5 @@
 // waymark run: the whole corridor, from an English instruction to a certified route.
+#include <algorithm>
 #include <iostream>
 #include <map>
 #include <memory>
@@ -9,6 +10,7 @@
 #include "libltl/text/print.hpp"
 #include "libparser/grounding/instruction.hpp"
 #include "libparser/grounding/understand.hpp"
+#include "tools/alternatives.hpp"
 #include "tools/answer.hpp"
 #include "tools/picture.hpp"
 #include "tools/plan_walk.hpp"
@@ -33,7 +35,7 @@ struct RunOptions {
   ModelOptions model;
   std::string start, svg, hoa, semantics = "auto";
   std::size_t top = 0;  // 0: 1 as text, 5 in JSON
-  bool force = false;
+  bool force = false, ask = false;
   bool json = false, demo = false;
 };
 
@@ -58,12 +60,13 @@ class Running {
     const auto starts = start_poses(said.start.value_or(options_.start), place.map);
     ltl::Arena arena(place.map.vocabulary());
     StopWatch watch;
-    const parser::Understanding understood =
+    parser::Understanding understood =
         parser::understand(model_, said.text, place.executor, starts, arena,
                            {.least = options_.force ? 0 : parser::least_understood});
     if (understood.readings.empty()) return not_understood(said.text, place.map, understood);
     const double grounding = watch.lap();
     const Heard heard{said.id, said.text, place.map, starts, understood.readings};
+    if (options_.ask && understood.readings.size() > 1) ask(understood.readings, place.map, starts);
     if (options_.semantics == "infinite" || (options_.semantics == "auto" && understood.ongoing))
       return run_for_ever(heard);
     return run_once(heard, grounding);
@@ -102,6 +105,28 @@ class Running {
     return ExitCode::NotUnderstood;
   }
 
+  // Two readings are close when the second has a third of the probability of the first. The answer goes first.
+  void ask(std::vector<parser::Reading>& readings, const plan::Map& map, std::span<const plan::PoseId> starts) const {
+    constexpr double close = 1.0 / 3;
+    const auto others = alternatives(readings, map, starts, session_.stop, 1, close * readings.front().probability);
+    if (others.empty()) return;
+    const Alternative& other = others.front();
+    std::cerr << "Two readings are close:\n  1  "
+              << in_english(readings.front().formula, ltl::Semantics::Finite, map) << "\n  2  " << other.english << '\n';
+    if (other.route) {
+      std::cerr << "Is this a route that you would let pass? Only reading " << (other.first_accepts_route ? 1 : 2)
+                << " accepts it:\n";
+      print_steps(std::cerr, *other.route, map);
+    }
+    std::cerr << "1 or 2? ";
+    std::string answer;
+    std::getline(std::cin, answer);
+    if (answer != "2") return;
+    const auto chosen = std::find_if(readings.begin(), readings.end(),
+                                     [&](const parser::Reading& r) { return r.formula == other.formula; });
+    std::rotate(readings.begin(), chosen, chosen + 1);
+  }
+
   // A task without end: its lasso.
   ExitCode run_for_ever(const Heard& heard) const {
     const ltl::Formula formula = heard.readings.front().formula;
@@ -127,6 +152,8 @@ class Running {
                   .formula = formula,
                   .readings = weighed(heard.readings, shown_readings()),
                   .corridor_run = run_corridor(heard.map, dfa, formula, heard.starts, session_.stop)};
+    if (options_.json && heard.readings.size() > 1)
+      answer.alternatives = json_of(alternatives(heard.readings, heard.map, heard.starts, session_.stop), heard.map);
     Seconds& seconds = answer.corridor_run.seconds;
     seconds.load = load_, seconds.ground = grounding, seconds.translate = translating;
     show(answer, heard.map, dfa);
@@ -186,6 +213,7 @@ Runner setup_run(Command command) {
   command.add_option("--semantics", options->semantics, "finite or infinite words; auto: as the words say")
       .type_name("KIND")
       .one_of({"auto", "finite", "infinite"});
+  command.add_flag("--ask", options->ask, "where two readings are close, ask which is meant (the answer: standard input)");
   command.add_flag("--force", options->force, "answer what was hardly understood, too");
   command.add_flag("--json", options->json, "one JSON object a line");
   command.add_option("--svg", options->svg, "draw map, route and automaton").type_name("FILE");
