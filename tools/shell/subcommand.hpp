@@ -31,6 +31,7 @@ Runner setup_automaton(Command command);
 Runner setup_compose(Command command);
 Runner setup_plan(Command command);
 Runner setup_check(Command command);
+Runner setup_explain(Command command);
 Runner setup_compare(Command command);
 Runner setup_train(Command command);
 Runner setup_evaluate(Command command);
