@@ -99,17 +99,21 @@ struct Example {
 
 std::string in_english(const ltl::Letter& letter, const std::vector<ltl::Described>& words) {
   std::string out;
-  for (const ltl::Proposition p : letter.members()) out += (out.empty() ? "" : " and ") + words[p.index].holds;
+  for (const ltl::Proposition p : letter.members())
+    out += (out.empty() ? "" : " and ") + words[p.index].holds;
   return out.empty() ? "nothing" : out;
 }
 
-Example example(const ltl::Trace& word, const ltl::Vocabulary& names, const std::vector<ltl::Described>& words) {
+Example example(const ltl::Trace& word, const ltl::Vocabulary& names,
+                const std::vector<ltl::Described>& words) {
   Example out{ltl::show(word, names), ""};
-  for (const ltl::Letter& letter : word) out.english += (out.english.empty() ? "" : "; then ") + in_english(letter, words);
+  for (const ltl::Letter& letter : word)
+    out.english += (out.english.empty() ? "" : "; then ") + in_english(letter, words);
   return out;
 }
 
-Example example(const ltl::Lasso& word, const ltl::Vocabulary& names, const std::vector<ltl::Described>& words) {
+Example example(const ltl::Lasso& word, const ltl::Vocabulary& names,
+                const std::vector<ltl::Described>& words) {
   Example out{ltl::show(word, names), ""};
   for (std::size_t i = 0; i < word.size(); ++i)
     out.english += (i == 0 ? "" : "; then ") + std::string(i == word.loop_start() ? "for ever: " : "") +
@@ -120,7 +124,8 @@ Example example(const ltl::Lasso& word, const ltl::Vocabulary& names, const std:
 // Thrown when a limit is met.
 struct GaveUp {};
 
-std::optional<Example> word_of(ltl::Formula f, const Options& options, const automata::TranslationLimits& limits,
+std::optional<Example> word_of(ltl::Formula f, const Options& options,
+                               const automata::TranslationLimits& limits,
                                const std::vector<ltl::Described>& words) {
   const Translated made = find_translation(options.semantics, "").run(f, limits);
   const auto shown = [&](const auto& word, const ltl::Vocabulary& names) {
@@ -202,7 +207,8 @@ Runner setup_explain(Command command) {
   command.add_option("--semantics", options->semantics, "what words the formula is read on")
       .one_of({"finite", "infinite"})
       .show_default();
-  command.add_option("--map", options->map, "hallway map whose propositions the formula speaks of").type_name("MAP");
+  command.add_option("--map", options->map, "hallway map whose propositions the formula speaks of")
+      .type_name("MAP");
   add_data_option(command, options->data);
   command.add_option("--limit-states", options->states, "give up beyond so many states before minimisation")
       .type_name("N")
