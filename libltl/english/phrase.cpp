@@ -117,7 +117,7 @@ Formula stretches(std::size_t n, Formula s) {
   return f;
 }
 
-// Exactly n stretches, as [LYT23] write it: (s ∧ F (¬s ∧ F …)) M (¬s ∨ G (s ∨ G …)).
+// Exactly n stretches: (s ∧ F (¬s ∧ F …)) M (¬s ∨ G (s ∨ G …)).
 Formula exact_stretches(std::size_t n, Formula s) {
   Formula least = s, most = negate(s);
   for (std::size_t i = 1; i < n; ++i)
