@@ -181,7 +181,10 @@ ExitCode explain_one(const Text& text, const std::optional<plan::Map>& map, cons
     const auto yes = word_of(f, options, limits, words), no = word_of(ltl::negate(f), options, limits, words);
     (options.json ? print_json : print_text)(f, sentence, pattern_of(f), yes, no, options);
   } catch (const GaveUp&) {
-    std::cerr << "waymark: gave up on " << ltl::print(f) << '\n';
+    if (options.json)
+      std::cout << JsonObject().add("line", text.line).add("status", "limit").text() << '\n';
+    else
+      std::cout << "gave up: more than " << counted(options.states, "state") << " before minimisation\n";
     return ExitCode::GaveUp;
   }
   return ExitCode::Done;
