@@ -125,8 +125,8 @@ bool is_literal(Formula f) {
 bool is_state_clause(Formula f) {
   if (is_literal(f)) return true;
   return is_junction(f) && std::all_of(f.operands().begin(), f.operands().end(), [](Formula g) {
-           return is_literal(g) || (is_junction(g) && std::all_of(g.operands().begin(), g.operands().end(),
-                                                                 is_literal));
+           return is_literal(g) ||
+                  (is_junction(g) && std::all_of(g.operands().begin(), g.operands().end(), is_literal));
          });
 }
 

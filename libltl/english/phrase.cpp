@@ -113,15 +113,15 @@ Counted repeated_action(Formula f, bool has_rest) {
 // F (s ∧ (s U (¬s ∧ (¬s U F …)))): at least n stretches of time
 Formula stretches(std::size_t n, Formula s) {
   Formula f = eventually(s);
-  for (; n > 1; --n)
-    f = eventually(conjunction(s, until(s, conjunction(negate(s), until(negate(s), f)))));
+  for (; n > 1; --n) f = eventually(conjunction(s, until(s, conjunction(negate(s), until(negate(s), f)))));
   return f;
 }
 
-// Exactly n stretches, as [LYT23] write it: (s ∧ F (¬s ∧ F …)) M (¬s ∨ G (s ∨ G …)).
+// Exactly n stretches: (s ∧ F (¬s ∧ F …)) M (¬s ∨ G (s ∨ G …)).
 Formula exact_stretches(std::size_t n, Formula s) {
   Formula least = s, most = negate(s);
-  for (std::size_t i = 1; i < n; ++i) least = conjunction(s, eventually(conjunction(negate(s), eventually(least))));
+  for (std::size_t i = 1; i < n; ++i)
+    least = conjunction(s, eventually(conjunction(negate(s), eventually(least))));
   for (std::size_t i = 0; i < n; ++i) most = disjunction(negate(s), always(disjunction(s, always(most))));
   return strong_release(least, most);
 }
@@ -169,12 +169,13 @@ constexpr CountedPhrase counted_table[] = {
     {"now and for {n} more steps, if any, {t}",
      [](Arena&, const Bindings& b) { return always_within(b.n, *b['t']); },
      [](Formula f) { return bounded(f, Op::And); }},
-    {"{s} in at most {n} separate stretches", at_most_stretches, counted<at_most_stretches>},
-    {"{s} in exactly {n} separate stretches", exactly_stretches, counted<exactly_stretches>},
-    {"{s} at {n} or more moments", at_least_moments, counted<at_least_moments, 2>},
-    {"{s} in {n} or more separate stretches", at_least_stretches, counted<at_least_stretches, 2>},
-    {"{s} at no more than {n} moments", at_most_moments, counted<at_most_moments>},
-    {"{s} at exactly {n} moments", exactly_moments, counted<exactly_moments>},
+    {"the number of stretches in which {s} is at most {n}", at_most_stretches, counted<at_most_stretches>},
+    {"the number of stretches in which {s} is exactly {n}", exactly_stretches, counted<exactly_stretches>},
+    {"the number of moments at which {s} is at least {n}", at_least_moments, counted<at_least_moments, 2>},
+    {"the number of stretches in which {s} is at least {n}", at_least_stretches,
+     counted<at_least_stretches, 2>},
+    {"the number of moments at which {s} is at most {n}", at_most_moments, counted<at_most_moments>},
+    {"the number of moments at which {s} is exactly {n}", exactly_moments, counted<exactly_moments>},
 };
 
 }  // namespace

@@ -38,9 +38,9 @@ std::span<const Phrase> phrases();
 
 // Phrases with a number n: the formula is made, not matched.
 struct CountedPhrase {
-  std::string_view english;                          // "{n} steps later {t}"
+  std::string_view english;                           // "{n} steps later {t}"
   Formula (*formula)(Arena& arena, const Bindings&);  // of n ≥ 1 and the parts
-  std::optional<Bindings> (*recognise)(Formula f);   // n and the parts of f
+  std::optional<Bindings> (*recognise)(Formula f);    // n and the parts of f
 };
 std::span<const CountedPhrase> counted_phrases();
 

@@ -110,8 +110,7 @@ class Reader {
       for (const Bindings& bound : bindings(row.english, text, {}))
         unite(out, {substitute(row.formula, arena_, [&](Proposition p) { return *bound.parts[p.index]; })});
     for (const CountedPhrase& row : counted_phrases())
-      for (const Bindings& bound : bindings(row.english, text, {}))
-        unite(out, {row.formula(arena_, bound)});
+      for (const Bindings& bound : bindings(row.english, text, {})) unite(out, {row.formula(arena_, bound)});
     tails_.emplace(text, out);
     return out;
   }
@@ -136,13 +135,14 @@ class Reader {
   }
 
   // The letter stands for `part`, and the rest of the phrase is found in the rest of the text.
-  std::vector<Bindings> with(char letter, std::string_view part, std::string_view phrase, std::string_view text,
-                             Bindings bound) {
+  std::vector<Bindings> with(char letter, std::string_view part, std::string_view phrase,
+                             std::string_view text, Bindings bound) {
     std::vector<Bindings> out;
     if (letter == 'n') {
       const auto [end, error] = std::from_chars(part.data(), part.data() + part.size(), bound.n);
       constexpr std::size_t most = 2'000;
-      if (error != std::errc() || end != part.data() + part.size() || bound.n < 1 || bound.n > most) return {};
+      if (error != std::errc() || end != part.data() + part.size() || bound.n < 1 || bound.n > most)
+        return {};
       return bindings(phrase, text, bound);
     }
     const Formulas meanings = meanings_of(part, slot_of(letter));
@@ -161,8 +161,7 @@ class Reader {
       case Slot::Visit:
       case Slot::Enter:
       case Slot::Act: return choice(text, slot);
-      case Slot::Closed:
-        return text.find("otherwise") == std::string_view::npos ? tail(text) : Formulas{};
+      case Slot::Closed: return text.find("otherwise") == std::string_view::npos ? tail(text) : Formulas{};
       case Slot::Tail: return tail(text);
     }
     return {};  // unreachable: -Werror=switch

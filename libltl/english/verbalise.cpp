@@ -38,7 +38,9 @@ Formula normal(Formula f, Arena& to, Semantics semantics) {
         break;
       case Op::Iff: copy = iff(parts[0], parts[1]); break;
       case Op::Next: copy = next(parts[0]); break;
-      case Op::WeakNext: copy = semantics == Semantics::Infinite ? next(parts[0]) : weak_next(parts[0]); break;
+      case Op::WeakNext:
+        copy = semantics == Semantics::Infinite ? next(parts[0]) : weak_next(parts[0]);
+        break;
       case Op::Until: copy = until(parts[0], parts[1]); break;
       case Op::Release: copy = release(parts[0], parts[1]); break;
     }
