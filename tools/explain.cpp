@@ -122,7 +122,7 @@ Example example(const ltl::Lasso& word, const ltl::Vocabulary& names,
 }
 
 // Thrown when a limit is met.
-struct GaveUp {};
+struct LimitMet {};
 
 std::optional<Example> word_of(ltl::Formula f, const ExplainOptions& options,
                                const automata::TranslationLimits& limits,
@@ -135,10 +135,10 @@ std::optional<Example> word_of(ltl::Formula f, const ExplainOptions& options,
     return shown(automata::shortest_word(*dfa), dfa->vocabulary());
   if (const auto* omega = std::get_if<automata::Translated>(&made))
     return shown(automata::find_lasso(omega->automaton), omega->automaton.vocabulary());
-  throw GaveUp();
+  throw LimitMet();
 }
 
-void print_json(ltl::Formula f, const std::string& english, const std::optional<std::string>& pattern,
+void print_explained_as_json(ltl::Formula f, const std::string& english, const std::optional<std::string>& pattern,
                 const std::optional<Example>& yes, const std::optional<Example>& no, const ExplainOptions& options) {
   const auto shown = [](const std::optional<Example>& word) {
     return word ? Json(JsonObject().add("word", word->letters).add("english", word->english)) : Json();
@@ -155,7 +155,7 @@ void print_json(ltl::Formula f, const std::string& english, const std::optional<
             << '\n';
 }
 
-void print_text(ltl::Formula f, const std::string& english, const std::optional<std::string>& pattern,
+void print_explained(ltl::Formula f, const std::string& english, const std::optional<std::string>& pattern,
                 const std::optional<Example>& yes, const std::optional<Example>& no, const ExplainOptions& options) {
   const auto shown = [](const std::optional<Example>& word) {
     return word ? word->letters + "   " + word->english : "none";
@@ -179,8 +179,9 @@ ExitCode explain_one(const Text& text, const std::optional<plan::Map>& map, cons
   const std::string sentence = ltl::verbalise(f, english);
   try {
     const auto yes = word_of(f, options, limits, words), no = word_of(ltl::negate(f), options, limits, words);
-    (options.json ? print_json : print_text)(f, sentence, pattern_of(f), yes, no, options);
-  } catch (const GaveUp&) {
+    const auto print = options.json ? print_explained_as_json : print_explained;
+    print(f, sentence, pattern_of(f), yes, no, options);
+  } catch (const LimitMet&) {
     if (options.json)
       std::cout << JsonObject().add("line", text.line).add("status", "limit").text() << '\n';
     else
@@ -196,9 +197,7 @@ ExitCode run_explain(const ExplainOptions& options, const Session& session) {
   if (!options.map.empty()) map = read_map({options.map, options.data});
   return answer_each(
       texts, session.stop, [&](const Text& text) { return explain_one(text, map, options, session); },
-      [&](const Text& text, const std::string& message) {
-        if (options.json) std::cout << json_error(text.line, message).text() << '\n';
-      });
+      options.json);
 }
 
 }  // namespace

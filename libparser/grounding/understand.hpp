@@ -17,7 +17,7 @@ struct Understanding {
   std::vector<std::string> words_not_understood;
 };
 
-inline constexpr double least_understood = 0.5;
+inline constexpr double least_understood = 0.3;
 
 struct UnderstandOptions {
   GroundOptions ground = {};
