@@ -93,8 +93,11 @@ void report(const TrainCommandOptions& options, const parser::TrainOptions& trai
               << (supervised ? "with their formulas"
                              : "of " + std::to_string(instances.corpus.paragraphs.size()) + " paragraphs")
               << " (checksum " << hexadecimal(instances.checksum) << ", "
-              << (supervised ? "" : "unknown headings " + options.convention + ", numbers of places " + numbers + ", ") << "seed " << train.seed
-              << "), " << bytes << " bytes, " << fixed(seconds, 1) << " s: " << options.out << '\n';
+              << (supervised
+                      ? ""
+                      : "unknown headings " + options.convention + ", numbers of places " + numbers + ", ")
+              << "seed " << train.seed << "), " << bytes << " bytes, " << fixed(seconds, 1)
+              << " s: " << options.out << '\n';
 }
 
 // The reader of commands: from people's commands, our own, and what it must leave to the reader of programs.
