@@ -59,7 +59,7 @@ TrainingData training_data_of(const TrainCommandOptions& options, parser::Dialec
     instances.corpus = parser::generate_corpus(shipped_maps(options.data), parser::own_language);
     instances.corpus.checksum = parser::fnv1a(parser::json_lines(instances.corpus));
   } else {
-    instances.corpus = read_hallway_corpus(options.corpus);
+    instances.corpus = read_hallway_corpus(options.corpus, options.training.tell_place_numbers);
   }
   instances.maps = maps_of(instances.corpus, options.data);
   instances.checksum = instances.corpus.checksum;
@@ -70,6 +70,7 @@ TrainingData training_data_of(const TrainCommandOptions& options, parser::Dialec
 void report(const TrainCommandOptions& options, const parser::TrainOptions& train, const TrainingData& instances,
             std::size_t bytes, double seconds) {
   const bool supervised = !options.supervised.empty();
+  const std::string numbers = told_or_hidden(options.training.tell_place_numbers || options.corpus.empty());
   if (options.json)
     std::cout << JsonObject()
                      .add("model", options.training.model)
@@ -79,6 +80,7 @@ void report(const TrainCommandOptions& options, const parser::TrainOptions& trai
                      .add("corpus_checksum", hexadecimal(instances.checksum))
                      .add("seed", train.seed)
                      .add("convention", options.convention)
+                     .add("place_numbers", numbers)
                      .add("bytes", bytes)
                      .add("seconds", seconds)
                      .text()
@@ -88,8 +90,11 @@ void report(const TrainCommandOptions& options, const parser::TrainOptions& trai
               << (supervised ? "with their formulas"
                              : "of " + std::to_string(instances.corpus.paragraphs.size()) + " paragraphs")
               << " (checksum " << hexadecimal(instances.checksum) << ", "
-              << (supervised ? "" : "unknown headings " + options.convention + ", ") << "seed " << train.seed
-              << "), " << bytes << " bytes, " << fixed(seconds, 1) << " s: " << options.out << '\n';
+              << (supervised
+                      ? ""
+                      : "unknown headings " + options.convention + ", numbers of places " + numbers + ", ")
+              << "seed " << train.seed << "), " << bytes << " bytes, " << fixed(seconds, 1)
+              << " s: " << options.out << '\n';
 }
 
 // The reader of commands: from people's commands, our own, and what it must leave to the reader of programs.
