@@ -70,8 +70,8 @@ TrainingData training_data_of(const TrainCommandOptions& options, parser::Dialec
   return instances;
 }
 
-void report(const TrainCommandOptions& options, const parser::TrainOptions& train, const TrainingData& instances,
-            std::size_t bytes, double seconds) {
+void report(const TrainCommandOptions& options, const parser::TrainOptions& train,
+            const TrainingData& instances, std::size_t bytes, double seconds) {
   const bool supervised = !options.supervised.empty();
   if (options.json)
     std::cout << JsonObject()
@@ -96,7 +96,8 @@ void report(const TrainCommandOptions& options, const parser::TrainOptions& trai
 }
 
 // The reader of commands: from people's commands, our own, and what it must leave to the reader of programs.
-std::shared_ptr<const parser::LiftedReader> learn_commands(const TrainCommandOptions& options, const TrainingData& instances,
+std::shared_ptr<const parser::LiftedReader> learn_commands(const TrainCommandOptions& options,
+                                                           const TrainingData& instances,
                                                            const parser::TrainOptions& train) {
   if (options.commands.empty()) return nullptr;
   const std::filesystem::path data = data_directory(options.data);
@@ -108,13 +109,14 @@ std::shared_ptr<const parser::LiftedReader> learn_commands(const TrainCommandOpt
   for (const std::string& file : options.commands) {
     if (file == "own") continue;
     const std::filesystem::path beside = std::filesystem::path(file).parent_path();
-    parser::CommandDomains domains(options.domains.empty() ? beside / "domains.json" : std::filesystem::path(options.domains),
-                                   options.landmark_maps.empty() ? beside / "maps"
-                                                                 : std::filesystem::path(options.landmark_maps));
+    parser::CommandDomains domains(
+        options.domains.empty() ? beside / "domains.json" : std::filesystem::path(options.domains),
+        options.landmark_maps.empty() ? beside / "maps" : std::filesystem::path(options.landmark_maps));
     const auto labelled = parser::labelled_commands(parser::read_commands(file), domains, 0.3);
     examples.insert(examples.end(), labelled.examples.begin(), labelled.examples.end());
     if (labelled.left_out > 0)
-      std::cerr << file << ": " << labelled.left_out << " commands name what their formulas do not, and are left out\n";
+      std::cerr << file << ": " << labelled.left_out
+                << " commands name what their formulas do not, and are left out\n";
   }
   std::vector<std::shared_ptr<const parser::LiftedNetwork>> networks;
   for (std::size_t i = 0; i < options.networks; ++i) {
@@ -142,10 +144,12 @@ ExitCode run_train(const TrainCommandOptions& options, const Session& session) {
   train.progress = [&](double fraction, std::string_view what) { bar.show(fraction, what); };
   const TrainingData instances = training_data_of(options, train.dialect);
   const std::string& source = options.supervised.empty() ? options.corpus : options.supervised;
-  parser::Grounder grounder = !options.base.empty() ? parser::load_grounder(options.base) : learn_from(source, [&] {
-    return instances.pairs.empty() ? parser::train(instances.corpus, instances.maps, train)
-                                   : parser::train_supervised(instances.pairs, instances.maps.front(), train);
-  });
+  parser::Grounder grounder =
+      !options.base.empty() ? parser::load_grounder(options.base) : learn_from(source, [&] {
+        return instances.pairs.empty()
+                   ? parser::train(instances.corpus, instances.maps, train)
+                   : parser::train_supervised(instances.pairs, instances.maps.front(), train);
+      });
   if (!options.commands.empty()) grounder.commands = learn_commands(options, instances, train);
   const std::string bytes = parser::serialize_within(grounder, parser::most_bytes);
   bar.wipe();
@@ -169,7 +173,9 @@ Runner setup_train(Command command) {
                   "English commands with formulas, one JSON object a line; 'own' is our own language alone")
       .type_name("FILE")
       .group(group);
-  command.add_option("--domains", options->domains, "the domains of the commands (else domains.json beside each file)")
+  command
+      .add_option("--domains", options->domains,
+                  "the domains of the commands (else domains.json beside each file)")
       .type_name("FILE")
       .group(group);
   command.add_option("--maps", options->landmark_maps, "maps of landmarks (else maps beside each file)")
@@ -184,7 +190,8 @@ Runner setup_train(Command command) {
       .type_name("N")
       .show_default()
       .group(group);
-  command.add_option("--own-weight", options->own.weight, "weight of one of them, compared with one of people's")
+  command
+      .add_option("--own-weight", options->own.weight, "weight of one of them, compared with one of people's")
       .type_name("X")
       .show_default()
       .group(group);
@@ -192,7 +199,9 @@ Runner setup_train(Command command) {
       .type_name("N")
       .show_default()
       .group(group);
-  command.add_option("--base", options->base, "keep the reader of programs of this model, learn the commands alone")
+  command
+      .add_option("--base", options->base,
+                  "keep the reader of programs of this model, learn the commands alone")
       .type_name("FILE")
       .group(group);
   add_data_option(command, options->data);
