@@ -67,8 +67,8 @@ TrainingData training_data_of(const TrainCommandOptions& options, parser::Dialec
   return instances;
 }
 
-void report(const TrainCommandOptions& options, const parser::TrainOptions& train, const TrainingData& instances,
-            std::size_t bytes, double seconds) {
+void report(const TrainCommandOptions& options, const parser::TrainOptions& train,
+            const TrainingData& instances, std::size_t bytes, double seconds) {
   const bool supervised = !options.supervised.empty();
   const std::string numbers = told_or_hidden(options.training.tell_place_numbers || options.corpus.empty());
   if (options.json)

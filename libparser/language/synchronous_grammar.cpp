@@ -1,5 +1,6 @@
 #include "libparser/language/synchronous_grammar.hpp"
 
+#include <algorithm>
 #include <cctype>
 #include <fstream>
 #include <sstream>
@@ -33,7 +34,9 @@ std::vector<std::string> alternatives(std::string_view text) {
 }
 
 std::size_t word_end(std::string_view text, std::size_t begin) {
-  while (begin < text.size() && (std::isalnum(static_cast<unsigned char>(text[begin])) != 0 || text[begin] == '_')) ++begin;
+  while (begin < text.size() &&
+         (std::isalnum(static_cast<unsigned char>(text[begin])) != 0 || text[begin] == '_'))
+    ++begin;
   return begin;
 }
 
@@ -44,54 +47,110 @@ SynchronousGrammar::SynchronousGrammar(const std::filesystem::path& file) {
   if (!in) throw ltl::FormatError(file.string(), 0, 0, "cannot be read");
   std::string category;
   std::size_t number = 0;
+  const auto fail = [&](const std::string& message) {
+    throw ltl::FormatError(file.string(), number, 0, message);
+  };
   for (std::string line; std::getline(in, line);) {
     ++number;
     line = trim(line);
-    if (line.empty() || (line[0] == '#' && (line.size() < 2 || std::isdigit(static_cast<unsigned char>(line[1])) == 0))) continue;
+    if (line.empty() ||
+        (line[0] == '#' && (line.size() < 2 || std::isdigit(static_cast<unsigned char>(line[1])) == 0)))
+      continue;
     if (line[0] == '@') {
       category = trim(line.substr(1));
-      rules_[category];
+      lines_.try_emplace(category, number);
       continue;
     }
     const auto arrow = line.find("=>");
     if (arrow == std::string::npos && line[0] == '$') {
       const auto equals = line.find('=');
-      if (equals == std::string::npos) throw ltl::FormatError(file.string(), number, 0, "words need a '='");
+      if (equals == std::string::npos) fail("words need a '='");
+      check_text(line.substr(equals + 1), file.string(), number);
       for (std::string& a : alternatives(std::string_view(line).substr(equals + 1)))
         words_[trim(line.substr(1, equals - 1))].push_back(std::move(a));
       continue;
     }
     if (arrow == std::string::npos || category.empty())
-      throw ltl::FormatError(file.string(), number, 0, "no rule: a rule is TEXT => FORMULA, below a category");
+      fail("no rule: a rule is TEXT => FORMULA, below a category");
     Rule rule{trim(line.substr(0, arrow)), trim(line.substr(arrow + 2)), 1, number};
-    if (const auto colon = rule.text.find(": "); colon != std::string::npos && colon < 4 &&
-                                                 rule.text.find_first_not_of("0123456789.") == colon) {
+    if (const auto colon = rule.text.find(": ");
+        colon != std::string::npos && colon < 4 && rule.text.find_first_not_of("0123456789.") == colon) {
+      if (rule.text.find_first_of("0123456789") > colon) fail("the weight of a rule is a number");
       rule.weight = std::stod(rule.text.substr(0, colon));
       rule.text = trim(rule.text.substr(colon + 2));
     }
+    check_text(rule.text, file.string(), number);
     rules_[category].push_back(std::move(rule));
   }
-  check(file.string());
+  check_rules(file.string());
 }
 
-void SynchronousGrammar::check(const std::string& source) const {
-  const auto words_known = [&](const std::string& text, std::size_t line) {
-    for (auto at = text.find('$'); at != std::string::npos; at = text.find('$', at + 1))
-      if (const std::string word = text.substr(at + 1, word_end(text, at + 1) - at - 1); !words_.contains(word))
-        throw ltl::FormatError(source, line, 0, "no words are called $" + word);
-  };
-  for (const auto& [_, all] : words_)
-    for (const std::string& text : all) words_known(text, 0);
-  for (const auto& [_, rules] : rules_)
+// Brackets are closed, and words are made of words that stand above: no text goes on without end.
+void SynchronousGrammar::check_text(const std::string& text, const std::string& source,
+                                    std::size_t line) const {
+  std::size_t level = 0;
+  for (std::size_t at = 0; at < text.size(); ++at) {
+    if (text[at] == '(') ++level;
+    if (text[at] == ')' && level-- == 0) throw ltl::FormatError(source, line, 0, "a bracket was not opened");
+    if (text[at] != '$') continue;
+    const std::string word = text.substr(at + 1, word_end(text, at + 1) - at - 1);
+    if (!words_.contains(word)) throw ltl::FormatError(source, line, 0, "no words above are called $" + word);
+  }
+  if (level > 0) throw ltl::FormatError(source, line, 0, "a bracket is not closed");
+}
+
+// Categories exist and have rules, references have something to refer to, and first rules lead to a text.
+void SynchronousGrammar::check_rules(const std::string& source) const {
+  std::map<std::string, std::vector<std::string>> first;
+  for (const auto& [category, line] : lines_)
+    if (!rules_.contains(category))
+      throw ltl::FormatError(source, line, 0, "category '" + category + "' has no rule");
+  for (const auto& [category, rules] : rules_)
     for (const Rule& rule : rules) {
-      words_known(rule.text, rule.line);
-      for (auto at = rule.text.find('<'); at != std::string::npos; at = rule.text.find('<', at + 1)) {
-        const auto end = rule.text.find('>', at);
-        const std::string name = end == std::string::npos ? "" : rule.text.substr(at + 1, end - at - 1);
-        if (name != "N" && (name.empty() || name[0] != '#') && !rules_.contains(name))
-          throw ltl::FormatError(source, rule.line, 0, "no category is called '" + name + "'");
-      }
+      const std::vector<std::string> parts = check_rule(rule, source);
+      first.try_emplace(category, parts);
     }
+  for (bool ended = true; ended;) {
+    ended = std::erase_if(first, [&](const auto& rule) {
+              return std::none_of(rule.second.begin(), rule.second.end(),
+                                  [&](const std::string& part) { return first.contains(part); });
+            }) > 0;
+  }
+  if (!first.empty())
+    throw ltl::FormatError(source, lines_.at(first.begin()->first), 0,
+                           "the first rule of category '" + first.begin()->first + "' leads back to itself");
+}
+
+// The categories of a rule, in order.
+std::vector<std::string> SynchronousGrammar::check_rule(const Rule& rule, const std::string& source) const {
+  std::vector<std::string> parts;
+  const auto fail = [&](const std::string& message) {
+    throw ltl::FormatError(source, rule.line, 0, message);
+  };
+  const auto refer = [&](const std::string& number) {
+    const bool digits =
+        !number.empty() && number.size() < 3 && number.find_first_not_of("0123456789") == std::string::npos;
+    if (!digits || std::stoul(number) < 1 || std::stoul(number) > parts.size())
+      fail("'" + number + "' refers to no category of the rule");
+  };
+  for (auto at = rule.text.find('<'); at != std::string::npos; at = rule.text.find('<', at + 1)) {
+    const auto end = rule.text.find('>', at);
+    const std::string name = end == std::string::npos ? "" : rule.text.substr(at + 1, end - at - 1);
+    if (name.starts_with("#"))
+      refer(name.substr(1));
+    else if (name == "N" || rules_.contains(name))
+      parts.push_back(name);
+    else
+      fail("no category is called '" + name + "'");
+  }
+  std::istringstream words(rule.lifted);
+  for (std::string word; words >> word;) {
+    if (std::isdigit(static_cast<unsigned char>(word[0])) != 0)
+      refer(word);
+    else if (const std::string symbol = word[0] == '=' ? word.substr(1) : word; !lifted_symbol(symbol))
+      fail("'" + symbol + "' is no symbol of a lifted formula");
+  }
+  return parts;
 }
 
 std::string SynchronousGrammar::expand(std::string text, ltl::Random& random) const {
@@ -102,7 +161,8 @@ std::string SynchronousGrammar::expand(std::string text, ltl::Random& random) co
       text.replace(at, end - at, all[random.below(all.size())]);
     } else if (text[at] == '(') {
       std::size_t level = 1, end = at + 1;
-      for (; end < text.size() && level > 0; ++end) level += text[end] == '(' ? 1 : text[end] == ')' ? std::size_t(-1) : 0;
+      for (; end < text.size() && level > 0; ++end)
+        level += text[end] == '(' ? 1 : text[end] == ')' ? std::size_t(-1) : 0;
       const auto all = alternatives(std::string_view(text).substr(at + 1, end - at - 2));
       text.replace(at, end - at, all[random.below(all.size())]);
     } else {
@@ -112,8 +172,8 @@ std::string SynchronousGrammar::expand(std::string text, ltl::Random& random) co
   return text;
 }
 
-SynchronousGrammar::Draft SynchronousGrammar::draw(const std::string& category, std::size_t depth, std::size_t& places,
-                                                   ltl::Random& random) const {
+SynchronousGrammar::Draft SynchronousGrammar::draw(const std::string& category, std::size_t depth,
+                                                   std::size_t& places, ltl::Random& random) const {
   if (category == "N") {
     const std::string place = " #" + std::to_string(++places) + " ";
     return {place, place};

@@ -6,8 +6,9 @@
 //   (please|) $go <N> => eventually 1               a rule: what is said => what it denotes; 1 is the formula of the
 //   $go <N> and then to <N> => sequence 1 2 end     first <…>, 2 of the second …
 //   3: … => …                                       drawn three times as often
-// <N> is a place, each one another; <#1> in a rule says the place of the first <N> once more. (x|y|) draws an alternative.
-// After [AU69]: a synchronous context-free grammar. Slots are numbered by first mention when a text is complete.
+// <N> is a place, each one another; <#1> in a rule says once more what the first <…> denotes. (x|y|) draws an
+// alternative. After [AU69]: a synchronous context-free grammar. Slots are numbered by first mention when a text is
+// complete. The format in full: docs/formats/lifted.md.
 #pragma once
 #include <filesystem>
 #include <map>
@@ -21,7 +22,8 @@ namespace waymark::parser {
 
 class SynchronousGrammar {
  public:
-  // Throws ltl::FormatError naming the line of what is no rule, or names a category or words that are not defined.
+  // Throws ltl::FormatError naming the line of what is no rule, or names categories, words, parts or symbols that are
+  // not there.
   explicit SynchronousGrammar(const std::filesystem::path& file);
 
   struct Said {
@@ -43,10 +45,13 @@ class SynchronousGrammar {
   };
   Draft draw(const std::string& category, std::size_t depth, std::size_t& places, ltl::Random& random) const;
   std::string expand(std::string text, ltl::Random& random) const;
-  void check(const std::string& source) const;
+  void check_text(const std::string& text, const std::string& source, std::size_t line) const;
+  void check_rules(const std::string& source) const;
+  std::vector<std::string> check_rule(const Rule& rule, const std::string& source) const;
 
   std::map<std::string, std::vector<std::string>> words_;
   std::map<std::string, std::vector<Rule>> rules_;
+  std::map<std::string, std::size_t> lines_;  // of categories
 };
 
 }  // namespace waymark::parser

@@ -1,6 +1,6 @@
-// Vectors of English words: words that are used alike have vectors that are close. GloVe [PSM14], in eight bits an entry.
+// Vectors of English words, GloVe [PSM14] in eight bits an entry: words that are used alike have vectors that are close.
 //
-// Words are looked up in the bytes of the file, by binary search. data/words/fetch makes the file and tells its layout.
+// Words are looked up in the bytes of the file, by binary search. Layout of the file: docs/formats/lifted.md.
 #pragma once
 #include <cstdint>
 #include <filesystem>
@@ -23,7 +23,9 @@ class WordVectors {
   std::string_view word(std::size_t row) const;
   // entries of the vector of a row: scale(row) * entries(row)[i]
   float scale(std::size_t row) const { return scales_[row]; }
-  std::span<const std::int8_t> entries(std::size_t row) const { return entries_.subspan(row * dimensions, dimensions); }
+  std::span<const std::int8_t> entries(std::size_t row) const {
+    return entries_.subspan(row * dimensions, dimensions);
+  }
 
   // The cosine of the angle between two vectors.
   double similarity(std::size_t a, std::size_t b) const;

@@ -23,8 +23,8 @@ struct LiftedTraining {
   std::size_t threads = 2;
 };
 
-// An epoch draws as many examples as there are, by weight. Examples must be spelled in their scope. Same seed, same bytes,
-// whatever the number of threads. progress: the share that is done.
+// An epoch draws as many examples as there are, by weight. Examples must be spelled in their scope. The seed fixes the
+// bytes, whatever the number of threads. progress: the share that is done.
 std::shared_ptr<const LiftedNetwork> learn_lifted(std::span<const LiftedExample> examples,
                                                   std::shared_ptr<const WordVectors> vectors,
                                                   const LiftedTraining& options,

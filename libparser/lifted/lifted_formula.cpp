@@ -13,7 +13,8 @@ struct NoSuchLiteral {};
 
 class Denotation {
  public:
-  Denotation(std::span<const LiftedSymbol> lifted, const Bindings& bindings) : lifted_(lifted), bindings_(bindings) {}
+  Denotation(std::span<const LiftedSymbol> lifted, const Bindings& bindings)
+      : lifted_(lifted), bindings_(bindings) {}
 
   Formula whole() {
     const Formula f = formula();
@@ -41,6 +42,11 @@ class Denotation {
     take();
     return all;
   }
+  std::vector<Formula> places() {
+    std::vector<Formula> all = operands();
+    if (all.empty()) throw std::invalid_argument("an order of no places");
+    return all;
+  }
   template <class Each>
   Formula all_of(const Each& each) {
     std::vector<Formula> parts;
@@ -64,8 +70,8 @@ class Denotation {
       case Patrol: return all_of([](Formula f) { return ltl::always(ltl::eventually(f)); });
       case Never: return all_of([](Formula f) { return ltl::always(ltl::negate(f)); });
       case Sequence: return sequence();
-      case Ordered: return ordered(operands(), false);
-      case Strict: return ordered(operands(), true);
+      case Ordered: return ordered(places(), false);
+      case Strict: return ordered(places(), true);
       case Alternate: return alternate(operands());
       case Exactly:
       case AtMost:
@@ -148,8 +154,8 @@ class Denotation {
     for (std::size_t i = 0; i < a.size(); ++i) {
       const Formula not_a = ltl::negate(a[i]);
       parts.push_back(ltl::always(ltl::eventually(a[i])));
-      parts.push_back(ltl::always(
-          ltl::implies(a[i], ltl::until(a[i], ltl::until(not_a, a[(i + 1) % a.size()])))));
+      parts.push_back(
+          ltl::always(ltl::implies(a[i], ltl::until(a[i], ltl::until(not_a, a[(i + 1) % a.size()])))));
     }
     return ltl::conjunction(*bindings_.arena, parts);
   }
@@ -160,7 +166,8 @@ class Denotation {
     const Formula a = formula();
     if (s == AtLeast) return at_least(n, a, event);
     if (s == AtMost) return ltl::negate(at_least(n + 1, a, event));
-    return event ? ltl::conjunction(at_least(n, a, event), ltl::negate(at_least(n + 1, a, event))) : exactly(n, a);
+    return event ? ltl::conjunction(at_least(n, a, event), ltl::negate(at_least(n + 1, a, event)))
+                 : exactly(n, a);
   }
   static Formula at_least(std::size_t n, Formula a, bool event) {
     if (n == 1) return ltl::eventually(a);
@@ -173,8 +180,10 @@ class Denotation {
     const Formula not_a = ltl::negate(a);
     Formula visits = a, stays = ltl::always(not_a);
     for (std::size_t i = 0; i < n; ++i) {
-      if (i > 0) visits = ltl::conjunction(a, ltl::eventually(ltl::conjunction(not_a, ltl::eventually(visits))));
-      stays = ltl::disjunction(not_a, ltl::always(ltl::disjunction(a, i == 0 ? ltl::always(not_a) : ltl::always(stays))));
+      if (i > 0)
+        visits = ltl::conjunction(a, ltl::eventually(ltl::conjunction(not_a, ltl::eventually(visits))));
+      stays = ltl::disjunction(
+          not_a, ltl::always(ltl::disjunction(a, i == 0 ? ltl::always(not_a) : ltl::always(stays))));
     }
     return ltl::strong_release(visits, stays);
   }

@@ -33,8 +33,10 @@ LiftedNetwork::LiftedNetwork(WordTable words, std::shared_ptr<const WordVectors>
     : words_(std::move(words)),
       vectors_(std::move(vectors)),
       sizes_(sizes),
-      embeddings_(parameters_.add_for_relu(sizes.word, static_cast<Index>(words_.words().size()), 60, uniform)),
-      projection_(parameters_.add_for_relu(sizes.vector, WordVectors::dimensions, 4 * WordVectors::dimensions, uniform)),
+      embeddings_(
+          parameters_.add_for_relu(sizes.word, static_cast<Index>(words_.words().size()), 60, uniform)),
+      projection_(parameters_.add_for_relu(sizes.vector, WordVectors::dimensions, 4 * WordVectors::dimensions,
+                                           uniform)),
       phi_(parameters_.add_for_relu(sizes.symbol, symbols + 1, 60, uniform)),
       lstm_(parameters_, sizes.word + sizes.vector, sizes.width, uniform),
       decoder_(parameters_, decoder_sizes(sizes, inputs()), phi_, uniform) {}
@@ -105,7 +107,8 @@ void LiftedNetwork::Pass::embed() {
     const float scale = known.scale(vectors_[at]);
     for (std::size_t i = 0; i < entries.size(); ++i) fixed_(static_cast<Index>(i), c) = scale * entries[i];
   }
-  neural::add_product(parameters_->value(network_->projection_), fixed_, input_.bottomRows(network_->sizes_.vector));
+  neural::add_product(parameters_->value(network_->projection_), fixed_,
+                      input_.bottomRows(network_->sizes_.vector));
 }
 
 void LiftedNetwork::Pass::encode(const LiftedNetwork& network, const neural::Parameters& parameters,
@@ -117,7 +120,8 @@ void LiftedNetwork::Pass::encode(const LiftedNetwork& network, const neural::Par
   drop(input_, input_mask_, dropout);
   network.lstm_.forward(parameters, packing_, input_, lstm_);
   h_.resize(network.lstm_.width(), packing_.columns());
-  for (Index c = 0; c < packing_.columns(); ++c) h_.col(c) = lstm_.h.col(column_[static_cast<std::size_t>(c)]);
+  for (Index c = 0; c < packing_.columns(); ++c)
+    h_.col(c) = lstm_.h.col(column_[static_cast<std::size_t>(c)]);
   drop(h_, h_mask_, dropout);
   e_.resize(h_.rows(), static_cast<Index>(sentences.size()));
   for (std::size_t i = 0; i < order_.size(); ++i)
@@ -195,7 +199,8 @@ void log_softmax(const neural::ConstView& scores, Index column, const LiftedPref
                  const LiftedScope& scope, std::span<float> log_p) {
   float highest = -INFINITY, total = 0;
   for (std::size_t v = 0; v < lifted_symbols; ++v) {
-    log_p[v] = prefix.allows(static_cast<LiftedSymbol>(v), scope) ? scores(static_cast<Index>(v), column) : -INFINITY;
+    log_p[v] = prefix.allows(static_cast<LiftedSymbol>(v), scope) ? scores(static_cast<Index>(v), column)
+                                                                  : -INFINITY;
     highest = std::max(highest, log_p[v]);
   }
   for (const float p : log_p) total += std::exp(p - highest);
@@ -203,7 +208,8 @@ void log_softmax(const neural::ConstView& scores, Index column, const LiftedPref
   for (float& p : log_p) p -= logarithm;
 }
 
-std::vector<LiftedReading> read_lifted(const LiftedNetwork& network, const LiftedText& text, std::size_t beam) {
+std::vector<LiftedReading> read_lifted(const LiftedNetwork& network, const LiftedText& text,
+                                       std::size_t beam) {
   struct Open {
     LiftedNetwork::Prefix prefix;
     Lifted lifted;
@@ -233,7 +239,8 @@ std::vector<LiftedReading> read_lifted(const LiftedNetwork& network, const Lifte
         if (const double sum = open[i].log_p + log_p[v]; sum > -14)
           next.push_back({i, static_cast<LiftedSymbol>(v), sum});
     }
-    std::stable_sort(next.begin(), next.end(), [](const Next& a, const Next& b) { return a.log_p > b.log_p; });
+    std::stable_sort(next.begin(), next.end(),
+                     [](const Next& a, const Next& b) { return a.log_p > b.log_p; });
     if (next.size() > beam) next.resize(beam);
     std::vector<Open> longer;
     for (const Next& n : next) {

@@ -3,8 +3,8 @@
 //   word → [learned embedding; P · vector of the word]  → bidirectional LSTM → h, e
 //   prefix → the last symbols, the operators that are open, the slots that are used → x
 //   attention and scores: libneural/attention_decoder.hpp [GPLL17, Sec. 3.1]
-// Vectors of words (lexicon/word_vectors.hpp) stay as they are, P is learned, so a word that no training text has is read
-// like the words that it resembles. A text begins with a word that names its domain.
+// Vectors of words (lexicon/word_vectors.hpp) stay as they are and P is learned, so a word that no training text has is
+// read like the words that it resembles. A text begins with a word that names its domain.
 #pragma once
 #include <array>
 #include <memory>
@@ -71,7 +71,9 @@ class LiftedNetwork {
    private:
     void place(std::span<const Sentence* const> sentences, const Dropout& dropout);
     void embed();
-    neural::AttentionDecoder::Sequences sequences() const { return {&h_, h_begin_, &e_, nullptr, begin_, said_}; }
+    neural::AttentionDecoder::Sequences sequences() const {
+      return {&h_, h_begin_, &e_, nullptr, begin_, said_};
+    }
 
     const LiftedNetwork* network_ = nullptr;
     const neural::Parameters* parameters_ = nullptr;
@@ -107,6 +109,7 @@ struct LiftedReading {
   double log_probability = 0;
 };
 // The likeliest lifted formulas by a beam of that width, best first.
-std::vector<LiftedReading> read_lifted(const LiftedNetwork& network, const LiftedText& text, std::size_t beam);
+std::vector<LiftedReading> read_lifted(const LiftedNetwork& network, const LiftedText& text,
+                                       std::size_t beam);
 
 }  // namespace waymark::parser

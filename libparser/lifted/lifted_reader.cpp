@@ -10,7 +10,9 @@ namespace {
 
 constexpr std::int32_t largest = 1024;  // size of a layer, while reading
 
-std::array<std::int32_t*, 5> layers_of(LiftedSizes& s) { return {&s.word, &s.vector, &s.width, &s.query, &s.symbol}; }
+std::array<std::int32_t*, 5> layers_of(LiftedSizes& s) {
+  return {&s.word, &s.vector, &s.width, &s.query, &s.symbol};
+}
 
 }  // namespace
 
@@ -36,9 +38,8 @@ std::vector<LiftedReading> LiftedReader::read(const LiftedText& text, std::size_
 }
 
 bool LiftedReader::knows(const std::string& word) const {
-  return std::any_of(networks_.begin(), networks_.end(), [&](const auto& network) {
-    return network->words().find(word) != WordTable::unknown;
-  });
+  return std::any_of(networks_.begin(), networks_.end(),
+                     [&](const auto& network) { return network->words().find(word) != WordTable::unknown; });
 }
 
 void LiftedReader::write(WeightsWriter& out) const {
@@ -55,7 +56,8 @@ void LiftedReader::write(WeightsWriter& out) const {
   }
 }
 
-std::shared_ptr<const LiftedReader> LiftedReader::read_from(WeightsReader& in, const std::shared_ptr<const void>& owner) {
+std::shared_ptr<const LiftedReader> LiftedReader::read_from(WeightsReader& in,
+                                                            const std::shared_ptr<const void>& owner) {
   const auto stored = in.list<char>();
   const std::string_view bytes{stored.data(), stored.size()};
   SharedVectors vectors{owner, bytes, std::make_shared<const WordVectors>(bytes)};
@@ -73,7 +75,8 @@ std::shared_ptr<const LiftedReader> LiftedReader::read_from(WeightsReader& in, c
     LiftedNetwork network(std::move(words), vectors.vectors, sizes, [] { return 0.5; });
     neural::Vector& values = network.parameters().values();
     const auto halves = in.list<std::uint16_t>();
-    if (static_cast<neural::Index>(halves.size()) != values.size()) in.fail("a network of another size than it says");
+    if (static_cast<neural::Index>(halves.size()) != values.size())
+      in.fail("a network of another size than it says");
     for (std::size_t k = 0; k < halves.size(); ++k) {
       const auto v = Eigen::half_impl::half_to_float(Eigen::half_impl::raw_uint16_to_half(halves[k]));
       if (!std::isfinite(v)) in.fail("a weight that is no finite number");

@@ -1,7 +1,7 @@
 // A reader of lifted texts: networks that vote, and the word vectors that they share.
 //
-// p(lifted formula | text) is the mean over the networks; formulas with several spellings add up where they are formulas
-// (votes.hpp). In a model file: WordVectors' bytes once, then the networks in 16-bit floats.
+// p(lifted formula | text) is the mean over the networks. In a model file: the bytes of the word vectors once, then the
+// networks in 16-bit floats.
 #pragma once
 #include <memory>
 #include <span>
@@ -28,14 +28,15 @@ class LiftedReader {
 
   // The likeliest lifted formulas, best first; probabilities of those found sum to 1 at most.
   std::vector<LiftedReading> read(const LiftedText& text, std::size_t beam = 12) const;
-  // Words that no network has learned: neither from texts nor, by a vector, in their sense.
+  // Whether a network has learned the word from texts; a word vector alone does not count.
   bool knows(const std::string& word) const;
   const WordVectors& vectors() const { return *vectors_.vectors; }
   const SharedVectors& shared_vectors() const { return vectors_; }
   std::span<const std::shared_ptr<const LiftedNetwork>> networks() const { return networks_; }
 
   void write(WeightsWriter& out) const;
-  static std::shared_ptr<const LiftedReader> read_from(WeightsReader& in, const std::shared_ptr<const void>& owner);
+  static std::shared_ptr<const LiftedReader> read_from(WeightsReader& in,
+                                                       const std::shared_ptr<const void>& owner);
 
  private:
   SharedVectors vectors_;

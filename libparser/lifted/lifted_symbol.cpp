@@ -12,11 +12,12 @@ namespace {
 using enum LiftedSymbol;
 
 constexpr std::array<std::string_view, static_cast<std::size_t>(Number1)> names{
-    "end",    "route",  "nothing", "true",   "not",     "and",     "or",       "implies",   "iff",        "next",        "eventually",
-    "always", "until",  "weakly",  "release", "visit",    "patrol",    "never",      "sequence",    "ordered",
-    "strict", "exactly", "atmost", "atleast", "react",    "follow",    "after",      "alternate",   "stayon",
-    "ifelse", "ahead",  "right",   "behind",  "left",     "beside",    "along",      "turned_left", "turned_right",
-    "moved",  "start",  "turnleft", "turnright", "turnaround", "steps"};
+    "end",      "route",     "nothing",    "true",      "not",         "and",          "or",      "implies",
+    "iff",      "next",      "eventually", "always",    "until",       "weakly",       "release", "visit",
+    "patrol",   "never",     "sequence",   "ordered",   "strict",      "exactly",      "atmost",  "atleast",
+    "react",    "follow",    "after",      "alternate", "stayon",      "ifelse",       "ahead",   "right",
+    "behind",   "left",      "beside",     "along",     "turned_left", "turned_right", "moved",   "start",
+    "turnleft", "turnright", "turnaround", "steps"};
 
 constexpr std::size_t list = any_number;
 
@@ -76,7 +77,8 @@ bool is_spatial(LiftedSymbol s) { return is_direction(s) || is_event(s) || is_ac
 
 LiftedSymbol nth(LiftedSymbol first, LiftedSymbol last, std::size_t number) {
   const std::size_t at = static_cast<std::size_t>(first) + number - 1;
-  if (number == 0 || at > static_cast<std::size_t>(last)) throw std::out_of_range("no lifted symbol of that number");
+  if (number == 0 || at > static_cast<std::size_t>(last))
+    throw std::out_of_range("no lifted symbol of that number");
   return static_cast<LiftedSymbol>(at);
 }
 
@@ -120,8 +122,7 @@ Lifted parse_lifted(std::string_view text) {
 }
 
 Lifted mirrored(Lifted lifted) {
-  for (LiftedSymbol& s : lifted)
-    switch (s) {
+  for (LiftedSymbol& s : lifted) switch (s) {
       case Left: s = Right; break;
       case Right: s = Left; break;
       case TurnedLeft: s = TurnedRight; break;
@@ -146,9 +147,12 @@ bool LiftedPrefix::allows(LiftedSymbol s, const LiftedScope& scope) const {
   if (is_number(s)) return false;
   if (s == End) return operands_of(parent) == list && operands >= least_operands(parent);
   if (is_direction(parent)) return is_thing(s);
-  if (parent == StayOn || counts) return is_thing(s) || is_direction(s) || is_event(s) || s == Or || s == And || s == Not;
+  if (parent == StayOn || counts)
+    return is_thing(s) || is_direction(s) || is_event(s) || s == Or || s == And || s == Not;
+  const bool deep = frames_.size() + 1 >= most_levels, is_long = length_ + frames_.size() + 4 > most_symbols;
+  if (is_long && operands_of(parent) == list && operands >= least_operands(parent)) return false;
   if (is_action(s)) return parent == Sequence;
-  if (length_ + frames_.size() + 4 > most_symbols || frames_.size() + 1 >= most_levels) return is_thing(s);
+  if (is_long || deep) return is_thing(s);
   if (parent == Not && s == Not) return false;
   return !(parent == s && (s == And || s == Or));
 }

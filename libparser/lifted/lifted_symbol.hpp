@@ -1,10 +1,11 @@
-// Lifted formulas in typed prefix form: LTL whose propositions are the places that a text mentions, in order of mention.
+// Lifted formulas in typed prefix form: LTL whose propositions are the places that a text mentions, in order of
+// mention.
 //
 //   "go to a, then b, but avoid c"   =   and  sequence 1 2 end  never 3  end
 // A slot is the number of a mention, so a text means the same whatever its places are called. Macros name what people
 // say (visit, patrol, never, ordered, exactly twice …) and take any number of places, so sizes that were never met are
 // read with the parts of those that were. The operators of LTL stand beside the macros: every formula has a spelling.
-// Sources: the mission patterns of [MTPM19], the templates of [LYIL23]; what each symbol denotes: lifted_formula.hpp.
+// Sources: the mission patterns of [MTP+21], the templates of [LYIL23]; what each symbol denotes: lifted_formula.hpp.
 #pragma once
 #include <cstddef>
 #include <cstdint>
@@ -19,26 +20,63 @@ namespace waymark::parser {
 enum class LiftedSymbol : std::uint8_t {
   End,
   // whole answers: route instructions are read by the reader of programs; of other texts nothing is understood
-  Route, Nothing,
+  Route,
+  Nothing,
   // operators of LTL
-  True, Not, And, Or, Implies, Iff, Next, Eventually, Always, Until, WeakUntil, Release,
+  True,
+  Not,
+  And,
+  Or,
+  Implies,
+  Iff,
+  Next,
+  Eventually,
+  Always,
+  Until,
+  WeakUntil,
+  Release,
   // macros over any number of places, closed by End
-  Visit, Patrol, Never, Sequence, Ordered, Strict,
+  Visit,
+  Patrol,
+  Never,
+  Sequence,
+  Ordered,
+  Strict,
   // macros over a number and a place: how often it is visited
-  Exactly, AtMost, AtLeast,
+  Exactly,
+  AtMost,
+  AtLeast,
   // macros over two operands
-  React, Follow, After, Alternate,
+  React,
+  Follow,
+  After,
+  Alternate,
   // over a place: moving along it only; and over a condition and two formulas
-  StayOn, IfElse,
+  StayOn,
+  IfElse,
   // where a place is seen from where one stands, and moving along it
-  Ahead, Right, Behind, Left, Beside, Along,
+  Ahead,
+  Right,
+  Behind,
+  Left,
+  Beside,
+  Along,
   // propositions that no mention names: of the action that led here, the start, and of a small domain
-  TurnedLeft, TurnedRight, Moved, Start,
+  TurnedLeft,
+  TurnedRight,
+  Moved,
+  Start,
   // actions, in a sequence
-  TurnLeft, TurnRight, TurnAround, Steps,
-  Number1, Number9 = Number1 + 8,
-  Slot1, Slot12 = Slot1 + 11,
-  Constant1, Constant16 = Constant1 + 15,
+  TurnLeft,
+  TurnRight,
+  TurnAround,
+  Steps,
+  Number1,
+  Number9 = Number1 + 8,
+  Slot1,
+  Slot12 = Slot1 + 11,
+  Constant1,
+  Constant16 = Constant1 + 15,
 };
 inline constexpr std::size_t lifted_symbols = static_cast<std::size_t>(LiftedSymbol::Constant16) + 1;
 

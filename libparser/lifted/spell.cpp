@@ -29,7 +29,8 @@ class Speller {
   }
 
   Lifted spell(Formula f) {
-    for (const ltl::Proposition p : ltl::propositions(f)) atoms_.insert_or_assign(symbol_of(p), arena_->atom(p));
+    for (const ltl::Proposition p : ltl::propositions(f))
+      atoms_.insert_or_assign(symbol_of(p), arena_->atom(p));
     return formula(f);
   }
 
@@ -137,7 +138,8 @@ class Speller {
   Lifted viewed(const ltl::View& view) {
     if (view.symbol == ltl::Symbol::And) {
       std::vector<Formula> parts;
-      for (const ltl::ViewOperand& o : view.operands) parts.insert(parts.end(), o.parts.begin(), o.parts.end());
+      for (const ltl::ViewOperand& o : view.operands)
+        parts.insert(parts.end(), o.parts.begin(), o.parts.end());
       return conjunction(parts);
     }
     if (view.symbol == ltl::Symbol::Or) {

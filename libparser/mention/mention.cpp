@@ -26,7 +26,8 @@ namespace {
 
 class Finder {
  public:
-  Finder(const std::vector<std::string>& tokens, const std::vector<NamedThing>& things, const WordVectors* known)
+  Finder(const std::vector<std::string>& tokens, const std::vector<NamedThing>& things,
+         const WordVectors* known)
       : things_(things), known_(known) {
     for (const std::string& token : tokens) words_.push_back(singular(token));
   }
@@ -84,8 +85,8 @@ std::string singular(std::string word) {
   return word;
 }
 
-std::vector<Mention> find_mentions(const std::vector<std::string>& tokens, const std::vector<NamedThing>& things,
-                                   const WordVectors* words) {
+std::vector<Mention> find_mentions(const std::vector<std::string>& tokens,
+                                   const std::vector<NamedThing>& things, const WordVectors* words) {
   return Finder(tokens, things, words).all();
 }
 
@@ -98,7 +99,8 @@ LiftedMentions lift(const std::vector<std::string>& tokens, const std::vector<Me
       out.text.tokens.push_back(tokens[at++]);
       continue;
     }
-    while (articles == Articles::Go && !out.text.tokens.empty() && is_article(out.text.tokens.back())) out.text.tokens.pop_back();
+    while (articles == Articles::Go && !out.text.tokens.empty() && is_article(out.text.tokens.back()))
+      out.text.tokens.pop_back();
     auto slot_at = std::find(out.things.begin(), out.things.end(), next->thing);
     if (slot_at == out.things.end() && out.things.size() < most_slots)
       slot_at = out.things.insert(out.things.end(), next->thing);

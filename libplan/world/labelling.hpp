@@ -32,8 +32,8 @@ struct Observables {                 // what can be seen on a map; the order is 
 // object, an object named `corner`), or on an empty name.
 ltl::Vocabulary hallway_vocabulary(const Observables& observables);
 
-// By proposition, of a hallway vocabulary or a part of one. What may be `next` is an object; what is seen but never stood
-// at, a painting; everything else that is named, a floor or an object by itself.
+// By proposition, of a hallway vocabulary or a part of one. What may be `next` is an object; what is seen but never
+// stood at, a painting; everything else that is named, a floor or an object by itself.
 // Throws std::invalid_argument naming a proposition that has none of the forms above.
 std::vector<Observable> observables_of(const ltl::Vocabulary& vocabulary);
 

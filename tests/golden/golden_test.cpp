@@ -4,8 +4,8 @@
 //   1	2	3	1	1	SECONDS	ok	1
 //   [exit 0]
 //
-// run by sh in this transcript_folder, with seconds replaced by a word. To write them anew after a change that was meant:
-// WAYMARK_GOLDEN=write build/<preset>/bin/test_golden, then read the diff.
+// run by sh in this transcript_folder, with seconds replaced by a word. To write them anew after a change that was
+// meant: WAYMARK_GOLDEN=write build/<preset>/bin/test_golden, then read the diff.
 #include <gtest/gtest.h>
 
 #include <algorithm>

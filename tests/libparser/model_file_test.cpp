@@ -174,6 +174,7 @@ TEST(WeightsFile, TablesThatCannotBeAreRefused) {
     out.list(rows.bytes);
     out.table(WeightTable(1), 0);
     out.table(WeightTable(1), 0);
+    out.number(0);  // no reader of commands
     return message_of(out.finish());
   };
   const std::string top = "\xFF\xFF\xFF\xFF\xFF\xFF\xFF\xFF\xFF";  // 2⁶³ − 1, and a last byte to come

@@ -6,11 +6,11 @@ namespace waymark::tools {
 
 enum class ExitCode : int {
   Done = 0,
-  No = 10,        // the answer is no: infeasible, not satisfied, unsatisfiable (proved)
-  GaveUp = 11,    // nothing proved: a limit was met, or Ctrl-C
+  No = 10,             // the answer is no: infeasible, not satisfied, unsatisfiable (proved)
+  GaveUp = 11,         // nothing proved: a limit was met, or Ctrl-C
   NotUnderstood = 12,  // words that ask for nothing that could be read
-  Usage = 20,     // the command line is wrong
-  BadInput = 21,  // a formula, map, pose, file … is wrong; a batch with some bad lines ends with this
+  Usage = 20,          // the command line is wrong
+  BadInput = 21,       // a formula, map, pose, file … is wrong; a batch with some bad lines ends with this
   OurBug = 30,
 };
 

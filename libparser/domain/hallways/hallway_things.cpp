@@ -25,7 +25,8 @@ std::vector<std::string> words_of(const std::string& name) {
 NamedThing named(const plan::Observable& observable) {
   NamedThing thing{observable.name, {}};
   if (observable.kind == Kind::PlaceNumber) {
-    for (const char* noun : {"position", "place", "spot", "number", "location", "node", "point", "pos", "no"}) {
+    for (const char* noun :
+         {"position", "place", "spot", "number", "location", "node", "point", "pos", "no"}) {
       thing.phrases.push_back({noun, observable.name});
       thing.phrases.push_back({noun, "number", observable.name});
     }
@@ -33,7 +34,8 @@ NamedThing named(const plan::Observable& observable) {
   }
   thing.phrases.push_back(words_of(observable.name));
   for (const std::string& other : other_names(observable.name)) thing.phrases.push_back(words_of(other));
-  if (observable.name == "concrete") thing.phrases.push_back({"stone"});  // before gravel, which the lexicon prefers
+  if (observable.name == "concrete")
+    thing.phrases.push_back({"stone"});  // before gravel, which the lexicon prefers
   return thing;
 }
 
@@ -43,14 +45,16 @@ bool is_among(const std::array<std::string_view, n>& words, const std::string& w
 }
 
 constexpr std::array<std::string_view, 30> surfaces{
-    "hall", "hallway", "floor", "flooring", "path", "corridor", "alley", "tile", "carpet", "carpeting", "road", "street",
-    "lane", "area", "section", "passage", "stretch", "surface", "patch", "rug", "bit", "part", "pathway", "walkway",
-    "picture", "painting", "poster", "mural", "ground", "passageway"};
+    "hall",    "hallway",   "floor",  "flooring", "path",   "corridor",  "alley",   "tile",
+    "carpet",  "carpeting", "road",   "street",   "lane",   "area",      "section", "passage",
+    "stretch", "surface",   "patch",  "rug",      "bit",    "part",      "pathway", "walkway",
+    "picture", "painting",  "poster", "mural",    "ground", "passageway"};
 constexpr std::array<std::string_view, 8> joints{"with", "of", "has", "have", "that", "the", "a", "in"};
 
 class Absorbing {
  public:
-  Absorbing(const std::vector<std::string>& tokens, std::vector<Mention> mentions, const std::vector<Kind>& kinds)
+  Absorbing(const std::vector<std::string>& tokens, std::vector<Mention> mentions,
+            const std::vector<Kind>& kinds)
       : mentions_(std::move(mentions)), kinds_(kinds) {
     for (const std::string& token : tokens) words_.push_back(singular(token));
   }
@@ -76,7 +80,8 @@ class Absorbing {
   Mention extended(Mention m) const {
     if (kinds_[m.thing] != Kind::Floor && kinds_[m.thing] != Kind::Painting) return m;
     while (is_surface(m.end)) ++m.end;
-    if (m.end + 2 < words_.size() && (words_[m.end] == "on" || words_[m.end] == "in") && words_[m.end + 1] == "the" &&
+    if (m.end + 2 < words_.size() && (words_[m.end] == "on" || words_[m.end] == "in") &&
+        words_[m.end + 1] == "the" &&
         (words_[m.end + 2] == "wall" || words_[m.end + 2] == "floor" || words_[m.end + 2] == "ground"))
       m.end += 3;
     std::size_t at = m.begin;
@@ -90,7 +95,8 @@ class Absorbing {
   const std::vector<Kind>& kinds_;
 };
 
-// "positions 2 and 6": numbers that go on a list of places name places too. Words for numbers become digits after such a noun.
+// "positions 2 and 6": numbers that continue a list of places name places too. After such a noun, words for numbers
+// become digits.
 std::vector<std::string> with_places(std::vector<std::string> tokens) {
   constexpr std::array<std::string_view, 6> nouns{"position", "place", "spot", "location", "node", "point"};
   std::vector<std::string> out;
@@ -103,11 +109,13 @@ std::vector<std::string> with_places(std::vector<std::string> tokens) {
     if (n > 0 && after_noun) {
       out.push_back(std::to_string(n));
       listing = true;
-    } else if (n > 0 && listing && (before == "and" || before == "," || before == "or" || before == "then" || before == "to")) {
+    } else if (n > 0 && listing &&
+               (before == "and" || before == "," || before == "or" || before == "then" || before == "to")) {
       out.push_back("position");
       out.push_back(std::to_string(n));
     } else {
-      listing = listing && (word == "and" || word == "," || word == "or" || word == "then" || word == "to" || n > 0);
+      listing = listing &&
+                (word == "and" || word == "," || word == "or" || word == "then" || word == "to" || n > 0);
       out.push_back(tokens[i]);
     }
   }
@@ -118,7 +126,8 @@ std::vector<std::string> with_places(std::vector<std::string> tokens) {
 
 HallwayThings::HallwayThings(const ltl::Vocabulary& vocabulary) {
   for (const plan::Observable& observable : plan::observables_of(vocabulary)) {
-    if (observable.kind == Kind::Event || observable.name == "open" || observable.name == "corridor") continue;
+    if (observable.kind == Kind::Event || observable.name == "open" || observable.name == "corridor")
+      continue;
     const bool known = std::any_of(things_.begin(), things_.end(),
                                    [&](const NamedThing& t) { return t.name == observable.name; });
     if (known) continue;
@@ -129,12 +138,14 @@ HallwayThings::HallwayThings(const ltl::Vocabulary& vocabulary) {
 
 LiftedMentions HallwayThings::lift(const std::vector<std::string>& tokens, const WordVectors* known) const {
   const std::vector<std::string> words = with_places(tokens);
-  LiftedMentions out = parser::lift(words, Absorbing(words, find_mentions(words, things_, known), kinds_).run());
+  LiftedMentions out =
+      parser::lift(words, Absorbing(words, find_mentions(words, things_, known), kinds_).run());
   out.text.scope.spatial = true;
   return out;
 }
 
-std::optional<ltl::Formula> HallwayThings::literal(ltl::Arena& arena, LiftedSymbol direction, std::size_t thing) const {
+std::optional<ltl::Formula> HallwayThings::literal(ltl::Arena& arena, LiftedSymbol direction,
+                                                   std::size_t thing) const {
   const std::string& name = things_[thing].name;
   const auto atom = [&](Direction d) -> std::optional<ltl::Formula> {
     const auto p = arena.vocabulary().find(plan::proposition_name({d, kinds_[thing], name}));
@@ -143,7 +154,8 @@ std::optional<ltl::Formula> HallwayThings::literal(ltl::Arena& arena, LiftedSymb
   const auto along = [&]() -> std::optional<ltl::Formula> {
     const auto behind = atom(Direction::Behind);
     const auto moved = arena.vocabulary().find("moved");
-    if (!behind || !moved || (kinds_[thing] != Kind::Floor && kinds_[thing] != Kind::Painting)) return std::nullopt;
+    if (!behind || !moved || (kinds_[thing] != Kind::Floor && kinds_[thing] != Kind::Painting))
+      return std::nullopt;
     return ltl::conjunction(arena.atom(*moved), *behind);
   };
   switch (direction) {
@@ -162,8 +174,9 @@ std::optional<ltl::Formula> HallwayThings::literal(ltl::Arena& arena, LiftedSymb
 
 Bindings HallwayThings::bindings(ltl::Arena& arena, std::vector<std::size_t> slots,
                                  std::optional<std::size_t> start) const {
-  return {&arena, [this, &arena, slots = std::move(slots), start](
-                      LiftedSymbol direction, LiftedSymbol thing) -> std::optional<ltl::Formula> {
+  return {&arena,
+          [this, &arena, slots = std::move(slots), start](LiftedSymbol direction,
+                                                          LiftedSymbol thing) -> std::optional<ltl::Formula> {
             if (is_slot(thing)) {
               if (number_of(thing) > slots.size()) return std::nullopt;
               return literal(arena, direction, slots[number_of(thing) - 1]);
