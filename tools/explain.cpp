@@ -138,8 +138,9 @@ std::optional<Example> word_of(ltl::Formula f, const ExplainOptions& options,
   throw LimitMet();
 }
 
-void print_explained_as_json(ltl::Formula f, const std::string& english, const std::optional<std::string>& pattern,
-                const std::optional<Example>& yes, const std::optional<Example>& no, const ExplainOptions& options) {
+void print_explained_as_json(ltl::Formula f, const std::string& english,
+                             const std::optional<std::string>& pattern, const std::optional<Example>& yes,
+                             const std::optional<Example>& no, const ExplainOptions& options) {
   const auto shown = [](const std::optional<Example>& word) {
     return word ? Json(JsonObject().add("word", word->letters).add("english", word->english)) : Json();
   };
@@ -156,7 +157,8 @@ void print_explained_as_json(ltl::Formula f, const std::string& english, const s
 }
 
 void print_explained(ltl::Formula f, const std::string& english, const std::optional<std::string>& pattern,
-                const std::optional<Example>& yes, const std::optional<Example>& no, const ExplainOptions& options) {
+                     const std::optional<Example>& yes, const std::optional<Example>& no,
+                     const ExplainOptions& options) {
   const auto shown = [](const std::optional<Example>& word) {
     return word ? word->letters + "   " + word->english : "none";
   };

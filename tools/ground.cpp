@@ -16,12 +16,12 @@
 #include "libparser/model/word_model.hpp"
 #include "libparser/rerank/decide.hpp"
 #include "tools/answer.hpp"
-#include "tools/understood.hpp"
 #include "tools/shell/batch.hpp"
 #include "tools/shell/models.hpp"
 #include "tools/shell/options.hpp"
 #include "tools/shell/parallel.hpp"
 #include "tools/shell/subcommand.hpp"
+#include "tools/understood.hpp"
 
 namespace waymark::tools {
 namespace {
@@ -59,9 +59,9 @@ class Grounding {
     const plan::Map& map = place.map;
     ltl::Arena arena(map.vocabulary());
     const auto starts = start_poses(instruction.start.value_or(options_.start), map);
-    parser::Understanding understood =
-        parser::understand(model_, instruction.text, place.executor, starts, arena,
-                           {.ground = {.beam = options_.beam}, .least = options_.force ? 0 : parser::least_understood});
+    parser::Understanding understood = parser::understand(
+        model_, instruction.text, place.executor, starts, arena,
+        {.ground = {.beam = options_.beam}, .least = options_.force ? 0 : parser::least_understood});
     std::vector<parser::Reading>& readings = understood.readings;
     if (readings.empty()) return not_understood(instruction.text, map, understood);
     const std::size_t top = std::max<std::size_t>(options_.top, 1);
@@ -96,16 +96,19 @@ class Grounding {
     return *place;
   }
 
-  Reply not_understood(const std::string& text, const plan::Map& map, const parser::Understanding& understood) const {
+  Reply not_understood(const std::string& text, const plan::Map& map,
+                       const parser::Understanding& understood) const {
     return {.code = ExitCode::NotUnderstood,
-            .text = options_.json ? not_understood_json(text, map.name(), understood).text() + '\n' : std::string(),
+            .text = options_.json ? not_understood_json(text, map.name(), understood).text() + '\n'
+                                  : std::string(),
             .problem = not_understood_message(text, understood)};
   }
 
   // A command of a domain: its formula over infinite words.
   Reply read_command(const parser::Instruction& instruction, const Text& line) {
     if (!instruction.domain)
-      throw ltl::FormatError(line.source, line.line, 0, "with --domains each line is a JSON object with a 'domain'");
+      throw ltl::FormatError(line.source, line.line, 0,
+                             "with --domains each line is a JSON object with a 'domain'");
     if (!model_.commands) throw UsageError("the model has no reader of commands");
     const parser::CommandDomain* domain = nullptr;
     {
@@ -121,7 +124,8 @@ class Grounding {
     JsonObject json;
     if (instruction.id) json.add("id", *instruction.id);
     json.add("formula", understood ? Json(formula) : Json())
-        .add("english", understood ? Json(in_english(read.readings.front().formula, ltl::Semantics::Infinite)) : Json())
+        .add("english",
+             understood ? Json(in_english(read.readings.front().formula, ltl::Semantics::Infinite)) : Json())
         .add("probability", probability);
     return {.text = json.text() + '\n'};
   }
@@ -240,7 +244,8 @@ Runner setup_ground(Command command) {
       .add_option("--domains", options->domains,
                   "lines are commands {\"id\",\"domain\",\"text\"} of the domains of this file")
       .type_name("FILE");
-  command.add_option("--maps", options->landmark_maps, "maps of landmarks, for domains \"osm:CITY\"").type_name("DIR");
+  command.add_option("--maps", options->landmark_maps, "maps of landmarks, for domains \"osm:CITY\"")
+      .type_name("DIR");
   command.add_flag("--force", options->force, "answer what was hardly understood, too");
   command.add_flag("--json", options->json, "one JSON object a line");
   return [options](const Session& session) { return run_ground(*options, session); };

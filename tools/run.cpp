@@ -106,16 +106,19 @@ class Running {
   }
 
   // Two readings are close when the second has a third of the probability of the first. The answer goes first.
-  void ask(std::vector<parser::Reading>& readings, const plan::Map& map, std::span<const plan::PoseId> starts) const {
+  void ask(std::vector<parser::Reading>& readings, const plan::Map& map,
+           std::span<const plan::PoseId> starts) const {
     constexpr double close = 1.0 / 3;
-    const auto others = alternatives(readings, map, starts, session_.stop, 1, close * readings.front().probability);
+    const auto others =
+        alternatives(readings, map, starts, session_.stop, 1, close * readings.front().probability);
     if (others.empty()) return;
     const Alternative& other = others.front();
     std::cerr << "Two readings are close:\n  1  "
-              << in_english(readings.front().formula, ltl::Semantics::Finite, map) << "\n  2  " << other.english << '\n';
+              << in_english(readings.front().formula, ltl::Semantics::Finite, map) << "\n  2  "
+              << other.english << '\n';
     if (other.route) {
-      std::cerr << "Is this a route that you would let pass? Only reading " << (other.first_accepts_route ? 1 : 2)
-                << " accepts it:\n";
+      std::cerr << "Is this a route that you would let pass? Only reading "
+                << (other.first_accepts_route ? 1 : 2) << " accepts it:\n";
       print_steps(std::cerr, *other.route, map);
     }
     std::cerr << "1 or 2? ";
@@ -132,7 +135,8 @@ class Running {
     const ltl::Formula formula = heard.readings.front().formula;
     JsonArray array;
     for (const WeighedFormula& reading : weighed(heard.readings, shown_readings()))
-      array.add(JsonObject().add("formula", ltl::print(reading.formula)).add("probability", reading.probability));
+      array.add(
+          JsonObject().add("formula", ltl::print(reading.formula)).add("probability", reading.probability));
     const std::string english = in_english(formula, ltl::Semantics::Infinite, heard.map);
     WalkOptions walk{.svg = options_.svg, .json = options_.json, .load = load_};
     if (heard.id) walk.head.add("id", *heard.id);
@@ -153,7 +157,8 @@ class Running {
                   .readings = weighed(heard.readings, shown_readings()),
                   .corridor_run = run_corridor(heard.map, dfa, formula, heard.starts, session_.stop)};
     if (options_.json && heard.readings.size() > 1)
-      answer.alternatives = json_of(alternatives(heard.readings, heard.map, heard.starts, session_.stop), heard.map);
+      answer.alternatives =
+          json_of(alternatives(heard.readings, heard.map, heard.starts, session_.stop), heard.map);
     Seconds& seconds = answer.corridor_run.seconds;
     seconds.load = load_, seconds.ground = grounding, seconds.translate = translating;
     show(answer, heard.map, dfa);
@@ -213,7 +218,8 @@ Runner setup_run(Command command) {
   command.add_option("--semantics", options->semantics, "finite or infinite words; auto: as the words say")
       .type_name("KIND")
       .one_of({"auto", "finite", "infinite"});
-  command.add_flag("--ask", options->ask, "where two readings are close, ask which is meant (the answer: standard input)");
+  command.add_flag("--ask", options->ask,
+                   "where two readings are close, ask which is meant (the answer: standard input)");
   command.add_flag("--force", options->force, "answer what was hardly understood, too");
   command.add_flag("--json", options->json, "one JSON object a line");
   command.add_option("--svg", options->svg, "draw map, route and automaton").type_name("FILE");

@@ -98,7 +98,8 @@ void report(const TrainCommandOptions& options, const parser::TrainOptions& trai
 }
 
 // The reader of commands: from people's commands, our own, and what it must leave to the reader of programs.
-std::shared_ptr<const parser::LiftedReader> learn_commands(const TrainCommandOptions& options, const TrainingData& data,
+std::shared_ptr<const parser::LiftedReader> learn_commands(const TrainCommandOptions& options,
+                                                           const TrainingData& data,
                                                            const parser::TrainOptions& train) {
   const auto vectors = read_vectors(options.data);
   std::vector<parser::LiftedExample> examples =
@@ -140,10 +141,12 @@ ExitCode run_train(const TrainCommandOptions& options, const Session& session) {
   train.progress = [&](double fraction, std::string_view what) { bar.show(fraction, what); };
   const TrainingData instances = training_data_of(options, train.dialect);
   const std::string& source = options.supervised.empty() ? options.corpus : options.supervised;
-  parser::Grounder grounder = !options.base.empty() ? parser::load_grounder(options.base) : learn_from(source, [&] {
-    return instances.pairs.empty() ? parser::train(instances.corpus, instances.maps, train)
-                                   : parser::train_supervised(instances.pairs, instances.maps.front(), train);
-  });
+  parser::Grounder grounder =
+      !options.base.empty() ? parser::load_grounder(options.base) : learn_from(source, [&] {
+        return instances.pairs.empty()
+                   ? parser::train(instances.corpus, instances.maps, train)
+                   : parser::train_supervised(instances.pairs, instances.maps.front(), train);
+      });
   if (!options.commands.files.empty()) grounder.commands = learn_commands(options, instances, train);
   const std::string bytes = parser::serialize_within(grounder, parser::most_bytes);
   bar.wipe();
@@ -162,7 +165,9 @@ Runner setup_train(Command command) {
                   "learn from lines 'sentence TAB formula' instead, over the vocabulary of the shipped maps")
       .type_name("FILE");
   add_command_training_options(command, options->commands);
-  command.add_option("--base", options->base, "keep the reader of programs of this model, learn the commands alone")
+  command
+      .add_option("--base", options->base,
+                  "keep the reader of programs of this model, learn the commands alone")
       .type_name("FILE")
       .group("Commands");
   add_data_option(command, options->data);

@@ -23,7 +23,8 @@ std::string in_english(ltl::Formula formula, ltl::Semantics semantics) {
 std::string not_understood_message(const std::string& text, const parser::Understanding& understood) {
   std::string message = "not understood: '" + text + "'";
   std::string words;
-  for (const std::string& word : understood.words_not_understood) words += (words.empty() ? "'" : ", '") + word + "'";
+  for (const std::string& word : understood.words_not_understood)
+    words += (words.empty() ? "'" : ", '") + word + "'";
   if (!words.empty()) message += "; nothing here is called, and no command says " + words;
   return message + " (--force answers all the same)";
 }

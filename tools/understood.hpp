@@ -15,6 +15,7 @@ std::string in_english(ltl::Formula formula, ltl::Semantics semantics, const pla
 std::string in_english(ltl::Formula formula, ltl::Semantics semantics);
 
 std::string not_understood_message(const std::string& text, const parser::Understanding& understood);
-JsonObject not_understood_json(const std::string& text, const std::string& map, const parser::Understanding& understood);
+JsonObject not_understood_json(const std::string& text, const std::string& map,
+                               const parser::Understanding& understood);
 
 }  // namespace waymark::tools

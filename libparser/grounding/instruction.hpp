@@ -12,8 +12,8 @@ namespace waymark::parser {
 
 struct Instruction {
   std::string text;
-  std::optional<std::string> map;    // a name
-  std::optional<std::string> start;  // "x,y,heading"
+  std::optional<std::string> map;         // a name
+  std::optional<std::string> start;       // "x,y,heading"
   std::optional<std::string> id, domain;  // of commands: a name of theirs; "cleanup", "osm:boston" …
 };
 

@@ -18,8 +18,7 @@ constexpr std::size_t beam = 12;
 
 // Does a formula speak of what happens again and again, or from some moment on for ever?
 bool is_ongoing(const Lifted& lifted) {
-  for (std::size_t i = 0; i < lifted.size(); ++i)
-    switch (lifted[i]) {
+  for (std::size_t i = 0; i < lifted.size(); ++i) switch (lifted[i]) {
       case Patrol:
       case Alternate:
       case React:
@@ -39,7 +38,8 @@ bool is_ongoing(const Lifted& lifted) {
 std::vector<std::string> unknown_words(const LiftedReader& reader, const LiftedText& text) {
   std::vector<std::string> out;
   for (const std::string& token : text.tokens)
-    if (token[0] != '#' && !reader.knows(token) && token.find_first_not_of(".,;:!?'\"()-") != std::string::npos)
+    if (token[0] != '#' && !reader.knows(token) &&
+        token.find_first_not_of(".,;:!?'\"()-") != std::string::npos)
       out.push_back(token);
   return out;
 }
@@ -71,7 +71,8 @@ void weigh_by_routes(std::vector<Found>& all, const plan::Map& map, std::span<co
   for (std::size_t i = 0; i < std::min(all.size(), planned); ++i) {
     Found& f = all[i];
     if (f.ongoing || f.reading.probability < least_planned) continue;
-    const auto plan = plan::plan_of(map, f.reading.formula, starts, {.automaton_states = 5'000, .explain = false});
+    const auto plan =
+        plan::plan_of(map, f.reading.formula, starts, {.automaton_states = 5'000, .explain = false});
     if (std::holds_alternative<plan::Infeasible>(plan)) f.reading.probability *= without_route;
   }
 }
@@ -88,7 +89,8 @@ void add(std::vector<Found>& all, Found found) {
 }  // namespace
 
 Understanding understand(const Grounder& grounder, const std::string& text, const Executor& executor,
-                         std::span<const plan::PoseId> starts, ltl::Arena& arena, const UnderstandOptions& options) {
+                         std::span<const plan::PoseId> starts, ltl::Arena& arena,
+                         const UnderstandOptions& options) {
   Understanding out;
   if (!grounder.commands) {
     out.readings = ground(grounder, text, executor, starts, arena, options.ground);
@@ -122,7 +124,9 @@ Understanding understand(const Grounder& grounder, const std::string& text, cons
   const double understood = route + commands;
   out.probability = understood + nothing > 0 ? understood / (understood + nothing) : 0;
   if (out.probability < options.least) return out;
-  const auto likelier = [](const Found& a, const Found& b) { return a.reading.probability > b.reading.probability; };
+  const auto likelier = [](const Found& a, const Found& b) {
+    return a.reading.probability > b.reading.probability;
+  };
   std::stable_sort(found.begin(), found.end(), likelier);
   weigh_by_routes(found, executor.map(), starts);
   std::stable_sort(found.begin(), found.end(), likelier);

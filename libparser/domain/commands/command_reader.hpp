@@ -24,8 +24,8 @@ struct CommandReadings {
 
 struct ReadCommandOptions {
   std::size_t beam = 12;
-  std::size_t compared = 5;   // the likeliest formulas whose languages are compared
-  bool names_domain = true;   // the reader is told which domain it is
+  std::size_t compared = 5;  // the likeliest formulas whose languages are compared
+  bool names_domain = true;  // the reader is told which domain it is
 };
 
 CommandReadings read_command(const LiftedReader& reader, const CommandDomain& domain, const std::string& text,

@@ -33,8 +33,8 @@ void count(CommandScore& score, const CommandAnswer& answer) {
 
 }  // namespace
 
-CommandScores score_commands(const LiftedReader& reader, std::span<const Command> commands, CommandDomains& domains,
-                             const ReadCommandOptions& options) {
+CommandScores score_commands(const LiftedReader& reader, std::span<const Command> commands,
+                             CommandDomains& domains, const ReadCommandOptions& options) {
   std::vector<const CommandDomain*> domain;
   for (const Command& command : commands) domain.push_back(&domains.of(command.domain));
   CommandScores scores;
@@ -69,8 +69,9 @@ CommandSplit split_commands(std::vector<Command> commands, std::vector<Command> 
   return split;
 }
 
-LiftedReader train_commands(const CommandSplit& split, CommandDomains& domains, const SynchronousGrammar& grammar,
-                            const LiftedReader::SharedVectors& vectors, const CommandsExperiment& how) {
+LiftedReader train_commands(const CommandSplit& split, CommandDomains& domains,
+                            const SynchronousGrammar& grammar, const LiftedReader::SharedVectors& vectors,
+                            const CommandsExperiment& how) {
   std::vector<LiftedExample> examples = own_commands(grammar, *vectors.vectors, how.own);
   const auto labelled = labelled_commands(split.training, domains, split.new_kinds ? 1 : 0);
   examples.insert(examples.end(), labelled.examples.begin(), labelled.examples.end());

@@ -14,7 +14,9 @@ namespace waymark::parser {
 
 struct CommandScore {
   std::size_t exact = 0, equivalent = 0, n = 0;  // the same formula; the same language over infinite words
-  double percent(std::size_t count) const { return n > 0 ? 100.0 * static_cast<double>(count) / static_cast<double>(n) : 0; }
+  double percent(std::size_t count) const {
+    return n > 0 ? 100.0 * static_cast<double>(count) / static_cast<double>(n) : 0;
+  }
 };
 
 struct CommandAnswer {
@@ -30,8 +32,8 @@ struct CommandScores {
   std::vector<CommandAnswer> answers;
 };
 
-CommandScores score_commands(const LiftedReader& reader, std::span<const Command> commands, CommandDomains& domains,
-                             const ReadCommandOptions& options);
+CommandScores score_commands(const LiftedReader& reader, std::span<const Command> commands,
+                             CommandDomains& domains, const ReadCommandOptions& options);
 
 // What is tested, and what is left to learn from: the rows of the fold are tested; with commands made from others (`from`)
 // those are tested whose origin is in the fold.
@@ -39,7 +41,8 @@ struct CommandSplit {
   std::vector<Command> training, test;
   bool new_kinds = false;  // the test asks for templates or sizes that training lacks
 };
-CommandSplit split_commands(std::vector<Command> commands, std::vector<Command> others, const std::set<std::string>& fold);
+CommandSplit split_commands(std::vector<Command> commands, std::vector<Command> others,
+                            const std::set<std::string>& fold);
 
 struct CommandsExperiment {
   OwnCommands own;
@@ -48,7 +51,8 @@ struct CommandsExperiment {
   std::function<void(double)> progress;
 };
 // Where the test has new kinds, domains are not told: what was said of a domain is then no reason against a kind.
-LiftedReader train_commands(const CommandSplit& split, CommandDomains& domains, const SynchronousGrammar& grammar,
-                            const LiftedReader::SharedVectors& vectors, const CommandsExperiment& how);
+LiftedReader train_commands(const CommandSplit& split, CommandDomains& domains,
+                            const SynchronousGrammar& grammar, const LiftedReader::SharedVectors& vectors,
+                            const CommandsExperiment& how);
 
 }  // namespace waymark::parser
