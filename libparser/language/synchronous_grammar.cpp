@@ -79,13 +79,13 @@ SynchronousGrammar::SynchronousGrammar(const std::filesystem::path& file) {
       rule.weight = std::stod(rule.text.substr(0, colon));
       rule.text = trim(rule.text.substr(colon + 2));
     }
-    check_text(rule.text, file.string(), number);
     rules_[category].push_back(std::move(rule));
   }
   check_rules(file.string());
 }
 
-// Brackets are closed, and words are made of words that stand above: no text goes on without end.
+// Brackets are closed, and words are there: as words are checked where they stand, they are made of words above, and
+// no text goes on without end.
 void SynchronousGrammar::check_text(const std::string& text, const std::string& source,
                                     std::size_t line) const {
   std::size_t level = 0;
@@ -94,7 +94,7 @@ void SynchronousGrammar::check_text(const std::string& text, const std::string& 
     if (text[at] == ')' && level-- == 0) throw ltl::FormatError(source, line, 0, "a bracket was not opened");
     if (text[at] != '$') continue;
     const std::string word = text.substr(at + 1, word_end(text, at + 1) - at - 1);
-    if (!words_.contains(word)) throw ltl::FormatError(source, line, 0, "no words above are called $" + word);
+    if (!words_.contains(word)) throw ltl::FormatError(source, line, 0, "no words are called $" + word);
   }
   if (level > 0) throw ltl::FormatError(source, line, 0, "a bracket is not closed");
 }
@@ -123,6 +123,7 @@ void SynchronousGrammar::check_rules(const std::string& source) const {
 
 // The categories of a rule, in order.
 std::vector<std::string> SynchronousGrammar::check_rule(const Rule& rule, const std::string& source) const {
+  check_text(rule.text, source, rule.line);
   std::vector<std::string> parts;
   const auto fail = [&](const std::string& message) {
     throw ltl::FormatError(source, rule.line, 0, message);

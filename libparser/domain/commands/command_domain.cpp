@@ -3,26 +3,16 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
-#include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "libltl/diagnostic.hpp"
 #include "libltl/text/parse.hpp"
 #include "libparser/corpus/token.hpp"
+#include "libparser/domain/commands/json_file.hpp"
 #include "libparser/domain/commands/landmark_mentions.hpp"
 
 namespace waymark::parser {
 namespace {
-
-nlohmann::json read_json(const std::filesystem::path& file) {
-  std::ifstream in(file);
-  if (!in) throw ltl::FormatError(file.string(), 0, 0, "cannot be read");
-  try {
-    return nlohmann::json::parse(in);
-  } catch (const nlohmann::json::exception& e) {
-    throw ltl::FormatError(file.string(), 0, 0, e.what());
-  }
-}
 
 std::vector<std::string> split(std::string name) {
   std::replace(name.begin(), name.end(), '_', ' ');
@@ -76,25 +66,6 @@ bool is_letter_name(const std::string& word) {
 
 }  // namespace
 
-std::vector<Landmark> read_landmarks(const std::filesystem::path& file) {
-  const nlohmann::json json = read_json(file);
-  std::vector<Landmark> all;
-  try {
-    for (const auto& entry : json.at("landmarks")) {
-      Landmark l{entry.at("prop").get<std::string>(), entry.value("name", ""), {}, {}};
-      if (entry.contains("other_names"))
-        l.other_names = entry.at("other_names").get<std::vector<std::string>>();
-      if (entry.contains("tags"))
-        for (const auto& [key, value] : entry.at("tags").items())
-          if (value.is_string()) l.tags[key] = value.get<std::string>();
-      all.push_back(std::move(l));
-    }
-  } catch (const nlohmann::json::exception& e) {
-    throw ltl::FormatError(file.string(), 0, 0, std::string("no map of landmarks: ") + e.what());
-  }
-  return all;
-}
-
 CommandDomain CommandDomain::with_letters(std::string name, std::vector<std::string> names) {
   CommandDomain domain;
   domain.network_domain_ = name;
@@ -127,8 +98,13 @@ CommandDomain CommandDomain::city(std::string name, std::vector<Landmark> landma
 
 std::vector<CommandDomain::Lift> CommandDomain::lift(const std::string& text) const {
   if (!landmarks_.empty()) {
-    std::vector<Lift> out = lift_landmarks(text, landmarks_);
-    for (Lift& l : out) l.text.domain = network_domain_;
+    std::vector<Lift> out;
+    for (LandmarkLift& l : lift_landmarks(text, landmarks_)) {
+      Lift lifted{std::move(l.text), {}, l.probability};
+      for (const std::size_t landmark : l.slots) lifted.slots.push_back(landmarks_[landmark].proposition);
+      lifted.text.domain = network_domain_;
+      out.push_back(std::move(lifted));
+    }
     return out;
   }
   const std::vector<std::string> tokens = tokenize(text);

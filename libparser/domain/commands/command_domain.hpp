@@ -13,18 +13,11 @@
 #include <vector>
 
 #include "libparser/domain/commands/command.hpp"
+#include "libparser/domain/commands/landmark.hpp"
 #include "libparser/lifted/lifted_formula.hpp"
 #include "libparser/mention/mention.hpp"
 
 namespace waymark::parser {
-
-struct Landmark {
-  std::string proposition, name;
-  std::vector<std::string> other_names;
-  std::map<std::string, std::string> tags;
-};
-// Throws ltl::FormatError naming what is wrong with the file.
-std::vector<Landmark> read_landmarks(const std::filesystem::path& file);
 
 class CommandDomain {
  public:

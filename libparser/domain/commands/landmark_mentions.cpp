@@ -263,20 +263,19 @@ std::size_t with_description(const std::vector<std::string>& tokens, std::size_t
   return end;
 }
 
-CommandDomain::Lift lifted(const std::vector<std::string>& tokens, const std::vector<Phrase>& phrases,
-                           const std::vector<Landmark>& landmarks) {
+LandmarkLift lifted(const std::vector<std::string>& tokens, const std::vector<Phrase>& phrases) {
   std::vector<Mention> mentions;
   for (const Phrase& p : phrases) mentions.push_back({p.begin, p.end, p.landmark});
   LiftedMentions lifted = parser::lift(tokens, mentions);
-  CommandDomain::Lift out;
+  LandmarkLift out;
   out.text = std::move(lifted.text);
-  for (const std::size_t l : lifted.things) out.slots.push_back(landmarks[l].proposition);
+  out.slots = std::move(lifted.things);
   return out;
 }
 
 }  // namespace
 
-std::vector<CommandDomain::Lift> lift_landmarks(const std::string& text,
+std::vector<LandmarkLift> lift_landmarks(const std::string& text,
                                                 const std::vector<Landmark>& landmarks) {
   constexpr double sharpness = 4;  // of the share that other landmarks get of a phrase
   const City city(landmarks);
@@ -291,14 +290,14 @@ std::vector<CommandDomain::Lift> lift_landmarks(const std::string& text,
     const std::size_t end = with_description(tokens, best[i].end);
     if (i + 1 == best.size() || end <= best[i + 1].begin) best[i].end = end;
   }
-  std::vector<CommandDomain::Lift> out{lifted(tokens, best, landmarks)};
+  std::vector<LandmarkLift> out{lifted(tokens, best)};
   for (std::size_t i = 0; i < cover.size(); ++i)
     for (const Phrase& other : cover[i].second) {
       const double share = std::exp(sharpness * (other.score - cover[i].first.score));
       if (share < 0.05) continue;
       std::vector<Phrase> changed = best;
       changed[i] = other;
-      out.push_back(lifted(tokens, changed, landmarks));
+      out.push_back(lifted(tokens, changed));
       out.back().probability = share;
     }
   std::stable_sort(out.begin() + 1, out.end(),

@@ -6,11 +6,18 @@
 #include <string>
 #include <vector>
 
-#include "libparser/domain/commands/command_domain.hpp"
+#include "libparser/domain/commands/landmark.hpp"
+#include "libparser/mention/mention.hpp"
 
 namespace waymark::parser {
 
-std::vector<CommandDomain::Lift> lift_landmarks(const std::string& text,
-                                                const std::vector<Landmark>& landmarks);
+struct LandmarkLift {
+  LiftedText text;
+  std::vector<std::size_t> slots;  // landmarks of slot 1, 2 …
+  double probability = 1;          // that the words name just these
+};
+
+// The readings of the mentions, likeliest first; one at least.
+std::vector<LandmarkLift> lift_landmarks(const std::string& text, const std::vector<Landmark>& landmarks);
 
 }  // namespace waymark::parser
