@@ -25,7 +25,8 @@ struct Alternative {
   bool first_accepts_route = false;
 };
 
-// Over finite words: at most `most` readings after the first, of at least `least` probability, each of another language.
+// Over finite words: at most `most` readings after the first, of at least `least` probability, each of another
+// language.
 std::vector<Alternative> alternatives(std::span<const parser::Reading> readings, const plan::Map& map,
                                       std::span<const plan::PoseId> starts, const std::stop_token& stop,
                                       std::size_t most = 3, double least = 0.02);

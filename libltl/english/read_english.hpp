@@ -1,7 +1,7 @@
 // English → formula: the inverse of verbalise (verbalise.hpp).
 //
-// Reads what verbalise writes with the same description of the propositions, and returns a formula of the same language.
-// Any other text is refused. A text that could mean two formulas is refused as well, so nothing is guessed.
+// Reads what verbalise writes with the same description of the propositions, and returns a formula of the same
+// language. Any other text is refused. A text that could mean two formulas is refused as well, so nothing is guessed.
 #pragma once
 #include <optional>
 #include <string_view>

@@ -2,8 +2,8 @@
 //
 //   F (chair & F sofa) & G !blue   →   go to the chair, then go to the sofa; never step on the blue floor.
 //   G (p -> X (q U r))             →   whenever p holds, one step later q holds until r holds.
-// Clauses with ';' between them all hold. "Eventually", "always" and "whenever" include the present. A part that fits no
-// clause has a letter: "(A) holds until p holds. (A) means: eventually q holds."
+// Clauses with ';' between them all hold. "Eventually", "always" and "whenever" include the present. A part that fits
+// no clause has a letter: "(A) holds until p holds. (A) means: eventually q holds."
 #pragma once
 #include <string>
 

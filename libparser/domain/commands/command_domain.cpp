@@ -8,7 +8,7 @@
 #include "libltl/diagnostic.hpp"
 #include "libltl/text/parse.hpp"
 #include "libparser/corpus/token.hpp"
-#include "libparser/domain/commands/json_file.hpp"
+#include "libparser/domain/commands/file_text.hpp"
 #include "libparser/domain/commands/landmark_mentions.hpp"
 
 namespace waymark::parser {
@@ -161,8 +161,8 @@ std::optional<Lifted> CommandDomain::label(const Lift& lift, const std::string& 
 
 CommandDomains::CommandDomains(const std::filesystem::path& domains, std::filesystem::path maps)
     : maps_(std::move(maps)) {
-  const nlohmann::json json = read_json(domains);
   try {
+    const nlohmann::json json = nlohmann::json::parse(text_of(domains));
     for (const auto& [name, domain] : json.items()) {
       std::vector<std::string> propositions;
       for (const auto& [p, _] : domain.at("propositions").items()) propositions.push_back(p);

@@ -1,5 +1,5 @@
-// What the reader of commands learns from: commands of our own, people's commands with formulas, route instructions, and
-// texts that say nothing to a robot.
+// What the reader of commands learns from: commands of our own, people's commands with formulas, route instructions,
+// and texts that say nothing to a robot.
 #pragma once
 #include <filesystem>
 #include <span>

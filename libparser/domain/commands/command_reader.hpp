@@ -1,7 +1,7 @@
 // English commands of a domain → LTL formulas over its propositions, likeliest first.
 //
-// p(φ | text) = Σ over what the words may name, Σ over lifted formulas that denote a formula of the same language: readings
-// with one meaning vote together. Over infinite words.
+// p(φ | text) = Σ over what the words may name, Σ over lifted formulas that denote a formula of the same language:
+// readings with one meaning vote together. Over infinite words.
 #pragma once
 #include <memory>
 #include <string>

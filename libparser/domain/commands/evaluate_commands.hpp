@@ -35,8 +35,8 @@ struct CommandScores {
 CommandScores score_commands(const LiftedReader& reader, std::span<const Command> commands,
                              CommandDomains& domains, const ReadCommandOptions& options);
 
-// What is tested, and what is left to learn from: the rows of the fold are tested; with commands made from others (`from`)
-// those are tested whose origin is in the fold.
+// What is tested, and what is left to learn from: the rows of the fold are tested; with commands made from others
+// (`from`) those are tested whose origin is in the fold.
 struct CommandSplit {
   std::vector<Command> training, test;
   bool new_kinds = false;  // the test asks for templates or sizes that training lacks

@@ -3,14 +3,14 @@
 #include <nlohmann/json.hpp>
 
 #include "libltl/diagnostic.hpp"
-#include "libparser/domain/commands/json_file.hpp"
+#include "libparser/domain/commands/file_text.hpp"
 
 namespace waymark::parser {
 
 std::vector<Landmark> read_landmarks(const std::filesystem::path& file) {
-  const nlohmann::json json = read_json(file);
   std::vector<Landmark> all;
   try {
+    const nlohmann::json json = nlohmann::json::parse(text_of(file));
     for (const auto& entry : json.at("landmarks")) {
       Landmark l{entry.at("prop").get<std::string>(), entry.value("name", ""), {}, {}};
       if (entry.contains("other_names"))

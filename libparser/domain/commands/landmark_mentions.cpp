@@ -12,7 +12,8 @@
 namespace waymark::parser {
 namespace {
 
-// What a matched word, a joint and a foreign word inside a phrase are worth, in units of a word that fits one landmark alone.
+// What a matched word, a joint and a foreign word inside a phrase are worth, in units of a word that fits one
+// landmark alone.
 constexpr double by_name = 1, by_tag = 0.75, joint = -0.02, foreign = -0.9, each_mention = -0.55,
                  whole_name = 0.9, in_order = 0.25, comma = -0.3,
                  adjacent = -2.5,  // to the phrase before, or joined to it by "operated by"
@@ -275,8 +276,7 @@ LandmarkLift lifted(const std::vector<std::string>& tokens, const std::vector<Ph
 
 }  // namespace
 
-std::vector<LandmarkLift> lift_landmarks(const std::string& text,
-                                                const std::vector<Landmark>& landmarks) {
+std::vector<LandmarkLift> lift_landmarks(const std::string& text, const std::vector<Landmark>& landmarks) {
   constexpr double sharpness = 4;  // of the share that other landmarks get of a phrase
   const City city(landmarks);
   std::string plain = text;
