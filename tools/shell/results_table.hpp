@@ -26,8 +26,8 @@ JsonArray published_results();
 parser::Scores scores_of_staying(const parser::Corpus& corpus, std::span<const plan::Map> maps, bool absolute,
                                  bool relative);
 
-// What the columns mean, their heads, and all rows; `first` is the head of the names. Then the path along paragraphs,
-// and sentences never heard in training.
+// What the columns mean, their heads, and all rows; `first` is the head of the names. Then the path along
+// paragraphs, and the sentences never heard in training.
 void print_results(const std::string& first, std::span<const ResultRow> rows);
 void print_published_results();
 
