@@ -88,7 +88,9 @@ JsonObject json_of(const AutomatonSize& size) {
 
 JsonObject json_of(const Answer& answer, const plan::Map& map) {
   JsonObject json;
+  if (answer.id) json.add("id", *answer.id);
   if (answer.instruction) json.add("instruction", *answer.instruction);
+  if (answer.understood) json.add("understood", *answer.understood);
   json.add("formula", answer.formula ? Json(ltl::print(*answer.formula)) : Json());
   if (answer.instruction) {
     JsonArray readings;
@@ -96,6 +98,7 @@ JsonObject json_of(const Answer& answer, const plan::Map& map) {
       readings.add(
           JsonObject().add("formula", ltl::print(reading.formula)).add("probability", reading.probability));
     json.add("readings", readings);
+    if (answer.alternatives) json.add("alternatives", *answer.alternatives);
   }
   const CorridorRun& corridor_run = answer.corridor_run;
   json.add("map", map.name()).add("automaton", json_of(corridor_run.automaton));
@@ -117,6 +120,7 @@ void print(std::ostream& out, const Terminal& terminal, const Answer& answer, co
   };
   const CorridorRun& corridor_run = answer.corridor_run;
   if (answer.instruction) out << label("instruction") << *answer.instruction << '\n';
+  if (answer.understood) out << label("understood") << *answer.understood << '\n';
   if (answer.formula)
     out << label("formula") << terminal.paint(Paint::Blue, shown(*answer.formula, terminal)) << '\n';
   if (answer.readings.size() > 1)

@@ -17,10 +17,12 @@ struct WeighedFormula {
 };
 
 struct Answer {
-  std::optional<std::string> instruction = {};
+  std::optional<std::string> id = {}, instruction = {};
+  std::optional<std::string> understood = {};  // in English, from the formula
   std::optional<ltl::Formula> formula = {};
   std::vector<WeighedFormula> readings = {};  // best first; of an instruction only
   CorridorRun corridor_run;
+  std::optional<JsonArray> alternatives = {};  // readings of another meaning
 };
 
 JsonObject json_of(const Answer& answer, const plan::Map& map);

@@ -7,6 +7,7 @@
 #include "libparser/domain/streets/street_corpus.hpp"
 #include "libparser/experiment/evaluate.hpp"
 #include "libparser/experiment/learned/learned_follower.hpp"
+#include "tools/evaluate_commands.hpp"
 #include "tools/formula_table.hpp"
 #include "tools/shell/learning.hpp"
 #include "tools/shell/models.hpp"
@@ -24,13 +25,14 @@ struct EvaluateCommandOptions {
   TrainingOptions training;
   PairsExperiment pairs;  // instead of a corpus
   std::size_t ensemble = 1;
+  CommandsRequest commands;
   std::string planner = "exact";
   parser::LearnedExecution dqn;
   bool leave_one_map_out = false, train_all = false, json = false;
 };
 
 Json evaluation_json(const parser::Evaluation& evaluation, const parser::Scores& staying,
-                     const parser::FormulaScores& formulas) {
+                     const parser::FormulaScores& formulas, bool tell_place_numbers) {
   JsonObject folds, json;
   for (const auto& [map, scores] : evaluation.folds) {
     JsonObject fold;
@@ -46,6 +48,7 @@ Json evaluation_json(const parser::Evaluation& evaluation, const parser::Scores&
     }
     json.add("singles", singles);
   }
+  json.add("place_numbers", told_or_hidden(tell_place_numbers));
   if (formulas.all.same.total > 0) json.add("formulas", formulas_json(formulas));
   JsonObject stays;
   json.add("staying", add_scores(stays, staying)).add("published", published_results());
@@ -84,7 +87,7 @@ void write_predictions(const std::string& file, bool in_paragraphs, const parser
 }
 
 void print_table(const parser::Evaluation& evaluation, const parser::Scores& staying,
-                 const parser::FormulaScores& formulas) {
+                 const parser::FormulaScores& formulas, bool tell_place_numbers) {
   std::vector<ResultRow> rows;
   for (const auto& [map, scores] : evaluation.folds) rows.push_back({map, {scores}});
   rows.push_back({"all", {evaluation.all}});
@@ -94,20 +97,23 @@ void print_table(const parser::Evaluation& evaluation, const parser::Scores& sta
   rows.push_back({"who stays put", {staying}});
   print_results("left out", rows);
   if (formulas.all.same.total == 0) print_published_results();  // they are for a corpus without formulas
-  std::cout << "\nunsegmented paragraphs skipped: " << evaluation.all.skipped_paragraphs << "; "
+  std::cout << "\nnumbers of places " << told_or_hidden(tell_place_numbers)
+            << "; unsegmented paragraphs skipped: " << evaluation.all.skipped_paragraphs << "; "
             << fixed(evaluation.seconds, 1) << " s of training and testing\n";
   print_formulas(formulas);
 }
 
 void print_scores(const parser::Evaluation& evaluation, const parser::Corpus& test,
-                  std::span<const plan::Map> maps, const parser::EvaluateOptions& evaluate, bool json) {
+                  std::span<const plan::Map> maps, const parser::EvaluateOptions& evaluate,
+                  const EvaluateCommandOptions& options) {
   const parser::Scores staying = scores_of_staying(test, maps, evaluate.absolute, evaluate.relative);
   const parser::FormulaScores formulas =
       parser::formula_scores(evaluation.predictions, test, maps, evaluate.absolute);
-  if (json)
-    std::cout << evaluation_json(evaluation, staying, formulas).text() << '\n';
+  const bool told = options.training.tell_place_numbers;
+  if (options.json)
+    std::cout << evaluation_json(evaluation, staying, formulas, told).text() << '\n';
   else
-    print_table(evaluation, staying, formulas);
+    print_table(evaluation, staying, formulas, told);
 }
 
 void check_what_is_held_out(const EvaluateCommandOptions& options) {
@@ -144,9 +150,10 @@ ExitCode run_evaluate(const EvaluateCommandOptions& options, const Session& sess
                           session);
   check_what_is_held_out(options);
   if (streets::is_street_corpus(options.corpus)) return run_on_streets(options, session);
-  const parser::Corpus corpus = read_hallway_corpus(options.corpus);
+  const parser::Corpus corpus = read_hallway_corpus(options.corpus, options.training.tell_place_numbers);
   std::optional<parser::Corpus> test;
-  if (!options.test_corpus.empty()) test = read_hallway_corpus(options.test_corpus);
+  if (!options.test_corpus.empty())
+    test = read_hallway_corpus(options.test_corpus, options.training.tell_place_numbers);
   parser::EvaluateOptions evaluate;
   evaluate.train = options.training.settled();
   evaluate.ensemble = options.ensemble;
@@ -170,7 +177,7 @@ ExitCode run_evaluate(const EvaluateCommandOptions& options, const Session& sess
   bar.wipe();
   write_predictions(options.predictions, false, evaluation, test_maps);
   write_predictions(options.paragraph_predictions, true, evaluation, test_maps);
-  print_scores(evaluation, test ? *test : corpus, test_maps, evaluate, options.json);
+  print_scores(evaluation, test ? *test : corpus, test_maps, evaluate, options);
   return ExitCode::Done;
 }
 
@@ -215,7 +222,17 @@ Runner setup_evaluate(Command command) {
                   "the same of sentences in their paragraphs, each from where the one before it had ended")
       .type_name("FILE");
   command.add_flag("--json", options->json, "one JSON object");
-  return [options](const Session& session) { return run_evaluate(*options, session); };
+  add_commands_request(command, options->commands);
+  return [options](const Session& session) {
+    if (options->commands.training.files.empty() && options->commands.tests.empty())
+      return run_evaluate(*options, session);
+    CommandsRequest request = options->commands;
+    request.model_file = options->pairs.model.file;
+    request.data = options->data;
+    request.seed = options->training.train.seed;
+    request.json = options->json;
+    return evaluate_commands(request, session);
+  };
 }
 
 }  // namespace waymark::tools

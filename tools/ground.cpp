@@ -10,8 +10,9 @@
 #include "libltl/text/print.hpp"
 #include "libparser/corpus/token.hpp"
 #include "libparser/decode/explain.hpp"
-#include "libparser/ground.hpp"
+#include "libparser/domain/commands/command_reader.hpp"
 #include "libparser/grounding/instruction.hpp"
+#include "libparser/grounding/understand.hpp"
 #include "libparser/model/word_model.hpp"
 #include "libparser/rerank/decide.hpp"
 #include "tools/answer.hpp"
@@ -20,6 +21,7 @@
 #include "tools/shell/options.hpp"
 #include "tools/shell/parallel.hpp"
 #include "tools/shell/subcommand.hpp"
+#include "tools/understood.hpp"
 
 namespace waymark::tools {
 namespace {
@@ -31,7 +33,8 @@ struct GroundCommandOptions {
   std::string start;
   std::size_t top = 5, beam = 64;
   ParallelOptions parallel;
-  bool json = false, explain = false;
+  std::string domains, landmark_maps;
+  bool json = false, explain = false, force = false;
 };
 
 // A sentence as the reader says it, symbol by symbol.
@@ -44,21 +47,23 @@ class Grounding {
  public:
   Grounding(const GroundCommandOptions& options, const Session& session)
       : options_(options), session_(session), model_(read_model(options.model, options.map.data)) {
+    if (!options.domains.empty()) domains_.emplace(options.domains, options.landmark_maps);
     if (options.explain && network() == nullptr)
       throw UsageError("--explain shows what an encoder-decoder attends to; this model is a linear one");
   }
 
   Reply operator()(const Text& line) {
     const parser::Instruction instruction = parser::parse_instruction(line.text, line.source, line.line);
+    if (domains_) return read_command(instruction, line);
     const Place& place = place_of(instruction.map.value_or(options_.map.map));
     const plan::Map& map = place.map;
     ltl::Arena arena(map.vocabulary());
     const auto starts = start_poses(instruction.start.value_or(options_.start), map);
-    auto readings =
-        parser::ground(model_, instruction.text, place.executor, starts, arena, {.beam = options_.beam});
-    if (readings.empty())
-      throw ltl::FormatError(line.source, line.source.empty() ? 0 : line.line, 0,
-                             "the instruction '" + instruction.text + "' has no word that could be read");
+    parser::Understanding understood = parser::understand(
+        model_, instruction.text, place.executor, starts, arena,
+        {.ground = {.beam = options_.beam}, .least = options_.force ? 0 : parser::least_understood});
+    std::vector<parser::Reading>& readings = understood.readings;
+    if (readings.empty()) return not_understood(instruction.text, map, understood);
     const std::size_t top = std::max<std::size_t>(options_.top, 1);
     if (readings.size() > top)
       readings.erase(readings.begin() + static_cast<std::ptrdiff_t>(top), readings.end());
@@ -89,6 +94,40 @@ class Grounding {
       place = std::make_unique<Place>(read_map(options));
     }
     return *place;
+  }
+
+  Reply not_understood(const std::string& text, const plan::Map& map,
+                       const parser::Understanding& understood) const {
+    return {.code = ExitCode::NotUnderstood,
+            .text = options_.json ? not_understood_json(text, map.name(), understood).text() + '\n'
+                                  : std::string(),
+            .problem = not_understood_message(text, understood)};
+  }
+
+  // A command of a domain: its formula over infinite words.
+  Reply read_command(const parser::Instruction& instruction, const Text& line) {
+    if (!instruction.domain)
+      throw ltl::FormatError(line.source, line.line, 0,
+                             "with --domains each line is a JSON object with a 'domain'");
+    if (!model_.commands) throw UsageError("the model has no reader of commands");
+    const parser::CommandDomain* domain = nullptr;
+    {
+      const std::lock_guard lock(reading_);
+      domain = &domains_->of(*instruction.domain);
+    }
+    ltl::Arena arena;
+    const auto read = parser::read_command(*model_.commands, *domain, instruction.text, arena);
+    const bool understood = !read.readings.empty();
+    const std::string formula = understood ? ltl::print(read.readings.front().formula) : "";
+    const double probability = understood ? read.readings.front().probability : 0;
+    if (!options_.json) return {.text = fixed(probability, 4) + "  " + formula + '\n'};
+    JsonObject json;
+    if (instruction.id) json.add("id", *instruction.id);
+    json.add("formula", understood ? Json(formula) : Json())
+        .add("english",
+             understood ? Json(in_english(read.readings.front().formula, ltl::Semantics::Infinite)) : Json())
+        .add("probability", probability);
+    return {.text = json.text() + '\n'};
   }
 
   // The likeliest program of each sentence, before the map has its say.
@@ -166,6 +205,7 @@ class Grounding {
   const GroundCommandOptions& options_;
   const Session& session_;
   parser::Grounder model_;
+  std::optional<parser::CommandDomains> domains_;
   std::mutex reading_;
   std::map<std::string, std::unique_ptr<Place>> places_;  // by the name that was asked for
 };
@@ -200,6 +240,13 @@ Runner setup_ground(Command command) {
   command.add_flag(
       "--explain", options->explain,
       "the words that each symbol of a sentence's likeliest program attended to (encoder-decoders)");
+  command
+      .add_option("--domains", options->domains,
+                  "lines are commands {\"id\",\"domain\",\"text\"} of the domains of this file")
+      .type_name("FILE");
+  command.add_option("--maps", options->landmark_maps, "maps of landmarks, for domains \"osm:CITY\"")
+      .type_name("DIR");
+  command.add_flag("--force", options->force, "answer what was hardly understood, too");
   command.add_flag("--json", options->json, "one JSON object a line");
   return [options](const Session& session) { return run_ground(*options, session); };
 }

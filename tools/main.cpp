@@ -20,6 +20,7 @@ Runner setup_automaton(Command);
 Runner setup_compose(Command);
 Runner setup_plan(Command);
 Runner setup_check(Command);
+Runner setup_explain(Command);
 Runner setup_compare(Command);
 Runner setup_train(Command);
 Runner setup_evaluate(Command);
@@ -43,6 +44,8 @@ constexpr std::array rows{
     Subcommand{"compose", "formula or automaton, and a map → their product", setup_compose},
     Subcommand{"plan", "formula or automaton, and a map → a certified route of least cost", setup_plan},
     Subcommand{"check", "does this trajectory satisfy this formula?", setup_check},
+    Subcommand{"explain", "formula → English, with a word that satisfies it and one that does not",
+               setup_explain},
     Subcommand{"move", "formula and a map → a certified motion of a robot with a body", setup_move},
     Subcommand{"compare", "exact search, value iteration and learners on one task, side by side",
                setup_compare},

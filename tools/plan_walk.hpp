@@ -9,6 +9,7 @@
 #include "libplan/solve/task_automaton.hpp"
 #include "libplan/world/map.hpp"
 #include "tools/shell/exit_code.hpp"
+#include "tools/shell/json.hpp"
 #include "tools/shell/subcommand.hpp"
 
 namespace waymark::tools {

@@ -1,10 +1,16 @@
 // waymark run: the whole corridor, from an English instruction to a certified route.
+#include <algorithm>
 #include <iostream>
+#include <map>
 #include <memory>
+#include <optional>
+#include <span>
 
 #include "libautomata/hoa/finite.hpp"
 #include "libltl/text/print.hpp"
+#include "libparser/grounding/instruction.hpp"
 #include "libparser/grounding/understand.hpp"
+#include "tools/alternatives.hpp"
 #include "tools/answer.hpp"
 #include "tools/picture.hpp"
 #include "tools/plan_walk.hpp"
@@ -13,6 +19,7 @@
 #include "tools/shell/options.hpp"
 #include "tools/shell/output.hpp"
 #include "tools/shell/subcommand.hpp"
+#include "tools/understood.hpp"
 
 namespace waymark::tools {
 namespace {
@@ -28,7 +35,7 @@ struct RunOptions {
   ModelOptions model;
   std::string start, svg, hoa, semantics = "auto";
   std::size_t top = 0;  // 0: 1 as text, 5 in JSON
-  bool force = false;
+  bool force = false, ask = false;
   bool json = false, demo = false;
 };
 
@@ -42,83 +49,131 @@ std::vector<WeighedFormula> weighed(const std::vector<parser::Reading>& readings
 class Running {
  public:
   Running(const RunOptions& options, const Session& session)
-      : options_(options),
-        session_(session),
-        model_(read_model(options.model, options.map.data)),
-        map_(read_map(options.map)),
-        executor_(map_),
-        starts_(start_poses(options.start, map_)),
-        load_(watch_.lap()) {}
+      : options_(options), session_(session), model_(read_model(options.model, options.map.data)) {
+    place_of(options.map.map);
+    load_ = watch_.lap();
+  }
 
-  ExitCode operator()(const Text& text) const {
-    ltl::Arena arena(map_.vocabulary());
+  ExitCode operator()(const Text& line) {
+    const parser::Instruction said = parser::parse_instruction(line.text, line.source, line.line);
+    const Place& place = place_of(said.map.value_or(options_.map.map));
+    const auto starts = start_poses(said.start.value_or(options_.start), place.map);
+    ltl::Arena arena(place.map.vocabulary());
     StopWatch watch;
-    const parser::Understanding understood = parser::understand(
-        model_, text.text, executor_, starts_, arena, {.least = options_.force ? 0.0 : parser::UnderstandOptions().least});
-    const std::vector<parser::Reading>& readings = understood.readings;
-    if (readings.empty()) return not_understood(text, understood);
+    parser::Understanding understood =
+        parser::understand(model_, said.text, place.executor, starts, arena,
+                           {.least = options_.force ? 0 : parser::least_understood});
+    if (understood.readings.empty()) return not_understood(said.text, place.map, understood);
     const double grounding = watch.lap();
-    const ltl::Formula formula = readings.front().formula;
+    const Heard heard{said.id, said.text, place.map, starts, understood.readings};
+    if (options_.ask && understood.readings.size() > 1) ask(understood.readings, place.map, starts);
     if (options_.semantics == "infinite" || (options_.semantics == "auto" && understood.ongoing))
-      return run_for_ever(text, readings);
-    const automata::Dfa dfa = translate(formula, session_.stop);
-    const double translating = watch.lap();
-    Answer answer{.instruction = text.text,
-                  .formula = formula,
-                  .readings = weighed(readings, options_.top > 0 ? options_.top
-                                                : options_.json  ? 5
-                                                                 : 1),
-                  .corridor_run = run_corridor(map_, dfa, formula, starts_, session_.stop)};
-    Seconds& seconds = answer.corridor_run.seconds;
-    seconds.load = load_, seconds.ground = grounding, seconds.translate = translating;
-    show(answer, dfa);
-    return route_of(answer.corridor_run) != nullptr ? ExitCode::Done : ExitCode::No;
+      return run_for_ever(heard);
+    return run_once(heard, grounding);
   }
 
  private:
-  ExitCode not_understood(const Text& text, const parser::Understanding& understood) const {
-    std::string message = "not understood: '" + text.text + "'";
-    if (!understood.words_not_understood.empty()) {
-      message += "; these words are not known here: ";
-      for (const std::string& word : understood.words_not_understood) message += (message.back() == ' ' ? "" : ", ") + word;
+  struct Place {  // the executor refers to the map
+    explicit Place(plan::Map read) : map(std::move(read)), executor(map) {}
+    plan::Map map;
+    parser::Executor executor;
+  };
+  struct Heard {
+    const std::optional<std::string>& id;
+    const std::string& text;
+    const plan::Map& map;
+    std::span<const plan::PoseId> starts;
+    const std::vector<parser::Reading>& readings;
+  };
+
+  const Place& place_of(const std::string& name) {
+    std::unique_ptr<Place>& place = places_[name];
+    if (!place) {
+      MapOptions options = options_.map;
+      options.map = name;
+      place = std::make_unique<Place>(read_map(options));
     }
-    if (options_.json) {
-      JsonArray words;
-      for (const std::string& word : understood.words_not_understood) words.add(word);
-      std::cout << JsonObject()
-                       .add("instruction", text.text)
-                       .add("map", map_.name())
-                       .add("status", "not understood")
-                       .add("understood", Json())
-                       .add("probability", understood.probability)
-                       .add("words", words)
-                       .text()
-                << '\n';
-    }
-    std::cerr << message << '\n';
+    return *place;
+  }
+
+  std::size_t shown_readings() const { return options_.top > 0 ? options_.top : options_.json ? 5 : 1; }
+
+  ExitCode not_understood(const std::string& text, const plan::Map& map,
+                          const parser::Understanding& understood) const {
+    if (options_.json) std::cout << not_understood_json(text, map.name(), understood).text() << '\n';
+    std::cerr << "waymark: " << not_understood_message(text, understood) << '\n';
     return ExitCode::NotUnderstood;
   }
 
-  // A task without end: its lasso.
-  ExitCode run_for_ever(const Text& text, const std::vector<parser::Reading>& readings) const {
-    JsonArray array;
-    for (const WeighedFormula& reading : weighed(readings, options_.top > 0 ? options_.top : 5))
-      array.add(JsonObject().add("formula", ltl::print(reading.formula)).add("probability", reading.probability));
-    WalkOptions walk{.svg = options_.svg, .json = options_.json, .load = load_};
-    walk.head.add("instruction", text.text).add("readings", array);
-    return plan_lasso({map_, starts_, readings.front().formula}, walk, session_);
+  // Two readings are close when the second has a third of the probability of the first. The answer goes first.
+  void ask(std::vector<parser::Reading>& readings, const plan::Map& map,
+           std::span<const plan::PoseId> starts) const {
+    constexpr double close = 1.0 / 3;
+    const auto others =
+        alternatives(readings, map, starts, session_.stop, 1, close * readings.front().probability);
+    if (others.empty()) return;
+    const Alternative& other = others.front();
+    std::cerr << "Two readings are close:\n  1  "
+              << in_english(readings.front().formula, ltl::Semantics::Finite, map) << "\n  2  "
+              << other.english << '\n';
+    if (other.route) {
+      std::cerr << "Is this a route that you would let pass? Only reading "
+                << (other.first_accepts_route ? 1 : 2) << " accepts it:\n";
+      print_steps(std::cerr, *other.route, map);
+    }
+    std::cerr << "1 or 2? ";
+    std::string answer;
+    std::getline(std::cin, answer);
+    if (answer != "2") return;
+    const auto chosen = std::find_if(readings.begin(), readings.end(),
+                                     [&](const parser::Reading& r) { return r.formula == other.formula; });
+    std::rotate(readings.begin(), chosen, chosen + 1);
   }
 
+  // A task without end: its lasso.
+  ExitCode run_for_ever(const Heard& heard) const {
+    const ltl::Formula formula = heard.readings.front().formula;
+    JsonArray array;
+    for (const WeighedFormula& reading : weighed(heard.readings, shown_readings()))
+      array.add(
+          JsonObject().add("formula", ltl::print(reading.formula)).add("probability", reading.probability));
+    const std::string english = in_english(formula, ltl::Semantics::Infinite, heard.map);
+    WalkOptions walk{.svg = options_.svg, .json = options_.json, .load = load_};
+    if (heard.id) walk.head.add("id", *heard.id);
+    walk.head.add("instruction", heard.text).add("understood", english).add("readings", array);
+    if (!options_.json) std::cout << "understood   " << english << '\n';
+    return plan_lasso({heard.map, heard.starts, formula}, walk, session_);
+  }
 
-  void show(const Answer& answer, const automata::Dfa& dfa) const {
+  ExitCode run_once(const Heard& heard, double grounding) const {
+    const ltl::Formula formula = heard.readings.front().formula;
+    StopWatch watch;
+    const automata::Dfa dfa = translate(formula, session_.stop);
+    const double translating = watch.lap();
+    Answer answer{.id = heard.id,
+                  .instruction = heard.text,
+                  .understood = in_english(formula, ltl::Semantics::Finite, heard.map),
+                  .formula = formula,
+                  .readings = weighed(heard.readings, shown_readings()),
+                  .corridor_run = run_corridor(heard.map, dfa, formula, heard.starts, session_.stop)};
+    if (options_.json && heard.readings.size() > 1)
+      answer.alternatives =
+          json_of(alternatives(heard.readings, heard.map, heard.starts, session_.stop), heard.map);
+    Seconds& seconds = answer.corridor_run.seconds;
+    seconds.load = load_, seconds.ground = grounding, seconds.translate = translating;
+    show(answer, heard.map, dfa);
+    return route_of(answer.corridor_run) != nullptr ? ExitCode::Done : ExitCode::No;
+  }
+
+  void show(const Answer& answer, const plan::Map& map, const automata::Dfa& dfa) const {
     if (options_.json)
-      std::cout << json_of(answer, map_).text() << '\n';
+      std::cout << json_of(answer, map).text() << '\n';
     else
-      print(std::cout, session_.out, answer, map_);
+      print(std::cout, session_.out, answer, map);
     if (!options_.hoa.empty())
       write_file(options_.hoa, automata::write_hoa(dfa, {.name = ltl::print(*answer.formula)}));
     if (options_.svg.empty()) return;
-    draw({.map = &map_,
+    draw({.map = &map,
           .dfa = &dfa,
           .instruction = *answer.instruction,
           .formula = answer.formula,
@@ -130,10 +185,8 @@ class Running {
   const Session& session_;
   StopWatch watch_;
   parser::Grounder model_;
-  plan::Map map_;
-  parser::Executor executor_;
-  std::vector<plan::PoseId> starts_;
-  double load_;
+  std::map<std::string, std::unique_ptr<Place>> places_;  // by the name that was asked for
+  double load_ = 0;
 };
 
 ExitCode run_all(RunOptions options, const Session& session) {
@@ -147,7 +200,7 @@ ExitCode run_all(RunOptions options, const Session& session) {
   TextReader texts(options.text, "instruction");
   if (texts.is_batch() && (!options.svg.empty() || !options.hoa.empty()))
     throw UsageError("--svg and --hoa are for a single instruction given as an argument");
-  const Running running(options, session);
+  Running running(options, session);
   return answer_each(
       texts, session.stop, [&](const Text& text) { return running(text); }, options.json);
 }
@@ -165,6 +218,8 @@ Runner setup_run(Command command) {
   command.add_option("--semantics", options->semantics, "finite or infinite words; auto: as the words say")
       .type_name("KIND")
       .one_of({"auto", "finite", "infinite"});
+  command.add_flag("--ask", options->ask,
+                   "where two readings are close, ask which is meant (the answer: standard input)");
   command.add_flag("--force", options->force, "answer what was hardly understood, too");
   command.add_flag("--json", options->json, "one JSON object a line");
   command.add_option("--svg", options->svg, "draw map, route and automaton").type_name("FILE");

@@ -11,7 +11,7 @@
 #include "libparser/training/learn.hpp"
 #include "tools/corridor.hpp"
 #include "tools/formula_table.hpp"
-#include "tools/shell/data_directory.hpp"
+#include "tools/shell/command_training.hpp"
 #include "tools/shell/learning.hpp"
 #include "tools/shell/models.hpp"
 #include "tools/shell/options.hpp"
@@ -24,11 +24,8 @@ namespace {
 struct TrainCommandOptions {
   std::string corpus, supervised, out = "model.waymark", data, convention = "absolute";
   TrainingOptions training;
-  std::vector<std::string> commands;  // files, or "own"
-  std::string domains, landmark_maps, base;
-  std::size_t networks = 3;
-  parser::OwnCommands own;
-  parser::LiftedTraining lifted;
+  CommandTrainingOptions commands;
+  std::string base;
   bool json = false;
 };
 
@@ -62,7 +59,7 @@ TrainingData training_data_of(const TrainCommandOptions& options, parser::Dialec
     instances.corpus = parser::generate_corpus(shipped_maps(options.data), parser::own_language);
     instances.corpus.checksum = parser::fnv1a(parser::json_lines(instances.corpus));
   } else {
-    instances.corpus = read_hallway_corpus(options.corpus);
+    instances.corpus = read_hallway_corpus(options.corpus, options.training.tell_place_numbers);
   }
   instances.maps = maps_of(instances.corpus, options.data);
   instances.checksum = instances.corpus.checksum;
@@ -73,6 +70,7 @@ TrainingData training_data_of(const TrainCommandOptions& options, parser::Dialec
 void report(const TrainCommandOptions& options, const parser::TrainOptions& train,
             const TrainingData& instances, std::size_t bytes, double seconds) {
   const bool supervised = !options.supervised.empty();
+  const std::string numbers = told_or_hidden(options.training.tell_place_numbers || options.corpus.empty());
   if (options.json)
     std::cout << JsonObject()
                      .add("model", options.training.model)
@@ -82,6 +80,7 @@ void report(const TrainCommandOptions& options, const parser::TrainOptions& trai
                      .add("corpus_checksum", hexadecimal(instances.checksum))
                      .add("seed", train.seed)
                      .add("convention", options.convention)
+                     .add("place_numbers", numbers)
                      .add("bytes", bytes)
                      .add("seconds", seconds)
                      .text()
@@ -91,40 +90,38 @@ void report(const TrainCommandOptions& options, const parser::TrainOptions& trai
               << (supervised ? "with their formulas"
                              : "of " + std::to_string(instances.corpus.paragraphs.size()) + " paragraphs")
               << " (checksum " << hexadecimal(instances.checksum) << ", "
-              << (supervised ? "" : "unknown headings " + options.convention + ", ") << "seed " << train.seed
-              << "), " << bytes << " bytes, " << fixed(seconds, 1) << " s: " << options.out << '\n';
+              << (supervised
+                      ? ""
+                      : "unknown headings " + options.convention + ", numbers of places " + numbers + ", ")
+              << "seed " << train.seed << "), " << bytes << " bytes, " << fixed(seconds, 1)
+              << " s: " << options.out << '\n';
 }
 
 // The reader of commands: from people's commands, our own, and what it must leave to the reader of programs.
 std::shared_ptr<const parser::LiftedReader> learn_commands(const TrainCommandOptions& options,
-                                                           const TrainingData& instances,
+                                                           const TrainingData& data,
                                                            const parser::TrainOptions& train) {
-  if (options.commands.empty()) return nullptr;
-  const std::filesystem::path data = data_directory(options.data);
-  const auto vectors = parser::LiftedReader::load_vectors(data / "words" / "words.waymark");
-  const parser::SynchronousGrammar grammar(data / "language" / "commands.grammar");
-  std::vector<parser::LiftedExample> examples = parser::own_commands(grammar, *vectors.vectors, options.own);
-  const auto routes = parser::route_instructions(instances.corpus, instances.maps, *vectors.vectors, 0.25);
+  const auto vectors = read_vectors(options.data);
+  std::vector<parser::LiftedExample> examples =
+      parser::own_commands(read_grammar(options.data), *vectors.vectors, options.commands.how.own);
+  const auto routes = parser::route_instructions(data.corpus, data.maps, *vectors.vectors, 0.25);
   examples.insert(examples.end(), routes.begin(), routes.end());
-  for (const std::string& file : options.commands) {
+  for (const std::string& file : options.commands.files) {
     if (file == "own") continue;
-    const std::filesystem::path beside = std::filesystem::path(file).parent_path();
-    parser::CommandDomains domains(
-        options.domains.empty() ? beside / "domains.json" : std::filesystem::path(options.domains),
-        options.landmark_maps.empty() ? beside / "maps" : std::filesystem::path(options.landmark_maps));
+    parser::CommandDomains domains = domains_of(options.commands, file);
     const auto labelled = parser::labelled_commands(parser::read_commands(file), domains, 0.3);
     examples.insert(examples.end(), labelled.examples.begin(), labelled.examples.end());
     if (labelled.left_out > 0)
       std::cerr << file << ": " << labelled.left_out
-                << " commands name what their formulas do not, and are left out\n";
+                << " commands are left out: their texts do not name what their formulas speak of\n";
   }
   std::vector<std::shared_ptr<const parser::LiftedNetwork>> networks;
-  for (std::size_t i = 0; i < options.networks; ++i) {
-    parser::LiftedTraining how = options.lifted;
+  const std::size_t n = options.commands.how.networks;
+  for (std::size_t i = 0; i < n; ++i) {
+    parser::LiftedTraining how = options.commands.how.network;
     how.seed = train.seed + i;
-    const double share = 1.0 / static_cast<double>(options.networks);
     networks.push_back(parser::learn_lifted(examples, vectors.vectors, how, [&](double done) {
-      train.progress((static_cast<double>(i) + done) * share, "learning commands");
+      train.progress((static_cast<double>(i) + done) / static_cast<double>(n), "learning commands");
     }));
   }
   return std::make_shared<const parser::LiftedReader>(vectors, std::move(networks));
@@ -150,7 +147,7 @@ ExitCode run_train(const TrainCommandOptions& options, const Session& session) {
                    ? parser::train(instances.corpus, instances.maps, train)
                    : parser::train_supervised(instances.pairs, instances.maps.front(), train);
       });
-  if (!options.commands.empty()) grounder.commands = learn_commands(options, instances, train);
+  if (!options.commands.files.empty()) grounder.commands = learn_commands(options, instances, train);
   const std::string bytes = parser::serialize_within(grounder, parser::most_bytes);
   bar.wipe();
   write_file(options.out, bytes);
@@ -167,43 +164,12 @@ Runner setup_train(Command command) {
       .add_option("--supervised", options->supervised,
                   "learn from lines 'sentence TAB formula' instead, over the vocabulary of the shipped maps")
       .type_name("FILE");
-  const std::string group = "Commands";
-  command
-      .add_option("--commands", options->commands,
-                  "English commands with formulas, one JSON object a line; 'own' is our own language alone")
-      .type_name("FILE")
-      .group(group);
-  command
-      .add_option("--domains", options->domains,
-                  "the domains of the commands (else domains.json beside each file)")
-      .type_name("FILE")
-      .group(group);
-  command.add_option("--maps", options->landmark_maps, "maps of landmarks (else maps beside each file)")
-      .type_name("DIR")
-      .group(group);
-  command.add_option("--networks", options->networks, "networks that vote on a command")
-      .type_name("N")
-      .between(1, 16)
-      .show_default()
-      .group(group);
-  command.add_option("--own-commands", options->own.texts, "commands of our own language")
-      .type_name("N")
-      .show_default()
-      .group(group);
-  command
-      .add_option("--own-weight", options->own.weight, "weight of one of them, compared with one of people's")
-      .type_name("X")
-      .show_default()
-      .group(group);
-  command.add_option("--command-epochs", options->lifted.epochs, "passes over all commands")
-      .type_name("N")
-      .show_default()
-      .group(group);
+  add_command_training_options(command, options->commands);
   command
       .add_option("--base", options->base,
                   "keep the reader of programs of this model, learn the commands alone")
       .type_name("FILE")
-      .group(group);
+      .group("Commands");
   add_data_option(command, options->data);
   command.add_option("--out", options->out, "the model file; written whole or not at all")
       .type_name("FILE")

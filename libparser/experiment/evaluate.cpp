@@ -29,17 +29,20 @@ PathScores compared(const plan::Map& map, plan::PoseId start, Nodes want, Nodes 
 class Test {
  public:
   Test(const Follower& follower, const Executor& executor, Convention convention,
-       std::vector<Prediction>* predictions, std::stop_token stop)
+       std::vector<Prediction>* predictions, std::stop_token stop, const HeardSentences* heard)
       : follower_(follower),
         executor_(executor),
         convention_(convention),
         predictions_(predictions),
-        stop_(std::move(stop)) {}
+        stop_(std::move(stop)),
+        heard_(heard) {}
 
   void sentence(const Example& example, const std::string& id) {
     if (stop_.stop_requested()) throw Stopped{};
     Response answer = follower_.follow(executor_, example.input, example.gold.start);
-    of(scores_.sentence) += {answer.end == example.gold.end ? 1U : 0U, 1};
+    const Percent right{answer.end == example.gold.end ? 1U : 0U, 1};
+    of(scores_.sentence) += right;
+    if (heard_ != nullptr && heard_->count(example.input.tokens) == 0) of(scores_.unheard) += right;
     if (follower_.reads_formulas())
       scores_.satisfiable +=
           {!answer.program.empty() && executor_.run(answer.program, example.gold.start) ? 1U : 0U, 1};
@@ -95,6 +98,7 @@ class Test {
   Convention convention_;
   std::vector<Prediction>* predictions_;
   std::stop_token stop_;
+  const HeardSentences* heard_;
   Scores scores_;
 };
 
@@ -112,6 +116,8 @@ Scores& Scores::operator+=(const Scores& other) {
   sentence.relative += other.sentence.relative;
   paragraph.absolute += other.paragraph.absolute;
   paragraph.relative += other.paragraph.relative;
+  unheard.absolute += other.unheard.absolute;
+  unheard.relative += other.unheard.relative;
   path += other.path;
   paragraph_path += other.paragraph_path;
   satisfiable += other.satisfiable;
@@ -130,10 +136,10 @@ std::shared_ptr<const Follower> follower_of(std::vector<Grounder> systems, const
 }
 
 Scores evaluate(const Follower& follower, const Corpus& corpus, const plan::Map& map, Convention convention,
-                std::vector<Prediction>* predictions, std::stop_token stop) {
+                std::vector<Prediction>* predictions, std::stop_token stop, const HeardSentences* heard) {
   const Executor executor(map);
   const Examples examples = make_examples(corpus, {&executor, 1}, convention);
-  Test test(follower, executor, convention, predictions, std::move(stop));
+  Test test(follower, executor, convention, predictions, std::move(stop), heard);
   for (std::size_t i = 0; i < examples.sentences.size(); ++i)
     test.sentence(examples.sentences[i], examples.ids[i]);
   for (std::size_t begin = 0, end = 0; begin < examples.sentences.size(); begin = end) {

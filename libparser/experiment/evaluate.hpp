@@ -6,6 +6,7 @@
 //   path         sets of visited nodes without the start node: precision and recall over all sentences (micro),
 //                accuracy over all (sentence, node other than the start) pairs, under the absolute convention; the same
 //                along whole paragraphs
+//   unheard      like sentence, of those whose sequence of tokens no sentence of the training maps has
 //   satisfiable  sentences whose formula has a plan on the map from the gold start pose; only of followers that read
 //                formulas. All formulas are well typed, since no others can be decoded
 // A model is trained and tested under the same convention.
@@ -14,6 +15,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <set>
 #include <span>
 #include <string>
 #include <vector>
@@ -36,12 +38,15 @@ struct PathScores {
 };
 
 struct Scores {
-  ConventionScores sentence, paragraph;
+  ConventionScores sentence, paragraph, unheard;
   PathScores path, paragraph_path;  // under the absolute convention
   Percent satisfiable;  // sentences with a formula that can be satisfied on the map from their start
   std::size_t skipped_paragraphs = 0;  // unsegmented
   Scores& operator+=(const Scores& other);
 };
+
+// The token sequences that a follower was trained on.
+using HeardSentences = std::set<std::vector<std::string>>;
 
 // One sentence that was tested: by itself, from its gold start, or in its paragraph, from where the one before it had
 // ended.
@@ -86,8 +91,10 @@ std::shared_ptr<const Follower> follower_of(std::vector<Grounder> systems, const
 Following following(const TrainOptions& options);
 
 // Scores of one follower, under the convention it is asked about, on the paragraphs of the corpus that lie on this map.
-// Predictions are added when they are wanted. Throws Stopped when a stop was requested.
+// Predictions are added when they are wanted. Without heard sentences, none are counted as unheard. Throws Stopped
+// when a stop was requested.
 Scores evaluate(const Follower& follower, const Corpus& corpus, const plan::Map& map, Convention convention,
-                std::vector<Prediction>* predictions = nullptr, std::stop_token stop = {});
+                std::vector<Prediction>* predictions = nullptr, std::stop_token stop = {},
+                const HeardSentences* heard = nullptr);
 
 }  // namespace waymark::parser

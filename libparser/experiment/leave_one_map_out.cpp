@@ -208,12 +208,14 @@ class Experiment {
   }
 
   void score(HallwayFold& fold, const JobProgress& progress) {
+    HeardSentences heard;
+    for (const Example* example : on(fold.convention, fold.instances)) heard.insert(example->input.tokens);
     if (options_.actions) {
       const auto follower =
           learn_actions(on(fold.convention, fold.instances), executors_, options_for(fold.convention, 0),
                         [&](double f) { progress(0.9 * f); });
       fold.scores = evaluate(*follower, test_, maps_[fold.left_out], fold.convention, &fold.predictions,
-                             options_.train.stop);
+                             options_.train.stop, &heard);
       return;
     }
     std::vector<Grounder> members;
@@ -223,7 +225,7 @@ class Experiment {
     }
     const auto test = [&](std::vector<Grounder> grounders, std::vector<Prediction>* predictions) {
       return evaluate(*follower_of(std::move(grounders), options_), test_, maps_[fold.left_out],
-                      fold.convention, predictions, options_.train.stop);
+                      fold.convention, predictions, options_.train.stop, &heard);
     };
     if (members.size() > 1)
       for (const Grounder& member : members) fold.singles.push_back(test({member}, nullptr));

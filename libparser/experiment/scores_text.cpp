@@ -8,7 +8,7 @@
 namespace waymark::parser {
 namespace {
 
-constexpr std::size_t counts = 23;
+constexpr std::size_t counts = 27;
 
 // Every count there is, in the order of their declarations.
 std::array<std::size_t*, counts> counts_of(Scores& s) {
@@ -16,7 +16,8 @@ std::array<std::size_t*, counts> counts_of(Scores& s) {
   std::size_t i = 0;
   for (Percent* p : {&s.sentence.absolute, &s.sentence.relative, &s.paragraph.absolute, &s.paragraph.relative,
                      &s.path.precision, &s.path.recall, &s.path.accuracy, &s.paragraph_path.precision,
-                     &s.paragraph_path.recall, &s.paragraph_path.accuracy, &s.satisfiable}) {
+                     &s.paragraph_path.recall, &s.paragraph_path.accuracy, &s.satisfiable,
+                     &s.unheard.absolute, &s.unheard.relative}) {
     out[i++] = &p->hits;
     out[i++] = &p->total;
   }

@@ -37,6 +37,9 @@ Evaluation evaluate_train_all(const Corpus& train, std::span<const plan::Map> ma
                               std::span<const plan::Map> test_maps, const EvaluateOptions& options) {
   const auto begin = std::chrono::steady_clock::now();
   Evaluation evaluation;
+  HeardSentences heard;
+  for (const Paragraph& paragraph : train.paragraphs)
+    for (const Sentence& sentence : paragraph.sentences) heard.insert(sentence.tokens);
   for (const Convention convention : {Convention::Absolute, Convention::Relative}) {
     if (!(convention == Convention::Absolute ? options.absolute : options.relative)) continue;
     const auto follower = learned(train, maps, options, convention);
@@ -45,7 +48,7 @@ Evaluation evaluate_train_all(const Corpus& train, std::span<const plan::Map> ma
         throw std::invalid_argument("maps " + maps.front().name() + " and " + map.name() +
                                     " have different vocabularies");
       Fold<Scores, Prediction> fold{map.name()};
-      fold.scores = evaluate(*follower, test, map, convention, &fold.predictions, options.train.stop);
+      fold.scores = evaluate(*follower, test, map, convention, &fold.predictions, options.train.stop, &heard);
       if (fold.scores.sentence.absolute.total + fold.scores.sentence.relative.total == 0) continue;
       evaluation.add(std::move(fold));
     }

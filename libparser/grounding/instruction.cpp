@@ -23,7 +23,7 @@ std::optional<std::string> start_of(const json& start) {
 }  // namespace
 
 Instruction parse_instruction(std::string_view line, std::string_view source, std::size_t number) {
-  if (line.empty() || line.front() != '{') return {std::string(line), {}, {}};
+  if (line.empty() || line.front() != '{') return {std::string(line), {}, {}, {}, {}};
   const auto fail = [&](const std::string& message) { throw ltl::FormatError(source, number, 0, message); };
   const json object = json::parse(line, nullptr, false);
   if (!object.is_object()) fail("is no JSON object, though it begins like one");
@@ -31,11 +31,16 @@ Instruction parse_instruction(std::string_view line, std::string_view source, st
   const auto text = object.find("text");
   if (text == object.end() || !text->is_string()) fail("'text' must be there, and a string");
   out.text = text->get<std::string>();
-  if (const auto map = object.find("map"); map != object.end()) {
-    if (!map->is_string()) fail("'map' must be a string");
-    out.map = map->get<std::string>();
-  }
-  if (const auto start = object.find("start"); start != object.end()) {
+  const auto name = [&](const char* key, std::optional<std::string>& value) {
+    const auto found = object.find(key);
+    if (found == object.end()) return;
+    if (!found->is_string()) fail("'" + std::string(key) + "' must be a string");
+    value = found->get<std::string>();
+  };
+  name("map", out.map);
+  name("id", out.id);
+  name("domain", out.domain);
+  if (const auto start = object.find("start"); start != object.end() && !start->is_null()) {
     out.start = start_of(*start);
     if (!out.start) fail("'start' must be [x,y], [x,y,heading] or a string of that");
   }

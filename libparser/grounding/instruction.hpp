@@ -12,8 +12,9 @@ namespace waymark::parser {
 
 struct Instruction {
   std::string text;
-  std::optional<std::string> map;    // a name
-  std::optional<std::string> start;  // "x,y,heading"
+  std::optional<std::string> map;         // a name
+  std::optional<std::string> start;       // "x,y,heading"
+  std::optional<std::string> id, domain;  // of commands: a name of theirs; "cleanup", "osm:boston" …
 };
 
 // Throws ltl::FormatError naming the value that is wrong.

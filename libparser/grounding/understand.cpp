@@ -3,8 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "libltl/english/read_english.hpp"
 #include "libparser/corpus/token.hpp"
 #include "libparser/domain/hallways/hallway_things.hpp"
+#include "libplan/plan_of.hpp"
+#include "libplan/world/observable_english.hpp"
 
 namespace waymark::parser {
 namespace {
@@ -15,8 +18,7 @@ constexpr std::size_t beam = 12;
 
 // Does a formula speak of what happens again and again, or from some moment on for ever?
 bool is_ongoing(const Lifted& lifted) {
-  for (std::size_t i = 0; i < lifted.size(); ++i)
-    switch (lifted[i]) {
+  for (std::size_t i = 0; i < lifted.size(); ++i) switch (lifted[i]) {
       case Patrol:
       case Alternate:
       case React:
@@ -36,7 +38,8 @@ bool is_ongoing(const Lifted& lifted) {
 std::vector<std::string> unknown_words(const LiftedReader& reader, const LiftedText& text) {
   std::vector<std::string> out;
   for (const std::string& token : text.tokens)
-    if (token[0] != '#' && !reader.knows(token) && token.find_first_not_of(".,;:!?'\"()-") != std::string::npos)
+    if (token[0] != '#' && !reader.knows(token) &&
+        token.find_first_not_of(".,;:!?'\"()-") != std::string::npos)
       out.push_back(token);
   return out;
 }
@@ -45,6 +48,34 @@ struct Found {
   Reading reading;
   bool ongoing = false;
 };
+
+// A text in the words in which waymark says formulas itself has that formula.
+constexpr double exactly_said = 0.9;
+struct Said {
+  ltl::Formula formula;
+  bool ongoing = false;
+};
+std::optional<Said> exact_reading(const std::string& text, const plan::Map& map, ltl::Arena& arena) {
+  const auto describe = plan::hallway_english(map.vocabulary());
+  for (const ltl::Semantics semantics : {ltl::Semantics::Finite, ltl::Semantics::Infinite})
+    if (const auto formula = ltl::read_english(text, arena, {semantics, describe}))
+      return Said{*formula, semantics == ltl::Semantics::Infinite};
+  return std::nullopt;
+}
+
+// People seldom ask for what cannot be done: the likeliest readings without a route are worth less.
+constexpr double without_route = 0.1, least_planned = 0.02;
+constexpr std::size_t planned = 5;
+
+void weigh_by_routes(std::vector<Found>& all, const plan::Map& map, std::span<const plan::PoseId> starts) {
+  for (std::size_t i = 0; i < std::min(all.size(), planned); ++i) {
+    Found& f = all[i];
+    if (f.ongoing || f.reading.probability < least_planned) continue;
+    const auto plan =
+        plan::plan_of(map, f.reading.formula, starts, {.automaton_states = 5'000, .explain = false});
+    if (std::holds_alternative<plan::Infeasible>(plan)) f.reading.probability *= without_route;
+  }
+}
 
 void add(std::vector<Found>& all, Found found) {
   const auto same = std::find_if(all.begin(), all.end(),
@@ -58,7 +89,8 @@ void add(std::vector<Found>& all, Found found) {
 }  // namespace
 
 Understanding understand(const Grounder& grounder, const std::string& text, const Executor& executor,
-                         std::span<const plan::PoseId> starts, ltl::Arena& arena, const UnderstandOptions& options) {
+                         std::span<const plan::PoseId> starts, ltl::Arena& arena,
+                         const UnderstandOptions& options) {
   Understanding out;
   if (!grounder.commands) {
     out.readings = ground(grounder, text, executor, starts, arena, options.ground);
@@ -80,15 +112,24 @@ Understanding understand(const Grounder& grounder, const std::string& text, cons
       add(found, {{*formula, p, {}}, is_ongoing(r.lifted)});
     }
   }
+  if (const auto said = exact_reading(text, executor.map(), arena)) {
+    for (Found& f : found) f.reading.probability *= 1 - exactly_said;
+    route *= 1 - exactly_said;
+    nothing *= 1 - exactly_said;
+    add(found, {{said->formula, exactly_said, {}}, said->ongoing});
+  }
   double commands = 0;
   for (const Found& f : found) commands += f.reading.probability;
   out.words_not_understood = unknown_words(reader, lifted.text);
   const double understood = route + commands;
   out.probability = understood + nothing > 0 ? understood / (understood + nothing) : 0;
   if (out.probability < options.least) return out;
-  std::stable_sort(found.begin(), found.end(), [](const Found& a, const Found& b) {
+  const auto likelier = [](const Found& a, const Found& b) {
     return a.reading.probability > b.reading.probability;
-  });
+  };
+  std::stable_sort(found.begin(), found.end(), likelier);
+  weigh_by_routes(found, executor.map(), starts);
+  std::stable_sort(found.begin(), found.end(), likelier);
   std::vector<Found> programs;
   if (route > 0.05 * understood || found.empty())
     for (Reading& r : ground(grounder, text, executor, starts, arena, options.ground)) {

@@ -13,13 +13,15 @@ namespace waymark::parser {
 struct Understanding {
   std::vector<Reading> readings;  // best first; empty: not understood
   double probability = 1;         // that the text was understood at all
-  bool ongoing = false;           // the first reading speaks of what goes on for ever: read over infinite words
+  bool ongoing = false;  // the first reading speaks of what goes on for ever: read over infinite words
   std::vector<std::string> words_not_understood;
 };
 
+inline constexpr double least_understood = 0.3;
+
 struct UnderstandOptions {
   GroundOptions ground = {};
-  double least = 0.5;  // probability of having understood below which there is no reading
+  double least = least_understood;  // probability of having understood below which there is no reading
 };
 
 Understanding understand(const Grounder& grounder, const std::string& text, const Executor& executor,

@@ -125,7 +125,7 @@ TEST(Corridor, TrainsAndEvaluatesOnASmallCorpus) {
         << R"({"id":"own_)" << number << R"(","num":)" << number << R"(,"map":")" << map
         << R"(","author":"own","start_place":1,"goal_place":2,"start":[0,0,0],"goal":[0,0],"text":"turn left",)"
         << R"("path":)" << path << R"(,"sentences":[{"id":")" << number
-        << R"(-1","text":"turn left","tokens":["turn","left"],)"
+        << R"(-1","text":"turn left","tokens":["turn","left","position",")" << number << R"("],)"
         << R"("path":)" << path << R"(}],"flags":[]})" << '\n';
   };
   paragraph(1, "grid", "[[1,9,0],[1,9,270]]");
@@ -136,16 +136,25 @@ TEST(Corridor, TrainsAndEvaluatesOnASmallCorpus) {
   EXPECT_EQ(
       waymark({"train", "--corpus", folder.string(), "--epochs", "2", "--out", model.string()}).exit_code, 0);
   EXPECT_EQ(waymark({"run", "turn left", "--model-file", model.string(), "--start", "1,9,0"}).exit_code, 0);
-  const Finished evaluated =
-      waymark({"evaluate", "--corpus", folder.string(), "--leave-one-map-out", "--epochs", "2", "--json"});
+  const std::vector<std::string> evaluate{"evaluate", "--corpus", folder.string(), "--leave-one-map-out",
+                                          "--epochs", "2",        "--json"};
+  const Finished evaluated = waymark(evaluate);
+  std::vector<std::string> tell = evaluate;
+  tell.emplace_back("--tell-place-numbers");
+  const json told = json::parse(waymark(tell).output);
   std::filesystem::remove_all(folder);
   ASSERT_EQ(evaluated.exit_code, 0);
   const json scores = json::parse(evaluated.output);
-  EXPECT_EQ(keys(scores),
-            (std::vector<std::string>{"folds", "n", "paragraph", "paragraph_path", "path", "published",
-                                      "satisfiable", "seconds", "sentence", "staying"}));
+  EXPECT_EQ(keys(scores), (std::vector<std::string>{"folds", "n", "paragraph", "paragraph_path", "path",
+                                                    "place_numbers", "published", "satisfiable", "seconds",
+                                                    "sentence", "staying", "unheard"}));
   EXPECT_EQ(keys(scores["folds"]), (std::vector<std::string>{"grid", "jelly", "l"}));
   EXPECT_EQ(scores["n"]["sentences"], 3);
+  EXPECT_EQ(scores["place_numbers"], "hidden");
+  EXPECT_EQ(scores["unheard"]["n"], 0);  // without their numbers all sentences are one
+  EXPECT_EQ(told["place_numbers"], "told");
+  EXPECT_EQ(told["unheard"]["n"], 3);
+  EXPECT_EQ(keys(told["unheard"]), (std::vector<std::string>{"absolute", "n", "relative"}));
   EXPECT_EQ(scores["sentence"]["absolute"], 100.0);  // "turn left" is learnt from two other lefts
 }
 

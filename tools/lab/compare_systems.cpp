@@ -41,6 +41,7 @@ std::string settings_of(const CompareSystemsOptions& options, const Held& held) 
   out +=
       "seed " + std::to_string(options.train.seed) + "\nensemble " + std::to_string(options.ensemble) + '\n';
   if (options.epochs > 0) out += "epochs " + std::to_string(options.epochs) + '\n';
+  out += "place numbers " + told_or_hidden(options.tell_place_numbers) + '\n';
   out += "version " + std::string(WAYMARK_VERSION) + '\n';
   return out;
 }
@@ -94,6 +95,7 @@ void print_json(const CompareSystemsOptions& options, const Held& held, const st
                    .add("table", "table4")
                    .add("corpus", hexadecimal(held.corpus.checksum))
                    .add("seed", options.train.seed)
+                   .add("place_numbers", told_or_hidden(options.tell_place_numbers))
                    .add("rows", list)
                    .add("published", published_results())
                    .text()
@@ -103,8 +105,9 @@ void print_json(const CompareSystemsOptions& options, const Held& held, const st
 }  // namespace
 
 ExitCode compare_systems(const CompareSystemsOptions& options, const Session& session) {
-  Held held{read_hallway_corpus(options.corpus), {}, {}};
-  if (!options.test_corpus.empty()) held.test = read_hallway_corpus(options.test_corpus);
+  Held held{read_hallway_corpus(options.corpus, options.tell_place_numbers), {}, {}};
+  if (!options.test_corpus.empty())
+    held.test = read_hallway_corpus(options.test_corpus, options.tell_place_numbers);
   held.maps = maps_of(held.corpus, options.data);
   const std::vector<ResultRow> rows =
       learn_from(options.corpus, [&] { return rows_of(options, held, session); });

@@ -13,6 +13,7 @@ struct CompareSystemsOptions {
   std::size_t ensemble = 10;
   int epochs = 0;
   bool absolute = true, relative = true, json = false;
+  bool tell_place_numbers = false;
 };
 
 // Goes on from what is kept in `directory`, and prints.

@@ -153,6 +153,7 @@ void add_system_options(Command command, CompareSystemsOptions& options) {
       .type_name("N")
       .between(1, 256)
       .show_default();
+  command.add_flag("--tell-place-numbers", options.tell_place_numbers, "as `waymark evaluate` has it");
   command.add_flag("--json", options.json, "one JSON object");
 }
 

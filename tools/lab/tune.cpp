@@ -149,7 +149,7 @@ std::vector<double> validated(const parser::Corpus& corpus, const std::vector<pl
 }
 
 ExitCode run_tune(const TuneOptions& options, const Session& session) {
-  const parser::Corpus corpus = read_hallway_corpus(options.corpus);
+  const parser::Corpus corpus = read_hallway_corpus(options.corpus, options.training.tell_place_numbers);
   const std::vector<plan::Map> maps = maps_of(corpus, options.data);
   const std::vector<Setting> settings = settings_of(options.grid);
   for (const Setting& setting : settings) {  // what is wrong with a grid is said before anything is learned

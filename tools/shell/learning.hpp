@@ -10,8 +10,9 @@
 
 namespace waymark::tools {
 
-// Of sentences on hallway maps. Throws ltl::FormatError, also for a corpus of streets, which it names.
-parser::Corpus read_hallway_corpus(const std::string& directory);
+// Of sentences on hallway maps, the numbers of places told or hidden (supervision/place_numbers.hpp).
+// Throws ltl::FormatError, also for a corpus of streets, which it names.
+parser::Corpus read_hallway_corpus(const std::string& directory, bool tell_place_numbers);
 
 // step(), which learns from that corpus: Interrupted when it was stopped, ltl::FormatError when there is too little of
 // it.

@@ -76,6 +76,8 @@ void add_network_options(Command command, parser::NetworkTraining& network) {
 
 }  // namespace
 
+std::string told_or_hidden(bool tell_place_numbers) { return tell_place_numbers ? "told" : "hidden"; }
+
 void add_training_options(Command command, TrainingOptions& options, const std::vector<std::string>& models) {
   parser::TrainOptions& train = options.train;
   command.add_option("--model", options.model, "what is learned")
@@ -104,6 +106,8 @@ void add_training_options(Command command, TrainingOptions& options, const std::
       .show_default();
   command.add_flag("--reranker,!--no-reranker", train.reranker,
                    "a reranker on the map decides between the ends that readings lead to (on)");
+  command.add_flag("--tell-place-numbers", options.tell_place_numbers,
+                   "sentences keep the numbers of places, which nobody sees who walks: 'position 5'");
   command.add_flag("--clauses,!--no-clauses", train.clauses,
                    "sentences of several clauses are also read clause by clause (on)");
   command

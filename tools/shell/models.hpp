@@ -25,11 +25,14 @@ struct TrainingOptions {
   std::string model = "linear";
   int epochs = 0;  // 0: what is usual for the model
   bool plain = false;
+  bool tell_place_numbers = false;  // of a corpus of hallways; else "position 5" is heard as "position"
   std::optional<parser::Dialect> dialect;
   // With what depends on several of them. `usual`: the programs when none are named.
   parser::TrainOptions settled(parser::Dialect usual = parser::Dialect::Plain) const;
 };
 void add_training_options(Command command, TrainingOptions& options, const std::vector<std::string>& models);
+
+std::string told_or_hidden(bool tell_place_numbers);  // "told", "hidden"
 
 // --corpus DIR, and the grid, the convention: spelled alike where corpora are learned from.
 void add_corpus_option(Command command, std::string& corpus, bool required = true);

@@ -40,6 +40,7 @@ constexpr std::array published{
 
 using Cells = std::array<Percent, 8>;  // the columns of the table
 using PathCells = std::array<Percent, 3>;
+using UnheardCells = std::array<Percent, 2>;
 
 Cells cells_of(const Scores& s) {
   return {s.sentence.absolute, s.sentence.relative, s.paragraph.absolute, s.paragraph.relative,
@@ -47,6 +48,12 @@ Cells cells_of(const Scores& s) {
 }
 PathCells paragraph_path_of(const Scores& s) {
   return {s.paragraph_path.precision, s.paragraph_path.recall, s.paragraph_path.accuracy};
+}
+
+UnheardCells unheard_of(const Scores& s) { return {s.unheard.absolute, s.unheard.relative}; }
+
+std::size_t count_of(const parser::ConventionScores& scores) {
+  return std::max(scores.absolute.total, scores.relative.total);
 }
 
 struct Moments {
@@ -66,7 +73,7 @@ Moments moments(const std::vector<Scores>& runs, const Value& value) {
 // Null where nothing was counted, as under a convention that was not asked for.
 Json json_of(const Percent& percent) { return percent.total == 0 ? Json() : Json(percent.value()); }
 
-Json json_of(const parser::ConventionScores& scores) {
+JsonObject json_of(const parser::ConventionScores& scores) {
   return JsonObject().add("absolute", json_of(scores.absolute)).add("relative", json_of(scores.relative));
 }
 
@@ -89,11 +96,12 @@ JsonObject& add_moments(JsonObject& json, const std::vector<Scores>& runs, doubl
         .add("recall", cell(cells, c + 1))
         .add("accuracy", cell(cells, c + 2));
   };
-  const auto both = [&](std::size_t c) {
-    return JsonObject().add("absolute", cell(cells_of, c)).add("relative", cell(cells_of, c + 1));
+  const auto both = [&](const auto& cells, std::size_t c) {
+    return JsonObject().add("absolute", cell(cells, c)).add("relative", cell(cells, c + 1));
   };
-  return json.add("sentence", both(0))
-      .add("paragraph", both(2))
+  return json.add("sentence", both(cells_of, 0))
+      .add("paragraph", both(cells_of, 2))
+      .add("unheard", both(unheard_of, 0))
       .add("path", path(cells_of, 4))
       .add("paragraph_path", path(paragraph_path_of, 0))
       .add("satisfiable", cell(cells_of, 7));
@@ -104,14 +112,14 @@ JsonObject& add_moments(JsonObject& json, const std::vector<Scores>& runs, doubl
 JsonObject& add_scores(JsonObject& json, const Scores& scores) {
   return json.add("sentence", json_of(scores.sentence))
       .add("paragraph", json_of(scores.paragraph))
+      .add("unheard", json_of(scores.unheard).add("n", count_of(scores.unheard)))
       .add("path", json_of(scores.path))
       .add("paragraph_path", json_of(scores.paragraph_path))
       .add("satisfiable", json_of(scores.satisfiable))
-      .add("n",
-           JsonObject()
-               .add("sentences", std::max(scores.sentence.absolute.total, scores.sentence.relative.total))
-               .add("paragraphs", std::max(scores.paragraph.absolute.total, scores.paragraph.relative.total))
-               .add("unsegmented_paragraphs_skipped", scores.skipped_paragraphs));
+      .add("n", JsonObject()
+                    .add("sentences", count_of(scores.sentence))
+                    .add("paragraphs", count_of(scores.paragraph))
+                    .add("unsegmented_paragraphs_skipped", scores.skipped_paragraphs));
 }
 
 JsonObject json_of(const ResultRow& row) {
@@ -196,13 +204,17 @@ void print_results(const std::string& first, std::span<const ResultRow> rows) {
                "paragraphs\n";
   print_lines(rows, cells_of, [](const ResultRow& row) {
     const Scores& s = row.runs.front();
-    std::cout << std::setw(11) << std::max(s.sentence.absolute.total, s.sentence.relative.total)
-              << std::setw(12) << std::max(s.paragraph.absolute.total, s.paragraph.relative.total);
+    std::cout << std::setw(11) << count_of(s.sentence) << std::setw(12) << count_of(s.paragraph);
   });
   std::cout << '\n'
             << std::left << std::setw(name_width) << "path along whole paragraphs" << std::right
             << " precision    recall  accuracy\n";
   print_lines(rows, paragraph_path_of, [](const ResultRow&) {});
+  std::cout << '\n'
+            << std::left << std::setw(name_width) << "sentences never heard in training" << std::right
+            << "  absolute  relative  sentences\n";
+  print_lines(rows, unheard_of,
+              [](const ResultRow& row) { std::cout << std::setw(11) << count_of(row.runs.front().unheard); });
 }
 
 void print_published_results() {

@@ -14,7 +14,7 @@ struct ResultRow {
   std::vector<parser::Scores> runs;  // of one system; several: mean and standard deviation are printed
 };
 
-// Sentence, paragraph, path, paragraph_path, satisfiable (null where no formula is read), n.
+// Sentence, paragraph, unheard, path, paragraph_path, satisfiable (null where no formula is read), n.
 JsonObject& add_scores(JsonObject& json, const parser::Scores& scores);
 // The mean of the runs under the same keys; of several, "deviation" beside it and "runs".
 JsonObject json_of(const ResultRow& row);
@@ -26,7 +26,8 @@ JsonArray published_results();
 parser::Scores scores_of_staying(const parser::Corpus& corpus, std::span<const plan::Map> maps, bool absolute,
                                  bool relative);
 
-// What the columns mean, their heads, and all rows; `first` is the head of the names. Then the path along paragraphs.
+// What the columns mean, their heads, and all rows; `first` is the head of the names. Then the path along paragraphs, and
+// sentences never heard in training.
 void print_results(const std::string& first, std::span<const ResultRow> rows);
 void print_published_results();
 

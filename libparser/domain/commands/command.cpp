@@ -18,6 +18,7 @@ Command command_of(const nlohmann::json& json) {
   Command c;
   c.id = json.at("id").get<std::string>();
   c.domain = json.at("domain").get<std::string>();
+  c.from = json.value("from", "");
   c.source = json.value("source", "");
   c.type = json.value("type", "free");
   c.n = json.value("n", std::size_t{0});

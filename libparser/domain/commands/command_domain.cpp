@@ -82,7 +82,8 @@ std::vector<Landmark> read_landmarks(const std::filesystem::path& file) {
   try {
     for (const auto& entry : json.at("landmarks")) {
       Landmark l{entry.at("prop").get<std::string>(), entry.value("name", ""), {}, {}};
-      if (entry.contains("other_names")) l.other_names = entry.at("other_names").get<std::vector<std::string>>();
+      if (entry.contains("other_names"))
+        l.other_names = entry.at("other_names").get<std::vector<std::string>>();
       if (entry.contains("tags"))
         for (const auto& [key, value] : entry.at("tags").items())
           if (value.is_string()) l.tags[key] = value.get<std::string>();
@@ -109,7 +110,8 @@ CommandDomain CommandDomain::small(std::string name, const std::vector<std::stri
   domain.name_ = std::move(name);
   domain.propositions_ = propositions;
   std::sort(domain.propositions_.begin(), domain.propositions_.end());
-  for (const std::string& p : domain.propositions_) domain.things_.push_back(thing_of(p, domain.propositions_));
+  for (const std::string& p : domain.propositions_)
+    domain.things_.push_back(thing_of(p, domain.propositions_));
   domain.constants_ = domain.propositions_;
   if (domain.constants_.size() > most_constants) domain.constants_.resize(most_constants);
   return domain;
@@ -135,9 +137,9 @@ std::vector<CommandDomain::Lift> CommandDomain::lift(const std::string& text) co
     std::vector<NamedThing> things;
     std::vector<Mention> mentions;
     for (std::size_t i = 0; i < tokens.size(); ++i) {
-      const bool names = propositions_.empty()
-                             ? is_letter_name(tokens[i])
-                             : std::find(propositions_.begin(), propositions_.end(), tokens[i]) != propositions_.end();
+      const bool names = propositions_.empty() ? is_letter_name(tokens[i])
+                                               : std::find(propositions_.begin(), propositions_.end(),
+                                                           tokens[i]) != propositions_.end();
       if (!names) continue;
       std::size_t t = 0;
       while (t < things.size() && things[t].name != tokens[i]) ++t;
@@ -158,8 +160,9 @@ std::vector<CommandDomain::Lift> CommandDomain::lift(const std::string& text) co
 }
 
 Bindings CommandDomain::bindings(ltl::Arena& arena, std::vector<std::string> slots) const {
-  return {&arena, [this, &arena, slots = std::move(slots)](
-                      LiftedSymbol direction, LiftedSymbol thing) -> std::optional<ltl::Formula> {
+  return {&arena,
+          [this, &arena, slots = std::move(slots)](LiftedSymbol direction,
+                                                   LiftedSymbol thing) -> std::optional<ltl::Formula> {
             if (direction != LiftedSymbol::End || !is_thing(thing)) return std::nullopt;
             const auto& names = is_slot(thing) ? slots : constants_;
             const std::size_t n = number_of(thing);

@@ -9,6 +9,13 @@
 namespace waymark::parser {
 namespace {
 
+std::vector<std::string> mirrored(std::vector<std::string> tokens) {
+  tokens = mirror(std::move(tokens));
+  for (std::string& token : tokens)
+    if (token == "lefts" || token == "rights") token = token == "lefts" ? "rights" : "lefts";
+  return tokens;
+}
+
 class Speaking {
  public:
   Speaking(const SynchronousGrammar& grammar, const WordVectors& vectors, const OwnCommands& options)
@@ -20,12 +27,15 @@ class Speaking {
     for (std::size_t i = 0; i < options_.texts; ++i) {
       auto said = grammar_.say("COMMAND", random_);
       if (random_.chance(0.5)) {  // left and right exchanged in both
-        said.tokens = mirror(std::move(said.tokens));
-        said.lifted = mirrored(said.lifted);
+        said.tokens = mirrored(std::move(said.tokens));
+        said.lifted = parser::mirrored(said.lifted);
       }
       out.push_back(example(said.tokens, said.slots, said.lifted));
     }
-    for (std::size_t i = 0; i < silent; ++i) out.push_back(nothing(i));
+    for (std::size_t i = 0; i < silent; ++i) {
+      out.push_back(nothing(i));
+      out.back().weight *= 0.5;
+    }
     return out;
   }
 
@@ -72,7 +82,8 @@ class Speaking {
     std::vector<std::string> tokens;
     const std::size_t n = 1 + random_.below(12), slots = random_.below(2);
     for (std::size_t i = 0; i < n; ++i) tokens.push_back(random_.chance(0.1) ? letters() : word());
-    if (slots > 0) tokens.insert(tokens.begin() + static_cast<std::ptrdiff_t>(random_.below(n)), name(slot(1)));
+    if (slots > 0)
+      tokens.insert(tokens.begin() + static_cast<std::ptrdiff_t>(random_.below(n)), name(slot(1)));
     return example(std::move(tokens), slots, {LiftedSymbol::Nothing});
   }
   std::string letters() {
@@ -103,7 +114,8 @@ std::vector<LiftedExample> own_commands(const SynchronousGrammar& grammar, const
   return Speaking(grammar, vectors, options).all();
 }
 
-LabelledCommands labelled_commands(std::span<const Command> commands, CommandDomains& domains, double unnamed) {
+LabelledCommands labelled_commands(std::span<const Command> commands, CommandDomains& domains,
+                                   double unnamed) {
   LabelledCommands out;
   for (const Command& command : commands) {
     if (command.suspect) continue;
@@ -114,12 +126,12 @@ LabelledCommands labelled_commands(std::span<const Command> commands, CommandDom
       ++out.left_out;
       continue;
     }
-    out.examples.push_back({lift.text, *label, 1 - unnamed});
+    if (unnamed < 1) out.examples.push_back({lift.text, *label, 1 - unnamed});
     const bool says_all = std::none_of(label->begin(), label->end(), is_constant);
-    if (unnamed <= 0 || !says_all) continue;
+    if (unnamed <= 0 || (!says_all && unnamed < 1)) continue;
     out.examples.push_back({lift.text, *label, unnamed});
     out.examples.back().text.domain.clear();
-    out.examples.back().text.scope.constants = 0;
+    if (says_all) out.examples.back().text.scope.constants = 0;
   }
   return out;
 }
@@ -134,9 +146,10 @@ std::vector<LiftedExample> route_instructions(const Corpus& corpus, std::span<co
     out.push_back({things[map].lift(tokens, &vectors).text, {LiftedSymbol::Route}, weight});
   };
   for (const Paragraph& paragraph : corpus.paragraphs) {
-    const auto map = static_cast<std::size_t>(
-        std::find_if(maps.begin(), maps.end(), [&](const plan::Map& m) { return m.name() == paragraph.map; }) -
-        maps.begin());
+    const auto map =
+        static_cast<std::size_t>(std::find_if(maps.begin(), maps.end(),
+                                              [&](const plan::Map& m) { return m.name() == paragraph.map; }) -
+                                 maps.begin());
     if (map == maps.size()) continue;
     std::vector<std::string> whole;
     for (const Sentence& sentence : paragraph.sentences) {

@@ -17,8 +17,8 @@ namespace waymark::parser {
 struct OwnCommands {
   std::size_t texts = 60000;
   std::uint64_t seed = 1;
-  double weight = 0.04;      // of one text, compared with one of people's
-  double nothing = 0.16;     // share of texts that say nothing, on top
+  double weight = 0.04;   // of one text, compared with one of people's
+  double nothing = 0.16;  // share of texts that say nothing, on top
 };
 // Texts of the grammar; those that say nothing name a thing that is not there, or are chatter or random words.
 std::vector<LiftedExample> own_commands(const SynchronousGrammar& grammar, const WordVectors& vectors,
@@ -30,7 +30,8 @@ struct LabelledCommands {
   std::vector<LiftedExample> examples;
   std::size_t left_out = 0;
 };
-LabelledCommands labelled_commands(std::span<const Command> commands, CommandDomains& domains, double unnamed);
+LabelledCommands labelled_commands(std::span<const Command> commands, CommandDomains& domains,
+                                   double unnamed);
 
 // Sentences and paragraphs of a corpus, as texts that the reader of programs reads.
 std::vector<LiftedExample> route_instructions(const Corpus& corpus, std::span<const plan::Map> maps,

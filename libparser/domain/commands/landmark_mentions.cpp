@@ -13,39 +13,47 @@ namespace waymark::parser {
 namespace {
 
 // What a matched word, a joint and a foreign word inside a phrase are worth, in units of a word that fits one landmark alone.
-constexpr double by_name = 1, by_tag = 0.75, joint = -0.02, foreign = -0.9, each_mention = -0.55, whole_name = 0.9,
-                 in_order = 0.25, comma = -0.3,
+constexpr double by_name = 1, by_tag = 0.75, joint = -0.02, foreign = -0.9, each_mention = -0.55,
+                 whole_name = 0.9, in_order = 0.25, comma = -0.3,
                  adjacent = -2.5,  // to the phrase before, or joined to it by "operated by"
-                 misspelled = 0.8;
+    misspelled = 0.8;
 constexpr std::size_t longest_phrase = 14, most_readings = 4;
 
 template <std::size_t n>
 bool is_among(const std::array<std::string_view, n>& words, std::string_view word) {
   return std::find(words.begin(), words.end(), word) != words.end();
 }
-constexpr std::array<std::string_view, 41> joints{"operated", "specializing", "specialize", "your",
-    "the", "a",  "an",   "on",     "at",    "of",    "in",    "with",  "that", "and", "&",   "'s",  "s",
-    "for", "by", "near", "serves", "serving", "called", "named", "which", "is", "to", "-",  ".",   "from", "its",
-    "it",  "has", "known", "as", "located", "offering", "offers", "sells", "selling", "where"};
-constexpr std::array<std::string_view, 42> commands{"travel", "turn", "right", "left", "north", "south", "east", "west", "head",
-                                                     "straight", "walk", "way", "stop", "around", "next", "finally", "no", "now",
-    "go",    "visit", "then", "avoid", "you",  "must", "reach", "move",
-                                                    "until", "never", "not",  "once",  "twice", "times", "before", "after",
-                                                    "first", "only",  "or",   "if",    "always", "keep", "end", "stay"};
+constexpr std::array<std::string_view, 41> joints{
+    "operated", "specializing", "specialize", "your",  "the",     "a",     "an",
+    "on",       "at",           "of",         "in",    "with",    "that",  "and",
+    "&",        "'s",           "s",          "for",   "by",      "near",  "serves",
+    "serving",  "called",       "named",      "which", "is",      "to",    "-",
+    ".",        "from",         "its",        "it",    "has",     "known", "as",
+    "located",  "offering",     "offers",     "sells", "selling", "where"};
+constexpr std::array<std::string_view, 42> commands{
+    "travel", "turn",  "right",  "left", "north",   "south",  "east", "west", "head",  "straight", "walk",
+    "way",    "stop",  "around", "next", "finally", "no",     "now",  "go",   "visit", "then",     "avoid",
+    "you",    "must",  "reach",  "move", "until",   "never",  "not",  "once", "twice", "times",    "before",
+    "after",  "first", "only",   "or",   "if",      "always", "keep", "end",  "stay"};
 constexpr std::array<std::string_view, 26> told_tags{
-    "amenity", "cuisine", "shop", "building", "leisure", "tourism", "office", "religion", "addr:street", "addr:housenumber",
-    "denomination", "operator", "historic", "man_made", "memorial", "power", "landuse", "natural", "waterway", "railway",
-    "highway", "public_transport", "sport", "artwork_type", "healthcare", "brand"};
+    "amenity",      "cuisine",          "shop",     "building",     "leisure",
+    "tourism",      "office",           "religion", "addr:street",  "addr:housenumber",
+    "denomination", "operator",         "historic", "man_made",     "memorial",
+    "power",        "landuse",          "natural",  "waterway",     "railway",
+    "highway",      "public_transport", "sport",    "artwork_type", "healthcare",
+    "brand"};
 // Nouns that say no more than that something stands there.
-constexpr std::array<std::string_view, 10> general{"building", "place", "store", "shop", "location",
-                                                   "site", "area", "spot", "landmark", "establishment"};
+constexpr std::array<std::string_view, 10> general{"building", "place", "store", "shop",     "location",
+                                                   "site",     "area",  "spot",  "landmark", "establishment"};
 
 std::string root(std::string word) {
   word = singular(std::move(word));
   static const std::map<std::string, std::string, std::less<>> same{
-      {"st", "street"}, {"ave", "avenue"}, {"blvd", "boulevard"}, {"dr", "drive"}, {"rd", "road"}, {"ctr", "center"},
-      {"centre", "center"}, {"theatre", "theater"}, {"@", "at"}, {"n", "north"}, {"s", "south"}, {"e", "east"}, {"w", "west"},
-      {"bldg", "building"}, {"univ", "university"}, {"eatery", "restaurant"}, {"pub", "bar"}};
+      {"st", "street"}, {"ave", "avenue"},    {"blvd", "boulevard"},  {"dr", "drive"},
+      {"rd", "road"},   {"ctr", "center"},    {"centre", "center"},   {"theatre", "theater"},
+      {"@", "at"},      {"n", "north"},       {"s", "south"},         {"e", "east"},
+      {"w", "west"},    {"bldg", "building"}, {"univ", "university"}, {"eatery", "restaurant"},
+      {"pub", "bar"}};
   const auto it = same.find(word);
   return it == same.end() ? word : it->second;
 }
@@ -72,13 +80,15 @@ class City {
       Known k;
       std::vector<std::string> names = l.other_names;
       names.insert(names.begin(), l.name);
-      for (const char* key : {"short_name", "alt_name", "official_name", "old_name", "brand", "name:en", "operator"})
+      for (const char* key :
+           {"short_name", "alt_name", "official_name", "old_name", "brand", "name:en", "operator"})
         if (const auto tag = l.tags.find(key); tag != l.tags.end()) names.push_back(tag->second);
       for (const std::string& name : names) {
         std::set<std::string> words;
         k.sequences.push_back(roots(name));
         for (const std::string& word : k.sequences.back())
-          if (!is_among(joints, word) && word.find_first_of(",.;:!?'\"()") == std::string::npos) words.insert(word);
+          if (!is_among(joints, word) && word.find_first_of(",.;:!?'\"()") == std::string::npos)
+            words.insert(word);
         k.name_words.insert(words.begin(), words.end());
         if (!words.empty()) k.names.push_back(std::move(words));
       }
@@ -99,7 +109,8 @@ class City {
   double told_by(const std::string& word) const {
     const auto it = holders_.find(word);
     if (it == holders_.end() || known_.size() < 2) return it == holders_.end() ? 0 : 1;
-    return 1 - std::log(static_cast<double>(it->second.size())) / std::log(static_cast<double>(known_.size()) + 1);
+    return 1 - std::log(static_cast<double>(it->second.size())) /
+                   std::log(static_cast<double>(known_.size()) + 1);
   }
   bool is_name_word(const std::string& word) const { return holders_.contains(word); }
   const Known& operator[](std::size_t i) const { return known_[i]; }
@@ -162,8 +173,8 @@ class Finder {
         sum += foreign;
     }
     for (const auto& name : known.sequences)
-      if (std::equal(words_.begin() + static_cast<std::ptrdiff_t>(begin), words_.begin() + static_cast<std::ptrdiff_t>(end),
-                     name.begin(), name.end()))
+      if (std::equal(words_.begin() + static_cast<std::ptrdiff_t>(begin),
+                     words_.begin() + static_cast<std::ptrdiff_t>(end), name.begin(), name.end()))
         return sum + whole_name + in_order * static_cast<double>(name.size());
     for (const auto& name : known.names)
       if (std::includes(said.begin(), said.end(), name.begin(), name.end())) return sum + whole_name;
@@ -209,17 +220,21 @@ class Finder {
  private:
   bool follows_phrase(std::size_t at, const std::vector<std::optional<Phrase>>& taken) const {
     if (taken[at]) return true;
-    constexpr std::array<std::string_view, 15> ties{"operated", "by", "on", "at", "in", "of", "with", "located", "the", "near", "serving",
-                                                     "west", "north", "east", "south"};
+    constexpr std::array<std::string_view, 15> ties{"operated", "by",   "on",      "at",   "in",
+                                                    "of",       "with", "located", "the",  "near",
+                                                    "serving",  "west", "north",   "east", "south"};
     while (at > 0 && is_among(ties, words_[at - 1])) --at;
     if (at > 1 && (words_[at - 1] == "a" || words_[at - 1] == "an") && words_[at - 2] == ",") at -= 2;
     return at > 0 && taken[at].has_value();
   }
   // ", a theatre building": what follows a comma with an article says more of the same place.
   bool describes(std::size_t at) const {
-    return at < words_.size() && (words_[at] == "a" || words_[at] == "an" || words_[at] == "the" || words_[at] == "located");
+    return at < words_.size() &&
+           (words_[at] == "a" || words_[at] == "an" || words_[at] == "the" || words_[at] == "located");
   }
-  bool ends_phrase(std::size_t at) const { return !is_among(joints, words_[at]) && city_.is_name_word(words_[at]); }
+  bool ends_phrase(std::size_t at) const {
+    return !is_among(joints, words_[at]) && city_.is_name_word(words_[at]);
+  }
 
   const City& city_;
   std::vector<std::string> words_;
@@ -228,13 +243,17 @@ class Finder {
 
 // Where a phrase ends with what is said of its place: general nouns, "on Central Avenue", ", a theatre building,".
 std::size_t with_description(const std::vector<std::string>& tokens, std::size_t end) {
-  constexpr std::array<std::string_view, 12> streets{"street", "avenue", "road", "lane", "boulevard", "drive", "plaza", "place",
-                                                     "way", "court", "square", "parkway"};
+  constexpr std::array<std::string_view, 12> streets{"street",    "avenue", "road",   "lane",
+                                                     "boulevard", "drive",  "plaza",  "place",
+                                                     "way",       "court",  "square", "parkway"};
   constexpr std::size_t longest_description = 6;
-  const auto is = [&](std::size_t at, auto... words) { return at < tokens.size() && ((tokens[at] == words) || ...); };
+  const auto is = [&](std::size_t at, auto... words) {
+    return at < tokens.size() && ((tokens[at] == words) || ...);
+  };
   while (end < tokens.size() && is_among(general, root(tokens[end]))) ++end;
   if (is(end, "on", "at", "in", "near", "along"))
-    for (std::size_t at = end + 1; at < tokens.size() && at <= end + longest_description && !is(at, ",", "and", "then"); ++at)
+    for (std::size_t at = end + 1;
+         at < tokens.size() && at <= end + longest_description && !is(at, ",", "and", "then"); ++at)
       if (is_among(streets, root(tokens[at]))) return at + 1;
   if (is(end, ",") && is(end + 1, "a", "an"))
     for (std::size_t at = end + 2; at <= tokens.size() && at <= end + 2 + longest_description; ++at) {
@@ -257,11 +276,13 @@ CommandDomain::Lift lifted(const std::vector<std::string>& tokens, const std::ve
 
 }  // namespace
 
-std::vector<CommandDomain::Lift> lift_landmarks(const std::string& text, const std::vector<Landmark>& landmarks) {
+std::vector<CommandDomain::Lift> lift_landmarks(const std::string& text,
+                                                const std::vector<Landmark>& landmarks) {
   constexpr double sharpness = 4;  // of the share that other landmarks get of a phrase
   const City city(landmarks);
   std::string plain = text;
-  std::replace_if(plain.begin(), plain.end(), [](char c) { return c == '/' || c == '-'; }, ' ');
+  std::replace_if(
+      plain.begin(), plain.end(), [](char c) { return c == '/' || c == '-'; }, ' ');
   const std::vector<std::string> tokens = tokenize(plain);
   const auto cover = Finder(tokens, city).cover();
   std::vector<Phrase> best;
@@ -280,7 +301,8 @@ std::vector<CommandDomain::Lift> lift_landmarks(const std::string& text, const s
       out.push_back(lifted(tokens, changed, landmarks));
       out.back().probability = share;
     }
-  std::stable_sort(out.begin() + 1, out.end(), [](const auto& a, const auto& b) { return a.probability > b.probability; });
+  std::stable_sort(out.begin() + 1, out.end(),
+                   [](const auto& a, const auto& b) { return a.probability > b.probability; });
   if (out.size() > most_readings) out.resize(most_readings);
   double total = 0;
   for (const auto& l : out) total += l.probability;

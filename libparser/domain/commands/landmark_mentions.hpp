@@ -10,6 +10,7 @@
 
 namespace waymark::parser {
 
-std::vector<CommandDomain::Lift> lift_landmarks(const std::string& text, const std::vector<Landmark>& landmarks);
+std::vector<CommandDomain::Lift> lift_landmarks(const std::string& text,
+                                                const std::vector<Landmark>& landmarks);
 
 }  // namespace waymark::parser

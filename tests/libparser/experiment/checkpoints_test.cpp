@@ -53,12 +53,13 @@ TEST(ScoresText, ReadsBackWhatItWrites) {
   scores.path = {{9, 10}, {11, 12}, {13, 14}};
   scores.paragraph_path = {{15, 16}, {17, 18}, {19, 20}};
   scores.satisfiable = {21, 22};
-  scores.skipped_paragraphs = 23;
+  scores.unheard = {{23, 24}, {25, 26}};
+  scores.skipped_paragraphs = 27;
   const std::string line = text_of(scores);
-  EXPECT_EQ(line, "1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16 17 18 19 20 21 22 23\n");
+  EXPECT_EQ(line, "1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16 17 18 19 20 21 22 23 24 25 26 27\n");
   EXPECT_EQ(text_of(scores_of(line, "")), line);
   EXPECT_THROW(scores_of("1 2 3", ""), ltl::FormatError);
-  EXPECT_THROW(scores_of(line + "24", ""), ltl::FormatError);
+  EXPECT_THROW(scores_of(line + "28", ""), ltl::FormatError);
 }
 
 // Whatever is missing is made again, and all scores are the same: after every kind of part is taken away in turn.

@@ -36,6 +36,7 @@ TEST(Evaluate, CountsSentencesParagraphsAndNodesByHand) {
   EXPECT_EQ(s.sentence.absolute.hits, 1U);
   EXPECT_EQ(s.sentence.absolute.total, 3U);
   EXPECT_EQ(s.sentence.relative.total, 0U);
+  EXPECT_EQ(s.unheard.absolute.total, 0U) << "nothing is known of training";
   EXPECT_EQ(s.paragraph.absolute.hits, 1U);  // b: the right node, the wrong heading
   EXPECT_EQ(s.paragraph.absolute.total, 2U);
   EXPECT_EQ(s.skipped_paragraphs, 1U);
@@ -58,6 +59,23 @@ class OneStep : public Follower {
   }
   bool reads_formulas() const override { return false; }
 };
+
+TEST(Evaluate, CountsSentencesNeverHeardApart) {
+  const plan::Map& grid = shipped_maps().front();
+  const std::vector<plan::Pose> forward{{1, 9, 0}, {1, 8, 0}}, left{{1, 9, 0}, {1, 9, 270}};
+  Corpus corpus;
+  corpus.paragraphs = {{"a", "grid", "", {{"1", "", {"go", "on"}, false, forward, forward, ""}}},
+                       {"b", "grid", "", {{"2", "", {"on", "go"}, false, forward, forward, ""}}},
+                       {"c", "grid", "", {{"3", "", {"turn"}, false, forward, forward, ""}}},
+                       {"d", "grid", "", {{"4", "", {"left"}, false, left, left, ""}}}};
+  const HeardSentences heard{{"go", "on"}, {"left"}};
+  const Scores s = evaluate(OneStep(), corpus, grid, Convention::Relative, nullptr, {}, &heard);
+  EXPECT_EQ(s.sentence.relative.hits, 3U);
+  EXPECT_EQ(s.sentence.relative.total, 4U);
+  EXPECT_EQ(s.unheard.relative.hits, 1U);  // 2: the words of 1 in another order; 3 is wrong
+  EXPECT_EQ(s.unheard.relative.total, 2U);
+  EXPECT_EQ(s.unheard.absolute.total, 0U);
+}
 
 TEST(Evaluate, PredictionsCanBeScoredAgain) {
   const plan::Map& grid = shipped_maps().front();

@@ -1,0 +1,64 @@
+#include "libparser/domain/commands/command_reader.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "libautomata/omega/containment.hpp"
+
+namespace waymark::parser {
+
+bool same_language(ltl::Formula a, ltl::Formula b, std::size_t steps) {
+  if (a == b) return true;
+  std::vector<ltl::Proposition> reads = ltl::propositions(a);
+  for (const ltl::Proposition p : ltl::propositions(b))
+    if (std::find(reads.begin(), reads.end(), p) == reads.end()) reads.push_back(p);
+  automata::Budget budget(20 * steps, steps, {});
+  automata::Containment contained(reads, budget);
+  return contained(a, b) && contained(b, a);
+}
+
+namespace {
+
+void vote(std::vector<CommandReading>& all, const CommandReading& reading) {
+  const auto same = std::find_if(all.begin(), all.end(),
+                                 [&](const CommandReading& r) { return r.formula == reading.formula; });
+  if (same == all.end())
+    all.push_back(reading);
+  else
+    same->probability += reading.probability;
+}
+
+void sort(std::vector<CommandReading>& all) {
+  std::stable_sort(all.begin(), all.end(), [](const CommandReading& a, const CommandReading& b) {
+    return a.probability > b.probability;
+  });
+}
+
+}  // namespace
+
+CommandReadings read_command(const LiftedReader& reader, const CommandDomain& domain, const std::string& text,
+                             ltl::Arena& arena, const ReadCommandOptions& options) {
+  CommandReadings out;
+  for (CommandDomain::Lift lift : domain.lift(text)) {
+    if (!options.names_domain) lift.text.domain.clear();
+    const Bindings bindings = domain.bindings(arena, lift.slots);
+    for (const LiftedReading& r : reader.read(lift.text, options.beam))
+      if (r.lifted.front() != LiftedSymbol::Route && r.lifted.front() != LiftedSymbol::Nothing)
+        if (const auto formula = formula_of(r.lifted, bindings))
+          vote(out.readings, {*formula, lift.probability * std::exp(r.log_probability)});
+  }
+  sort(out.readings);
+  for (std::size_t i = 1; i < std::min(out.readings.size(), options.compared); ++i)
+    for (std::size_t j = 0; j < i; ++j)
+      if (out.readings[i].probability > 0 &&
+          same_language(out.readings[j].formula, out.readings[i].formula)) {
+        out.readings[j].probability += out.readings[i].probability;
+        out.readings[i].probability = 0;
+      }
+  std::erase_if(out.readings, [](const CommandReading& r) { return r.probability <= 0; });
+  sort(out.readings);
+  for (const CommandReading& r : out.readings) out.understood += r.probability;
+  return out;
+}
+
+}  // namespace waymark::parser

@@ -1,0 +1,37 @@
+// English commands of a domain → LTL formulas over its propositions, likeliest first.
+//
+// p(φ | text) = Σ over what the words may name, Σ over lifted formulas that denote a formula of the same language: readings
+// with one meaning vote together. Over infinite words.
+#pragma once
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "libparser/domain/commands/command_domain.hpp"
+#include "libparser/lifted/lifted_reader.hpp"
+
+namespace waymark::parser {
+
+struct CommandReading {
+  ltl::Formula formula;
+  double probability = 0;
+};
+
+struct CommandReadings {
+  std::vector<CommandReading> readings;  // of one arena; probabilities sum to `understood`
+  double understood = 0;
+};
+
+struct ReadCommandOptions {
+  std::size_t beam = 12;
+  std::size_t compared = 5;  // the likeliest formulas whose languages are compared
+  bool names_domain = true;  // the reader is told which domain it is
+};
+
+CommandReadings read_command(const LiftedReader& reader, const CommandDomain& domain, const std::string& text,
+                             ltl::Arena& arena, const ReadCommandOptions& options = {});
+
+// Do they hold on the same infinite words? Of one arena. False when the question takes more than `steps` states.
+bool same_language(ltl::Formula a, ltl::Formula b, std::size_t steps = 200'000);
+
+}  // namespace waymark::parser

@@ -1,0 +1,153 @@
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <fstream>
+#include <string>
+#include <vector>
+
+#include "libltl/english/read_english.hpp"
+#include "libltl/english/verbalise.hpp"
+#include "libltl/meaning/semantics.hpp"
+#include "libltl/structure/random.hpp"
+#include "libltl/text/parse.hpp"
+#include "libltl/text/print.hpp"
+#include "tests/support/generate.hpp"
+
+namespace waymark::ltl {
+namespace {
+
+using testing::all_formulas;
+using testing::all_lassos;
+using testing::all_traces;
+using testing::letters_vocabulary;
+using testing::WordSpace;
+
+struct Row {
+  const char *formula, *english;
+};
+
+// Of a chair, a blue floor and two events; p and q are symbols.
+VerbaliseOptions hallway(const Arena& arena) {
+  return {.describe = [&arena](Proposition p) {
+    const std::string& name = arena.vocabulary().name(p);
+    if (name == "chair" || name == "sofa" || name == "lamp") return place("the " + name);
+    if (name == "blue") return floor("the blue floor");
+    if (name == "moved") return event("go forward");
+    if (name == "left") return event("turn left");
+    if (name == "right") return event("turn right");
+    return symbol(name);
+  }};
+}
+
+TEST(Verbalise, SaysWhatAFormulaMeans) {
+  const Row table[] = {
+      {"F(chair & F sofa) & G !blue", "go to the chair, then go to the sofa; never step on the blue floor."},
+      {"G (p -> F q)", "whenever p holds, q holds later or at the same time."},
+      {"G (p -> X (q U r))", "whenever p holds, one step later q holds until r holds."},
+      {"(p U q) U (q U p)",
+       "(A) holds until (B) holds. (A) means: p holds until q holds. (B) means: q holds until p holds."},
+      {"X(left & X(moved & X(moved & F chair)))",
+       "turn left, then go forward 2 times, then go to the chair."},
+      {"(!sofa U chair) & F sofa", "do not go to the sofa until you are at the chair; go to the sofa."},
+      {"(p & X(moved U (moved & chair))) | (!p & F sofa)",
+       "if p holds, go forward until you are at the chair, otherwise go to the sofa."},
+      {"G F p", "again and again p holds."},
+      {"p M (!p | G (p | G !p))", "the number of stretches in which p holds is exactly 1."},
+      {"F (p & (p U (!p & (!p U F p))))", "the number of stretches in which p holds is at least 2."},
+      {"F chair | F sofa", "go to the chair or go to the sofa."},
+      {"G (p <-> X q)", "always p holds exactly when one step later q holds."},
+      {"F(p & q | r)", "eventually p holds and q holds, or r holds."},
+      {"!p U (p U (!p U q))", "before q holds, which happens, p holds in at most one stretch."},
+      {"F<=3 chair", "within 3 steps you are at the chair."},
+      {"p ^ X q", "p holds exactly when it is not so that one step later q holds."},
+  };
+  for (const Row& row : table) {
+    Arena arena;
+    const Formula f = parse(row.formula, arena);
+    EXPECT_EQ(verbalise(f, hallway(arena)), row.english) << row.formula;
+  }
+}
+
+// Equal by pointer, or on all short words: `to` holds both.
+bool same(Formula f, Formula g, Semantics semantics) {
+  if (f == g) return true;
+  const WordSpace words{.length = 4, .atoms = f.arena().vocabulary().size()};
+  if (semantics == Semantics::Finite) {
+    for (const Trace& word : all_traces(words))
+      if (holds(word, f) != holds(word, g)) return false;
+  } else {
+    for (const Lasso& word : all_lassos(words))
+      if (holds(word, f) != holds(word, g)) return false;
+  }
+  return true;
+}
+
+void expect_read_back(Formula f, const VerbaliseOptions& options) {
+  const std::string text = verbalise(f, options);
+  const auto back = read_english(text, f.arena(), options);
+  ASSERT_TRUE(back) << print(f) << "   " << text;
+  EXPECT_TRUE(same(f, *back, options.semantics)) << print(f) << "   " << text << "   " << print(*back);
+}
+
+// Of the two propositions, one is a place and the other an event, or both are symbols.
+std::vector<VerbaliseOptions> descriptions() {
+  const auto robot = [](Proposition p) {
+    return p.index == 0 ? floor("the blue floor") : event("turn left");
+  };
+  return {{.semantics = Semantics::Finite},
+          {.semantics = Semantics::Infinite},
+          {.semantics = Semantics::Finite, .describe = robot},
+          {.semantics = Semantics::Infinite, .describe = robot}};
+}
+
+TEST(ReadEnglish, ReadsBackAllSmallFormulas) {
+  for (const VerbaliseOptions& options : descriptions()) {
+    Arena arena(letters_vocabulary(2));
+    for (Formula f : all_formulas(arena, {.size = 4, .atoms = 2}))
+      ASSERT_NO_FATAL_FAILURE(expect_read_back(f, options));
+  }
+}
+
+TEST(ReadEnglish, ReadsBackRandomFormulas) {
+  for (const VerbaliseOptions& options : descriptions()) {
+    Random random(14);
+    Arena arena(letters_vocabulary(2));
+    for (int i = 0; i < 5'000; ++i)
+      ASSERT_NO_FATAL_FAILURE(expect_read_back(
+          random_formula(random, arena, {.size = 1 + random.below(9), .atoms = 2}), options));
+  }
+}
+
+// The lifted templates of the literature, where they are at hand.
+TEST(ReadEnglish, ReadsBackTemplates) {
+  const char* const given = std::getenv("WAYMARK_SHARED");
+  std::ifstream in(std::string(given != nullptr ? given : WAYMARK_SOURCE_DIR "/../shared") +
+                   "/commands/templates.tsv");
+  if (!in) GTEST_SKIP() << "SKIPPED: no templates";
+  std::string line;
+  std::getline(in, line);
+  std::size_t count = 0;
+  for (; std::getline(in, line); ++count) {
+    Arena arena;
+    const Formula f = parse(line.substr(line.rfind('\t') + 1), arena);
+    for (const VerbaliseOptions& options :
+         {VerbaliseOptions{},
+          VerbaliseOptions{.describe = [&](Proposition p) { return place(arena.vocabulary().name(p)); }}}) {
+      const std::string text = verbalise(f, options);
+      EXPECT_EQ(read_english(text, arena, options), f) << line << "   " << text;
+    }
+  }
+  EXPECT_GT(count, 0U);
+}
+
+TEST(ReadEnglish, RefusesWhatVerbaliseDoesNotWrite) {
+  Arena arena(letters_vocabulary(2));
+  for (const char* text :
+       {"", ".", "a", "a holds", "c holds.", "a holds b holds.", "eventually.", "(A) holds.",
+        "(A) holds. (A) means: (A) holds.", "a holds and b holds or a holds.", "0 steps later a holds.",
+        "please, a holds.", "xyzzy plugh."})
+    EXPECT_FALSE(read_english(text, arena)) << text;
+}
+
+}  // namespace
+}  // namespace waymark::ltl

@@ -1,0 +1,47 @@
+#include "tools/understood.hpp"
+
+#include <algorithm>
+
+#include "libltl/english/verbalise.hpp"
+#include "libplan/world/observable_english.hpp"
+
+namespace waymark::tools {
+
+std::string in_english(ltl::Formula formula, ltl::Semantics semantics, const plan::Map& map) {
+  return ltl::verbalise(formula, {semantics, plan::hallway_english(map.vocabulary())});
+}
+
+std::string in_english(ltl::Formula formula, ltl::Semantics semantics) {
+  const ltl::Vocabulary& vocabulary = formula.arena().vocabulary();
+  return ltl::verbalise(formula, {semantics, [&vocabulary](ltl::Proposition p) {
+                                    std::string name = vocabulary.name(p);
+                                    std::replace(name.begin(), name.end(), '_', ' ');
+                                    return ltl::place(name);
+                                  }});
+}
+
+std::string not_understood_message(const std::string& text, const parser::Understanding& understood) {
+  std::string message = "not understood: '" + text + "'";
+  std::string words;
+  for (const std::string& word : understood.words_not_understood)
+    words += (words.empty() ? "'" : ", '") + word + "'";
+  if (!words.empty()) message += "; nothing here is called, and no command says " + words;
+  return message + " (--force answers all the same)";
+}
+
+JsonObject not_understood_json(const std::string& text, const std::string& map,
+                               const parser::Understanding& understood) {
+  JsonArray words;
+  for (const std::string& word : understood.words_not_understood) words.add(word);
+  return JsonObject()
+      .add("instruction", text)
+      .add("map", map)
+      .add("formula", Json())
+      .add("status", "not understood")
+      .add("understood", Json())
+      .add("probability", understood.probability)
+      .add("words", words)
+      .add("readings", JsonArray());
+}
+
+}  // namespace waymark::tools
