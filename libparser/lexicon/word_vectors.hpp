@@ -1,5 +1,4 @@
-// Vectors of English words, GloVe [PSM14] in eight bits an entry: words that are used alike have vectors that are
-// close.
+// Vectors of English words, GloVe [PSM14] in eight bits an entry: words used alike have vectors that are close.
 //
 // Words are looked up in the bytes of the file, by binary search. Layout of the file: docs/formats/lifted.md.
 #pragma once

@@ -1,5 +1,4 @@
-// The fifteen templates of commands [LYIL23, Appendix], in sizes 1 to 5: what the macros of lifted formulas must
-// denote.
+// The fifteen templates of commands [LYIL23, Appendix], in sizes 1 to 5, which the macros of lifted formulas denote.
 #pragma once
 #include <string>
 #include <vector>
