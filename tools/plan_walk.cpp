@@ -106,10 +106,11 @@ class LassoPlanning {
         .add("product",
              JsonObject().add("states", found_.statistics.met).add("edges", found_.statistics.edges));
     if (found_.lasso) {
-      out.add("status", "solved")
-          .add("route", json_of(trajectory_of(ShownRoute(*found_.lasso), task_.map), task_.map))
-          .add("cost", found_.prefix.cost + found_.cycle.cost)
-          .add("prefix", json_of(found_.prefix, task_.map))
+      out.add("status", "solved");
+      if (options_.adds_route)
+        out.add("route", json_of(trajectory_of(ShownRoute(*found_.lasso), task_.map), task_.map))
+            .add("cost", found_.prefix.cost + found_.cycle.cost);
+      out.add("prefix", json_of(found_.prefix, task_.map))
           .add("cycle", json_of(found_.cycle, task_.map))
           .add("prefix_cost", found_.prefix.cost)
           .add("cycle_cost", found_.cycle.cost)

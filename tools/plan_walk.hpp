@@ -20,6 +20,7 @@ struct WalkOptions {
   bool json = false;
   double load = 0, translate = 0;  // seconds that reading the map took, and the translation of a DFA
   JsonObject head = {};            // what comes first in the JSON
+  bool adds_route = false;         // … and prefix and one round of the cycle as a route, with its cost
 };
 
 // The task on the map: the formula, or the automaton where there is none.

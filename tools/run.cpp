@@ -138,7 +138,7 @@ class Running {
       array.add(
           JsonObject().add("formula", ltl::print(reading.formula)).add("probability", reading.probability));
     const std::string english = in_english(formula, ltl::Semantics::Infinite, heard.map);
-    WalkOptions walk{.svg = options_.svg, .json = options_.json, .load = load_};
+    WalkOptions walk{.svg = options_.svg, .json = options_.json, .load = load_, .adds_route = true};
     if (heard.id) walk.head.add("id", *heard.id);
     walk.head.add("instruction", heard.text).add("understood", english).add("readings", array);
     if (!options_.json) std::cout << "understood   " << english << '\n';

@@ -45,9 +45,9 @@ TEST(Corridor, AnswersTheDemoWithACertifiedRoute) {
   const Finished finished = waymark({"run", "--demo", "--json"});
   ASSERT_EQ(finished.exit_code, 0) << finished.output;
   const json answer = json::parse(finished.output);
-  EXPECT_EQ(keys(answer), (std::vector<std::string>{"automaton", "certified", "certified_by", "cost",
-                                                    "formula", "instruction", "map", "product", "readings",
-                                                    "route", "seconds", "status"}));
+  EXPECT_EQ(keys(answer), (std::vector<std::string>{"alternatives", "automaton", "certified", "certified_by",
+                                                    "cost", "formula", "instruction", "map", "product",
+                                                    "readings", "route", "seconds", "status", "understood"}));
   EXPECT_EQ(keys(answer["automaton"]),
             (std::vector<std::string>{"edges", "propositions", "states", "symbolic_nodes"}));
   EXPECT_EQ(keys(answer["product"]), (std::vector<std::string>{"edges", "states"}));
@@ -86,7 +86,8 @@ TEST(Corridor, ProbabilitiesOfAllReadingsSumToOne) {
 }
 
 TEST(Corridor, AnswersABatchInOrderAndReportsTheBadLine) {
-  const Finished finished = waymark({"run", "--start", "1,9,0", "--json"}, "turn left\n\n...\nturn right\n");
+  const Finished finished =
+      waymark({"run", "--start", "1,9,0", "--json"}, "turn left\n\n{\"map\":\"grid\"}\nturn right\n");
   EXPECT_EQ(finished.exit_code, 21) << finished.output;
   std::istringstream lines(finished.output);
   std::vector<json> answers;
@@ -96,6 +97,38 @@ TEST(Corridor, AnswersABatchInOrderAndReportsTheBadLine) {
   EXPECT_EQ(answers[1]["status"], "error");
   EXPECT_EQ(answers[1]["line"], 3);
   EXPECT_EQ(answers[2]["instruction"], "turn right");
+}
+
+TEST(Corridor, SaysWhatItDoesNotUnderstand) {
+  const Finished coffee = waymark({"run", "bring me a coffee", "--start", "1,9,0", "--json"});
+  EXPECT_EQ(coffee.exit_code, 12) << coffee.output;
+  EXPECT_EQ(json::parse(coffee.output)["status"], "not understood");
+  EXPECT_EQ(waymark({"run", "bring me a coffee", "--start", "1,9,0", "--force"}).exit_code, 0);
+  EXPECT_EQ(waymark({"ground", "xyzzy plugh", "--start", "1,9,0"}).exit_code, 12);
+}
+
+TEST(Corridor, ReadsTemporalWords) {
+  const auto formula = [](const std::string& text) {
+    return json::parse(waymark({"run", text, "--start", "1,9,0", "--json"}).output)["formula"];
+  };
+  EXPECT_EQ(formula("do not go to the sofa"), "G !sofa");
+  EXPECT_EQ(formula("go to the easel without stepping on blue"), "F easel & G !blue");
+  EXPECT_EQ(formula("go to the chair or the lamp"), "F(chair | lamp)");
+  const json patrol =
+      json::parse(waymark({"run", "keep coming back to the lamp", "--start", "1,9,0", "--json"}).output);
+  EXPECT_EQ(patrol["formula"], "G F lamp");
+  EXPECT_EQ(patrol["understood"], "go to the lamp again and again.");
+  EXPECT_TRUE(patrol.contains("prefix") && patrol.contains("cycle")) << patrol;
+}
+
+TEST(Corridor, LinesMayNameTheirMapAndStart) {
+  const Finished finished =
+      waymark({"run", "--json"}, R"({"id":"a","text":"go to the chair","map":"jelly","start":[16,19,270]})"
+                                 "\n");
+  const json answer = json::parse(finished.output);
+  EXPECT_EQ(answer["id"], "a");
+  EXPECT_EQ(answer["map"], "jelly");
+  EXPECT_EQ(answer["route"][0], json({16, 19, 270}));
 }
 
 TEST(Corridor, DrawsThePictureWholeWithTheAutomatonInIt) {
