@@ -130,7 +130,7 @@ class Reader {
     for (std::size_t at = find_unquoted(text, fixed, 1); at != std::string_view::npos;
          at = find_unquoted(text, fixed, at + 1))
       for (Bindings& found : with(phrase[slot + 1], text.substr(0, at), after, text.substr(at), bound))
-        out.push_back(std::move(found));
+        out.push_back(found);
     return out;
   }
 
@@ -148,7 +148,7 @@ class Reader {
     const Formulas meanings = meanings_of(part, slot_of(letter));
     for (Formula f : meanings) {
       bound[letter] = f;
-      for (Bindings& found : bindings(phrase, text, bound)) out.push_back(std::move(found));
+      for (const Bindings& found : bindings(phrase, text, bound)) out.push_back(found);
     }
     return out;
   }
