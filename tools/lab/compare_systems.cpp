@@ -20,7 +20,7 @@ struct System {
 };
 
 // Systems of one kind of reader share it, with a reranker and without.
-constexpr System systems[] = {
+constexpr System all_systems[] = {
     {"actions", "actions", parser::ReaderKind::EncoderDecoder, true, false, false},
     {"linear", "linear", parser::ReaderKind::Linear, false, true, false},
     {"encoder-decoder, no reranker", "encoder-decoder", parser::ReaderKind::EncoderDecoder, false, false,
@@ -66,7 +66,7 @@ std::vector<ResultRow> rows_of(const CompareSystemsOptions& options, const Held&
                                const Session& session) {
   const parser::Checkpoints checkpoints(options.directory, settings_of(options, held));
   std::vector<ResultRow> rows;
-  for (const System& system : systems) {
+  for (const System& system : all_systems) {
     parser::EvaluateOptions how = options_for(system, options, checkpoints);
     how.train.stop = session.stop;
     ProgressBar bar;

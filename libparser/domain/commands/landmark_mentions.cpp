@@ -31,7 +31,7 @@ constexpr std::array<std::string_view, 41> joints{
     "serving",  "called",       "named",      "which", "is",      "to",    "-",
     ".",        "from",         "its",        "it",    "has",     "known", "as",
     "located",  "offering",     "offers",     "sells", "selling", "where"};
-constexpr std::array<std::string_view, 42> commands{
+constexpr std::array<std::string_view, 42> command_words{
     "travel", "turn",  "right",  "left", "north",   "south",  "east", "west", "head",  "straight", "walk",
     "way",    "stop",  "around", "next", "finally", "no",     "now",  "go",   "visit", "then",     "avoid",
     "you",    "must",  "reach",  "move", "until",   "never",  "not",  "once", "twice", "times",    "before",
@@ -161,7 +161,7 @@ class Finder {
         continue;
       }
       said.insert(word);
-      const double verb = is_among(commands, word) ? 0.1 : 1;
+      const double verb = is_among(command_words, word) ? 0.1 : 1;
       if (in_name && !is_among(joints, word))
         sum += sure * verb * by_name * (0.35 + 0.65 * city_.told_by(word));
       else if (in_tags && !is_among(joints, word))

@@ -10,11 +10,11 @@
 namespace waymark::parser {
 namespace {
 
-constexpr std::uint32_t features = 6;
+constexpr std::uint32_t feature_count = 6;
 
 WeightTable random_weights(std::mt19937_64& random) {
   WeightTable weights(1);
-  for (std::uint32_t f = 0; f < features; ++f)
+  for (std::uint32_t f = 0; f < feature_count; ++f)
     *weights.row(weights.add(f)) = std::uniform_real_distribution<float>(-1, 1)(random);
   return weights;
 }
@@ -25,7 +25,7 @@ LabelledDecision random_decision(std::mt19937_64& random) {
   for (int b = 0; b < 5; ++b) {
     auto& bundle = decision.bundles.emplace_back();
     for (std::uint64_t n = random() % 4; n > 0; --n)
-      bundle.push_back({static_cast<std::uint32_t>(random() % features),
+      bundle.push_back({static_cast<std::uint32_t>(random() % feature_count),
                         std::uniform_real_distribution<float>(-1, 1)(random)});
   }
   for (int i = 0; i < 4; ++i) {
@@ -65,7 +65,7 @@ TEST(LearnRanker, StepsAlongTheGradientOfItsLoss) {
     learn_ranker(after, decisions,
                  {.epochs = 1, .rate = 1, .decay = 0, .first_squares = large, .against_rival = against_rival},
                  [](double) {});
-    for (std::uint32_t f = 0; f < features; ++f) {
+    for (std::uint32_t f = 0; f < feature_count; ++f) {
       constexpr float step = 0.01F;
       WeightTable more = before, less = before;
       *more.row(f) += step, *less.row(f) -= step;
