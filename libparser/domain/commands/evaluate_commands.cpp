@@ -70,16 +70,17 @@ CommandSplit split_commands(std::vector<Command> commands, std::vector<Command> 
 }
 
 LiftedReader train_commands(const CommandSplit& split, CommandDomains& domains,
-                            const SynchronousGrammar& grammar, const LiftedReader::SharedVectors& vectors,
+                            const SynchronousGrammar& grammar,
+                            const std::shared_ptr<const WordVectors>& vectors,
                             const CommandsExperiment& how) {
-  std::vector<LiftedExample> examples = own_commands(grammar, *vectors.vectors, how.own);
+  std::vector<LiftedExample> examples = own_commands(grammar, *vectors, how.own);
   const auto labelled = labelled_commands(split.training, domains, split.new_kinds ? 1 : 0);
   examples.insert(examples.end(), labelled.examples.begin(), labelled.examples.end());
   std::vector<std::shared_ptr<const LiftedNetwork>> networks;
   for (std::size_t i = 0; i < how.networks; ++i) {
     LiftedTraining training = how.network;
     training.seed += i;
-    networks.push_back(learn_lifted(examples, vectors.vectors, training, [&](double done) {
+    networks.push_back(learn_lifted(examples, vectors, training, [&](double done) {
       if (how.progress) how.progress((static_cast<double>(i) + done) / static_cast<double>(how.networks));
     }));
   }

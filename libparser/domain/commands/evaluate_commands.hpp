@@ -52,7 +52,7 @@ struct CommandsExperiment {
 };
 // Where the test has new kinds, domains are not told: what was said of a domain is then no reason against a kind.
 LiftedReader train_commands(const CommandSplit& split, CommandDomains& domains,
-                            const SynchronousGrammar& grammar, const LiftedReader::SharedVectors& vectors,
-                            const CommandsExperiment& how);
+                            const SynchronousGrammar& grammar,
+                            const std::shared_ptr<const WordVectors>& vectors, const CommandsExperiment& how);
 
 }  // namespace waymark::parser
