@@ -123,7 +123,10 @@ Understanding understand(const Grounder& grounder, const std::string& text, cons
   out.words_not_understood = unknown_words(reader, lifted.text);
   const double understood = route + commands;
   out.probability = understood + nothing > 0 ? understood / (understood + nothing) : 0;
-  if (out.probability < options.least) return out;
+  if (out.probability < options.least) {
+    out.missing = missing_name(reader, lifted.text, things.things());
+    return out;
+  }
   const auto likelier = [](const Found& a, const Found& b) {
     return a.reading.probability > b.reading.probability;
   };

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numeric>
 
+#include "libparser/corpus/token.hpp"
+
 namespace waymark::parser {
 
 using neural::Index;
@@ -28,6 +30,18 @@ neural::AttentionDecoder::Sizes decoder_sizes(const LiftedSizes& s, Index inputs
 
 }  // namespace
 
+LiftedText mirrored(LiftedText text) {
+  text.tokens = mirror(std::move(text.tokens));
+  return text;
+}
+
+bool is_read_in_mirror(const LiftedText& text) {
+  if (!text.scope.spatial) return false;
+  for (const std::string& token : text.tokens)
+    if (const auto side = side_of(token)) return side == Side::Right;
+  return false;
+}
+
 LiftedNetwork::LiftedNetwork(WordTable words, std::shared_ptr<const WordVectors> vectors,
                              const LiftedSizes& sizes, const neural::Uniform& uniform)
     : words_(std::move(words)),
@@ -48,7 +62,9 @@ LiftedNetwork::Sentence LiftedNetwork::sentence(const LiftedText& text) const {
   out.vectors.push_back(none);
   for (const std::string& token : text.tokens) {
     out.words.push_back(words_.find(token));
-    out.vectors.push_back(static_cast<std::uint32_t>(vectors_->find(token).value_or(none)));
+    const bool is_side =
+        text.scope.spatial && side_of(token);  // the vectors of left and right are much alike
+    out.vectors.push_back(is_side ? none : static_cast<std::uint32_t>(vectors_->find(token).value_or(none)));
   }
   return out;
 }

@@ -184,6 +184,8 @@ Bindings HallwayThings::bindings(ltl::Arena& arena, std::vector<std::size_t> slo
             std::string name = thing == LiftedSymbol::TurnedLeft    ? "turned_left"
                                : thing == LiftedSymbol::TurnedRight ? "turned_right"
                                : thing == LiftedSymbol::Moved       ? "moved"
+                               : thing == LiftedSymbol::OpenLeft    ? "left_open"
+                               : thing == LiftedSymbol::OpenRight   ? "right_open"
                                                                     : "";
             if (thing == LiftedSymbol::Start && start) name = "place_" + std::to_string(*start);
             const auto p = name.empty() ? std::nullopt : arena.vocabulary().find(name);
