@@ -20,7 +20,7 @@ struct Understanding {
   std::optional<MissingName> missing;  // of a text that was not understood
 };
 
-inline constexpr double least_understood = 0.3;
+inline constexpr double least_understood = 0.5;
 
 struct UnderstandOptions {
   GroundOptions ground = {};

@@ -176,7 +176,8 @@ class Denotation {
 
   Formula counted(LiftedSymbol s) {
     const std::size_t n = number_of(take());
-    const bool event = is_event(peek());
+    const bool event =
+        is_event(peek()) || (peek() == Or && at_ + 1 < lifted_.size() && is_event(lifted_[at_ + 1]));
     const Formula a = formula();
     if (s == AtLeast) return at_least(n, a, event);
     if (s == AtMost) return ltl::negate(at_least(n + 1, a, event));
