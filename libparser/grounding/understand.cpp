@@ -177,17 +177,15 @@ Understanding understand(const Grounder& grounder, const std::string& text, cons
         r.formula = direct;
       programs.push_back({std::move(r), false});
     }
-  // The kind that is likelier comes first, with its own best reading: that of programs is chosen by where routes end.
-  std::vector<Found>& first = route > commands && !programs.empty() ? programs : found;
-  std::vector<Found>& second = &first == &found ? programs : found;
-  for (Found& f : second) add(first, std::move(f));
+  for (Found& f : programs) add(found, std::move(f));
+  std::stable_sort(found.begin(), found.end(), likelier);
   double total = 0;
-  for (const Found& f : first) total += f.reading.probability;
-  for (Found& f : first) {
+  for (const Found& f : found) total += f.reading.probability;
+  if (!found.empty()) out.ongoing = found.front().ongoing;
+  for (Found& f : found) {
     if (total > 0) f.reading.probability /= total;
     out.readings.push_back(std::move(f.reading));
   }
-  if (!first.empty()) out.ongoing = first.front().ongoing;
   return out;
 }
 

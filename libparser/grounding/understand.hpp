@@ -23,7 +23,7 @@ struct Understanding {
 inline constexpr double least_understood = 0.5;
 
 struct UnderstandOptions {
-  GroundOptions ground = {};
+  GroundOptions ground = {.one_an_end = true};
   double least = least_understood;  // probability of having understood below which there is no reading
 };
 
