@@ -4,8 +4,8 @@
 
 namespace waymark::parser {
 
-// `turn left` of a program is X(turned U (turned ∧ turned_left ∧ rest)) and allows other turns before. A person who says
-// it means X(turned_left ∧ rest), which is stronger. `turned` is turned_left ∨ turned_right. O(DAG)
+// `turn left` of a program is X(turned U (turned ∧ turned_left ∧ rest)) and allows other turns before; `turned` is
+// turned_left ∨ turned_right. A person who says it means X(turned_left ∧ rest), which is stronger. O(DAG)
 ltl::Formula with_direct_turns(ltl::Formula f);
 
 }  // namespace waymark::parser

@@ -6,11 +6,13 @@
 #include <cmath>
 #include <fstream>
 
-#include "libparser/corpus/token.hpp"
-#include "libparser/domain/hallways/hallway_things.hpp"
+#include "libltl/meaning/semantics.hpp"
+#include "libltl/text/parse.hpp"
+#include "libparser/grounding/direct_turns.hpp"
 #include "libparser/language/synchronous_grammar.hpp"
 #include "libparser/model_file.hpp"
 #include "tests/libparser/maps.hpp"
+#include "tests/support/generate.hpp"
 
 namespace waymark::parser {
 namespace {
@@ -102,6 +104,28 @@ TEST(Understand, StraightToTheThirdHallway) {
     rest = ltl::next(ltl::until(ltl::conjunction(moved, ltl::negate(way)),
                                 ltl::conjunction(ltl::conjunction(moved, way), rest)));
   EXPECT_EQ(answer.readings.front().formula, rest);
+}
+
+// By the definition on all short words: what is made direct implies what the program says.
+TEST(DirectTurns, AreStrongerThanWhatTheProgramSays) {
+  ltl::Arena arena(ltl::Vocabulary({"turned_left", "turned_right", "a"}));
+  for (const char* text :
+       {"X((turned_left | turned_right) U ((turned_left | turned_right) & turned_left))",
+        "X((turned_left | turned_right) U ((turned_left | turned_right) & turned_right & F a))",
+        "F(a & X((turned_left | turned_right) U ((turned_left | turned_right) & turned_left & X a)))"}) {
+    const ltl::Formula open = ltl::parse(text, arena), direct = with_direct_turns(open);
+    EXPECT_NE(open, direct);
+    std::size_t satisfied = 0;
+    for (const ltl::Trace& word : ltl::testing::all_traces({.length = 4, .atoms = 3})) {
+      if (!ltl::holds(word, direct)) continue;
+      ++satisfied;
+      EXPECT_TRUE(ltl::holds(word, open)) << text;
+    }
+    EXPECT_GT(satisfied, 0U);
+  }
+  const ltl::Formula facing =
+      ltl::parse("X((turned_left | turned_right) U ((turned_left | turned_right) & a))", arena);
+  EXPECT_EQ(with_direct_turns(facing), facing);
 }
 
 }  // namespace
