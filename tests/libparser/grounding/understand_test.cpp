@@ -116,7 +116,7 @@ TEST(DirectTurns, AreStrongerThanWhatTheProgramSays) {
     const ltl::Formula open = ltl::parse(text, arena), direct = with_direct_turns(open);
     EXPECT_NE(open, direct);
     std::size_t satisfied = 0;
-    for (const ltl::Trace& word : ltl::testing::all_traces({.length = 4, .atoms = 3})) {
+    for (const ltl::Trace& word : testing::all_traces({.length = 4, .atoms = 3})) {
       if (!ltl::holds(word, direct)) continue;
       ++satisfied;
       EXPECT_TRUE(ltl::holds(word, open)) << text;
