@@ -117,7 +117,7 @@ void LiftedNetwork::Pass::embed() {
   input_.setZero(network_->sizes_.word + network_->sizes_.vector, packing_.columns());
   for (Index c = 0; c < packing_.columns(); ++c) {
     const auto at = static_cast<std::size_t>(c);
-    input_.col(c).head(table.rows()) = table.col(words_[at]);
+    input_.col(c).head(table.rows()) = table.col(words_[at].index);
     if (vectors_[at] >= known.size()) continue;
     const auto entries = known.entries(vectors_[at]);
     const float scale = known.scale(vectors_[at]);
@@ -206,7 +206,7 @@ void LiftedNetwork::Pass::backward(neural::Parameters& parameters, const Matrix&
   if (input_mask_.size() > 0) dinput_.array() *= input_mask_.array();
   auto gradient = parameters.gradient(network_->embeddings_);
   for (Index c = 0; c < dinput_.cols(); ++c)
-    gradient.col(words_[static_cast<std::size_t>(c)]) += dinput_.col(c).head(gradient.rows());
+    gradient.col(words_[static_cast<std::size_t>(c)].index) += dinput_.col(c).head(gradient.rows());
   neural::add_product_transposed(dinput_.bottomRows(network_->sizes_.vector), fixed_,
                                  parameters.gradient(network_->projection_));
 }

@@ -49,7 +49,7 @@ class LiftedNetwork {
                 const neural::Uniform& uniform);
 
   struct Sentence {
-    std::vector<std::uint32_t> words;    // rows of the table
+    std::vector<WordId> words;
     std::vector<std::uint32_t> vectors;  // rows of the vectors; vectors.size(): none
   };
   Sentence sentence(const LiftedText& text) const;
@@ -85,7 +85,8 @@ class LiftedNetwork {
     const neural::Parameters* parameters_ = nullptr;
     std::vector<std::size_t> order_;
     std::vector<Index> column_, h_begin_, begin_, said_;
-    std::vector<std::uint32_t> words_, vectors_;  // by packed column
+    std::vector<WordId> words_;           // by packed column
+    std::vector<std::uint32_t> vectors_;  // the same
     std::vector<Prefix> prefixes_;
     neural::Packing packing_{std::span<const Index>{}};
     neural::Matrix fixed_, input_, input_mask_, dinput_, h_, h_mask_, e_, x_, dx_;

@@ -61,7 +61,7 @@ Real scores_of(const LiftedNetwork& network, const WordVectors& vectors, const E
   Real x = Real::Zero(tiny.word + tiny.vector, static_cast<Index>(tokens.size()));
   for (Index t = 0; t < x.cols(); ++t) {
     const std::string& token = tokens[static_cast<std::size_t>(t)];
-    x.col(t).head(tiny.word) = table.col(network.words().find(token));
+    x.col(t).head(tiny.word) = table.col(network.words().find(token).index);
     const auto row = vectors.find(token);
     for (std::size_t i = 0; row && i < WordVectors::dimensions; ++i)
       x.col(t).tail(tiny.vector) += project.col(static_cast<Index>(i)) *
