@@ -3,9 +3,12 @@
 #pragma once
 #include <optional>
 #include <span>
+#include <stop_token>
 #include <string>
 
+#include "libautomata/omega/automaton.hpp"
 #include "libltl/formula.hpp"
+#include "libplan/certify.hpp"
 #include "libplan/solve/task_automaton.hpp"
 #include "libplan/world/map.hpp"
 #include "tools/shell/exit_code.hpp"
@@ -34,6 +37,14 @@ struct WalkTask {
 // The certified lasso that comes first in the order; of several starts the first whose lasso does. Throws Interrupted,
 // UsageError for an automaton about finite words.
 ExitCode plan_lasso(const WalkTask& task, const WalkOptions& options, const Session& session);
+
+// The same, found and not printed.
+struct PlannedLasso {
+  JsonObject json;  // as printed with --json
+  std::optional<plan::CertifiedLasso> lasso;
+  automata::Automaton automaton;
+};
+PlannedLasso planned_lasso(const WalkTask& task, const WalkOptions& options, const std::stop_token& stop);
 
 // The cheapest routes of a DFA, certified, of all starts together.
 ExitCode plan_routes(const WalkTask& task, const automata::Dfa& dfa, const WalkOptions& options,
