@@ -18,7 +18,8 @@
 namespace waymark::tools {
 
 struct WalkOptions {
-  std::string order = "prefix", svg;  // of lassos
+  std::string order = "prefix";  // of lassos
+  std::string svg = {};
   std::size_t top = 1;
   bool json = false;
   double load = 0, translate = 0;  // seconds that reading the map took, and the translation of a DFA
