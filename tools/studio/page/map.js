@@ -75,15 +75,15 @@ export class MapView {
   }
 
   // To the right of the hallway's middle: there and back can be told apart.
-  point([x, y, heading]) {
+  point([x, y, heading], aside = 10) {
     const [cx, cy] = this.node(x, y).at;
     const [dx, dy] = directions[heading];
-    return [cx - dy * 10, cy + dx * 10];
+    return [cx - dy * aside, cy + dx * aside];
   }
 
-  line(poses, kind) {
+  line(poses, kind, aside = 10) {
     if (poses.length < 2) return;
-    const points = poses.map((pose) => this.point(pose).join(' '));
+    const points = poses.map((pose) => this.point(pose, aside).join(' '));
     element('path', { class: `route ${kind}`, d: `M${points.join(' L')}` }, this.routes);
   }
 
@@ -98,7 +98,7 @@ export class MapView {
     const done = poses.slice(0, step + 1);
     this.line(done.slice(0, loop + 1), 'done');
     if (cycle && step > loop) this.line(done.slice(loop), 'done cycle');
-    if (other) this.line(other, 'other');
+    if (other) this.line(other, 'other', 19);
     this.mark(poses[0], 'first', 8);
     if (cycle) this.mark(poses[loop], 'turning', 8);
     if (lost !== null) this.mark(poses[lost], 'lost', 22);

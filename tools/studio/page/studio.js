@@ -120,6 +120,13 @@ function not_understood(answer) {
 function take_formula(formula) {
   state.formula = formula;
   $('formula').value = formula;
+  fit();
+}
+
+// The field is as high as its text.
+function fit() {
+  $('formula').style.height = 'auto';
+  $('formula').style.height = `${$('formula').scrollHeight + 2}px`;
 }
 
 // Plans the formula in the field, and shows its route.
@@ -177,8 +184,7 @@ function show_formula(written, error = null) {
   $('fault').hidden = !error;
   $('formula').setAttribute('aria-invalid', error ? 'true' : 'false');
   if (error) {
-    const width = Math.max(1, (error.end ?? 0) - (error.begin ?? 0));
-    $('fault').textContent = `${' '.repeat(error.begin ?? 0)}${'^'.repeat(width)}\n${error.message}`;
+    $('fault').textContent = error.begin === undefined ? error.message : pointing_at(error);
     return;
   }
   state.written = written;
@@ -186,8 +192,18 @@ function show_formula(written, error = null) {
   if (written) $('understood').textContent = written.english[semantics()];
 }
 
+// The part of the formula where it is wrong, with carets below.
+function pointing_at({ begin, end, message }) {
+  const text = [...$('formula').value.replaceAll('\n', ' ')];
+  const from = Math.max(0, begin - 30);
+  const part = text.slice(from, from + 60).join('');
+  const carets = '^'.repeat(Math.max(1, Math.min(end, from + 60) - begin));
+  return `${from > 0 ? '…' : ' '}${part}\n ${' '.repeat(begin - from)}${carets}\n${message}`;
+}
+
 let typing = null;
 function formula_typed() {
+  fit();
   clearTimeout(typing);
   typing = setTimeout(async () => {
     const text = $('formula').value.trim();
@@ -213,6 +229,7 @@ function show_readings() {
   const list = state.readings.map((reading, i) => {
     const label = document.createElement('label');
     label.className = 'reading';
+    label.title = reading.unicode;
     const radio = document.createElement('input');
     Object.assign(radio, { type: 'radio', name: 'reading', checked: reading.formula === state.formula });
     radio.addEventListener('change', () => {
@@ -223,13 +240,11 @@ function show_readings() {
     probability.textContent = `${(100 * reading.probability).toFixed(i > 0 && reading.probability < .1 ? 1 : 0)} %`;
     const english = document.createElement('span');
     english.textContent = reading.english;
-    const formula = document.createElement('small');
-    formula.textContent = reading.unicode;
-    label.append(radio, probability, english, formula);
+    label.append(radio, probability, english);
     return label;
   });
   $('readings').replaceChildren($('readings').firstElementChild, ...list);
-  $('readings').hidden = list.length === 0;
+  $('readings').hidden = list.length < 2;
 }
 
 // Of two close readings: a route that only one of them lets pass, drawn beside the route of the first.
@@ -314,16 +329,22 @@ function show_now() {
   light(step);
   if (!step) return;
   const read = new Set((state.formula.match(/"[^"]*"|\w+/g) ?? []).map((name) => name.replaceAll('"', '')));
-  const chips = [...step.letter].sort((a, b) => read.has(b) - read.has(a)).map((name) => {
+  const chips = step.letter.filter((name) => read.has(name)).map((name) => {
     const chip = document.createElement('span');
-    chip.className = read.has(name) ? 'chip read' : 'chip';
+    chip.className = 'chip';
     chip.textContent = name;
     return chip;
   });
-  $('letter').replaceChildren(...(chips.length ? chips : ['nothing']));
+  const others = step.letter.filter((name) => !read.has(name));
+  const more = document.createElement('details');
+  more.open = $('letter').querySelector('details')?.open ?? false;
+  const summary = document.createElement('summary');
+  summary.textContent = `${chips.length ? 'and ' : ''}${others.length} that the formula does not name`;
+  more.append(summary, others.join(', '));
+  $('letter').replaceChildren(...chips, more);
   $('remains').textContent = step.unicode;
-  const words = { satisfied: 'satisfied, if it ends here', lost: 'lost', open: 'open' };
-  $('verdict').textContent = words[step.verdict];
+  const words = { satisfied: 'satisfied, if it ends here', lost: 'lost, whatever follows', open: 'open' };
+  $('verdict').textContent = `— ${words[step.verdict]}`;
   $('verdict').className = { satisfied: 'satisfied', lost: 'lost-word', open: '' }[step.verdict];
 }
 
@@ -351,16 +372,14 @@ function go_to(step) {
 function stop() {
   clearInterval(state.timer);
   state.timer = null;
-  $('play').textContent = '▶';
-  $('play').setAttribute('aria-label', 'Play');
+  $('play').textContent = 'Play';
 }
 
 function play() {
   if (state.timer) return stop();
   const ends = () => state.step === state.walk.poses.length - 1 && !state.walk.cycle;
   if (ends()) go_to(0);
-  $('play').textContent = '⏸';
-  $('play').setAttribute('aria-label', 'Pause');
+  $('play').textContent = 'Pause';
   state.timer = setInterval(() => {
     go_to(state.step + 1);
     if (ends()) stop();
@@ -499,6 +518,7 @@ async function recall(link) {
 function listen() {
   $('ask').addEventListener('submit', (event) => { event.preventDefault(); run(); });
   $('formula').addEventListener('input', formula_typed);
+  $('formula').addEventListener('keydown', (event) => { if (event.key === 'Enter') event.preventDefault(); });
   $('map').addEventListener('change', () => latest(async () => {
     const text = $('instruction').value;
     await choose_map($('map').value);
