@@ -1,5 +1,7 @@
-# Writes OUT, which defines waymark::studio::assets(): the files of FOLDER as raw strings, index.html also as "/".
+# Writes OUT, which defines waymark::studio::assets(): the files of FOLDER as raw strings, index.html as "/". The style
+# stands in the page, which is then painted without a second request.
 file(GLOB files RELATIVE ${FOLDER} ${FOLDER}/*)
+list(REMOVE_ITEM files studio.css)
 list(SORT files)
 set(type_html "text/html; charset=utf-8")
 set(type_css "text/css; charset=utf-8")
@@ -13,6 +15,8 @@ foreach(name IN LISTS files)
   set(path /${name})
   if(name STREQUAL index.html)
     set(path /)
+    file(READ ${FOLDER}/studio.css style)
+    string(REPLACE "<link rel=\"stylesheet\" href=\"/studio.css\">" "<style>\n${style}</style>" text "${text}")
   endif()
   string(APPEND rows "    Asset{\"${path}\", \"${type_${kind}}\", R\"embedded(${text})embedded\"},\n")
   math(EXPR count "${count} + 1")
