@@ -56,6 +56,7 @@ constexpr std::array rows{
     Subcommand{"import", "a corpus as it was released → ours", setup_import},
     Subcommand{"corpus", "how large a corpus is, in texts and trajectories", setup_corpus},
     Subcommand{"draw", "map, with or without a route → picture", setup_draw},
+    Subcommand{"serve", serve_summary, nullptr},
     Subcommand{"generate", generate_summary, setup_generate},
     Subcommand{"patterns", "specification patterns by name → formula", setup_patterns},
     Subcommand{"random", "random formulas", setup_random},
@@ -70,9 +71,9 @@ bool is_for_the_lab(std::span<char* const> arguments) {
          (command == "generate" && arguments.size() > 2 && std::string_view(arguments[2]) == "corpus");
 }
 
-// waymark-lab takes the place of this process: its streams, its signals and its exit code are those of the command.
-[[noreturn]] void become_the_lab(char** argv) {
-  const auto program = needed_helper("waymark-lab", "runs experiments");
+// The helper takes the place of this process: its streams, its signals and its exit code are those of the command.
+[[noreturn]] void become(std::string_view helper_name, std::string_view what_it_does, char** argv) {
+  const auto program = needed_helper(helper_name, what_it_does);
   ::execv(program.c_str(), argv);
   throw std::system_error(errno, std::generic_category(), "cannot start " + program.string());
 }
@@ -84,7 +85,10 @@ int main(int argc, char** argv) {
   using namespace waymark::tools;
   std::ios::sync_with_stdio(false);
   return static_cast<int>(guarded([&] {
-    if (is_for_the_lab({argv, static_cast<std::size_t>(argc)})) become_the_lab(argv);
+    if (is_for_the_lab({argv, static_cast<std::size_t>(argc)}))
+      become("waymark-lab", "runs experiments", argv);
+    if (argc > 1 && std::string_view(argv[1]) == "serve")
+      become("waymark-serve", "serves the studio (it needs libcpp-httplib-dev)", argv);
     return run_subcommand(rows, argc, argv);
   }));
 }

@@ -24,7 +24,8 @@ struct Subcommand {  // a row in the table of a program
   Runner (*setup)(Command);  // nullptr: another program runs it, and it is only listed here
 };
 
-// What both programs say of the commands of waymark-lab.
+// What `waymark` and its helpers say of commands that the helpers run.
+inline constexpr const char* serve_summary = "the studio, a page in the browser to see what formulas mean";
 inline constexpr const char* experiment_summary =
     "a whole table of results, which goes on where it was stopped";
 inline constexpr const char* tune_summary = "which settings of training validate best";
