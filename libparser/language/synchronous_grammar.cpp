@@ -74,7 +74,7 @@ SynchronousGrammar::SynchronousGrammar(const std::filesystem::path& file) {
       fail("no rule: a rule is TEXT => FORMULA, below a category");
     Rule rule{trim(line.substr(0, arrow)), trim(line.substr(arrow + 2)), 1, number};
     if (const auto colon = rule.text.find(": ");
-        colon != std::string::npos && colon < 4 && rule.text.find_first_not_of("0123456789.") == colon) {
+        colon < 4 && rule.text.find_first_not_of("0123456789.") == colon) {
       if (rule.text.find_first_of("0123456789") > colon) fail("the weight of a rule is a number");
       rule.weight = std::stod(rule.text.substr(0, colon));
       rule.text = trim(rule.text.substr(colon + 2));

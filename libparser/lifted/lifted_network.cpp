@@ -25,7 +25,11 @@ void drop(Matrix& signals, Matrix& mask, const Dropout& dropout) {
 }
 
 neural::AttentionDecoder::Sizes decoder_sizes(const LiftedSizes& s, Index inputs) {
-  return {.encoded = 2 * s.width, .inputs = inputs, .width = s.query, .symbol = s.symbol, .symbols = symbols};
+  return {.encoded = Index{2} * s.width,
+          .inputs = inputs,
+          .width = s.query,
+          .symbol = s.symbol,
+          .symbols = symbols};
 }
 
 }  // namespace
@@ -121,7 +125,8 @@ void LiftedNetwork::Pass::embed() {
     if (vectors_[at] >= known.size()) continue;
     const auto entries = known.entries(vectors_[at]);
     const float scale = known.scale(vectors_[at]);
-    for (std::size_t i = 0; i < entries.size(); ++i) fixed_(static_cast<Index>(i), c) = scale * entries[i];
+    for (std::size_t i = 0; i < entries.size(); ++i)
+      fixed_(static_cast<Index>(i), c) = scale * static_cast<float>(entries[i]);
   }
   neural::add_product(parameters_->value(network_->projection_), fixed_,
                       input_.bottomRows(network_->sizes_.vector));
