@@ -20,7 +20,7 @@ struct Understanding {
   std::optional<MissingName> missing;  // of a text that was not understood
 };
 
-inline constexpr double least_understood = 0.7;
+inline constexpr double least_understood = 0.62;
 
 struct UnderstandOptions {
   GroundOptions ground = {.one_an_end = true};
