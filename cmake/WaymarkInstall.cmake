@@ -11,7 +11,10 @@ install(DIRECTORY ${folders} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/waymark FIL
 
 install(TARGETS waymark RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 install(TARGETS waymark-layout waymark-lab RUNTIME DESTINATION ${CMAKE_INSTALL_LIBEXECDIR}/waymark)
-install(DIRECTORY data/maps data/models data/words data/language DESTINATION ${CMAKE_INSTALL_DATADIR}/waymark)
+if(TARGET waymark-serve)
+  install(TARGETS waymark-serve RUNTIME DESTINATION ${CMAKE_INSTALL_LIBEXECDIR}/waymark)
+endif()
+install(DIRECTORY data/maps data/models data/words data/language data/schemas DESTINATION ${CMAKE_INSTALL_DATADIR}/waymark)
 
 set(package ${CMAKE_INSTALL_LIBDIR}/cmake/waymark)
 install(EXPORT waymark NAMESPACE waymark:: DESTINATION ${package} FILE waymarkTargets.cmake)

@@ -9,6 +9,7 @@
 #include "tools/studio/formulas.hpp"
 #include "tools/studio/maps.hpp"
 #include "tools/studio/tasks.hpp"
+#include "tools/studio/values.hpp"
 #include "tools/studio/walks.hpp"
 
 namespace waymark::studio {
@@ -31,6 +32,8 @@ constexpr std::array endpoints{
     Endpoint{"/api/translate", translate_formula},
     Endpoint{"/api/automaton", draw_automaton},
     Endpoint{"/api/check", check_walk},
+    Endpoint{"/api/values", value_poses},
+    Endpoint{"/api/learn", learn_task},
 };
 
 JsonObject dispatch(std::string_view method, std::string_view path, std::string_view body,
