@@ -67,6 +67,7 @@ class Page(unittest.TestCase):
 
     def picture(self, name):
         self.browser.evaluate('scrollTo(0, 0)')
+        self.browser.wait("document.getAnimations().every((animation) => animation.playState === 'finished')")
         path = os.path.join(FOLDER, f'{name}.png')
         self.browser.screenshot(path)
         self.assertGreater(os.path.getsize(path), 20_000)
@@ -217,7 +218,7 @@ class Page(unittest.TestCase):
         self.open('map=grid&start=1,9,0&formula=F easel')
         starts = {'svg': ('waymark.svg', '<?xml'), 'automaton-svg': ('automaton.svg', '<svg'),
                   'hoa': ('automaton.hoa', 'HOA: v1'), 'dot': ('automaton.dot', 'digraph'),
-                  'never': ('automaton.never', 'never'), 'latex': ('formula.tex', '\\'), 'json': ('waymark.json', '{')}
+                  'never': ('automaton.never', 'never'), 'prism': ('product.nm', 'mdp'), 'latex': ('formula.tex', '\\'), 'json': ('waymark.json', '{')}
         with tempfile.TemporaryDirectory() as folder:
             self.browser.call('Browser.setDownloadBehavior', behavior='allow', downloadPath=folder)
             for kind, (name, start) in starts.items():

@@ -33,6 +33,7 @@ constexpr std::array endpoints{
     Endpoint{"/api/automaton", draw_automaton},
     Endpoint{"/api/check", check_walk},
     Endpoint{"/api/values", value_poses},
+    Endpoint{"/api/prism", write_product},
     Endpoint{"/api/learn", learn_task},
 };
 

@@ -8,6 +8,8 @@
 #include "libltl/text/print.hpp"
 #include "libplan/learn/comparison.hpp"
 #include "libplan/model/map_mdp.hpp"
+#include "libplan/model/prism/write_prism.hpp"
+#include "libplan/product/explicit_product.hpp"
 #include "libplan/product/product_mdp.hpp"
 #include "libplan/solve/decide.hpp"
 #include "tools/answer.hpp"
@@ -66,6 +68,14 @@ JsonArray poses_json(const plan::ProductMdp<plan::Mdp>& product, const plan::Dec
   return out;
 }
 
+plan::ProductMdp<plan::Mdp> explored(const plan::Mdp& mdp, const plan::TaskTable& table,
+                                     const std::stop_token& stop) {
+  auto product = plan::ProductMdp<plan::Mdp>::explore(mdp, table, most_pairs, stop);
+  if (stop.stop_requested()) throw tools::Interrupted();
+  if (!product) throw tools::GaveUp("the product with the map is too large");
+  return std::move(*product);
+}
+
 const plan::Method& method_of(const std::vector<plan::Method>& methods, const std::string& name) {
   const auto found =
       std::find_if(methods.begin(), methods.end(), [&](const plan::Method& m) { return m.name == name; });
@@ -84,12 +94,10 @@ JsonObject value_poses(const Request& request, const Context& context) {
   const automata::Dfa dfa = tools::translate(task.formula, context.stop);
   const plan::Mdp mdp = plan::mdp_of(map, task.start, task.noise);
   const plan::TaskTable table(dfa, mdp.letters());
-  const auto product = plan::ProductMdp<plan::Mdp>::explore(mdp, table, most_pairs, context.stop);
-  if (!product) throw tools::GaveUp("the product with the map is too large");
+  const auto product = explored(mdp, table, context.stop);
   const plan::IterationOptions limits{.keep_values = true, .stop = context.stop};
   const bool cost = query == "mincost";
-  const auto decided =
-      cost ? plan::least_cost(*product, limits) : plan::greatest_probability(*product, limits);
+  const auto decided = cost ? plan::least_cost(product, limits) : plan::greatest_probability(product, limits);
   if (!decided) throw tools::GaveUp("value iteration came to no end within its limits");
   const bool any = !decided->values.empty();  // else the value at the start says it all
   return JsonObject()
@@ -101,8 +109,17 @@ JsonObject value_poses(const Request& request, const Context& context) {
       .add("upper", decided->value.upper)
       .add("sweeps", decided->sweeps)
       .add("automaton", tools::json_of(tools::size_of(dfa)))
-      .add("product", JsonObject().add("states", product->states()).add("edges", product->edges()))
-      .add("states", any ? poses_json(*product, *decided, cost, map) : JsonArray());
+      .add("product", JsonObject().add("states", product.states()).add("edges", product.edges()))
+      .add("states", any ? poses_json(product, *decided, cost, map) : JsonArray());
+}
+
+JsonObject write_product(const Request& request, const Context& context) {
+  const Noisy task(request, context);
+  const automata::Dfa dfa = tools::translate(task.formula, context.stop);
+  const plan::Mdp mdp = plan::mdp_of(task.world->map, task.start, task.noise);
+  const plan::TaskTable table(dfa, mdp.letters());
+  const auto product = explored(mdp, table, context.stop);
+  return JsonObject().add("format", "prism").add("text", plan::write_prism(plan::explicit_product(product)));
 }
 
 JsonObject learn_task(const Request& request, const Context& context) {

@@ -7,6 +7,8 @@
 namespace waymark::studio {
 
 tools::JsonObject value_poses(const Request& request, const Context& context);
+// The product, in PRISM's language.
+tools::JsonObject write_product(const Request& request, const Context& context);
 tools::JsonObject learn_task(const Request& request, const Context& context);
 
 }  // namespace waymark::studio

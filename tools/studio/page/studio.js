@@ -516,6 +516,10 @@ async function export_as(kind) {
       const picture = await ask('picture', { ...task(), instruction: state.instruction });
       return save('waymark.svg', picture.svg, 'image/svg+xml');
     }
+    if (kind === 'prism') {
+      const product = await ask('prism', { ...task(), slip: state.slip });
+      return save('product.nm', product.text, 'text/plain');
+    }
     const request = { ...task(), format: kind };
     if (kind === 'never') Object.assign(request, { semantics: 'infinite', to: 'buchi' });
     const made = await ask('translate', request);
