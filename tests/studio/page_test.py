@@ -87,6 +87,18 @@ class Page(unittest.TestCase):
         self.assertIn('dotted blue route', self.browser.text('#question'))
         self.assertEqual(self.browser.evaluate("document.querySelectorAll('.route.other').length"), 1)
 
+    def test_words_show_what_they_name_and_what_a_symbol_attended_to(self):
+        self.open()
+        self.say('turn left and walk to the chair')
+        self.browser.wait("!document.querySelector('#origin').hidden")
+        self.assertEqual(self.browser.text('.named'), 'chair')
+        self.assertEqual(self.browser.text('.symbol'), 'left')
+        self.browser.evaluate("document.querySelector('.symbol').focus()")
+        weights = self.browser.evaluate(
+            "[...document.querySelectorAll('.word')].map(word => Number(word.style.getPropertyValue('--weight')))")
+        self.assertEqual(weights.index(max(weights)), 1)  # left
+        self.assertGreater(max(weights), 0.5)
+
     def test_steps_move_the_agent_light_the_state_and_show_what_remains(self):
         self.open()
         self.say(DEMO)

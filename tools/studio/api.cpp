@@ -25,6 +25,7 @@ struct Endpoint {
 constexpr std::array endpoints{
     Endpoint{"/api/map", show_map},
     Endpoint{"/api/run", run_instruction},
+    Endpoint{"/api/words", trace_words},
     Endpoint{"/api/plan", plan_formula},
     Endpoint{"/api/picture", draw_plan},
     Endpoint{"/api/formula", write_formula},

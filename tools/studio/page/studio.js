@@ -2,6 +2,7 @@
 
 import { ask, ApiError } from './api.js';
 import { MapView, drawing, same } from './map.js';
+import { show_origin } from './origin.js';
 import { in_words as solved_in_words, is_learner, learn, percent, poses_of } from './solver.js';
 
 const $ = (id) => document.getElementById(id);
@@ -79,6 +80,7 @@ function forget_answer() {
   Object.assign(state, { formula: '', instruction: '', readings: [], other: null, answer: null, automaton: null, solved: null });
   $('instruction').value = $('formula').value = '';
   show_formula(null);
+  show_origin(null);
   show_readings();
   show_question(null);
   show_automaton(null);
@@ -105,6 +107,9 @@ async function run(force = false) {
     await show_answer(answer, current);
     show_question(answer.alternatives?.[0] ?? null);
     say('');
+    const words = await ask('words', {
+      map: state.map.map, start: start_text(), instruction: text, attention: answer.shown[0].reader === 'routes' });
+    if (current()) show_origin(words);
   });
   remember();
 }
@@ -218,6 +223,7 @@ function formula_typed() {
       state.formula = text;
       show_formula(written);
       state.readings = [];
+      show_origin(null);
       show_readings();
       show_question(null);
       await plan();
