@@ -24,7 +24,8 @@ struct Decided {
   Strategy strategy;    // attains the value up to the tolerance
   Bounds re_evaluated;  // of the strategy, by the Markov chain that it makes of the product
   std::uint64_t sweeps = 0;
-  // IterationOptions::keep_values: by state, what a choice attains; of costs 0 where no cost is finite. Not of least probabilities.
+  // With keep_values, by state what a choice attains; of costs, 0 where no cost is finite. Not of least
+  // probabilities.
   std::vector<double> values = {};
 };
 
