@@ -50,9 +50,10 @@ class Grounding {
     const plan::Map& map = place.map;
     ltl::Arena arena(map.vocabulary());
     const auto starts = start_poses(instruction.start.value_or(options_.start), map);
-    parser::Understanding understood = parser::understand(
-        model_, instruction.text, place.executor, starts, arena,
-        {.ground = {.beam = options_.beam}, .least = options_.force ? 0 : parser::least_understood});
+    parser::Understanding understood =
+        parser::understand(model_, instruction.text, place.executor, starts, arena,
+                           {.ground = {.beam = options_.beam, .one_an_end = true},
+                            .least = options_.force ? 0 : parser::least_understood});
     std::vector<parser::Reading>& readings = understood.readings;
     if (readings.empty()) return not_understood(instruction.text, map, understood);
     const std::size_t top = std::max<std::size_t>(options_.top, 1);

@@ -103,8 +103,8 @@ std::shared_ptr<const parser::LiftedReader> learn_commands(const TrainCommandOpt
                                                            const parser::TrainOptions& train) {
   const auto vectors = read_vectors(options.data);
   std::vector<parser::LiftedExample> examples =
-      parser::own_commands(read_grammar(options.data), *vectors.vectors, options.commands.how.own);
-  const auto routes = parser::route_instructions(data.corpus, data.maps, *vectors.vectors, 0.25);
+      parser::own_commands(read_grammar(options.data), *vectors, options.commands.how.own);
+  const auto routes = parser::route_instructions(data.corpus, data.maps, *vectors, 0.25);
   examples.insert(examples.end(), routes.begin(), routes.end());
   for (const std::string& file : options.commands.files) {
     if (file == "own") continue;
@@ -120,7 +120,7 @@ std::shared_ptr<const parser::LiftedReader> learn_commands(const TrainCommandOpt
   for (std::size_t i = 0; i < n; ++i) {
     parser::LiftedTraining how = options.commands.how.network;
     how.seed = train.seed + i;
-    networks.push_back(parser::learn_lifted(examples, vectors.vectors, how, [&](double done) {
+    networks.push_back(parser::learn_lifted(examples, vectors, how, [&](double done) {
       train.progress((static_cast<double>(i) + done) / static_cast<double>(n), "learning commands");
     }));
   }

@@ -23,7 +23,7 @@ constexpr std::size_t most_actions = 40, places = 10;  // of a route; of the bea
 // A choice: the latest actions, and where it is made.
 struct Moment {
   std::vector<Index> history;  // the latest first
-  std::uint32_t pose = 0;      // as Arrival counts them
+  Arrival pose;                // without the action that led there
 };
 
 class ActionNetwork {
@@ -122,12 +122,12 @@ class ActionNetwork {
 
 // log p of the four symbols; −∞ for FORWARD into a wall.
 std::array<float, symbols> log_probabilities(const Matrix& scores, Index column, const plan::Map& map,
-                                             std::uint32_t arrival) {
+                                             Arrival arrival) {
   std::array<float, symbols> out{};
   float highest = -INFINITY, total = 0;
   for (Index v = 0; v < symbols; ++v) {
     const bool possible =
-        v == stop || map.successor(Arrival::pose(arrival), static_cast<plan::Action>(v)).has_value();
+        v == stop || map.successor(arrival.pose(), static_cast<plan::Action>(v)).has_value();
     out[static_cast<std::size_t>(v)] = possible ? scores(v, column) : -INFINITY;
     highest = std::max(highest, out[static_cast<std::size_t>(v)]);
   }
@@ -140,7 +140,7 @@ Moment after(const Moment& moment, Index action, const plan::Map& map) {
   Moment next = moment;
   std::copy_backward(next.history.begin(), next.history.end() - 1, next.history.end());
   next.history.front() = action;
-  next.pose = Arrival::start(*map.successor(Arrival::pose(moment.pose), static_cast<plan::Action>(action)));
+  next.pose = Arrival::start(*map.successor(moment.pose.pose(), static_cast<plan::Action>(action)));
   return next;
 }
 
@@ -190,7 +190,7 @@ class ActionFollower : public Follower {
       if (next.size() > places) next.resize(places);
       beam = std::move(next);
     }
-    return {Arrival::pose(best.moment.pose), best.actions, {}, std::exp(static_cast<double>(best.log_p))};
+    return {best.moment.pose.pose(), best.actions, {}, std::exp(static_cast<double>(best.log_p))};
   }
 
  private:

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstring>
 #include <string>
+#include <utility>
 
 #include "libltl/diagnostic.hpp"
 
@@ -34,7 +35,7 @@ class Bytes {
 
 }  // namespace
 
-WordVectors::WordVectors(std::string_view bytes, std::string_view source) {
+WordVectors::WordVectors(std::string_view bytes, std::string_view source) : bytes_(bytes) {
   Bytes in(bytes, source);
   if (bytes.substr(0, magic.size()) != magic)
     throw ltl::FormatError(std::string(source), 0, 0, "these are no word vectors of version 1");
@@ -49,6 +50,16 @@ WordVectors::WordVectors(std::string_view bytes, std::string_view source) {
   words_ = in.take(ends_.empty() ? 0 : (std::size_t{ends_.back()} + 3) / 4 * 4);
   scales_ = in.array<float>(head[0]);
   entries_ = in.array<std::int8_t>(std::size_t{head[0]} * dimensions);
+}
+
+std::shared_ptr<const WordVectors> WordVectors::shared(std::shared_ptr<const void> owner,
+                                                       std::string_view bytes, std::string_view source) {
+  struct Owned {
+    std::shared_ptr<const void> owner;
+    WordVectors vectors;
+  };
+  const auto owned = std::make_shared<const Owned>(Owned{std::move(owner), WordVectors(bytes, source)});
+  return {owned, &owned->vectors};
 }
 
 std::string_view WordVectors::word(std::size_t row) const {

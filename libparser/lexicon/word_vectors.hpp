@@ -17,7 +17,11 @@ class WordVectors {
 
   // The bytes must outlive the vectors. Throws ltl::FormatError when they are no vectors, or cut short.
   explicit WordVectors(std::string_view bytes, std::string_view source = "");
+  // The owner of the bytes lives as long as the vectors do.
+  static std::shared_ptr<const WordVectors> shared(std::shared_ptr<const void> owner, std::string_view bytes,
+                                                   std::string_view source = "");
 
+  std::string_view bytes() const { return bytes_; }
   std::size_t size() const { return ends_.size(); }
   std::optional<std::size_t> find(std::string_view word) const;  // its row, in O(log size)
   std::string_view word(std::size_t row) const;
@@ -32,7 +36,7 @@ class WordVectors {
 
  private:
   std::span<const std::uint32_t> ends_;
-  std::string_view words_;
+  std::string_view bytes_, words_;
   std::span<const float> scales_;
   std::span<const std::int8_t> entries_;
 };

@@ -28,6 +28,12 @@ struct LiftedText {
   std::string domain;  // "" is unknown
 };
 
+// Left and right exchanged.
+LiftedText mirrored(LiftedText text);
+// Where one turns and sees, a text that names the right before the left is read in the mirror: the network meets one
+// of the two only, and what it learns of one side holds for the other.
+bool is_read_in_mirror(const LiftedText& text);
+
 struct LiftedSizes {
   std::int32_t word = 48, vector = 64, width = 96, query = 96, symbol = 32;
   friend bool operator==(const LiftedSizes&, const LiftedSizes&) = default;
@@ -43,7 +49,7 @@ class LiftedNetwork {
                 const neural::Uniform& uniform);
 
   struct Sentence {
-    std::vector<std::uint32_t> words;    // rows of the table
+    std::vector<WordId> words;
     std::vector<std::uint32_t> vectors;  // rows of the vectors; vectors.size(): none
   };
   Sentence sentence(const LiftedText& text) const;
@@ -79,7 +85,8 @@ class LiftedNetwork {
     const neural::Parameters* parameters_ = nullptr;
     std::vector<std::size_t> order_;
     std::vector<Index> column_, h_begin_, begin_, said_;
-    std::vector<std::uint32_t> words_, vectors_;  // by packed column
+    std::vector<WordId> words_;           // by packed column
+    std::vector<std::uint32_t> vectors_;  // the same
     std::vector<Prefix> prefixes_;
     neural::Packing packing_{std::span<const Index>{}};
     neural::Matrix fixed_, input_, input_mask_, dinput_, h_, h_mask_, e_, x_, dx_;

@@ -16,19 +16,23 @@ std::array<std::int32_t*, 5> layers_of(LiftedSizes& s) {
 
 }  // namespace
 
-LiftedReader::SharedVectors LiftedReader::load_vectors(const std::filesystem::path& file) {
+std::shared_ptr<const WordVectors> LiftedReader::load_vectors(const std::filesystem::path& file) {
   auto mapped = std::make_shared<const MappedFile>(file);
-  return {mapped, mapped->bytes(), std::make_shared<const WordVectors>(mapped->bytes(), file.string())};
+  return WordVectors::shared(mapped, mapped->bytes(), file.string());
 }
 
-LiftedReader::LiftedReader(SharedVectors vectors, std::vector<std::shared_ptr<const LiftedNetwork>> networks)
+LiftedReader::LiftedReader(std::shared_ptr<const WordVectors> vectors,
+                           std::vector<std::shared_ptr<const LiftedNetwork>> networks)
     : vectors_(std::move(vectors)), networks_(std::move(networks)) {}
 
 std::vector<LiftedReading> LiftedReader::read(const LiftedText& text, std::size_t beam) const {
   std::map<Lifted, double> votes;
+  const bool in_mirror = is_read_in_mirror(text);
+  const LiftedText read = in_mirror ? mirrored(text) : text;
   for (const auto& network : networks_)
-    for (const LiftedReading& reading : read_lifted(*network, text, beam))
-      votes[reading.lifted] += std::exp(reading.log_probability) / static_cast<double>(networks_.size());
+    for (const LiftedReading& reading : read_lifted(*network, read, beam))
+      votes[in_mirror ? mirrored(reading.lifted) : reading.lifted] +=
+          std::exp(reading.log_probability) / static_cast<double>(networks_.size());
   std::vector<LiftedReading> out;
   for (const auto& [lifted, p] : votes) out.push_back({lifted, std::log(p)});
   std::stable_sort(out.begin(), out.end(), [](const LiftedReading& a, const LiftedReading& b) {
@@ -43,7 +47,7 @@ bool LiftedReader::knows(const std::string& word) const {
 }
 
 void LiftedReader::write(WeightsWriter& out) const {
-  out.list(vectors_.bytes);
+  out.list(vectors_->bytes());
   out.number(networks_.size());
   for (const auto& network : networks_) {
     out.strings(network->words().words());
@@ -59,8 +63,7 @@ void LiftedReader::write(WeightsWriter& out) const {
 std::shared_ptr<const LiftedReader> LiftedReader::read_from(WeightsReader& in,
                                                             const std::shared_ptr<const void>& owner) {
   const auto stored = in.list<char>();
-  const std::string_view bytes{stored.data(), stored.size()};
-  SharedVectors vectors{owner, bytes, std::make_shared<const WordVectors>(bytes)};
+  auto vectors = WordVectors::shared(owner, {stored.data(), stored.size()});
   std::vector<std::shared_ptr<const LiftedNetwork>> networks;
   const std::uint64_t n = in.number();
   if (n < 1 || n > 16) in.fail("no possible number of networks that read commands");
@@ -72,7 +75,7 @@ std::shared_ptr<const LiftedReader> LiftedReader::read_from(WeightsReader& in,
       if (layer < 1 || layer > largest) in.fail("a layer of no possible size");
       *size = static_cast<std::int32_t>(layer);
     }
-    LiftedNetwork network(std::move(words), vectors.vectors, sizes, [] { return 0.5; });
+    LiftedNetwork network(std::move(words), vectors, sizes, [] { return 0.5; });
     neural::Vector& values = network.parameters().values();
     const auto halves = in.list<std::uint16_t>();
     if (static_cast<neural::Index>(halves.size()) != values.size())

@@ -15,23 +15,17 @@ namespace waymark::parser {
 
 class LiftedReader {
  public:
-  // The owner keeps the bytes of the vectors alive.
-  struct SharedVectors {
-    std::shared_ptr<const void> owner;
-    std::string_view bytes;
-    std::shared_ptr<const WordVectors> vectors;
-  };
   // Throws ltl::FormatError when the file holds no word vectors.
-  static SharedVectors load_vectors(const std::filesystem::path& file);
+  static std::shared_ptr<const WordVectors> load_vectors(const std::filesystem::path& file);
 
-  LiftedReader(SharedVectors vectors, std::vector<std::shared_ptr<const LiftedNetwork>> networks);
+  LiftedReader(std::shared_ptr<const WordVectors> vectors,
+               std::vector<std::shared_ptr<const LiftedNetwork>> networks);
 
   // The likeliest lifted formulas, best first; probabilities of those found sum to 1 at most.
   std::vector<LiftedReading> read(const LiftedText& text, std::size_t beam = 12) const;
   // Whether a network has learned the word from texts; a word vector alone does not count.
   bool knows(const std::string& word) const;
-  const WordVectors& vectors() const { return *vectors_.vectors; }
-  const SharedVectors& shared_vectors() const { return vectors_; }
+  const WordVectors& vectors() const { return *vectors_; }
   std::span<const std::shared_ptr<const LiftedNetwork>> networks() const { return networks_; }
 
   void write(WeightsWriter& out) const;
@@ -39,7 +33,7 @@ class LiftedReader {
                                                        const std::shared_ptr<const void>& owner);
 
  private:
-  SharedVectors vectors_;
+  std::shared_ptr<const WordVectors> vectors_;
   std::vector<std::shared_ptr<const LiftedNetwork>> networks_;
 };
 

@@ -10,7 +10,7 @@ using neural::Matrix;
 
 namespace {
 
-constexpr std::uint32_t heading_known = WordTable::begin, heading_unknown = WordTable::end;
+constexpr WordId heading_known = WordTable::begin, heading_unknown = WordTable::end;
 
 neural::AttentionDecoder::Sizes sizes_of(const NetworkOptions& o, std::size_t symbols) {
   return {.encoded = 2 * o.width,

@@ -19,9 +19,9 @@ namespace waymark::parser {
 
 // A sentence as the network sees it.
 struct NetworkSentence {
-  std::vector<std::uint32_t> words;  // rows of the word table; the first says whether the heading is known
-  std::vector<Symbol> marked;        // mentioned
-  std::vector<bool> forbidden;       // by symbol: places it does not name
+  std::vector<WordId> words;    // the first says whether the heading is known
+  std::vector<Symbol> marked;   // mentioned
+  std::vector<bool> forbidden;  // by symbol: places it does not name
 };
 
 // A history: the last K symbols, the latest first; `symbols` stands for none.

@@ -35,7 +35,7 @@ std::uint64_t context_of(std::size_t kind, std::size_t step) {
 
 class Extractor {
  public:
-  Extractor(const SentenceInput& input, std::vector<std::uint32_t> ids)
+  Extractor(const SentenceInput& input, std::vector<WordId> ids)
       : input_(input), ids_(std::move(ids)), clauses_(clauses_of(input.tokens)) {}
 
   SentenceFeatures features(std::size_t steps) const {
@@ -54,7 +54,7 @@ class Extractor {
   }
 
  private:
-  std::uint32_t id(std::size_t i, const Clause& clause) const {  // i counts from 1, 0 is the beginning
+  WordId id(std::size_t i, const Clause& clause) const {  // i counts from 1, 0 is the beginning
     if (i == clause.begin) return WordTable::begin;
     return i == clause.end + 1 ? WordTable::end : ids_[i - 1];
   }
@@ -62,12 +62,14 @@ class Extractor {
   void add_words(std::vector<std::uint64_t>& keys, const Clause& clause, std::uint64_t context, Template word,
                  Template pair, bool skips) const {
     for (std::size_t i = clause.begin; i <= clause.end; ++i) {
-      const std::uint32_t a = id(i, clause), b = id(i + 1, clause);
-      if (i > clause.begin && a != WordTable::unknown) keys.push_back(key(word, context, a));
-      if (a != WordTable::unknown && b != WordTable::unknown) keys.push_back(key(pair, context, a, b));
+      const WordId a = id(i, clause), b = id(i + 1, clause);
+      if (i > clause.begin && a != WordTable::unknown) keys.push_back(key(word, context, a.index));
+      if (a != WordTable::unknown && b != WordTable::unknown)
+        keys.push_back(key(pair, context, a.index, b.index));
       if (!skips || i + 1 > clause.end) continue;
-      const std::uint32_t c = id(i + 2, clause);
-      if (a != WordTable::unknown && c != WordTable::unknown) keys.push_back(key(SkipPair, context, a, c));
+      const WordId c = id(i + 2, clause);
+      if (a != WordTable::unknown && c != WordTable::unknown)
+        keys.push_back(key(SkipPair, context, a.index, c.index));
     }
   }
 
@@ -84,12 +86,12 @@ class Extractor {
     std::sort(keys.begin(), keys.end());
     keys.erase(std::unique(keys.begin(), keys.end()), keys.end());
     if (unknown == 1)
-      for (std::uint32_t word : ids_)
-        if (word != WordTable::unknown) keys.push_back(key(Unknown, kind, 2, word));
+      for (const WordId word : ids_)
+        if (word != WordTable::unknown) keys.push_back(key(Unknown, kind, 2, word.index));
   }
 
   const SentenceInput& input_;
-  std::vector<std::uint32_t> ids_;
+  std::vector<WordId> ids_;
   std::vector<Clause> clauses_;
 };
 
@@ -107,13 +109,13 @@ Choice choice_after(const PrefixState& state, const Choice& choice, Token taken)
 }
 
 SentenceFeatures sentence_features(const SentenceInput& input, WordTable& words, std::size_t steps) {
-  std::vector<std::uint32_t> ids;
+  std::vector<WordId> ids;
   for (const std::string& word : input.tokens) ids.push_back(words.add(word));
   return Extractor(input, std::move(ids)).features(steps);
 }
 
 SentenceFeatures sentence_features(const SentenceInput& input, const WordTable& words, std::size_t steps) {
-  std::vector<std::uint32_t> ids;
+  std::vector<WordId> ids;
   for (const std::string& word : input.tokens) ids.push_back(words.find(word));
   return Extractor(input, std::move(ids)).features(steps);
 }

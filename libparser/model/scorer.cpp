@@ -48,8 +48,7 @@ void Scorer::sum(Group& group) {
   std::fill(buffer_.begin(), buffer_.end(), 0.0F);
   float* const out = buffer_.data();
   for (std::uint64_t feature : group.features) {
-    const std::uint32_t r = model_->weights.find(feature);
-    if (r != WeightTable::absent) model_->weights.add_to(r, out);
+    if (const auto row = model_->weights.find(feature)) model_->weights.add_to(*row, out);
   }
   if (group.of_mentions) {
     std::fill(group.scores.begin(), group.scores.end(), 0.0F);

@@ -10,8 +10,6 @@ using neural::Matrix;
 
 namespace {
 
-constexpr std::uint32_t unknown = 0;
-
 // Leaves signals out and makes up for it; `mask` is empty when nothing is left out.
 void drop(Matrix& signals, Matrix& mask, const Dropout& dropout) {
   mask.resize(0, 0);
@@ -47,7 +45,7 @@ void SentenceEncoder::Pass::place(std::span<const Words* const> sentences, const
     for (std::size_t t = 0; t < sentences[s]->size(); ++t) {
       column_.push_back(packing_.column(rank[s], static_cast<Index>(t)));
       const bool unread = t > 0 && dropout.words > 0 && dropout.uniform() < dropout.words;
-      words_[static_cast<std::size_t>(column_.back())] = unread ? unknown : (*sentences[s])[t];
+      words_[static_cast<std::size_t>(column_.back())] = unread ? WordTable::unknown : (*sentences[s])[t];
     }
     h_begin_.push_back(static_cast<Index>(column_.size()));
   }
@@ -60,7 +58,7 @@ void SentenceEncoder::Pass::forward(const SentenceEncoder& encoder, const neural
   const auto table = parameters.value(encoder.words_);
   embedded_.resize(table.rows(), packing_.columns());
   for (Index c = 0; c < packing_.columns(); ++c)
-    embedded_.col(c) = table.col(words_[static_cast<std::size_t>(c)]);
+    embedded_.col(c) = table.col(words_[static_cast<std::size_t>(c)].index);
   drop(embedded_, embedded_mask_, dropout);
   encoder.lstm_.forward(parameters, packing_, embedded_, lstm_);
   h_.resize(encoder.width(), packing_.columns());
@@ -84,7 +82,7 @@ void SentenceEncoder::Pass::backward(neural::Parameters& parameters, Matrix& dh,
   if (embedded_mask_.size() > 0) dembedded_.array() *= embedded_mask_.array();
   auto gradient = parameters.gradient(encoder_->words_);
   for (Index c = 0; c < dembedded_.cols(); ++c)
-    gradient.col(words_[static_cast<std::size_t>(c)]) += dembedded_.col(c);
+    gradient.col(words_[static_cast<std::size_t>(c)].index) += dembedded_.col(c);
 }
 
 }  // namespace waymark::parser

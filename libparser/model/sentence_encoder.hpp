@@ -1,24 +1,24 @@
 // Sentences → vectors: embeddings of words, and a bidirectional LSTM over them.
 #pragma once
-#include <cstdint>
 #include <span>
 #include <vector>
 
 #include "libneural/attention_decoder.hpp"
 #include "libneural/lstm.hpp"
+#include "libparser/model/word_table.hpp"
 
 namespace waymark::parser {
 
 // What a pass in training leaves out at random; nothing otherwise.
 struct Dropout {
-  double signals = 0, words = 0;  // of embeddings and h; of words but the first, read as unknown (row 0)
+  double signals = 0, words = 0;  // of embeddings and h; of words but the first, read as unknown
   neural::Uniform uniform = {};
 };
 
 class SentenceEncoder {
  public:
   using Index = neural::Index;
-  using Words = std::vector<std::uint32_t>;  // rows of a word table, at least one
+  using Words = std::vector<WordId>;  // at least one
 
   SentenceEncoder(neural::Parameters& parameters, std::size_t words, Index word, Index width,
                   const neural::Uniform& uniform);

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <cstring>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string_view>
 #include <utility>
@@ -37,25 +38,29 @@ struct StoredRows {
   std::string_view bytes;
 };
 
+// A row of one table: its number while the table is learned, else where its weights begin among the bytes.
+struct WeightRow {
+  std::uint32_t index = 0;
+  friend bool operator==(WeightRow, WeightRow) = default;
+};
+
 // While it is learned a table is dense. One of a model file cannot be learned further.
 class WeightTable {
  public:
   explicit WeightTable(std::size_t columns) : columns_(columns) {}
   WeightTable(std::size_t columns, StoredRows stored) : columns_(columns), stored_(std::move(stored)) {}
-  static constexpr std::uint32_t absent = UINT32_MAX;
 
   std::size_t columns() const { return columns_; }
   std::size_t rows() const { return is_stored() ? stored_.rows : keys_.size(); }
-  std::uint32_t find(
-      std::uint64_t feature) const;  // its row; `absent` when it has none. O(log rows) when stored
+  std::optional<WeightRow> find(std::uint64_t feature) const;  // O(log rows) when stored
   // The same. `near` is where the last search ended, at first 0: features in ascending order are found sooner.
-  std::uint32_t find(std::uint64_t feature, std::size_t& near) const;
-  std::uint32_t add(std::uint64_t feature);  // learned tables alone; a new row is zero
+  std::optional<WeightRow> find(std::uint64_t feature, std::size_t& near) const;
+  WeightRow add(std::uint64_t feature);  // learned tables alone; a new row is zero
   // columns() floats of a learned table, whose rows are numbered in the order of their first use.
-  float* row(std::uint32_t r) { return weights_.data() + r * columns_; }
+  float* row(WeightRow r) { return weights_.data() + r.index * columns_; }
 
-  float weight(std::uint32_t r, std::size_t column) const;
-  void add_to(std::uint32_t r, float* sums) const;  // sums: [columns()]
+  float weight(WeightRow r, std::size_t column) const;
+  void add_to(WeightRow r, float* sums) const;  // sums: [columns()]
   // visit(feature, column, weight) for every weight that is not zero.
   template <class Visit>
   void each(const Visit& visit) const {
@@ -73,6 +78,7 @@ class WeightTable {
   }
 
  private:
+  static constexpr std::uint32_t empty = UINT32_MAX;  // of a slot
   bool is_stored() const { return stored_.file != nullptr; }
   // visit(column, half) for the weights of the stored row behind its feature; returns where the next row begins.
   template <class Visit>
@@ -87,13 +93,13 @@ class WeightTable {
     }
     return at;
   }
-  std::uint32_t find_stored(std::uint64_t feature, std::size_t& near) const;
+  std::optional<WeightRow> find_stored(std::uint64_t feature, std::size_t& near) const;
   std::size_t slot_of(std::uint64_t feature) const;
 
   std::size_t columns_;
   std::vector<std::uint64_t> keys_;
-  std::vector<float> weights_;                                                 // [rows][columns]
-  std::vector<std::uint32_t> slots_ = std::vector<std::uint32_t>(64, absent);  // open addressing, 2ᵏ slots
+  std::vector<float> weights_;                                                // [rows][columns]
+  std::vector<std::uint32_t> slots_ = std::vector<std::uint32_t>(64, empty);  // open addressing, 2ᵏ slots
   StoredRows stored_;
 };
 

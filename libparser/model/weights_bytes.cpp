@@ -209,8 +209,7 @@ WeightTable WeightsReader::table(std::size_t columns) {
 
 void WeightsReader::check_rows(const StoredRows& stored, std::size_t columns) const {
   const std::size_t blocks = stored.rows / StoredRows::block + (stored.rows % StoredRows::block > 0 ? 1 : 0);
-  if (stored.bytes.size() >= WeightTable::absent || stored.last.size() != blocks ||
-      stored.end.size() != blocks)
+  if (stored.bytes.size() > UINT32_MAX || stored.last.size() != blocks || stored.end.size() != blocks)
     fail("a table's index does not fit its rows");
   RowBytes rows{stored.bytes, columns};
   std::uint64_t feature = 0;

@@ -8,13 +8,14 @@ WordTable::WordTable() {
   add("</s>");
 }
 
-std::uint32_t WordTable::find(std::string_view word) const {
+WordId WordTable::find(std::string_view word) const {
   const auto it = index_.find(std::string(word));
   return it == index_.end() ? unknown : it->second;
 }
 
-std::uint32_t WordTable::add(std::string_view word) {
-  const auto [it, is_new] = index_.try_emplace(std::string(word), static_cast<std::uint32_t>(words_.size()));
+WordId WordTable::add(std::string_view word) {
+  const auto [it, is_new] =
+      index_.try_emplace(std::string(word), WordId{static_cast<std::uint32_t>(words_.size())});
   if (is_new) words_.emplace_back(word);
   return it->second;
 }

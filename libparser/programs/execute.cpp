@@ -7,9 +7,6 @@
 namespace waymark::parser {
 namespace {
 
-bool is_move(std::uint32_t arrival) { return arrival % 4 == 1; }
-bool is_turn(std::uint32_t arrival) { return arrival % 4 >= 2; }
-
 // How many obligations a step can leave pending: one for each thing it does in turn, none where nothing waits.
 std::size_t pending_bits(const Step& step) {
   if (step.kind == StepKind::Stay || operands(step.kind) > 0) return 0;
@@ -38,7 +35,7 @@ class Progress {
   }
 
   // Reads the letter of `arrival` with these obligations; true when nothing need remain.
-  bool read(const Set& pending, std::uint32_t arrival, Set& rest) const {
+  bool read(const Set& pending, Arrival arrival, Set& rest) const {
     bool done = false;
     for (std::size_t i = 0; i < program_.size(); ++i)
       for (std::size_t k = 0; k < pending_bits(program_[i]); ++k)
@@ -47,7 +44,7 @@ class Progress {
   }
 
   // Step i is owed from this letter on.
-  bool enter(std::size_t i, std::uint32_t arrival, Set& rest) const {
+  bool enter(std::size_t i, Arrival arrival, Set& rest) const {
     if (i == program_.size()) return true;
     const Step& step = program_[i];
     switch (step.kind) {
@@ -78,19 +75,19 @@ class Progress {
     }
   }
 
-  bool holds(const Step& step, std::uint32_t arrival) const {
+  bool holds(const Step& step, Arrival arrival) const {
     for (std::uint16_t p : step.literals())
       if (!executor_.holds(p, arrival)) return false;
     return true;
   }
 
   // Does this letter leave step i what it keeps or does without?
-  bool may_wait(std::size_t i, std::uint32_t arrival) const {
+  bool may_wait(std::size_t i, Arrival arrival) const {
     return guard_[i] == nullptr || holds(*guard_[i], arrival) == (guard_[i]->kind == StepKind::Keep);
   }
 
   // Reads the letter with obligation k of step i.
-  bool read_one(std::size_t i, std::size_t k, std::uint32_t arrival, Set& rest) const {
+  bool read_one(std::size_t i, std::size_t k, Arrival arrival, Set& rest) const {
     const Step& step = program_[i];
     const std::size_t bit = first_bit_[i] + k;
     const bool is_last = k + 1 == pending_bits(step);
@@ -103,19 +100,19 @@ class Progress {
       case StepKind::Reach: return enter(i, arrival, rest);
       case StepKind::Next: return holds(step, arrival) && done();
       case StepKind::Forward:
-        if (!is_move(arrival)) return false;
+        if (!arrival.is_move()) return false;
         return is_last ? done() : wait(bit + 1);
       case StepKind::Past:
-        if (is_last) return is_move(arrival) && done();
+        if (is_last) return arrival.is_move() && done();
         [[fallthrough]];
       case StepKind::Advance:
-        if (!is_move(arrival)) return false;
+        if (!arrival.is_move()) return false;
         wait(bit);
         if (!holds(step, arrival)) return false;
         return is_last ? done() : wait(bit + 1);
       case StepKind::Orient:
       case StepKind::Face:
-        if (!is_turn(arrival)) return false;
+        if (!arrival.is_turn()) return false;
         wait(bit);
         return holds(step, arrival) && done();
       case StepKind::Stay:
@@ -137,16 +134,16 @@ class Progress {
 
 template <std::size_t N>
 struct SearchNode {
-  std::uint32_t arrival;
+  Arrival arrival;
   std::int32_t from;
   std::bitset<N> pending;
 };
 
 template <class Nodes>
-Plan plan_to(const Nodes& nodes, std::int32_t from, std::uint32_t arrival) {
-  Plan plan{Arrival::pose(arrival), {}};
-  const auto push = [&](std::uint32_t at) {
-    if (at % 4 != Arrival::none) plan.actions.push_back(static_cast<plan::Action>(at % 4 - 1));
+Plan plan_to(const Nodes& nodes, std::int32_t from, Arrival arrival) {
+  Plan plan{arrival.pose(), {}};
+  const auto push = [&](Arrival at) {
+    if (!at.is_start()) plan.actions.push_back(at.action());
   };
   push(arrival);
   for (; from >= 0; from = nodes[static_cast<std::size_t>(from)].from)
@@ -161,9 +158,9 @@ Executor::Executor(const plan::Map& map) : map_(&map) {
   const std::size_t arrivals = 4 * map.poses();
   columns_.assign(map.vocabulary().size(), std::vector<std::uint64_t>(arrivals / 64 + 1));
   successors_.resize(map.poses());
-  const auto set = [&](const ltl::Letter& letter, std::uint32_t arrival) {
+  const auto set = [&](const ltl::Letter& letter, Arrival arrival) {
     for (ltl::Proposition p : letter.members())
-      columns_[p.index][arrival / 64] |= std::uint64_t{1} << (arrival % 64);
+      columns_[p.index][arrival.index / 64] |= std::uint64_t{1} << (arrival.index % 64);
   };
   for (std::uint32_t s = 0; s < map.poses(); ++s) {
     set(map.label({s}), Arrival::start({s}));
@@ -181,25 +178,25 @@ std::optional<Plan> Executor::search(const Program& program, plan::PoseId start)
   std::vector<SearchNode<N>> queue;
   std::vector<std::bitset<N>> seen(4 * map_->poses());
 
-  const std::uint32_t first = Arrival::start(start);
+  const Arrival first = Arrival::start(start);
   std::bitset<N> pending;
   if (progress.enter(0, first, pending)) return plan_to(queue, -1, first);
   queue.push_back({first, -1, pending});
   for (std::size_t head = 0; head < queue.size(); ++head) {
     const SearchNode<N> node = queue[head];
     for (plan::Action a : plan::all_actions) {
-      const std::int32_t next = successors_[node.arrival / 4][static_cast<std::size_t>(a)];
+      const std::int32_t next = successors_[node.arrival.pose().index][static_cast<std::size_t>(a)];
       if (next < 0) continue;
-      const std::uint32_t arrival = Arrival::of({static_cast<std::uint32_t>(next)}, a);
+      const Arrival arrival = Arrival::of({static_cast<std::uint32_t>(next)}, a);
       std::bitset<N> rest;
       if (progress.read(node.pending, arrival, rest)) {
         // The first in breadth-first order is the least word only if no other word of this length is less; words of
         // one length leave the queue in order, so it is.
         return plan_to(queue, static_cast<std::int32_t>(head), arrival);
       }
-      rest &= ~seen[arrival];
+      rest &= ~seen[arrival.index];
       if (rest.none()) continue;
-      seen[arrival] |= rest;
+      seen[arrival.index] |= rest;
       queue.push_back({arrival, static_cast<std::int32_t>(head), rest});
     }
   }
@@ -236,13 +233,13 @@ std::vector<Executor::Reached> Executor::horizon(StepKind kind, plan::PoseId sta
     if (kind == StepKind::Next && head > 0) break;
     for (plan::Action a : plan::all_actions) {
       const bool turn = a != plan::Action::Forward;
-      if (kind == StepKind::Advance && turn && !(oriented && !is_move(order[head].arrival))) continue;
+      if (kind == StepKind::Advance && turn && !(oriented && !order[head].arrival.is_move())) continue;
       if (kind == StepKind::Face && !turn) continue;
-      const std::int32_t next = successors_[order[head].arrival / 4][static_cast<std::size_t>(a)];
+      const std::int32_t next = successors_[order[head].arrival.pose().index][static_cast<std::size_t>(a)];
       if (next < 0) continue;
-      const std::uint32_t arrival = Arrival::of({static_cast<std::uint32_t>(next)}, a);
-      if (seen[arrival]) continue;
-      seen[arrival] = true;
+      const Arrival arrival = Arrival::of({static_cast<std::uint32_t>(next)}, a);
+      if (seen[arrival.index]) continue;
+      seen[arrival.index] = true;
       order.push_back({arrival, static_cast<std::int32_t>(head), kind != StepKind::Advance || !turn});
     }
   }

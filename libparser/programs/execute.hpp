@@ -26,12 +26,17 @@ struct Plan {
 
 // A pose together with the action that led to it: what one letter depends on.
 struct Arrival {
-  static constexpr std::uint32_t none = 0;  // the start: no action
-  static std::uint32_t of(plan::PoseId pose, plan::Action by) {
-    return 4 * pose.index + 1 + static_cast<std::uint32_t>(by);
+  std::uint32_t index = 0;  // 4 · pose, + 1 + action unless the route starts here
+  static Arrival of(plan::PoseId pose, plan::Action by) {
+    return {4 * pose.index + 1 + static_cast<std::uint32_t>(by)};
   }
-  static std::uint32_t start(plan::PoseId pose) { return 4 * pose.index; }
-  static plan::PoseId pose(std::uint32_t arrival) { return {arrival / 4}; }
+  static Arrival start(plan::PoseId pose) { return {4 * pose.index}; }
+  plan::PoseId pose() const { return {index / 4}; }
+  bool is_start() const { return index % 4 == 0; }
+  bool is_move() const { return index % 4 == 1; }
+  bool is_turn() const { return index % 4 >= 2; }
+  plan::Action action() const { return static_cast<plan::Action>(index % 4 - 1); }  // not of a start
+  friend bool operator==(Arrival, Arrival) = default;
 };
 
 class Executor {
@@ -44,13 +49,13 @@ class Executor {
   // Arrivals a single step can pass through, in shortlex order of their first word, the start first.
   // oriented: any turns may come before the step; only for Advance.
   struct Reached {
-    std::uint32_t arrival;
+    Arrival arrival;
     std::int32_t from;  // position of the predecessor, −1: none
     bool goal;          // the step may end here
   };
   std::vector<Reached> horizon(StepKind kind, plan::PoseId start, bool oriented = false) const;
-  bool holds(std::uint16_t proposition, std::uint32_t arrival) const {
-    return ((columns_[proposition][arrival / 64] >> (arrival % 64)) & 1U) != 0;
+  bool holds(std::uint16_t proposition, Arrival arrival) const {
+    return ((columns_[proposition][arrival.index / 64] >> (arrival.index % 64)) & 1U) != 0;
   }
   std::size_t propositions() const { return columns_.size(); }
 

@@ -5,12 +5,12 @@
 
 namespace waymark::parser {
 
-void AdaGrad::update(std::uint32_t row, const float* gradient) {
+void AdaGrad::update(WeightRow row, const float* gradient) {
   using Row = Eigen::Map<Eigen::ArrayXf>;
   const std::size_t columns = table_->columns();
   if (squares_.size() < table_->rows() * columns) squares_.resize(table_->rows() * columns, first_squares_);
   const auto n = static_cast<Eigen::Index>(columns);
-  Row weights(table_->row(row), n), squares(squares_.data() + row * columns, n);
+  Row weights(table_->row(row), n), squares(squares_.data() + row.index * columns, n);
   const Eigen::Map<const Eigen::ArrayXf> ascent(gradient, n);
   for (Eigen::Index c = 0; c < n; c += 64) {  // in blocks that stay in registers and cache
     const Eigen::Index width = std::min<Eigen::Index>(64, n - c);

@@ -1,6 +1,5 @@
 // AdaGrad: each weight has its own step size, learning rate / √(sum of its squared gradients). Source: [DHS11].
 #pragma once
-#include <cstdint>
 #include <vector>
 
 #include "libparser/model/weight_table.hpp"
@@ -18,7 +17,7 @@ class AdaGrad {
         first_squares_(static_cast<float>(first_squares)) {}
 
   // Ascends: gradient [columns] of the log-likelihood. O(columns).
-  void update(std::uint32_t row, const float* gradient);
+  void update(WeightRow row, const float* gradient);
 
  private:
   WeightTable* table_;

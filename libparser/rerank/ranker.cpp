@@ -11,8 +11,8 @@ std::vector<double> scores(const WeightTable& weights, const CandidateFeatures& 
   for (const auto& bundle : features.bundles) {
     bundles.push_back(0);
     for (const WeightedFeature& feature : bundle)
-      if (const std::uint32_t row = weights.find(feature.key, near); row != WeightTable::absent)
-        bundles.back() += static_cast<double>(weights.weight(row, 0)) * static_cast<double>(feature.value);
+      if (const auto row = weights.find(feature.key, near))
+        bundles.back() += static_cast<double>(weights.weight(*row, 0)) * static_cast<double>(feature.value);
   }
   std::vector<double> out;
   for (const auto& candidate : features.candidates) {

@@ -58,11 +58,12 @@ plan::Action mirror_action(plan::Action action) {
 
 RerankerSentence::RerankerSentence(const RankingModel& model, const SentenceInput& input, bool mirrored)
     : model_(&model), heading_unknown_(input.heading_unknown), mirrored_(mirrored) {
-  std::uint32_t before = WordTable::begin;
+  WordId before = WordTable::begin;
   for (std::size_t i = 0; i <= input.tokens.size(); ++i) {
-    const std::uint32_t word = i < input.tokens.size() ? model.words.find(input.tokens[i]) : WordTable::end;
-    if (i < input.tokens.size() && word != WordTable::unknown) words_.push_back(word);
-    if (before != WordTable::unknown && word != WordTable::unknown) pairs_.push_back(mix(before, word));
+    const WordId word = i < input.tokens.size() ? model.words.find(input.tokens[i]) : WordTable::end;
+    if (i < input.tokens.size() && word != WordTable::unknown) words_.push_back(word.index);
+    if (before != WordTable::unknown && word != WordTable::unknown)
+      pairs_.push_back(mix(before.index, word.index));
     before = word;
   }
   for (auto* list : {&words_, &pairs_}) {
@@ -89,13 +90,13 @@ RerankerSentence::RerankerSentence(const RankingModel& model, const SentenceInpu
 
 // The actions that words may speak of, and the poses they are seen from (as Arrival counts them, without events).
 struct RerankerSentence::Walk {
-  std::vector<plan::Action> actions;      // mirrored if need be; without first turns that nobody speaks of
-  std::uint32_t first_turns;              // those turns and what follows, without repetitions
-  std::vector<std::uint32_t> poses;       // of the whole route, the start first
-  std::vector<std::uint32_t> moved_from;  // where each move begins
-  std::vector<std::uint32_t> turned_at;   // where a turn follows a move
-  std::vector<std::size_t> runs;          // of moves without a turn between them
-  std::size_t last_run = 0;               // moves at the end of the route
+  std::vector<plan::Action> actions;  // mirrored if need be; without first turns that nobody speaks of
+  std::uint32_t first_turns;          // those turns and what follows, without repetitions
+  std::vector<Arrival> poses;         // of the whole route, the start first
+  std::vector<Arrival> moved_from;    // where each move begins
+  std::vector<Arrival> turned_at;     // where a turn follows a move
+  std::vector<std::size_t> runs;      // of moves without a turn between them
+  std::size_t last_run = 0;           // moves at the end of the route
 };
 
 RerankerSentence::Walk RerankerSentence::walk_of(const Executor& executor, plan::PoseId start,
@@ -103,7 +104,7 @@ RerankerSentence::Walk RerankerSentence::walk_of(const Executor& executor, plan:
   using plan::Action;
   Walk walk{plan.actions, 0, {Arrival::start(start)}, {}, {}, {}};
   for (const Action action : plan.actions)
-    walk.poses.push_back(Arrival::start(*executor.map().successor(Arrival::pose(walk.poses.back()), action)));
+    walk.poses.push_back(Arrival::start(*executor.map().successor(walk.poses.back().pose(), action)));
   if (mirrored_)
     std::transform(walk.actions.begin(), walk.actions.end(), walk.actions.begin(), mirror_action);
   walk.first_turns = fold(walk.actions, true);
@@ -112,7 +113,7 @@ RerankerSentence::Walk RerankerSentence::walk_of(const Executor& executor, plan:
                        std::find(walk.actions.begin(), walk.actions.end(), Action::Forward));
   const std::size_t left_out = plan.actions.size() - walk.actions.size();
   for (std::size_t i = 0; i < walk.actions.size(); ++i) {
-    const std::uint32_t at = walk.poses[left_out + i];
+    const Arrival at = walk.poses[left_out + i];
     const bool after_move = i > 0 && walk.actions[i - 1] == Action::Forward;
     if (walk.actions[i] == Action::Forward) {
       if (!after_move) walk.runs.push_back(0);
@@ -148,7 +149,7 @@ void RerankerSentence::add_sights(const Executor& executor, const Walk& walk,
   for (std::uint16_t p = 0; p < propositions; ++p) {
     const std::uint16_t image = images_[p];
     if (hidden_[image]) continue;
-    const auto holds = [&](std::uint32_t at) { return executor.holds(p, at); };
+    const auto holds = [&](Arrival at) { return executor.holds(p, at); };
     const auto count = [&](auto begin, auto end) {
       return static_cast<std::size_t>(std::count_if(begin, end, holds));
     };

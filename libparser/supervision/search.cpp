@@ -23,15 +23,13 @@ class Horizon {
 
   std::int32_t first(std::uint16_t p) const { return first(literals_[p], literals_[p]); }
   std::int32_t first(std::uint16_t p, std::uint16_t q) const { return first(literals_[p], literals_[q]); }
-  plan::PoseId end(std::int32_t at) const {
-    return Arrival::pose(reached_[static_cast<std::size_t>(at)].arrival);
-  }
+  plan::PoseId end(std::int32_t at) const { return reached_[static_cast<std::size_t>(at)].arrival.pose(); }
 
   std::vector<plan::Action> actions(std::int32_t at) const {
     std::vector<plan::Action> out;
     for (; at >= 0; at = reached_[static_cast<std::size_t>(at)].from)
-      if (const std::uint32_t by = reached_[static_cast<std::size_t>(at)].arrival % 4; by != Arrival::none)
-        out.push_back(static_cast<plan::Action>(by - 1));
+      if (const Arrival by = reached_[static_cast<std::size_t>(at)].arrival; !by.is_start())
+        out.push_back(by.action());
     std::reverse(out.begin(), out.end());
     return out;
   }

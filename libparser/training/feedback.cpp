@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "libltl/structure/random.hpp"
+
 namespace waymark::parser {
 namespace {
 

@@ -30,10 +30,10 @@ class RankerLearner {
       for (const std::uint32_t bundle : decision.candidates[i]) errors_[bundle] += error_[i];
     for (std::size_t b = 0; b < errors_.size(); ++b)
       if (std::abs(errors_[b]) >= least_error_) add_gradient(decision.bundles[b], errors_[b]);
-    for (const std::uint32_t row : touched_) {
-      optimizer_.update(row, &gradient_[row]);
-      gradient_[row] = 0;
-      met_[row] = false;
+    for (const WeightRow row : touched_) {
+      optimizer_.update(row, &gradient_[row.index]);
+      gradient_[row.index] = 0;
+      met_[row.index] = false;
     }
     touched_.clear();
   }
@@ -68,9 +68,9 @@ class RankerLearner {
 
   void add_gradient(const std::vector<LabelledDecision::Row>& bundle, float error) {
     for (const auto [row, value] : bundle) {
-      if (!met_[row] || (decay_again_ && gradient_[row] == 0)) touched_.push_back(row);
-      met_[row] = true;
-      gradient_[row] += error * value;
+      if (!met_[row.index] || (decay_again_ && gradient_[row.index] == 0)) touched_.push_back(row);
+      met_[row.index] = true;
+      gradient_[row.index] += error * value;
     }
   }
 
@@ -80,7 +80,7 @@ class RankerLearner {
   bool decay_again_;
   std::vector<float> gradient_, bundles_, scores_, error_, errors_;
   std::vector<bool> met_;  // rows of the decision
-  std::vector<std::uint32_t> touched_;
+  std::vector<WeightRow> touched_;
 };
 
 void leave_out_rare_features(std::size_t rows, std::span<LabelledDecision> decisions,
@@ -91,12 +91,13 @@ void leave_out_rare_features(std::size_t rows, std::span<LabelledDecision> decis
     const std::uint64_t map = std::uint64_t{1} << (decision.map % 64);
     all |= map;
     for (const auto& bundle : decision.bundles)
-      for (const auto& feature : bundle) maps[feature.row] |= map;
+      for (const auto& feature : bundle) maps[feature.row.index] |= map;
   }
   const int least = std::min(static_cast<int>(least_maps), std::popcount(all));
   for (LabelledDecision& decision : decisions)
     for (auto& bundle : decision.bundles)
-      std::erase_if(bundle, [&](const auto& feature) { return std::popcount(maps[feature.row]) < least; });
+      std::erase_if(bundle,
+                    [&](const auto& feature) { return std::popcount(maps[feature.row.index]) < least; });
 }
 
 }  // namespace

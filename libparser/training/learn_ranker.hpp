@@ -36,7 +36,7 @@ struct RankerOptions {
 // A decision whose right candidates are known, its features as rows of the table that is learned.
 struct LabelledDecision {
   struct Row {
-    std::uint32_t row;
+    WeightRow row;
     float value;
   };
   std::size_t map = 0;

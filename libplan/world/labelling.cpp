@@ -64,24 +64,30 @@ struct KindOfPose {
   bool next;                  // the names of the node one step ahead are propositions
   bool seen;                  // the names seen in the four directions are propositions
   Names (*way)(const Edge*);  // of a hallway, or of no hallway; nullptr: there are none
+  std::string (*noun)(const std::string& name) = nullptr;  // in English; nullptr: "the NAME"
 };
 
 const std::array<KindOfPose, 6> kinds_of_poses{{
     {Kind::Object, [](const Observables& o) { return o.objects; }, object_at, true, true, nullptr},
-    {Kind::Floor, [](const Observables& o) { return o.floors; }, floors_at, false, true, floor_of},
+    {Kind::Floor, [](const Observables& o) { return o.floors; }, floors_at, false, true, floor_of,
+     [](const std::string& name) { return "the " + name + " floor"; }},
     {Kind::NodeKind,
      [](const Observables&) {
        return Names{"intersection", "corner", "tee", "corridor", "dead_end"};
      },
-     node_kinds_of, true, false, nullptr},
+     node_kinds_of, true, false, nullptr,
+     [](const std::string& name) { return (name.starts_with('i') ? "an " : "a ") + name; }},
     {Kind::Painting, [](const Observables& o) { return o.walls; }, nullptr, false, true,
-     [](const Edge* way) { return way == nullptr || way->wall.empty() ? Names() : Names{way->wall}; }},
+     [](const Edge* way) { return way == nullptr || way->wall.empty() ? Names() : Names{way->wall}; },
+     [](const std::string& name) { return "the " + name + " painting"; }},
     {Kind::Passage,
      [](const Observables&) {
        return Names{"wall", "open"};
      },
-     nullptr, false, true, [](const Edge* way) { return Names{way == nullptr ? "wall" : "open"}; }},
-    {Kind::PlaceNumber, places, place_at, false, false, nullptr},
+     nullptr, false, true, [](const Edge* way) { return Names{way == nullptr ? "wall" : "open"}; },
+     [](const std::string& name) -> std::string { return name == "wall" ? "a wall" : "an open way"; }},
+    {Kind::PlaceNumber, places, place_at, false, false, nullptr,
+     [](const std::string& name) { return "place " + name; }},
 }};
 
 bool is_among(const Names& names, std::string_view name) {
@@ -166,6 +172,14 @@ ltl::Vocabulary hallway_vocabulary(const Observables& observables) {
   add_kinds(Direction::Next, [](const KindOfPose& kind) { return kind.next; });
   add_kinds(Direction::Here, is_place);
   return vocabulary;
+}
+
+std::string noun_of(const Observable& observable) {
+  std::string name = observable.name;
+  std::replace(name.begin(), name.end(), '_', ' ');
+  const auto kind = std::find_if(kinds_of_poses.begin(), kinds_of_poses.end(),
+                                 [&](const KindOfPose& k) { return k.kind == observable.kind; });
+  return kind == kinds_of_poses.end() || kind->noun == nullptr ? "the " + name : kind->noun(name);
 }
 
 std::vector<Observable> observables_of(const ltl::Vocabulary& vocabulary) {

@@ -37,6 +37,9 @@ ltl::Vocabulary hallway_vocabulary(const Observables& observables);
 // Throws std::invalid_argument naming a proposition that has none of the forms above.
 std::vector<Observable> observables_of(const ltl::Vocabulary& vocabulary);
 
+// What is seen, in English, without its direction: `the blue floor`, `an intersection`, `place 3`.
+std::string noun_of(const Observable& observable);
+
 // L over hallway_vocabulary, without events. Hallways and vocabulary must outlive the object.
 class Labelling {
  public:

@@ -1,27 +1,11 @@
 #include "libplan/world/observable_english.hpp"
 
-#include <algorithm>
 #include <utility>
 
 #include "libplan/world/labelling.hpp"
 
 namespace waymark::plan {
 namespace {
-
-std::string noun_of(const Observable& observable) {
-  std::string name = observable.name;
-  std::replace(name.begin(), name.end(), '_', ' ');
-  switch (observable.kind) {
-    case Kind::Floor: return "the " + name + " floor";
-    case Kind::Painting: return "the " + name + " painting";
-    case Kind::NodeKind: return (name.starts_with('i') ? "an " : "a ") + name;
-    case Kind::PlaceNumber: return "place " + name;
-    case Kind::Passage: return name == "wall" ? "a wall" : "an open way";
-    case Kind::Event:
-    case Kind::Object: break;
-  }
-  return "the " + name;
-}
 
 std::string side_of(Direction direction) {
   switch (direction) {

@@ -113,15 +113,17 @@ TEST(Includes, FilesDoNotIncludeEachOtherInACircle) {
   });
 }
 
+// The Python module draws what the tools draw.
 TEST(Includes, NobodyIncludesToolsOrTests) {
   for (const SourceFile& file : files("hpp cpp"))
     for (const Include& include : includes(file)) {
       const std::string from = folder_of(file.path), to = folder_of(include.path);
       if (!include.quoted || from == to) continue;
       EXPECT_NE(to, "tests") << at(file, include);
-      if (from != "tests") {
+      if (from != "tests" && from != "python") {
         EXPECT_NE(to, "tools") << at(file, include);
       }
+      EXPECT_NE(to, "python") << at(file, include);
     }
 }
 

@@ -57,19 +57,20 @@ TEST(WeightsFile, KeepsWordsAndWeightsToHalfPrecision) {
   EXPECT_EQ(read.ranking->words.words(), model.ranking->words.words());
   EXPECT_EQ(linear_of(read).words.words(), model.linear->words.words());
   for (std::uint64_t f = 0; f < 40; ++f) {
-    const std::uint32_t r = model.linear->weights.find(f * f), there = linear_of(read).weights.find(f * f);
-    ASSERT_NE(there, WeightTable::absent);
+    const auto r = model.linear->weights.find(f * f), there = linear_of(read).weights.find(f * f);
+    ASSERT_TRUE(r && there);
     for (std::size_t c = 0; c < model.linear->weights.columns(); ++c) {
-      const double want = static_cast<double>(model.linear->weights.weight(r, c)),
-                   got = static_cast<double>(linear_of(read).weights.weight(there, c));
+      const double want = static_cast<double>(model.linear->weights.weight(*r, c)),
+                   got = static_cast<double>(linear_of(read).weights.weight(*there, c));
       EXPECT_NEAR(got, want, got == 0.0 ? least_weight : 0.0005 * std::abs(want));
     }
   }
   EXPECT_EQ(read.ranking->reranker.rows(), 39U);  // the zero weight needs no row
   ASSERT_EQ(read.ranking->start_pose_model.rows(), 40U);
   model.ranking->start_pose_model.each([&](std::uint64_t feature, std::size_t column, float weight) {
-    EXPECT_EQ(read.ranking->start_pose_model.weight(read.ranking->start_pose_model.find(feature), column),
-              weight);
+    EXPECT_EQ(
+        read.ranking->start_pose_model.weight(read.ranking->start_pose_model.find(feature).value(), column),
+        weight);
   });
 }
 
@@ -114,15 +115,15 @@ TEST(WeightsFile, FindsTheFeaturesThatAreThereAndNoOthers) {
     const Grounder read = parse_grounder(serialize(model));
     std::vector<float> sums(model.linear->weights.columns()), wanted(model.linear->weights.columns());
     const auto expect_same = [&](std::uint64_t feature) {
-      const std::uint32_t r = read.ranking->reranker.find(feature), w = model.ranking->reranker.find(feature);
-      ASSERT_EQ(r == WeightTable::absent, w == WeightTable::absent) << feature;
-      if (r == WeightTable::absent) return;
-      EXPECT_EQ(read.ranking->reranker.weight(r, 0), model.ranking->reranker.weight(w, 0));
+      const auto r = read.ranking->reranker.find(feature), w = model.ranking->reranker.find(feature);
+      ASSERT_EQ(r.has_value(), w.has_value()) << feature;
+      if (!r) return;
+      EXPECT_EQ(read.ranking->reranker.weight(*r, 0), model.ranking->reranker.weight(*w, 0));
       std::fill(sums.begin(), sums.end(), 1.0F);
       std::fill(wanted.begin(), wanted.end(), 1.0F);
-      model.linear->weights.add_to(model.linear->weights.find(feature), wanted.data());
-      if (const std::uint32_t row = linear_of(read).weights.find(feature); row != WeightTable::absent)
-        linear_of(read).weights.add_to(row, sums.data());
+      model.linear->weights.add_to(model.linear->weights.find(feature).value(), wanted.data());
+      if (const auto row = linear_of(read).weights.find(feature))
+        linear_of(read).weights.add_to(*row, sums.data());
       EXPECT_EQ(sums, wanted);
     };
     model.ranking->reranker.each([&](std::uint64_t feature, std::size_t, float) {
@@ -147,7 +148,7 @@ TEST(WeightsFile, WithoutAThresholdWhatIsNotZeroIsKept) {
   model.linear->weights.row(model.linear->weights.add(5))[2] = 1e-3F;
   const Grounder all = parse_grounder(serialize(model, 0)), some = parse_grounder(serialize(model, 0.02));
   EXPECT_EQ(all.ranking->start_pose_model.rows(), 3U);
-  EXPECT_EQ(all.ranking->start_pose_model.find(0), WeightTable::absent);
+  EXPECT_FALSE(all.ranking->start_pose_model.find(0));
   EXPECT_EQ(linear_of(all).weights.rows(), 1U);
   EXPECT_EQ(some.ranking->start_pose_model.rows(), 1U);  // 0.012 and more
   EXPECT_EQ(linear_of(some).weights.rows(), 0U);

@@ -57,7 +57,7 @@ std::vector<parser::Command> commands_of(const std::vector<std::string>& files, 
   return all;
 }
 
-parser::LiftedReader::SharedVectors read_vectors(const std::string& data) {
+std::shared_ptr<const parser::WordVectors> read_vectors(const std::string& data) {
   return parser::LiftedReader::load_vectors(data_directory(data) / "words" / "words.waymark");
 }
 parser::SynchronousGrammar read_grammar(const std::string& data) {

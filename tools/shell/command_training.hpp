@@ -21,7 +21,7 @@ parser::CommandDomains domains_of(const CommandTrainingOptions& options, const s
 std::vector<parser::Command> commands_of(const std::vector<std::string>& files, bool clean);
 
 // Word vectors and grammar of the data directory.
-parser::LiftedReader::SharedVectors read_vectors(const std::string& data);
+std::shared_ptr<const parser::WordVectors> read_vectors(const std::string& data);
 parser::SynchronousGrammar read_grammar(const std::string& data);
 
 }  // namespace waymark::tools

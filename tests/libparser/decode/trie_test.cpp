@@ -121,7 +121,7 @@ TEST_F(Decoding, MarginalLikelihoodIsTheSumOverPrograms) {
   });
   std::size_t checked = 0;
   for (std::size_t i = 0; i < features_with_rows.size(); i += 3) {
-    const std::uint32_t r = model.weights.find(features_with_rows[i]);
+    const WeightRow r = model.weights.find(features_with_rows[i]).value();
     const auto it = gradients.find(features_with_rows[i]);
     for (std::size_t c = 0; c < model.weights.columns(); c += 2) {
       float& weight = model.weights.row(r)[c];
@@ -133,7 +133,7 @@ TEST_F(Decoding, MarginalLikelihoodIsTheSumOverPrograms) {
       weight = before;
       const double difference = (up - down) / (2.0 * static_cast<double>(h));
       const double gradient = it == gradients.end() ? 0.0 : static_cast<double>(it->second[c]);
-      EXPECT_NEAR(gradient, difference, 2e-3) << "row " << r << " column " << c;
+      EXPECT_NEAR(gradient, difference, 2e-3) << "row " << r.index << " column " << c;
       ++checked;
     }
   }

@@ -28,10 +28,10 @@ inline std::string bytes_of_vectors(const std::vector<std::string>& words) {
   return bytes;
 }
 
-inline LiftedReader::SharedVectors few_vectors() {
+inline std::shared_ptr<const WordVectors> few_vectors() {
   auto owner = std::make_shared<const MappedFile>(
       std::string_view(bytes_of_vectors({"and", "avoid", "go", "never", "then", "to", "walk"})));
-  return {owner, owner->bytes(), std::make_shared<const WordVectors>(owner->bytes())};
+  return WordVectors::shared(owner, owner->bytes());
 }
 
 }  // namespace waymark::parser

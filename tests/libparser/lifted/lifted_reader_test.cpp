@@ -43,7 +43,7 @@ LiftedNetwork tiny_network() {
   WordTable table;
   for (const char* word : {"#1", "#2", "<yard>", "go", "to"}) table.add(word);
   ltl::Random random(3);
-  LiftedNetwork network(table, few_vectors().vectors, tiny, [&] { return random.unit(); });
+  LiftedNetwork network(table, few_vectors(), tiny, [&] { return random.unit(); });
   network.parameters().values() *= 2;
   return network;
 }
@@ -61,7 +61,7 @@ Real scores_of(const LiftedNetwork& network, const WordVectors& vectors, const E
   Real x = Real::Zero(tiny.word + tiny.vector, static_cast<Index>(tokens.size()));
   for (Index t = 0; t < x.cols(); ++t) {
     const std::string& token = tokens[static_cast<std::size_t>(t)];
-    x.col(t).head(tiny.word) = table.col(network.words().find(token));
+    x.col(t).head(tiny.word) = table.col(network.words().find(token).index);
     const auto row = vectors.find(token);
     for (std::size_t i = 0; row && i < WordVectors::dimensions; ++i)
       x.col(t).tail(tiny.vector) += project.col(static_cast<Index>(i)) *
@@ -120,9 +120,8 @@ TEST(LiftedNetworkGradient, IsThatOfTheDefinition) {
     double sum = 0;
     for (const LiftedExample& one : examples)
       for (std::size_t n = 0; n < one.lifted.size(); ++n)
-        sum += scores_of(network, *vectors.vectors, theta, one.text, std::span(one.lifted).first(n))
-                   .squaredNorm() /
-               2;
+        sum +=
+            scores_of(network, *vectors, theta, one.text, std::span(one.lifted).first(n)).squaredNorm() / 2;
     return sum;
   };
   neural::reference::check(theta, network.parameters().gradients().data(), loss, "parameters");
@@ -141,7 +140,7 @@ LiftedTraining toy_training(std::size_t threads) {
 }
 
 TEST(LearnLifted, LearnsAToySetWholly) {
-  const auto network = learn_lifted(toys(), few_vectors().vectors, toy_training(2));
+  const auto network = learn_lifted(toys(), few_vectors(), toy_training(2));
   for (const LiftedExample& toy : toys()) {
     const auto readings = read_lifted(*network, toy.text, 4);
     ASSERT_FALSE(readings.empty());
@@ -156,7 +155,7 @@ TEST(LearnLifted, TheNumberOfThreadsChangesNoByte) {
   const auto learn = [](std::size_t threads) {
     LiftedTraining how = toy_training(threads);
     how.epochs = 20;
-    return learn_lifted(toys(), few_vectors().vectors, how);
+    return learn_lifted(toys(), few_vectors(), how);
   };
   EXPECT_EQ(learn(1)->parameters().values(), learn(2)->parameters().values());
 }
@@ -218,7 +217,7 @@ TEST(LiftedReaderFile, NetworksThatCannotBeAreRefused) {
     }
     return std::string();
   };
-  const LiftedNetwork one(WordTable(), few_vectors().vectors, {1, 1, 1, 1, 1}, [] { return 0.5; });
+  const LiftedNetwork one(WordTable(), few_vectors(), {1, 1, 1, 1, 1}, [] { return 0.5; });
   const auto size = static_cast<std::size_t>(one.parameters().values().size());
   EXPECT_EQ(message(1, 1, size, 0), "");
   EXPECT_NE(message(0, 1, size, 0).find("number of networks"), std::string::npos);

@@ -18,7 +18,7 @@ using neural::reference::Reader, neural::reference::Real;
 
 // What a pass leaves out of a sentence: 0, or what makes up for it.
 struct Masks {
-  std::vector<std::uint32_t> words;
+  std::vector<WordId> words;
   Real embedded, h;
 };
 
@@ -39,7 +39,7 @@ std::vector<Masks> masks_of(std::span<const NetworkSentence> sentences, const Ne
   for (std::size_t s = 0; s < out.size(); ++s) {
     out[s].words = sentences[s].words;
     for (std::size_t t = 1; t < out[s].words.size(); ++t)
-      if (dropout.uniform() < dropout.words) out[s].words[t] = 0;
+      if (dropout.uniform() < dropout.words) out[s].words[t] = WordTable::unknown;
     out[s].embedded = Real(sizes.word, static_cast<Index>(out[s].words.size()));
   }
   for (Index t = 0; t < out[order.front()].embedded.cols(); ++t)
@@ -62,7 +62,7 @@ class Definition {
     const Real phi = read.take(o.symbol, symbols + 1),
                table = read.take(o.word, static_cast<Index>(network_.words().words().size()));
     Real x(o.word, masks.embedded.cols());
-    for (Index t = 0; t < x.cols(); ++t) x.col(t) = table.col(masks.words[static_cast<std::size_t>(t)]);
+    for (Index t = 0; t < x.cols(); ++t) x.col(t) = table.col(masks.words[static_cast<std::size_t>(t)].index);
     x = x.cwiseProduct(masks.embedded).eval();
     const Real there = neural::reference::lstm(read, x, o.width),
                back = neural::reference::lstm(read, x.rowwise().reverse(), o.width);

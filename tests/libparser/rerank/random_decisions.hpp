@@ -44,7 +44,7 @@ inline void add_weights(const RankingModel& model, const Executor& executor, con
     sentence.add_end(executor, start, *decision.plans[end.candidate], end.mass);
   std::uniform_real_distribution<float> weight(-0.3F, 0.3F);
   const auto add = [&](std::uint64_t feature) {
-    if (table.find(feature) == WeightTable::absent) *table.row(table.add(feature)) = weight(random);
+    if (!table.find(feature)) *table.row(table.add(feature)) = weight(random);
   };
   for (const auto& bundle : sentence.take().bundles)
     for (const WeightedFeature& feature : bundle) add(feature.key);

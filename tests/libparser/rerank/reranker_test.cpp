@@ -47,7 +47,7 @@ struct Case {
     double sum = 0;
     for (const std::uint32_t bundle : features.candidates.front())
       for (const auto& [feature, value] : features.bundles[bundle])
-        sum += static_cast<double>(table.weight(table.find(feature), 0)) * static_cast<double>(value);
+        sum += static_cast<double>(table.weight(table.find(feature).value(), 0)) * static_cast<double>(value);
     return sum;
   }
 };

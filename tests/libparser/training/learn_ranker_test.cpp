@@ -25,7 +25,7 @@ LabelledDecision random_decision(std::mt19937_64& random) {
   for (int b = 0; b < 5; ++b) {
     auto& bundle = decision.bundles.emplace_back();
     for (std::uint64_t n = random() % 4; n > 0; --n)
-      bundle.push_back({static_cast<std::uint32_t>(random() % feature_count),
+      bundle.push_back({WeightRow{static_cast<std::uint32_t>(random() % feature_count)},
                         std::uniform_real_distribution<float>(-1, 1)(random)});
   }
   for (int i = 0; i < 4; ++i) {
@@ -68,10 +68,11 @@ TEST(LearnRanker, StepsAlongTheGradientOfItsLoss) {
     for (std::uint32_t f = 0; f < feature_count; ++f) {
       constexpr float step = 0.01F;
       WeightTable more = before, less = before;
-      *more.row(f) += step, *less.row(f) -= step;
+      *more.row({f}) += step, *less.row({f}) -= step;
       const double slope =
           (loss(more, decisions[0], against_rival) - loss(less, decisions[0], against_rival)) / (2.0 * step);
-      const double moved = static_cast<double>(after.weight(f, 0)) - static_cast<double>(before.weight(f, 0));
+      const double moved =
+          static_cast<double>(after.weight({f}, 0)) - static_cast<double>(before.weight({f}, 0));
       EXPECT_NEAR(100 * moved, -slope, 2e-3) << "round " << round << ", feature " << f;
     }
   }
@@ -87,9 +88,9 @@ TEST(LearnRanker, AFeatureOfTooFewMapsIsLeftOut) {
   };
   std::vector<LabelledDecision> decisions{decision(0, 7), decision(1, 8), decision(0, 8)};
   learn_ranker(weights, decisions, {.epochs = 3, .least_maps = 2}, [](double) {});
-  EXPECT_EQ(*weights.row(weights.find(7)), 0.0F);
-  EXPECT_GT(*weights.row(weights.find(8)), 0.0F);
-  EXPECT_GT(*weights.row(weights.find(100)), 0.0F);
+  EXPECT_EQ(*weights.row(weights.find(7).value()), 0.0F);
+  EXPECT_GT(*weights.row(weights.find(8).value()), 0.0F);
+  EXPECT_GT(*weights.row(weights.find(100).value()), 0.0F);
 }
 
 TEST(LearnRanker, SaysThatItWasStopped) {

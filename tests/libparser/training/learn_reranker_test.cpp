@@ -87,8 +87,8 @@ double log_likelihood(const RankingModel& model, const WeightTable& table,
     double all = 0, right = 0;
     for (std::size_t i = 0; i < features.candidates.size(); ++i) {
       const auto weight = [&](std::uint64_t feature) {
-        const std::uint32_t row = table.find(feature);
-        return row == WeightTable::absent ? 0.0 : static_cast<double>(table.weight(row, 0));
+        const auto row = table.find(feature);
+        return row ? static_cast<double>(table.weight(*row, 0)) : 0.0;
       };
       double score = 0;
       for (const std::uint32_t bundle : features.candidates[i])

@@ -1,0 +1,22 @@
+// Text → word: the inverse of show (word.hpp).
+//
+//   {a, b}; {}; {"meeting room"}     a finite word, letter by letter
+//   {a}; ({b}; {})ʷ                  a lasso u·vʷ; ^w and w stand for ʷ
+//   a b; ; c                         the same without braces: names with blanks or commas between them
+// The names of a letter are identifiers, or texts in double quotes.
+#pragma once
+#include <string_view>
+#include <variant>
+
+#include "libltl/vocabulary.hpp"
+#include "libltl/word.hpp"
+
+namespace waymark::ltl {
+
+using AnyWord = std::variant<Trace, Lasso>;
+
+// New names are added to the vocabulary. Throw SyntaxError. O(|text|).
+AnyWord read_word(std::string_view text, Vocabulary& vocabulary);
+Letter read_letter(std::string_view text, Vocabulary& vocabulary);
+
+}  // namespace waymark::ltl
