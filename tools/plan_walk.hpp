@@ -8,7 +8,7 @@
 
 #include "libautomata/omega/automaton.hpp"
 #include "libltl/formula.hpp"
-#include "libplan/certify.hpp"
+#include "libplan/solve/least_lasso.hpp"
 #include "libplan/solve/task_automaton.hpp"
 #include "libplan/world/map.hpp"
 #include "tools/shell/exit_code.hpp"

@@ -55,6 +55,17 @@ TEST(Api, SaysWhatItDidNotUnderstand) {
             json());
 }
 
+TEST(Api, SaysWhichWordsNameThings) {
+  const json said =
+      answer("/api/words", {{"instruction", "Turn left, then walk to the sofa."}, {"attention", true}});
+  EXPECT_EQ(said["words"][0], "turn");
+  ASSERT_EQ(said["mentions"].size(), 1U);
+  EXPECT_EQ(said["mentions"][0]["name"], "sofa");
+  EXPECT_EQ(said["words"][said["mentions"][0]["begin"].get<std::size_t>()], "sofa");
+  ASSERT_EQ(said["explain"].size(), 1U);
+  EXPECT_EQ(said["explain"][0]["words"], said["words"]);
+}
+
 TEST(Api, PlansALassoAndChecksIt) {
   const json plan = answer(
       "/api/plan", {{"formula", "G F sofa & G F chair"}, {"start", "1,6,0"}, {"semantics", "infinite"}});

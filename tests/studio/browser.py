@@ -19,6 +19,14 @@ def program():
     return shutil.which('chromium') or shutil.which('chromium-browser')
 
 
+def wait_for(holds, what, seconds=20):
+    end = time.time() + seconds
+    while not holds():
+        if time.time() > end:
+            raise AssertionError(f'within {seconds} s never: {what}')
+        time.sleep(0.05)
+
+
 class Browser:
     def __init__(self, width=1280, height=900):
         self.profile = tempfile.mkdtemp(prefix='waymark-studio-')

@@ -56,12 +56,18 @@ class Page(unittest.TestCase):
         self.browser.clear('#formula')
         self.browser.type(text)
 
+    def choose(self, selector, value):
+        place = f'document.querySelector({json.dumps(selector)})'
+        self.browser.evaluate(f'{place}.value = {json.dumps(value)};'
+                              f' {place}.dispatchEvent(new Event("change", {{bubbles: true}}))')
+
     def wait_for_text(self, selector, part):
         self.browser.wait(f'document.querySelector({json.dumps(selector)}).textContent.includes({json.dumps(part)})'
                           f' && {IDLE}')
 
     def picture(self, name):
         self.browser.evaluate('scrollTo(0, 0)')
+        self.browser.wait("document.getAnimations().every((animation) => animation.playState === 'finished')")
         path = os.path.join(FOLDER, f'{name}.png')
         self.browser.screenshot(path)
         self.assertGreater(os.path.getsize(path), 20_000)
@@ -80,6 +86,18 @@ class Page(unittest.TestCase):
         self.assertEqual(self.browser.evaluate("document.querySelectorAll('#graph .node ellipse').length"), 5)
         self.assertIn('dotted blue route', self.browser.text('#question'))
         self.assertEqual(self.browser.evaluate("document.querySelectorAll('.route.other').length"), 1)
+
+    def test_words_show_what_they_name_and_what_a_symbol_attended_to(self):
+        self.open()
+        self.say('turn left and walk to the chair')
+        self.browser.wait("!document.querySelector('#origin').hidden")
+        self.assertEqual(self.browser.text('.named'), 'chair')
+        self.assertEqual(self.browser.text('.symbol'), 'left')
+        self.browser.evaluate("document.querySelector('.symbol').focus()")
+        weights = self.browser.evaluate(
+            "[...document.querySelectorAll('.word')].map(word => Number(word.style.getPropertyValue('--weight')))")
+        self.assertEqual(weights.index(max(weights)), 1)  # left
+        self.assertGreater(max(weights), 0.5)
 
     def test_steps_move_the_agent_light_the_state_and_show_what_remains(self):
         self.open()
@@ -186,6 +204,41 @@ class Page(unittest.TestCase):
         self.assertEqual(self.browser.evaluate("Number(document.querySelector('#step').max)"), poses + 4)
         self.browser.click('#loop')
         self.wait_for_text('#answer', 'The trajectory satisfies')
+
+    def test_slippery_moves_have_values_and_learners_have_curves(self):
+        self.open('map=grid&start=1,9,0&formula=F(easel %26 X F sofa) %26 G !chair')
+        for solver, said in (('pmax', 'succeeds with probability'), ('mincost', 'actions in the mean')):
+            self.choose('#solver', solver)
+            self.wait_for_text('#solved', said)
+            self.assertGreater(self.browser.evaluate("document.querySelectorAll('.value').length"), 50)
+        self.assertIn('costs 6.00 actions', self.browser.text('#solved'))  # the route, for nothing slips
+        self.browser.click('#slip')  # the middle of the slider: moves slip
+        self.wait_for_text('#chance', '30 %')
+        self.browser.wait("/costs (?!6.00)[0-9.]+ actions/.test(document.querySelector('#solved').textContent)")
+        self.choose('#solver', 'pmax')
+        self.browser.wait("/probability [0-9.]+ %/.test(document.querySelector('#solved').textContent)")
+        self.assertRegex(self.browser.text('.value title'), r'^\(\d+, \d+, \d+\): [0-9.]+ %, (FORWARD|LEFT|RIGHT)$')
+        self.picture('studio-values')
+        self.choose('#solver', 'q-learning')
+        self.wait_for_text('#solved', 'run 5 of 5')
+        self.assertEqual(self.browser.evaluate("document.querySelectorAll('#curve .run').length"), 5)
+        self.picture('studio-curve')
+        self.choose('#solver', 'exact')
+        self.browser.wait("document.querySelector('#curve').hidden")
+
+    def test_every_export_hands_over_a_file(self):
+        self.open('map=grid&start=1,9,0&formula=F easel')
+        starts = {'svg': ('waymark.svg', '<?xml'), 'automaton-svg': ('automaton.svg', '<svg'),
+                  'hoa': ('automaton.hoa', 'HOA: v1'), 'dot': ('automaton.dot', 'digraph'),
+                  'never': ('automaton.never', 'never'), 'prism': ('product.nm', 'mdp'), 'latex': ('formula.tex', '\\'), 'json': ('waymark.json', '{')}
+        with tempfile.TemporaryDirectory() as folder:
+            self.browser.call('Browser.setDownloadBehavior', behavior='allow', downloadPath=folder)
+            for kind, (name, start) in starts.items():
+                self.choose('#export', kind)
+                path = os.path.join(folder, name)
+                chromium.wait_for(lambda: os.path.exists(path) and os.path.getsize(path) > 0, path)
+                with open(path) as file:
+                    self.assertTrue(file.read().startswith(start), kind)
 
     def test_a_link_shows_the_same_again(self):
         self.open()

@@ -9,6 +9,7 @@
 #include "tools/studio/formulas.hpp"
 #include "tools/studio/maps.hpp"
 #include "tools/studio/tasks.hpp"
+#include "tools/studio/values.hpp"
 #include "tools/studio/walks.hpp"
 
 namespace waymark::studio {
@@ -24,6 +25,7 @@ struct Endpoint {
 constexpr std::array endpoints{
     Endpoint{"/api/map", show_map},
     Endpoint{"/api/run", run_instruction},
+    Endpoint{"/api/words", trace_words},
     Endpoint{"/api/plan", plan_formula},
     Endpoint{"/api/picture", draw_plan},
     Endpoint{"/api/formula", write_formula},
@@ -31,6 +33,9 @@ constexpr std::array endpoints{
     Endpoint{"/api/translate", translate_formula},
     Endpoint{"/api/automaton", draw_automaton},
     Endpoint{"/api/check", check_walk},
+    Endpoint{"/api/values", value_poses},
+    Endpoint{"/api/prism", write_product},
+    Endpoint{"/api/learn", learn_task},
 };
 
 JsonObject dispatch(std::string_view method, std::string_view path, std::string_view body,

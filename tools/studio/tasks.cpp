@@ -1,8 +1,12 @@
 #include "tools/studio/tasks.hpp"
 
 #include "libltl/text/print.hpp"
+#include "libparser/corpus/token.hpp"
+#include "libparser/domain/hallways/hallway_things.hpp"
 #include "libparser/grounding/understand.hpp"
+#include "libparser/mention/mention.hpp"
 #include "tools/alternatives.hpp"
+#include "tools/attention.hpp"
 #include "tools/heard.hpp"
 #include "tools/picture.hpp"
 #include "tools/plan_walk.hpp"
@@ -31,7 +35,8 @@ JsonArray shown(const std::vector<parser::Reading>& readings, ltl::Semantics sem
                 .add("formula", ltl::print(readings[i].formula))
                 .add("unicode", ltl::print(readings[i].formula, ltl::Style::Unicode))
                 .add("english", tools::in_english(readings[i].formula, semantics, map))
-                .add("probability", readings[i].probability));
+                .add("probability", readings[i].probability)
+                .add("reader", readings[i].program.empty() ? "commands" : "routes"));
   return out;
 }
 
@@ -92,6 +97,26 @@ JsonObject run_instruction(const Request& request, const Context& context) {
   JsonObject out =
       infinite ? lasso_answer(heard, context.stop) : route_answer(heard, grounding, context.stop);
   return out.add("shown", shown(understood.readings, kind, map));
+}
+
+JsonObject trace_words(const Request& request, const Context& context) {
+  const std::string text = request.text("instruction");
+  const auto world = context.worlds.of(request.text_or("map", "grid"));
+  const std::vector<std::string> tokens = parser::tokenize(text);
+  const parser::HallwayThings known(world->map.vocabulary());
+  JsonArray words, mentions;
+  for (const std::string& token : tokens) words.add(token);
+  for (const parser::Mention& mention : parser::find_mentions(tokens, known.things()))
+    mentions.add(JsonObject()
+                     .add("begin", mention.begin)
+                     .add("end", mention.end)
+                     .add("name", known.things()[mention.thing].name));
+  const bool asked = request.flag("attention") && tools::network_of(context.reader) != nullptr;
+  const bool unknown = starts_of(request, world->map).size() > 1;
+  return JsonObject()
+      .add("words", words)
+      .add("mentions", mentions)
+      .add("explain", asked ? tools::json_of(tools::attended(context.reader, text, unknown)) : JsonArray());
 }
 
 JsonObject plan_formula(const Request& request, const Context& context) {

@@ -8,6 +8,8 @@
 namespace waymark::studio {
 
 tools::JsonObject run_instruction(const Request& request, const Context& context);
+// Which words name things of the map, and what each symbol of the likeliest program attended to.
+tools::JsonObject trace_words(const Request& request, const Context& context);
 tools::JsonObject plan_formula(const Request& request, const Context& context);
 tools::JsonObject draw_plan(const Request& request, const Context& context);
 

@@ -30,15 +30,16 @@ export class MapView {
     const sheet = document.createElement('div');
     sheet.className = 'sheet';
     this.over = element('svg', { viewBox: `0 0 ${map.width} ${map.height}` });
-    this.routes = element('g', {}, this.over);
-    this.marks = element('g', {}, this.over);
-    this.agent = element('g', { class: 'agent', id: 'agent' }, this.over);
-    element('path', { d: 'M0 -17 L12 12 L0 6 L-12 12 Z' }, this.agent);
     for (const node of map.nodes) {
       const place = element('circle', { class: 'node', cx: node.at[0], cy: node.at[1], r: 34 }, this.over);
       place.dataset.at = `${node.x},${node.y}`;
       place.addEventListener('click', () => this.take(node));
     }
+    this.values = element('g', { id: 'values' }, this.over);
+    this.routes = element('g', { class: 'above' }, this.over);
+    this.marks = element('g', { class: 'above' }, this.over);
+    this.agent = element('g', { class: 'above agent', id: 'agent' }, this.over);
+    element('path', { d: 'M0 -17 L12 12 L0 6 L-12 12 Z' }, this.agent);
     sheet.append(drawing(map.svg), this.over);
     this.paper.replaceChildren(sheet);
   }
@@ -120,4 +121,28 @@ export class MapView {
     arrow.style.transform = `rotate(${turned + turn}deg)`;
     this.agent.dataset.pose = pose.join();
   }
+
+  // What a strategy does in every pose, and how good that is: {pose, action, share of the best, text}.
+  show_values(poses) {
+    const glyphs = { FORWARD: '↑', LEFT: '↰', RIGHT: '↱' };
+    this.values.replaceChildren();
+    for (const { pose, action, share, text } of poses) {
+      const node = this.node(pose[0], pose[1]);
+      const [dx, dy] = directions[pose[2]];
+      const group = element('g', { class: 'value', transform: `translate(${node.at[0] + dx * 25} ${node.at[1] + dy * 25})` },
+                            this.values);
+      element('circle', { r: 13, fill: shade(share) }, group);
+      element('text', { transform: `rotate(${pose[2]})`, 'text-anchor': 'middle', 'dominant-baseline': 'central',
+                        fill: share > 0.6 ? '#000' : '#fff' }, group).textContent = glyphs[action] ?? (share === 1 ? '★' : '·');
+      element('title', {}, group).textContent = `(${pose.join(', ')}): ${text}${action ? `, ${action}` : ''}`;
+      group.addEventListener('click', () => this.take(node));
+    }
+  }
+}
+
+// From dark blue over green to yellow, as light as it is good.
+function shade(share) {
+  const stops = [[68, 1, 84], [33, 145, 140], [253, 231, 37]];
+  const at = Math.max(0, Math.min(1, share)) * 2, i = Math.min(1, Math.floor(at));
+  return `rgb(${stops[i].map((from, k) => Math.round(from + (stops[i + 1][k] - from) * (at - i))).join()})`;
 }

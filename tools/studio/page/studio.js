@@ -2,12 +2,14 @@
 
 import { ask, ApiError } from './api.js';
 import { MapView, drawing, same } from './map.js';
+import { show_origin } from './origin.js';
+import { in_words as solved_in_words, is_learner, learn, percent, poses_of } from './solver.js';
 
 const $ = (id) => document.getElementById(id);
 const state = {
   map: null, start: null, instruction: '', formula: '', semantics: 'auto', infinite: false,
   answer: null, readings: [], other: null,
-  walk: null, steps: [], step: 0, automaton: null, hand: false, timer: null, turn: 0,
+  walk: null, steps: [], step: 0, automaton: null, hand: false, timer: null, turn: 0, solver: 'exact', slip: 0, solved: null,
 };
 
 const view = new MapView($('paper'), take_node);
@@ -75,9 +77,10 @@ async function open_file(file) {
 // ── what is asked ───────────────────────────────────────────────────────────────────────────────────────────────
 
 function forget_answer() {
-  Object.assign(state, { formula: '', instruction: '', readings: [], other: null, answer: null, automaton: null });
+  Object.assign(state, { formula: '', instruction: '', readings: [], other: null, answer: null, automaton: null, solved: null });
   $('instruction').value = $('formula').value = '';
   show_formula(null);
+  show_origin(null);
   show_readings();
   show_question(null);
   show_automaton(null);
@@ -104,6 +107,9 @@ async function run(force = false) {
     await show_answer(answer, current);
     show_question(answer.alternatives?.[0] ?? null);
     say('');
+    const words = await ask('words', {
+      map: state.map.map, start: start_text(), instruction: text, attention: answer.shown[0].reader === 'routes' });
+    if (current()) show_origin(words);
   });
   remember();
 }
@@ -151,7 +157,9 @@ async function show_answer(answer, current) {
   $('answer').textContent = in_words(answer);
   if (!state.walk) reset_walk();
   await show_automaton_and_walk(current);
-  if (current() && state.walk) draw();
+  if (!current()) return;
+  if (state.walk) draw();
+  await solve(current);
 }
 
 function in_words(answer) {
@@ -215,6 +223,7 @@ function formula_typed() {
       state.formula = text;
       show_formula(written);
       state.readings = [];
+      show_origin(null);
       show_readings();
       show_question(null);
       await plan();
@@ -327,6 +336,7 @@ function show_now() {
   const step = state.steps[state.step];
   $('now').hidden = !step;
   light(step);
+  show_values();
   if (!step) return;
   const read = new Set((state.formula.match(/"[^"]*"|\w+/g) ?? []).map((name) => name.replaceAll('"', '')));
   const chips = step.letter.filter((name) => read.has(name)).map((name) => {
@@ -451,6 +461,47 @@ function undo() {
   check_hand();
 }
 
+// ── other solvers ───────────────────────────────────────────────────────────────────────────────────────────────
+
+// Asks the solver that is chosen about the formula; what it answered before is taken away.
+async function solve(current) {
+  state.solved = null;
+  $('curve').hidden = true;
+  $('solved').textContent = '';
+  show_values();
+  if (state.solver === 'exact' || !state.formula) return;
+  if (state.infinite) {
+    $('solved').textContent = 'This solver is for finite words here; choose them above.';
+    return;
+  }
+  const request = { ...task(), slip: state.slip };
+  if (is_learner(state.solver)) {
+    const tell = (text) => { $('solved').textContent = text; };
+    tell('…');
+    return learn({ ...request, method: state.solver }, $('curve'), current, tell);
+  }
+  const solved = await ask('values', { ...request, query: state.solver });
+  if (!current()) return;
+  state.solved = solved;
+  $('solved').textContent = solved_in_words(solved);
+  show_values();
+}
+
+// Of the state of the automaton that the step has come to.
+function show_values() {
+  const now = state.steps[state.step]?.states[0] ?? state.automaton?.initial;
+  view.show_values(state.solved ? poses_of(state.solved, now) : []);
+}
+
+function solver_changed() {
+  state.solver = $('solver').value;
+  state.slip = Number($('slip').value);
+  $('chance').textContent = percent(state.slip);
+  $('slip').disabled = state.solver === 'exact';
+  latest(solve);
+  remember();
+}
+
 // ── exports, and the link ───────────────────────────────────────────────────────────────────────────────────────
 
 function save(name, text, type) {
@@ -471,6 +522,10 @@ async function export_as(kind) {
       const picture = await ask('picture', { ...task(), instruction: state.instruction });
       return save('waymark.svg', picture.svg, 'image/svg+xml');
     }
+    if (kind === 'prism') {
+      const product = await ask('prism', { ...task(), slip: state.slip });
+      return save('product.nm', product.text, 'text/plain');
+    }
     const request = { ...task(), format: kind };
     if (kind === 'never') Object.assign(request, { semantics: 'infinite', to: 'buchi' });
     const made = await ask('translate', request);
@@ -486,6 +541,10 @@ function remember() {
   if (state.semantics !== 'auto' || state.infinite) link.set('words', semantics());
   if (state.hand) link.set('walk', state.walk.poses.map((pose) => pose.join('.')).join(' '));
   if (state.step) link.set('step', state.step);
+  if (state.solver !== 'exact') {
+    link.set('solver', state.solver);
+    link.set('slip', state.slip);
+  }
   history.replaceState(null, '', `#${link}`);
 }
 
@@ -497,6 +556,11 @@ async function recall(link) {
     state.infinite = state.semantics === 'infinite';
   }
   const step = Number(link.get('step') ?? 0);
+  if (link.has('solver')) {
+    $('solver').value = link.get('solver');
+    $('slip').value = link.get('slip') ?? 0;
+  }
+  solver_changed();
   $('instruction').value = link.get('say') ?? '';
   const formula = link.get('formula') ?? '';
   if (link.has('say')) await run();
@@ -543,6 +607,7 @@ function listen() {
   $('undo').addEventListener('click', undo);
   $('loop').addEventListener('click', () => { state.walk.cycle = loop_length(); check_hand(); });
   $('paper').addEventListener('keydown', map_key);
+  for (const id of ['solver', 'slip']) $(id).addEventListener('change', solver_changed);
   $('export').addEventListener('change', () => { const kind = $('export').value; $('export').value = ''; if (kind) export_as(kind); });
   $('share').addEventListener('click', async () => {
     remember();
