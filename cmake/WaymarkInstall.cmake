@@ -25,7 +25,10 @@ install(FILES ${shell}/fish/waymark.fish DESTINATION ${CMAKE_INSTALL_DATADIR}/fi
 
 install(TARGETS waymark RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT tools)
 install(TARGETS waymark-layout waymark-lab RUNTIME DESTINATION ${CMAKE_INSTALL_LIBEXECDIR}/waymark COMPONENT tools)
-install(DIRECTORY data/maps data/models data/words data/language data/workspaces
+if(TARGET waymark-serve)
+  install(TARGETS waymark-serve RUNTIME DESTINATION ${CMAKE_INSTALL_LIBEXECDIR}/waymark COMPONENT tools)
+endif()
+install(DIRECTORY data/maps data/models data/words data/language data/schemas data/workspaces
   DESTINATION ${CMAKE_INSTALL_DATADIR}/waymark COMPONENT tools PATTERN fetch EXCLUDE)
 
 set(package ${CMAKE_INSTALL_LIBDIR}/cmake/waymark)

@@ -6,10 +6,13 @@ namespace waymark::neural {
 
 Block Parameters::add(Index rows, Index columns) {
   const Block block{values_.size(), rows, columns};
-  const Index grown = values_.size() + rows * columns;
-  values_.conservativeResizeLike(Vector::Zero(grown));
-  gradients_.conservativeResizeLike(Vector::Zero(grown));
+  values_.conservativeResizeLike(Vector::Zero(values_.size() + rows * columns));
   return block;
+}
+
+Vector& Parameters::gradients() {
+  if (gradients_.size() != values_.size()) gradients_.conservativeResizeLike(Vector::Zero(values_.size()));
+  return gradients_;
 }
 
 Block Parameters::add_for_relu(Index rows, Index columns, Index inputs, const Uniform& uniform) {

@@ -1,4 +1,4 @@
-// The parameters of a network: one array of values, and one array of gradients of the same length.
+// The parameters of a network: one array of values and, while it learns, one of gradients of the same length.
 //
 // Layers own no memory. A layer holds blocks: matrices at a position of the two arrays. A copy of a network is a copy
 // of an array, an optimiser reads one array, and two layers share weights by holding the same block. In this library
@@ -28,12 +28,12 @@ class Parameters {
   Eigen::Map<const Matrix> value(const Block& b) const {
     return {values_.data() + b.offset, b.rows, b.columns};
   }
-  Eigen::Map<Matrix> gradient(const Block& b) { return {gradients_.data() + b.offset, b.rows, b.columns}; }
+  Eigen::Map<Matrix> gradient(const Block& b) { return {gradients().data() + b.offset, b.rows, b.columns}; }
 
   Vector& values() { return values_; }
   const Vector& values() const { return values_; }
-  Vector& gradients() { return gradients_; }
-  const Vector& gradients() const { return gradients_; }
+  Vector& gradients();                                    // zeros at the first call: a reader has none
+  const Vector& gradients() const { return gradients_; }  // empty before the first call of the other
   Index size() const { return values_.size(); }
 
  private:

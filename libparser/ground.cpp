@@ -75,12 +75,16 @@ std::vector<Reading> readings_of(const std::vector<Weighed>& programs, ltl::Aren
 
 // p(program | sentence, map): that of its end, shared among the programs that lead there by their weight; 0 without a
 // route. When none has a route, the weights alone.
-std::vector<double> on_the_map(const Decision& decision) {
+std::vector<double> on_the_map(const Decision& decision, bool one_an_end) {
   std::vector<double> weights;
   for (const Weighed& candidate : decision.candidates) weights.push_back(std::exp(candidate.log_weight));
   if (decision.ends.empty()) return weights;
   std::vector<double> probabilities(weights.size(), 0.0);
   for (const End& end : decision.ends) {
+    if (one_an_end) {
+      probabilities[end.candidate] += end.mass;
+      continue;
+    }
     const auto leads_there = [&](std::size_t c) {
       return decision.plans[c] && decision.plans[c]->end == end.pose;
     };
@@ -208,16 +212,19 @@ std::vector<Reading> ground(const Grounder& grounder, std::string_view text, con
   const SentenceInput input{tokenize(sentences.back()), settled.here.size() > 1};
   Decision decision = decide(grounder, executor, input, settled.here, {options.beam, options.then});
   choose_end(*grounder.ranking, executor, input, settled.here, decision);
-  const std::vector<double> weights = on_the_map(decision);
+  const std::vector<double> weights = on_the_map(decision, options.one_an_end);
   std::vector<Weighed> programs;
   for (std::size_t c = 0; c < weights.size(); ++c) {
+    if (options.one_an_end && weights[c] <= 0) continue;
     programs.push_back({settled.program, std::log(weights[c]), 0});
     append(programs.back().program, decision.candidates[c].program);
   }
   std::vector<Reading> readings = readings_of(programs, arena);
   by_probability(readings);
   if (!decision.ends.empty()) {
-    const Program best = or_stay(programs[decision.ends.front().candidate].program);
+    Program best = settled.program;
+    append(best, decision.candidates[decision.ends.front().candidate].program);
+    best = or_stay(std::move(best));
     const ltl::Formula formula = formula_of(best, arena);
     const auto chosen = std::find_if(readings.begin(), readings.end(),
                                      [&](const Reading& r) { return r.formula == formula; });

@@ -25,6 +25,8 @@ struct GroundOptions {
   std::size_t beam = 64;  // candidate programs a sentence
   std::size_t top = 64;   // readings returned at most
   Then then = Then::WholePlan;
+  bool one_an_end =
+      false;  // programs that lead to one pose are one reading, the likeliest of them: the first is likeliest
 };
 
 // The text may hold several sentences: each is read by itself and the programs are joined by `then`.

@@ -118,20 +118,6 @@ void Comparison::add_exact(ComparedTask& compared) {
   add(1, compared.seconds_of_optimum);
 }
 
-plan::Training Comparison::training_of(const plan::Method& method, std::size_t run) const {
-  const Protocol& protocol = choice_.protocol;
-  plan::Training training{.steps = protocol.steps,
-                          .interval = protocol.interval,
-                          .horizon = protocol.horizon,
-                          .discount = protocol.discount,
-                          .seed = run + 1,
-                          .stop = session_.stop};
-  if (!std::holds_alternative<plan::DqnMethod>(method.how)) return training;
-  training.explore = 1;  // a network is not optimistic: it explores at random first, over half of the steps
-  training.explore_steps = protocol.steps / 2;
-  return training;
-}
-
 void Comparison::run_methods(ComparedTask& compared, const plan::LearningTask& task) {
   std::vector<std::size_t> allowed;  // places in methods_
   for (std::size_t i = 0; i < methods_.size(); ++i) {
@@ -150,7 +136,7 @@ void Comparison::run_methods(ComparedTask& compared, const plan::LearningTask& t
       [&](std::size_t job, const parser::JobProgress& progress) {
         const plan::Method& method = methods_[allowed[job / seeds]];
         const double begin = thread_seconds();
-        curves[job] = task.run(method, training_of(method, job % seeds));
+        curves[job] = task.run(method, training_of(method, choice_.protocol, job % seeds, session_.stop));
         seconds[job] = thread_seconds() - begin;
         progress(1);
       });

@@ -39,7 +39,6 @@ class Comparison {
 
  private:
   void add_exact(ComparedTask& compared);
-  plan::Training training_of(const plan::Method& method, std::size_t run) const;
   void run_methods(ComparedTask& compared, const plan::LearningTask& task);
   void summarise(ComparedTask& compared, std::size_t method, std::span<const plan::LearningCurve> curves,
                  std::span<const double> seconds);

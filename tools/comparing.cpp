@@ -81,6 +81,20 @@ std::string shown(const plan::PolicyValue& optimum) {
 
 }  // namespace
 
+plan::Training training_of(const plan::Method& method, const Protocol& protocol, std::size_t run,
+                           const std::stop_token& stop) {
+  plan::Training training{.steps = protocol.steps,
+                          .interval = protocol.interval,
+                          .horizon = protocol.horizon,
+                          .discount = protocol.discount,
+                          .seed = run + 1,
+                          .stop = stop};
+  if (!std::holds_alternative<plan::DqnMethod>(method.how)) return training;
+  training.explore = 1;  // a network is not optimistic: it explores at random first, over half of the steps
+  training.explore_steps = protocol.steps / 2;
+  return training;
+}
+
 std::string title_of(const ComparedTask& task, ltl::Style style) {
   return task.formula ? ltl::print(*task.formula, style) : "the automaton of " + task.automaton;
 }

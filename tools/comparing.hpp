@@ -3,6 +3,7 @@
 #pragma once
 #include <iosfwd>
 #include <optional>
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -44,6 +45,10 @@ struct Protocol {  // what all runs of a comparison share
   std::size_t seeds = 20, steps = 20'000, interval = 100, horizon = 200;
   double discount = 0.9;
 };
+
+// The training of a run, counted from 0: its seed, and how it explores.
+plan::Training training_of(const plan::Method& method, const Protocol& protocol, std::size_t run,
+                           const std::stop_token& stop);
 
 JsonObject json_of(const ComparedTask& task, const Protocol& protocol);
 void print(std::ostream& out, const Terminal& terminal, const ComparedTask& task, const Protocol& protocol);

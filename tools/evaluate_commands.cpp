@@ -36,18 +36,32 @@ JsonObject json_of(const std::map<std::string, parser::CommandScore>& scores) {
   return json;
 }
 
+JsonObject json_of(const parser::Calibration& calibration) {
+  JsonArray bins;
+  for (const auto& bin : calibration.bins) {
+    const auto n = static_cast<double>(bin.n);
+    bins.add(JsonObject()
+                 .add("n", bin.n)
+                 .add("probability", bin.n > 0 ? Json(bin.probability / n) : Json())
+                 .add("right", bin.n > 0 ? Json(static_cast<double>(bin.right) / n) : Json()));
+  }
+  return JsonObject().add("expected_error", calibration.expected_error()).add("bins", bins);
+}
+
 struct Total {
   parser::CommandScore all;
   std::map<std::string, parser::CommandScore> by_type, by_domain;
   std::vector<std::pair<std::string, double>> folds;  // accuracy of each
-  std::string lines;                                  // what was answered
+  parser::Calibration calibration;
+  std::string lines;  // what was answered
 
   void add(const std::string& fold, const parser::CommandScores& scores) {
     add_to(all, scores.all);
     for (const auto& [name, score] : scores.by_type) add_to(by_type[name], score);
     for (const auto& [name, score] : scores.by_domain) add_to(by_domain[name], score);
     folds.emplace_back(fold, scores.all.percent(scores.all.equivalent));
-    for (const parser::CommandAnswer& a : scores.answers)
+    for (const parser::CommandAnswer& a : scores.answers) {
+      calibration.add(a.probability, a.equivalent);
       lines += JsonObject()
                    .add("id", a.command->id)
                    .add("text", a.command->text)
@@ -58,6 +72,7 @@ struct Total {
                    .add("equivalent", a.equivalent)
                    .text() +
                '\n';
+    }
   }
   double mean() const {
     double sum = 0;
@@ -81,6 +96,7 @@ void print(const Total& total, bool json) {
                      .add("folds", folds)
                      .add("by_type", json_of(total.by_type))
                      .add("by_domain", json_of(total.by_domain))
+                     .add("calibration", json_of(total.calibration))
                      .text()
               << '\n';
     return;
@@ -95,7 +111,8 @@ void print(const Total& total, bool json) {
   for (const auto& [name, score] : total.by_domain) row(name, score);
   row("all", total.all);
   std::cout << "mean over " << total.folds.size() << ": " << fixed(total.mean(), 2) << " ± "
-            << fixed(total.deviation(), 2) << '\n';
+            << fixed(total.deviation(), 2) << '\n'
+            << "expected calibration error: " << fixed(total.calibration.expected_error(), 3) << '\n';
 }
 
 }  // namespace

@@ -4,18 +4,15 @@
 #include <memory>
 #include <mutex>
 #include <sstream>
-#include <variant>
 
 #include "libltl/diagnostic.hpp"
 #include "libltl/text/print.hpp"
-#include "libparser/corpus/token.hpp"
 #include "libparser/decode/explain.hpp"
 #include "libparser/domain/commands/command_reader.hpp"
 #include "libparser/grounding/instruction.hpp"
 #include "libparser/grounding/understand.hpp"
-#include "libparser/model/word_model.hpp"
-#include "libparser/rerank/decide.hpp"
 #include "tools/answer.hpp"
+#include "tools/attention.hpp"
 #include "tools/shell/batch.hpp"
 #include "tools/shell/models.hpp"
 #include "tools/shell/options.hpp"
@@ -37,18 +34,12 @@ struct GroundCommandOptions {
   bool json = false, explain = false, force = false;
 };
 
-// A sentence as the reader says it, symbol by symbol.
-struct Explained {
-  std::vector<std::string> words;
-  std::vector<parser::ExplainedSymbol> symbols;
-};
-
 class Grounding {
  public:
   Grounding(const GroundCommandOptions& options, const Session& session)
       : options_(options), session_(session), model_(read_model(options.model, options.map.data)) {
     if (!options.domains.empty()) domains_.emplace(options.domains, options.landmark_maps);
-    if (options.explain && network() == nullptr)
+    if (options.explain && network_of(model_) == nullptr)
       throw UsageError("--explain shows what an encoder-decoder attends to; this model is a linear one");
   }
 
@@ -59,16 +50,17 @@ class Grounding {
     const plan::Map& map = place.map;
     ltl::Arena arena(map.vocabulary());
     const auto starts = start_poses(instruction.start.value_or(options_.start), map);
-    parser::Understanding understood = parser::understand(
-        model_, instruction.text, place.executor, starts, arena,
-        {.ground = {.beam = options_.beam}, .least = options_.force ? 0 : parser::least_understood});
+    parser::Understanding understood =
+        parser::understand(model_, instruction.text, place.executor, starts, arena,
+                           {.ground = {.beam = options_.beam, .one_an_end = true},
+                            .least = options_.force ? 0 : parser::least_understood});
     std::vector<parser::Reading>& readings = understood.readings;
     if (readings.empty()) return not_understood(instruction.text, map, understood);
     const std::size_t top = std::max<std::size_t>(options_.top, 1);
     if (readings.size() > top)
       readings.erase(readings.begin() + static_cast<std::ptrdiff_t>(top), readings.end());
-    std::vector<Explained> explained;
-    if (options_.explain) explained = explain(instruction.text, starts.size() > 1);
+    std::vector<Attended> explained;
+    if (options_.explain) explained = attended(model_, instruction.text, starts.size() > 1, options_.beam);
     return {.text = options_.json ? json_of(instruction.text, readings, map, explained).text() + '\n'
                                   : text_of(readings, explained)};
   }
@@ -79,11 +71,6 @@ class Grounding {
     plan::Map map;
     parser::Executor executor;
   };
-
-  const parser::EncoderDecoder* network() const {
-    const auto* model = std::get_if<std::shared_ptr<const parser::NetworkModel>>(&model_.word_model);
-    return model == nullptr ? nullptr : &(*model)->network;
-  }
 
   const Place& place_of(const std::string& name) {
     const std::lock_guard lock(reading_);
@@ -130,20 +117,8 @@ class Grounding {
     return {.text = json.text() + '\n'};
   }
 
-  // The likeliest program of each sentence, before the map has its say.
-  std::vector<Explained> explain(const std::string& text, bool heading_unknown) const {
-    std::vector<Explained> out;
-    for (const std::string& sentence : parser::split_sentences(text)) {
-      const parser::SentenceInput input{parser::tokenize(sentence), heading_unknown && out.empty()};
-      const auto programs = parser::likely_programs(model_, input, {.beam = options_.beam});
-      if (!programs.empty())
-        out.push_back({input.tokens, parser::explain(*network(), input, programs.front().program)});
-    }
-    return out;
-  }
-
   static Json json_of(const std::string& text, const std::vector<parser::Reading>& readings,
-                      const plan::Map& map, const std::vector<Explained>& explained) {
+                      const plan::Map& map, const std::vector<Attended>& explained) {
     JsonArray array;
     for (const parser::Reading& reading : readings)
       array.add(
@@ -154,29 +129,15 @@ class Grounding {
         .add("formula", ltl::print(readings.front().formula))
         .add("readings", array);
     if (explained.empty()) return object;
-    JsonArray sentences;
-    for (const Explained& sentence : explained) {
-      JsonArray words, symbols;
-      for (const std::string& word : sentence.words) words.add(word);
-      for (const parser::ExplainedSymbol& symbol : sentence.symbols) {
-        JsonArray weights;
-        for (const double weight : symbol.weights) weights.add(weight);
-        symbols.add(JsonObject()
-                        .add("symbol", symbol.symbol)
-                        .add("probability", symbol.probability)
-                        .add("attention", weights));
-      }
-      sentences.add(JsonObject().add("words", words).add("symbols", symbols));
-    }
-    return object.add("explain", sentences);
+    return object.add("explain", tools::json_of(explained));
   }
 
   std::string text_of(const std::vector<parser::Reading>& readings,
-                      const std::vector<Explained>& explained) const {
+                      const std::vector<Attended>& explained) const {
     std::ostringstream out;
     for (const parser::Reading& reading : readings)
       out << fixed(reading.probability, 4) << "  " << shown(reading.formula, session_.out) << '\n';
-    for (const Explained& sentence : explained) {
+    for (const Attended& sentence : explained) {
       out << '\n';
       for (const parser::ExplainedSymbol& symbol : sentence.symbols) print(out, symbol, sentence.words);
     }

@@ -95,6 +95,7 @@ constexpr std::array rows{
     Subcommand{"draw", "map, with or without a route → picture", setup_draw,
                "draw --map grid --svg grid.svg\n"
                "draw --map grid --formula 'F sofa' --start 1,9,0 --svg route.svg"},
+    Subcommand{"serve", serve_summary, nullptr},
     Subcommand{"generate", generate_summary, setup_generate,
                "generate map --kind maze --width 20 --height 20 --seed 3\n"
                "generate map --kind hallway --landmarks 4"},
@@ -117,9 +118,9 @@ bool is_for_the_lab(std::span<char* const> arguments) {
          (command == "generate" && arguments.size() > 2 && std::string_view(arguments[2]) == "corpus");
 }
 
-// waymark-lab takes the place of this process: its streams, its signals and its exit code are those of the command.
-[[noreturn]] void become_the_lab(char** argv) {
-  const auto program = needed_helper("waymark-lab", "runs experiments");
+// The helper takes the place of this process: its streams, its signals and its exit code are those of the command.
+[[noreturn]] void become(std::string_view helper_name, std::string_view what_it_does, char** argv) {
+  const auto program = needed_helper(helper_name, what_it_does);
   ::execv(program.c_str(), argv);
   throw std::system_error(errno, std::generic_category(), "cannot start " + program.string());
 }
@@ -131,7 +132,10 @@ int main(int argc, char** argv) {
   using namespace waymark::tools;
   std::ios::sync_with_stdio(false);
   return static_cast<int>(guarded([&] {
-    if (is_for_the_lab({argv, static_cast<std::size_t>(argc)})) become_the_lab(argv);
+    if (is_for_the_lab({argv, static_cast<std::size_t>(argc)}))
+      become("waymark-lab", "runs experiments", argv);
+    if (argc > 1 && std::string_view(argv[1]) == "serve")
+      become("waymark-serve", "serves the studio (it needs libcpp-httplib-dev)", argv);
     return run_subcommand(rows, argc, argv);
   }));
 }

@@ -25,7 +25,7 @@ std::string caption(const Picture& picture) {
 
 }  // namespace
 
-void draw(const Picture& picture, const std::string& path) {
+Drawn drawn(const Picture& picture) {
   render::Page page{.map = picture.map, .instruction = picture.instruction, .caption = caption(picture)};
   if (picture.route) page.route = trajectory_of(*picture.route, *picture.map);
   if (picture.formula) page.formula = ltl::print(*picture.formula, ltl::Style::Unicode);
@@ -43,10 +43,16 @@ void draw(const Picture& picture, const std::string& path) {
     page.automaton_caption = counted(picture.omega->states(), "state") + ", " +
                              counted(automata::count_edges(picture.omega->transitions()), "edge");
   }
-  if ((picture.dfa != nullptr || picture.omega != nullptr) && !page.automaton)
+  const bool left_out = (picture.dfa != nullptr || picture.omega != nullptr) && !page.automaton;
+  return {render::draw_page(page), left_out};
+}
+
+void draw(const Picture& picture, const std::string& path) {
+  const Drawn page = drawn(picture);
+  if (page.automaton_left_out)
     complain("note",
              "the automaton is left out of the picture: it is too large, or waymark-layout is not installed");
-  write_file(path, render::draw_page(page));
+  write_file(path, page.svg);
 }
 
 }  // namespace waymark::tools

@@ -19,6 +19,12 @@ struct Picture {
   std::optional<ShownRoute> route = {};
 };
 
+// The SVG document; says in `automaton_left_out` whether an automaton is missing there.
+struct Drawn {
+  std::string svg;
+  bool automaton_left_out = false;
+};
+Drawn drawn(const Picture& picture);
 // Writes the SVG to `path`. Without the helper waymark-layout the automaton is left out, and standard error says so.
 void draw(const Picture& picture, const std::string& path);
 

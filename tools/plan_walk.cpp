@@ -43,39 +43,42 @@ struct FoundLasso {
 
 class LassoPlanning {
  public:
-  LassoPlanning(const WalkTask& task, const WalkOptions& options, const Session& session)
-      : task_(task), options_(options), session_(session), automaton_(translated()) {}
-
-  ExitCode run() {
+  LassoPlanning(const WalkTask& task, const WalkOptions& options, const std::stop_token& stop)
+      : task_(task), options_(options), stop_(stop), automaton_(translated()) {
     for (ltl::Proposition p : automaton_.reads())
       if (!task_.map.vocabulary().find(automaton_.vocabulary().name(p)))
         throw plan::unknown_proposition(task_.map, automaton_.vocabulary().name(p));
     for (const plan::PoseId start : task_.starts) search(start);
     found_.solving = watch_.lap();
+  }
+
+  PlannedLasso planned() && { return {json(), std::move(found_.lasso), std::move(automaton_)}; }
+
+  ExitCode show(const Terminal& terminal) const {
     if (options_.json)
       std::cout << json().text() << '\n';
     else
-      print();
+      print(terminal);
     if (!options_.svg.empty()) draw_lasso();
     return found_.lasso ? ExitCode::Done : ExitCode::No;
   }
 
  private:
   automata::Automaton translated() {
-    const automata::TranslationLimits limits{.stop = session_.stop};
+    const automata::TranslationLimits limits{.stop = stop_};
     auto made = task_.formula ? plan::lasso_automaton(*task_.formula, limits)
                               : plan::lasso_automaton(*task_.given, limits);
     found_.translating = watch_.lap();
     if (made) return std::move(*made);
-    if (session_.stop.stop_requested()) throw Interrupted();
+    if (stop_.stop_requested()) throw Interrupted();
     throw GaveUp("no automaton within the limits");
   }
 
   void search(plan::PoseId start) {
     const plan::LassoOrder order = order_of(options_.order);
     const plan::Mdp mdp = plan::mdp_of(task_.map, start);
-    auto answer = plan::least_lasso(mdp, automaton_, order, 100'000'000, session_.stop);
-    if (!answer && session_.stop.stop_requested()) throw Interrupted();
+    auto answer = plan::least_lasso(mdp, automaton_, order, 100'000'000, stop_);
+    if (!answer && stop_.stop_requested()) throw Interrupted();
     if (!answer) throw GaveUp("the search for a lasso met its limit");
     found_.statistics.met += answer->statistics.met;
     found_.statistics.edges += answer->statistics.edges;
@@ -127,8 +130,7 @@ class LassoPlanning {
                                   .add("total", options_.load + found_.translating + found_.solving));
   }
 
-  void print() const {
-    const Terminal& terminal = session_.out;
+  void print(const Terminal& terminal) const {
     std::ostream& out = std::cout;
     if (task_.formula)
       out << label(terminal, "formula") << terminal.paint(Paint::Blue, shown(*task_.formula, terminal))
@@ -164,10 +166,10 @@ class LassoPlanning {
 
   const WalkTask& task_;
   const WalkOptions& options_;
-  const Session& session_;
+  const std::stop_token& stop_;
   StopWatch watch_;
   FoundLasso found_;
-  const automata::Automaton automaton_;
+  automata::Automaton automaton_;
 };
 
 // Certified by the definition, or by the automaton where there is no formula.
@@ -230,10 +232,14 @@ JsonObject routes_json(const FoundRoutes& found, const WalkTask& task, const aut
 
 ExitCode plan_lasso(const WalkTask& task, const WalkOptions& options, const Session& session) {
   try {
-    return LassoPlanning(task, options, session).run();
+    return LassoPlanning(task, options, session.stop).show(session.out);
   } catch (const std::invalid_argument& error) {
     throw UsageError(error.what());
   }
+}
+
+PlannedLasso planned_lasso(const WalkTask& task, const WalkOptions& options, const std::stop_token& stop) {
+  return LassoPlanning(task, options, stop).planned();
 }
 
 ExitCode plan_routes(const WalkTask& task, const automata::Dfa& dfa, const WalkOptions& options,

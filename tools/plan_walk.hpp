@@ -3,9 +3,12 @@
 #pragma once
 #include <optional>
 #include <span>
+#include <stop_token>
 #include <string>
 
+#include "libautomata/omega/automaton.hpp"
 #include "libltl/formula.hpp"
+#include "libplan/solve/least_lasso.hpp"
 #include "libplan/solve/task_automaton.hpp"
 #include "libplan/world/map.hpp"
 #include "tools/shell/exit_code.hpp"
@@ -15,7 +18,8 @@
 namespace waymark::tools {
 
 struct WalkOptions {
-  std::string order = "prefix", svg;  // of lassos
+  std::string order = "prefix";  // of lassos
+  std::string svg = {};
   std::size_t top = 1;
   bool json = false;
   double load = 0, translate = 0;  // seconds that reading the map took, and the translation of a DFA
@@ -34,6 +38,14 @@ struct WalkTask {
 // The certified lasso that comes first in the order; of several starts the first whose lasso does. Throws Interrupted,
 // UsageError for an automaton about finite words.
 ExitCode plan_lasso(const WalkTask& task, const WalkOptions& options, const Session& session);
+
+// The same, found and not printed.
+struct PlannedLasso {
+  JsonObject json;  // as printed with --json
+  std::optional<plan::CertifiedLasso> lasso;
+  automata::Automaton automaton;
+};
+PlannedLasso planned_lasso(const WalkTask& task, const WalkOptions& options, const std::stop_token& stop);
 
 // The cheapest routes of a DFA, certified, of all starts together.
 ExitCode plan_routes(const WalkTask& task, const automata::Dfa& dfa, const WalkOptions& options,

@@ -11,7 +11,7 @@
 #include "libparser/grounding/instruction.hpp"
 #include "libparser/grounding/understand.hpp"
 #include "tools/alternatives.hpp"
-#include "tools/answer.hpp"
+#include "tools/heard.hpp"
 #include "tools/picture.hpp"
 #include "tools/plan_walk.hpp"
 #include "tools/shell/batch.hpp"
@@ -39,13 +39,6 @@ struct RunOptions {
   bool json = false, demo = false;
 };
 
-std::vector<WeighedFormula> weighed(const std::vector<parser::Reading>& readings, std::size_t top) {
-  std::vector<WeighedFormula> out;
-  for (std::size_t i = 0; i < std::min(readings.size(), top); ++i)
-    out.push_back({readings[i].formula, readings[i].probability});
-  return out;
-}
-
 class Running {
  public:
   Running(const RunOptions& options, const Session& session)
@@ -65,7 +58,7 @@ class Running {
                            {.least = options_.force ? 0 : parser::least_understood});
     if (understood.readings.empty()) return not_understood(said.text, place.map, understood);
     const double grounding = watch.lap();
-    const Heard heard{said.id, said.text, place.map, starts, understood.readings};
+    const Heard heard{said.id, said.text, place.map, starts, understood.readings, shown_readings()};
     if (options_.ask && understood.readings.size() > 1) ask(understood.readings, place.map, starts);
     if (options_.semantics == "infinite" || (options_.semantics == "auto" && understood.ongoing))
       return run_for_ever(heard);
@@ -78,14 +71,6 @@ class Running {
     plan::Map map;
     parser::Executor executor;
   };
-  struct Heard {
-    const std::optional<std::string>& id;
-    const std::string& text;
-    const plan::Map& map;
-    std::span<const plan::PoseId> starts;
-    const std::vector<parser::Reading>& readings;
-  };
-
   const Place& place_of(const std::string& name) {
     std::unique_ptr<Place>& place = places_[name];
     if (!place) {
@@ -133,15 +118,13 @@ class Running {
   // A task without end: its lasso.
   ExitCode run_for_ever(const Heard& heard) const {
     const ltl::Formula formula = heard.readings.front().formula;
-    JsonArray array;
-    for (const WeighedFormula& reading : weighed(heard.readings, shown_readings()))
-      array.add(
-          JsonObject().add("formula", ltl::print(reading.formula)).add("probability", reading.probability));
-    const std::string english = in_english(formula, ltl::Semantics::Infinite, heard.map);
-    WalkOptions walk{.svg = options_.svg, .json = options_.json, .load = load_, .adds_route = true};
-    if (heard.id) walk.head.add("id", *heard.id);
-    walk.head.add("instruction", heard.text).add("understood", english).add("readings", array);
-    if (!options_.json) std::cout << "understood   " << english << '\n';
+    WalkOptions walk{.svg = options_.svg,
+                     .json = options_.json,
+                     .load = load_,
+                     .head = head_of_lasso(heard),
+                     .adds_route = true};
+    if (!options_.json)
+      std::cout << "understood   " << in_english(formula, ltl::Semantics::Infinite, heard.map) << '\n';
     return plan_lasso({heard.map, heard.starts, formula}, walk, session_);
   }
 
@@ -150,12 +133,7 @@ class Running {
     StopWatch watch;
     const automata::Dfa dfa = translate(formula, session_.stop);
     const double translating = watch.lap();
-    Answer answer{.id = heard.id,
-                  .instruction = heard.text,
-                  .understood = in_english(formula, ltl::Semantics::Finite, heard.map),
-                  .formula = formula,
-                  .readings = weighed(heard.readings, shown_readings()),
-                  .corridor_run = run_corridor(heard.map, dfa, formula, heard.starts, session_.stop)};
+    Answer answer = answer_of(heard, dfa, session_.stop);
     if (options_.json && heard.readings.size() > 1)
       answer.alternatives =
           json_of(alternatives(heard.readings, heard.map, heard.starts, session_.stop), heard.map);

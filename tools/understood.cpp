@@ -20,12 +20,22 @@ std::string in_english(ltl::Formula formula, ltl::Semantics semantics) {
                                   }});
 }
 
+namespace {
+std::string quoted(const std::vector<std::string>& words) {
+  std::string text;
+  for (const std::string& word : words) text += (text.empty() ? "'" : ", '") + word + "'";
+  return text;
+}
+}  // namespace
+
 std::string not_understood_message(const std::string& text, const parser::Understanding& understood) {
   std::string message = "not understood: '" + text + "'";
-  std::string words;
-  for (const std::string& word : understood.words_not_understood)
-    words += (words.empty() ? "'" : ", '") + word + "'";
-  if (!words.empty()) message += "; nothing here is called, and no command says " + words;
+  if (understood.missing) {
+    message += "; nothing here is called '" + understood.missing->words + "'";
+    if (!understood.missing->nearest.empty()) message += "; nearest: " + quoted(understood.missing->nearest);
+  } else if (!understood.words_not_understood.empty()) {
+    message += "; no command says " + quoted(understood.words_not_understood);
+  }
   return message + " (--force answers all the same)";
 }
 
@@ -33,6 +43,12 @@ JsonObject not_understood_json(const std::string& text, const std::string& map,
                                const parser::Understanding& understood) {
   JsonArray words;
   for (const std::string& word : understood.words_not_understood) words.add(word);
+  JsonObject missing;
+  if (understood.missing) {
+    JsonArray nearest;
+    for (const std::string& name : understood.missing->nearest) nearest.add(name);
+    missing.add("words", understood.missing->words).add("nearest", nearest);
+  }
   return JsonObject()
       .add("instruction", text)
       .add("map", map)
@@ -41,6 +57,7 @@ JsonObject not_understood_json(const std::string& text, const std::string& map,
       .add("understood", Json())
       .add("probability", understood.probability)
       .add("words", words)
+      .add("missing", understood.missing ? Json(missing) : Json())
       .add("readings", JsonArray());
 }
 

@@ -1,9 +1,13 @@
 #include "libparser/corpus/token.hpp"
 
 #include <algorithm>
+#include <array>
 
 namespace waymark::parser {
 namespace {
+
+constexpr std::array<std::array<std::string_view, 2>, 4> sides{
+    {{"left", "right"}, {"lefthand", "righthand"}, {"left-hand", "right-hand"}, {"lefts", "rights"}}};
 
 bool is_space(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r' || c == '\f' || c == '\v'; }
 bool is_mark(char c) { return std::string_view(",;:.?!()\"%").find(c) != std::string_view::npos; }
@@ -73,21 +77,19 @@ std::vector<Clause> clauses_of(const std::vector<std::string>& tokens) {
   return clauses;
 }
 
+std::optional<Side> side_of(std::string_view word) {
+  for (const auto& [left, right] : sides)
+    if (word == left || word == right) return word == left ? Side::Left : Side::Right;
+  return std::nullopt;
+}
+
 std::vector<std::string> mirror(std::vector<std::string> tokens) {
-  for (std::string& word : tokens) {
-    if (word == "left")
-      word = "right";
-    else if (word == "right")
-      word = "left";
-    else if (word == "lefthand")
-      word = "righthand";
-    else if (word == "righthand")
-      word = "lefthand";
-    else if (word == "left-hand")
-      word = "right-hand";
-    else if (word == "right-hand")
-      word = "left-hand";
-  }
+  for (std::string& word : tokens)
+    for (const auto& [left, right] : sides)
+      if (word == left || word == right) {
+        word = word == left ? right : left;
+        break;
+      }
   return tokens;
 }
 

@@ -4,6 +4,8 @@
 // The convention is that of the SAIL corpus as released [CM11], so that its token lists and ours agree.
 #pragma once
 #include <cstddef>
+#include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -21,6 +23,10 @@ struct Clause {
   std::size_t begin, end;
 };
 std::vector<Clause> clauses_of(const std::vector<std::string>& tokens);
+
+// The side that a word names: `left`, `lefts`, `left-hand`, `lefthand` and their like of the right.
+enum class Side : std::uint8_t { Left, Right };
+std::optional<Side> side_of(std::string_view word);
 
 // Left and right exchanged, every other word kept: the mirror image of an instruction.
 std::vector<std::string> mirror(std::vector<std::string> tokens);

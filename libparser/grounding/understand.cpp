@@ -2,10 +2,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <utility>
+#include <variant>
 
+#include "libautomata/finite/ltlf_to_dfa.hpp"
+#include "libautomata/finite/product.hpp"
 #include "libltl/english/read_english.hpp"
 #include "libparser/corpus/token.hpp"
+#include "libparser/domain/commands/command_reader.hpp"
 #include "libparser/domain/hallways/hallway_things.hpp"
+#include "libparser/grounding/direct_turns.hpp"
 #include "libplan/plan_of.hpp"
 #include "libplan/world/observable_english.hpp"
 
@@ -67,14 +74,41 @@ std::optional<Said> exact_reading(const std::string& text, const plan::Map& map,
 constexpr double without_route = 0.1, least_planned = 0.02;
 constexpr std::size_t planned = 5;
 
+bool has_no_route(const plan::Map& map, ltl::Formula formula, std::span<const plan::PoseId> starts) {
+  return std::holds_alternative<plan::Infeasible>(
+      plan::plan_of(map, formula, starts, {.automaton_states = 5'000, .explain = false}));
+}
+
 void weigh_by_routes(std::vector<Found>& all, const plan::Map& map, std::span<const plan::PoseId> starts) {
   for (std::size_t i = 0; i < std::min(all.size(), planned); ++i) {
     Found& f = all[i];
     if (f.ongoing || f.reading.probability < least_planned) continue;
-    const auto plan =
-        plan::plan_of(map, f.reading.formula, starts, {.automaton_states = 5'000, .explain = false});
-    if (std::holds_alternative<plan::Infeasible>(plan)) f.reading.probability *= without_route;
+    if (has_no_route(map, f.reading.formula, starts)) f.reading.probability *= without_route;
   }
+}
+
+constexpr std::size_t small = 2'000;  // states, of automata that are compared
+
+// Readings of one language add their probabilities: the likeliest of them keeps them.
+void merge_languages(std::vector<Found>& all) {
+  std::vector<std::optional<automata::Dfa>> dfas;
+  const std::size_t n = std::min(all.size(), planned);
+  for (std::size_t i = 0; i < n && all[i].reading.probability >= least_planned; ++i) {
+    dfas.emplace_back();
+    if (!all[i].ongoing) {
+      auto dfa = automata::ltlf_to_dfa(all[i].reading.formula, {.states = small, .stop = {}});
+      if (auto* const whole = std::get_if<automata::Dfa>(&dfa)) dfas.back() = std::move(*whole);
+    }
+    for (std::size_t j = 0; j < i; ++j) {
+      const bool same = all[i].ongoing ? all[j].ongoing && same_language(all[i].reading.formula,
+                                                                         all[j].reading.formula, small)
+                                       : dfas[i] && dfas[j] && !automata::difference(*dfas[i], *dfas[j]);
+      if (!same) continue;
+      all[j].reading.probability += std::exchange(all[i].reading.probability, 0);
+      break;
+    }
+  }
+  std::erase_if(all, [](const Found& f) { return f.reading.probability <= 0; });
 }
 
 void add(std::vector<Found>& all, Found found) {
@@ -123,30 +157,35 @@ Understanding understand(const Grounder& grounder, const std::string& text, cons
   out.words_not_understood = unknown_words(reader, lifted.text);
   const double understood = route + commands;
   out.probability = understood + nothing > 0 ? understood / (understood + nothing) : 0;
-  if (out.probability < options.least) return out;
+  if (out.probability < options.least) {
+    out.missing = missing_name(reader, lifted.text, things.things());
+    return out;
+  }
   const auto likelier = [](const Found& a, const Found& b) {
     return a.reading.probability > b.reading.probability;
   };
   std::stable_sort(found.begin(), found.end(), likelier);
+  merge_languages(found);
   weigh_by_routes(found, executor.map(), starts);
   std::stable_sort(found.begin(), found.end(), likelier);
   std::vector<Found> programs;
   if (route > 0.05 * understood || found.empty())
     for (Reading& r : ground(grounder, text, executor, starts, arena, options.ground)) {
       r.probability *= route;
+      const ltl::Formula direct = with_direct_turns(r.formula);
+      if (programs.size() < planned && direct != r.formula && !has_no_route(executor.map(), direct, starts))
+        r.formula = direct;
       programs.push_back({std::move(r), false});
     }
-  // The kind that is likelier comes first, with its own best reading: that of programs is chosen by where routes end.
-  std::vector<Found>& first = route > commands && !programs.empty() ? programs : found;
-  std::vector<Found>& second = &first == &found ? programs : found;
-  for (Found& f : second) add(first, std::move(f));
+  for (Found& f : programs) add(found, std::move(f));
+  std::stable_sort(found.begin(), found.end(), likelier);
   double total = 0;
-  for (const Found& f : first) total += f.reading.probability;
-  for (Found& f : first) {
+  for (const Found& f : found) total += f.reading.probability;
+  if (!found.empty()) out.ongoing = found.front().ongoing;
+  for (Found& f : found) {
     if (total > 0) f.reading.probability /= total;
     out.readings.push_back(std::move(f.reading));
   }
-  if (!first.empty()) out.ongoing = first.front().ongoing;
   return out;
 }
 

@@ -3,10 +3,12 @@
 // The reader of commands (lifted/) says how likely the text is a route instruction, a command, or nothing that was
 // understood. Readings of both kinds share the probability; formulas that two readings have in common add up.
 #pragma once
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "libparser/ground.hpp"
+#include "libparser/grounding/missing_name.hpp"
 
 namespace waymark::parser {
 
@@ -15,12 +17,13 @@ struct Understanding {
   double probability = 1;         // that the text was understood at all
   bool ongoing = false;  // the first reading speaks of what goes on for ever: read over infinite words
   std::vector<std::string> words_not_understood;
+  std::optional<MissingName> missing;  // of a text that was not understood
 };
 
-inline constexpr double least_understood = 0.3;
+inline constexpr double least_understood = 0.62;
 
 struct UnderstandOptions {
-  GroundOptions ground = {};
+  GroundOptions ground = {.one_an_end = true};
   double least = least_understood;  // probability of having understood below which there is no reading
 };
 

@@ -3,7 +3,10 @@
 #include <algorithm>
 #include <cctype>
 #include <fstream>
+#include <optional>
 #include <sstream>
+#include <stdexcept>
+#include <utility>
 
 #include "libltl/diagnostic.hpp"
 #include "libparser/corpus/token.hpp"
@@ -11,7 +14,9 @@
 namespace waymark::parser {
 namespace {
 
-constexpr std::size_t deepest = 9;
+constexpr std::size_t deepest = 9, longest_text = 4'000, most_attempts = 1'000;
+
+struct TooLong {};  // a text that is drawn anew, caught in say alone
 
 std::string trim(std::string_view text) {
   const auto begin = text.find_first_not_of(" \t"), end = text.find_last_not_of(" \t");
@@ -42,7 +47,7 @@ std::size_t word_end(std::string_view text, std::size_t begin) {
 
 }  // namespace
 
-SynchronousGrammar::SynchronousGrammar(const std::filesystem::path& file) {
+SynchronousGrammar::SynchronousGrammar(const std::filesystem::path& file) : source_(file.string()) {
   std::ifstream in(file);
   if (!in) throw ltl::FormatError(file.string(), 0, 0, "cannot be read");
   std::string category;
@@ -74,7 +79,7 @@ SynchronousGrammar::SynchronousGrammar(const std::filesystem::path& file) {
       fail("no rule: a rule is TEXT => FORMULA, below a category");
     Rule rule{trim(line.substr(0, arrow)), trim(line.substr(arrow + 2)), 1, number};
     if (const auto colon = rule.text.find(": ");
-        colon != std::string::npos && colon < 4 && rule.text.find_first_not_of("0123456789.") == colon) {
+        colon < 4 && rule.text.find_first_not_of("0123456789.") == colon) {
       if (rule.text.find_first_of("0123456789") > colon) fail("the weight of a rule is a number");
       rule.weight = std::stod(rule.text.substr(0, colon));
       rule.text = trim(rule.text.substr(colon + 2));
@@ -134,11 +139,16 @@ std::vector<std::string> SynchronousGrammar::check_rule(const Rule& rule, const 
     if (!digits || std::stoul(number) < 1 || std::stoul(number) > parts.size())
       fail("'" + number + "' refers to no category of the rule");
   };
-  for (auto at = rule.text.find('<'); at != std::string::npos; at = rule.text.find('<', at + 1)) {
+  std::ptrdiff_t level = 0;
+  for (std::size_t at = 0; at < rule.text.size(); ++at) {
+    level += rule.text[at] == '(' ? 1 : rule.text[at] == ')' ? -1 : 0;
+    if (rule.text[at] != '<') continue;
     const auto end = rule.text.find('>', at);
     const std::string name = end == std::string::npos ? "" : rule.text.substr(at + 1, end - at - 1);
     if (name.starts_with("#"))
       refer(name.substr(1));
+    else if (level > 0)
+      fail("'" + name + "' stands in a bracket, where it may be left out");
     else if (name == "N" || rules_.contains(name))
       parts.push_back(name);
     else
@@ -156,6 +166,7 @@ std::vector<std::string> SynchronousGrammar::check_rule(const Rule& rule, const 
 
 std::string SynchronousGrammar::expand(std::string text, ltl::Random& random) const {
   for (std::size_t at = 0; at < text.size();) {
+    if (text.size() > longest_text) throw TooLong();
     if (text[at] == '$') {
       const std::size_t end = word_end(text, at + 1);
       const auto& all = words_.at(text.substr(at + 1, end - at - 1));
@@ -174,9 +185,10 @@ std::string SynchronousGrammar::expand(std::string text, ltl::Random& random) co
 }
 
 SynchronousGrammar::Draft SynchronousGrammar::draw(const std::string& category, std::size_t depth,
-                                                   std::size_t& places, ltl::Random& random) const {
+                                                   Drawing& drawing, ltl::Random& random) const {
+  if (++drawing.parts > longest_text) throw TooLong();
   if (category == "N") {
-    const std::string place = " #" + std::to_string(++places) + " ";
+    const std::string place = " #" + std::to_string(++drawing.places) + " ";
     return {place, place};
   }
   const auto& rules = rules_.at(category);
@@ -201,8 +213,9 @@ SynchronousGrammar::Draft SynchronousGrammar::draw(const std::string& category, 
       out.text += parts.at(std::stoul(name.substr(1)) - 1);
       continue;
     }
-    Draft part = draw(name, depth + 1, places, random);
+    Draft part = draw(name, depth + 1, drawing, random);
     out.text += part.text;
+    if (out.text.size() > longest_text) throw TooLong();
     parts.push_back(std::move(part.lifted));
   }
   std::istringstream words(rules[chosen].lifted);
@@ -215,31 +228,51 @@ SynchronousGrammar::Draft SynchronousGrammar::draw(const std::string& category, 
 
 SynchronousGrammar::Said SynchronousGrammar::say(const std::string& category, ltl::Random& random,
                                                  std::size_t most_tokens) const {
-  for (;;) {
-    std::size_t places = 0;
-    const Draft draft = draw(category, 0, places, random);
-    Said said;
-    std::map<std::string, std::string> renamed;
-    std::istringstream words(draft.text);
-    for (std::string word; words >> word;) {
-      const std::string core = word.substr(0, word.find_first_of(",.;:!?"));
-      if (core.size() > 1 && core[0] == '#') {
-        const auto [it, _] = renamed.try_emplace(core, "#" + std::to_string(renamed.size() + 1));
-        said.tokens.push_back(it->second);
-        for (const char mark : word.substr(core.size())) said.tokens.emplace_back(1, mark);
-      } else {
-        for (std::string& token : tokenize(word)) said.tokens.push_back(std::move(token));
-      }
+  if (!rules_.contains(category))
+    throw ltl::FormatError(source_, 0, 0, "no category is called '" + category + "'");
+  for (std::size_t attempt = 0; attempt < most_attempts; ++attempt) {
+    try {
+      Drawing drawing;
+      if (auto said = said_of(draw(category, 0, drawing, random), most_tokens)) return *std::move(said);
+    } catch (const TooLong&) {
     }
-    std::string lifted;
-    std::istringstream symbols(draft.lifted);
-    for (std::string symbol; symbols >> symbol;)
-      lifted += " " + (symbol[0] == '#' ? renamed.at(symbol) : symbol);
-    said.slots = renamed.size();
-    if (said.slots > 8 || said.tokens.size() > most_tokens) continue;
-    said.lifted = canonical(parse_lifted(lifted));
-    if (said.lifted.size() < LiftedPrefix::most_symbols - 8) return said;
   }
+  throw ltl::FormatError(source_, 0, 0, "no short text of category '" + category + "' was drawn");
+}
+
+std::optional<SynchronousGrammar::Said> SynchronousGrammar::said_of(const Draft& draft,
+                                                                    std::size_t most_tokens) const {
+  Said said;
+  std::map<std::string, std::string> renamed;
+  std::istringstream words(draft.text);
+  for (std::string word; words >> word;) {
+    const std::string core = word.substr(0, word.find_first_of(",.;:!?"));
+    if (core.size() > 1 && core[0] == '#') {
+      const auto [it, _] = renamed.try_emplace(core, "#" + std::to_string(renamed.size() + 1));
+      said.tokens.push_back(it->second);
+      for (const char mark : word.substr(core.size())) said.tokens.emplace_back(1, mark);
+    } else {
+      for (std::string& token : tokenize(word)) said.tokens.push_back(std::move(token));
+    }
+  }
+  said.slots = renamed.size();
+  if (said.slots > 8 || said.tokens.size() > most_tokens) return std::nullopt;
+  std::string lifted;
+  std::istringstream symbols(draft.lifted);
+  for (std::string symbol; symbols >> symbol;) {
+    const auto slot = renamed.find(symbol);
+    if (symbol[0] == '#' && slot == renamed.end())
+      throw ltl::FormatError(source_, 0, 0,
+                             "a formula speaks of " + symbol + ", which its text does not name");
+    lifted += " " + (slot == renamed.end() ? symbol : slot->second);
+  }
+  try {
+    said.lifted = canonical(parse_lifted(lifted));
+  } catch (const std::invalid_argument& error) {
+    throw ltl::FormatError(source_, 0, 0, "'" + lifted + "': " + error.what());
+  }
+  if (said.lifted.size() >= LiftedPrefix::most_symbols - 8) return std::nullopt;
+  return said;
 }
 
 }  // namespace waymark::parser

@@ -12,6 +12,7 @@
 #pragma once
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -31,7 +32,8 @@ class SynchronousGrammar {
     Lifted lifted;
     std::size_t slots = 0;
   };
-  // A text of a category. Texts of more than `most_tokens` tokens are drawn anew.
+  // A text of a category. Texts of more than `most_tokens` tokens are drawn anew. Throws ltl::FormatError when there is
+  // no such category, when it has no short texts, or when what was drawn has no complete formula.
   Said say(const std::string& category, ltl::Random& random, std::size_t most_tokens = 48) const;
 
  private:
@@ -40,15 +42,20 @@ class SynchronousGrammar {
     double weight = 1;
     std::size_t line = 0;
   };
+  struct Drawing {
+    std::size_t places = 0, parts = 0;  // made so far
+  };
   struct Draft {
     std::string text, lifted;  // slots by number of making
   };
-  Draft draw(const std::string& category, std::size_t depth, std::size_t& places, ltl::Random& random) const;
+  std::optional<Said> said_of(const Draft& draft, std::size_t most_tokens) const;  // none: too long
+  Draft draw(const std::string& category, std::size_t depth, Drawing& drawing, ltl::Random& random) const;
   std::string expand(std::string text, ltl::Random& random) const;
   void check_text(const std::string& text, const std::string& source, std::size_t line) const;
   void check_rules(const std::string& source) const;
   std::vector<std::string> check_rule(const Rule& rule, const std::string& source) const;
 
+  std::string source_;  // the file
   std::map<std::string, std::vector<std::string>> words_;
   std::map<std::string, std::vector<Rule>> rules_;
   std::map<std::string, std::size_t> lines_;  // of categories

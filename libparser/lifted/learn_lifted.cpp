@@ -14,13 +14,15 @@ namespace {
 
 using neural::Index;
 
-// Slots, domains, and the words of two examples or more.
+// Slots, domains, and the words of two examples or more that are understood: what else a text says is unknown.
 WordTable words_of(std::span<const LiftedExample> examples) {
   WordTable table;
   for (std::size_t n = 1; n <= 12; ++n) table.add(name(slot(n)));
   std::map<std::string, std::size_t> met;
   for (const LiftedExample& example : examples) {
-    for (const std::string& token : example.text.tokens) ++met[token];
+    const bool is_understood = example.lifted.front() != LiftedSymbol::Nothing;
+    if (is_understood)
+      for (const std::string& token : example.text.tokens) ++met[token];
     met["<" + example.text.domain + ">"] += 2;
   }
   for (const auto& [word, times] : met)
@@ -28,17 +30,25 @@ WordTable words_of(std::span<const LiftedExample> examples) {
   return table;
 }
 
+std::vector<LiftedExample> upright(std::span<const LiftedExample> examples) {
+  std::vector<LiftedExample> out(examples.begin(), examples.end());
+  for (LiftedExample& example : out)
+    if (is_read_in_mirror(example.text))
+      example = {mirrored(std::move(example.text)), mirrored(std::move(example.lifted)), example.weight};
+  return out;
+}
+
 class Learner {
  public:
-  Learner(std::span<const LiftedExample> examples, std::shared_ptr<const WordVectors> vectors,
+  Learner(std::vector<LiftedExample> examples, std::shared_ptr<const WordVectors> vectors,
           const LiftedTraining& options)
-      : examples_(examples),
+      : examples_(std::move(examples)),
         options_(options),
         random_(options.seed),
-        network_(words_of(examples), std::move(vectors), options.sizes, [this] { return random_.unit(); }),
+        network_(words_of(examples_), std::move(vectors), options.sizes, [this] { return random_.unit(); }),
         adam_(network_.parameters(), {.rate = options.rate}) {
     double total = 0;
-    for (const LiftedExample& example : examples) {
+    for (const LiftedExample& example : examples_) {
       sentences_.push_back(network_.sentence(example.text));
       total += example.weight;
       up_to_.push_back(total);
@@ -122,7 +132,7 @@ class Learner {
     shard.pass.backward(shard.parameters, dscores);
   }
 
-  std::span<const LiftedExample> examples_;
+  std::vector<LiftedExample> examples_;
   const LiftedTraining& options_;
   ltl::Random random_;
   LiftedNetwork network_;
@@ -138,7 +148,7 @@ std::shared_ptr<const LiftedNetwork> learn_lifted(std::span<const LiftedExample>
                                                   std::shared_ptr<const WordVectors> vectors,
                                                   const LiftedTraining& options,
                                                   const std::function<void(double)>& progress) {
-  return Learner(examples, std::move(vectors), options).run(progress);
+  return Learner(upright(examples), std::move(vectors), options).run(progress);
 }
 
 }  // namespace waymark::parser

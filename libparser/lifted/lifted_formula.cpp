@@ -103,7 +103,11 @@ class Denotation {
     if (peek() != End) {
       if (is_action(peek())) {
         const LiftedSymbol action = take();
-        const std::size_t count = action == Steps ? number_of(take()) : 1;
+        const std::size_t count = action == Steps || action == Nth ? number_of(take()) : 1;
+        if (action == Nth) {
+          const Formula passed = formula();
+          return straight_to(count, passed, sequence_rest());
+        }
         rest = sequence_rest();
         return act(action, count, rest);
       }
@@ -119,6 +123,16 @@ class Denotation {
       return std::nullopt;
     }
     return sequence();
+  }
+  // Straight on, past all but the nth place where a holds.
+  Formula straight_to(std::size_t n, Formula a, std::optional<Formula> rest) const {
+    const Formula moved = literal(End, Moved);
+    for (; n > 0; --n) {
+      Formula met = ltl::conjunction(moved, a);
+      if (rest) met = ltl::conjunction(met, *rest);
+      rest = ltl::next(ltl::until(ltl::conjunction(moved, ltl::negate(a)), met));
+    }
+    return *rest;
   }
   Formula act(LiftedSymbol action, std::size_t count, const std::optional<Formula>& rest) const {
     const auto times = [&](LiftedSymbol event, std::size_t n) {
@@ -162,7 +176,8 @@ class Denotation {
 
   Formula counted(LiftedSymbol s) {
     const std::size_t n = number_of(take());
-    const bool event = is_event(peek());
+    const bool event =
+        is_event(peek()) || (peek() == Or && at_ + 1 < lifted_.size() && is_event(lifted_[at_ + 1]));
     const Formula a = formula();
     if (s == AtLeast) return at_least(n, a, event);
     if (s == AtMost) return ltl::negate(at_least(n + 1, a, event));

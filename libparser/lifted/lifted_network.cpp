@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numeric>
 
+#include "libparser/corpus/token.hpp"
+
 namespace waymark::parser {
 
 using neural::Index;
@@ -23,10 +25,26 @@ void drop(Matrix& signals, Matrix& mask, const Dropout& dropout) {
 }
 
 neural::AttentionDecoder::Sizes decoder_sizes(const LiftedSizes& s, Index inputs) {
-  return {.encoded = 2 * s.width, .inputs = inputs, .width = s.query, .symbol = s.symbol, .symbols = symbols};
+  return {.encoded = Index{2} * s.width,
+          .inputs = inputs,
+          .width = s.query,
+          .symbol = s.symbol,
+          .symbols = symbols};
 }
 
 }  // namespace
+
+LiftedText mirrored(LiftedText text) {
+  text.tokens = mirror(std::move(text.tokens));
+  return text;
+}
+
+bool is_read_in_mirror(const LiftedText& text) {
+  if (!text.scope.spatial) return false;
+  for (const std::string& token : text.tokens)
+    if (const auto side = side_of(token)) return side == Side::Right;
+  return false;
+}
 
 LiftedNetwork::LiftedNetwork(WordTable words, std::shared_ptr<const WordVectors> vectors,
                              const LiftedSizes& sizes, const neural::Uniform& uniform)
@@ -48,7 +66,9 @@ LiftedNetwork::Sentence LiftedNetwork::sentence(const LiftedText& text) const {
   out.vectors.push_back(none);
   for (const std::string& token : text.tokens) {
     out.words.push_back(words_.find(token));
-    out.vectors.push_back(static_cast<std::uint32_t>(vectors_->find(token).value_or(none)));
+    const bool is_side =
+        text.scope.spatial && side_of(token);  // the vectors of left and right are much alike
+    out.vectors.push_back(is_side ? none : static_cast<std::uint32_t>(vectors_->find(token).value_or(none)));
   }
   return out;
 }
@@ -105,7 +125,8 @@ void LiftedNetwork::Pass::embed() {
     if (vectors_[at] >= known.size()) continue;
     const auto entries = known.entries(vectors_[at]);
     const float scale = known.scale(vectors_[at]);
-    for (std::size_t i = 0; i < entries.size(); ++i) fixed_(static_cast<Index>(i), c) = scale * entries[i];
+    for (std::size_t i = 0; i < entries.size(); ++i)
+      fixed_(static_cast<Index>(i), c) = scale * static_cast<float>(entries[i]);
   }
   neural::add_product(parameters_->value(network_->projection_), fixed_,
                       input_.bottomRows(network_->sizes_.vector));

@@ -28,6 +28,12 @@ struct LiftedText {
   std::string domain;  // "" is unknown
 };
 
+// Left and right exchanged.
+LiftedText mirrored(LiftedText text);
+// Where one turns and sees, a text that names the right before the left is read in the mirror: the network meets one
+// of the two only, and what it learns of one side holds for the other.
+bool is_read_in_mirror(const LiftedText& text);
+
 struct LiftedSizes {
   std::int32_t word = 48, vector = 64, width = 96, query = 96, symbol = 32;
   friend bool operator==(const LiftedSizes&, const LiftedSizes&) = default;

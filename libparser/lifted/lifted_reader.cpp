@@ -27,9 +27,12 @@ LiftedReader::LiftedReader(std::shared_ptr<const WordVectors> vectors,
 
 std::vector<LiftedReading> LiftedReader::read(const LiftedText& text, std::size_t beam) const {
   std::map<Lifted, double> votes;
+  const bool in_mirror = is_read_in_mirror(text);
+  const LiftedText read = in_mirror ? mirrored(text) : text;
   for (const auto& network : networks_)
-    for (const LiftedReading& reading : read_lifted(*network, text, beam))
-      votes[reading.lifted] += std::exp(reading.log_probability) / static_cast<double>(networks_.size());
+    for (const LiftedReading& reading : read_lifted(*network, read, beam))
+      votes[in_mirror ? mirrored(reading.lifted) : reading.lifted] +=
+          std::exp(reading.log_probability) / static_cast<double>(networks_.size());
   std::vector<LiftedReading> out;
   for (const auto& [lifted, p] : votes) out.push_back({lifted, std::log(p)});
   std::stable_sort(out.begin(), out.end(), [](const LiftedReading& a, const LiftedReading& b) {

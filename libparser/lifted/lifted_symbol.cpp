@@ -12,12 +12,12 @@ namespace {
 using enum LiftedSymbol;
 
 constexpr std::array<std::string_view, static_cast<std::size_t>(Number1)> names{
-    "end",      "route",     "nothing",    "true",      "not",         "and",          "or",      "implies",
-    "iff",      "next",      "eventually", "always",    "until",       "weakly",       "release", "visit",
-    "patrol",   "never",     "sequence",   "ordered",   "strict",      "exactly",      "atmost",  "atleast",
-    "react",    "follow",    "after",      "alternate", "stayon",      "ifelse",       "ahead",   "right",
-    "behind",   "left",      "beside",     "along",     "turned_left", "turned_right", "moved",   "start",
-    "turnleft", "turnright", "turnaround", "steps"};
+    "end",       "route",      "nothing",    "true",      "not",         "and",          "or",      "implies",
+    "iff",       "next",       "eventually", "always",    "until",       "weakly",       "release", "visit",
+    "patrol",    "never",      "sequence",   "ordered",   "strict",      "exactly",      "atmost",  "atleast",
+    "react",     "follow",     "after",      "alternate", "stayon",      "ifelse",       "ahead",   "right",
+    "behind",    "left",       "beside",     "along",     "turned_left", "turned_right", "moved",   "start",
+    "open_left", "open_right", "turnleft",   "turnright", "turnaround",  "steps",        "nth"};
 
 constexpr std::size_t list = any_number;
 
@@ -45,6 +45,7 @@ std::size_t operands_of(LiftedSymbol s) {
     case Exactly:
     case AtMost:
     case AtLeast:
+    case Nth:
     case React:
     case Follow:
     case After: return 2;
@@ -129,6 +130,8 @@ Lifted mirrored(Lifted lifted) {
       case TurnedRight: s = TurnedLeft; break;
       case TurnLeft: s = TurnRight; break;
       case TurnRight: s = TurnLeft; break;
+      case OpenLeft: s = OpenRight; break;
+      case OpenRight: s = OpenLeft; break;
       default: break;
     }
   return lifted;
@@ -142,7 +145,7 @@ bool LiftedPrefix::allows(LiftedSymbol s, const LiftedScope& scope) const {
   if (frames_.empty()) return s != End && !is_number(s) && !is_action(s);
   if (s == Route || s == Nothing) return false;
   const auto [parent, operands] = frames_.back();
-  const bool counts = parent == Exactly || parent == AtMost || parent == AtLeast;
+  const bool counts = parent == Exactly || parent == AtMost || parent == AtLeast || parent == Nth;
   if ((counts && operands == 0) || parent == Steps) return is_number(s);
   if (is_number(s)) return false;
   if (s == End) return operands_of(parent) == list && operands >= least_operands(parent);

@@ -61,16 +61,20 @@ enum class LiftedSymbol : std::uint8_t {
   Left,
   Beside,
   Along,
-  // propositions that no mention names: of the action that led here, the start, and of a small domain
+  // propositions that no mention names: of the action that led here, the start, hallways that branch off, and of a
+  // small domain
   TurnedLeft,
   TurnedRight,
   Moved,
   Start,
-  // actions, in a sequence
+  OpenLeft,
+  OpenRight,
+  // actions, in a sequence; the last two take a number, and Nth a place: straight on to the nth one
   TurnLeft,
   TurnRight,
   TurnAround,
   Steps,
+  Nth,
   Number1,
   Number9 = Number1 + 8,
   Slot1,
@@ -87,8 +91,10 @@ constexpr bool is_slot(LiftedSymbol s) { return s >= LiftedSymbol::Slot1 && s <=
 constexpr bool is_constant(LiftedSymbol s) { return s >= LiftedSymbol::Constant1; }
 constexpr bool is_thing(LiftedSymbol s) { return s >= LiftedSymbol::Slot1; }  // a slot or a constant
 constexpr bool is_direction(LiftedSymbol s) { return s >= LiftedSymbol::Ahead && s <= LiftedSymbol::Along; }
-constexpr bool is_event(LiftedSymbol s) { return s >= LiftedSymbol::TurnedLeft && s <= LiftedSymbol::Start; }
-constexpr bool is_action(LiftedSymbol s) { return s >= LiftedSymbol::TurnLeft && s <= LiftedSymbol::Steps; }
+constexpr bool is_event(LiftedSymbol s) {
+  return s >= LiftedSymbol::TurnedLeft && s <= LiftedSymbol::OpenRight;
+}
+constexpr bool is_action(LiftedSymbol s) { return s >= LiftedSymbol::TurnLeft && s <= LiftedSymbol::Nth; }
 LiftedSymbol slot(std::size_t number);      // from 1; throws std::out_of_range above 12
 LiftedSymbol constant(std::size_t number);  // from 1; … above 16
 LiftedSymbol number(std::size_t number);    // from 1; … above 9

@@ -279,7 +279,7 @@ std::optional<Decided> decide(const Product& product, const WinningRegion<Produc
                               const IterationOptions& limits) {
   const Unknowns unknowns = unknowns_of<measure>(product, winning.states);
   const StateSet kept = entries(product, unknowns.unknown, product.starts());
-  const auto values =
+  auto values =
       ValueIteration<Product, measure>(product, unknowns, limits, {.bounds = &kept, .attained = true}).run();
   if (!values) return std::nullopt;
   Decided out;
@@ -312,6 +312,7 @@ std::optional<Decided> decide(const Product& product, const WinningRegion<Produc
     });
   if (!choose_and_evaluate<measure>(product, unknowns, values->attained, kept, limits, out))
     return std::nullopt;
+  if (limits.keep_values) out.values = std::move(values->attained);
   return out;
 }
 
@@ -343,7 +344,7 @@ std::optional<Decided> greatest_probability(const ProductMdp<Model>& product,
 
 template <class Model>
 std::optional<Decided> least_cost(const ProductMdp<Model>& product, const IterationOptions& limits) {
-  if (product.starts().empty()) return Decided{{INFINITY, INFINITY}, {}, {INFINITY, INFINITY}, 0};
+  if (product.starts().empty()) return Decided{{INFINITY, INFINITY}, {}, {INFINITY, INFINITY}, 0, {}};
   return decide<Measure::MinCost>(product, WinningRegion<ProductMdp<Model>>(product), limits);
 }
 

@@ -4,6 +4,7 @@
 #pragma once
 #include <cstdint>
 #include <optional>
+#include <vector>
 
 #include "libplan/model/grid_world.hpp"
 #include "libplan/model/mdp.hpp"
@@ -23,6 +24,9 @@ struct Decided {
   Strategy strategy;    // attains the value up to the tolerance
   Bounds re_evaluated;  // of the strategy, by the Markov chain that it makes of the product
   std::uint64_t sweeps = 0;
+  // With keep_values, by state what a choice attains; of costs, 0 where no cost is finite. Not of least
+  // probabilities.
+  std::vector<double> values = {};
 };
 
 // Is Pmax above 0, and is it 1? By the graph alone.

@@ -65,9 +65,11 @@ class CertifiedLasso {
   bool by_definition_;
 };
 // Throw std::logic_error (we are wrong). O(|DAG| · |route|²) and O(|route| · branches).
+// NOLINTBEGIN(readability-redundant-declaration): friends are declared for all
 template <class Model>
 CertifiedLasso certify(LassoRoute route, const Model& model, ltl::Formula f);
 template <class Model>
 CertifiedLasso certify(LassoRoute route, const Model& model, const automata::Automaton& automaton);
+// NOLINTEND(readability-redundant-declaration)
 
 }  // namespace waymark::plan

@@ -22,6 +22,7 @@ struct IterationOptions {
                             << 20U;  // unknowns of a block up to which its equations are written out
   std::size_t on_grid =
       20'000;  // unknowns of a block of a grid from which it is swept in place, where its kind allows
+  bool keep_values = false;  // of all states, in the answer
   std::stop_token stop = {};
 };
 

@@ -9,13 +9,6 @@
 namespace waymark::parser {
 namespace {
 
-std::vector<std::string> mirrored(std::vector<std::string> tokens) {
-  tokens = mirror(std::move(tokens));
-  for (std::string& token : tokens)
-    if (token == "lefts" || token == "rights") token = token == "lefts" ? "rights" : "lefts";
-  return tokens;
-}
-
 class Speaking {
  public:
   Speaking(const SynchronousGrammar& grammar, const WordVectors& vectors, const OwnCommands& options)
@@ -25,11 +18,7 @@ class Speaking {
     std::vector<LiftedExample> out;
     const auto silent = static_cast<std::size_t>(options_.nothing * static_cast<double>(options_.texts));
     for (std::size_t i = 0; i < options_.texts; ++i) {
-      auto said = grammar_.say("COMMAND", random_);
-      if (random_.chance(0.5)) {  // left and right exchanged in both
-        said.tokens = mirrored(std::move(said.tokens));
-        said.lifted = parser::mirrored(said.lifted);
-      }
+      const auto said = grammar_.say("COMMAND", random_);
       out.push_back(example(said.tokens, said.slots, said.lifted));
     }
     for (std::size_t i = 0; i < silent; ++i) {

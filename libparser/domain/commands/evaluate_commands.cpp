@@ -1,6 +1,7 @@
 #include "libparser/domain/commands/evaluate_commands.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "libltl/parallel.hpp"
@@ -32,6 +33,25 @@ void count(CommandScore& score, const CommandAnswer& answer) {
 }
 
 }  // namespace
+
+void Calibration::add(double probability, bool right) {
+  const auto at =
+      static_cast<std::size_t>(std::clamp(probability, 0.0, 1.0) * static_cast<double>(bins.size()));
+  Bin& bin = bins[std::min(at, bins.size() - 1)];
+  ++bin.n;
+  bin.right += right ? 1 : 0;
+  bin.probability += probability;
+}
+
+double Calibration::expected_error() const {
+  double error = 0;
+  std::size_t all = 0;
+  for (const Bin& bin : bins) {
+    error += std::abs(static_cast<double>(bin.right) - bin.probability);
+    all += bin.n;
+  }
+  return all > 0 ? error / static_cast<double>(all) : 0;
+}
 
 CommandScores score_commands(const LiftedReader& reader, std::span<const Command> commands,
                              CommandDomains& domains, const ReadCommandOptions& options) {

@@ -1,5 +1,6 @@
 // How many commands are read as they are labelled: trained on some, tested on others.
 #pragma once
+#include <array>
 #include <functional>
 #include <map>
 #include <set>
@@ -24,6 +25,19 @@ struct CommandAnswer {
   std::string formula;  // empty: none
   double probability = 0;
   bool exact = false, equivalent = false;
+};
+
+// How well probabilities agree with how often answers are right, in ten bins of equal width [GPSW17, Sec. 2].
+struct Calibration {
+  struct Bin {
+    std::size_t n = 0, right = 0;
+    double probability = 0;  // the sum of the bin
+  };
+  std::array<Bin, 10> bins;
+
+  void add(double probability, bool right);
+  // Σ over bins of (n / all) · |share right − mean probability|; 0 when there are no answers.
+  double expected_error() const;
 };
 
 struct CommandScores {

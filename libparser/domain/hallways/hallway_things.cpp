@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <string_view>
+#include <utility>
 
 #include "libparser/corpus/token.hpp"
 #include "libparser/lexicon/lexicon.hpp"
@@ -22,6 +23,16 @@ std::vector<std::string> words_of(const std::string& name) {
   return words;
 }
 
+// Names of furniture that commands use and the lexicon of route instructions lacks.
+constexpr std::array<std::pair<std::string_view, std::string_view>, 20> more_names{
+    {{"sofa", "settee"},        {"sofa", "divan"},         {"sofa", "davenport"},
+     {"sofa", "loveseat"},      {"sofa", "love seat"},     {"hatrack", "hat stand"},
+     {"hatrack", "coat stand"}, {"hatrack", "coat tree"},  {"hatrack", "hat tree"},
+     {"hatrack", "hatstand"},   {"lamp", "lantern"},       {"lamp", "lampstand"},
+     {"lamp", "light bulb"},    {"barstool", "bar chair"}, {"barstool", "high stool"},
+     {"easel", "art stand"},    {"easel", "paint stand"},  {"easel", "painting stand"},
+     {"easel", "canvas stand"}, {"chair", "arm chair"}}};
+
 NamedThing named(const plan::Observable& observable) {
   NamedThing thing{observable.name, {}};
   if (observable.kind == Kind::PlaceNumber) {
@@ -34,6 +45,8 @@ NamedThing named(const plan::Observable& observable) {
   }
   thing.phrases.push_back(words_of(observable.name));
   for (const std::string& other : other_names(observable.name)) thing.phrases.push_back(words_of(other));
+  for (const auto& [name, other] : more_names)
+    if (name == observable.name) thing.phrases.push_back(words_of(std::string(other)));
   if (observable.name == "concrete")
     thing.phrases.push_back({"stone"});  // before gravel, which the lexicon prefers
   return thing;
@@ -184,6 +197,8 @@ Bindings HallwayThings::bindings(ltl::Arena& arena, std::vector<std::size_t> slo
             std::string name = thing == LiftedSymbol::TurnedLeft    ? "turned_left"
                                : thing == LiftedSymbol::TurnedRight ? "turned_right"
                                : thing == LiftedSymbol::Moved       ? "moved"
+                               : thing == LiftedSymbol::OpenLeft    ? "left_open"
+                               : thing == LiftedSymbol::OpenRight   ? "right_open"
                                                                     : "";
             if (thing == LiftedSymbol::Start && start) name = "place_" + std::to_string(*start);
             const auto p = name.empty() ? std::nullopt : arena.vocabulary().find(name);

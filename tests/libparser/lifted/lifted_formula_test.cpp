@@ -35,7 +35,8 @@ struct Letters {
     };
   }
   static std::vector<std::string> vocabulary(std::vector<std::string> names) {
-    for (const LiftedSymbol s : {TurnedLeft, TurnedRight, Moved, Start}) names.push_back(name(s));
+    for (const LiftedSymbol s : {TurnedLeft, TurnedRight, Moved, Start, OpenLeft, OpenRight})
+      names.push_back(name(s));
     return names;
   }
   std::optional<Lifted> spell(ltl::Formula f) const {
@@ -113,6 +114,12 @@ TEST(LiftedFormula, SequencesOfActionsDenoteTheirEvents) {
   same("sequence turnleft end", "X turned_left");
   same("sequence #1 turnright end", "F(a & X turned_right)");
   same("sequence steps 2 #1 end", "X(moved & X(moved & F a))");
+  same("atmost 1 or turned_left turned_right end",
+       "!F((turned_left | turned_right) & X F(turned_left | turned_right))");
+  same("sequence nth 1 #1 end", "X((moved & !a) U (moved & a))");
+  same("sequence nth 2 open_left turnleft end",
+       "X((moved & !open_left) U (moved & open_left & X((moved & !open_left) U (moved & open_left & X "
+       "turned_left))))");
   same("sequence turnaround end", "X(turned_left & X turned_left) | X(turned_right & X turned_right)");
   same("ifelse #1 eventually #2 never #2 end", "(a & F b) | (!a & G !b)");
   same("alternate #1 #2 end", "G F a & G(a -> (a U (!a U b))) & G F b & G(b -> (b U (!b U a)))");

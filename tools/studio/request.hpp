@@ -1,0 +1,53 @@
+// A request of the studio: a JSON object, whose members are asked for by name and checked when they are.
+//
+// A member of the wrong type, a text that is too long and a number out of bounds are errors of the request, and say
+// which member is wrong.
+#pragma once
+#include <cstddef>
+#include <memory>
+#include <nlohmann/json_fwd.hpp>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "libplan/world/trajectory.hpp"
+
+namespace waymark::studio {
+
+// What is wrong with a request as such, and the HTTP status that says so.
+class RequestError : public std::runtime_error {
+ public:
+  RequestError(int status, std::string kind, const std::string& message)
+      : std::runtime_error(message), status_(status), kind_(std::move(kind)) {}
+  int status() const { return status_; }
+  const std::string& kind() const { return kind_; }
+
+ private:
+  int status_;
+  std::string kind_;
+};
+
+inline constexpr std::size_t most_body = 1'048'576;  // bytes of a request
+inline constexpr std::size_t most_text = 4'000;      // bytes of a formula or an instruction
+inline constexpr std::size_t most_poses = 2'000;     // of a trajectory
+
+class Request {
+ public:
+  explicit Request(std::string_view body);  // throws RequestError
+
+  bool has(const std::string& name) const;
+  std::string text(const std::string& name) const;  // must be there
+  std::string text_or(const std::string& name, const std::string& otherwise) const;
+  std::string one_of(const std::string& name,
+                     const std::vector<std::string>& values) const;  // else the first
+  bool flag(const std::string& name) const;                          // else false
+  double number_or(const std::string& name, double otherwise, double least, double most) const;
+  // Poses [x, y, heading], each one action after the one before.
+  plan::Trajectory trajectory(const std::string& name, const plan::Map& map) const;
+
+ private:
+  std::shared_ptr<const nlohmann::json> members_;
+};
+
+}  // namespace waymark::studio
