@@ -95,7 +95,7 @@ constexpr std::array rows{
     Subcommand{"draw", "map, with or without a route → picture", setup_draw,
                "draw --map grid --svg grid.svg\n"
                "draw --map grid --formula 'F sofa' --start 1,9,0 --svg route.svg"},
-    Subcommand{"serve", serve_summary, nullptr},
+    Subcommand{"serve", serve_summary, nullptr, serve_examples},
     Subcommand{"generate", generate_summary, setup_generate,
                "generate map --kind maze --width 20 --height 20 --seed 3\n"
                "generate map --kind hallway --landmarks 4"},

@@ -38,7 +38,6 @@ struct MonitorOptions {
 struct Verdict {
   automata::Foresight foresight = automata::Foresight::Open;
   std::optional<bool> now = {};
-  friend bool operator==(const Verdict&, const Verdict&) = default;
 };
 
 const char* word_for(automata::Foresight foresight) {
