@@ -20,6 +20,8 @@ Runner setup_automaton(Command);
 Runner setup_compose(Command);
 Runner setup_plan(Command);
 Runner setup_check(Command);
+Runner setup_monitor(Command);
+Runner setup_compare_formulas(Command);
 Runner setup_explain(Command);
 Runner setup_compare(Command);
 Runner setup_train(Command);
@@ -58,6 +60,13 @@ constexpr std::array rows{
     Subcommand{"check", "does this trajectory satisfy this formula?", setup_check,
                "plan 'F sofa' --json | waymark check 'F sofa' --trajectory -\n"
                "check 'a U b' --word '{a}; {a}; {b}'"},
+    Subcommand{"monitor", "formulas and letters as they come → verdicts, and what remains", setup_monitor,
+               "monitor 'G(a -> F b)' --letters <(printf '{a}\\n{}\\n{b}\\n')\n"
+               "monitor 'F b' 'a U b' --semantics finite --letters <(echo 'a; a; b') --json"},
+    Subcommand{"compare-formulas", "two formulas → equivalent, stronger, weaker or incomparable, with words",
+               setup_compare_formulas,
+               "compare-formulas 'F a & F b' 'F(a & F b) | F(b & F a)'\n"
+               "compare-formulas 'G(p -> F p)' true --semantics infinite"},
     Subcommand{"explain", "formula → English, with a word that satisfies it and one that does not",
                setup_explain,
                "explain 'G(request -> F grant)' --semantics infinite\n"

@@ -10,6 +10,8 @@
 #include <new>
 #include <sstream>
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include "libltl/diagnostic.hpp"
 #include "libltl/vocabulary.hpp"
@@ -43,6 +45,16 @@ Called add_subcommands(CLI::App& app, std::span<const Subcommand> rows, std::str
   return found;
 }
 
+CommandText described(const Subcommand& row) {
+  CLI::App app{row.summary};
+  const Runner kept =
+      row.setup != nullptr ? row.setup(Command(app)) : Runner();  // owns what the options fill
+  CommandText out{row.name, row.summary, Command(app).options(), {}};
+  std::istringstream lines(row.examples != nullptr ? row.examples : "");
+  for (std::string line; std::getline(lines, line);) out.examples.push_back("waymark " + line);
+  return out;
+}
+
 // A first argument that is neither an option nor a subcommand: most likely a slip of the fingers.
 void reject_unknown_subcommand(std::span<const Subcommand> rows, int argc, char** argv) {
   if (argc < 2) throw UsageError("no subcommand given; see waymark --help");
@@ -63,7 +75,9 @@ ExitCode run_subcommand(std::span<const Subcommand> rows, int argc, char** argv)
   reject_unknown_subcommand(rows, argc, argv);
   if (argc == 3 &&
       std::string_view(argv[1]) == "--write-shell-files") {  // of the build: cmake/WaymarkInstall.cmake
-    write_shell_files(rows, argv[2]);
+    std::vector<CommandText> commands;
+    for (const Subcommand& row : rows) commands.push_back(described(row));
+    write_shell_files(commands, argv[2]);
     return ExitCode::Done;
   }
   CLI::App app{"waymark: English route instructions → LTL → automata → certified routes"};

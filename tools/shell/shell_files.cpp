@@ -1,10 +1,5 @@
 #include "tools/shell/shell_files.hpp"
 
-#include <CLI/App.hpp>
-#include <CLI/Config.hpp>
-#include <CLI/Formatter.hpp>
-#include <list>
-#include <sstream>
 #include <string>
 #include <vector>
 
@@ -13,65 +8,8 @@
 namespace waymark::tools {
 namespace {
 
-struct OptionText {
-  std::vector<std::string> names;  // "-m", "--map"; none: an argument by position, called `place`
-  std::string place, value, help;  // the kind of value: "FILE"; empty: a flag
-  std::vector<std::string> choices;
-  bool takes_file() const {
-    return value.find("FILE") != std::string::npos || value.find("DIR") != std::string::npos;
-  }
-};
-struct CommandText {
-  std::string name, summary;
-  std::vector<OptionText> options;
-  std::vector<std::string> examples;
-};
-
-// "TEXT:{a,b}" → a, b
-std::vector<std::string> choices_in(const std::string& type) {
-  std::vector<std::string> out;
-  const std::size_t open = type.find('{'), close = type.find('}');
-  if (open == std::string::npos || close == std::string::npos) return out;
-  std::istringstream names(type.substr(open + 1, close - open - 1));
-  for (std::string name; std::getline(names, name, ',');) out.push_back(name);
-  return out;
-}
-
-OptionText option_text(const CLI::Option& option) {
-  OptionText out;
-  for (const std::string& name : option.get_snames()) out.names.push_back("-" + name);
-  for (const std::string& name : option.get_lnames()) out.names.push_back("--" + name);
-  if (out.names.empty()) out.place = option.get_name();
-  if (option.get_items_expected_max() > 0) {
-    const std::string type = option.get_type_name();
-    out.choices = choices_in(type);
-    out.value = type.substr(0, type.find(':'));
-  }
-  const std::string& help = option.get_description();
-  out.help = help.substr(0, help.find('\n'));
-  return out;
-}
-
-void add_options(const CLI::App& app, CommandText& out) {
-  for (const CLI::Option* option : app.get_options()) out.options.push_back(option_text(*option));
-  for (const CLI::App* below : app.get_subcommands([](const CLI::App*) { return true; })) {
-    OptionText place{{}, below->get_name(), "", below->get_description(), {}};
-    out.options.push_back(std::move(place));
-    for (const CLI::Option* option : below->get_options())
-      if (option->get_name() != "--help") out.options.push_back(option_text(*option));
-  }
-}
-
-CommandText described(const Subcommand& row) {
-  CommandText out{row.name, row.summary, {}, {}};
-  CLI::App app{row.summary};
-  Runner kept;  // the values that the options point to live in it
-  if (row.setup != nullptr) kept = row.setup(Command(app));
-  add_options(app, out);
-  if (row.examples == nullptr) return out;
-  std::istringstream lines(row.examples);
-  for (std::string line; std::getline(lines, line);) out.examples.push_back("waymark " + line);
-  return out;
+bool takes_file(const OptionText& option) {
+  return option.value.find("FILE") != std::string::npos || option.value.find("DIR") != std::string::npos;
 }
 
 std::string joined(const std::vector<std::string>& parts, const std::string& between) {
@@ -87,7 +25,7 @@ std::vector<std::string> flags_of(const CommandText& command) {
   return out;
 }
 
-std::string bash(const std::list<CommandText>& commands) {
+std::string bash(std::span<const CommandText> commands) {
   std::vector<std::string> names;
   for (const CommandText& command : commands) names.push_back(command.name);
   std::string out =
@@ -128,7 +66,7 @@ std::string zsh_text(const std::string& text) {
   return out;
 }
 
-std::string zsh(const std::list<CommandText>& commands) {
+std::string zsh(std::span<const CommandText> commands) {
   std::string out =
       "#compdef waymark\n# zsh completion of waymark; made by the build\n"
       "_waymark() {\n  local -a commands\n  commands=(\n";
@@ -145,7 +83,7 @@ std::string zsh(const std::list<CommandText>& commands) {
         if (!option.choices.empty())
           out += ":value:(" + joined(option.choices, " ") + ")";
         else if (!option.value.empty())
-          out += option.takes_file() ? ":file:_files" : ":" + zsh_text(option.value) + ":";
+          out += takes_file(option) ? ":file:_files" : ":" + zsh_text(option.value) + ":";
         out += "'";
       }
     out += " \\\n      '*:file:_files' ;;\n";
@@ -162,7 +100,7 @@ std::string fish_text(const std::string& text) {
   return out;
 }
 
-std::string fish(const std::list<CommandText>& commands) {
+std::string fish(std::span<const CommandText> commands) {
   std::string out = "# fish completion of waymark; made by the build\n";
   for (const CommandText& command : commands) {
     out += "complete -c waymark -n __fish_use_subcommand -a " + command.name + " -d '" +
@@ -175,7 +113,7 @@ std::string fish(const std::list<CommandText>& commands) {
       if (!option.choices.empty())
         out += " -x -a '" + joined(option.choices, " ") + "'";
       else if (!option.value.empty())
-        out += option.takes_file() ? " -r" : " -x";
+        out += takes_file(option) ? " -r" : " -x";
       out += " -d '" + fish_text(option.help) + "'\n";
     }
   }
@@ -214,7 +152,7 @@ std::string manual_page(const CommandText& command) {
   return out + ".SH SEE ALSO\n.BR waymark (1)\n";
 }
 
-std::string overview_page(const std::list<CommandText>& commands) {
+std::string overview_page(std::span<const CommandText> commands) {
   std::string out = heading("waymark") +
                     "waymark \\- from English route instructions to certified routes\n.SH SYNOPSIS\n"
                     ".B waymark\n\\fIsubcommand\\fR [options] [arguments]\n.SH SUBCOMMANDS\n";
@@ -228,9 +166,7 @@ std::string overview_page(const std::list<CommandText>& commands) {
 
 }  // namespace
 
-void write_shell_files(std::span<const Subcommand> rows, const std::filesystem::path& folder) {
-  std::list<CommandText> commands;
-  for (const Subcommand& row : rows) commands.push_back(described(row));
+void write_shell_files(std::span<const CommandText> commands, const std::filesystem::path& folder) {
   for (const char* room : {"bash", "zsh", "fish", "man1"}) std::filesystem::create_directories(folder / room);
   write_file(folder / "bash" / "waymark", bash(commands));
   write_file(folder / "zsh" / "_waymark", zsh(commands));
