@@ -249,6 +249,23 @@ class Page(unittest.TestCase):
         self.open(link)
         self.assertEqual((self.browser.text('#answer'), self.browser.text('#notation')), (answer, notation))
 
+    def test_a_server_beyond_this_machine_asks_for_its_token(self):
+        server = subprocess.Popen([WAYMARK, 'serve', '--port', '0', '--host', '0.0.0.0'], stdout=subprocess.PIPE,
+                                  text=True)
+        try:
+            address, token = server.stdout.readline().split()[-1].split('#')
+            address = address.replace('0.0.0.0', '127.0.0.1')
+            self.browser.call('Page.navigate', url=f'{address}#token=wrong')
+            self.browser.wait("document.querySelector('#message')?.textContent.includes('token')")
+            self.browser.open(f'{address}#{token}')
+            self.say('go to the sofa')
+            self.assertIn('certified', self.browser.text('#answer'))
+            self.assertNotIn('token', self.browser.evaluate('location.href'))
+        finally:
+            server.terminate()
+            server.wait(10)
+            server.stdout.close()
+
     def test_everything_is_reached_by_keyboard(self):
         self.open()
         reached = []
