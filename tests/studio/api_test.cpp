@@ -123,6 +123,21 @@ TEST(Api, RefusesAFileThatIsNoMap) {
   EXPECT_EQ(error("/api/maps", std::string(most_body + 1, ' '), 413)["kind"], "too large");
 }
 
+TEST(Api, RefusesMapsThatAreTooLarge) {
+  json far{{"nodes", {{{"x", 0}, {"y", 0}}, {{"x", Worlds::most_extent + 1}, {"y", 0}}}},
+           {"edges", json::array()}};
+  EXPECT_EQ(error("/api/maps", far.dump(), 413)["kind"], "too large");
+  json many{{"nodes", json::array()}, {"edges", json::array()}};
+  for (std::size_t i = 0; i <= Worlds::most_nodes; ++i)
+    many["nodes"].push_back({{"x", i % 100}, {"y", i / 100}});
+  EXPECT_EQ(error("/api/maps", many.dump(), 413)["kind"], "too large");
+}
+
+TEST(Api, RefusesFormulasThatAreTooLarge) {
+  for (const char* path : {"/api/formula", "/api/plan", "/api/values", "/api/automaton"})
+    EXPECT_EQ(error(path, R"({"formula": "F<=9000 sofa"})", 413)["kind"], "too large") << path;
+}
+
 TEST(Api, DropsTheOldestOfManyMaps) {
   std::string first;
   for (std::size_t i = 0; i <= Worlds::most_given; ++i) {

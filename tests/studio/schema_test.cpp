@@ -59,6 +59,7 @@ std::vector<Case> cases() {
       {"run", "run", R"({"instruction": "walk past the lamp to the easel. take a left.", "start": "1,9,0"})"},
       {"run", "run", R"({"instruction": "visit the chair and the sofa forever"})"},
       {"run", "run", R"({"instruction": "purple monkey dishwasher"})"},
+      {"run", "run", R"({"instruction": "walk to the piano"})"},
       {"words", "words", R"({"instruction": "turn left and walk to the sofa", "attention": true})"},
       {"plan", "plan", R"({"formula": "F sofa"})"},
       {"plan", "plan", R"({"formula": "F sofa & G !sofa"})"},

@@ -5,6 +5,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <memory>
 #include <nlohmann/json.hpp>
 
 namespace {
@@ -31,6 +32,9 @@ class Serving : public testing::Test {
     const auto colon = said_.rfind(':');
     ASSERT_NE(colon, std::string::npos) << said_;
     port_ = std::stoi(said_.substr(colon + 1));
+    idle_ = std::make_unique<httplib::Client>("127.0.0.1", port_);
+    idle_->set_keep_alive(true);
+    ASSERT_TRUE(idle_->Get("/"));
   }
 
   void TearDown() override {
@@ -38,10 +42,12 @@ class Serving : public testing::Test {
     int status = 0;
     ::waitpid(process_, &status, 0);
     EXPECT_TRUE(WIFEXITED(status)) << "killed by signal " << WTERMSIG(status);
+    EXPECT_EQ(WEXITSTATUS(status), 0) << "Ctrl-C is how the studio ends";
   }
 
   httplib::Client client() const { return httplib::Client("127.0.0.1", port_); }
 
+  std::unique_ptr<httplib::Client> idle_;  // a connection that stays open
   std::string said_;
   pid_t process_ = -1;
   int port_ = 0;

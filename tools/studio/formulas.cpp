@@ -3,7 +3,6 @@
 #include "libautomata/hoa/dot_finite.hpp"
 #include "libautomata/hoa/dot_omega.hpp"
 #include "libautomata/omega/edges.hpp"
-#include "libltl/text/parse.hpp"
 #include "libltl/text/print.hpp"
 #include "libplan/solve/task_automaton.hpp"
 #include "tools/answer.hpp"
@@ -37,7 +36,7 @@ struct Written {
   Written(const Request& request, const Context& context)
       : world(context.worlds.of(request.text_or("map", "grid"))),
         arena(world->map.vocabulary()),
-        formula(ltl::parse(request.text("formula"), arena, {.unknown = ltl::Unknown::Reject})) {}
+        formula(formula_of(request, arena)) {}
 };
 
 Json drawing(const std::optional<std::string>& dot) {

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "libltl/text/parse.hpp"
+
 namespace waymark::studio {
 namespace {
 
@@ -98,6 +100,15 @@ plan::Trajectory Request::trajectory(const std::string& name, const plan::Map& m
     walk.poses.push_back(pose);
   }
   return walk;
+}
+
+ltl::Formula formula_of(const Request& request, ltl::Arena& arena) {
+  const ltl::Formula formula = ltl::parse(request.text("formula"), arena, {.unknown = ltl::Unknown::Reject});
+  if (ltl::tree_size(formula) > most_formula)
+    throw RequestError(
+        413, "too large",
+        "'formula' has more than " + std::to_string(most_formula) + " operators, bounds spelled out");
+  return formula;
 }
 
 }  // namespace waymark::studio

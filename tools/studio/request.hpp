@@ -11,6 +11,7 @@
 #include <string_view>
 #include <vector>
 
+#include "libltl/formula.hpp"
 #include "libplan/world/trajectory.hpp"
 
 namespace waymark::studio {
@@ -49,5 +50,10 @@ class Request {
  private:
   std::shared_ptr<const nlohmann::json> members_;
 };
+
+// The member "formula", over the propositions of the arena and no others. Throws ltl::SyntaxError, and RequestError
+// where the formula is too large once its bounds are spelled out.
+inline constexpr std::size_t most_formula = 20'000;  // nodes of its tree
+ltl::Formula formula_of(const Request& request, ltl::Arena& arena);
 
 }  // namespace waymark::studio

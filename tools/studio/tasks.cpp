@@ -68,7 +68,7 @@ struct Planned {  // a task of the request
   Planned(const Request& request, const Context& context)
       : world(context.worlds.of(request.text_or("map", "grid"))),
         arena(world->map.vocabulary()),
-        formula(ltl::parse(request.text("formula"), arena, {.unknown = ltl::Unknown::Reject})),
+        formula(formula_of(request, arena)),
         starts(starts_of(request, world->map)),
         infinite(request.one_of("semantics", {"finite", "infinite"}) == "infinite") {}
 

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <map>
 
-#include "libltl/text/parse.hpp"
 #include "libltl/text/print.hpp"
 #include "libplan/learn/comparison.hpp"
 #include "libplan/model/map_mdp.hpp"
@@ -37,7 +36,7 @@ struct Noisy {
   Noisy(const Request& request, const Context& context)
       : world(context.worlds.of(request.text_or("map", "grid"))),
         arena(world->map.vocabulary()),
-        formula(ltl::parse(request.text("formula"), arena, {.unknown = ltl::Unknown::Reject})),
+        formula(formula_of(request, arena)),
         start(tools::start_poses(request.text_or("start", ""), world->map).front()) {
     const double slip = request.number_or("slip", 0, 0, 0.9);
     noise.forward = {.forward = 1 - slip, .left = slip / 2, .right = slip / 2, .back = 0};

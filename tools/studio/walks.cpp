@@ -6,7 +6,6 @@
 #include "libltl/formula.hpp"
 #include "libltl/meaning/progress.hpp"
 #include "libltl/rewriting/simplify.hpp"
-#include "libltl/text/parse.hpp"
 #include "libltl/text/print.hpp"
 #include "libplan/solve/task_automaton.hpp"
 #include "tools/corridor.hpp"
@@ -33,7 +32,7 @@ struct Walked {
   Walked(const Request& request, const Context& context, ltl::Semantics semantics)
       : world(context.worlds.of(request.text_or("map", "grid"))),
         arena(world->map.vocabulary()),
-        formula(ltl::parse(request.text("formula"), arena, {.unknown = ltl::Unknown::Reject})),
+        formula(formula_of(request, arena)),
         walk(request.trajectory("trajectory", world->map)),
         word(plan::word_of(walk, world->map)) {
     const auto over = semantics == ltl::Semantics::Finite ? ltl::Over::Rest : ltl::Over::Infinite;

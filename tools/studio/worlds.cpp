@@ -19,6 +19,13 @@ std::string name_of_contents(std::string_view text) {
   return name;
 }
 
+int extent(const std::vector<plan::Node>& nodes, int plan::Node::*coordinate) {
+  const auto [least, most] = std::minmax_element(
+      nodes.begin(), nodes.end(),
+      [&](const plan::Node& a, const plan::Node& b) { return a.*coordinate < b.*coordinate; });
+  return (*most).*coordinate - (*least).*coordinate;
+}
+
 }  // namespace
 
 Worlds::Worlds(const std::filesystem::path& data) {
@@ -49,6 +56,8 @@ std::shared_ptr<const World> Worlds::add(std::string_view json) {
   plan::Map map = plan::parse_map(json, "the file");
   if (map.nodes().size() > most_nodes)
     throw RequestError(413, "too large", "the map has more than " + std::to_string(most_nodes) + " nodes");
+  if (std::max(extent(map.nodes(), &plan::Node::x), extent(map.nodes(), &plan::Node::y)) > most_extent)
+    throw RequestError(413, "too large", "the map is wider or higher than " + std::to_string(most_extent));
   auto world = std::make_shared<const World>(name_of_contents(json), std::move(map));
   const std::lock_guard lock(mutex_);
   std::erase_if(given_, [&](const auto& old) { return old->id == world->id; });

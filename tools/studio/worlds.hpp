@@ -29,6 +29,7 @@ struct World {  // the executor refers to the map
 class Worlds {
  public:
   static constexpr std::size_t most_given = 16, most_nodes = 2'000;
+  static constexpr int most_extent = 1'000;  // from the westernmost to the easternmost node, and so on
 
   explicit Worlds(const std::filesystem::path& data);  // of the maps in data/maps
 

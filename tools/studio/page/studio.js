@@ -115,9 +115,15 @@ async function run(force = false) {
 }
 
 function not_understood(answer) {
-  const words = answer.words.map((word) => `“${word}”`).join(', ');
-  say(`I did not understand this. ${words ? `Nothing here is called, and no command says, ${words}.` : ''}`, true,
-      { text: 'Answer all the same', press: () => run(true) });
+  const quoted = (words) => words.map((word) => `“${word}”`).join(', ');
+  let why = '';
+  if (answer.missing) {
+    why = `Nothing here is called ${quoted([answer.missing.words])}.`;
+    if (answer.missing.nearest.length) why += ` Nearest: ${quoted(answer.missing.nearest)}.`;
+  } else if (answer.words.length) {
+    why = `No command says ${quoted(answer.words)}.`;
+  }
+  say(`I did not understand this. ${why}`, true, { text: 'Answer all the same', press: () => run(true) });
   state.readings = [];
   show_readings();
   show_question(null);
@@ -540,6 +546,7 @@ function remember() {
   if (state.formula) link.set('formula', state.formula);
   if (state.semantics !== 'auto' || state.infinite) link.set('words', semantics());
   if (state.hand) link.set('walk', state.walk.poses.map((pose) => pose.join('.')).join(' '));
+  if (state.hand && state.walk.cycle) link.set('cycle', state.walk.cycle);
   if (state.step) link.set('step', state.step);
   if (state.solver !== 'exact') {
     link.set('solver', state.solver);
@@ -571,7 +578,8 @@ async function recall(link) {
   }
   if (link.has('walk')) {
     set_hand(true);
-    state.walk = { poses: link.get('walk').split(' ').map((pose) => numbers(pose, '.')), cycle: 0 };
+    state.walk = { poses: link.get('walk').split(' ').map((pose) => numbers(pose, '.')),
+      cycle: Number(link.get('cycle') ?? 0) };
     await check_hand();
   }
   if (step) go_to(step);
@@ -611,6 +619,7 @@ function listen() {
   $('export').addEventListener('change', () => { const kind = $('export').value; $('export').value = ''; if (kind) export_as(kind); });
   $('share').addEventListener('click', async () => {
     remember();
+    if (!navigator.clipboard) return say('The link is in the address bar.');  // there is none beyond this machine
     await navigator.clipboard.writeText(location.href);
     say('The link is copied.');
   });
@@ -623,16 +632,24 @@ function listen() {
   });
 }
 
-await latest(async () => {
+// Throws ApiError where the server refuses this page.
+async function begin() {
   const { maps } = await ask('maps');
   $('map').append(...maps.map((name) => new Option(name, name)));
-});
-listen();
+  listen();
+  try {
+    await recall(new URLSearchParams(location.hash.slice(1)));
+  } catch (error) {
+    if (!(error instanceof ApiError)) throw error;
+    await choose_map('grid');
+    say(error.message, true);
+  }
+}
+
 try {
-  await recall(new URLSearchParams(location.hash.slice(1)));
+  await begin();
 } catch (error) {
   if (!(error instanceof ApiError)) throw error;
-  await choose_map('grid');
   say(error.message, true);
 }
 document.body.dataset.ready = 'yes';
