@@ -20,6 +20,8 @@ Runner setup_automaton(Command);
 Runner setup_compose(Command);
 Runner setup_plan(Command);
 Runner setup_check(Command);
+Runner setup_monitor(Command);
+Runner setup_compare_formulas(Command);
 Runner setup_explain(Command);
 Runner setup_compare(Command);
 Runner setup_train(Command);
@@ -37,30 +39,75 @@ namespace {
 
 constexpr std::array rows{
     Subcommand{"run", "walk the whole corridor: instruction, formula, automaton, product, certified route",
-               setup_run},
-    Subcommand{"ground", "instruction → formulas, best first", setup_ground},
-    Subcommand{"translate", "formula → automaton", setup_translate},
-    Subcommand{"automaton", "automata of HOA files → operations, questions, other formats", setup_automaton},
-    Subcommand{"compose", "formula or automaton, and a map → their product", setup_compose},
-    Subcommand{"plan", "formula or automaton, and a map → a certified route of least cost", setup_plan},
-    Subcommand{"check", "does this trajectory satisfy this formula?", setup_check},
+               setup_run,
+               "run \"walk past the lamp to the easel\" --map grid --start 1,9,0\n"
+               "run \"keep coming back to the lamp\" --json"},
+    Subcommand{"ground", "instruction → formulas, best first", setup_ground,
+               "ground \"turn left and walk to the chair\" --map grid --top 3\n"
+               "ground \"walk to the sofa\" --map jelly --json"},
+    Subcommand{"translate", "formula → automaton", setup_translate,
+               "translate 'F(chair & X F sofa)' --to dfa\n"
+               "translate 'G F a -> G F b' --to parity --format stats"},
+    Subcommand{"automaton", "automata of HOA files → operations, questions, other formats", setup_automaton,
+               "translate 'G F a' | waymark automaton - --to buchi\n"
+               "translate 'F a' --to dfa | waymark automaton - --complement --format dot"},
+    Subcommand{"compose", "formula or automaton, and a map → their product", setup_compose,
+               "compose 'F easel' --map grid\n"
+               "compose 'F easel' --map grid --format json"},
+    Subcommand{"plan", "formula or automaton, and a map → a certified route of least cost", setup_plan,
+               "plan 'F chair & G !blue' --map grid --start 1,9,0\n"
+               "plan 'G F chair & G F sofa' --semantics infinite --order cycle"},
+    Subcommand{"check", "does this trajectory satisfy this formula?", setup_check,
+               "plan 'F sofa' --json | waymark check 'F sofa' --trajectory -\n"
+               "check 'a U b' --word '{a}; {a}; {b}'"},
+    Subcommand{"monitor", "formulas and letters as they come → verdicts, and what remains", setup_monitor,
+               "monitor 'G(a -> F b)' --letters <(printf '{a}\\n{}\\n{b}\\n')\n"
+               "monitor 'F b' 'a U b' --semantics finite --letters <(echo 'a; a; b') --json"},
+    Subcommand{"compare-formulas", "two formulas → equivalent, stronger, weaker or incomparable, with words",
+               setup_compare_formulas,
+               "compare-formulas 'F a & F b' 'F(a & F b) | F(b & F a)'\n"
+               "compare-formulas 'G(p -> F p)' true --semantics infinite"},
     Subcommand{"explain", "formula → English, with a word that satisfies it and one that does not",
-               setup_explain},
-    Subcommand{"move", "formula and a map → a certified motion of a robot with a body", setup_move},
+               setup_explain,
+               "explain 'G(request -> F grant)' --semantics infinite\n"
+               "explain 'F chair & G !blue' --map grid"},
+    Subcommand{"move", "formula and a map → a certified motion of a robot with a body", setup_move,
+               "move 'F chair' --map grid --start 1,9,0\n"
+               "move 'F chair & G !blue' --map grid --start 1,9,0 --svg motion.svg"},
     Subcommand{"compare", "exact search, value iteration and learners on one task, side by side",
-               setup_compare},
-    Subcommand{"train", "corpus → model", setup_train},
-    Subcommand{"evaluate", "corpus → accuracy, leaving one map out", setup_evaluate},
-    Subcommand{"experiment", experiment_summary, nullptr},
-    Subcommand{"tune", tune_summary, nullptr},
-    Subcommand{"import", "a corpus as it was released → ours", setup_import},
-    Subcommand{"corpus", "how large a corpus is, in texts and trajectories", setup_corpus},
-    Subcommand{"draw", "map, with or without a route → picture", setup_draw},
+               setup_compare,
+               "compare 'F easel' --map grid --methods search,value-iteration\n"
+               "compare 'F easel' --map grid --methods q-learning --seeds 2 --steps 500"},
+    Subcommand{"train", "corpus → model", setup_train,
+               "train --corpus DIR --model linear --seed 1 --out model.waymark\n"
+               "train --supervised DIR/pairs.tsv --out model.waymark"},
+    Subcommand{"evaluate", "corpus → accuracy, leaving one map out", setup_evaluate,
+               "evaluate --corpus DIR --leave-one-map-out --model linear\n"
+               "evaluate --corpus DIR --train-all --test-corpus DIR2 --json"},
+    Subcommand{"experiment", experiment_summary, nullptr, experiment_examples},
+    Subcommand{"tune", tune_summary, nullptr, tune_examples},
+    Subcommand{"import", "a corpus as it was released → ours", setup_import,
+               "import sail DIR\n"
+               "import sail DIR --out DIR2"},
+    Subcommand{"corpus", "how large a corpus is, in texts and trajectories", setup_corpus,
+               "corpus DIR\n"
+               "corpus DIR --json"},
+    Subcommand{"draw", "map, with or without a route → picture", setup_draw,
+               "draw --map grid --svg grid.svg\n"
+               "draw --map grid --formula 'F sofa' --start 1,9,0 --svg route.svg"},
     Subcommand{"serve", serve_summary, nullptr},
-    Subcommand{"generate", generate_summary, setup_generate},
-    Subcommand{"patterns", "specification patterns by name → formula", setup_patterns},
-    Subcommand{"random", "random formulas", setup_random},
-    Subcommand{"version", "version, build, and what it was built with", setup_version},
+    Subcommand{"generate", generate_summary, setup_generate,
+               "generate map --kind maze --width 20 --height 20 --seed 3\n"
+               "generate map --kind hallway --landmarks 4"},
+    Subcommand{"patterns", "specification patterns by name → formula", setup_patterns,
+               "patterns --list\n"
+               "patterns response-globally p s"},
+    Subcommand{"random", "random formulas", setup_random,
+               "random --count 3 --seed 1\n"
+               "random --props 2 --size 5..8 --semantics finite --count 3"},
+    Subcommand{"version", "version, build, and what it was built with", setup_version,
+               "version\n"
+               "--version"},
 };
 
 // Experiments, which need more of the libraries than a route does, are run by waymark-lab.

@@ -12,8 +12,8 @@ Runner setup_generate_corpus(Command);
 namespace {
 
 constexpr std::array rows{
-    Subcommand{"experiment", experiment_summary, setup_experiment},
-    Subcommand{"tune", tune_summary, setup_tune},
+    Subcommand{"experiment", experiment_summary, setup_experiment, experiment_examples},
+    Subcommand{"tune", tune_summary, setup_tune, tune_examples},
     Subcommand{"generate", generate_summary, setup_generate_corpus},
 };
 

@@ -3,8 +3,37 @@
 #include <CLI/App.hpp>
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
+#include <sstream>
 
 namespace waymark::tools {
+namespace {
+
+// "TEXT:{a,b}" → a, b
+std::vector<std::string> choices_in(const std::string& type) {
+  std::vector<std::string> out;
+  const std::size_t open = type.find('{'), close = type.find('}');
+  if (open == std::string::npos || close == std::string::npos) return out;
+  std::istringstream names(type.substr(open + 1, close - open - 1));
+  for (std::string name; std::getline(names, name, ',');) out.push_back(name);
+  return out;
+}
+
+OptionText option_text(const CLI::Option& option) {
+  OptionText out;
+  for (const std::string& name : option.get_snames()) out.names.push_back("-" + name);
+  for (const std::string& name : option.get_lnames()) out.names.push_back("--" + name);
+  if (out.names.empty()) out.place = option.get_name();
+  if (option.get_items_expected_max() > 0) {
+    const std::string type = option.get_type_name();
+    out.choices = choices_in(type);
+    out.value = type.substr(0, type.find(':'));
+  }
+  const std::string& help = option.get_description();
+  out.help = help.substr(0, help.find('\n'));
+  return out;
+}
+
+}  // namespace
 
 Option Option::type_name(const std::string& name) {
   option_->type_name(name);
@@ -75,6 +104,16 @@ Command Command::add_subcommand(const std::string& name, const std::string& help
   return Command(*app_->add_subcommand(name, help));
 }
 void Command::alias(const std::string& name) const { app_->alias(name); }
+std::vector<OptionText> Command::options() const {
+  std::vector<OptionText> out;
+  for (const CLI::Option* option : app_->get_options()) out.push_back(option_text(*option));
+  for (const CLI::App* below : app_->get_subcommands([](const CLI::App*) { return true; })) {
+    out.push_back({{}, below->get_name(), "", below->get_description(), {}});
+    for (const CLI::Option* option : below->get_options())
+      if (option != below->get_help_ptr()) out.push_back(option_text(*option));
+  }
+  return out;
+}
 bool Command::parsed() const { return app_->parsed(); }
 
 }  // namespace waymark::tools

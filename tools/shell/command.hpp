@@ -14,6 +14,14 @@ class Option;
 
 namespace waymark::tools {
 
+// What help says of an option.
+struct OptionText {
+  std::vector<std::string>
+      names;  // "-m", "--map"; none: an argument by position, or a command, called `place`
+  std::string place, value, help;  // the kind of value: "FILE"; empty: a flag
+  std::vector<std::string> choices;
+};
+
 class Option {
  public:
   explicit Option(CLI::Option* option) : option_(option) {}
@@ -56,6 +64,7 @@ class Command {
   // Its own commands, one of which must be given.
   Command add_subcommand(const std::string& name, const std::string& help);
   void alias(const std::string& name) const;  // another name of this command
+  std::vector<OptionText> options() const;    // its own, then its commands with theirs
   bool parsed() const;                        // was this the command that was given?
 
  private:

@@ -75,4 +75,17 @@ ltl::Formula parse_formula(const Text& text, ltl::Arena& arena, const ltl::Parse
   }
 }
 
+void add_letter_format_option(Command command, std::string& format) {
+  command
+      .add_option("--letter-format", format, "how letters are written: text, JSON lines, CSV with a header")
+      .one_of({"auto", "text", "json", "csv"})
+      .show_default();
+}
+
+plan::LetterFormat letter_format(const std::string& name) {
+  if (name == "text") return plan::LetterFormat::Text;
+  if (name == "json") return plan::LetterFormat::Json;
+  return name == "csv" ? plan::LetterFormat::Csv : plan::LetterFormat::Auto;
+}
+
 }  // namespace waymark::tools

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "libltl/text/parse.hpp"
+#include "libplan/world/letter_lines.hpp"
 #include "libplan/world/read_map.hpp"
 #include "tools/shell/command.hpp"
 #include "tools/shell/input.hpp"
@@ -34,5 +35,9 @@ ltl::ParseOptions parse_options(const NotationOptions& options, ltl::Unknown unk
 
 // The formula of one text; errors name the file and line that it came from.
 ltl::Formula parse_formula(const Text& text, ltl::Arena& arena, const ltl::ParseOptions& options);
+
+// --letter-format, and what its value means.
+void add_letter_format_option(Command command, std::string& format);
+plan::LetterFormat letter_format(const std::string& name);
 
 }  // namespace waymark::tools

@@ -8,10 +8,15 @@
 #include <exception>
 #include <iostream>
 #include <new>
+#include <sstream>
+#include <string>
+#include <string_view>
+#include <vector>
 
 #include "libltl/diagnostic.hpp"
 #include "libltl/vocabulary.hpp"
 #include "tools/shell/interrupt.hpp"
+#include "tools/shell/shell_files.hpp"
 
 namespace waymark::tools {
 namespace {
@@ -23,13 +28,31 @@ struct Called {
   Runner runner;
 };
 
+std::string examples_of(const Subcommand& row) {
+  std::string text = "Examples:";
+  std::istringstream lines(row.examples);
+  for (std::string line; std::getline(lines, line);) text += "\n  waymark " + line;
+  return text;
+}
+
 Called add_subcommands(CLI::App& app, std::span<const Subcommand> rows, std::string_view called) {
   Called found;
   for (const Subcommand& row : rows) {
     CLI::App* command = app.add_subcommand(row.name, row.summary);
+    if (row.examples != nullptr) command->footer(examples_of(row));
     if (called == row.name && row.setup != nullptr) found = {command, row.setup(Command(*command))};
   }
   return found;
+}
+
+CommandText described(const Subcommand& row) {
+  CLI::App app{row.summary};
+  const Runner kept =
+      row.setup != nullptr ? row.setup(Command(app)) : Runner();  // owns what the options fill
+  CommandText out{row.name, row.summary, Command(app).options(), {}};
+  std::istringstream lines(row.examples != nullptr ? row.examples : "");
+  for (std::string line; std::getline(lines, line);) out.examples.push_back("waymark " + line);
+  return out;
 }
 
 // A first argument that is neither an option nor a subcommand: most likely a slip of the fingers.
@@ -50,13 +73,21 @@ void reject_unknown_subcommand(std::span<const Subcommand> rows, int argc, char*
 
 ExitCode run_subcommand(std::span<const Subcommand> rows, int argc, char** argv) {
   reject_unknown_subcommand(rows, argc, argv);
+  if (argc == 3 &&
+      std::string_view(argv[1]) == "--write-shell-files") {  // of the build: cmake/WaymarkInstall.cmake
+    std::vector<CommandText> commands;
+    for (const Subcommand& row : rows) commands.push_back(described(row));
+    write_shell_files(commands, argv[2]);
+    return ExitCode::Done;
+  }
   CLI::App app{"waymark: English route instructions → LTL → automata → certified routes"};
   app.require_subcommand(1);
   app.get_formatter()->column_width(34);
+  app.set_version_flag("--version", "waymark " WAYMARK_VERSION);
   const Called called = add_subcommands(app, rows, argv[1]);
   try {
     app.parse(argc, argv);
-  } catch (const CLI::Success& help) {  // --help
+  } catch (const CLI::Success& help) {  // --help, --version
     app.exit(help, std::cout, std::cerr);
     return ExitCode::Done;
   } catch (const CLI::ParseError& error) {

@@ -21,7 +21,8 @@ using Runner = std::function<ExitCode(const Session&)>;
 struct Subcommand {  // a row in the table of a program
   const char* name;
   const char* summary;
-  Runner (*setup)(Command);  // nullptr: another program runs it, and it is only listed here
+  Runner (*setup)(Command);        // nullptr: another program runs it, and it is only listed here
+  const char* examples = nullptr;  // two command lines, which close its help; without the name of the program
 };
 
 // What `waymark` and its helpers say of commands that the helpers run.
@@ -29,6 +30,12 @@ inline constexpr const char* serve_summary = "the studio, a page in the browser 
 inline constexpr const char* experiment_summary =
     "a whole table of results, which goes on where it was stopped";
 inline constexpr const char* tune_summary = "which settings of training validate best";
+inline constexpr const char* experiment_examples =
+    "experiment feedback-cost --sentences 2 --candidates 4\n"
+    "experiment compare-systems --corpus DIR --checkpoints DIR2 --json";
+inline constexpr const char* tune_examples =
+    "tune --corpus DIR --grid epochs=4,8\n"
+    "tune --corpus DIR --grid rate=0.1,0.2 --json";
 inline constexpr const char* generate_summary = "random maps to plan on";
 inline constexpr const char* corpus_summary = "instructions with trajectories and formulas";
 

@@ -9,7 +9,7 @@ Runner setup_serve(Command);
 
 namespace {
 
-constexpr std::array rows{Subcommand{"serve", serve_summary, setup_serve}};
+constexpr std::array rows{Subcommand{"serve", serve_summary, setup_serve, "serve\nserve --port 8080"}};
 
 }  // namespace
 }  // namespace waymark::tools

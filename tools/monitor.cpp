@@ -1,0 +1,270 @@
+// waymark monitor: verdicts about formulas while the letters of a word come in.
+#include <cstdint>
+#include <fstream>
+#include <iostream>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <unordered_map>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "libautomata/finite/ltlf_to_dfa.hpp"
+#include "libautomata/monitor/monitor.hpp"
+#include "libltl/diagnostic.hpp"
+#include "libltl/meaning/progress.hpp"
+#include "libltl/rewriting/simplify.hpp"
+#include "libltl/text/print.hpp"
+#include "libplan/world/letter_lines.hpp"
+#include "tools/answer.hpp"
+#include "tools/shell/input.hpp"
+#include "tools/shell/options.hpp"
+#include "tools/shell/subcommand.hpp"
+
+namespace waymark::tools {
+namespace {
+
+struct MonitorOptions {
+  TextOptions text;
+  NotationOptions notation;
+  std::string letters = "-", format = "auto", semantics = "infinite";
+  std::size_t states = automata::TranslationLimits{}.states;
+  bool quiet = false, json = false;
+};
+
+// "yes" and "no" hold whatever follows; of a finite word also what holds if it ended here.
+struct Verdict {
+  automata::Foresight foresight = automata::Foresight::Open;
+  std::optional<bool> now = {};
+  friend bool operator==(const Verdict&, const Verdict&) = default;
+};
+
+const char* word_for(automata::Foresight foresight) {
+  if (foresight == automata::Foresight::Open) return "open";
+  return foresight == automata::Foresight::True ? "yes" : "no";
+}
+
+template <class Value>
+Value within(std::variant<Value, automata::Exhausted> made, const Session& session) {
+  if (auto* value = std::get_if<Value>(&made)) return std::move(*value);
+  if (session.stop.stop_requested()) throw Interrupted();
+  throw GaveUp("the monitor has more states than the limit");
+}
+
+// Over finite words: the automata of the formula and of its negation, whose traps settle the verdict.
+struct FiniteMonitor {
+  automata::Dfa yes, no;
+  automata::StateId at_yes = yes.initial(), at_no = no.initial();
+};
+struct InfiniteMonitor {
+  automata::Monitor monitor;
+  automata::Monitor::State at = monitor.initial();
+};
+
+class Watched {
+ public:
+  Watched(ltl::Formula f, const MonitorOptions& options, const Session& session)
+      : formula_(f), rest_(f), engine_(made(f, options, session)) {}
+
+  Verdict read(const ltl::Letter& letter) {
+    if (auto* infinite = std::get_if<InfiniteMonitor>(&engine_)) {
+      infinite->at = infinite->monitor.next(infinite->at, letter);
+      return {infinite->monitor.verdict(infinite->at)};
+    }
+    auto& finite = std::get<FiniteMonitor>(engine_);
+    finite.at_yes = finite.yes.next(finite.at_yes, letter);
+    finite.at_no = finite.no.next(finite.at_no, letter);
+    const auto foresight = finite.yes.is_trap(finite.at_yes) ? automata::Foresight::False
+                           : finite.no.is_trap(finite.at_no) ? automata::Foresight::True
+                                                             : automata::Foresight::Open;
+    return {foresight, finite.yes.is_accepting(finite.at_yes)};
+  }
+
+  // What remains. Steps are remembered by the place of the letter, until `forget`.
+  ltl::Formula progressed(const ltl::Letter& letter) {
+    const std::pair<std::uint32_t, const ltl::Letter*> step{rest_.id(), &letter};
+    if (const auto known = steps_.find(step); known != steps_.end()) return rest_ = known->second;
+    rest_ = simplified(letter);
+    constexpr std::size_t most = 100'000;
+    if (steps_.size() >= most) forget();
+    steps_.insert_or_assign(step, rest_);
+    return rest_;
+  }
+  void forget() { steps_.clear(); }
+
+  void move_to(ltl::Arena& arena) {
+    forget();
+    formula_ = ltl::transfer(formula_, arena);
+    rest_ = ltl::transfer(rest_, arena);
+  }
+  ltl::Formula formula() const { return formula_; }
+  Verdict last = {};
+
+ private:
+  ltl::Formula simplified(const ltl::Letter& letter) const {
+    const bool infinite = std::holds_alternative<InfiniteMonitor>(engine_);
+    const ltl::Formula rest =
+        ltl::progress(rest_, letter, infinite ? ltl::Semantics::Infinite : ltl::Semantics::Finite);
+    return ltl::simplify(rest, infinite ? ltl::Over::Infinite : ltl::Over::Rest);
+  }
+
+  using Engine = std::variant<InfiniteMonitor, FiniteMonitor>;
+  static Engine made(ltl::Formula f, const MonitorOptions& options, const Session& session) {
+    const automata::TranslationLimits limits{.states = options.states, .stop = session.stop};
+    if (options.semantics == "infinite")
+      return InfiniteMonitor{within(automata::ltl_to_monitor(f, limits), session)};
+    return FiniteMonitor{within(automata::ltlf_to_dfa(f, limits), session),
+                         within(automata::ltlf_to_dfa(ltl::negate(f), limits), session)};
+  }
+
+  ltl::Formula formula_, rest_;
+  Engine engine_;
+  std::map<std::pair<std::uint32_t, const ltl::Letter*>, ltl::Formula> steps_;
+};
+
+class Monitoring {
+ public:
+  Monitoring(const MonitorOptions& options, const Session& session) : options_(options), session_(session) {
+    TextReader texts(options.text, "formula");
+    std::vector<ltl::Formula> formulas;
+    while (const std::optional<Text> text = texts.next())
+      formulas.push_back(parse_formula(*text, *arena_, parse_options(options.notation, ltl::Unknown::Add)));
+    if (formulas.empty()) throw ltl::FormatError(texts.source(), 0, 0, "there is no formula");
+    for (const ltl::Formula f : formulas) watched_.emplace_back(f, options, session);
+  }
+
+  ExitCode run() {
+    std::ifstream file;
+    if (options_.letters != "-") {
+      file.open(options_.letters);
+      if (!file) throw ltl::FormatError(options_.letters, 0, 0, "cannot read the file");
+    }
+    std::istream& in = options_.letters == "-" ? std::cin : file;
+    plan::LetterLines lines(arena_->vocabulary(), letter_format(options_.format),
+                            source_name(options_.letters));
+    for (std::string line; std::getline(in, line);) {
+      if (session_.stop.stop_requested()) throw Interrupted();
+      for (const ltl::Letter& letter : letters_of(line, lines)) read(letter);
+      if (in.rdbuf()->in_avail() <= 0) std::cout.flush();  // nothing more is there yet
+    }
+    if (options_.quiet) show_all();
+    return verdict();
+  }
+
+ private:
+  // Lines come again and again: some thousands are remembered, once the format is settled.
+  const std::vector<ltl::Letter>& letters_of(const std::string& line, plan::LetterLines& lines) {
+    constexpr std::size_t most = 4096;
+    if (const auto known = known_.find(line); known != known_.end()) {
+      lines.pass_over();
+      return known->second;
+    }
+    if (known_.size() >= most) {
+      known_.clear();
+      for (Watched& watched : watched_) watched.forget();
+    }
+    std::vector<ltl::Letter> letters = lines.read(line);
+    if (!letters.empty()) return known_.insert_or_assign(line, std::move(letters)).first->second;
+    return no_letters_;
+  }
+
+  // Formulas that nothing needs any more are left behind.
+  void renew_arena() {
+    auto fresh = std::make_unique<ltl::Arena>(arena_->vocabulary());
+    for (Watched& watched : watched_) watched.move_to(*fresh);
+    arena_ = std::move(fresh);
+  }
+
+  void read(const ltl::Letter& letter) {
+    constexpr std::size_t most_formulas = 200'000;
+    if (arena_->size() > most_formulas) renew_arena();
+    ++position_;
+    for (Watched& watched : watched_) {
+      const Verdict verdict = watched.read(letter);
+      const bool changed = verdict.foresight != watched.last.foresight;
+      watched.last = verdict;
+      if (!options_.quiet)
+        show(watched, watched.progressed(letter));
+      else if (changed)
+        show(watched, std::nullopt);
+    }
+  }
+
+  void show_all() const {
+    for (const Watched& watched : watched_)
+      if (watched.last.foresight == automata::Foresight::Open) show(watched, std::nullopt);
+  }
+
+  void show(const Watched& watched, const std::optional<ltl::Formula>& rest) const {
+    const Verdict& verdict = watched.last;
+    if (options_.json) {
+      JsonObject json;
+      json.add("letters", position_)
+          .add("formula", ltl::print(watched.formula()))
+          .add("verdict", word_for(verdict.foresight));
+      if (verdict.now) json.add("now", *verdict.now);
+      if (rest) json.add("remains", ltl::print(*rest));
+      std::cout << json.text() << '\n';
+      return;
+    }
+    std::string text = word_for(verdict.foresight);
+    if (verdict.foresight == automata::Foresight::Open && verdict.now)
+      text += *verdict.now ? ", holds now" : ", fails now";
+    std::cout << position_ << '\t' << text;
+    if (watched_.size() > 1) std::cout << '\t' << shown(watched.formula(), session_.out);
+    if (rest) std::cout << '\t' << shown(*rest, session_.out);
+    std::cout << '\n';
+  }
+
+  // As of check: 10 when a formula is violated; over finite words when one does not hold at the end.
+  ExitCode verdict() const {
+    if (position_ == 0) throw ltl::FormatError(source_name(options_.letters), 0, 0, "there are no letters");
+    for (const Watched& watched : watched_)
+      if (watched.last.foresight == automata::Foresight::False || watched.last.now == false)
+        return ExitCode::No;
+    return ExitCode::Done;
+  }
+
+  const MonitorOptions& options_;
+  const Session& session_;
+  std::unique_ptr<ltl::Arena> arena_ = std::make_unique<ltl::Arena>();
+  std::vector<Watched> watched_;
+  std::unordered_map<std::string, std::vector<ltl::Letter>> known_;
+  const std::vector<ltl::Letter> no_letters_;
+  std::size_t position_ = 0;
+};
+
+ExitCode run_monitor(const MonitorOptions& options, const Session& session) {
+  const bool formulas_from_stdin = options.text.arguments.empty()
+                                       ? options.text.file.empty() || options.text.file == "-"
+                                       : options.text.arguments[0] == "-";
+  if (formulas_from_stdin && options.letters == "-")
+    throw UsageError("formulas and letters cannot both come from standard input");
+  return Monitoring(options, session).run();
+}
+
+}  // namespace
+
+Runner setup_monitor(Command command) {
+  const auto options = std::make_shared<MonitorOptions>();
+  add_text_options(command, options->text, "formula");
+  add_notation_options(command, options->notation);
+  command.add_option("--letters", options->letters, "the letters, line by line; - is standard input")
+      .type_name("FILE")
+      .show_default();
+  add_letter_format_option(command, options->format);
+  command.add_option("--semantics", options->semantics, "what words the formulas are read on")
+      .one_of({"finite", "infinite"})
+      .show_default();
+  command.add_option("--limit-states", options->states, "give up beyond so many states of a monitor")
+      .type_name("N")
+      .show_default();
+  command.add_flag("--quiet", options->quiet,
+                   "print changes of a verdict alone, and what is open in the end");
+  command.add_flag("--json", options->json, "one JSON object a line");
+  return [options](const Session& session) { return run_monitor(*options, session); };
+}
+
+}  // namespace waymark::tools
