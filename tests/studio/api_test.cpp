@@ -135,7 +135,8 @@ TEST(Api, RefusesMapsThatAreTooLarge) {
 
 TEST(Api, RefusesFormulasThatAreTooLarge) {
   for (const char* path : {"/api/formula", "/api/plan", "/api/values", "/api/automaton"})
-    EXPECT_EQ(error(path, R"({"formula": "F<=9000 sofa"})", 413)["kind"], "too large") << path;
+    EXPECT_EQ(error(path, R"({"formula": "F<=4000 sofa & F<=4000 chair"})", 413)["kind"], "too large")
+        << path;
 }
 
 TEST(Api, DropsTheOldestOfManyMaps) {
