@@ -12,8 +12,8 @@ struct Place {
 
 Place locate(std::string_view text, std::size_t offset) {
   offset = std::min(offset, text.size());
-  const auto line = static_cast<std::size_t>(
-      std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(offset), '\n'));
+  const auto line =
+      static_cast<std::size_t>(std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(offset), '\n'));
   const auto newline = offset == 0 ? std::string_view::npos : text.rfind('\n', offset - 1);
   const auto begin = newline == std::string_view::npos ? 0 : newline + 1;
   const auto end = std::min(text.find('\n', begin), text.size());
@@ -25,8 +25,7 @@ std::string render(std::string_view text, Span where, std::string_view message, 
   const Place place = locate(text, where.begin);
   const std::string number = std::to_string(place.line + first_line - 1);
   std::string out(message);
-  if (!source.empty())
-    out += "\n  " + std::string(source) + ":" + number + ":" + std::to_string(place.column);
+  if (!source.empty()) out += "\n  " + std::string(source) + ":" + number + ":" + std::to_string(place.column);
   // Tabs would move the caret: show them as one space.
   std::string shown(place.line_text);
   std::replace(shown.begin(), shown.end(), '\t', ' ');
@@ -50,8 +49,8 @@ std::string at(std::string_view source, std::size_t line, std::size_t column, st
 }  // namespace
 
 std::size_t utf8_length(std::string_view text) {
-  return static_cast<std::size_t>(std::count_if(
-      text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; }));
+  return static_cast<std::size_t>(
+      std::count_if(text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; }));
 }
 
 SyntaxError::SyntaxError(std::string_view text, Span where, std::string_view message, std::string_view source,
@@ -67,8 +66,7 @@ SyntaxError SyntaxError::in(std::string_view source, std::size_t first_line) con
   return SyntaxError(text_, where_, message_, source, first_line);
 }
 
-FormatError::FormatError(std::string_view source, std::size_t line, std::size_t column,
-                         std::string_view message)
+FormatError::FormatError(std::string_view source, std::size_t line, std::size_t column, std::string_view message)
     : std::runtime_error(at(source, line, column, message)), line_(line), column_(column) {}
 
 }  // namespace waymark::ltl

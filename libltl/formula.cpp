@@ -104,19 +104,14 @@ Formula Arena::junction(Op op, std::span<const Formula> operands) {
   std::sort(flat.begin(), flat.end());
   flat.erase(std::unique(flat.begin(), flat.end()), flat.end());
   for (Formula f : flat)
-    if (f.op() == Op::Not && std::binary_search(flat.begin(), flat.end(), f[0]))
-      return constant(op == Op::Or);
+    if (f.op() == Op::Not && std::binary_search(flat.begin(), flat.end(), f[0])) return constant(op == Op::Or);
   if (flat.empty()) return constant(op == Op::And);
   if (flat.size() == 1) return flat.front();
   return make(op, flat);
 }
 
-Formula conjunction(Arena& arena, std::span<const Formula> operands) {
-  return arena.junction(Op::And, operands);
-}
-Formula disjunction(Arena& arena, std::span<const Formula> operands) {
-  return arena.junction(Op::Or, operands);
-}
+Formula conjunction(Arena& arena, std::span<const Formula> operands) { return arena.junction(Op::And, operands); }
+Formula disjunction(Arena& arena, std::span<const Formula> operands) { return arena.junction(Op::Or, operands); }
 
 Formula conjunction(Formula a, Formula b) {
   const Formula both[] = {a, b};

@@ -33,9 +33,7 @@ class Formula {  // a value: copy it, compare it, put it in a map. Valid as long
   Arena& arena() const;
   std::uint32_t id() const;  // position in the arena: operands have smaller ids
   friend bool operator==(Formula, Formula) = default;
-  friend bool operator<(Formula a, Formula b) {
-    return a.id() < b.id();
-  }  // creation order, for canonical output
+  friend bool operator<(Formula a, Formula b) { return a.id() < b.id(); }  // creation order, for canonical output
 
  private:
   struct Node;
@@ -99,13 +97,13 @@ class Arena {
 
 // All operands of one call come from one arena (asserted). Cost: O(operands), O(n log n) for conjunction and
 // disjunction.
-Formula negate(Formula f);  // ¬φ, with ¬¬φ = φ and constants folded
+Formula negate(Formula f);                                             // ¬φ, with ¬¬φ = φ and constants folded
 Formula conjunction(Arena& arena, std::span<const Formula> operands);  // ∧; true when empty
 Formula disjunction(Arena& arena, std::span<const Formula> operands);  // ∨; false when empty
 Formula conjunction(Formula a, Formula b);
 Formula disjunction(Formula a, Formula b);
-Formula implies(Formula a, Formula b);  // ¬φ ∨ ψ
-Formula iff(Formula a, Formula b);      // φ ↔ ψ; negations are pulled out: ¬φ ↔ ψ is ¬(φ ↔ ψ)
+Formula implies(Formula a, Formula b);         // ¬φ ∨ ψ
+Formula iff(Formula a, Formula b);             // φ ↔ ψ; negations are pulled out: ¬φ ↔ ψ is ¬(φ ↔ ψ)
 Formula exclusive_or(Formula a, Formula b);    // ¬(φ ↔ ψ)
 Formula next(Formula f);                       // X φ: there is a next letter, and φ holds there
 Formula weak_next(Formula f);                  // N φ: if there is a next letter, φ holds there

@@ -38,8 +38,7 @@ class FirstError {
 }  // namespace
 
 void parallel_for(std::size_t jobs, std::size_t threads,
-                  const std::function<void(std::size_t job, std::size_t thread)>& run,
-                  const std::stop_token& stop) {
+                  const std::function<void(std::size_t job, std::size_t thread)>& run, const std::stop_token& stop) {
   std::atomic<std::size_t> next{0};
   FirstError first;
   // A job that was taken is run: the first job that throws is therefore the same on any number of threads.

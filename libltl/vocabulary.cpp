@@ -18,8 +18,7 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
     for (std::size_t j = 1; j <= b.size(); ++j) {
       const std::size_t substituted = above[j - 1] + (a[i - 1] == b[j - 1] ? 0 : 1);
       row[j] = std::min({above[j] + 1, row[j - 1] + 1, substituted});
-      if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1])
-        row[j] = std::min(row[j], before[j - 2] + 1);
+      if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1]) row[j] = std::min(row[j], before[j - 2] + 1);
     }
   }
   return row[b.size()];
@@ -46,8 +45,7 @@ std::optional<Proposition> Vocabulary::find(std::string_view name) const {
 
 std::optional<std::string> Vocabulary::nearest(std::string_view name) const {
   std::optional<std::string> best;
-  std::size_t least =
-      std::max<std::size_t>(1, name.size() / 3) + 1;  // at most a third of the characters wrong
+  std::size_t least = std::max<std::size_t>(1, name.size() / 3) + 1;  // at most a third of the characters wrong
   for (const std::string& known : names_) {
     const std::size_t distance = edit_distance(name, known);
     if (distance < least) {

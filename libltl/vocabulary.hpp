@@ -24,8 +24,7 @@ class Vocabulary {
   Vocabulary() = default;
   explicit Vocabulary(const std::vector<std::string>& names);  // duplicates are kept once
 
-  Proposition add(
-      std::string_view name);  // the proposition of that name, new or not; throws on an empty name
+  Proposition add(std::string_view name);  // the proposition of that name, new or not; throws on an empty name
   std::optional<Proposition> find(std::string_view name) const;
   const std::string& name(Proposition p) const { return names_.at(p.index); }
   const std::vector<std::string>& names() const { return names_; }

@@ -46,8 +46,8 @@ std::vector<Proposition> Letter::members() const {
   std::vector<Proposition> out;
   for (std::size_t i = 0; i <= rest_.size(); ++i)
     for (std::uint64_t bits = block(i); bits != 0; bits &= bits - 1)
-      out.push_back(Proposition{static_cast<std::uint32_t>(64 * i) +
-                                static_cast<std::uint32_t>(std::countr_zero(bits))});
+      out.push_back(
+          Proposition{static_cast<std::uint32_t>(64 * i) + static_cast<std::uint32_t>(std::countr_zero(bits))});
   return out;
 }
 
@@ -58,8 +58,7 @@ Trace::Trace(std::vector<Letter> letters) : letters_(std::move(letters)) {
 Lasso::Lasso(std::vector<Letter> prefix, std::vector<Letter> cycle)
     : letters_(std::move(prefix)), loop_start_(letters_.size()) {
   if (cycle.empty()) throw std::invalid_argument("the cycle of a lasso has at least one letter");
-  letters_.insert(letters_.end(), std::make_move_iterator(cycle.begin()),
-                  std::make_move_iterator(cycle.end()));
+  letters_.insert(letters_.end(), std::make_move_iterator(cycle.begin()), std::make_move_iterator(cycle.end()));
 }
 
 std::string show(const Letter& letter, const Vocabulary& vocabulary) {

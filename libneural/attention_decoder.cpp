@@ -42,8 +42,7 @@ AttentionDecoder::AttentionDecoder(Parameters& parameters, const Sizes& sizes, c
 void AttentionDecoder::forward(const Parameters& parameters, const Sequences& in, const ConstView& x,
                                Signals& s) const {
   const Index n = in.begin.back(), w = sizes_.width;
-  assert(x.rows() == sizes_.inputs && static_cast<Index>(in.said.size()) == n &&
-         in.h_begin.back() == in.h->cols());
+  assert(x.rows() == sizes_.inputs && static_cast<Index>(in.said.size()) == n && in.h_begin.back() == in.h->cols());
   s.from_x.setZero(w, x.cols());
   add_product(parameters.value(from_x_), x, s.from_x);
   Matrix said(w, in.e->cols());
@@ -55,8 +54,7 @@ void AttentionDecoder::forward(const Parameters& parameters, const Sequences& in
   auto q = s.q_and_c.topRows(w);
   for (std::size_t i = 0; i + 1 < in.begin.size(); ++i)
     for (Index j = in.begin[i]; j < in.begin[i + 1]; ++j)
-      q.col(j) = (said.col(static_cast<Index>(i)) + s.from_x.col(in.said[static_cast<std::size_t>(j)]))
-                     .cwiseMax(0.0F);
+      q.col(j) = (said.col(static_cast<Index>(i)) + s.from_x.col(in.said[static_cast<std::size_t>(j)])).cwiseMax(0.0F);
   s.weights.resize(in.begin.size() - 1);
   s.q_and_c.bottomRows(sizes_.encoded).setZero();
   for (std::size_t i = 0; i + 1 < in.begin.size(); ++i) {
@@ -64,8 +62,7 @@ void AttentionDecoder::forward(const Parameters& parameters, const Sequences& in
     s.weights[i].setZero(length, m);
     add_transposed_product(s.keys.middleCols(from, length), q.middleCols(at, m), s.weights[i]);
     normalise(s.weights[i]);
-    add_product(in.h->middleCols(from, length), s.weights[i],
-                s.q_and_c.bottomRows(sizes_.encoded).middleCols(at, m));
+    add_product(in.h->middleCols(from, length), s.weights[i], s.q_and_c.bottomRows(sizes_.encoded).middleCols(at, m));
   }
   s.y.setZero(sizes_.symbol, n);
   add_product(parameters.value(say_), s.q_and_c, s.y);
@@ -90,8 +87,7 @@ void AttentionDecoder::backward(Parameters& parameters, const Sequences& in, con
     Matrix dgate(1, n);
     for (std::size_t i = 0; i + 1 < in.begin.size(); ++i)
       dgate.middleCols(in.begin[i], size(in.begin, i)).noalias() =
-          in.marks->col(static_cast<Index>(i)).transpose() *
-          s.dscores.middleCols(in.begin[i], size(in.begin, i));
+          in.marks->col(static_cast<Index>(i)).transpose() * s.dscores.middleCols(in.begin[i], size(in.begin, i));
     parameters.gradient(gate_).noalias() += s.q_and_c * dgate.transpose();
     parameters.gradient(gate_bias_)(0) += dgate.sum();
     s.dq_and_c.noalias() += constant.value(gate_) * dgate;

@@ -46,8 +46,7 @@ class AttentionDecoder {
   AttentionDecoder(Parameters& parameters, const Sizes& sizes, const Block& symbols, const Uniform& uniform);
   const Sizes& sizes() const { return sizes_; }
 
-  void forward(const Parameters& parameters, const Sequences& sequences, const ConstView& x,
-               Signals& signals) const;
+  void forward(const Parameters& parameters, const Sequences& sequences, const ConstView& x, Signals& signals) const;
   // After `forward`, with ∂scores: adds to the gradients, writes ∂x, signals.dh and signals.de.
   void backward(Parameters& parameters, const Sequences& sequences, const ConstView& x, Signals& signals,
                 View dx) const;

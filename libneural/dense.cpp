@@ -33,8 +33,7 @@ void backward(Parameters& parameters, const Dense& layer, const ConstView& x, co
 void relu(View y) { y = y.cwiseMax(0.0F); }
 
 void relu_backward(const ConstView& y, View dy) {
-  for (Index j = 0; j < dy.cols();
-       ++j) {  // plain loops: compilers turn them into masks, Eigen's select stays scalar
+  for (Index j = 0; j < dy.cols(); ++j) {  // plain loops: compilers turn them into masks, Eigen's select stays scalar
     const float* kept = y.data() + j * y.outerStride();
     float* gradient = dy.data() + j * dy.outerStride();
     for (Index i = 0; i < dy.rows(); ++i) gradient[i] = kept[i] > 0.0F ? gradient[i] : 0.0F;

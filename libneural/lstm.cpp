@@ -46,8 +46,7 @@ Lstm::Lstm(Parameters& parameters, Index inputs, Index width, const Uniform& uni
   parameters.value(bias_).middleRows(width, width).setOnes();
 }
 
-void Lstm::forward(const Parameters& parameters, const Packing& packing, const ConstView& x,
-                   Signals& s) const {
+void Lstm::forward(const Parameters& parameters, const Packing& packing, const ConstView& x, Signals& s) const {
   assert(x.cols() == packing.columns() && x.rows() == inputs());
   const Index n = packing.columns(), w = width();
   s.gates.resize(4 * w, n);
@@ -57,8 +56,7 @@ void Lstm::forward(const Parameters& parameters, const Packing& packing, const C
   for (Index t = 0; t < packing.steps(); ++t) {
     const Index at = packing.begin(t), m = packing.running(t);
     if (t > 0)
-      add_product(parameters.value(recurrent_), s.h.middleCols(packing.begin(t - 1), m),
-                  s.gates.middleCols(at, m));
+      add_product(parameters.value(recurrent_), s.h.middleCols(packing.begin(t - 1), m), s.gates.middleCols(at, m));
     auto gates = s.gates.middleCols(at, m).array();
     gates.topRows(3 * w) = sigmoid(gates.topRows(3 * w));
     gates.bottomRows(w) = gates.bottomRows(w).tanh();
@@ -70,8 +68,7 @@ void Lstm::forward(const Parameters& parameters, const Packing& packing, const C
   }
 }
 
-void Lstm::backward(Parameters& parameters, const Packing& packing, const ConstView& x, Signals& s,
-                    View dx) const {
+void Lstm::backward(Parameters& parameters, const Packing& packing, const ConstView& x, Signals& s, View dx) const {
   assert(s.dh.cols() == packing.columns() && s.dh.rows() == width());
   const Parameters& constant = parameters;
   s.dcell.setZero(width(), packing.columns());
@@ -89,8 +86,7 @@ void Lstm::backward(Parameters& parameters, const Packing& packing, const ConstV
   add_transposed_product(constant.value(input_), s.gates, dx);
 }
 
-BidirectionalLstm::BidirectionalLstm(Parameters& parameters, Index inputs, Index width,
-                                     const Uniform& uniform)
+BidirectionalLstm::BidirectionalLstm(Parameters& parameters, Index inputs, Index width, const Uniform& uniform)
     : forwards_(parameters, inputs, width, uniform), backwards_(parameters, inputs, width, uniform) {}
 
 void BidirectionalLstm::forward(const Parameters& parameters, const Packing& packing, const ConstView& x,
@@ -111,8 +107,8 @@ void BidirectionalLstm::forward(const Parameters& parameters, const Packing& pac
   }
 }
 
-void BidirectionalLstm::backward(Parameters& parameters, const Packing& packing, const ConstView& x,
-                                 Signals& s, View dx) const {
+void BidirectionalLstm::backward(Parameters& parameters, const Packing& packing, const ConstView& x, Signals& s,
+                                 View dx) const {
   const Index w = forwards_.width();
   assert(s.dh.rows() == 2 * w && s.dlast.cols() == packing.sequences());
   s.forwards.dh = s.dh.topRows(w);

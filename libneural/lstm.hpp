@@ -12,7 +12,7 @@ namespace waymark::neural {
 class Lstm {
  public:
   struct Signals {  // of one pass, and of the pass back through it
-    Matrix gates;  // [4 width × columns]: i, f, o, g one under the other; going back, ∂ before σ and tanh
+    Matrix gates;   // [4 width × columns]: i, f, o, g one under the other; going back, ∂ before σ and tanh
     Matrix cell, tanh_cell;
     Matrix h;          // the output
     Matrix dh, dcell;  // dh: set by the caller
@@ -22,11 +22,9 @@ class Lstm {
   Index inputs() const { return input_.columns; }
   Index width() const { return recurrent_.columns; }
 
-  void forward(const Parameters& parameters, const Packing& packing, const ConstView& x,
-               Signals& signals) const;
+  void forward(const Parameters& parameters, const Packing& packing, const ConstView& x, Signals& signals) const;
   // After `forward` of the same x, with ∂h in signals.dh, which is used up: adds to the gradients, and writes ∂x.
-  void backward(Parameters& parameters, const Packing& packing, const ConstView& x, Signals& signals,
-                View dx) const;
+  void backward(Parameters& parameters, const Packing& packing, const ConstView& x, Signals& signals, View dx) const;
 
  private:
   Block input_, recurrent_, bias_;  // W [4 width × inputs], U [4 width × width], b
@@ -46,10 +44,8 @@ class BidirectionalLstm {
   BidirectionalLstm(Parameters& parameters, Index inputs, Index width, const Uniform& uniform);
   Index width() const { return 2 * forwards_.width(); }
 
-  void forward(const Parameters& parameters, const Packing& packing, const ConstView& x,
-               Signals& signals) const;
-  void backward(Parameters& parameters, const Packing& packing, const ConstView& x, Signals& signals,
-                View dx) const;
+  void forward(const Parameters& parameters, const Packing& packing, const ConstView& x, Signals& signals) const;
+  void backward(Parameters& parameters, const Packing& packing, const ConstView& x, Signals& signals, View dx) const;
 
  private:
   Lstm forwards_, backwards_;

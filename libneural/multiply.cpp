@@ -34,8 +34,7 @@ struct Problem {  // c [m × n] += a [m × k] · b [k × n]
   }
   if (rows < panel_rows) std::fill(panel, panel + depth * panel_rows, 0.0F);
   for (Index r = 0; r < rows; ++r)
-    for (Index q = 0; q < depth; ++q)
-      panel[q * panel_rows + r] = from[r * problem.a.row + q * problem.a.column];
+    for (Index q = 0; q < depth; ++q) panel[q * panel_rows + r] = from[r * problem.a.row + q * problem.a.column];
 }
 
 // c (i … i + 15, j … j + columns − 1) += panel · b.

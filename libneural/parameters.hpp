@@ -25,9 +25,7 @@ class Parameters {
   Block add_for_relu(Index rows, Index columns, Index inputs, const Uniform& uniform);
 
   Eigen::Map<Matrix> value(const Block& b) { return {values_.data() + b.offset, b.rows, b.columns}; }
-  Eigen::Map<const Matrix> value(const Block& b) const {
-    return {values_.data() + b.offset, b.rows, b.columns};
-  }
+  Eigen::Map<const Matrix> value(const Block& b) const { return {values_.data() + b.offset, b.rows, b.columns}; }
   Eigen::Map<Matrix> gradient(const Block& b) { return {gradients().data() + b.offset, b.rows, b.columns}; }
 
   Vector& values() { return values_; }

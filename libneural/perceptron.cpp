@@ -23,8 +23,7 @@ const Matrix& Perceptron::forward(const Parameters& parameters, const ConstView&
   neural::forward(parameters, layers_[0], x, signals.outputs[0].leftCols(n));
   for (std::size_t i = 1; i < layers_.size(); ++i) {
     relu(signals.outputs[i - 1].leftCols(n));
-    neural::forward(parameters, layers_[i], signals.outputs[i - 1].leftCols(n),
-                    signals.outputs[i].leftCols(n));
+    neural::forward(parameters, layers_[i], signals.outputs[i - 1].leftCols(n), signals.outputs[i].leftCols(n));
   }
   return signals.outputs.back();
 }
@@ -32,8 +31,7 @@ const Matrix& Perceptron::forward(const Parameters& parameters, const ConstView&
 void Perceptron::backward_to_first(Parameters& parameters, Index n, Signals& signals) const {
   for (std::size_t i = layers_.size() - 1; i > 0; --i) {
     const auto y = signals.outputs[i - 1].leftCols(n);
-    neural::backward(parameters, layers_[i], y, signals.gradients[i].leftCols(n),
-                     signals.gradients[i - 1].leftCols(n));
+    neural::backward(parameters, layers_[i], y, signals.gradients[i].leftCols(n), signals.gradients[i - 1].leftCols(n));
     relu_backward(y, signals.gradients[i - 1].leftCols(n));
   }
 }

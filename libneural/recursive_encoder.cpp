@@ -15,8 +15,7 @@ RecursiveEncoder::RecursiveEncoder(Parameters& parameters, Index width, std::spa
   }
 }
 
-void RecursiveEncoder::forward(const Parameters& parameters, std::span<const SymbolNode> nodes,
-                               Matrix& h) const {
+void RecursiveEncoder::forward(const Parameters& parameters, std::span<const SymbolNode> nodes, Matrix& h) const {
   assert(h.rows() == width() && h.cols() == static_cast<Index>(nodes.size()));
   for (Index v = 0; v < h.cols(); ++v) {
     const SymbolNode& node = nodes[static_cast<std::size_t>(v)];

@@ -24,8 +24,7 @@ Program or_stay(Program program) {
 }
 
 // The likeliest joinings of a program of the one list with a program of the other, best first; both lists sorted.
-std::vector<Weighed> join(const std::vector<Weighed>& firsts, const std::vector<Weighed>& seconds,
-                          std::size_t top) {
+std::vector<Weighed> join(const std::vector<Weighed>& firsts, const std::vector<Weighed>& seconds, std::size_t top) {
   struct Pair {
     std::size_t i, j;
     double log_probability;
@@ -36,8 +35,7 @@ std::vector<Weighed> join(const std::vector<Weighed>& firsts, const std::vector<
   };
   std::priority_queue<Pair> open;
   const auto push = [&](std::size_t i, std::size_t j) {
-    if (i < firsts.size() && j < seconds.size())
-      open.push({i, j, firsts[i].log_weight + seconds[j].log_weight});
+    if (i < firsts.size() && j < seconds.size()) open.push({i, j, firsts[i].log_weight + seconds[j].log_weight});
   };
   push(0, 0);
   std::vector<Weighed> joined;
@@ -62,8 +60,8 @@ std::vector<Reading> readings_of(const std::vector<Weighed>& programs, ltl::Aren
     const ltl::Formula formula = formula_of(program, arena);
     const double probability = std::exp(weighed.log_weight - highest);
     total += probability;
-    const auto same = std::find_if(readings.begin(), readings.end(),
-                                   [&](const Reading& r) { return r.formula == formula; });
+    const auto same =
+        std::find_if(readings.begin(), readings.end(), [&](const Reading& r) { return r.formula == formula; });
     if (same != readings.end())
       same->probability += probability;
     else
@@ -85,9 +83,7 @@ std::vector<double> on_the_map(const Decision& decision, bool one_an_end) {
       probabilities[end.candidate] += end.mass;
       continue;
     }
-    const auto leads_there = [&](std::size_t c) {
-      return decision.plans[c] && decision.plans[c]->end == end.pose;
-    };
+    const auto leads_there = [&](std::size_t c) { return decision.plans[c] && decision.plans[c]->end == end.pose; };
     double total = 0;
     for (std::size_t c = 0; c < weights.size(); ++c)
       if (leads_there(c)) total += weights[c];
@@ -195,14 +191,12 @@ std::vector<Reading> ground(const Grounder& grounder, std::string_view text, ltl
 }
 
 std::vector<Reading> ground(const Grounder& grounder, std::string_view text, const plan::Map& map,
-                            std::span<const plan::PoseId> starts, ltl::Arena& arena,
-                            const GroundOptions& options) {
+                            std::span<const plan::PoseId> starts, ltl::Arena& arena, const GroundOptions& options) {
   return ground(grounder, text, Executor(map), starts, arena, options);
 }
 
 std::vector<Reading> ground(const Grounder& grounder, std::string_view text, const Executor& executor,
-                            std::span<const plan::PoseId> starts, ltl::Arena& arena,
-                            const GroundOptions& options) {
+                            std::span<const plan::PoseId> starts, ltl::Arena& arena, const GroundOptions& options) {
   const plan::Map& map = executor.map();
   grounder.ranking->language.check_vocabulary(arena.vocabulary(), "the formulas");
   grounder.ranking->language.check_vocabulary(map.vocabulary(), "map " + map.name());
@@ -226,8 +220,8 @@ std::vector<Reading> ground(const Grounder& grounder, std::string_view text, con
     append(best, decision.candidates[decision.ends.front().candidate].program);
     best = or_stay(std::move(best));
     const ltl::Formula formula = formula_of(best, arena);
-    const auto chosen = std::find_if(readings.begin(), readings.end(),
-                                     [&](const Reading& r) { return r.formula == formula; });
+    const auto chosen =
+        std::find_if(readings.begin(), readings.end(), [&](const Reading& r) { return r.formula == formula; });
     std::rotate(readings.begin(), chosen, chosen + 1);
   }
   if (readings.size() > options.top)
@@ -235,8 +229,8 @@ std::vector<Reading> ground(const Grounder& grounder, std::string_view text, con
   return readings;
 }
 
-std::size_t choose(std::span<const Reading> readings, const plan::Map& map,
-                   std::span<const plan::PoseId> starts, Then then) {
+std::size_t choose(std::span<const Reading> readings, const plan::Map& map, std::span<const plan::PoseId> starts,
+                   Then then) {
   const Executor executor(map);
   std::vector<Weighed> candidates;
   std::vector<std::optional<Plan>> plans;

@@ -38,17 +38,15 @@ std::vector<Reading> ground(const Grounder& grounder, std::string_view text, ltl
 // those that lead where most probability leads. Probabilities are those of the ends, shared among the readings that
 // lead there; a reading without a route has none, unless no reading has one.
 std::vector<Reading> ground(const Grounder& grounder, std::string_view text, const plan::Map& map,
-                            std::span<const plan::PoseId> starts, ltl::Arena& arena,
-                            const GroundOptions& options = {});
+                            std::span<const plan::PoseId> starts, ltl::Arena& arena, const GroundOptions& options = {});
 
 // The same with the map made ready: for many texts on one map.
 std::vector<Reading> ground(const Grounder& grounder, std::string_view text, const Executor& executor,
-                            std::span<const plan::PoseId> starts, ltl::Arena& arena,
-                            const GroundOptions& options = {});
+                            std::span<const plan::PoseId> starts, ltl::Arena& arena, const GroundOptions& options = {});
 
 // The position of the reading whose end pose carries most probability, the likeliest among those that end there;
 // 0 when no reading has a route. `readings` must not be empty.
-std::size_t choose(std::span<const Reading> readings, const plan::Map& map,
-                   std::span<const plan::PoseId> starts, Then then = Then::WholePlan);
+std::size_t choose(std::span<const Reading> readings, const plan::Map& map, std::span<const plan::PoseId> starts,
+                   Then then = Then::WholePlan);
 
 }  // namespace waymark::parser

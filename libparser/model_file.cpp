@@ -12,8 +12,7 @@ namespace waymark::parser {
 namespace {
 
 template <class... Models>
-WordModel read_word_model(std::type_identity<OneOf<Models...>>, WeightsReader& in,
-                          const RankingModel& ranking) {
+WordModel read_word_model(std::type_identity<OneOf<Models...>>, WeightsReader& in, const RankingModel& ranking) {
   WordModel model;
   const auto read_as = [&]<class M>(std::type_identity<M>) {
     if (in.header().kind != M::file_kind) return false;

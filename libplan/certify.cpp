@@ -15,14 +15,12 @@ void check_steps(const Route& route, const Map& map) {
   double cost = 0;
   for (std::size_t i = 0; i < route.actions.size(); ++i) {
     if (map.successor(route.poses[i], route.actions[i]) != route.poses[i + 1])
-      throw std::logic_error("certify: step " + std::to_string(i + 1) + ", " +
-                             std::string(name(route.actions[i])) + " from " + show(map.pose(route.poses[i])) +
-                             ", is no step of the map");
+      throw std::logic_error("certify: step " + std::to_string(i + 1) + ", " + std::string(name(route.actions[i])) +
+                             " from " + show(map.pose(route.poses[i])) + ", is no step of the map");
     cost += map.cost(route.actions[i]);
   }
   if (std::abs(cost - route.cost) > 1e-9 * std::max(1.0, cost))
-    throw std::logic_error("certify: the route costs " + std::to_string(cost) + ", not " +
-                           std::to_string(route.cost));
+    throw std::logic_error("certify: the route costs " + std::to_string(cost) + ", not " + std::to_string(route.cost));
 }
 
 }  // namespace

@@ -13,10 +13,9 @@ Planned plan_of(const Map& map, ltl::Formula f, std::span<const PoseId> starts, 
     const std::string& name = f.arena().vocabulary().name(p);
     if (!map.vocabulary().find(name)) throw unknown_proposition(map, name);
   }
-  const auto translated = automata::ltlf_to_dfa(
-      f, automata::TranslationLimits{.states = options.automaton_states, .stop = options.stop});
-  if (options.stop.stop_requested() || std::holds_alternative<automata::Exhausted>(translated))
-    return Exhausted{};
+  const auto translated =
+      automata::ltlf_to_dfa(f, automata::TranslationLimits{.states = options.automaton_states, .stop = options.stop});
+  if (options.stop.stop_requested() || std::holds_alternative<automata::Exhausted>(translated)) return Exhausted{};
   auto answer = RoutePlanner(map, std::get<automata::Dfa>(translated)).plan(starts, options.stop);
   if (auto* route = std::get_if<Route>(&answer)) return certify(std::move(*route), map, f);
   if (auto* infeasible = std::get_if<Infeasible>(&answer))

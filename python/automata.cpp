@@ -59,16 +59,13 @@ AnyTranslated translated(ltl::Formula f, const std::string& to, const automata::
   if (to == "rabin") return within_limits(automata::ltl_to_rabin(f, limits)).automaton;
   if (to == "generic") return within_limits(automata::ltl_to_generic(f, limits)).automaton;
   if (to == "ldba") return within_limits(automata::ltl_to_ldba(f, limits)).automaton;
-  throw std::invalid_argument("to is 'dfa', 'tgba', 'buchi', 'parity', 'rabin', 'generic' or 'ldba', not '" +
-                              to + "'");
+  throw std::invalid_argument("to is 'dfa', 'tgba', 'buchi', 'parity', 'rabin', 'generic' or 'ldba', not '" + to + "'");
 }
 
 AnyTranslated translate(const FormulaHandle& f, const std::string& to, std::size_t limit_states) {
   ltl::Arena arena;  // of the job alone
   const ltl::Formula own = ltl::transfer(f.formula, arena);
-  return interruptible([&](std::stop_token stop) {
-    return translated(own, to, {limit_states, std::move(stop)});
-  });
+  return interruptible([&](std::stop_token stop) { return translated(own, to, {limit_states, std::move(stop)}); });
 }
 
 constexpr auto both = [](bool p, bool q) { return p && q; };
@@ -104,8 +101,7 @@ py::array_t<std::uint32_t> run_of(const automata::Dfa& dfa, const py::object& wo
   const automata::Run run = automata::run(dfa, finite_word(word, dfa.vocabulary()));
   py::array_t<std::uint32_t> out(static_cast<py::ssize_t>(run.states.size()));
   auto cells = out.mutable_unchecked<1>();
-  for (std::size_t i = 0; i < run.states.size(); ++i)
-    cells(static_cast<py::ssize_t>(i)) = run.states[i].index;
+  for (std::size_t i = 0; i < run.states.size(); ++i) cells(static_cast<py::ssize_t>(i)) = run.states[i].index;
   return out;
 }
 
@@ -134,8 +130,8 @@ void bind_dfa(py::module_& m) {
           "is_accepting", [](const Dfa& a, std::uint32_t q) { return a.is_accepting(state_of(a, q)); },
           py::arg("state"), "May the word end in the state?")
       .def(
-          "is_trap", [](const Dfa& a, std::uint32_t q) { return a.is_trap(state_of(a, q)); },
-          py::arg("state"), "Is no accepting state reachable?")
+          "is_trap", [](const Dfa& a, std::uint32_t q) { return a.is_trap(state_of(a, q)); }, py::arg("state"),
+          "Is no accepting state reachable?")
       .def(
           "next",
           [](const Dfa& a, std::uint32_t q, const py::object& letter) {
@@ -144,13 +140,10 @@ void bind_dfa(py::module_& m) {
           py::arg("state"), py::arg("letter"), "The state after the letter.")
       .def(
           "accepts",
-          [](const Dfa& a, const py::object& word) {
-            return automata::accepts(a, finite_word(word, a.vocabulary()));
-          },
+          [](const Dfa& a, const py::object& word) { return automata::accepts(a, finite_word(word, a.vocabulary())); },
           py::arg("word"), "Is the finite word accepted?")
       .def("run", &run_of, py::arg("word"), "The states that the word leads through, the initial one first.")
-      .def("table", &table_of,
-           "δ as an array: row of the state, column Σ 2ⁱ over the propositions i that hold.")
+      .def("table", &table_of, "δ as an array: row of the state, column Σ 2ⁱ over the propositions i that hold.")
       .def(
           "shortest_word",
           [](const Dfa& a) -> py::object {
@@ -172,8 +165,7 @@ void bind_dfa(py::module_& m) {
           "hoa", [](const Dfa& a, const std::string& name) { return automata::write_hoa(a, {.name = name}); },
           py::arg("name") = "", "The automaton in the Hanoi format.")
       .def(
-          "dot", [](const Dfa& a) { return automata::write_dot(a); },
-          "The automaton in the format of Graphviz.");
+          "dot", [](const Dfa& a) { return automata::write_dot(a); }, "The automaton in the format of Graphviz.");
 }
 
 std::string dot_of(const automata::Automaton& a, const automata::OmegaDotOptions& options = {}) {
@@ -191,15 +183,12 @@ py::object word_accepted_by(const automata::Automaton& a, const Any& owner) {
 void bind_omega(py::module_& m) {
   using automata::Automaton;
   py::class_<Automaton>(m, "OmegaAutomaton", "An automaton on infinite words, acceptance on its edges.")
-      .def_property_readonly("states", &Automaton::states,
-                             "How many states there are; they are numbered from 0.")
+      .def_property_readonly("states", &Automaton::states, "How many states there are; they are numbered from 0.")
       .def_property_readonly(
           "initial", [](const Automaton& a) { return a.initial().index; }, "The initial state.")
-      .def_property_readonly("propositions", &reads_of<Automaton>,
-                             "The propositions that the automaton reads.")
+      .def_property_readonly("propositions", &reads_of<Automaton>, "The propositions that the automaton reads.")
       .def_property_readonly(
-          "sets", [](const Automaton& a) { return a.acceptance().sets; },
-          "How many acceptance sets there are.")
+          "sets", [](const Automaton& a) { return a.acceptance().sets; }, "How many acceptance sets there are.")
       .def(
           "next",
           [](const Automaton& a, std::uint32_t q, const py::object& letter) {
@@ -223,8 +212,7 @@ void bind_omega(py::module_& m) {
           "find_word", [](const Automaton& a) { return word_accepted_by(a, a); },
           "(prefix, cycle) of an accepted word; None when there is none.")
       .def(
-          "hoa",
-          [](const Automaton& a, const std::string& name) { return automata::write_hoa(a, {.name = name}); },
+          "hoa", [](const Automaton& a, const std::string& name) { return automata::write_hoa(a, {.name = name}); },
           py::arg("name") = "", "The automaton in the Hanoi format.")
       .def(
           "dot", [](const Automaton& a) { return dot_of(a); }, "The automaton in the format of Graphviz.");
@@ -241,8 +229,7 @@ void bind_limit_deterministic(py::module_& m) {
   using automata::MdpSafe;
   py::class_<MdpSafe>(m, "LimitDeterministic",
                       "A limit-deterministic Büchi automaton that is sound for Markov decision processes.")
-      .def_property_readonly("states", &MdpSafe::states,
-                             "How many states there are; they are numbered from 0.")
+      .def_property_readonly("states", &MdpSafe::states, "How many states there are; they are numbered from 0.")
       .def_property_readonly(
           "initial", [](const MdpSafe& a) { return a.initial().index; }, "The initial state.")
       .def_property_readonly("propositions", &reads_of<MdpSafe>, "The propositions that the automaton reads.")
@@ -262,11 +249,9 @@ void bind_limit_deterministic(py::module_& m) {
             if (!step) return std::nullopt;
             return std::pair(step->target.index, step->accepting);
           },
-          py::arg("state"), py::arg("letter"),
-          "(target, whether the edge accepts); None: the run is rejected.")
+          py::arg("state"), py::arg("letter"), "(target, whether the edge accepts); None: the run is rejected.")
       .def(
-          "in_accepting_part",
-          [](const MdpSafe& a, std::uint32_t q) { return a.in_accepting_part(state_of(a, q)); },
+          "in_accepting_part", [](const MdpSafe& a, std::uint32_t q) { return a.in_accepting_part(state_of(a, q)); },
           py::arg("state"), "Is the state in the accepting part, which no run leaves?")
       .def(
           "accepts",
@@ -276,11 +261,8 @@ void bind_limit_deterministic(py::module_& m) {
           py::arg("word"), py::arg("cycle") = py::none(), "Is the lasso accepted?")
       .def(
           "hoa",
-          [](const MdpSafe& a, const std::string& name) {
-            return automata::write_hoa(a.automaton(), {.name = name});
-          },
-          py::arg("name") = "",
-          "A Büchi automaton of the same language in the Hanoi format, a branch for every jump.")
+          [](const MdpSafe& a, const std::string& name) { return automata::write_hoa(a.automaton(), {.name = name}); },
+          py::arg("name") = "", "A Büchi automaton of the same language in the Hanoi format, a branch for every jump.")
       .def("dot", &dot_with_jumps, "The automaton in the format of Graphviz, jumps dotted.");
 }
 
@@ -305,8 +287,7 @@ RunningMonitor monitor_of(const FormulaHandle& f, std::size_t limit_states) {
 }
 
 void bind_monitor(py::module_& m) {
-  py::class_<RunningMonitor>(m, "Monitor",
-                             "The verdict of a growing word about a formula over infinite words.")
+  py::class_<RunningMonitor>(m, "Monitor", "The verdict of a growing word about a formula over infinite words.")
       .def(py::init(&monitor_of), py::arg("formula"), py::arg("limit_states") = 1'000'000)
       .def(
           "read",
@@ -332,8 +313,8 @@ void bind_automata(py::module_& m) {
   bind_omega(m);
   bind_limit_deterministic(m);
   bind_monitor(m);
-  m.def("translate", &translate, py::arg("formula"), py::arg("to") = "dfa",
-        py::arg("limit_states") = 1'000'000, "The automaton of a formula.");
+  m.def("translate", &translate, py::arg("formula"), py::arg("to") = "dfa", py::arg("limit_states") = 1'000'000,
+        "The automaton of a formula.");
   m.def(
       "from_hoa", [](const std::string& text) { return plan::read_given_automaton(text); }, py::arg("text"),
       "Reads one automaton; what says `properties: finite-words` is a Dfa.");

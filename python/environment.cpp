@@ -21,8 +21,7 @@ class ProductEnvironment {
   ProductEnvironment(std::shared_ptr<plan::Map> map, const automata::Dfa& dfa, const std::string& start,
                      const plan::MapNoise& noise)
       : ProductEnvironment(std::move(map), dfa, start, noise, true) {
-    read_starts(dfa,
-                [&](const ltl::Letter& letter) { return std::optional(dfa.next(dfa.initial(), letter)); });
+    read_starts(dfa, [&](const ltl::Letter& letter) { return std::optional(dfa.next(dfa.initial(), letter)); });
   }
   ProductEnvironment(std::shared_ptr<plan::Map> map, const automata::MdpSafe& ldba, const std::string& start,
                      const plan::MapNoise& noise)
@@ -52,8 +51,7 @@ class ProductEnvironment {
   std::tuple<std::uint32_t, double, bool> step(std::uint32_t state, std::uint32_t action, double draw) const {
     const auto choice = choice_of(state, action);
     if (!choice)
-      throw py::value_error("action " + std::to_string(action) + " is masked in state " +
-                            std::to_string(state));
+      throw py::value_error("action " + std::to_string(action) + " is masked in state " + std::to_string(state));
     const std::uint32_t place = place_of(state), q = task_of(state);
     if (action >= moves) return {state_of(place, task_.jumps(q)[action - moves]), 0, false};
     const auto outcomes = mdp_.outcomes(place, *choice);
@@ -69,9 +67,8 @@ class ProductEnvironment {
   py::tuple describe(std::uint32_t state) const {
     const plan::Pose pose = map_->pose({place_of(state)});
     const std::uint32_t q = task_of(state);
-    return py::make_tuple(
-        py::make_tuple(pose.x, pose.y, pose.heading),
-        q == task_.states() ? py::object(py::none()) : py::object(py::int_(task_.origin(q))));
+    return py::make_tuple(py::make_tuple(pose.x, pose.y, pose.heading),
+                          q == task_.states() ? py::object(py::none()) : py::object(py::int_(task_.origin(q))));
   }
 
  private:
@@ -98,8 +95,7 @@ class ProductEnvironment {
           plan::as_read({map_->label(pose)}, map_->vocabulary(), automaton.vocabulary(), automaton.reads());
       const std::optional<automata::StateId> to = first(letter.front());
       std::uint32_t q = 0;
-      while (q < task_.states() && (!to || task_.origin(q) != to->index))
-        ++q;  // the number of states: the trap
+      while (q < task_.states() && (!to || task_.origin(q) != to->index)) ++q;  // the number of states: the trap
       start_states_.push_back(state_of(pose.index, q));
     }
   }
@@ -138,32 +134,29 @@ class ProductEnvironment {
 // slip: chances of FORWARD to go left, right, back; slip_turn: of a turn to fail, to go too far.
 template <class Automaton>
 void bind_constructor(py::class_<ProductEnvironment>& product) {
-  product.def(
-      py::init([](std::shared_ptr<plan::Map> map, const Automaton& automaton, const std::string& start,
-                  const std::array<double, 3>& slip, const std::array<double, 2>& slip_turn) {
-        const double forward = 1 - slip[0] - slip[1] - slip[2];
-        if (*std::min_element(slip.begin(), slip.end()) < 0 || forward < 0)
-          throw py::value_error("the chances to slip are at least 0 and at most 1 in all");
-        return ProductEnvironment(std::move(map), automaton, start,
-                                  {{forward, slip[0], slip[1], slip[2]}, {slip_turn[0], slip_turn[1]}});
-      }),
-      py::arg("map"), py::arg("automaton"), py::arg("start"), py::arg("slip") = std::array<double, 3>{},
-      py::arg("slip_turn") = std::array<double, 2>{});
+  product.def(py::init([](std::shared_ptr<plan::Map> map, const Automaton& automaton, const std::string& start,
+                          const std::array<double, 3>& slip, const std::array<double, 2>& slip_turn) {
+                const double forward = 1 - slip[0] - slip[1] - slip[2];
+                if (*std::min_element(slip.begin(), slip.end()) < 0 || forward < 0)
+                  throw py::value_error("the chances to slip are at least 0 and at most 1 in all");
+                return ProductEnvironment(std::move(map), automaton, start,
+                                          {{forward, slip[0], slip[1], slip[2]}, {slip_turn[0], slip_turn[1]}});
+              }),
+              py::arg("map"), py::arg("automaton"), py::arg("start"), py::arg("slip") = std::array<double, 3>{},
+              py::arg("slip_turn") = std::array<double, 2>{});
 }
 
 }  // namespace
 
 void bind_environment(py::module_& m) {
-  py::class_<ProductEnvironment> product(m, "Product",
-                                         "The product of a map and an automaton, to be stepped in.");
+  py::class_<ProductEnvironment> product(m, "Product", "The product of a map and an automaton, to be stepped in.");
   bind_constructor<automata::Dfa>(product);
   bind_constructor<automata::MdpSafe>(product);
   product
       .def_property_readonly("states", &ProductEnvironment::states,
                              "Pairs of pose and task, those of the trap with them.")
       .def_property_readonly("actions", &ProductEnvironment::actions, "FORWARD, LEFT, RIGHT, and the jumps.")
-      .def_property_readonly("starts", &ProductEnvironment::starts,
-                             "The state after the label of each start pose.")
+      .def_property_readonly("starts", &ProductEnvironment::starts, "The state after the label of each start pose.")
       .def("is_over", &ProductEnvironment::is_over_in, py::arg("state"), "Does the task end in the state?")
       .def("mask", &ProductEnvironment::mask, py::arg("state"), "By action: 1 where it can be taken.")
       .def("step", &ProductEnvironment::step, py::arg("state"), py::arg("action"), py::arg("draw") = 0.0,

@@ -31,8 +31,7 @@ FormulaHandle parse(const std::string& text, const std::string& notation, const 
   else if (dialect != "waymark")
     throw py::value_error("dialect is 'waymark' or 'spot', not '" + dialect + "'");
   if (propositions) options.unknown = ltl::Unknown::Reject;
-  const auto arena =
-      std::make_shared<ltl::Arena>(propositions ? ltl::Vocabulary(*propositions) : ltl::Vocabulary());
+  const auto arena = std::make_shared<ltl::Arena>(propositions ? ltl::Vocabulary(*propositions) : ltl::Vocabulary());
   return {arena, ltl::parse(text, *arena, options)};
 }
 
@@ -103,23 +102,20 @@ std::string english(const FormulaHandle& f, const std::string& semantics, const 
   ltl::Arena arena(map->vocabulary());
   const ltl::Formula here = ltl::transfer(f.formula, arena);
   for (const ltl::Proposition p : ltl::propositions(here))
-    if (p.index >= map->vocabulary().size())
-      throw plan::unknown_proposition(*map, arena.vocabulary().name(p));
+    if (p.index >= map->vocabulary().size()) throw plan::unknown_proposition(*map, arena.vocabulary().name(p));
   options.describe = plan::hallway_english(map->vocabulary());
   return ltl::verbalise(here, options);
 }
 
 std::vector<FormulaHandle> random_formulas(std::size_t count, std::uint64_t seed, std::size_t size,
-                                           const std::vector<std::string>& propositions,
-                                           const std::string& semantics) {
+                                           const std::vector<std::string>& propositions, const std::string& semantics) {
   ltl::Random random(seed);
   const bool finite = semantics_of(semantics) == ltl::Semantics::Finite;
   std::vector<FormulaHandle> out;
   for (std::size_t i = 0; i < count; ++i) {
     const auto arena = std::make_shared<ltl::Arena>(ltl::Vocabulary(propositions));
     const ltl::Formula f = ltl::random_formula(
-        random, *arena,
-        {.size = size, .atoms = arena->vocabulary().size(), .constants = false, .weak_next = finite});
+        random, *arena, {.size = size, .atoms = arena->vocabulary().size(), .constants = false, .weak_next = finite});
     out.push_back({arena, f});
   }
   return out;
@@ -180,16 +176,15 @@ void bind_look(py::class_<FormulaHandle>& formula) {
           "propositions", [](const FormulaHandle& f) { return py::tuple(py::cast(propositions_of(f))); },
           "The names of the propositions that occur.")
       .def_property_readonly(
-          "size", [](const FormulaHandle& f) { return ltl::tree_size(f.formula); },
-          "Nodes of the syntax tree.");
+          "size", [](const FormulaHandle& f) { return ltl::tree_size(f.formula); }, "Nodes of the syntax tree.");
 }
 
 }  // namespace
 
 void bind_formulas(py::module_& m) {
   py::class_<FormulaHandle> formula(m, "Formula", "A formula of linear temporal logic; immutable.");
-  formula.def(py::init(&parse), py::arg("text"), py::arg("notation") = "infix",
-              py::arg("dialect") = "waymark", py::arg("propositions") = py::none(),
+  formula.def(py::init(&parse), py::arg("text"), py::arg("notation") = "infix", py::arg("dialect") = "waymark",
+              py::arg("propositions") = py::none(),
               "Reads a formula. With `propositions`, any other name is an error that names the nearest.");
   bind_look(formula);
   bind_operators(formula);
@@ -203,19 +198,15 @@ void bind_formulas(py::module_& m) {
       .def(
           "progress",
           [](const FormulaHandle& f, const py::object& letter, const std::string& semantics) {
-            return f.with(
-                ltl::progress(f.formula, letter_of(letter, f.arena->vocabulary()), semantics_of(semantics)));
+            return f.with(ltl::progress(f.formula, letter_of(letter, f.arena->vocabulary()), semantics_of(semantics)));
           },
-          py::arg("letter"), py::arg("semantics") = "finite",
-          "What remains to be satisfied after the letter.")
+          py::arg("letter"), py::arg("semantics") = "finite", "What remains to be satisfied after the letter.")
       .def(
           "accepts_empty", [](const FormulaHandle& f) { return ltl::accepts_empty(f.formula); },
           "May the word end here? Asked of what progression leaves.")
-      .def(
-          "holds", &holds, py::arg("word"), py::arg("cycle") = py::none(),
-          "Does the word satisfy the formula, by definition? With a cycle, or the text of a lasso: for ever.")
-      .def("truth", &truth, py::arg("word"),
-           "By position of a finite word: does the rest satisfy the formula?")
+      .def("holds", &holds, py::arg("word"), py::arg("cycle") = py::none(),
+           "Does the word satisfy the formula, by definition? With a cycle, or the text of a lasso: for ever.")
+      .def("truth", &truth, py::arg("word"), "By position of a finite word: does the rest satisfy the formula?")
       .def("english", &english, py::arg("semantics") = "finite", py::arg("map") = nullptr,
            "The formula in English, on a map in the words of the map.");
   m.def("random_formulas", &random_formulas, py::arg("count"), py::arg("seed") = 1, py::arg("size") = 12,

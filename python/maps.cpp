@@ -77,8 +77,7 @@ Planned plan_formula(const FormulaHandle& f, const MapPointer& map, const std::s
   return interruptible([&](std::stop_token stop) -> Planned {
     const auto planned = plan::plan_of(*map, own, starts, {.stop = std::move(stop)});
     if (const auto* no = std::get_if<plan::Infeasible>(&planned)) return NoRoute{no->reason};
-    if (std::holds_alternative<plan::Exhausted>(planned))
-      throw LimitMet("gave up: the automaton is too large");
+    if (std::holds_alternative<plan::Exhausted>(planned)) throw LimitMet("gave up: the automaton is too large");
     const plan::Route& route = std::get<plan::CertifiedRoute>(planned).route();
     return RouteHandle{map, route, route.cost, 0, "definition"};
   });
@@ -112,8 +111,7 @@ void append(plan::Trajectory& walk, const plan::ChoiceRoute& route, const plan::
 }
 
 // From the first start that has a lasso.
-Planned plan_lasso(const FormulaHandle& f, const MapPointer& map, const std::string& start,
-                   const std::string& order) {
+Planned plan_lasso(const FormulaHandle& f, const MapPointer& map, const std::string& start, const std::string& order) {
   const auto starts = plan::parse_start(start, *map);
   const plan::LassoOrder by = order_of(order);
   ltl::Arena arena(map->vocabulary());
@@ -214,8 +212,7 @@ py::array_t<int> poses_between(const RouteHandle& r, std::size_t begin, std::siz
 void bind_route(py::module_& m) {
   py::class_<RouteHandle>(m, "Route", "A route on a map; `certified_by` says what the certificate rests on.")
       .def_readonly("map", &RouteHandle::map, "The map.")
-      .def_readonly("cost", &RouteHandle::cost,
-                    "The sum over the actions; of a lasso, with one round of the cycle.")
+      .def_readonly("cost", &RouteHandle::cost, "The sum over the actions; of a lasso, with one round of the cycle.")
       .def_readonly("certified_by", &RouteHandle::certified_by,
                     "'definition' or 'automaton'; '' of a walk that was only followed.")
       .def_property_readonly(
@@ -230,14 +227,12 @@ void bind_route(py::module_& m) {
           },
           "The actions, one fewer than poses.")
       .def_property_readonly(
-          "word",
-          [](const RouteHandle& r) { return letters_of(plan::word_of(r.walk, *r.map), r.map->vocabulary()); },
+          "word", [](const RouteHandle& r) { return letters_of(plan::word_of(r.walk, *r.map), r.map->vocabulary()); },
           "The letters, the label of the start first.")
       .def_property_readonly(
           "is_lasso", [](const RouteHandle& r) { return r.repeated > 0; }, "Does the walk go on for ever?")
       .def_property_readonly(
-          "prefix",
-          [](const RouteHandle& r) { return poses_between(r, 0, r.walk.poses.size() - r.repeated); },
+          "prefix", [](const RouteHandle& r) { return poses_between(r, 0, r.walk.poses.size() - r.repeated); },
           "The poses before the cycle, with the pose where the cycle begins.")
       .def_property_readonly(
           "cycle",
@@ -251,9 +246,8 @@ void bind_route(py::module_& m) {
   py::class_<NoRoute>(m, "NoRoute", "The proof that there is no route; false in conditions.")
       .def_readonly("reason", &NoRoute::reason, "Why there is none.")
       .def("__bool__", [](const NoRoute&) { return false; })
-      .def("__repr__", [](const NoRoute& n) {
-        return "NoRoute(" + py::repr(py::str(n.reason)).cast<std::string>() + ")";
-      });
+      .def("__repr__",
+           [](const NoRoute& n) { return "NoRoute(" + py::repr(py::str(n.reason)).cast<std::string>() + ")"; });
 }
 
 }  // namespace
@@ -265,8 +259,8 @@ void bind_maps(py::module_& m) {
         "The certified route of least cost.");
   m.def("plan_automaton", &plan_automaton, py::arg("automaton"), py::arg("map"), py::arg("start"),
         "The route of least cost that the automaton accepts.");
-  m.def("plan_lasso", &plan_lasso, py::arg("formula"), py::arg("map"), py::arg("start"),
-        py::arg("order") = "prefix", "The certified lasso that comes first in the order.");
+  m.def("plan_lasso", &plan_lasso, py::arg("formula"), py::arg("map"), py::arg("start"), py::arg("order") = "prefix",
+        "The certified lasso that comes first in the order.");
   m.def(
       "follow",
       [](const MapPointer& map, const std::string& text) {
@@ -274,8 +268,7 @@ void bind_maps(py::module_& m) {
         const auto cost = static_cast<double>(walk.actions.size());
         return RouteHandle{map, std::move(walk), cost, 0, ""};
       },
-      py::arg("map"), py::arg("text"),
-      "A walk from text: a start pose and actions, or a JSON list of poses.");
+      py::arg("map"), py::arg("text"), "A walk from text: a start pose and actions, or a JSON list of poses.");
   m.def("page", &page, py::arg("map"), py::arg("route") = nullptr, py::arg("instruction") = "",
         py::arg("formula") = nullptr, py::arg("automaton") = "", "The picture of a map, as SVG.");
 }

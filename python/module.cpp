@@ -10,16 +10,14 @@ namespace {
 void register_errors(py::module_& m) {
   static py::handle parse_error, format_error, limit_error;
   const auto type = [&](const char* name, const char* doc, PyObject* parent) {
-    PyObject* made =
-        PyErr_NewExceptionWithDoc((std::string("waymark.") + name).c_str(), doc, parent, nullptr);
+    PyObject* made = PyErr_NewExceptionWithDoc((std::string("waymark.") + name).c_str(), doc, parent, nullptr);
     if (made == nullptr) throw py::error_already_set();
     m.add_object(name, made);
     return py::handle(made);
   };
-  parse_error = type("ParseError", "A formula or a word that cannot be read; has `line` and `column`.",
-                     PyExc_ValueError);
-  format_error =
-      type("FormatError", "A file, a map, a pose or a proposition that does not fit.", PyExc_ValueError);
+  parse_error =
+      type("ParseError", "A formula or a word that cannot be read; has `line` and `column`.", PyExc_ValueError);
+  format_error = type("FormatError", "A file, a map, a pose or a proposition that does not fit.", PyExc_ValueError);
   limit_error = type("LimitError", "A limit was met; nothing is proved.", PyExc_RuntimeError);
   py::register_exception_translator([](std::exception_ptr thrown) {
     try {

@@ -18,8 +18,8 @@ struct Understood {
   std::vector<std::string> unknown_words;
 };
 
-Understood read(const parser::Grounder& model, const std::string& text, const plan::Map& map,
-                const std::string& start, std::size_t top, bool force) {
+Understood read(const parser::Grounder& model, const std::string& text, const plan::Map& map, const std::string& start,
+                std::size_t top, bool force) {
   const auto starts = plan::parse_start(start, map);
   const auto arena = std::make_shared<ltl::Arena>(map.vocabulary());
   const parser::UnderstandOptions options{.least = force ? 0 : parser::least_understood};
@@ -40,13 +40,11 @@ void bind_reading(py::module_& m) {
       .def_readonly("formula", &ReadingHandle::formula, "The formula.")
       .def_readonly("probability", &ReadingHandle::probability, "Of all readings together 1.")
       .def("__repr__", [](const ReadingHandle& r) {
-        return "Reading(" + py::repr(py::cast(r.formula)).cast<std::string>() + ", " +
-               std::to_string(r.probability) + ")";
+        return "Reading(" + py::repr(py::cast(r.formula)).cast<std::string>() + ", " + std::to_string(r.probability) +
+               ")";
       });
-  py::class_<Understood>(m, "Understanding",
-                         "What a text means on a map; false in conditions when not understood.")
-      .def_readonly("readings", &Understood::readings,
-                    "The likeliest first; none when the text was not understood.")
+  py::class_<Understood>(m, "Understanding", "What a text means on a map; false in conditions when not understood.")
+      .def_readonly("readings", &Understood::readings, "The likeliest first; none when the text was not understood.")
       .def_readonly("probability", &Understood::probability, "That the text was understood at all.")
       .def_readonly("ongoing", &Understood::ongoing, "Does the first reading speak of what goes on for ever?")
       .def_readonly("unknown_words", &Understood::unknown_words, "Words that name nothing here.")

@@ -19,9 +19,7 @@ JsonObject seconds_json(const Seconds& seconds, bool grounded) {
       .add("total", seconds.total());
 }
 
-std::string place(const plan::Pose& pose) {
-  return '(' + std::to_string(pose.x) + ',' + std::to_string(pose.y) + ')';
-}
+std::string place(const plan::Pose& pose) { return '(' + std::to_string(pose.x) + ',' + std::to_string(pose.y) + ')'; }
 
 // "FORWARD to (1,8) over brick, at the lamp"
 std::string step_in_words(plan::Action action, plan::PoseId from, plan::PoseId to, const plan::Map& map) {
@@ -54,8 +52,7 @@ void print_start(std::ostream& out, const Terminal& terminal, plan::PoseId start
       << heading_name(pose.heading) << '\n';
 }
 
-void print_steps(std::ostream& out, const plan::Trajectory& trajectory, const plan::Map& map,
-                 std::size_t first) {
+void print_steps(std::ostream& out, const plan::Trajectory& trajectory, const plan::Map& map, std::size_t first) {
   for (std::size_t i = 0; i < trajectory.actions.size(); ++i)
     out << std::setw(5) << first + i << "  "
         << step_in_words(trajectory.actions[i], trajectory.poses[i], trajectory.poses[i + 1], map) << '\n';
@@ -95,21 +92,18 @@ JsonObject json_of(const Answer& answer, const plan::Map& map) {
   if (answer.instruction) {
     JsonArray readings;
     for (const WeighedFormula& reading : answer.readings)
-      readings.add(
-          JsonObject().add("formula", ltl::print(reading.formula)).add("probability", reading.probability));
+      readings.add(JsonObject().add("formula", ltl::print(reading.formula)).add("probability", reading.probability));
     json.add("readings", readings);
     if (answer.alternatives) json.add("alternatives", *answer.alternatives);
   }
   const CorridorRun& corridor_run = answer.corridor_run;
   json.add("map", map.name()).add("automaton", json_of(corridor_run.automaton));
-  json.add("product",
-           JsonObject().add("states", corridor_run.product_states).add("edges", corridor_run.product_edges));
+  json.add("product", JsonObject().add("states", corridor_run.product_states).add("edges", corridor_run.product_edges));
   if (const plan::Route* route = route_of(corridor_run)) {
     json.add("status", "solved").add("route", json_of(*route, map)).add("cost", route->cost);
     add_certificate(json, *shown(corridor_run));
   } else {
-    json.add("status", "infeasible")
-        .add("reason", std::get<plan::Infeasible>(corridor_run.destination).reason);
+    json.add("status", "infeasible").add("reason", std::get<plan::Infeasible>(corridor_run.destination).reason);
   }
   return json.add("seconds", seconds_json(corridor_run.seconds, answer.instruction.has_value()));
 }
@@ -121,21 +115,19 @@ void print(std::ostream& out, const Terminal& terminal, const Answer& answer, co
   const CorridorRun& corridor_run = answer.corridor_run;
   if (answer.instruction) out << label("instruction") << *answer.instruction << '\n';
   if (answer.understood) out << label("understood") << *answer.understood << '\n';
-  if (answer.formula)
-    out << label("formula") << terminal.paint(Paint::Blue, shown(*answer.formula, terminal)) << '\n';
+  if (answer.formula) out << label("formula") << terminal.paint(Paint::Blue, shown(*answer.formula, terminal)) << '\n';
   if (answer.readings.size() > 1)
     for (const WeighedFormula& reading : answer.readings)
-      out << label("  reading") << fixed(100 * reading.probability, 1) << " %  "
-          << shown(reading.formula, terminal) << '\n';
+      out << label("  reading") << fixed(100 * reading.probability, 1) << " %  " << shown(reading.formula, terminal)
+          << '\n';
   out << label("automaton") << counted(corridor_run.automaton.states, "state") << ", "
       << counted(corridor_run.automaton.edges, "edge") << '\n';
   if (corridor_run.product_states > 0)  // a route that was given needs none
     out << label("product") << counted(corridor_run.product_states, "state") << " met, "
         << counted(corridor_run.product_edges, "edge") << ", with the map " << map.name() << '\n';
   if (const plan::Route* route = route_of(corridor_run)) {
-    out << label("route") << counted(route->actions.size(), "action") << ", cost " << Json(route->cost).text()
-        << ", " << terminal.paint(Paint::Green, "certified") << " by " << *certifier(*shown(corridor_run))
-        << '\n';
+    out << label("route") << counted(route->actions.size(), "action") << ", cost " << Json(route->cost).text() << ", "
+        << terminal.paint(Paint::Green, "certified") << " by " << *certifier(*shown(corridor_run)) << '\n';
     print_start(out, terminal, route->poses.front(), map);
     print_steps(out, *route, map);
   } else {

@@ -32,8 +32,7 @@ std::string milliseconds(double seconds);  // "1.25 ms"
 JsonObject json_of(const AutomatonSize& size);
 JsonArray json_of(const plan::Trajectory& trajectory, const plan::Map& map);  // [[x,y,heading],…]
 // One line an action, numbered from `first` on.
-void print_steps(std::ostream& out, const plan::Trajectory& trajectory, const plan::Map& map,
-                 std::size_t first = 1);
+void print_steps(std::ostream& out, const plan::Trajectory& trajectory, const plan::Map& map, std::size_t first = 1);
 // "start at (1,9) facing north"
 void print_start(std::ostream& out, const Terminal& terminal, plan::PoseId start, const plan::Map& map);
 std::string counted(std::size_t count, const std::string& noun);  // "1 state", "3 states"

@@ -33,10 +33,8 @@ JsonArray json_of(std::span<const Attended> sentences) {
     for (const parser::ExplainedSymbol& symbol : sentence.symbols) {
       JsonArray weights;
       for (const double weight : symbol.weights) weights.add(weight);
-      symbols.add(JsonObject()
-                      .add("symbol", symbol.symbol)
-                      .add("probability", symbol.probability)
-                      .add("attention", weights));
+      symbols.add(
+          JsonObject().add("symbol", symbol.symbol).add("probability", symbol.probability).add("attention", weights));
     }
     out.add(JsonObject().add("words", words).add("symbols", symbols));
   }

@@ -34,8 +34,8 @@ Reply reply_to(automata::HoaAutomaton file, const std::string& source, std::size
   if (!request.satisfies.empty()) return satisfies(any, request, budget, stop);
   if (request.asks()) return asked_of(any, request, budget);
   if (request.kind == "ldba" && std::holds_alternative<automata::Automaton>(any))
-    return show(automata::limit_deterministic(*automata::Dpa::checked(std::get<automata::Automaton>(any))),
-                about, options.output);
+    return show(automata::limit_deterministic(*automata::Dpa::checked(std::get<automata::Automaton>(any))), about,
+                options.output);
   return std::visit([&](const auto& automaton) { return show(automaton, about, options.output); }, any);
 }
 
@@ -80,8 +80,7 @@ ExitCode run_automaton(const AutomatonOptions& options, const Session& session) 
 Runner setup_automaton(Command command) {
   const auto options = std::make_shared<AutomatonOptions>();
   AutomatonRequest& request = options->request;
-  command.add_option("file", options->file, "HOA, a stream of automata (-: standard input)")
-      .type_name("FILE");
+  command.add_option("file", options->file, "HOA, a stream of automata (-: standard input)").type_name("FILE");
   const auto file_option = [&](const char* name, std::string& path, const char* help) {
     command.add_option(name, path, help).type_name("FILE");
   };
@@ -94,11 +93,9 @@ Runner setup_automaton(Command command) {
   command.add_flag("--empty", request.empty, "is no word accepted? 10 and a word if one is");
   command.add_flag("--universal", request.universal, "is every word accepted? 10 and a word if one is not");
   file_option("--equivalent", request.equivalent, "do both accept the same words? 10 and a word if not");
-  file_option("--included", request.included,
-              "does that one accept all words of this one? 10 and a word if not");
+  file_option("--included", request.included, "does that one accept all words of this one? 10 and a word if not");
   command
-      .add_option("--satisfies", request.satisfies,
-                  "do all words accepted satisfy this formula? 10 and a word if not")
+      .add_option("--satisfies", request.satisfies, "do all words accepted satisfy this formula? 10 and a word if not")
       .type_name("FORMULA");
   add_output_options(command, options->output);
   command
@@ -109,8 +106,7 @@ Runner setup_automaton(Command command) {
             (is_kind ? options->request.kind : options->output.format) = what;
           },
           "a kind of automaton on infinite words to make of it; or the same as --format")
-      .one_of(
-          {"tgba", "buchi", "parity", "ldba", "hoa", "dot", "stats", "json", "tsv", "never", "lbtt", "ba"});
+      .one_of({"tgba", "buchi", "parity", "ldba", "hoa", "dot", "stats", "json", "tsv", "never", "lbtt", "ba"});
   command.add_option("--limit-states", request.states, "give up beyond so many states").type_name("N");
   command.add_option("--limit-seconds", options->seconds, "give up on an automaton after so many seconds")
       .type_name("SECONDS")

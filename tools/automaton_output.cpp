@@ -62,8 +62,7 @@ JsonArray reads_of(const Any& automaton) {
 
 // All of JSON but the automaton itself.
 template <class Any>
-JsonObject automaton_json(const Any& automaton, const Size& size, const Shown& about,
-                          std::string_view status) {
+JsonObject automaton_json(const Any& automaton, const Size& size, const Shown& about, std::string_view status) {
   JsonObject out;
   out.add("formula", about.name)
       .add("semantics", about.semantics)
@@ -133,17 +132,15 @@ struct Guesses {
   JsonArray accepting_part, jumps;
 };
 
-Reply show_omega(const automata::Automaton& automaton, const std::optional<Guesses>& guesses,
-                 const Shown& about, const OutputOptions& options) {
+Reply show_omega(const automata::Automaton& automaton, const std::optional<Guesses>& guesses, const Shown& about,
+                 const OutputOptions& options) {
   const std::string& format = options.format;
   const std::size_t most = options.edges;
   if (format == "stats")
     return {ExitCode::Done, row(about.line, measure(automaton, most), about.seconds, about.status)};
   if (format == "dot")
-    return show_or_refuse(automaton, automata::write_dot_within(automaton, most, {about.unicode_name}), about,
-                          options);
-  if (format == "tsv")
-    return show_or_refuse(automaton, automata::write_table(automaton, most), about, options);
+    return show_or_refuse(automaton, automata::write_dot_within(automaton, most, {about.unicode_name}), about, options);
+  if (format == "tsv") return show_or_refuse(automaton, automata::write_table(automaton, most), about, options);
   if (format == "never" || format == "lbtt" || format == "ba")
     return show_or_refuse(automaton, exchanged(automaton, about, options), about, options);
   automata::OmegaHoaOptions layout{
@@ -165,11 +162,9 @@ Reply show_omega(const automata::Automaton& automaton, const std::optional<Guess
 Reply show_jumps(const automata::MdpSafe& ldba, const Shown& about, const OutputOptions& options) {
   automata::OmegaDotOptions layout{.name = about.unicode_name};
   for (std::uint32_t q = 0; q < ldba.states(); ++q)
-    for (const automata::StateId target : ldba.jumps(automata::StateId{q}))
-      layout.jumps.emplace_back(q, target.index);
+    for (const automata::StateId target : ldba.jumps(automata::StateId{q})) layout.jumps.emplace_back(q, target.index);
   const automata::Automaton steps(ldba.vocabulary(), ldba.reads(), ldba.steps());
-  return show_or_refuse(ldba.automaton(), automata::write_dot_within(steps, options.edges, layout), about,
-                        options);
+  return show_or_refuse(ldba.automaton(), automata::write_dot_within(steps, options.edges, layout), about, options);
 }
 
 }  // namespace
@@ -190,9 +185,7 @@ void add_output_options(Command command, OutputOptions& options) {
                   "HOA: marks on states or edges; on states only where all edges of each state agree")
       .one_of({"state", "edge"})
       .show_default();
-  command
-      .add_option("--limit-edges", options.edges,
-                  "write no automaton with more edges; they are counted before")
+  command.add_option("--limit-edges", options.edges, "write no automaton with more edges; they are counted before")
       .type_name("N")
       .show_default();
 }
@@ -201,8 +194,7 @@ std::string show_none(std::size_t line, double seconds, std::string_view status,
                       const OutputOptions& options) {
   if (options.format == "stats") return row(line, std::nullopt, seconds, status);
   if (options.format == "json")
-    return JsonObject().add("line", line).add("status", std::string(status)).add("message", message).text() +
-           '\n';
+    return JsonObject().add("line", line).add("status", std::string(status)).add("message", message).text() + '\n';
   if (options.format == "hoa") return automata::aborted_hoa("", {.one_line = options.one_line});
   return "";
 }
@@ -225,9 +217,8 @@ Reply show(const automata::Dfa& dfa, const Shown& about, const OutputOptions& op
        .layout = {.aliases = options.aliases, .one_line = options.one_line && options.format == "hoa"}});
   if (!hoa) return too_large(dfa, measure(dfa, options.edges), about, options);
   if (options.format == "hoa") return {ExitCode::Done, *hoa};
-  return {
-      ExitCode::Done,
-      automaton_json(dfa, measure(dfa, options.edges), about, about.status).add("hoa", *hoa).text() + '\n'};
+  return {ExitCode::Done,
+          automaton_json(dfa, measure(dfa, options.edges), about, about.status).add("hoa", *hoa).text() + '\n'};
 }
 
 Reply show(const automata::Automaton& automaton, const Shown& about, const OutputOptions& options) {

@@ -37,9 +37,7 @@ automata::Automaton complement_of(const automata::Automaton& automaton, automata
   return automata::complement(automata::determinized(automaton, budget)).automaton();
 }
 
-[[noreturn]] void mixed() {
-  throw UsageError("one automaton is about finite words, the other about infinite ones");
-}
+[[noreturn]] void mixed() { throw UsageError("one automaton is about finite words, the other about infinite ones"); }
 
 // All words that are left: those of the second automaton taken away from the first.
 std::optional<ltl::Lasso> word_left(const automata::Automaton& a, const automata::Automaton& b,
@@ -50,8 +48,7 @@ std::optional<ltl::Lasso> word_left(const automata::Automaton& a, const automata
 }
 
 template <class Word>
-Reply answer(const char* yes, const char* no, const std::optional<Word>& word,
-             const ltl::Vocabulary& vocabulary) {
+Reply answer(const char* yes, const char* no, const std::optional<Word>& word, const ltl::Vocabulary& vocabulary) {
   if (!word) return {ExitCode::Done, std::string(yes) + '\n'};
   return {ExitCode::No, std::string(no) + ltl::show(*word, vocabulary) + '\n'};
 }
@@ -81,8 +78,7 @@ Reply compare(const automata::Automaton& a, const automata::Automaton& b, const 
   ltl::Vocabulary vocabulary;
   const auto more = word_left(a, b, budget, vocabulary);
   if (more || request.equivalent.empty())
-    return answer(request.equivalent.empty() ? "included" : "equivalent", "only the first accepts ", more,
-                  vocabulary);
+    return answer(request.equivalent.empty() ? "included" : "equivalent", "only the first accepts ", more, vocabulary);
   const auto less = word_left(b, a, budget, vocabulary);
   return answer("equivalent", "only the second accepts ", less, vocabulary);
 }
@@ -125,26 +121,22 @@ automata::Automaton other_omega(const std::string& path, automata::Budget& budge
   return std::get<automata::Automaton>(std::move(other));
 }
 
-automata::Automaton united(const automata::Automaton& a, const automata::Automaton& b,
-                           automata::Budget& budget) {
+automata::Automaton united(const automata::Automaton& a, const automata::Automaton& b, automata::Budget& budget) {
   const auto first = automata::Deterministic::checked(a), second = automata::Deterministic::checked(b);
   if (first && second) return automata::either(*first, *second, budget).automaton();
   return automata::sum(a, b);
 }
 
 // The kinds that `waymark translate --to` makes, from an automaton instead of a formula.
-automata::Automaton converted(const automata::Automaton& a, const std::string& kind,
-                              automata::Budget& budget) {
+automata::Automaton converted(const automata::Automaton& a, const std::string& kind, automata::Budget& budget) {
   if (kind == "parity" || kind == "ldba") return automata::to_parity(a, budget).automaton();
   const automata::Automaton general = automata::as_automaton(
-      automata::reduce(automata::without_fin(a.transitions(), budget), automata::MarksOn::Edges, budget)
-          .automaton,
+      automata::reduce(automata::without_fin(a.transitions(), budget), automata::MarksOn::Edges, budget).automaton,
       a.vocabulary(), a.reads());
   return kind == "buchi" ? *automata::make_state_based(general, budget) : general;
 }
 
-AnyAutomaton changed(automata::Automaton a, const AutomatonRequest& request, automata::Budget& budget,
-                     Shown& about) {
+AnyAutomaton changed(automata::Automaton a, const AutomatonRequest& request, automata::Budget& budget, Shown& about) {
   if (request.complement) a = complement_of(a, budget);
   if (!request.product.empty()) a = automata::intersection(a, other_omega(request.product, budget), budget);
   if (!request.either.empty()) a = united(a, other_omega(request.either, budget), budget);
@@ -161,8 +153,7 @@ AnyAutomaton understood(automata::HoaAutomaton file, const std::string& source, 
   return automata::to_automaton(std::move(file), source, budget);
 }
 
-AnyAutomaton transformed(AnyAutomaton any, const AutomatonRequest& request, automata::Budget& budget,
-                         Shown& about) {
+AnyAutomaton transformed(AnyAutomaton any, const AutomatonRequest& request, automata::Budget& budget, Shown& about) {
   if (auto* dfa = std::get_if<automata::Dfa>(&any)) return changed(std::move(*dfa), request, budget);
   return changed(std::get<automata::Automaton>(std::move(any)), request, budget, about);
 }
@@ -198,8 +189,7 @@ Reply asked_of(const AnyAutomaton& any, const AutomatonRequest& request, automat
       const automata::Dfa rest = automata::product(all_words(), *dfa, difference_of, budget);
       return answer("universal", "rejects ", automata::shortest_word(rest), rest.vocabulary());
     }
-    const AnyAutomaton other =
-        read_one(request.equivalent.empty() ? request.included : request.equivalent, budget);
+    const AnyAutomaton other = read_one(request.equivalent.empty() ? request.included : request.equivalent, budget);
     if (!std::holds_alternative<automata::Dfa>(other)) mixed();
     return compare(*dfa, std::get<automata::Dfa>(other), request, budget);
   }
@@ -209,8 +199,8 @@ Reply asked_of(const AnyAutomaton& any, const AutomatonRequest& request, automat
     const automata::Automaton rest = complement_of(a, budget);
     return answer("universal", "rejects ", automata::find_lasso(rest), rest.vocabulary());
   }
-  return compare(a, other_omega(request.equivalent.empty() ? request.included : request.equivalent, budget),
-                 request, budget);
+  return compare(a, other_omega(request.equivalent.empty() ? request.included : request.equivalent, budget), request,
+                 budget);
 }
 
 }  // namespace waymark::tools

@@ -25,17 +25,14 @@ struct AutomatonRequest {
   bool complement = false, empty = false, universal = false, minimize = false, reduce = false;
   std::size_t states = 1'000'000;
 
-  bool changes_language() const {
-    return complement || !product.empty() || !either.empty() || !difference.empty();
-  }
+  bool changes_language() const { return complement || !product.empty() || !either.empty() || !difference.empty(); }
   bool asks() const { return empty || universal || !equivalent.empty() || !included.empty(); }
 };
 
 // A DFA when the file says finite-words.
 AnyAutomaton understood(automata::HoaAutomaton file, const std::string& source, automata::Budget& budget);
 // All operations asked for, in a fixed order: complement, product, union, difference, reduction, change of kind.
-AnyAutomaton transformed(AnyAutomaton any, const AutomatonRequest& request, automata::Budget& budget,
-                         Shown& about);
+AnyAutomaton transformed(AnyAutomaton any, const AutomatonRequest& request, automata::Budget& budget, Shown& about);
 // Do all words that are accepted satisfy request.satisfies?
 Reply satisfies(const AnyAutomaton& any, const AutomatonRequest& request, automata::Budget& budget,
                 std::stop_token stop);

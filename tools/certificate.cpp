@@ -29,8 +29,7 @@ void try_words(ltl::Formula formula, const Dfa& dfa) {
   const ltl::Vocabulary& vocabulary = formula.arena().vocabulary();
   ltl::Random random(1);
   for (int i = 0; i < 50; ++i) {
-    const ltl::Trace word =
-        ltl::random_trace(random, {.length = 1 + random.below(8), .atoms = vocabulary.size()});
+    const ltl::Trace word = ltl::random_trace(random, {.length = 1 + random.below(8), .atoms = vocabulary.size()});
     const bool expected = ltl::holds(word, formula);
     if (automata::accepts(dfa, word) != expected)
       wrong(formula, expected ? "it rejects" : "it accepts", ltl::show(word, vocabulary));
@@ -43,8 +42,7 @@ void prove(ltl::Formula formula, const Dfa& positive, const Dfa& negative) {
   if (const auto word = automata::shortest_word(both))
     wrong(formula, "it and its negation accept", ltl::show(*word, both.vocabulary()));
   const Dfa all(positive.vocabulary(), {}, automata::Mtbdd(),
-                {automata::Mtbdd::terminal(1), automata::Mtbdd::terminal(1)}, {false, true},
-                automata::StateId{0});
+                {automata::Mtbdd::terminal(1), automata::Mtbdd::terminal(1)}, {false, true}, automata::StateId{0});
   const Dfa any = automata::product(positive, negative, [](bool p, bool q) { return p || q; });
   if (const auto found = automata::difference(all, any))
     wrong(formula, "neither it nor its negation accepts", ltl::show(found->word, found->vocabulary));
@@ -52,14 +50,14 @@ void prove(ltl::Formula formula, const Dfa& positive, const Dfa& negative) {
 
 // Is every word accepted by one of the two? Both are determinised where they are not deterministic; nullopt: that took
 // more than was given to it.
-std::optional<bool> prove_universal(ltl::Formula formula, const Automaton& positive,
-                                    const Automaton& negative, const automata::TranslationLimits& limits) {
+std::optional<bool> prove_universal(ltl::Formula formula, const Automaton& positive, const Automaton& negative,
+                                    const automata::TranslationLimits& limits) {
   automata::Budget budget(determinization_steps, limits.states, limits.stop);
   try {
     const automata::Deterministic a = automata::determinized(positive, budget);
     const automata::Deterministic b = automata::determinized(negative, budget);
-    const Automaton neither = automata::intersection(automata::complement(a).automaton(),
-                                                     automata::complement(b).automaton(), budget);
+    const Automaton neither =
+        automata::intersection(automata::complement(a).automaton(), automata::complement(b).automaton(), budget);
     if (const auto word = automata::find_lasso(neither, budget))
       wrong(formula, "neither it nor its negation accepts", ltl::show(*word, neither.vocabulary()));
     return true;
@@ -75,11 +73,10 @@ std::size_t try_words(ltl::Formula formula, const Automaton& positive, const Aut
   const ltl::Vocabulary& vocabulary = formula.arena().vocabulary();
   ltl::Random random(1);
   for (std::size_t i = 0; i < words; ++i) {
-    const ltl::Lasso word =
-        ltl::random_lasso(random, {.prefix = random.below(6),
-                                   .cycle = 1 + random.below(5),
-                                   .atoms = vocabulary.size(),
-                                   .density = 0.2 + 0.2 * static_cast<double>(random.below(4))});
+    const ltl::Lasso word = ltl::random_lasso(random, {.prefix = random.below(6),
+                                                       .cycle = 1 + random.below(5),
+                                                       .atoms = vocabulary.size(),
+                                                       .density = 0.2 + 0.2 * static_cast<double>(random.below(4))});
     const bool expected = ltl::holds(word, formula);
     if (automata::accepts(positive, word) != expected)
       wrong(formula, expected ? "it rejects" : "it accepts", ltl::show(word, vocabulary));
@@ -90,8 +87,7 @@ std::size_t try_words(ltl::Formula formula, const Automaton& positive, const Aut
 }
 
 const Automaton& omega_of(const Translated& result) {
-  if (const auto* ldba = std::get_if<automata::TranslatedForMdps>(&result))
-    return ldba->automaton.automaton();
+  if (const auto* ldba = std::get_if<automata::TranslatedForMdps>(&result)) return ldba->automaton.automaton();
   return std::get<automata::Translated>(result).automaton;
 }
 

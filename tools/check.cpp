@@ -44,8 +44,8 @@ struct Checked {
   std::optional<std::string> map = {};
 };
 
-void print_json(ltl::Formula formula, const std::vector<ltl::Formula>& rest, const Checked& checked,
-                bool satisfied, const CheckOptions& options) {
+void print_json(ltl::Formula formula, const std::vector<ltl::Formula>& rest, const Checked& checked, bool satisfied,
+                const CheckOptions& options) {
   JsonObject json;
   json.add("formula", ltl::print(formula));
   if (checked.map) json.add("map", *checked.map);
@@ -59,12 +59,10 @@ void print_json(ltl::Formula formula, const std::vector<ltl::Formula>& rest, con
   std::cout << json.text() << '\n';
 }
 
-ExitCode check_one(const Text& text, const Checked& checked, const CheckOptions& options,
-                   const Session& session) {
+ExitCode check_one(const Text& text, const Checked& checked, const CheckOptions& options, const Session& session) {
   ltl::Arena arena(checked.vocabulary);
   const ltl::Formula formula = parse_formula(text, arena, parse_options(options.notation, checked.unknown));
-  const bool satisfied =
-      std::visit([&](const auto& word) { return ltl::holds(word, formula); }, checked.word);
+  const bool satisfied = std::visit([&](const auto& word) { return ltl::holds(word, formula); }, checked.word);
   std::vector<ltl::Formula> rest;
   if (options.progress) {
     const auto& word = std::get<ltl::Trace>(checked.word);
@@ -109,16 +107,14 @@ ExitCode run_check(const CheckOptions& options, const Session& session) {
   const int given =
       (options.trajectory.empty() ? 0 : 1) + (options.trace.empty() ? 0 : 1) + (options.word.empty() ? 0 : 1);
   if (given != 1) throw UsageError("give one of --trajectory, --trace and --word; see waymark check --help");
-  const bool formula_from_stdin = options.text.arguments.empty()
-                                      ? options.text.file.empty() || options.text.file == "-"
-                                      : options.text.arguments[0] == "-";
+  const bool formula_from_stdin = options.text.arguments.empty() ? options.text.file.empty() || options.text.file == "-"
+                                                                 : options.text.arguments[0] == "-";
   if ((options.trajectory == "-" || options.trace == "-") && formula_from_stdin)
     throw UsageError("formula and trajectory cannot both come from standard input");
   TextReader texts(options.text, "formula");
   const Checked checked = read_checked(options);
   return answer_each(
-      texts, session.stop, [&](const Text& text) { return check_one(text, checked, options, session); },
-      options.json);
+      texts, session.stop, [&](const Text& text) { return check_one(text, checked, options, session); }, options.json);
 }
 
 }  // namespace
@@ -128,12 +124,9 @@ Runner setup_check(Command command) {
   add_text_options(command, options->text, "formula");
   add_notation_options(command, options->notation);
   add_map_options(command, options->map);
-  command
-      .add_option("--trajectory", options->trajectory, "poses or actions (docs/formats); - is standard input")
+  command.add_option("--trajectory", options->trajectory, "poses or actions (docs/formats); - is standard input")
       .type_name("FILE");
-  command
-      .add_option("--trace", options->trace,
-                  "a word without a map, letters line by line; - is standard input")
+  command.add_option("--trace", options->trace, "a word without a map, letters line by line; - is standard input")
       .type_name("FILE");
   add_letter_format_option(command, options->format);
   command.add_option("--word", options->word, "a word without a map: '{a}; {b}', or a lasso: '{a}; ({b})w'")

@@ -56,8 +56,7 @@ class OnMap {
 
   ExitCode compare(const Text& text, bool is_single) {
     ltl::Arena arena(map_.vocabulary());
-    const ltl::Formula formula =
-        parse_formula(text, arena, parse_options(options_.notation, ltl::Unknown::Reject));
+    const ltl::Formula formula = parse_formula(text, arena, parse_options(options_.notation, ltl::Unknown::Reject));
     return compare(translate(formula, session_.stop), {.formula = formula}, is_single);
   }
 
@@ -108,8 +107,7 @@ class OnModel {
 
   // Throws std::invalid_argument for a task that learners cannot be given.
   ExitCode compare(const plan::CaseTask& task, bool is_single) {
-    if (task.logic == plan::CaseTask::Logic::Derived)
-      throw std::invalid_argument("a tour is no task for learners");
+    if (task.logic == plan::CaseTask::Logic::Derived) throw std::invalid_argument("a tour is no task for learners");
     if (given_) return compare(task, given_->dfa, {.automaton = given_->name}, is_single);
     ltl::Arena arena(model_.letters().vocabulary());
     const ltl::Formula formula = ltl::parse(task.formula, arena, {.unknown = ltl::Unknown::Reject});
@@ -122,8 +120,7 @@ class OnModel {
   }
 
  private:
-  ExitCode compare(const plan::CaseTask& task, const automata::Dfa& dfa, ComparedTask compared,
-                   bool is_single) {
+  ExitCode compare(const plan::CaseTask& task, const automata::Dfa& dfa, ComparedTask compared, bool is_single) {
     const plan::LearningTask learning(model_, dfa, compared.formula, comparison_.task_options());
     compared.map = case_.name;
     compared.task = task.id;
@@ -161,13 +158,12 @@ ExitCode compare_case(const CompareOptions& options, const Session& session, Com
     if (is_single && task.id != options.task) continue;
     any = true;
     try {
-      worst = std::max(
-          worst,
-          std::visit(
-              [&](const auto& model) {
-                return OnModel(planning_case, model, given, session, comparison).compare(task, is_single);
-              },
-              planning_case.model));
+      worst = std::max(worst,
+                       std::visit(
+                           [&](const auto& model) {
+                             return OnModel(planning_case, model, given, session, comparison).compare(task, is_single);
+                           },
+                           planning_case.model));
     } catch (const std::invalid_argument& error) {
       complain(is_single ? "error" : "note", "task " + task.id + ": " + error.what());
       if (is_single) worst = ExitCode::BadInput;
@@ -177,8 +173,7 @@ ExitCode compare_case(const CompareOptions& options, const Session& session, Com
     }
     std::cout.flush();
   }
-  if (!any)
-    throw UsageError(options.planning_case + " has no task" + (is_single ? " '" + options.task + "'" : "s"));
+  if (!any) throw UsageError(options.planning_case + " has no task" + (is_single ? " '" + options.task + "'" : "s"));
   if (comparison.tasks() > 1) comparison.suite();
   return worst;
 }
@@ -230,8 +225,7 @@ Runner setup_compare(Command command) {
   const auto options = std::make_shared<CompareOptions>();
   Protocol& protocol = options->choice.protocol;
   add_text_options(command, options->text, "formula");
-  command
-      .add_option("--automaton", options->automaton, "a DFA in HOA instead of a formula; - is standard input")
+  command.add_option("--automaton", options->automaton, "a DFA in HOA instead of a formula; - is standard input")
       .type_name("FILE");
   add_notation_options(command, options->notation);
   add_map_options(command, options->map);
@@ -242,13 +236,9 @@ Runner setup_compare(Command command) {
       .type_name("FILE");
   command.add_option("--task", options->task, "with --case: this task only").type_name("ID");
   constexpr int most = 1'000'000'000;
-  command.add_option("--methods", options->choice.methods, method_names())
-      .separated_by(',')
-      .type_name("NAME,...");
+  command.add_option("--methods", options->choice.methods, method_names()).separated_by(',').type_name("NAME,...");
   command.add_option("--seeds", protocol.seeds, "runs of each learner").between(1, most).show_default();
-  command.add_option("--steps", protocol.steps, "of the environment, in each run")
-      .between(1, most)
-      .show_default();
+  command.add_option("--steps", protocol.steps, "of the environment, in each run").between(1, most).show_default();
   command.add_option("--interval", protocol.interval, "steps between two exact evaluations of the policy")
       .between(1, most)
       .show_default();

@@ -54,8 +54,7 @@ std::string sentence(const std::string& relation) {
 ExitCode run_comparison(const ComparisonOptions& options, const Session& session) {
   ltl::Arena arena;
   const ltl::ParseOptions how = parse_options(options.notation, ltl::Unknown::Add);
-  const ltl::Formula first = ltl::parse(options.first, arena, how),
-                     second = ltl::parse(options.second, arena, how);
+  const ltl::Formula first = ltl::parse(options.first, arena, how), second = ltl::parse(options.second, arena, how);
   const auto of_first = word_of(ltl::conjunction(first, ltl::negate(second)), options, session);
   const auto of_second = word_of(ltl::conjunction(second, ltl::negate(first)), options, session);
   const std::string found = relation(of_first.has_value(), of_second.has_value());

@@ -68,10 +68,7 @@ std::string why_not(const plan::Method& method, const ComparedTask& compared) {
 }  // namespace
 
 Comparison::Comparison(const CompareChoice& choice, const Session& session)
-    : choice_(choice),
-      session_(session),
-      methods_(chosen_methods(choice.methods)),
-      verdicts_(methods_.size()) {}
+    : choice_(choice), session_(session), methods_(chosen_methods(choice.methods)), verdicts_(methods_.size()) {}
 
 plan::LearningTaskOptions Comparison::task_options() const {
   return {.noise = {}, .discount = choice_.protocol.discount};
@@ -131,8 +128,8 @@ void Comparison::run_methods(ComparedTask& compared, const plan::LearningTask& t
   std::vector<double> seconds(jobs);
   ProgressBar bar;
   parser::run_jobs(
-      jobs, threads_of(choice_.threads),
-      [&](double fraction, std::string_view what) { bar.show(fraction, what); }, "learning",
+      jobs, threads_of(choice_.threads), [&](double fraction, std::string_view what) { bar.show(fraction, what); },
+      "learning",
       [&](std::size_t job, const parser::JobProgress& progress) {
         const plan::Method& method = methods_[allowed[job / seeds]];
         const double begin = thread_seconds();
@@ -146,8 +143,8 @@ void Comparison::run_methods(ComparedTask& compared, const plan::LearningTask& t
     summarise(compared, allowed[k], {curves.data() + k * seeds, seeds}, {seconds.data() + k * seeds, seeds});
 }
 
-void Comparison::summarise(ComparedTask& compared, std::size_t method,
-                           std::span<const plan::LearningCurve> curves, std::span<const double> seconds) {
+void Comparison::summarise(ComparedTask& compared, std::size_t method, std::span<const plan::LearningCurve> curves,
+                           std::span<const double> seconds) {
   std::vector<plan::Verdict> verdicts;
   for (std::size_t k = 0; k < curves.size(); ++k)
     verdicts.push_back(plan::judge(curves[k], compared.optimum, seconds[k]));

@@ -74,8 +74,7 @@ void print_protocol(std::ostream& out, const Protocol& protocol) {
 
 std::string shown(const plan::PolicyValue& optimum) {
   std::string text = "cost " + shown_cost(optimum.cost);
-  if (optimum.probability < 1 - 1e-12)
-    text += " where it succeeds, probability " + fixed(optimum.probability, 6);
+  if (optimum.probability < 1 - 1e-12) text += " where it succeeds, probability " + fixed(optimum.probability, 6);
   return text;
 }
 
@@ -103,8 +102,7 @@ std::string shown_cost(double cost) { return cost == std::round(cost) ? fixed(co
 
 JsonObject json_of(const ComparedTask& task, const Protocol& protocol) {
   JsonArray starts, methods;
-  for (const plan::Pose& pose : task.starts)
-    starts.add(JsonArray().add(pose.x).add(pose.y).add(pose.heading));
+  for (const plan::Pose& pose : task.starts) starts.add(JsonArray().add(pose.x).add(pose.y).add(pose.heading));
   if (!task.start.empty()) starts.add(task.start);
   for (const MethodRuns& method : task.methods) methods.add(method_json(method));
   JsonObject json;
@@ -124,10 +122,9 @@ JsonObject json_of(const ComparedTask& task, const Protocol& protocol) {
       .add("sweeps", task.sweeps)
       .add("seconds", task.seconds_of_optimum);
   json.add("value_iteration", optimum);
-  json.add("search",
-           task.search
-               ? Json(JsonObject().add("cost", task.search->cost).add("seconds", task.search->seconds))
-               : Json());
+  json.add("search", task.search
+                         ? Json(JsonObject().add("cost", task.search->cost).add("seconds", task.search->seconds))
+                         : Json());
   return json.add("methods", methods);
 }
 
@@ -141,11 +138,11 @@ void print(std::ostream& out, const Terminal& terminal, const ComparedTask& task
     out << "best     none: " << terminal.paint(Paint::Red, "no policy satisfies the task") << "\n\n";
     return;
   }
-  out << "best     " << shown(task.optimum) << " by value iteration in "
-      << fixed(1000 * task.seconds_of_optimum, 2) << " ms";
+  out << "best     " << shown(task.optimum) << " by value iteration in " << fixed(1000 * task.seconds_of_optimum, 2)
+      << " ms";
   if (task.search)
-    out << "; cost " << shown_cost(task.search->cost) << " by search in "
-        << fixed(1000 * task.search->seconds, 2) << " ms";
+    out << "; cost " << shown_cost(task.search->cost) << " by search in " << fixed(1000 * task.search->seconds, 2)
+        << " ms";
   out << '\n';
   if (task.is_over) out << "         the task is satisfied where it begins: nothing to learn\n";
   print_protocol(out, protocol);
@@ -153,8 +150,7 @@ void print(std::ostream& out, const Terminal& terminal, const ComparedTask& task
   out << '\n';
 }
 
-JsonObject json_of_suite(const std::vector<MethodRuns>& methods, std::size_t tasks,
-                         const Protocol& protocol) {
+JsonObject json_of_suite(const std::vector<MethodRuns>& methods, std::size_t tasks, const Protocol& protocol) {
   JsonArray all;
   for (const MethodRuns& method : methods) all.add(method_json(method));
   JsonObject json;

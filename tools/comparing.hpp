@@ -30,8 +30,7 @@ struct ComparedTask {
   std::string automaton = {};                // the name of its file
   std::string map = {};
   std::vector<plan::Pose> starts = {};  // on a map
-  std::string task = {},
-              start = {};  // of a planning case: the name of the task, and of the state it begins in
+  std::string task = {}, start = {};    // of a planning case: the name of the task, and of the state it begins in
   std::size_t automaton_states = 0, product_states = 0;
   plan::PolicyValue optimum = {};
   double seconds_of_optimum = 0;

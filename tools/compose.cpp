@@ -54,27 +54,26 @@ Json product_json(const plan::MapProduct& product, std::optional<ltl::Formula> f
                           .add("traps", counts.traps));
 }
 
-void print_text(const plan::MapProduct& product, std::optional<ltl::Formula> formula,
-                const Terminal& terminal) {
+void print_text(const plan::MapProduct& product, std::optional<ltl::Formula> formula, const Terminal& terminal) {
   const Counts counts = count(product);
   if (formula) std::cout << "formula    " << shown(*formula, terminal) << '\n';
   std::cout << "automaton  " << counted(product.dfa().states(), "state") << '\n'
-            << "product    " << counted(num_vertices(product), "state") << " (" << counts.accepting
-            << " accepting, " << counts.traps << " without hope), " << counted(num_edges(product), "edge")
-            << ", with the map " << product.map().name() << '\n';
+            << "product    " << counted(num_vertices(product), "state") << " (" << counts.accepting << " accepting, "
+            << counts.traps << " without hope), " << counted(num_edges(product), "edge") << ", with the map "
+            << product.map().name() << '\n';
 }
 
 void print_dot(const plan::MapProduct& product) {
   std::cout << "digraph product {\n  node [shape=box, style=rounded, fontname=\"Helvetica\", fontsize=11];\n"
             << "  edge [fontname=\"Helvetica\", fontsize=10];\n";
   for (const plan::ProductState& v : boost::make_iterator_range(vertices(product))) {
-    std::cout << "  " << product.index(v) << " [label=\"" << product.model().name(v.place) << " · " << v.task
-              << '"' << (product.is_accepting(v) ? ", peripheries=2" : "")
-              << (product.is_trap(v) ? ", color=gray70" : "") << "];\n";
+    std::cout << "  " << product.index(v) << " [label=\"" << product.model().name(v.place) << " · " << v.task << '"'
+              << (product.is_accepting(v) ? ", peripheries=2" : "") << (product.is_trap(v) ? ", color=gray70" : "")
+              << "];\n";
   }
   for (std::size_t i = 0; i < product.starts().size(); ++i)
-    std::cout << "  start" << i << " [shape=point]; start" << i << " -> "
-              << product.index(product.starts()[i]) << ";\n";
+    std::cout << "  start" << i << " [shape=point]; start" << i << " -> " << product.index(product.starts()[i])
+              << ";\n";
   for (const plan::ProductState& v : boost::make_iterator_range(vertices(product)))
     for (auto [e, end] = out_edges(v, product); e != end; ++e)
       std::cout << "  " << product.index(v) << " -> " << product.index(e->to) << " [label=\""
@@ -82,8 +81,8 @@ void print_dot(const plan::MapProduct& product) {
   std::cout << "}\n";
 }
 
-void answer(const plan::MapProduct& product, std::optional<ltl::Formula> formula,
-            const ComposeOptions& options, const Session& session) {
+void answer(const plan::MapProduct& product, std::optional<ltl::Formula> formula, const ComposeOptions& options,
+            const Session& session) {
   if (options.output.format == "json")
     std::cout << product_json(product, formula).text() << '\n';
   else if (options.output.format == "dot")
@@ -92,8 +91,8 @@ void answer(const plan::MapProduct& product, std::optional<ltl::Formula> formula
     print_text(product, formula, session.out);
 }
 
-plan::MapProduct composed(const plan::Map& map, const automata::Dfa& dfa,
-                          std::span<const plan::PoseId> starts, const Session& session) {
+plan::MapProduct composed(const plan::Map& map, const automata::Dfa& dfa, std::span<const plan::PoseId> starts,
+                          const Session& session) {
   std::optional<plan::MapProduct> product = plan::compose(map, dfa, starts, {.stop = session.stop});
   if (!product) throw Interrupted();
   return std::move(*product);
@@ -131,15 +130,13 @@ void compose_task(const plan::PlanningCase& model, const plan::CaseTask& task, c
 }
 
 // The tasks of the file that were asked for and have an automaton: a tour has none.
-ExitCode compose_tasks(const plan::PlanningCase& model, const ComposeOptions& options,
-                       const Session& session) {
+ExitCode compose_tasks(const plan::PlanningCase& model, const ComposeOptions& options, const Session& session) {
   std::vector<const plan::CaseTask*> chosen;
   for (const plan::CaseTask& task : model.tasks)
     if ((options.task.empty() || options.task == task.id) && task.query != plan::CaseTask::Query::MinCycle)
       chosen.push_back(&task);
   if (chosen.empty())
-    throw UsageError(options.file + " has no " +
-                     (options.task.empty() ? "tasks" : "task '" + options.task + "'") +
+    throw UsageError(options.file + " has no " + (options.task.empty() ? "tasks" : "task '" + options.task + "'") +
                      " with an automaton; give a formula, or --model-only");
   const bool one = options.output.format == "prism" || options.output.format == "explicit";
   if (one && chosen.size() > 1) throw UsageError("one product at a time in this format: choose by --task");
@@ -158,8 +155,7 @@ ExitCode compose_any(const ComposeOptions& options, const Session& session) {
   if (!options.automaton.empty()) {
     const plan::GivenAutomaton given =
         plan::read_given_automaton(read_file(options.automaton), source_name(options.automaton));
-    const auto automaton =
-        plan::task_automaton(given, plan::CaseTask::Query::MaxProbability, {.stop = session.stop});
+    const auto automaton = plan::task_automaton(given, plan::CaseTask::Query::MaxProbability, {.stop = session.stop});
     if (!automaton) throw GaveUp("no automaton for decision processes within the limits");
     write_product(model, *automaton, {}, options.output, session.stop);
     return ExitCode::Done;
@@ -171,8 +167,7 @@ ExitCode compose_any(const ComposeOptions& options, const Session& session) {
       texts, session.stop,
       [&](const Text& text) {
         ltl::Arena arena = arena_of(model);
-        const ltl::Formula formula =
-            parse_formula(text, arena, parse_options(options.notation, ltl::Unknown::Reject));
+        const ltl::Formula formula = parse_formula(text, arena, parse_options(options.notation, ltl::Unknown::Reject));
         const plan::TaskAutomaton dfa = translate(formula, session.stop);
         write_product(model, dfa, {"", ltl::print(formula)}, options.output, session.stop);
         return ExitCode::Done;
@@ -181,19 +176,17 @@ ExitCode compose_any(const ComposeOptions& options, const Session& session) {
 }
 
 ExitCode run_compose(const ComposeOptions& options, const Session& session) {
-  if (!options.automaton.empty() && gives_formula(options))
-    throw UsageError("give a formula or --automaton, not both");
+  if (!options.automaton.empty() && gives_formula(options)) throw UsageError("give a formula or --automaton, not both");
   if (!options.output.out.empty() && options.output.format != "prism" && options.output.format != "explicit")
     throw UsageError("--out goes with --format prism and --format explicit");
   if (!options.task.empty() && options.file.empty()) throw UsageError("--task goes with --case");
-  if (!options.file.empty() || options.model_only || options.output.graph ||
-      options.output.format == "prism" || options.output.format == "explicit")
+  if (!options.file.empty() || options.model_only || options.output.graph || options.output.format == "prism" ||
+      options.output.format == "explicit")
     return compose_any(options, session);
   const plan::Map map = read_map(options.map);
   const auto starts = start_poses(options.start, map);
   if (!options.automaton.empty()) {
-    const automata::Dfa dfa =
-        automata::read_hoa(read_file(options.automaton), source_name(options.automaton));
+    const automata::Dfa dfa = automata::read_hoa(read_file(options.automaton), source_name(options.automaton));
     answer(composed(map, dfa, starts, session), std::nullopt, options, session);
     return ExitCode::Done;
   }
@@ -202,8 +195,7 @@ ExitCode run_compose(const ComposeOptions& options, const Session& session) {
       texts, session.stop,
       [&](const Text& text) {
         ltl::Arena arena(map.vocabulary());
-        const ltl::Formula formula =
-            parse_formula(text, arena, parse_options(options.notation, ltl::Unknown::Reject));
+        const ltl::Formula formula = parse_formula(text, arena, parse_options(options.notation, ltl::Unknown::Reject));
         const automata::Dfa dfa = translate(formula, session.stop);
         answer(composed(map, dfa, starts, session), formula, options, session);
         return ExitCode::Done;
@@ -216,9 +208,7 @@ ExitCode run_compose(const ComposeOptions& options, const Session& session) {
 Runner setup_compose(Command command) {
   const auto options = std::make_shared<ComposeOptions>();
   add_text_options(command, options->text, "formula");
-  command
-      .add_option("--automaton", options->automaton,
-                  "an automaton in HOA instead of a formula; - is standard input")
+  command.add_option("--automaton", options->automaton, "an automaton in HOA instead of a formula; - is standard input")
       .type_name("FILE");
   add_notation_options(command, options->notation);
   add_map_options(command, options->map);
@@ -231,10 +221,9 @@ Runner setup_compose(Command command) {
   command.add_option("--task", options->task, "with --case: this task only").type_name("ID");
   command.add_flag("--model-only", options->model_only, "the map or model itself, without a task");
   command
-      .add_option(
-          "--format", options->output.format,
-          "sizes for people, sizes as JSON, or the graph: for Graphviz, in PRISM's language, as PRISM's "
-          "explicit files")
+      .add_option("--format", options->output.format,
+                  "sizes for people, sizes as JSON, or the graph: for Graphviz, in PRISM's language, as PRISM's "
+                  "explicit files")
       .one_of({"text", "json", "dot", "prism", "explicit"})
       .show_default();
   command.add_flag("--graph", options->output.graph, "with --format json: states and choices as well");

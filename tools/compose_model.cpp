@@ -48,8 +48,7 @@ void print_dot(const StateLabelled& model) {
   for (std::uint32_t s = 0; s < model.mdp.states(); ++s) {
     const plan::Letters& letters = model.mdp.letters();
     std::cout << "  " << s << " [label="
-              << quoted(model.mdp.name(s) + ' ' + ltl::show(letters[model.letter[s]], letters.vocabulary()))
-              << "];\n";
+              << quoted(model.mdp.name(s) + ' ' + ltl::show(letters[model.letter[s]], letters.vocabulary())) << "];\n";
     for (std::uint32_t k = 0; k < model.mdp.choices(s); ++k) {
       const std::string action = quoted(std::string(model.mdp.action(s, k)));
       const auto outcomes = model.mdp.outcomes(s, k);
@@ -61,8 +60,7 @@ void print_dot(const StateLabelled& model) {
       std::cout << "  " << drawn << " [shape=point]; " << s << " -> " << drawn << " [label=" << action
                 << ", dir=none];\n";
       for (const plan::ModelOutcome& o : outcomes)
-        std::cout << "  " << drawn << " -> " << o.target << " [label=\"" << Json(o.probability).text()
-                  << "\"];\n";
+        std::cout << "  " << drawn << " -> " << o.target << " [label=\"" << Json(o.probability).text() << "\"];\n";
     }
   }
   std::cout << "}\n";
@@ -134,8 +132,8 @@ class ProductWriter {
     if (!title_.task.empty()) std::cout << "task       " << title_.task << '\n';
     if (!title_.formula.empty()) std::cout << "formula    " << title_.formula << '\n';
     std::cout << "automaton  " << counted(automaton_states, "state") << '\n'
-              << "product    " << counted(product.states(), "state") << " (" << counted(goals, "goal")
-              << "), " << counted(product.edges(), "edge") << ", with " << case_.name << '\n';
+              << "product    " << counted(product.states(), "state") << " (" << counted(goals, "goal") << "), "
+              << counted(product.edges(), "edge") << ", with " << case_.name << '\n';
   }
 
   const plan::PlanningCase& case_;
@@ -147,11 +145,9 @@ class ProductWriter {
 }  // namespace
 
 void write_model(const plan::PlanningCase& model, const GraphOutput& output) {
-  if (const auto* grid = std::get_if<plan::GridWorld>(&model.model);
-      grid != nullptr && output.format == "prism")
+  if (const auto* grid = std::get_if<plan::GridWorld>(&model.model); grid != nullptr && output.format == "prism")
     return write_language(plan::write_prism(*grid), output.out);
-  const StateLabelled labelled =
-      std::visit([](const auto& m) { return plan::with_labels_on_states(m); }, model.model);
+  const StateLabelled labelled = std::visit([](const auto& m) { return plan::with_labels_on_states(m); }, model.model);
   if (output.format == "json") {
     JsonObject json;
     json.add("map", model.name).add("model", sizes_of(labelled));
@@ -159,15 +155,15 @@ void write_model(const plan::PlanningCase& model, const GraphOutput& output) {
     std::cout << json.text() << '\n';
   } else if (output.format == "text") {
     std::cout << "model      " << counted(labelled.mdp.states(), "state") << ", "
-              << counted(labelled.mdp.choices(), "choice") << ", "
-              << counted(labelled.mdp.outcomes(), "outcome") << ": " << model.name << '\n';
+              << counted(labelled.mdp.choices(), "choice") << ", " << counted(labelled.mdp.outcomes(), "outcome")
+              << ": " << model.name << '\n';
   } else {
     write_graph(labelled, output);
   }
 }
 
-void write_product(const plan::PlanningCase& model, const plan::TaskAutomaton& automaton,
-                   const ProductTitle& title, const GraphOutput& output, const std::stop_token& stop) {
+void write_product(const plan::PlanningCase& model, const plan::TaskAutomaton& automaton, const ProductTitle& title,
+                   const GraphOutput& output, const std::stop_token& stop) {
   const ProductWriter writer(model, title, output, stop);
   std::visit([&](const auto& m, const auto& a) { writer.write(m, a); }, model.model, automaton);
 }

@@ -19,7 +19,7 @@ void write_model(const plan::PlanningCase& model, const GraphOutput& output);
 struct ProductTitle {
   std::string task, formula;
 };
-void write_product(const plan::PlanningCase& model, const plan::TaskAutomaton& automaton,
-                   const ProductTitle& title, const GraphOutput& output, const std::stop_token& stop);
+void write_product(const plan::PlanningCase& model, const plan::TaskAutomaton& automaton, const ProductTitle& title,
+                   const GraphOutput& output, const std::stop_token& stop);
 
 }  // namespace waymark::tools

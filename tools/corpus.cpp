@@ -82,9 +82,8 @@ parser::StatisticsByMap statistics_of(const streets::StreetCorpus& corpus) {
 
 ExitCode run_corpus(const CorpusOptions& options) {
   const bool streets = streets::is_street_corpus(options.directory);
-  const parser::StatisticsByMap statistics =
-      streets ? statistics_of(streets::read_street_corpus(options.directory))
-              : parser::statistics(parser::read_sail_corpus(options.directory));
+  const parser::StatisticsByMap statistics = streets ? statistics_of(streets::read_street_corpus(options.directory))
+                                                     : parser::statistics(parser::read_sail_corpus(options.directory));
   if (!options.json) {
     print_table(statistics);
     return ExitCode::Done;
@@ -101,9 +100,7 @@ ExitCode run_corpus(const CorpusOptions& options) {
 
 Runner setup_corpus(Command command) {
   const auto options = std::make_shared<CorpusOptions>();
-  command.add_option("directory", options->directory, "holds instructions.jsonl and maps/")
-      .type_name("DIR")
-      .required();
+  command.add_option("directory", options->directory, "holds instructions.jsonl and maps/").type_name("DIR").required();
   command.add_flag("--json", options->json, "one JSON object");
   return [options](const Session&) { return run_corpus(*options); };
 }

@@ -28,8 +28,7 @@ automata::Dfa translate(ltl::Formula formula, const std::stop_token& stop) {
   auto result = automata::ltlf_to_dfa(formula, limits);
   if (auto* dfa = std::get_if<automata::Dfa>(&result)) return std::move(*dfa);
   if (stop.stop_requested()) throw Interrupted();
-  throw GaveUp("the automaton has more than " + std::to_string(limits.states) +
-               " states before minimisation");
+  throw GaveUp("the automaton has more than " + std::to_string(limits.states) + " states before minimisation");
 }
 
 CorridorRun run_corridor(const plan::Map& map, const automata::Dfa& dfa, std::optional<ltl::Formula> formula,

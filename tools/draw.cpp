@@ -21,19 +21,16 @@ ExitCode draw_plan(const DrawOptions& options, const plan::Map& map, const Sessi
   const ltl::Formula formula = parse_formula({.text = options.formula, .source = ""}, arena,
                                              parse_options(options.notation, ltl::Unknown::Reject));
   const automata::Dfa dfa = translate(formula, session.stop);
-  const CorridorRun corridor_run =
-      run_corridor(map, dfa, formula, start_poses(options.start, map), session.stop);
+  const CorridorRun corridor_run = run_corridor(map, dfa, formula, start_poses(options.start, map), session.stop);
   const std::optional<ShownRoute> route = shown(corridor_run);
   draw({.map = &map, .dfa = &dfa, .formula = formula, .route = route}, options.svg);
   if (route) return ExitCode::Done;
-  complain("note",
-           "the picture has no route: " + std::get<plan::Infeasible>(corridor_run.destination).reason);
+  complain("note", "the picture has no route: " + std::get<plan::Infeasible>(corridor_run.destination).reason);
   return ExitCode::No;
 }
 
 ExitCode run_draw(const DrawOptions& options, const Session& session) {
-  if (!options.route.empty() && !options.formula.empty())
-    throw UsageError("give --route or --formula, not both");
+  if (!options.route.empty() && !options.formula.empty()) throw UsageError("give --route or --formula, not both");
   const plan::Map map = read_map(options.map);
   if (!options.formula.empty()) return draw_plan(options, map, session);
   Picture picture{.map = &map};
@@ -48,8 +45,7 @@ ExitCode run_draw(const DrawOptions& options, const Session& session) {
 Runner setup_draw(Command command) {
   const auto options = std::make_shared<DrawOptions>();
   add_map_options(command, options->map);
-  command
-      .add_option("--route", options->route, "a route or trajectory file (docs/formats); - is standard input")
+  command.add_option("--route", options->route, "a route or trajectory file (docs/formats); - is standard input")
       .type_name("FILE");
   command.add_option("--formula", options->formula, "plan this formula and draw its route and automaton")
       .type_name("TEXT");

@@ -63,8 +63,8 @@ void write_predictions(const std::string& file, bool in_paragraphs, const parser
   std::string lines;
   for (const parser::Prediction& prediction : evaluation.predictions) {
     if (prediction.paragraph.has_value() != in_paragraphs) continue;
-    const plan::Map& map = *std::find_if(maps.begin(), maps.end(),
-                                         [&](const plan::Map& m) { return m.name() == prediction.map; });
+    const plan::Map& map =
+        *std::find_if(maps.begin(), maps.end(), [&](const plan::Map& m) { return m.name() == prediction.map; });
     ltl::Arena arena(map.vocabulary());
     const auto pose = [&](plan::PoseId p) {
       const plan::Pose at = map.pose(p);
@@ -103,12 +103,10 @@ void print_table(const parser::Evaluation& evaluation, const parser::Scores& sta
   print_formulas(formulas);
 }
 
-void print_scores(const parser::Evaluation& evaluation, const parser::Corpus& test,
-                  std::span<const plan::Map> maps, const parser::EvaluateOptions& evaluate,
-                  const EvaluateCommandOptions& options) {
+void print_scores(const parser::Evaluation& evaluation, const parser::Corpus& test, std::span<const plan::Map> maps,
+                  const parser::EvaluateOptions& evaluate, const EvaluateCommandOptions& options) {
   const parser::Scores staying = scores_of_staying(test, maps, evaluate.absolute, evaluate.relative);
-  const parser::FormulaScores formulas =
-      parser::formula_scores(evaluation.predictions, test, maps, evaluate.absolute);
+  const parser::FormulaScores formulas = parser::formula_scores(evaluation.predictions, test, maps, evaluate.absolute);
   const bool told = options.training.tell_place_numbers;
   if (options.json)
     std::cout << evaluation_json(evaluation, staying, formulas, told).text() << '\n';
@@ -120,8 +118,7 @@ void check_what_is_held_out(const EvaluateCommandOptions& options) {
   if (options.corpus.empty()) throw UsageError("evaluate asks for --corpus, or for --pairs");
   if (!options.leave_one_map_out && !options.train_all)
     throw UsageError("say what is held out: --leave-one-map-out, or --train-all with --test-corpus");
-  if (options.train_all && options.test_corpus.empty())
-    throw UsageError("--train-all asks for --test-corpus");
+  if (options.train_all && options.test_corpus.empty()) throw UsageError("--train-all asks for --test-corpus");
   if (!options.pairs.model.file.empty())
     throw UsageError("--model-file is scored by --pairs; what --corpus tests is learned first");
   check_writable(options.predictions);
@@ -145,9 +142,9 @@ ExitCode run_on_streets(const EvaluateCommandOptions& options, const Session& se
 
 ExitCode run_evaluate(const EvaluateCommandOptions& options, const Session& session) {
   if (!options.pairs.pairs.empty())
-    return evaluate_pairs({options.pairs.pairs, options.pairs.model, options.data, options.json,
-                           options.training.train.clauses},
-                          session);
+    return evaluate_pairs(
+        {options.pairs.pairs, options.pairs.model, options.data, options.json, options.training.train.clauses},
+        session);
   check_what_is_held_out(options);
   if (streets::is_street_corpus(options.corpus)) return run_on_streets(options, session);
   const parser::Corpus corpus = read_hallway_corpus(options.corpus, options.training.tell_place_numbers);
@@ -170,9 +167,8 @@ ExitCode run_evaluate(const EvaluateCommandOptions& options, const Session& sess
   const std::vector<plan::Map> maps = maps_of(corpus, options.data);
   const std::vector<plan::Map> test_maps = options.train_all ? maps_of(*test, options.data) : maps;
   const parser::Evaluation evaluation = learn_from(options.corpus, [&] {
-    return options.train_all
-               ? parser::evaluate_train_all(corpus, maps, *test, test_maps, evaluate)
-               : parser::evaluate_leave_one_map_out(corpus, test ? &*test : nullptr, maps, evaluate);
+    return options.train_all ? parser::evaluate_train_all(corpus, maps, *test, test_maps, evaluate)
+                             : parser::evaluate_leave_one_map_out(corpus, test ? &*test : nullptr, maps, evaluate);
   });
   bar.wipe();
   write_predictions(options.predictions, false, evaluation, test_maps);
@@ -208,14 +204,11 @@ Runner setup_evaluate(Command command) {
                   "what carries formulas out: exact (the default), or dqn, learned anew for each of them")
       .type_name("KIND")
       .one_of({"exact", "dqn"});
-  command
-      .add_option("--dqn-steps", options->dqn.steps, "in the environment, for each formula that dqn learns")
+  command.add_option("--dqn-steps", options->dqn.steps, "in the environment, for each formula that dqn learns")
       .type_name("N")
       .between(100, 10000000)
       .show_default();
-  command
-      .add_option("--predictions", options->predictions,
-                  "write what was answered to every sentence, as JSON Lines")
+  command.add_option("--predictions", options->predictions, "write what was answered to every sentence, as JSON Lines")
       .type_name("FILE");
   command
       .add_option("--paragraph-predictions", options->paragraph_predictions,

@@ -103,8 +103,8 @@ void print(const Total& total, bool json) {
   }
   const auto row = [](const std::string& name, const parser::CommandScore& score) {
     std::cout << name << std::string(name.size() < 34 ? 34 - name.size() : 1, ' ')
-              << fixed(score.percent(score.equivalent), 2) << "  " << fixed(score.percent(score.exact), 2)
-              << "  " << score.n << '\n';
+              << fixed(score.percent(score.equivalent), 2) << "  " << fixed(score.percent(score.exact), 2) << "  "
+              << score.n << '\n';
   };
   std::cout << "                                  equivalent  exact  commands\n";
   for (const auto& [name, score] : total.by_type) row(name, score);
@@ -139,10 +139,8 @@ ExitCode evaluate_commands(const CommandsRequest& request, const Session&) {
     throw UsageError("--commands needs --folds or --test-commands: what is tested?");
   if (request.training.files.empty() && request.model_file.empty())
     throw UsageError("--test-commands needs --commands to learn from, or --model-file");
-  const std::string& beside =
-      request.training.files.empty() ? request.tests.front() : request.training.files.front();
-  parser::CommandDomains domains =
-      domains_of(request.training, beside == "own" ? request.tests.front() : beside);
+  const std::string& beside = request.training.files.empty() ? request.tests.front() : request.training.files.front();
+  parser::CommandDomains domains = domains_of(request.training, beside == "own" ? request.tests.front() : beside);
   Total total;
   if (request.training.files.empty()) {
     const parser::Grounder grounder = parser::load_grounder(request.model_file);
@@ -156,9 +154,9 @@ ExitCode evaluate_commands(const CommandsRequest& request, const Session&) {
     if (folds.empty()) folds.emplace_back();
     ProgressBar bar;
     for (const std::string& fold : folds) {
-      parser::CommandSplit split = parser::split_commands(
-          commands_of(request.training.files, false), commands_of(request.tests, request.clean),
-          fold.empty() ? std::set<std::string>() : ids_of(fold));
+      parser::CommandSplit split =
+          parser::split_commands(commands_of(request.training.files, false), commands_of(request.tests, request.clean),
+                                 fold.empty() ? std::set<std::string>() : ids_of(fold));
       if (request.clean) std::erase_if(split.test, [](const parser::Command& c) { return c.suspect; });
       if (split.test.empty()) throw ltl::FormatError(fold, 0, 0, "names no row that could be tested");
       parser::CommandsExperiment how = request.training.how;
@@ -167,8 +165,7 @@ ExitCode evaluate_commands(const CommandsRequest& request, const Session&) {
       const parser::LiftedReader reader = parser::train_commands(split, domains, grammar, vectors, how);
       bar.wipe();
       const std::string name = fold.empty() ? "all" : std::filesystem::path(fold).stem().string();
-      total.add(name,
-                parser::score_commands(reader, split.test, domains, {.names_domain = !split.new_kinds}));
+      total.add(name, parser::score_commands(reader, split.test, domains, {.names_domain = !split.new_kinds}));
     }
   }
   if (!request.predictions.empty()) write_file(request.predictions, total.lines);

@@ -63,8 +63,7 @@ ExitCode run_explain(const ExplainOptions& options, const Session& session) {
   std::optional<plan::Map> map;
   if (!options.map.empty()) map = read_map({options.map, options.data});
   return answer_each(
-      texts, session.stop, [&](const Text& text) { return explain_one(text, map, options, session); },
-      options.json);
+      texts, session.stop, [&](const Text& text) { return explain_one(text, map, options, session); }, options.json);
 }
 
 }  // namespace
@@ -76,8 +75,7 @@ Runner setup_explain(Command command) {
   command.add_option("--semantics", options->semantics, "what words the formula is read on")
       .one_of({"finite", "infinite"})
       .show_default();
-  command.add_option("--map", options->map, "hallway map whose propositions the formula speaks of")
-      .type_name("MAP");
+  command.add_option("--map", options->map, "hallway map whose propositions the formula speaks of").type_name("MAP");
   add_data_option(command, options->data);
   command.add_option("--limit-states", options->states, "give up beyond so many states before minimisation")
       .type_name("N")

@@ -75,21 +75,18 @@ std::string hierarchy(ltl::Formula f, ltl::Semantics semantics) {
 
 std::string in_english(const ltl::Letter& letter, const std::vector<ltl::Described>& words) {
   std::string out;
-  for (const ltl::Proposition p : letter.members())
-    out += (out.empty() ? "" : " and ") + words[p.index].holds;
+  for (const ltl::Proposition p : letter.members()) out += (out.empty() ? "" : " and ") + words[p.index].holds;
   return out.empty() ? "nothing" : out;
 }
 
-Example example(const ltl::Trace& word, const ltl::Vocabulary& names,
-                const std::vector<ltl::Described>& words) {
+Example example(const ltl::Trace& word, const ltl::Vocabulary& names, const std::vector<ltl::Described>& words) {
   Example out{ltl::show(word, names), ""};
   for (const ltl::Letter& letter : word)
     out.english += (out.english.empty() ? "" : "; then ") + in_english(letter, words);
   return out;
 }
 
-Example example(const ltl::Lasso& word, const ltl::Vocabulary& names,
-                const std::vector<ltl::Described>& words) {
+Example example(const ltl::Lasso& word, const ltl::Vocabulary& names, const std::vector<ltl::Described>& words) {
   Example out{ltl::show(word, names), ""};
   for (std::size_t i = 0; i < word.size(); ++i)
     out.english += (i == 0 ? "" : "; then ") + std::string(i == word.loop_start() ? "for ever: " : "") +
@@ -97,8 +94,7 @@ Example example(const ltl::Lasso& word, const ltl::Vocabulary& names,
   return out;
 }
 
-std::optional<Example> word_of(ltl::Formula f, ltl::Semantics semantics,
-                               const automata::TranslationLimits& limits,
+std::optional<Example> word_of(ltl::Formula f, ltl::Semantics semantics, const automata::TranslationLimits& limits,
                                const std::vector<ltl::Described>& words) {
   const Translated made =
       find_translation(semantics == ltl::Semantics::Finite ? "finite" : "infinite", "").run(f, limits);
@@ -114,8 +110,7 @@ std::optional<Example> word_of(ltl::Formula f, ltl::Semantics semantics,
 
 }  // namespace
 
-Explanation explain(ltl::Formula f, ltl::Semantics semantics, bool on_map,
-                    const automata::TranslationLimits& limits) {
+Explanation explain(ltl::Formula f, ltl::Semantics semantics, bool on_map, const automata::TranslationLimits& limits) {
   const ltl::Vocabulary& names = f.arena().vocabulary();
   ltl::VerbaliseOptions english{.semantics = semantics};
   if (on_map) english.describe = plan::hallway_english(names);

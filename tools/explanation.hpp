@@ -26,8 +26,7 @@ struct Explanation {
 struct ExplanationLimit {};
 
 // on_map: the vocabulary of the formula is that of a hallway map.
-Explanation explain(ltl::Formula f, ltl::Semantics semantics, bool on_map,
-                    const automata::TranslationLimits& limits);
+Explanation explain(ltl::Formula f, ltl::Semantics semantics, bool on_map, const automata::TranslationLimits& limits);
 JsonObject json_of(const Explanation& explanation, ltl::Formula f, ltl::Semantics semantics);
 
 }  // namespace waymark::tools

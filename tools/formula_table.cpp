@@ -19,9 +19,8 @@ Json share_json(const parser::FormulaShare& share) {
 }
 
 void print_row(const std::string& name, const parser::FormulaShare& share) {
-  std::cout << std::left << std::setw(14) << name << std::right << std::setw(10)
-            << fixed(share.same.value(), 2) << std::setw(12) << fixed(share.equivalent.value(), 2)
-            << std::setw(8) << share.same.total << '\n';
+  std::cout << std::left << std::setw(14) << name << std::right << std::setw(10) << fixed(share.same.value(), 2)
+            << std::setw(12) << fixed(share.equivalent.value(), 2) << std::setw(8) << share.same.total << '\n';
 }
 
 }  // namespace
@@ -56,16 +55,14 @@ ExitCode evaluate_pairs(const PairsExperiment& experiment, const Session& sessio
   parser::FormulaJudge judge(vocabulary, parser::Dialect::Temporal);
   for (const parser::Annotation& pair : annotations.pairs) {
     if (session.stop.stop_requested()) throw Interrupted();
-    const auto programs = parser::likely_programs(grounder, {parser::tokenize(pair.text), false},
-                                                  {.clauses = experiment.clauses});
+    const auto programs =
+        parser::likely_programs(grounder, {parser::tokenize(pair.text), false}, {.clauses = experiment.clauses});
     judge.judge(pair.formula, programs.empty() ? parser::Program{} : programs.front().program);
   }
   if (experiment.json)
-    std::cout << JsonObject()
-                     .add("formulas", formulas_json(judge.scores()))
-                     .add("refused", annotations.refused.size())
-                     .text()
-              << '\n';
+    std::cout
+        << JsonObject().add("formulas", formulas_json(judge.scores())).add("refused", annotations.refused.size()).text()
+        << '\n';
   else
     print_formulas(judge.scores());
   return ExitCode::Done;

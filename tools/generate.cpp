@@ -43,8 +43,7 @@ void add_map_recipe(Command command, GenerateCommandOptions& options) {
   command.add_option("--width", options.recipe.width, "cells from west to east").show_default();
   command.add_option("--height", options.recipe.height, "cells from north to south").show_default();
   command.add_option("--landmarks", options.recipe.landmarks, "a, b, …; objects of hallways").show_default();
-  command
-      .add_option("--noise", options.recipe.noise, "chance to slip, to each side; back as well among hazards")
+  command.add_option("--noise", options.recipe.noise, "chance to slip, to each side; back as well among hazards")
       .show_default();
   command.add_option("--seed", options.recipe.seed, "the same seed, the same map").show_default();
   command.add_flag("--tasks", options.recipe.tasks, "with tasks about the landmarks");

@@ -50,15 +50,13 @@ class Grounding {
     const plan::Map& map = place.map;
     ltl::Arena arena(map.vocabulary());
     const auto starts = start_poses(instruction.start.value_or(options_.start), map);
-    parser::Understanding understood =
-        parser::understand(model_, instruction.text, place.executor, starts, arena,
-                           {.ground = {.beam = options_.beam, .one_an_end = true},
-                            .least = options_.force ? 0 : parser::least_understood});
+    parser::Understanding understood = parser::understand(model_, instruction.text, place.executor, starts, arena,
+                                                          {.ground = {.beam = options_.beam, .one_an_end = true},
+                                                           .least = options_.force ? 0 : parser::least_understood});
     std::vector<parser::Reading>& readings = understood.readings;
     if (readings.empty()) return not_understood(instruction.text, map, understood);
     const std::size_t top = std::max<std::size_t>(options_.top, 1);
-    if (readings.size() > top)
-      readings.erase(readings.begin() + static_cast<std::ptrdiff_t>(top), readings.end());
+    if (readings.size() > top) readings.erase(readings.begin() + static_cast<std::ptrdiff_t>(top), readings.end());
     std::vector<Attended> explained;
     if (options_.explain) explained = attended(model_, instruction.text, starts.size() > 1, options_.beam);
     return {.text = options_.json ? json_of(instruction.text, readings, map, explained).text() + '\n'
@@ -83,19 +81,16 @@ class Grounding {
     return *place;
   }
 
-  Reply not_understood(const std::string& text, const plan::Map& map,
-                       const parser::Understanding& understood) const {
+  Reply not_understood(const std::string& text, const plan::Map& map, const parser::Understanding& understood) const {
     return {.code = ExitCode::NotUnderstood,
-            .text = options_.json ? not_understood_json(text, map.name(), understood).text() + '\n'
-                                  : std::string(),
+            .text = options_.json ? not_understood_json(text, map.name(), understood).text() + '\n' : std::string(),
             .problem = not_understood_message(text, understood)};
   }
 
   // A command of a domain: its formula over infinite words.
   Reply read_command(const parser::Instruction& instruction, const Text& line) {
     if (!instruction.domain)
-      throw ltl::FormatError(line.source, line.line, 0,
-                             "with --domains each line is a JSON object with a 'domain'");
+      throw ltl::FormatError(line.source, line.line, 0, "with --domains each line is a JSON object with a 'domain'");
     if (!model_.commands) throw UsageError("the model has no reader of commands");
     const parser::CommandDomain* domain = nullptr;
     {
@@ -111,18 +106,16 @@ class Grounding {
     JsonObject json;
     if (instruction.id) json.add("id", *instruction.id);
     json.add("formula", understood ? Json(formula) : Json())
-        .add("english",
-             understood ? Json(in_english(read.readings.front().formula, ltl::Semantics::Infinite)) : Json())
+        .add("english", understood ? Json(in_english(read.readings.front().formula, ltl::Semantics::Infinite)) : Json())
         .add("probability", probability);
     return {.text = json.text() + '\n'};
   }
 
-  static Json json_of(const std::string& text, const std::vector<parser::Reading>& readings,
-                      const plan::Map& map, const std::vector<Attended>& explained) {
+  static Json json_of(const std::string& text, const std::vector<parser::Reading>& readings, const plan::Map& map,
+                      const std::vector<Attended>& explained) {
     JsonArray array;
     for (const parser::Reading& reading : readings)
-      array.add(
-          JsonObject().add("formula", ltl::print(reading.formula)).add("probability", reading.probability));
+      array.add(JsonObject().add("formula", ltl::print(reading.formula)).add("probability", reading.probability));
     JsonObject object;
     object.add("instruction", text)
         .add("map", map.name())
@@ -132,8 +125,7 @@ class Grounding {
     return object.add("explain", tools::json_of(explained));
   }
 
-  std::string text_of(const std::vector<parser::Reading>& readings,
-                      const std::vector<Attended>& explained) const {
+  std::string text_of(const std::vector<parser::Reading>& readings, const std::vector<Attended>& explained) const {
     std::ostringstream out;
     for (const parser::Reading& reading : readings)
       out << fixed(reading.probability, 4) << "  " << shown(reading.formula, session_.out) << '\n';
@@ -145,8 +137,7 @@ class Grounding {
   }
 
   // "chair        0.93  chair 0.88, the 0.07": the words that got a twentieth of the attention or more.
-  static void print(std::ostream& out, const parser::ExplainedSymbol& symbol,
-                    const std::vector<std::string>& words) {
+  static void print(std::ostream& out, const parser::ExplainedSymbol& symbol, const std::vector<std::string>& words) {
     out << symbol.symbol << std::string(symbol.symbol.size() < 13 ? 13 - symbol.symbol.size() : 1, ' ');
     if (symbol.weights.empty()) {
       out << "follows\n";
@@ -175,8 +166,7 @@ ExitCode run_ground(const GroundCommandOptions& options, const Session& session)
   TextReader texts(options.text, "instruction");
   Grounding grounding(options, session);
   return answer_in_parallel(
-      texts, session.stop, options.parallel,
-      [&](const Text& text, const TextDeadline&) { return grounding(text); },
+      texts, session.stop, options.parallel, [&](const Text& text, const TextDeadline&) { return grounding(text); },
       [&](const Text& text, const std::string& message) {
         return options.json ? json_error(text.line, message).text() + '\n' : std::string();
       });
@@ -198,15 +188,13 @@ Runner setup_ground(Command command) {
   command.add_option("--threads", options->parallel.threads, "instructions read at a time (0: all cores)")
       .type_name("N")
       .show_default();
-  command.add_flag(
-      "--explain", options->explain,
-      "the words that each symbol of a sentence's likeliest program attended to (encoder-decoders)");
+  command.add_flag("--explain", options->explain,
+                   "the words that each symbol of a sentence's likeliest program attended to (encoder-decoders)");
   command
       .add_option("--domains", options->domains,
                   "lines are commands {\"id\",\"domain\",\"text\"} of the domains of this file")
       .type_name("FILE");
-  command.add_option("--maps", options->landmark_maps, "maps of landmarks, for domains \"osm:CITY\"")
-      .type_name("DIR");
+  command.add_option("--maps", options->landmark_maps, "maps of landmarks, for domains \"osm:CITY\"").type_name("DIR");
   command.add_flag("--force", options->force, "answer what was hardly understood, too");
   command.add_flag("--json", options->json, "one JSON object a line");
   return [options](const Session& session) { return run_ground(*options, session); };

@@ -48,9 +48,8 @@ ExitCode run_import(const ImportOptions& options) {
   }
   for (const parser::Irregularity& i : corpus.irregularities)
     std::cout << i.file << ':' << i.line << ": " << i.kind << ": " << i.message << '\n';
-  std::cout << corpus.format << ": " << corpus.paragraphs << " paragraphs, " << corpus.sentences
-            << " sentences, " << corpus.maps.size() << " maps, " << corpus.irregularities.size()
-            << " irregularities\n";
+  std::cout << corpus.format << ": " << corpus.paragraphs << " paragraphs, " << corpus.sentences << " sentences, "
+            << corpus.maps.size() << " maps, " << corpus.irregularities.size() << " irregularities\n";
   return ExitCode::Done;
 }
 
@@ -59,9 +58,7 @@ ExitCode run_import(const ImportOptions& options) {
 Runner setup_import(Command command) {
   const auto options = std::make_shared<ImportOptions>();
   Command sail = command.add_subcommand("sail", "the route instructions of SAIL: XML, .settrc, or ours");
-  sail.add_option("directory", options->directory, "looked through with all its folders")
-      .type_name("DIR")
-      .required();
+  sail.add_option("directory", options->directory, "looked through with all its folders").type_name("DIR").required();
   sail.add_option("--out", options->out, "write instructions.jsonl and maps/ there").type_name("DIR");
   sail.add_flag("--json", options->json, "one JSON object");
   return [options](const Session&) { return run_import(*options); };

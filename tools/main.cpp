@@ -38,8 +38,7 @@ Runner setup_version(Command);
 namespace {
 
 constexpr std::array rows{
-    Subcommand{"run", "walk the whole corridor: instruction, formula, automaton, product, certified route",
-               setup_run,
+    Subcommand{"run", "walk the whole corridor: instruction, formula, automaton, product, certified route", setup_run,
                "run \"walk past the lamp to the easel\" --map grid --start 1,9,0\n"
                "run \"keep coming back to the lamp\" --json"},
     Subcommand{"ground", "instruction → formulas, best first", setup_ground,
@@ -67,15 +66,13 @@ constexpr std::array rows{
                setup_compare_formulas,
                "compare-formulas 'F a & F b' 'F(a & F b) | F(b & F a)'\n"
                "compare-formulas 'G(p -> F p)' true --semantics infinite"},
-    Subcommand{"explain", "formula → English, with a word that satisfies it and one that does not",
-               setup_explain,
+    Subcommand{"explain", "formula → English, with a word that satisfies it and one that does not", setup_explain,
                "explain 'G(request -> F grant)' --semantics infinite\n"
                "explain 'F chair & G !blue' --map grid"},
     Subcommand{"move", "formula and a map → a certified motion of a robot with a body", setup_move,
                "move 'F chair' --map grid --start 1,9,0\n"
                "move 'F chair & G !blue' --map grid --start 1,9,0 --svg motion.svg"},
-    Subcommand{"compare", "exact search, value iteration and learners on one task, side by side",
-               setup_compare,
+    Subcommand{"compare", "exact search, value iteration and learners on one task, side by side", setup_compare,
                "compare 'F easel' --map grid --methods search,value-iteration\n"
                "compare 'F easel' --map grid --methods q-learning --seeds 2 --steps 500"},
     Subcommand{"train", "corpus → model", setup_train,
@@ -132,8 +129,7 @@ int main(int argc, char** argv) {
   using namespace waymark::tools;
   std::ios::sync_with_stdio(false);
   return static_cast<int>(guarded([&] {
-    if (is_for_the_lab({argv, static_cast<std::size_t>(argc)}))
-      become("waymark-lab", "runs experiments", argv);
+    if (is_for_the_lab({argv, static_cast<std::size_t>(argc)})) become("waymark-lab", "runs experiments", argv);
     if (argc > 1 && std::string_view(argv[1]) == "serve")
       become("waymark-serve", "serves the studio (it needs libcpp-httplib-dev)", argv);
     return run_subcommand(rows, argc, argv);

@@ -112,8 +112,7 @@ class Watched {
   using Engine = std::variant<InfiniteMonitor, FiniteMonitor>;
   static Engine made(ltl::Formula f, const MonitorOptions& options, const Session& session) {
     const automata::TranslationLimits limits{.states = options.states, .stop = session.stop};
-    if (options.semantics == "infinite")
-      return InfiniteMonitor{within(automata::ltl_to_monitor(f, limits), session)};
+    if (options.semantics == "infinite") return InfiniteMonitor{within(automata::ltl_to_monitor(f, limits), session)};
     return FiniteMonitor{within(automata::ltlf_to_dfa(f, limits), session),
                          within(automata::ltlf_to_dfa(ltl::negate(f), limits), session)};
   }
@@ -141,8 +140,7 @@ class Monitoring {
       if (!file) throw ltl::FormatError(options_.letters, 0, 0, "cannot read the file");
     }
     std::istream& in = options_.letters == "-" ? std::cin : file;
-    plan::LetterLines lines(arena_->vocabulary(), letter_format(options_.format),
-                            source_name(options_.letters));
+    plan::LetterLines lines(arena_->vocabulary(), letter_format(options_.format), source_name(options_.letters));
     for (std::string line; std::getline(in, line);) {
       if (session_.stop.stop_requested()) throw Interrupted();
       for (const ltl::Letter& letter : letters_of(line, lines)) read(letter);
@@ -221,8 +219,7 @@ class Monitoring {
   ExitCode verdict() const {
     if (position_ == 0) throw ltl::FormatError(source_name(options_.letters), 0, 0, "there are no letters");
     for (const Watched& watched : watched_)
-      if (watched.last.foresight == automata::Foresight::False || watched.last.now == false)
-        return ExitCode::No;
+      if (watched.last.foresight == automata::Foresight::False || watched.last.now == false) return ExitCode::No;
     return ExitCode::Done;
   }
 
@@ -260,8 +257,7 @@ Runner setup_monitor(Command command) {
   command.add_option("--limit-states", options->states, "give up beyond so many states of a monitor")
       .type_name("N")
       .show_default();
-  command.add_flag("--quiet", options->quiet,
-                   "print changes of a verdict alone, and what is open in the end");
+  command.add_flag("--quiet", options->quiet, "print changes of a verdict alone, and what is open in the end");
   command.add_flag("--json", options->json, "one JSON object a line");
   return [options](const Session& session) { return run_monitor(*options, session); };
 }

@@ -51,13 +51,11 @@ plan::Workspace workspace_of(const plan::Map& map, const MoveOptions& options) {
 }
 
 // The answer of waymark-motion; its messages, if any, are on standard error already.
-Finished sample(const MoveOptions& options, const plan::Route& route, ltl::Formula formula,
-                const plan::Map& map) {
+Finished sample(const MoveOptions& options, const plan::Route& route, ltl::Formula formula, const plan::Map& map) {
   const auto program = needed_helper("waymark-motion", "finds motions by OMPL");
   std::vector<std::string> arguments = arguments_of(options.robot, options.search, options.shape);
-  arguments.insert(arguments.end(),
-                   {"--map", options.map.map, "--data", data_directory(options.map.data).string(),
-                    "--formula", ltl::print(formula)});
+  arguments.insert(arguments.end(), {"--map", options.map.map, "--data", data_directory(options.map.data).string(),
+                                     "--formula", ltl::print(formula)});
   return run_helper(program, arguments, show(route, map) + '\n');
 }
 
@@ -83,8 +81,7 @@ JsonObject motion_json(const Moved& moved, const MoveOptions& options, const pla
   else if (const plan::Route* route = route_of(corridor_run))
     json.add("status", "exhausted").add("route", json_of(*route, map)).add("certified", false);
   else
-    json.add("status", "infeasible")
-        .add("reason", std::get<plan::Infeasible>(corridor_run.destination).reason);
+    json.add("status", "infeasible").add("reason", std::get<plan::Infeasible>(corridor_run.destination).reason);
   const Seconds& s = corridor_run.seconds;
   return json.add("seconds", JsonObject()
                                  .add("load", s.load)
@@ -108,8 +105,7 @@ std::vector<render::Visit> visits_of(const plan::CertifiedMotion& motion, const 
   return visits;
 }
 
-void draw_motion(const Moved& moved, const MoveOptions& options, const plan::Map& map,
-                 const automata::Dfa& dfa) {
+void draw_motion(const Moved& moved, const MoveOptions& options, const plan::Map& map, const automata::Dfa& dfa) {
   render::Page page{.map = &map};
   page.formula = ltl::print(*moved.answer.formula, ltl::Style::Unicode);
   page.caption = "map " + map.name();
@@ -118,13 +114,12 @@ void draw_motion(const Moved& moved, const MoveOptions& options, const plan::Map
   page.automaton = render::lay_out(automata::write_dot(dfa, look));
   const AutomatonSize size = size_of(dfa);
   page.automaton_caption = counted(size.states, "state") + ", " + counted(size.edges, "edge");
-  if (!page.automaton)
-    complain("note", "waymark-layout is not installed: the automaton is left out of the picture");
+  if (!page.automaton) complain("note", "waymark-layout is not installed: the automaton is left out of the picture");
   if (moved.motion) {
     page.motion = moved.motion;
     const plan::Motion& motion = moved.motion->motion();
-    page.caption += ", motion of " + in_words(motion.robot) + ", length " + fixed(plan::length(motion), 2) +
-                    ", certified";
+    page.caption +=
+        ", motion of " + in_words(motion.robot) + ", length " + fixed(plan::length(motion), 2) + ", certified";
     if (page.automaton) render::light_up(*page.automaton, motion, visits_of(*moved.motion, dfa, map));
   }
   write_file(options.svg, render::draw_page(page));
@@ -136,9 +131,8 @@ void print(const Moved& moved, const MoveOptions& options, const Session& sessio
   if (moved.motion)
     std::cout << label << "of " << in_words(robot_of(options.robot)) << ", "
               << counted(moved.motion->motion().configurations.size(), "configuration") << ", length "
-              << fixed(plan::length(moved.motion->motion()), 2) << ", "
-              << session.out.paint(Paint::Green, "certified") << " by definition, sampled in "
-              << fixed(1000 * moved.sample, 1) << " ms\n";
+              << fixed(plan::length(moved.motion->motion()), 2) << ", " << session.out.paint(Paint::Green, "certified")
+              << " by definition, sampled in " << fixed(1000 * moved.sample, 1) << " ms\n";
 }
 
 // Fills in the motion along the route, if it is found; the verdict of the helper.
@@ -157,8 +151,7 @@ ExitCode move_along(const plan::Route& route, const MoveOptions& options, const 
 // The route of the corridor, or the one given, which must satisfy the formula.
 CorridorRun corridor_run_of(const MoveOptions& options, const plan::Map& map, const automata::Dfa& dfa,
                             ltl::Formula formula, const Session& session) {
-  if (options.route.empty())
-    return run_corridor(map, dfa, formula, start_poses(options.start, map), session.stop);
+  if (options.route.empty()) return run_corridor(map, dfa, formula, start_poses(options.start, map), session.stop);
   StopWatch watch;
   CorridorRun corridor_run{size_of(dfa), 0, 0, plan::Infeasible{}, {}};
   const plan::Route route =
@@ -178,25 +171,22 @@ ExitCode run_move(const MoveOptions& options, const Session& session) {
   if (texts.is_batch()) throw UsageError("waymark move takes one formula, as an argument");
   const Text formula_text = texts.next().value();
   if (!options.workspace.empty())
-    return run_tour({formula_text, options.notation, options.workspace, options.start, options.robot,
-                     options.search, options.svg, options.json},
+    return run_tour({formula_text, options.notation, options.workspace, options.start, options.robot, options.search,
+                     options.svg, options.json},
                     session);
   StopWatch watch;
   const plan::Map map = read_map(options.map);
   const plan::Workspace workspace = workspace_of(map, options);
   const double load = watch.lap();
   ltl::Arena arena(map.vocabulary());
-  const auto formula =
-      parse_formula(formula_text, arena, parse_options(options.notation, ltl::Unknown::Reject));
+  const auto formula = parse_formula(formula_text, arena, parse_options(options.notation, ltl::Unknown::Reject));
   const automata::Dfa dfa = translate(formula, session.stop);
   const double translating = watch.lap();
-  Moved moved{
-      .answer = {.formula = formula, .corridor_run = corridor_run_of(options, map, dfa, formula, session)}};
+  Moved moved{.answer = {.formula = formula, .corridor_run = corridor_run_of(options, map, dfa, formula, session)}};
   moved.answer.corridor_run.seconds.load = load;
   moved.answer.corridor_run.seconds.translate = translating;
   const plan::Route* route = route_of(moved.answer.corridor_run);
-  const ExitCode code =
-      route == nullptr ? ExitCode::No : move_along(*route, options, workspace, formula, moved);
+  const ExitCode code = route == nullptr ? ExitCode::No : move_along(*route, options, workspace, formula, moved);
   const bool answered = code == ExitCode::Done || code == ExitCode::No || code == ExitCode::GaveUp;
   if (!answered) return code;  // the helper has said why
   if (options.json)

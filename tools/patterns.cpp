@@ -30,8 +30,8 @@ void list(bool json) {
                        .text()
                 << '\n';
     else
-      std::cout << pattern.name << '\t' << pattern.parameters << '\t' << pattern.sentence << '\t'
-                << pattern.formula << '\t' << pattern.source << '\n';
+      std::cout << pattern.name << '\t' << pattern.parameters << '\t' << pattern.sentence << '\t' << pattern.formula
+                << '\t' << pattern.source << '\n';
   }
 }
 
@@ -58,8 +58,7 @@ ExitCode run_patterns(const PatternsOptions& options) {
 Runner setup_patterns(Command command) {
   const auto options = std::make_shared<PatternsOptions>();
   command.add_option("name", options->name, "pattern, as --list names them").type_name("NAME");
-  command.add_option("arguments", options->arguments, "formulas in the place of its parameters")
-      .type_name("ARGUMENT");
+  command.add_option("arguments", options->arguments, "formulas in the place of its parameters").type_name("ARGUMENT");
   command.add_flag("--list", options->list, "all patterns: name, parameters, sentence, formula, source");
   command.add_flag("--json", options->json, "one object a line");
   return [options](const Session&) { return run_patterns(*options); };

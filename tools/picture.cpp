@@ -15,8 +15,8 @@ std::string caption(const Picture& picture) {
   if (!picture.route) return text;
   const plan::Trajectory walk = trajectory_of(*picture.route, *picture.map);
   const plan::Pose start = picture.map->pose(walk.poses.front());
-  text += ", from (" + std::to_string(start.x) + ',' + std::to_string(start.y) + ") facing " +
-          heading_name(start.heading);
+  text +=
+      ", from (" + std::to_string(start.x) + ',' + std::to_string(start.y) + ") facing " + heading_name(start.heading);
   text += ", " + counted(walk.actions.size(), "action");
   if (const std::size_t cycle = repeated_actions(*picture.route))
     text += ", the last " + std::to_string(cycle) + " for ever";
@@ -38,8 +38,7 @@ Drawn drawn(const Picture& picture) {
   }
   if (picture.omega != nullptr) {
     constexpr std::size_t most_edges = 1000;  // more cannot be read
-    if (const auto dot = automata::write_dot_within(*picture.omega, most_edges))
-      page.automaton = render::lay_out(*dot);
+    if (const auto dot = automata::write_dot_within(*picture.omega, most_edges)) page.automaton = render::lay_out(*dot);
     page.automaton_caption = counted(picture.omega->states(), "state") + ", " +
                              counted(automata::count_edges(picture.omega->transitions()), "edge");
   }
@@ -50,8 +49,7 @@ Drawn drawn(const Picture& picture) {
 void draw(const Picture& picture, const std::string& path) {
   const Drawn page = drawn(picture);
   if (page.automaton_left_out)
-    complain("note",
-             "the automaton is left out of the picture: it is too large, or waymark-layout is not installed");
+    complain("note", "the automaton is left out of the picture: it is too large, or waymark-layout is not installed");
   write_file(path, page.svg);
 }
 

@@ -34,18 +34,14 @@ bool is_infinite(const PlanCommandOptions& options) { return options.semantics =
 class Planning {
  public:
   Planning(const PlanCommandOptions& options, const Session& session)
-      : options_(options),
-        session_(session),
-        map_(read_map(options.map)),
-        starts_(start_poses(options.start, map_)) {
+      : options_(options), session_(session), map_(read_map(options.map)), starts_(start_poses(options.start, map_)) {
     load_ = watch_.lap();
   }
 
   ExitCode of_formula(const Text& text) {
     StopWatch watch;
     ltl::Arena arena(map_.vocabulary());
-    const ltl::Formula formula =
-        parse_formula(text, arena, parse_options(options_.notation, ltl::Unknown::Reject));
+    const ltl::Formula formula = parse_formula(text, arena, parse_options(options_.notation, ltl::Unknown::Reject));
     if (is_infinite(options_)) return plan_lasso(task(formula, nullptr), walk_options(), session_);
     const automata::Dfa dfa = translate(formula, session_.stop);
     if (options_.planning_case.top > 1)
@@ -69,16 +65,10 @@ class Planning {
     return {map_, starts_, formula, given};
   }
   WalkOptions walk_options(double translating = 0) const {
-    return {options_.planning_case.order,
-            options_.svg,
-            options_.planning_case.top,
-            options_.json,
-            load_,
-            translating};
+    return {options_.planning_case.order, options_.svg, options_.planning_case.top, options_.json, load_, translating};
   }
   ExitCode answer(const automata::Dfa& dfa, std::optional<ltl::Formula> formula, double translating) {
-    Answer answer{.formula = formula,
-                  .corridor_run = run_corridor(map_, dfa, formula, starts_, session_.stop)};
+    Answer answer{.formula = formula, .corridor_run = run_corridor(map_, dfa, formula, starts_, session_.stop)};
     answer.corridor_run.seconds.load = load_;
     answer.corridor_run.seconds.translate = translating;
     if (options_.json)
@@ -88,8 +78,7 @@ class Planning {
     if (!options_.hoa.empty())
       write_file(options_.hoa, automata::write_hoa(dfa, {.name = formula ? ltl::print(*formula) : ""}));
     const std::optional<ShownRoute> route = shown(answer.corridor_run);
-    if (!options_.svg.empty())
-      draw({.map = &map_, .dfa = &dfa, .formula = formula, .route = route}, options_.svg);
+    if (!options_.svg.empty()) draw({.map = &map_, .dfa = &dfa, .formula = formula, .route = route}, options_.svg);
     return route ? ExitCode::Done : ExitCode::No;
   }
 
@@ -115,8 +104,7 @@ plan::PlanningCase noisy_map(const PlanCommandOptions& options) {
 // What goes with one way of planning only.
 void check(const PlanCommandOptions& options) {
   const CaseChoice& choice = options.planning_case;
-  if (!options.automaton.empty() && gives_formula(options))
-    throw UsageError("give a formula or --automaton, not both");
+  if (!options.automaton.empty() && gives_formula(options)) throw UsageError("give a formula or --automaton, not both");
   const bool map = choice.file.empty() && choice.model.empty();
   if (!map && (is_infinite(options) || !options.svg.empty() || !options.hoa.empty()))
     throw UsageError("--semantics, --svg and --hoa are for plans on a map");
@@ -160,9 +148,7 @@ ExitCode run_plan(const PlanCommandOptions& options, const Session& session) {
 Runner setup_plan(Command command) {
   const auto options = std::make_shared<PlanCommandOptions>();
   add_text_options(command, options->text, "formula");
-  command
-      .add_option("--automaton", options->automaton,
-                  "an automaton in HOA instead of a formula; - is standard input")
+  command.add_option("--automaton", options->automaton, "an automaton in HOA instead of a formula; - is standard input")
       .type_name("FILE");
   add_notation_options(command, options->notation);
   add_map_options(command, options->map);
@@ -171,9 +157,8 @@ Runner setup_plan(Command command) {
   command.add_option("--svg", options->svg, "draw map, route and automaton").type_name("FILE");
   command.add_option("--hoa", options->hoa, "write the automaton").type_name("FILE");
   command
-      .add_option(
-          "--semantics", options->semantics,
-          "on a map: a route to where the formula holds, or a lasso, a route without end that it holds on")
+      .add_option("--semantics", options->semantics,
+                  "on a map: a route to where the formula holds, or a lasso, a route without end that it holds on")
       .one_of({"finite", "infinite"})
       .show_default();
   add_noise_options(command, options->noise);

@@ -59,8 +59,7 @@ JsonObject case_json(const plan::NamedRoute& route) {
   return JsonObject().add("places", places).add("actions", actions).add("cost", route.cost);
 }
 
-JsonObject case_json(const plan::PlanningCase& planning_case, const plan::CaseTask& task,
-                     const CaseAnswer& answer) {
+JsonObject case_json(const plan::PlanningCase& planning_case, const plan::CaseTask& task, const CaseAnswer& answer) {
   const bool valued = answer.status != Status::Exhausted;
   const auto number = [&](double value) { return valued ? Json(value) : Json(); };
   JsonObject out;
@@ -114,8 +113,7 @@ void print(const plan::CaseTask& task, const CaseAnswer& answer) {
       std::cout << ' ' << route.actions[i] << ' ' << route.places[i + 1];
     std::cout << '\n';
   };
-  for (std::size_t i = 0; i < answer.routes.size(); ++i)
-    walk("route " + std::to_string(i + 1), answer.routes[i]);
+  for (std::size_t i = 0; i < answer.routes.size(); ++i) walk("route " + std::to_string(i + 1), answer.routes[i]);
   if (!answer.lasso) return;
   walk("prefix", answer.lasso->prefix);
   walk(answer.lasso->rounds == 1 ? "cycle" : "cycle of " + std::to_string(answer.lasso->rounds) + " rounds",
@@ -124,26 +122,24 @@ void print(const plan::CaseTask& task, const CaseAnswer& answer) {
 
 // One object that says what the strategy is worth and which automaton it follows, then one for every state that it
 // meets.
-std::string written(const plan::PlanningCase& planning_case, const plan::CaseTask& task,
-                    const CaseAnswer& answer) {
+std::string written(const plan::PlanningCase& planning_case, const plan::CaseTask& task, const CaseAnswer& answer) {
   const CaseAnswer::Written& strategy = *answer.strategy;
-  const std::string hoa =
-      std::visit([&](const auto& a) { return show(a, {.name = task.formula}, {.one_line = true}).text; },
-                 strategy.automaton);
-  std::string out = JsonObject()
-                        .add("case", planning_case.name)
-                        .add("task", task.id)
-                        .add("query", plan::name(task.query))
-                        .add("formula", task.formula.empty() ? Json() : Json(task.formula))
-                        .add("lower", answer.value.lower)
-                        .add("upper", answer.value.upper)
-                        .add("re_evaluated", JsonObject()
-                                                 .add("lower", strategy.re_evaluated.lower)
-                                                 .add("upper", strategy.re_evaluated.upper))
-                        .add("decisions", strategy.decisions.size())
-                        .add("automaton", hoa)
-                        .text() +
-                    '\n';
+  const std::string hoa = std::visit(
+      [&](const auto& a) { return show(a, {.name = task.formula}, {.one_line = true}).text; }, strategy.automaton);
+  std::string out =
+      JsonObject()
+          .add("case", planning_case.name)
+          .add("task", task.id)
+          .add("query", plan::name(task.query))
+          .add("formula", task.formula.empty() ? Json() : Json(task.formula))
+          .add("lower", answer.value.lower)
+          .add("upper", answer.value.upper)
+          .add("re_evaluated",
+               JsonObject().add("lower", strategy.re_evaluated.lower).add("upper", strategy.re_evaluated.upper))
+          .add("decisions", strategy.decisions.size())
+          .add("automaton", hoa)
+          .text() +
+      '\n';
   for (const plan::Decision& decision : strategy.decisions) {
     JsonObject line;
     line.add("state", decision.place).add("task", decision.task);
@@ -230,10 +226,7 @@ void add_answer_options(Command command, CaseChoice& choice) {
                   "the cycle, then prefix")
       .one_of({"prefix", "cycle", "mean"})
       .show_default();
-  command.add_option("--top", choice.top, "the K cheapest routes")
-      .type_name("K")
-      .between(1, 100'000)
-      .show_default();
+  command.add_option("--top", choice.top, "the K cheapest routes").type_name("K").between(1, 100'000).show_default();
   command
       .add_option("--strategy", choice.strategy,
                   "with --case and --model: write what to do in every state that is met, JSON lines; - is "
@@ -249,29 +242,24 @@ plan::LassoOrder order_of(const std::string& name) {
 }
 
 void add_case_options(Command command, CaseChoice& choice) {
-  command
-      .add_option("--case", choice.file,
-                  "a planning case (ltlgrid/1 or ltlmap/1) instead of a formula and a map")
+  command.add_option("--case", choice.file, "a planning case (ltlgrid/1 or ltlmap/1) instead of a formula and a map")
       .type_name("FILE");
   command
-      .add_option(
-          "--model", choice.model,
-          "a formula's value on another model than a map: PRISM's FILE.nm or FILE.tra, a street graph or "
-          "planning case (JSON)")
+      .add_option("--model", choice.model,
+                  "a formula's value on another model than a map: PRISM's FILE.nm or FILE.tra, a street graph or "
+                  "planning case (JSON)")
       .type_name("FILE");
   command
-      .add_option(
-          "--query", choice.query,
-          "with --model: greatest or least probability, least expected cost until the formula is sure to "
-          "hold; steps: least cost of a finite word; lasso: a walk without end; discounted: greatest "
-          "expected "
-          "reward")
+      .add_option("--query", choice.query,
+                  "with --model: greatest or least probability, least expected cost until the formula is sure to "
+                  "hold; steps: least cost of a finite word; lasso: a walk without end; discounted: greatest "
+                  "expected "
+                  "reward")
       .one_of({"pmax", "pmin", "rmin", "steps", "lasso", "discounted"})
       .show_default();
   add_answer_options(command, choice);
   command.add_option("--task", choice.task, "with --case: this task only").type_name("ID");
-  command
-      .add_option("--method", choice.method, "with --case: how it is solved; best picks by model and query")
+  command.add_option("--method", choice.method, "with --case: how it is solved; best picks by model and query")
       .one_of({"best", "search", "vi", "pi"})
       .show_default();
   command

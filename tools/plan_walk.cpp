@@ -66,8 +66,8 @@ class LassoPlanning {
  private:
   automata::Automaton translated() {
     const automata::TranslationLimits limits{.stop = stop_};
-    auto made = task_.formula ? plan::lasso_automaton(*task_.formula, limits)
-                              : plan::lasso_automaton(*task_.given, limits);
+    auto made =
+        task_.formula ? plan::lasso_automaton(*task_.formula, limits) : plan::lasso_automaton(*task_.given, limits);
     found_.translating = watch_.lap();
     if (made) return std::move(*made);
     if (stop_.stop_requested()) throw Interrupted();
@@ -106,8 +106,7 @@ class LassoPlanning {
                               .add("edges", automata::count_edges(automaton_.transitions()))
                               .add("sets", automaton_.acceptance().sets)
                               .add("propositions", automaton_.reads().size()))
-        .add("product",
-             JsonObject().add("states", found_.statistics.met).add("edges", found_.statistics.edges));
+        .add("product", JsonObject().add("states", found_.statistics.met).add("edges", found_.statistics.edges));
     if (found_.lasso) {
       out.add("status", "solved");
       if (options_.adds_route)
@@ -133,8 +132,7 @@ class LassoPlanning {
   void print(const Terminal& terminal) const {
     std::ostream& out = std::cout;
     if (task_.formula)
-      out << label(terminal, "formula") << terminal.paint(Paint::Blue, shown(*task_.formula, terminal))
-          << '\n';
+      out << label(terminal, "formula") << terminal.paint(Paint::Blue, shown(*task_.formula, terminal)) << '\n';
     out << label(terminal, "automaton") << counted(automaton_.states(), "state") << ", "
         << counted(automata::count_edges(automaton_.transitions()), "edge") << ", over infinite words\n"
         << label(terminal, "product") << counted(found_.statistics.met, "state") << ", "
@@ -146,10 +144,8 @@ class LassoPlanning {
       print_steps(out, found_.prefix, task_.map);
       out << label(terminal, "cycle") << counted(found_.cycle.actions.size(), "action") << ", cost "
           << Json(found_.cycle.cost).text();
-      if (const std::uint64_t rounds = found_.lasso->route().rounds; rounds > 1)
-        out << ", " << rounds << " rounds";
-      out << ", for ever, " << terminal.paint(Paint::Green, "certified") << " by "
-          << *certifier(*found_.lasso) << '\n';
+      if (const std::uint64_t rounds = found_.lasso->route().rounds; rounds > 1) out << ", " << rounds << " rounds";
+      out << ", for ever, " << terminal.paint(Paint::Green, "certified") << " by " << *certifier(*found_.lasso) << '\n';
       print_steps(out, found_.cycle, task_.map, found_.prefix.actions.size() + 1);
     } else {
       out << label(terminal, "route") << "none: " << reason() << '\n';
@@ -184,14 +180,13 @@ struct FoundRoutes {
   double solving = 0;
 };
 
-FoundRoutes cheapest(const WalkTask& task, const automata::Dfa& dfa, std::size_t most,
-                     const Session& session) {
+FoundRoutes cheapest(const WalkTask& task, const automata::Dfa& dfa, std::size_t most, const Session& session) {
   StopWatch watch;
   FoundRoutes found;
   for (const plan::PoseId start : task.starts) {
     const plan::Mdp mdp = plan::mdp_of(task.map, start);
-    const auto answer = plan::least_routes(plan::Product(mdp, plan::TaskTable(dfa, mdp.letters())), most,
-                                           100'000'000, session.stop);
+    const auto answer =
+        plan::least_routes(plan::Product(mdp, plan::TaskTable(dfa, mdp.letters())), most, 100'000'000, session.stop);
     if (!answer && session.stop.stop_requested()) throw Interrupted();
     if (!answer) throw GaveUp("the search for routes met its limit");
     found.statistics.met += answer->statistics.met;
@@ -199,9 +194,8 @@ FoundRoutes cheapest(const WalkTask& task, const automata::Dfa& dfa, std::size_t
     for (const plan::ChoiceRoute& route : answer->routes)
       found.routes.push_back(checked(route_of(route, task.map), task, dfa));
   }
-  std::stable_sort(
-      found.routes.begin(), found.routes.end(),
-      [](const CheckedRoute& a, const CheckedRoute& b) { return route_of(a).cost < route_of(b).cost; });
+  std::stable_sort(found.routes.begin(), found.routes.end(),
+                   [](const CheckedRoute& a, const CheckedRoute& b) { return route_of(a).cost < route_of(b).cost; });
   if (found.routes.size() > most)
     found.routes.erase(found.routes.begin() + static_cast<std::ptrdiff_t>(most), found.routes.end());
   found.solving = watch.lap();
@@ -250,15 +244,14 @@ ExitCode plan_routes(const WalkTask& task, const automata::Dfa& dfa, const WalkO
     std::cout << routes_json(found, task, dfa, options).text() << '\n';
   } else {
     if (task.formula)
-      std::cout << label(session.out, "formula")
-                << session.out.paint(Paint::Blue, shown(*task.formula, session.out)) << '\n';
+      std::cout << label(session.out, "formula") << session.out.paint(Paint::Blue, shown(*task.formula, session.out))
+                << '\n';
     if (routes.empty()) std::cout << label(session.out, "route") << "none\n";
     for (std::size_t i = 0; i < routes.size(); ++i) {
       const plan::Route& route = route_of(routes[i]);
-      std::cout << label(session.out, "route " + std::to_string(i + 1))
-                << counted(route.actions.size(), "action") << ", cost " << Json(route.cost).text() << ", "
-                << session.out.paint(Paint::Green, "certified") << " by " << *certifier(shown(routes[i]))
-                << '\n';
+      std::cout << label(session.out, "route " + std::to_string(i + 1)) << counted(route.actions.size(), "action")
+                << ", cost " << Json(route.cost).text() << ", " << session.out.paint(Paint::Green, "certified")
+                << " by " << *certifier(shown(routes[i])) << '\n';
       print_start(std::cout, session.out, route.poses.front(), task.map);
       print_steps(std::cout, route, task.map);
     }

@@ -29,8 +29,8 @@ std::size_t number_of(std::string_view text) {
   std::size_t value = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (error != std::errc() || end != text.data() + text.size() || value < 1 || value > 1'000'000)
-    throw UsageError("--size takes a number of nodes from 1 to 1000000, or two as 15..30, not '" +
-                     std::string(text) + "'");
+    throw UsageError("--size takes a number of nodes from 1 to 1000000, or two as 15..30, not '" + std::string(text) +
+                     "'");
   return value;
 }
 
@@ -77,12 +77,11 @@ ExitCode run_random(const RandomOptions& options, const Session& session) {
   while (drawn.size() < options.count) {
     if (session.stop.stop_requested()) throw Interrupted();
     ltl::Arena arena{ltl::Vocabulary(names)};
-    const ltl::Formula f =
-        ltl::random_formula(random, arena,
-                            {.size = sizes.least + random.below(sizes.most - sizes.least + 1),
-                             .atoms = options.props,
-                             .constants = false,
-                             .weak_next = options.semantics == "finite"});
+    const ltl::Formula f = ltl::random_formula(random, arena,
+                                               {.size = sizes.least + random.below(sizes.most - sizes.least + 1),
+                                                .atoms = options.props,
+                                                .constants = false,
+                                                .weak_next = options.semantics == "finite"});
     const bool constant = ltl::propositions(f).empty();
     const std::string text = ltl::print(f);
     if (constant || !drawn.insert(text).second) {
@@ -121,8 +120,7 @@ Runner setup_random(Command command) {
       .type_name("N")
       .between(0, 64)
       .show_default();
-  command.add_flag("--deterministic", options->deterministic,
-                   "automata with at most one edge for each letter");
+  command.add_flag("--deterministic", options->deterministic, "automata with at most one edge for each letter");
   return [options](const Session& session) {
     return options->automata ? run_random_automata(*options, session) : run_random(*options, session);
   };

@@ -53,9 +53,8 @@ class Running {
     const auto starts = start_poses(said.start.value_or(options_.start), place.map);
     ltl::Arena arena(place.map.vocabulary());
     StopWatch watch;
-    parser::Understanding understood =
-        parser::understand(model_, said.text, place.executor, starts, arena,
-                           {.least = options_.force ? 0 : parser::least_understood});
+    parser::Understanding understood = parser::understand(model_, said.text, place.executor, starts, arena,
+                                                          {.least = options_.force ? 0 : parser::least_understood});
     if (understood.readings.empty()) return not_understood(said.text, place.map, understood);
     const double grounding = watch.lap();
     const Heard heard{said.id, said.text, place.map, starts, understood.readings, shown_readings()};
@@ -91,19 +90,16 @@ class Running {
   }
 
   // Two readings are close when the second has a third of the probability of the first. The answer goes first.
-  void ask(std::vector<parser::Reading>& readings, const plan::Map& map,
-           std::span<const plan::PoseId> starts) const {
+  void ask(std::vector<parser::Reading>& readings, const plan::Map& map, std::span<const plan::PoseId> starts) const {
     constexpr double close = 1.0 / 3;
-    const auto others =
-        alternatives(readings, map, starts, session_.stop, 1, close * readings.front().probability);
+    const auto others = alternatives(readings, map, starts, session_.stop, 1, close * readings.front().probability);
     if (others.empty()) return;
     const Alternative& other = others.front();
-    std::cerr << "Two readings are close:\n  1  "
-              << in_english(readings.front().formula, ltl::Semantics::Finite, map) << "\n  2  "
-              << other.english << '\n';
+    std::cerr << "Two readings are close:\n  1  " << in_english(readings.front().formula, ltl::Semantics::Finite, map)
+              << "\n  2  " << other.english << '\n';
     if (other.route) {
-      std::cerr << "Is this a route that you would let pass? Only reading "
-                << (other.first_accepts_route ? 1 : 2) << " accepts it:\n";
+      std::cerr << "Is this a route that you would let pass? Only reading " << (other.first_accepts_route ? 1 : 2)
+                << " accepts it:\n";
       print_steps(std::cerr, *other.route, map);
     }
     std::cerr << "1 or 2? ";
@@ -118,11 +114,8 @@ class Running {
   // A task without end: its lasso.
   ExitCode run_for_ever(const Heard& heard) const {
     const ltl::Formula formula = heard.readings.front().formula;
-    WalkOptions walk{.svg = options_.svg,
-                     .json = options_.json,
-                     .load = load_,
-                     .head = head_of_lasso(heard),
-                     .adds_route = true};
+    WalkOptions walk{
+        .svg = options_.svg, .json = options_.json, .load = load_, .head = head_of_lasso(heard), .adds_route = true};
     if (!options_.json)
       std::cout << "understood   " << in_english(formula, ltl::Semantics::Infinite, heard.map) << '\n';
     return plan_lasso({heard.map, heard.starts, formula}, walk, session_);
@@ -135,8 +128,7 @@ class Running {
     const double translating = watch.lap();
     Answer answer = answer_of(heard, dfa, session_.stop);
     if (options_.json && heard.readings.size() > 1)
-      answer.alternatives =
-          json_of(alternatives(heard.readings, heard.map, heard.starts, session_.stop), heard.map);
+      answer.alternatives = json_of(alternatives(heard.readings, heard.map, heard.starts, session_.stop), heard.map);
     Seconds& seconds = answer.corridor_run.seconds;
     seconds.load = load_, seconds.ground = grounding, seconds.translate = translating;
     show(answer, heard.map, dfa);
@@ -191,8 +183,7 @@ Runner setup_run(Command command) {
   add_map_options(command, options->map);
   add_model_options(command, options->model);
   add_start_option(command, options->start);
-  command.add_option("--top", options->top, "show the K likeliest readings with their probabilities")
-      .type_name("K");
+  command.add_option("--top", options->top, "show the K likeliest readings with their probabilities").type_name("K");
   command.add_option("--semantics", options->semantics, "finite or infinite words; auto: as the words say")
       .type_name("KIND")
       .one_of({"auto", "finite", "infinite"});

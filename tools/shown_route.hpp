@@ -15,8 +15,7 @@ namespace waymark::tools {
 // What a plan on finite words ends in: a route certified by the formula, or by the automaton where there is no formula.
 using CheckedRoute = std::variant<plan::CertifiedRoute, plan::AcceptedRoute>;
 // What pictures and printers take. A trajectory of the map is certified by nothing.
-using ShownRoute =
-    std::variant<plan::CertifiedRoute, plan::AcceptedRoute, plan::CertifiedLasso, plan::Trajectory>;
+using ShownRoute = std::variant<plan::CertifiedRoute, plan::AcceptedRoute, plan::CertifiedLasso, plan::Trajectory>;
 
 ShownRoute shown(const CheckedRoute& route);
 const plan::Route& route_of(const CheckedRoute& route);

@@ -80,8 +80,7 @@ void print_table(const StreetEvaluation& evaluation, double seconds) {
   std::cout << "per cent, all instructions\n\n"
             << "left out          exact path        goal       floor      supply  instructions\n";
   const auto row = [](const std::string& name, const StreetScores& s) {
-    print_row(name, {s.exact_path.value(), s.goal.value(), s.floor.value(), s.supply.value()},
-              s.exact_path.total);
+    print_row(name, {s.exact_path.value(), s.goal.value(), s.floor.value(), s.supply.value()}, s.exact_path.total);
   };
   for (const auto& [map, scores] : evaluation.folds) row(map, scores);
   row("all", evaluation.all);

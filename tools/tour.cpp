@@ -38,8 +38,7 @@ JsonObject tour_json(const TourAnswer& answer, const TourRequest& request, const
   json.add("planner", request.search.planner);
   if (answer.tour) {
     JsonArray word;
-    for (const ltl::Letter& letter : answer.tour->word().letters)
-      word.add(letter_json(letter, terrain.vocabulary()));
+    for (const ltl::Letter& letter : answer.tour->word().letters) word.add(letter_json(letter, terrain.vocabulary()));
     json.add("status", "solved")
         .add("word", word)
         .add("motion", line_of(answer.tour->motion()))
@@ -50,14 +49,14 @@ JsonObject tour_json(const TourAnswer& answer, const TourRequest& request, const
   } else {
     json.add("status", "infeasible").add("reason", answer.reason);
   }
-  return json.add("seconds", JsonObject()
-                                 .add("load", answer.load)
-                                 .add("translate", answer.translate)
-                                 .add("plan", answer.plan)
-                                 .add("sample", answer.sample)
-                                 .add("certify", answer.certify)
-                                 .add("total", answer.load + answer.translate + answer.plan + answer.sample +
-                                                   answer.certify));
+  return json.add("seconds",
+                  JsonObject()
+                      .add("load", answer.load)
+                      .add("translate", answer.translate)
+                      .add("plan", answer.plan)
+                      .add("sample", answer.sample)
+                      .add("certify", answer.certify)
+                      .add("total", answer.load + answer.translate + answer.plan + answer.sample + answer.certify));
 }
 
 void print(const TourAnswer& answer, const TourRequest& request, const plan::Terrain& terrain,
@@ -68,13 +67,11 @@ void print(const TourAnswer& answer, const TourRequest& request, const plan::Ter
   std::cout << label("formula") << terminal.paint(Paint::Blue, shown(answer.formula, terminal)) << '\n';
   if (!answer.reason.empty()) std::cout << label("motion") << "none: " << answer.reason << '\n';
   if (!answer.tour) return;
-  std::cout << label("word") << ltl::show(ltl::Trace(answer.tour->word().letters), terrain.vocabulary())
-            << '\n'
+  std::cout << label("word") << ltl::show(ltl::Trace(answer.tour->word().letters), terrain.vocabulary()) << '\n'
             << label("motion") << "of " << in_words(robot_of(request.robot)) << ", "
             << counted(answer.tour->motion().configurations.size(), "configuration") << ", length "
-            << fixed(plan::length(answer.tour->motion()), 2) << ", "
-            << terminal.paint(Paint::Green, "certified") << " by definition, sampled in "
-            << fixed(1000 * answer.sample, 1) << " ms\n";
+            << fixed(plan::length(answer.tour->motion()), 2) << ", " << terminal.paint(Paint::Green, "certified")
+            << " by definition, sampled in " << fixed(1000 * answer.sample, 1) << " ms\n";
 }
 
 void draw_tour(const TourAnswer& answer, const TourRequest& request, const plan::Terrain& terrain,
@@ -85,13 +82,12 @@ void draw_tour(const TourAnswer& answer, const TourRequest& request, const plan:
   automata::DotOptions look;
   look.trap = automata::DotOptions::Trap::Omit;
   page.automaton = render::lay_out(automata::write_dot(dfa, look));
-  if (!page.automaton)
-    complain("note", "waymark-layout is not installed: the automaton is left out of the picture");
+  if (!page.automaton) complain("note", "waymark-layout is not installed: the automaton is left out of the picture");
   if (answer.tour) {
     page.motion = answer.tour;
     const plan::Motion& motion = answer.tour->motion();
-    page.caption += ", motion of " + in_words(motion.robot) + ", length " + fixed(plan::length(motion), 2) +
-                    ", certified";
+    page.caption +=
+        ", motion of " + in_words(motion.robot) + ", length " + fixed(plan::length(motion), 2) + ", certified";
     std::vector<render::Visit> visits;
     automata::StateId q = dfa.initial();
     const plan::TimedWord& word = answer.tour->word();
@@ -107,8 +103,8 @@ void draw_tour(const TourAnswer& answer, const TourRequest& request, const plan:
 Finished sample(const TourRequest& request, ltl::Formula formula) {
   const auto program = needed_helper("waymark-motion", "finds motions by OMPL");
   std::vector<std::string> arguments = arguments_of(request.robot, request.search, ShapeOptions{});
-  arguments.insert(arguments.end(), {"--workspace", request.workspace, "--start", request.start, "--formula",
-                                     ltl::print(formula)});
+  arguments.insert(arguments.end(),
+                   {"--workspace", request.workspace, "--start", request.start, "--formula", ltl::print(formula)});
   return run_helper(program, arguments, "");
 }
 
@@ -119,8 +115,7 @@ ExitCode find_tour(const TourRequest& request, const plan::Terrain& terrain, Tou
   answer.sample = watch.lap();
   const auto code = static_cast<ExitCode>(finished.exit_code);
   if (code == ExitCode::Done)
-    answer.tour =
-        plan::certify(plan::parse_motion(finished.output, "waymark-motion"), terrain, answer.formula);
+    answer.tour = plan::certify(plan::parse_motion(finished.output, "waymark-motion"), terrain, answer.formula);
   answer.certify = watch.lap();
   return code;
 }
@@ -129,8 +124,7 @@ ExitCode find_tour(const TourRequest& request, const plan::Terrain& terrain, Tou
 
 ExitCode run_tour(const TourRequest& request, const Session& session) {
   StopWatch watch;
-  const plan::Terrain terrain =
-      plan::parse_terrain(read_file(request.workspace), source_name(request.workspace));
+  const plan::Terrain terrain = plan::parse_terrain(read_file(request.workspace), source_name(request.workspace));
   const plan::Configuration start = plan::parse_configuration(request.start);
   const plan::TerrainCells cells(terrain);
   const auto first = cells.at(position(start));

@@ -45,8 +45,8 @@ TrainingData training_data_of(const TrainCommandOptions& options, parser::Dialec
     instances.maps = shipped_maps(options.data);
     if (instances.maps.empty())
       throw ltl::FormatError(options.data, 0, 0, "there are no maps whose vocabulary formulas could be over");
-    parser::Annotations annotations = parser::parse_annotations(text, instances.maps.front().vocabulary(),
-                                                                dialect, source_name(options.supervised));
+    parser::Annotations annotations =
+        parser::parse_annotations(text, instances.maps.front().vocabulary(), dialect, source_name(options.supervised));
     report_refused(annotations, options.supervised);
     if (annotations.pairs.empty())
       throw ltl::FormatError(source_name(options.supervised), 0, 0, "holds no pair to learn from");
@@ -67,8 +67,8 @@ TrainingData training_data_of(const TrainCommandOptions& options, parser::Dialec
   return instances;
 }
 
-void report(const TrainCommandOptions& options, const parser::TrainOptions& train,
-            const TrainingData& instances, std::size_t bytes, double seconds) {
+void report(const TrainCommandOptions& options, const parser::TrainOptions& train, const TrainingData& instances,
+            std::size_t bytes, double seconds) {
   const bool supervised = !options.supervised.empty();
   const std::string numbers = told_or_hidden(options.training.tell_place_numbers || options.corpus.empty());
   if (options.json)
@@ -90,16 +90,13 @@ void report(const TrainCommandOptions& options, const parser::TrainOptions& trai
               << (supervised ? "with their formulas"
                              : "of " + std::to_string(instances.corpus.paragraphs.size()) + " paragraphs")
               << " (checksum " << hexadecimal(instances.checksum) << ", "
-              << (supervised
-                      ? ""
-                      : "unknown headings " + options.convention + ", numbers of places " + numbers + ", ")
-              << "seed " << train.seed << "), " << bytes << " bytes, " << fixed(seconds, 1)
-              << " s: " << options.out << '\n';
+              << (supervised ? "" : "unknown headings " + options.convention + ", numbers of places " + numbers + ", ")
+              << "seed " << train.seed << "), " << bytes << " bytes, " << fixed(seconds, 1) << " s: " << options.out
+              << '\n';
 }
 
 // The reader of commands: from people's commands, our own, and what it must leave to the reader of programs.
-std::shared_ptr<const parser::LiftedReader> learn_commands(const TrainCommandOptions& options,
-                                                           const TrainingData& data,
+std::shared_ptr<const parser::LiftedReader> learn_commands(const TrainCommandOptions& options, const TrainingData& data,
                                                            const parser::TrainOptions& train) {
   const auto vectors = read_vectors(options.data);
   std::vector<parser::LiftedExample> examples =
@@ -135,18 +132,15 @@ ExitCode run_train(const TrainCommandOptions& options, const Session& session) {
   parser::TrainOptions train =
       options.training.settled(options.corpus.empty() ? parser::Dialect::Temporal : parser::Dialect::Plain);
   train.stop = session.stop;
-  train.convention =
-      options.convention == "relative" ? parser::Convention::Relative : parser::Convention::Absolute;
+  train.convention = options.convention == "relative" ? parser::Convention::Relative : parser::Convention::Absolute;
   ProgressBar bar;
   train.progress = [&](double fraction, std::string_view what) { bar.show(fraction, what); };
   const TrainingData instances = training_data_of(options, train.dialect);
   const std::string& source = options.supervised.empty() ? options.corpus : options.supervised;
-  parser::Grounder grounder =
-      !options.base.empty() ? parser::load_grounder(options.base) : learn_from(source, [&] {
-        return instances.pairs.empty()
-                   ? parser::train(instances.corpus, instances.maps, train)
-                   : parser::train_supervised(instances.pairs, instances.maps.front(), train);
-      });
+  parser::Grounder grounder = !options.base.empty() ? parser::load_grounder(options.base) : learn_from(source, [&] {
+    return instances.pairs.empty() ? parser::train(instances.corpus, instances.maps, train)
+                                   : parser::train_supervised(instances.pairs, instances.maps.front(), train);
+  });
   if (!options.commands.files.empty()) grounder.commands = learn_commands(options, instances, train);
   const std::string bytes = parser::serialize_within(grounder, parser::most_bytes);
   bar.wipe();
@@ -165,9 +159,7 @@ Runner setup_train(Command command) {
                   "learn from lines 'sentence TAB formula' instead, over the vocabulary of the shipped maps")
       .type_name("FILE");
   add_command_training_options(command, options->commands);
-  command
-      .add_option("--base", options->base,
-                  "keep the reader of programs of this model, learn the commands alone")
+  command.add_option("--base", options->base, "keep the reader of programs of this model, learn the commands alone")
       .type_name("FILE")
       .group("Commands");
   add_data_option(command, options->data);

@@ -67,8 +67,8 @@ std::shared_ptr<const Translated> renamed(Translated result, const ltl::Vocabula
   return std::make_shared<const Translated>(std::move(result));
 }
 
-Reply translate_one(const Text& text, const TranslateOptions& options, const Translation& translation,
-                    Memo& memo, const TextDeadline& deadline) {
+Reply translate_one(const Text& text, const TranslateOptions& options, const Translation& translation, Memo& memo,
+                    const TextDeadline& deadline) {
   ltl::Arena arena;
   StopWatch watch;
   const ltl::Formula formula = parse_formula(text, arena, parse_options(options.notation, ltl::Unknown::Add));
@@ -93,11 +93,10 @@ Reply translate_one(const Text& text, const TranslateOptions& options, const Tra
     return show(ldba->automaton, about, options.output);
   }
   const std::size_t states = std::get<automata::Exhausted>(result).states;
-  return gave_up(
-      text, about.seconds, options,
-      deadline.passed()
-          ? "gave up after " + fixed(options.parallel.seconds, 1) + " s, with " + counted(states, "state")
-          : "gave up: more than " + counted(options.states, "state") + " before minimisation");
+  return gave_up(text, about.seconds, options,
+                 deadline.passed()
+                     ? "gave up after " + fixed(options.parallel.seconds, 1) + " s, with " + counted(states, "state")
+                     : "gave up: more than " + counted(options.states, "state") + " before minimisation");
 }
 
 ExitCode run_translate(const TranslateOptions& options, const Session& session) {
@@ -125,12 +124,10 @@ Runner setup_translate(Command command) {
   command.add_option("--to", options->target, "kind of automaton (of finite words: dfa; else tgba)")
       .one_of({"dfa", "tgba", "buchi", "parity", "rabin", "ldba", "generic"});
   add_output_options(command, options->output);
-  command.add_flag(
-      "--certify", options->certify,
-      "check each automaton against that of the negation and the definition; exit 30 if one is wrong");
+  command.add_flag("--certify", options->certify,
+                   "check each automaton against that of the negation and the definition; exit 30 if one is wrong");
   command
-      .add_option("--limit-states,--max-states", options->states,
-                  "give up beyond so many states before minimisation")
+      .add_option("--limit-states,--max-states", options->states, "give up beyond so many states before minimisation")
       .type_name("N")
       .show_default();
   command

@@ -60,9 +60,9 @@ const Translation& find_translation(std::string_view semantics, std::string_view
     if (row.semantics == semantics && row.target == target) return row;
     if (row.semantics == semantics) there += (there.empty() ? "" : ", ") + std::string(row.target);
   }
-  throw UsageError("--semantics " + std::string(semantics) + " --to " + std::string(target) +
-                   " is not available yet: " +
-                   (there.empty() ? "only finite words are" : "over these words there is " + there));
+  throw UsageError(
+      "--semantics " + std::string(semantics) + " --to " + std::string(target) +
+      " is not available yet: " + (there.empty() ? "only finite words are" : "over these words there is " + there));
 }
 
 }  // namespace waymark::tools

@@ -13,8 +13,7 @@
 
 namespace waymark::tools {
 
-using Translated =
-    std::variant<automata::Dfa, automata::Translated, automata::TranslatedForMdps, automata::Exhausted>;
+using Translated = std::variant<automata::Dfa, automata::Translated, automata::TranslatedForMdps, automata::Exhausted>;
 
 struct Translation {
   std::string_view semantics;  // "finite" or "infinite"

@@ -9,8 +9,7 @@ namespace waymark::tools {
 Runner setup_version(Command) {
   return [](const Session&) {
     std::cout << "waymark " WAYMARK_VERSION " (" __VERSION__ ")\n";
-    std::cout << "drawing of automata: "
-              << (helper("waymark-layout").empty() ? "not built" : "waymark-layout") << '\n';
+    std::cout << "drawing of automata: " << (helper("waymark-layout").empty() ? "not built" : "waymark-layout") << '\n';
     return ExitCode::Done;
   };
 }

@@ -17,8 +17,7 @@ namespace waymark::automata {
 class JointChoices {
  public:
   using Node = Mtbdd::Node;
-  JointChoices(Mtbdd& diagram, Budget& budget)
-      : diagram_(diagram), budget_(budget), extend_(diagram.operation()) {}
+  JointChoices(Mtbdd& diagram, Budget& budget) : diagram_(diagram), budget_(budget), extend_(diagram.operation()) {}
 
   static Node empty() { return Mtbdd::terminal(0); }
   // The tuples of `before`, the choices of `root` after them. Both over the manager given.
@@ -31,8 +30,7 @@ class JointChoices {
     return diagram_.apply(extend_, std::array{before, root}, decide);
   }
   void read(std::uint32_t tuple, std::span<std::uint32_t> choices) const {
-    for (std::size_t i = choices.size(); i-- > 0; tuple = tuples_[tuple].first)
-      choices[i] = tuples_[tuple].second;
+    for (std::size_t i = choices.size(); i-- > 0; tuple = tuples_[tuple].first) choices[i] = tuples_[tuple].second;
   }
   // A diagram of tuples with each one replaced by the payload that `settle` gives for it.
   template <class Settle>
@@ -47,8 +45,7 @@ class JointChoices {
 
  private:
   std::uint32_t intern(std::uint32_t before, std::uint32_t choice) {
-    const auto [at, fresh] =
-        number_.try_emplace({before, choice}, static_cast<std::uint32_t>(tuples_.size()));
+    const auto [at, fresh] = number_.try_emplace({before, choice}, static_cast<std::uint32_t>(tuples_.size()));
     if (fresh) tuples_.emplace_back(before, choice);
     return at->second;
   }

@@ -80,8 +80,8 @@ class Mtbdd {
   // one and nothing is here yet.
   enum class Images : std::uint8_t { MayMeet, StayApart };
   template <class Leaf, class Rename>
-  std::vector<Node> import(const Mtbdd& from, std::span<const Node> roots, const Leaf& leaf,
-                           const Rename& rename, Images images = Images::MayMeet);
+  std::vector<Node> import(const Mtbdd& from, std::span<const Node> roots, const Leaf& leaf, const Rename& rename,
+                           Images images = Images::MayMeet);
 
  private:
   static constexpr std::uint32_t terminal_bit = 0x8000'0000;
@@ -98,7 +98,7 @@ class Mtbdd {
   std::vector<Decision> nodes_;
   std::uint32_t free_ = none;  // a swept slot; the next one is its low. Smaller ids first
   std::size_t swept_ = 0;
-  bool refilled_ = false;  // some swept slot was used again: children may have larger ids than parents
+  bool refilled_ = false;             // some swept slot was used again: children may have larger ids than parents
   std::vector<std::uint32_t> table_;  // open-addressed over node ids + 1, 0 is free; a power of two, or empty
   std::size_t indexed_ = 0;           // nodes in the table: all, unless some were appended or it was dropped
   ComputedTable results_;

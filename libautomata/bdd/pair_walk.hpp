@@ -12,8 +12,7 @@ class PairWalk {
  public:
   using Node = Mtbdd::Node;
   // Over the same variables; one manager or two.
-  PairWalk(const Mtbdd& first, const Mtbdd& second, Budget& budget)
-      : first_(first), second_(second), budget_(budget) {}
+  PairWalk(const Mtbdd& first, const Mtbdd& second, Budget& budget) : first_(first), second_(second), budget_(budget) {}
 
   // meet(payload, payload) for each pair of terminals below the roots, once. One step of budget per pair of nodes.
   template <class Meet>

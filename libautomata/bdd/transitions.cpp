@@ -53,9 +53,7 @@ class CanonicalCopy {
 TransitionGraph::TransitionGraph(const Mtbdd& diagram, std::span<const Mtbdd::Node> roots)
     : nodes_(diagram.reachable(roots)) {
   std::vector<Vertex> rank(diagram.size());
-  const auto vertex = [&](Mtbdd::Node n) {
-    return Mtbdd::is_terminal(n) ? of_state(Mtbdd::payload(n)) : rank[n.id];
-  };
+  const auto vertex = [&](Mtbdd::Node n) { return Mtbdd::is_terminal(n) ? of_state(Mtbdd::payload(n)) : rank[n.id]; };
   targets_.reserve(2 * nodes_.size() + roots.size());
   for (Vertex v = 0; v < nodes_.size(); ++v) {
     rank[nodes_[v].id] = v;
@@ -75,8 +73,6 @@ ReversedGraph::ReversedGraph(const TransitionGraph& graph) : begin_(graph.size()
     for (Vertex w : graph.successors(v)) sources_[fill[w]++] = v;
 }
 
-Transitions canonical(const Transitions& automaton, Budget& budget) {
-  return CanonicalCopy(automaton, budget).run();
-}
+Transitions canonical(const Transitions& automaton, Budget& budget) { return CanonicalCopy(automaton, budget).run(); }
 
 }  // namespace waymark::automata

@@ -54,8 +54,7 @@ class LargestCycles {
   void search(const Edges& edges, const Condition& condition) {
     budget_.step(edges.size() + 1);
     for (const Edges& one : connected(list_, edges)) {
-      if (std::any_of(found_.begin(), found_.end(), [&](const Edges& known) { return within(one, known); }))
-        continue;
+      if (std::any_of(found_.begin(), found_.end(), [&](const Edges& known) { return within(one, known); })) continue;
       Marks met;
       for (std::uint32_t e : one) met = met | list_.branch[e].marks;
       Condition rest = condition;
@@ -96,9 +95,8 @@ class LargestCycles {
     return std::includes(outer.begin(), outer.end(), inner.begin(), inner.end());
   }
   void keep(const Edges& edges) {
-    found_.erase(
-        std::remove_if(found_.begin(), found_.end(), [&](const Edges& e) { return within(e, edges); }),
-        found_.end());
+    found_.erase(std::remove_if(found_.begin(), found_.end(), [&](const Edges& e) { return within(e, edges); }),
+                 found_.end());
     found_.push_back(edges);
   }
 
@@ -127,13 +125,11 @@ AlternatingCycles::AlternatingCycles(const TransitionRelation& automaton, Budget
     const bool accepting = condition.holds(met);
     const Node root = add(std::move(edges), none, accepting ? 0 : 1, accepting);
     for (std::uint32_t q : nodes_[root].states) root_[q] = root;
-    for (Node node = root; node < nodes_.size(); ++node)
-      grow(node, condition, budget);  // they double as queue
+    for (Node node = root; node < nodes_.size(); ++node) grow(node, condition, budget);  // they double as queue
   }
 }
 
-AlternatingCycles::Node AlternatingCycles::add(Edges edges, Node parent, std::uint32_t colour,
-                                               bool accepting) {
+AlternatingCycles::Node AlternatingCycles::add(Edges edges, Node parent, std::uint32_t colour, bool accepting) {
   if (colour + 2 > Marks::most) throw Budget::Exceeded{Budget::Exceeded::Reason::States};
   Cycle made;
   made.parent = parent;
@@ -178,8 +174,8 @@ AlternatingCycles::Node AlternatingCycles::entry(std::uint32_t q) const {
 AlternatingCycles::Transition AlternatingCycles::step(std::uint32_t q, Node at, const Branch& branch) const {
   if (at == none || root_[branch.target] != root_[q]) return {entry(branch.target), no_colour};
   const auto& own = graph_.branches(q);
-  const auto edge = first_edge_[q] + static_cast<std::uint32_t>(
-                                         std::lower_bound(own.begin(), own.end(), branch) - own.begin());
+  const auto edge =
+      first_edge_[q] + static_cast<std::uint32_t>(std::lower_bound(own.begin(), own.end(), branch) - own.begin());
   Node node = at, left = none;
   while (!std::binary_search(nodes_[node].edges.begin(), nodes_[node].edges.end(), edge)) {
     left = node;

@@ -42,8 +42,7 @@ class Growth {
 };
 
 // Braces that accept lose what is inside them, those without runs go, the others are numbered afresh.
-BraceStep settled(const std::map<std::uint32_t, Brace>& places, const std::vector<Brace>& parent,
-                  std::size_t before) {
+BraceStep settled(const std::map<std::uint32_t, Brace>& places, const std::vector<Brace>& parent, std::size_t before) {
   const std::size_t count = parent.size();
   std::vector<bool> direct(count, false), held(count, false), kept(count, false);
   for (const auto& [q, b] : places) {
@@ -129,8 +128,7 @@ void BraceRules::prune(Places& places, const std::vector<Brace>& parent) const {
   };
   Places kept;
   for (const auto& q : places)
-    if (std::none_of(places.begin(), places.end(), [&](const auto& r) { return dominates(r, q); }))
-      kept.insert(q);
+    if (std::none_of(places.begin(), places.end(), [&](const auto& r) { return dominates(r, q); })) kept.insert(q);
   places = std::move(kept);
 }
 

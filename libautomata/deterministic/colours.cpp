@@ -22,8 +22,7 @@ class Heights {
     const BranchGraph graph(automaton);
     states_ = graph.size();
     for (std::uint32_t q = 0; q < states_; ++q)
-      for (const Branch& b : graph.branches(q))
-        edges_.push_back({q, b.target, colour_of(automaton, b.marks), unset});
+      for (const Branch& b : graph.branches(q)) edges_.push_back({q, b.target, colour_of(automaton, b.marks), unset});
     std::vector<std::size_t> all(edges_.size());
     std::iota(all.begin(), all.end(), std::size_t{0});
     const Components found = components_of(all);
@@ -45,15 +44,13 @@ class Heights {
   TransitionRelation applied(const TransitionRelation& automaton) const {
     const std::uint32_t top = most_ + most_ % 2, sets = top - least_;
     std::map<std::tuple<std::uint32_t, std::uint32_t, std::uint32_t>, std::uint32_t> colour;
-    for (const Edge& e : edges_)
-      colour[{e.source, e.target, e.colour}] = top - (e.height == unset ? least_ : e.height);
+    for (const Edge& e : edges_) colour[{e.source, e.target, e.colour}] = top - (e.height == unset ? least_ : e.height);
     std::vector<std::uint32_t> all(automaton.states());
     std::iota(all.begin(), all.end(), 0U);
     TransitionRelation out = rebuild(automaton, all, [&](std::uint32_t q, std::span<const Branch> choice) {
       std::vector<Branch> branches;
       for (const Branch& b : choice)
-        branches.push_back(
-            {b.target, mark_of(colour.at({q, b.target, colour_of(automaton, b.marks)}), sets)});
+        branches.push_back({b.target, mark_of(colour.at({q, b.target, colour_of(automaton, b.marks)}), sets)});
       return branches;
     });
     out.acceptance = Acceptance::parity(Acceptance::Extreme::Min, Acceptance::Parity::Even, sets);
@@ -76,8 +73,7 @@ class Heights {
     const Components found = components_of(edges);
     std::map<std::uint32_t, std::vector<std::size_t>> inside;
     for (std::size_t e : edges)
-      if (found.of[edges_[e].source] == found.of[edges_[e].target])
-        inside[found.of[edges_[e].source]].push_back(e);
+      if (found.of[edges_[e].source] == found.of[edges_[e].target]) inside[found.of[edges_[e].source]].push_back(e);
     std::uint32_t most = 0;
     for (const auto& [component, own] : inside) {
       std::uint32_t least = unset;
@@ -107,9 +103,7 @@ class Heights {
 std::uint32_t colour_of(const TransitionRelation& automaton, Marks marks) {
   return marks.empty() ? automaton.acceptance.sets : marks.members().front();
 }
-Marks mark_of(std::uint32_t colour, std::uint32_t sets) {
-  return colour < sets ? Marks::of(colour) : Marks();
-}
+Marks mark_of(std::uint32_t colour, std::uint32_t sets) { return colour < sets ? Marks::of(colour) : Marks(); }
 
 TransitionRelation completed_parity(const TransitionRelation& automaton) {
   if (is_complete(automaton)) return automaton;
@@ -119,8 +113,7 @@ TransitionRelation completed_parity(const TransitionRelation& automaton) {
   std::iota(all.begin(), all.end(), 0U);
   TransitionRelation out = rebuild(automaton, all, [&](std::uint32_t, std::span<const Branch> choice) {
     if (choice.empty()) return std::vector<Branch>{{sink, {}}};
-    return std::vector<Branch>{
-        {choice.front().target, mark_of(colour_of(automaton, choice.front().marks), sets)}};
+    return std::vector<Branch>{{choice.front().target, mark_of(colour_of(automaton, choice.front().marks), sets)}};
   });
   out.acceptance = Acceptance::parity(Acceptance::Extreme::Min, Acceptance::Parity::Even, sets);
   out.roots.push_back(Mtbdd::terminal(out.choices.intern({{sink, Marks::of(1)}})));

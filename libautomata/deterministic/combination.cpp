@@ -98,8 +98,7 @@ struct Question {
 // component (`late`), each only in the components where its verdict matters.
 class Combination {
  public:
-  Combination(const std::vector<Operand>& parts, const Condition& over, Budget& budget)
-      : budget_(budget), over_(over) {
+  Combination(const std::vector<Operand>& parts, const Condition& over, Budget& budget) : budget_(budget), over_(over) {
     if (parts.size() > Marks::most) throw Budget::Exceeded{Budget::Exceeded::Reason::States};
     for (const Operand& part : parts) {
       parts_.emplace_back(part, sets_);
@@ -158,8 +157,7 @@ class Combination {
     return {question, std::move(states)};
   }
   std::uint32_t number_of(const Condition& over, Marks answers) {
-    const auto [at, fresh] =
-        question_.try_emplace(print(over), static_cast<std::uint32_t>(questions_.size()));
+    const auto [at, fresh] = question_.try_emplace(print(over), static_cast<std::uint32_t>(questions_.size()));
     if (!fresh) return at->second;
     Question made{over, over.marks(), Marks()};
     for (std::uint32_t i = 0; i < parts_.size(); ++i) {
@@ -196,8 +194,8 @@ class Combination {
     if (questions_[state.question].over.op() == Condition::Op::False) return Choices::none;
     States next = state.states;
     Marks marks = questions_[state.question].fixed;
-    std::vector<std::uint32_t> choices(static_cast<std::size_t>(
-        std::count_if(next.begin(), next.end(), [](std::uint32_t q) { return q != absent; })));
+    std::vector<std::uint32_t> choices(
+        static_cast<std::size_t>(std::count_if(next.begin(), next.end(), [](std::uint32_t q) { return q != absent; })));
     joint.read(tuple, choices);
     std::size_t at = 0;
     for (std::uint32_t i = 0; i < next.size(); ++i) {
@@ -224,8 +222,7 @@ class Combination {
         cyclic[found.of[s]] = true;
       }
     std::vector<Condition> over(found.count, Condition::constant(true));
-    for (std::uint32_t s = 0; s < graph.size(); ++s)
-      over[found.of[s]] = questions_[numbering_[s].question].over;
+    for (std::uint32_t s = 0; s < graph.size(); ++s) over[found.of[s]] = questions_[numbering_[s].question].over;
     Marks late;
     for (std::uint32_t i = 0; i < parts_.size(); ++i) {
       if (parts_[i].late) {
@@ -238,13 +235,11 @@ class Combination {
         if (yes[c] != no[c]) over[c] = over[c].replaced(i, yes[c]);
     }
     std::vector<Marks> out;
-    for (std::uint32_t c = 0; c < found.count; ++c)
-      out.push_back(cyclic[c] ? over[c].marks() & late : Marks());
+    for (std::uint32_t c = 0; c < found.count; ++c) out.push_back(cyclic[c] ? over[c].marks() & late : Marks());
     return out;
   }
   // By component: some cycle inside satisfies the condition.
-  static std::vector<bool> accepting(const BranchGraph& inside, const Components& found,
-                                     const Condition& condition) {
+  static std::vector<bool> accepting(const BranchGraph& inside, const Components& found, const Condition& condition) {
     const LiveComponents live = live_components(inside, condition);
     std::vector<bool> out(found.count, false);
     for (std::uint32_t s = 0; s < inside.size(); ++s)
@@ -268,8 +263,8 @@ class Combination {
       Node tuples = joint.extended(JointChoices::empty(), roots[state.question]);
       for (std::uint32_t i : needed_[found_.of[state.question]].members())
         tuples = joint.extended(tuples, parts_[i].roots[state.states[i]]);
-      late_.roots.push_back(joint.settled(
-          tuples, [&](std::uint32_t tuple) { return late_choice(state, joint, tuple, numbering); }));
+      late_.roots.push_back(
+          joint.settled(tuples, [&](std::uint32_t tuple) { return late_choice(state, joint, tuple, numbering); }));
     }
   }
   State entered(std::uint32_t early) const {
@@ -285,14 +280,12 @@ class Combination {
     joint.read(tuple, choices);
     if (choices[0] == Choices::none) return Choices::none;
     const Branch& b = early_.choices[choices[0]].front();
-    if (found_.of[b.target] != component)
-      return late_.choices.intern({{numbering.of(entered(b.target), budget_), {}}});
+    if (found_.of[b.target] != component) return late_.choices.intern({{numbering.of(entered(b.target), budget_), {}}});
     State next{b.target, States(parts_.size(), absent)};
     Marks marks = b.marks;
     for (std::size_t k = 0; k < late.size(); ++k) {
       const Branch* branch = parts_[late[k]].branch(choices[1 + k]);
-      if (branch == nullptr)
-        throw std::invalid_argument("combination: a late part that is settled by a prefix");
+      if (branch == nullptr) throw std::invalid_argument("combination: a late part that is settled by a prefix");
       next.states[late[k]] = branch->target;
       marks = marks | parts_[late[k]].shifted(branch->marks);
     }

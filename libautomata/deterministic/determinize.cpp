@@ -42,8 +42,7 @@ class EdgeLevels {
  private:
   Branch step(std::uint32_t q, std::uint32_t level, const Branch& b) {
     const std::uint32_t component = live_.components.of[q];
-    if (component != live_.components.of[b.target] || !live_.accepting[component])
-      return {copy(b.target, 0), {}};
+    if (component != live_.components.of[b.target] || !live_.accepting[component]) return {copy(b.target, 0), {}};
     const auto advanced = [&](std::uint32_t from) {
       while (from < sets_ && b.marks.contains(from)) ++from;
       return from;
@@ -94,8 +93,7 @@ class Determinization {
     if (next.colour != BraceStep::nothing) {
       if (next.colour + 3 > Marks::most) throw Budget::Exceeded{Budget::Exceeded::Reason::States};
       marks = Marks::of(next.colour);
-      colours_ =
-          std::max(colours_, (next.colour | 1U) + 2);  // odd: a branch without mark counts as rejecting
+      colours_ = std::max(colours_, (next.colour | 1U) + 2);  // odd: a branch without mark counts as rejecting
     }
     return out_.choices.intern({{number(std::move(next.tree)), marks}});
   }
@@ -118,8 +116,7 @@ TransitionRelation degeneralize_on_edges(const TransitionRelation& automaton, Bu
 
 TransitionRelation determinize(const TransitionRelation& automaton, Budget& budget) {
   const TransitionRelation buchi = bisimulation_quotient(
-      automaton.acceptance.is_buchi() ? canonical(automaton) : degeneralize_on_edges(automaton, budget),
-      budget);
+      automaton.acceptance.is_buchi() ? canonical(automaton) : degeneralize_on_edges(automaton, budget), budget);
   return Determinization(buchi, budget).run();
 }
 

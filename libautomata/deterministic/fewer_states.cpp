@@ -111,8 +111,7 @@ class Merging {
     one.letters = JointChoices::empty();
     for (std::uint32_t q : one.states) one.letters = joint_.extended(one.letters, roots[q]);
     const auto number = [&](std::uint32_t tuple) {
-      const auto [at, fresh] =
-          one.of_tuple.try_emplace(tuple, static_cast<std::uint32_t>(one.branches.size()));
+      const auto [at, fresh] = one.of_tuple.try_emplace(tuple, static_cast<std::uint32_t>(one.branches.size()));
       if (fresh) {
         std::vector<std::uint32_t> choices(one.states.size());
         joint_.read(tuple, choices);
@@ -142,8 +141,7 @@ class Merging {
     const auto of = [&](std::uint32_t s, std::uint32_t d) {
       const Class& one = classes_[class_of_[s]];
       std::uint32_t& known =
-          number[one.first_pair + position_[s] * static_cast<std::uint32_t>(one.states.size()) +
-                 position_[d]];
+          number[one.first_pair + position_[s] * static_cast<std::uint32_t>(one.states.size()) + position_[d]];
       if (known == unset) {
         known = static_cast<std::uint32_t>(found.size());
         found.emplace_back(s, d);
@@ -171,12 +169,9 @@ class Merging {
     std::vector<bool> out(edges.size(), false);
     for (std::uint32_t least = parity; least <= from_.acceptance.sets; least += 2) {
       budget_.step(edges.size());
-      if (std::none_of(edges.begin(), edges.end(), [&](const Edge& e) { return e.colour == least; }))
-        continue;
+      if (std::none_of(edges.begin(), edges.end(), [&](const Edge& e) { return e.colour == least; })) continue;
       const Components found = components(Graph(edges, least));
-      const auto inside = [&](const Edge& e) {
-        return e.colour >= least && found.of[e.source] == found.of[e.target];
-      };
+      const auto inside = [&](const Edge& e) { return e.colour >= least && found.of[e.source] == found.of[e.target]; };
       std::vector<bool> has_least(found.count, false);
       for (const Edge& e : edges)
         if (e.colour == least && inside(e)) has_least[found.of[e.source]] = true;

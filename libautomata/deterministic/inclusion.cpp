@@ -11,8 +11,7 @@ namespace {
 class Differences {
  public:
   Differences(const TransitionRelation& a, const TransitionRelation& b, Budget& budget) : a_(a), b_(b) {
-    if (a.acceptance.sets + b.acceptance.sets > Marks::most)
-      throw Budget::Exceeded{Budget::Exceeded::Reason::States};
+    if (a.acceptance.sets + b.acceptance.sets > Marks::most) throw Budget::Exceeded{Budget::Exceeded::Reason::States};
     for (std::size_t i = 0; i < a.states() * b.states(); ++i) graph_.add_state();
     PairWalk pairs(a.diagram, b.diagram, budget);
     for (std::uint32_t q = 0; q < a.states(); ++q)
@@ -29,16 +28,13 @@ class Differences {
  private:
   // A state includes its own language, so its pair with itself needs no edges.
   bool trivial(std::uint32_t q, std::uint32_t r) const { return &a_ == &b_ && q == r; }
-  std::uint32_t pair(std::uint32_t q, std::uint32_t r) const {
-    return q * static_cast<std::uint32_t>(b_.states()) + r;
-  }
+  std::uint32_t pair(std::uint32_t q, std::uint32_t r) const { return q * static_cast<std::uint32_t>(b_.states()) + r; }
   // Adds the edge of one joint choice. The marks of b are shifted behind those of a, so that both conditions can be
   // read.
   void add(std::uint32_t source, std::uint32_t in_a, std::uint32_t in_b) {
     const Branch p = a_.choices[in_a].front(), q = b_.choices[in_b].front();
     if (!trivial(p.target, q.target))
-      graph_.add(source, {pair(p.target, q.target),
-                          p.marks | Marks::from_bits(q.marks.bits() << a_.acceptance.sets)});
+      graph_.add(source, {pair(p.target, q.target), p.marks | Marks::from_bits(q.marks.bits() << a_.acceptance.sets)});
   }
 
   const TransitionRelation &a_, &b_;
@@ -48,8 +44,7 @@ class Differences {
 
 }  // namespace
 
-std::vector<std::vector<bool>> inclusions(const TransitionRelation& a, const TransitionRelation& b,
-                                          Budget& budget) {
+std::vector<std::vector<bool>> inclusions(const TransitionRelation& a, const TransitionRelation& b, Budget& budget) {
   const Differences differences(a, b, budget);
   std::vector<std::vector<bool>> out(a.states(), std::vector<bool>(b.states()));
   for (std::uint32_t q = 0; q < a.states(); ++q)

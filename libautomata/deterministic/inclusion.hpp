@@ -12,7 +12,6 @@ namespace waymark::automata {
 
 // [q][r]: L(q) ⊆ L(r), q a state of a, r one of b. Both deterministic and complete, over the same variables, any
 // acceptance. One step of budget per pair of nodes; more than Marks::most sets in both count as too many states.
-std::vector<std::vector<bool>> inclusions(const TransitionRelation& a, const TransitionRelation& b,
-                                          Budget& budget);
+std::vector<std::vector<bool>> inclusions(const TransitionRelation& a, const TransitionRelation& b, Budget& budget);
 
 }  // namespace waymark::automata

@@ -21,8 +21,7 @@ constexpr int sample_words = 32;
 std::vector<std::uint32_t> verdicts(const TransitionRelation& complete) {
   const Mtbdd& diagram = complete.diagram;
   Mtbdd::Variable variables = 0;
-  for (Mtbdd::Node n : diagram.reachable(complete.roots))
-    variables = std::max(variables, diagram.variable(n) + 1);
+  for (Mtbdd::Node n : diagram.reachable(complete.roots)) variables = std::max(variables, diagram.variable(n) + 1);
   ltl::Random random(1);
   const auto states = static_cast<std::uint32_t>(complete.states());
   std::vector<std::uint32_t> out(states), to(states), seen(states), path;
@@ -115,8 +114,8 @@ class Differences {
   void settle(const std::vector<std::uint32_t>& leads_apart) {
     const Condition& one = automaton_.acceptance.condition;
     const Condition other = one.shifted(automaton_.acceptance.sets);
-    const Condition only_one = Condition::any_of(
-        {Condition::all_of({one, other.negated()}), Condition::all_of({one.negated(), other})});
+    const Condition only_one =
+        Condition::any_of({Condition::all_of({one, other.negated()}), Condition::all_of({one.negated(), other})});
     const LiveComponents found = live_components(graph_, only_one);
     live_ = found.live;
     for (std::uint32_t i : leads_apart) live_[i] = true;

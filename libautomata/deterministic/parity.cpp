@@ -88,8 +88,7 @@ std::optional<std::pair<Extreme, Parity>> parity_kind(const Acceptance& acceptan
 }  // namespace
 
 std::optional<Dpa> Dpa::checked(Automaton automaton) {
-  if (!parity_kind(automaton.acceptance()) || !has_single_colours(automaton.transitions()))
-    return std::nullopt;
+  if (!parity_kind(automaton.acceptance()) || !has_single_colours(automaton.transitions())) return std::nullopt;
   return Dpa(std::move(automaton));
 }
 
@@ -100,8 +99,7 @@ Reduced reduce_parity(const TransitionRelation& automaton, Budget& budget, std::
     while (true) {
       const std::size_t states = live.states();
       const Recoloured coloured = with_fewest_colours(live);
-      if (coloured.weak)
-        return {with_fewest_colours(minimal_weak(coloured.automaton, budget)).automaton, true};
+      if (coloured.weak) return {with_fewest_colours(minimal_weak(coloured.automaton, budget)).automaton, true};
       live = canonical(bisimulation_quotient(coloured.automaton, budget));
       if (live.states() > compared || 2 * live.acceptance.sets > Marks::most) {
         if (live.states() == states) break;

@@ -39,8 +39,7 @@ std::size_t count_languages(const TransitionRelation& automaton, Budget& budget)
 // language where fewer_states.hpp finds colours. When every component accepts or rejects as a whole the language is an
 // obligation, and the result is the minimal automaton [Loe01]. Never throws Budget::Exceeded except when stopped: what
 // was reached is returned.
-Reduced reduce_parity(const TransitionRelation& automaton, Budget& budget,
-                      std::size_t compared = compared_states);
+Reduced reduce_parity(const TransitionRelation& automaton, Budget& budget, std::size_t compared = compared_states);
 
 // The words that it rejects. Complete, one state more at most.
 TransitionRelation complement_parity(const TransitionRelation& automaton);

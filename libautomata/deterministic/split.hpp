@@ -17,10 +17,7 @@ std::vector<ltl::Formula> recurring_parts(ltl::Formula f);
 
 class Split {
  public:
-  enum class Late : std::uint8_t {
-    Each,
-    Together
-  };  // conjunctions of G F e, disjunctions of F G ¬e: one part or many
+  enum class Late : std::uint8_t { Each, Together };  // conjunctions of G F e, disjunctions of F G ¬e: one part or many
   // f in negation normal form. Throws Budget::Exceeded when there are more than Marks::most parts.
   Split(ltl::Formula f, Late late);
   const std::vector<ltl::Formula>& parts() const { return parts_; }

@@ -38,8 +38,8 @@ void require(bool condition, const char* message) {
 
 }  // namespace
 
-Dfa::Dfa(ltl::Vocabulary vocabulary, std::vector<ltl::Proposition> reads, Mtbdd diagram,
-         std::vector<Mtbdd::Node> roots, std::vector<bool> accepting, StateId initial)
+Dfa::Dfa(ltl::Vocabulary vocabulary, std::vector<ltl::Proposition> reads, Mtbdd diagram, std::vector<Mtbdd::Node> roots,
+         std::vector<bool> accepting, StateId initial)
     : vocabulary_(std::move(vocabulary)),
       reads_(std::move(reads)),
       diagram_(std::move(diagram)),
@@ -49,8 +49,7 @@ Dfa::Dfa(ltl::Vocabulary vocabulary, std::vector<ltl::Proposition> reads, Mtbdd 
   require(roots_.size() == accepting_.size(), "a DFA needs one acceptance bit per state");
   require(initial_.index < roots_.size(), "the initial state of a DFA must be one of its states");
   require(!accepting_[initial_.index], "the initial state of a DFA must reject the empty word");
-  for (ltl::Proposition p : reads_)
-    require(p.index < vocabulary_.size(), "a DFA reads an unknown proposition");
+  for (ltl::Proposition p : reads_) require(p.index < vocabulary_.size(), "a DFA reads an unknown proposition");
   const TransitionGraph graph(diagram_, roots_);
   for (Vertex v = 0; v < graph.size(); ++v) {
     for (const Vertex w : graph.successors(v)) require(w < graph.size(), "a DFA edge leads to no state");
@@ -61,8 +60,7 @@ Dfa::Dfa(ltl::Vocabulary vocabulary, std::vector<ltl::Proposition> reads, Mtbdd 
 }
 
 void Dfa::rename(ltl::Vocabulary names) {
-  for (ltl::Proposition p : reads_)
-    require(p.index < names.size(), "a proposition that a DFA reads has no new name");
+  for (ltl::Proposition p : reads_) require(p.index < names.size(), "a proposition that a DFA reads has no new name");
   vocabulary_ = std::move(names);
 }
 

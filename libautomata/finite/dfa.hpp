@@ -24,8 +24,8 @@ class Dfa {
  public:
   // roots[q]: δ(q, ·), terminals are state indices; accepting[q]. diagram's variables are positions in `reads`.
   // Throws std::invalid_argument when a terminal is no state, sizes differ, or the initial state accepts.
-  Dfa(ltl::Vocabulary vocabulary, std::vector<ltl::Proposition> reads, Mtbdd diagram,
-      std::vector<Mtbdd::Node> roots, std::vector<bool> accepting, StateId initial);
+  Dfa(ltl::Vocabulary vocabulary, std::vector<ltl::Proposition> reads, Mtbdd diagram, std::vector<Mtbdd::Node> roots,
+      std::vector<bool> accepting, StateId initial);
 
   const ltl::Vocabulary& vocabulary() const { return vocabulary_; }      // of the formula (or file)
   const std::vector<ltl::Proposition>& reads() const { return reads_; }  // only these matter, in BDD order

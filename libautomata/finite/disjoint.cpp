@@ -60,8 +60,7 @@ std::vector<std::uint32_t> later_states(const Transitions& automaton, bool initi
 }
 
 // One state for each diagram that occurs.
-std::vector<std::uint32_t> one_by_root(const Transitions& automaton,
-                                       const std::vector<std::uint32_t>& states) {
+std::vector<std::uint32_t> one_by_root(const Transitions& automaton, const std::vector<std::uint32_t>& states) {
   std::unordered_set<std::uint32_t> roots;
   std::vector<std::uint32_t> out;
   for (const std::uint32_t q : states)
@@ -79,8 +78,7 @@ bool stay_apart(const Transitions& automaton, const std::vector<std::uint32_t>& 
   Mtbdd images;
   const std::vector<Node> image = over_classes(automaton, class_of, images);
   std::unordered_set<std::uint32_t> seen;
-  return std::all_of(states.begin(), states.end(),
-                     [&](std::uint32_t q) { return seen.insert(image[q].id).second; });
+  return std::all_of(states.begin(), states.end(), [&](std::uint32_t q) { return seen.insert(image[q].id).second; });
 }
 
 bool told_apart(const Transitions& automaton, const std::vector<std::uint32_t>& states, Budget& budget) {
@@ -165,10 +163,8 @@ class AllPairs {
     budget_.step(pairs);
     number_.resize(first_.roots.size() * second_.roots.size());
     for (const std::uint32_t p : later_first_)
-      for (const std::uint32_t q : later_second_)
-        number(p, q) = settles(p, q) && settled_ ? *settled_ : add(p, q);
-    if (!back_first_ || !back_second_)
-      number(first_.initial, second_.initial) = add(first_.initial, second_.initial);
+      for (const std::uint32_t q : later_second_) number(p, q) = settles(p, q) && settled_ ? *settled_ : add(p, q);
+    if (!back_first_ || !back_second_) number(first_.initial, second_.initial) = add(first_.initial, second_.initial);
     out_.initial = number(first_.initial, second_.initial);
     out_.roots.resize(out_.accepting.size());
     if (settled_) out_.roots[*settled_] = Mtbdd::terminal(*settled_);
@@ -216,11 +212,10 @@ class AllPairs {
       copy_first_above(r, !initial ? later : states[r].empty() ? from_initial : any, states[r], initial);
     }
   }
-  void copy_first_above(std::size_t r, const std::vector<Node>& nodes,
-                        const std::vector<std::uint32_t>& states, bool initial) {
+  void copy_first_above(std::size_t r, const std::vector<Node>& nodes, const std::vector<std::uint32_t>& states,
+                        bool initial) {
     std::vector<Node> image(first_.diagram.size());
-    const bool settled =
-        settles_second_ && roots_[r] == Mtbdd::terminal(*settles_second_);  // all leaves are one
+    const bool settled = settles_second_ && roots_[r] == Mtbdd::terminal(*settles_second_);  // all leaves are one
     const auto of = [&](Node n) {
       if (settled) return Mtbdd::terminal(*settled_);
       return Mtbdd::is_terminal(n) ? below_[Mtbdd::payload(n) * roots_.size() + r] : image[n.id];
@@ -260,12 +255,10 @@ class AllPairs {
 AtEachLength at_each_length(const Transitions& minimal, Budget& budget) {
   const std::vector<std::uint32_t> later = later_states(minimal, comes_back(minimal));
   const std::vector<std::uint32_t> roots = one_by_root(minimal, later);
-  return {told_apart(minimal, roots, budget), all_reached(minimal, later, budget),
-          roots.size() == later.size()};
+  return {told_apart(minimal, roots, budget), all_reached(minimal, later, budget), roots.size() == later.size()};
 }
 
-Transitions disjoint_product(const Transitions& first, const Transitions& second, Verdict verdict,
-                             Budget& budget) {
+Transitions disjoint_product(const Transitions& first, const Transitions& second, Verdict verdict, Budget& budget) {
   return AllPairs(first, second, verdict, budget).run();
 }
 

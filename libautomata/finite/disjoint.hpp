@@ -21,18 +21,16 @@ namespace waymark::automata {
 
 // What holds from some length of words on. False also when that takes long to see.
 struct AtEachLength {
-  bool told_apart =
-      false;  // states of different diagrams are; only the trap accepts nothing, dually for all words
-  bool reached = false;    // all states are
-  bool own_roots = false;  // at any length: no two states have the same diagram
+  bool told_apart = false;  // states of different diagrams are; only the trap accepts nothing, dually for all words
+  bool reached = false;     // all states are
+  bool own_roots = false;   // at any length: no two states have the same diagram
 };
 // Of a minimal automaton. O(lengths looked at · diagram), a step of budget per node and length; throws what it throws.
 AtEachLength at_each_length(const Transitions& minimal, Budget& budget);
 
 // All variables of `first` stand above those of `second`, and all of the above holds of both. The verdict is "both" or
 // "either". Throws what the budget throws. O(result).
-Transitions disjoint_product(const Transitions& first, const Transitions& second, Verdict verdict,
-                             Budget& budget);
+Transitions disjoint_product(const Transitions& first, const Transitions& second, Verdict verdict, Budget& budget);
 
 // In a product of two automata that are told apart at each length only the initial state may be equivalent to another
 // one. Then that becomes the initial one.

@@ -138,8 +138,7 @@ std::size_t count_edges(const Dfa& dfa) { return *count_edges(dfa, SIZE_MAX); }
 
 std::optional<std::size_t> count_edges(const Dfa& dfa, std::size_t most) {
   constexpr std::uint32_t never = UINT32_MAX;
-  std::vector<std::uint32_t> node_seen(dfa.diagram().size(), never),
-      state_seen(dfa.states(), never);  // last from
+  std::vector<std::uint32_t> node_seen(dfa.diagram().size(), never), state_seen(dfa.states(), never);  // last from
   std::vector<Node> stack;
   std::size_t sum = 0;
   for (std::uint32_t q = 0; q < dfa.states() && sum <= most; ++q) {

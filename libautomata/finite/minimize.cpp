@@ -28,11 +28,9 @@ Transitions minimize(const Transitions& automaton, Budget& budget) {
   return quotient(automaton, partition ? *partition : coarsest_partition(automaton, graph, budget));
 }
 
-Dfa as_dfa(Transitions automaton, const ltl::Vocabulary& vocabulary,
-           const std::vector<ltl::Proposition>& reads) {
+Dfa as_dfa(Transitions automaton, const ltl::Vocabulary& vocabulary, const std::vector<ltl::Proposition>& reads) {
   std::vector<bool> asked(reads.size(), false);
-  for (Mtbdd::Node n : automaton.diagram.reachable(automaton.roots))
-    asked[automaton.diagram.variable(n)] = true;
+  for (Mtbdd::Node n : automaton.diagram.reachable(automaton.roots)) asked[automaton.diagram.variable(n)] = true;
   std::vector<ltl::Proposition> kept;
   std::vector<Mtbdd::Variable> position(reads.size());
   for (std::size_t v = 0; v < reads.size(); ++v) {

@@ -22,7 +22,6 @@ inline Dfa minimize(const Dfa& dfa) {
 }
 
 // Drops the propositions that no edge asks for. reads[v]: the proposition of variable v.
-Dfa as_dfa(Transitions automaton, const ltl::Vocabulary& vocabulary,
-           const std::vector<ltl::Proposition>& reads);
+Dfa as_dfa(Transitions automaton, const ltl::Vocabulary& vocabulary, const std::vector<ltl::Proposition>& reads);
 
 }  // namespace waymark::automata

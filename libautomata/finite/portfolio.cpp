@@ -25,8 +25,7 @@ using Reads = std::vector<ltl::Proposition>;
 struct Rounds {
   std::size_t first_steps = 1U << 12U;  // under a millisecond
   std::size_t growth = 4;               // from round to round
-  std::size_t direct_share =
-      8;  // of a round's steps for the direct construction, where a product is possible
+  std::size_t direct_share = 8;         // of a round's steps for the direct construction, where a product is possible
   std::size_t next(std::size_t steps) const { return steps > SIZE_MAX / growth ? SIZE_MAX : growth * steps; }
 };
 constexpr Rounds rounds;
@@ -53,8 +52,7 @@ std::optional<Decomposition> decompose(Formula f) {
   using By = Decomposition::By;
   const bool negated = f.op() == Op::Not;
   const Formula g = negated ? f[0] : f;
-  if ((g.op() != Op::And && g.op() != Op::Or && g.op() != Op::Iff) || is_propositional(f))
-    return std::nullopt;
+  if ((g.op() != Op::And && g.op() != Op::Or && g.op() != Op::Iff) || is_propositional(f)) return std::nullopt;
   std::vector<Formula> operands(g.operands().begin(), g.operands().end());
   if (g.op() == Op::Iff) {  // φ ↔ ψ = φ ⊕ ¬ψ: the empty word stays out
     if (!negated) operands[1] = ltl::negate(operands[1]);
@@ -207,8 +205,7 @@ class Translation {
       for (const ltl::Proposition p : ltl::propositions(f)) factor.reads[position(p, reads_)] = true;
       return factor;
     };
-    const Outcome outcome =
-        within(task.composable ? step_budget / rounds.direct_share : step_budget, construct);
+    const Outcome outcome = within(task.composable ? step_budget / rounds.direct_share : step_budget, construct);
     task.found = outcome.made;
     const bool beaten = task.composable && task.operands.empty() && outcome.states > task.most_pairs;
     task.direct_is_hopeless = outcome.out_of_states || beaten;
@@ -288,9 +285,7 @@ class Translation {
 
   // The one of least weight, and of those that share a proposition with it, if there are any, the one of least weight.
   static Places relatives(const std::vector<Known>& waiting) {
-    const auto lighter = [&](std::size_t i, std::size_t j) {
-      return waiting[i]->weight() < waiting[j]->weight();
-    };
+    const auto lighter = [&](std::size_t i, std::size_t j) { return waiting[i]->weight() < waiting[j]->weight(); };
     std::size_t first = 0;
     for (std::size_t i = 1; i < waiting.size(); ++i)
       if (lighter(i, first)) first = i;

@@ -26,7 +26,7 @@ struct RouteLimits {
 // Minimal, its states in no particular order, possibly with some that the initial one does not reach; variables are
 // positions in `reads`. Throws Budget::Exceeded when no route stays within the limits; made: the states of the
 // construction that made most.
-Transitions minimal_automaton(ltl::Formula f, const std::vector<ltl::Proposition>& reads,
-                              const RouteLimits& limits, std::size_t& made);
+Transitions minimal_automaton(ltl::Formula f, const std::vector<ltl::Proposition>& reads, const RouteLimits& limits,
+                              std::size_t& made);
 
 }  // namespace waymark::automata

@@ -71,8 +71,7 @@ class PairTable {
 // letter of the second does not settle the verdict. Then the results need no unique table.
 class PairProduct {
  public:
-  PairProduct(const Transitions& a, const Transitions& b, Verdict verdict, Budget& budget,
-              Alphabets alphabets)
+  PairProduct(const Transitions& a, const Transitions& b, Verdict verdict, Budget& budget, Alphabets alphabets)
       : first_(a),
         second_(b),
         verdict_(verdict),
@@ -100,9 +99,8 @@ class PairProduct {
     if (is(p, settles_first_) || is(q, settles_second_)) return settled(p, q);
     const PairTable::Place place = made_.find(p, q);
     if (place.result != PairTable::unknown) return place.result;
-    const Node made = Mtbdd::is_terminal(p) && Mtbdd::is_terminal(q)
-                          ? merged(Mtbdd::payload(p), Mtbdd::payload(q))
-                          : decision(p, q);
+    const Node made =
+        Mtbdd::is_terminal(p) && Mtbdd::is_terminal(q) ? merged(Mtbdd::payload(p), Mtbdd::payload(q)) : decision(p, q);
     made_.set(place, p, q, made);
     return made;
   }
@@ -166,21 +164,19 @@ class PairProduct {
 };
 
 // The same function where variable v is called name[v]; the order of variables may change.
-std::vector<Node> renamed(const Mtbdd& from, const std::vector<Node>& roots,
-                          const std::vector<Mtbdd::Variable>& name, Mtbdd& to) {
+std::vector<Node> renamed(const Mtbdd& from, const std::vector<Node>& roots, const std::vector<Mtbdd::Variable>& name,
+                          Mtbdd& to) {
   Boolean logic(to);
   std::vector<Node> image(from.size());
   const auto of = [&](Node n) { return Mtbdd::is_terminal(n) ? n : image[n.id]; };
   for (Node n : from.reachable(roots))
-    image[n.id] =
-        logic.if_then_else(logic.variable(name[from.variable(n)]), of(from.high(n)), of(from.low(n)));
+    image[n.id] = logic.if_then_else(logic.variable(name[from.variable(n)]), of(from.high(n)), of(from.low(n)));
   std::vector<Node> out;
   for (Node root : roots) out.push_back(of(root));
   return out;
 }
 
-Transitions over(const Dfa& dfa, const ltl::Vocabulary& vocabulary,
-                 const std::vector<ltl::Proposition>& reads) {
+Transitions over(const Dfa& dfa, const ltl::Vocabulary& vocabulary, const std::vector<ltl::Proposition>& reads) {
   std::vector<Mtbdd::Variable> name;
   for (ltl::Proposition p : dfa.reads()) {
     const ltl::Proposition q = *vocabulary.find(dfa.vocabulary().name(p));
@@ -203,15 +199,14 @@ Transitions over(const Dfa& dfa, const ltl::Vocabulary& vocabulary,
 std::optional<std::uint32_t> settling_state(const Transitions& automaton, Verdict verdict, bool first) {
   for (std::uint32_t q = 0; q < automaton.roots.size(); ++q) {
     const bool accepts = automaton.accepting[q];
-    const bool settles = first ? verdict(accepts, false) == verdict(accepts, true)
-                               : verdict(false, accepts) == verdict(true, accepts);
+    const bool settles =
+        first ? verdict(accepts, false) == verdict(accepts, true) : verdict(false, accepts) == verdict(true, accepts);
     if (automaton.roots[q] == Mtbdd::terminal(q) && settles) return q;
   }
   return std::nullopt;
 }
 
-Transitions product(const Transitions& a, const Transitions& b, Verdict verdict, Budget& budget,
-                    Alphabets alphabets) {
+Transitions product(const Transitions& a, const Transitions& b, Verdict verdict, Budget& budget, Alphabets alphabets) {
   return PairProduct(a, b, verdict, budget, alphabets).run();
 }
 

@@ -36,8 +36,7 @@ class Refinement {
     const auto n = static_cast<std::uint32_t>(graph.states());
     partition_.class_of.resize(n);
     for (std::uint32_t q = 0; q < n; ++q) elements_.push_back(q);
-    std::stable_partition(elements_.begin(), elements_.end(),
-                          [&](std::uint32_t q) { return automaton.accepting[q]; });
+    std::stable_partition(elements_.begin(), elements_.end(), [&](std::uint32_t q) { return automaton.accepting[q]; });
     place_.resize(n);
     for (std::uint32_t i = 0; i < n; ++i) place_[elements_[i]] = i;
     const auto accepting =
@@ -164,9 +163,8 @@ class Refinement {
       parts.push_back(part);
     }
     if (at < whole.end) parts.push_back({at, whole.end});
-    const auto largest = std::max_element(parts.begin(), parts.end(), [](const Block& a, const Block& b) {
-      return a.end - a.begin < b.end - b.begin;
-    });
+    const auto largest = std::max_element(
+        parts.begin(), parts.end(), [](const Block& a, const Block& b) { return a.end - a.begin < b.end - b.begin; });
     blocks_[name] = *largest;
     for (auto part = parts.begin(); part != parts.end(); ++part) {
       if (part == largest) continue;

@@ -103,8 +103,7 @@ Residuals::Node Residuals::residual_of(ltl::Formula f, const std::vector<ltl::Pr
       case Op::True: return Boolean::constant(true);
       case Op::Atom: {
         const auto at = std::lower_bound(reads.begin(), reads.end(), g.proposition());
-        return elementary(Kind::Proposition, {},
-                          Mtbdd::terminal(static_cast<std::uint32_t>(at - reads.begin())));
+        return elementary(Kind::Proposition, {}, Mtbdd::terminal(static_cast<std::uint32_t>(at - reads.begin())));
       }
       case Op::Not: return logic_.negate(image.at(g[0]));
       case Op::And: return combine(g, true, [&](Node a, Node b) { return logic_.conjunction(a, b); });
@@ -167,8 +166,7 @@ Residuals::Node Residuals::progress_elementary(const Elementary& e, Node self) {
 
 // Shannon's expansion over elementary formulas: δ(if e then g else h) = if δ(e) then δ(g) else δ(h).
 Residuals::Node Residuals::progress(Node residual) {
-  if (Mtbdd::is_terminal(residual))
-    return Mtbdd::terminal(residual == Boolean::constant(true) ? anything : trap);
+  if (Mtbdd::is_terminal(residual)) return Mtbdd::terminal(residual == Boolean::constant(true) ? anything : trap);
   const auto known = progressed_.find(residual.id);
   if (known != progressed_.end()) return known->second;
   const Node high = progress(residuals_.high(residual));
@@ -234,8 +232,7 @@ std::uint32_t Residuals::payload(Node residual, bool may_stop) {
   return at->second;
 }
 
-Transitions close(Residuals& residuals, ltl::Semantics words, std::vector<std::uint32_t>& order,
-                  Budget& budget) {
+Transitions close(Residuals& residuals, ltl::Semantics words, std::vector<std::uint32_t>& order, Budget& budget) {
   const bool finite = words == ltl::Semantics::Finite;
   std::unordered_map<std::uint32_t, std::uint32_t> state;  // of a leaf, or of its residual
   const auto state_of = [&](std::uint32_t leaf) {

@@ -87,7 +87,6 @@ class Residuals {
 
 // The leaves that the initial one reaches, as states; `order` receives one leaf of each. Over infinite words "may stop
 // here" says nothing: leaves that differ in it alone are one state, and no state accepts.
-Transitions close(Residuals& residuals, ltl::Semantics words, std::vector<std::uint32_t>& order,
-                  Budget& budget);
+Transitions close(Residuals& residuals, ltl::Semantics words, std::vector<std::uint32_t>& order, Budget& budget);
 
 }  // namespace waymark::automata

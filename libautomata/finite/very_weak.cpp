@@ -59,8 +59,7 @@ class BottomUp {
   }
 
  private:
-  struct
-      Summit {  // of the classes a diagram leads to: the highest, its height, and whether no other is as high
+  struct Summit {  // of the classes a diagram leads to: the highest, its height, and whether no other is as high
     std::uint32_t highest = none;
     std::uint32_t height = 0;
     bool unique = false;

@@ -13,8 +13,7 @@ namespace waymark::automata {
 class HoaCursor {
  public:
   using Kind = HoaToken::Kind;
-  HoaCursor(std::vector<HoaToken> tokens, std::string_view source)
-      : source_(source), tokens_(std::move(tokens)) {}
+  HoaCursor(std::vector<HoaToken> tokens, std::string_view source) : source_(source), tokens_(std::move(tokens)) {}
 
   const HoaToken& peek() const { return tokens_[at_]; }
   const HoaToken& take() { return tokens_[at_ + 1 == tokens_.size() ? at_ : at_++]; }  // the last one stays

@@ -45,10 +45,9 @@ std::string write_dot(const Dfa& dfa, const DotOptions& options) {
   };
   std::string out = "digraph automaton {\n  rankdir=LR;\n  nodesep=0.35;\n  ranksep=0.55;\n";
   if (!options.name.empty())
-    out += "  label=\"" + label(options.name, 4 * options.label_width) +
-           "\";\n  labelloc=b;\n  fontname=\"Helvetica\";\n";
-  out +=
-      "  node [shape=circle, fontname=\"Helvetica\", fontsize=12, width=0.4, height=0.4, fixedsize=true];\n";
+    out +=
+        "  label=\"" + label(options.name, 4 * options.label_width) + "\";\n  labelloc=b;\n  fontname=\"Helvetica\";\n";
+  out += "  node [shape=circle, fontname=\"Helvetica\", fontsize=12, width=0.4, height=0.4, fixedsize=true];\n";
   out += "  edge [fontname=\"Helvetica\", fontsize=11, arrowsize=0.7];\n";
   out += "  start [shape=none, label=\"\", width=0.05, height=0.05];\n";
   for (std::uint32_t q = 0; q < dfa.states(); ++q)

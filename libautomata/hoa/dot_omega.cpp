@@ -30,8 +30,8 @@ std::string escaped(std::string_view text) {  // for labels between < and >
 std::string dots(Marks marks) {
   std::string out;
   for (std::uint32_t mark : marks.members())
-    out += " <font color=\"" + std::string(colours[mark % colours.size()]) + "\">●<sub>" +
-           std::to_string(mark) + "</sub></font>";
+    out += " <font color=\"" + std::string(colours[mark % colours.size()]) + "\">●<sub>" + std::to_string(mark) +
+           "</sub></font>";
   return out;
 }
 
@@ -46,8 +46,7 @@ std::optional<std::string> write_dot_within(const Automaton& automaton, std::siz
   std::string caption = print(automaton.acceptance().condition);
   if (!options.name.empty()) caption = options.name + "   ·   " + caption;
   out += "  label=<" + escaped(caption) + ">;\n  labelloc=b;\n  fontname=\"Helvetica\";\n";
-  out +=
-      "  node [shape=circle, fontname=\"Helvetica\", fontsize=12, width=0.4, height=0.4, fixedsize=true];\n";
+  out += "  node [shape=circle, fontname=\"Helvetica\", fontsize=12, width=0.4, height=0.4, fixedsize=true];\n";
   out += "  edge [fontname=\"Helvetica\", fontsize=11, arrowsize=0.7];\n";
   out += "  start [shape=none, label=\"\", width=0.05, height=0.05];\n";
   for (std::size_t q = 0; q < automaton.states(); ++q) out += "  " + std::to_string(q) + ";\n";

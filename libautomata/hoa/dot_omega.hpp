@@ -14,8 +14,7 @@ namespace waymark::automata {
 
 struct OmegaDotOptions {
   std::string name = {};  // caption under the drawing, none when empty; the acceptance stands behind it
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> jumps =
-      {};  // from, to: dotted arrows without a letter
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> jumps = {};  // from, to: dotted arrows without a letter
 };
 
 // nullopt when there are more edges, or a guard has more cubes, than that.

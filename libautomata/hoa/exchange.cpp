@@ -91,10 +91,8 @@ class Letters {
 std::optional<Automaton> make_state_based(const Automaton& automaton, Budget& budget) {
   const Acceptance& acceptance = automaton.acceptance();
   if (!acceptance.is_generalized_buchi()) return std::nullopt;
-  if ((acceptance.is_buchi() || acceptance.is_all()) && marks_are_on_states(automaton.transitions()))
-    return automaton;
-  return as_automaton(degeneralize(automaton.transitions(), {}, budget), automaton.vocabulary(),
-                      automaton.reads());
+  if ((acceptance.is_buchi() || acceptance.is_all()) && marks_are_on_states(automaton.transitions())) return automaton;
+  return as_automaton(degeneralize(automaton.transitions(), {}, budget), automaton.vocabulary(), automaton.reads());
 }
 
 std::optional<std::string> write_never_claim(const Automaton& automaton, std::size_t most_edges,
@@ -107,8 +105,7 @@ std::optional<std::string> write_never_claim(const Automaton& automaton, std::si
            (q == automaton.initial().index ? "init" : 'S' + std::to_string(q));
   };
   std::string out = name.empty() ? "never {\n" : "never { /* " + comment(name) + " */\n";
-  for (std::uint32_t q = 0; q < automaton.states();
-       ++q) {  // state 0 is the initial one, which must come first
+  for (std::uint32_t q = 0; q < automaton.states(); ++q) {  // state 0 is the initial one, which must come first
     const std::vector<BranchEdge>& from = (*edges)[q];
     out += label(q) + ":\n";
     if (from.empty()) {
@@ -129,8 +126,7 @@ std::optional<std::string> write_lbtt(const Automaton& automaton, std::size_t mo
   const std::optional<EdgesByState> edges = edges_by_state(automaton.transitions(), most_edges);
   if (!edges) return std::nullopt;
   ltl::Arena arena(automaton.vocabulary());
-  std::string out =
-      std::to_string(automaton.states()) + ' ' + std::to_string(automaton.acceptance().sets) + "t\n";
+  std::string out = std::to_string(automaton.states()) + ' ' + std::to_string(automaton.acceptance().sets) + "t\n";
   for (std::uint32_t q = 0; q < automaton.states(); ++q) {
     out += std::to_string(q) + (q == automaton.initial().index ? " 1\n" : " 0\n");
     for (const BranchEdge& edge : (*edges)[q]) {
@@ -154,8 +150,7 @@ std::optional<std::string> write_ba(const Automaton& automaton, std::size_t most
   std::size_t written = 0;
   for (std::uint32_t q = 0; q < automaton.states(); ++q)
     for (std::uint64_t letter = 0; letter < count; ++letter) {
-      std::optional<std::uint32_t>
-          before;  // branches to one target differ in marks that the format does not have
+      std::optional<std::uint32_t> before;  // branches to one target differ in marks that the format does not have
       for (const Branch& branch : letters.next(q, letter)) {
         if (before == branch.target) continue;
         before = branch.target;
@@ -180,11 +175,9 @@ std::optional<std::string> write_table(const Automaton& automaton, std::size_t m
   for (std::uint32_t q = 0; q < automaton.states(); ++q)
     for (const BranchEdge& edge : (*edges)[q]) {
       std::string marks;
-      for (std::uint32_t mark : edge.branch.marks.members())
-        marks += (marks.empty() ? "" : ",") + std::to_string(mark);
-      out += std::to_string(q) + '\t' + std::to_string(edge.branch.target) + '\t' +
-             (marks.empty() ? "-" : marks) + '\t' + ltl::print(to_formula(edge.guard, automaton, arena)) +
-             '\n';
+      for (std::uint32_t mark : edge.branch.marks.members()) marks += (marks.empty() ? "" : ",") + std::to_string(mark);
+      out += std::to_string(q) + '\t' + std::to_string(edge.branch.target) + '\t' + (marks.empty() ? "-" : marks) +
+             '\t' + ltl::print(to_formula(edge.guard, automaton, arena)) + '\n';
     }
   return out;
 }

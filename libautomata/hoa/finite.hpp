@@ -25,8 +25,7 @@ struct HoaOptions {
 // bytes. O(edges · cubes), which may be exponential in the diagram.
 std::string write_hoa(const Dfa& dfa, const HoaOptions& options = {});
 // … nullopt when there are more edges, or a label has more cubes, than that: counted before anything is written.
-std::optional<std::string> write_hoa_within(const Dfa& dfa, std::size_t most_edges,
-                                            const HoaOptions& options = {});
+std::optional<std::string> write_hoa_within(const Dfa& dfa, std::size_t most_edges, const HoaOptions& options = {});
 
 // One automaton. States keep the order of their numbers; a trap is added where letters are missing. Throws
 // ltl::FormatError with line and column; `source` names the file in messages. What is no DFA (nondeterminism,

@@ -13,8 +13,7 @@ void HoaLabels::define(const HoaToken& alias) {
   const Node meaning = disjunction(0);
   if (cursor_.peek().kind != Kind::Header && cursor_.peek().kind != Kind::Body)
     cursor_.expected("the end of the alias");
-  if (!meaning_.emplace(alias.text, meaning).second)
-    cursor_.fail(alias, "a second alias " + described(alias));
+  if (!meaning_.emplace(alias.text, meaning).second) cursor_.fail(alias, "a second alias " + described(alias));
 }
 
 std::optional<Node> HoaLabels::label() {
@@ -57,8 +56,7 @@ Node HoaLabels::literal(std::size_t depth) {
   }
   if (token.kind == Kind::Integer) {
     if (token.value >= propositions_)
-      cursor_.fail(token,
-                   "proposition " + std::to_string(token.value) + " of " + std::to_string(propositions_));
+      cursor_.fail(token, "proposition " + std::to_string(token.value) + " of " + std::to_string(propositions_));
     cursor_.take();
     return logic_.variable(static_cast<Mtbdd::Variable>(token.value));
   }

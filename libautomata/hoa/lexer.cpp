@@ -22,9 +22,7 @@ std::vector<HoaToken> HoaLexer::automaton() {
   return out;
 }
 
-void HoaLexer::fail(std::string_view message) const {
-  throw ltl::FormatError(source_, line_, column_, message);
-}
+void HoaLexer::fail(std::string_view message) const { throw ltl::FormatError(source_, line_, column_, message); }
 
 void HoaLexer::advance(std::size_t bytes) {
   for (; bytes > 0 && more(); --bytes, ++at_) {

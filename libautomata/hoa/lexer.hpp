@@ -8,18 +8,7 @@
 namespace waymark::automata {
 
 struct HoaToken {
-  enum class Kind : std::uint8_t {
-    Header,
-    Identifier,
-    Alias,
-    String,
-    Integer,
-    Punctuation,
-    Body,
-    End,
-    Abort,
-    Eof
-  };
+  enum class Kind : std::uint8_t { Header, Identifier, Alias, String, Integer, Punctuation, Body, End, Abort, Eof };
   Kind kind = Kind::Eof;
   std::string_view text;    // as written; of a header without the colon
   std::uint64_t value = 0;  // of an Integer

@@ -35,16 +35,12 @@ class DfaBuilder {
   void check_shape() const {
     using Op = HoaCondition::Op;
     const HoaCondition& condition = file_.acceptance;
-    if (condition.op != Op::True && condition.op != Op::False &&
-        (condition.op != Op::Inf || condition.complemented))
-      refuse(
-          file_.acceptance_at,
-          "the acceptance of a DFA is Büchi, 1 Inf(0), its mark saying where the word may stop (or t, or f)");
-    if (file_.starts.size() > 1)
-      refuse(file_.second_start_at, "several initial states: the automaton is no DFA");
+    if (condition.op != Op::True && condition.op != Op::False && (condition.op != Op::Inf || condition.complemented))
+      refuse(file_.acceptance_at,
+             "the acceptance of a DFA is Büchi, 1 Inf(0), its mark saying where the word may stop (or t, or f)");
+    if (file_.starts.size() > 1) refuse(file_.second_start_at, "several initial states: the automaton is no DFA");
     if (!file_.starts.empty() && file_.starts.front().size() > 1)
-      throw ltl::FormatError(source_, 0, 0,
-                             "the initial states are a conjunction: alternating automata are no DFAs");
+      throw ltl::FormatError(source_, 0, 0, "the initial states are a conjunction: alternating automata are no DFAs");
     for (const HoaAutomaton::State& state : file_.states)
       for (const HoaAutomaton::Edge& edge : state.edges)
         if (edge.targets.size() > 1) refuse(edge.at, "a universal branch: alternating automata are no DFAs");
@@ -63,8 +59,7 @@ class DfaBuilder {
     order_.assign(numbers.size(), nullptr);
     for (std::uint32_t i = 0; i < numbers.size(); ++i) rank_.emplace(numbers[i], i);
     for (const HoaAutomaton::State& state : file_.states) order_[rank_.at(state.number)] = &state;
-    for (const HoaAutomaton::State* state : order_)
-      may_stop_.push_back(state != nullptr && marked(state->marks));
+    for (const HoaAutomaton::State* state : order_) may_stop_.push_back(state != nullptr && marked(state->marks));
     if (!file_.starts.empty()) {
       initial_ = rank_.at(file_.starts.front().front());
       marked_initial_ = may_stop_[initial_];
@@ -109,8 +104,7 @@ class DfaBuilder {
         return to;
       };
       all = file_.labels.apply(file_.labels.operation(), std::array{edge.label, all}, decide);
-      if (clash)
-        refuse(edge.at, "nondeterministic: another edge of this state shares a letter with this one");
+      if (clash) refuse(edge.at, "nondeterministic: another edge of this state shares a letter with this one");
     }
     return all;
   }
@@ -153,8 +147,6 @@ class DfaBuilder {
 
 Dfa to_dfa(HoaAutomaton file, std::string_view source) { return DfaBuilder(std::move(file), source).build(); }
 
-Dfa read_hoa(std::string_view text, std::string_view source) {
-  return to_dfa(parse_hoa(text, source), source);
-}
+Dfa read_hoa(std::string_view text, std::string_view source) { return to_dfa(parse_hoa(text, source), source); }
 
 }  // namespace waymark::automata

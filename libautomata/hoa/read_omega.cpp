@@ -21,8 +21,7 @@ class AutomatonBuilder {
     if (file_.aborted) refuse(file_.acceptance_at, "the automaton was aborted by its writer");
     read_acceptance();
     rank_states();
-    TransitionRelation out =
-        is_alternating() ? without_alternation(alternating_buchi(), budget_) : nondeterministic();
+    TransitionRelation out = is_alternating() ? without_alternation(alternating_buchi(), budget_) : nondeterministic();
     std::vector<ltl::Proposition> reads;
     for (std::uint32_t p = 0; p < file_.propositions.size(); ++p) reads.push_back({p});
     return as_automaton(out, ltl::Vocabulary(file_.propositions), reads);
@@ -38,8 +37,7 @@ class AutomatonBuilder {
     const std::uint64_t sets = file_.sets + complemented_.size();
     if (sets > Marks::most)
       refuse(file_.acceptance_at,
-             "at most 64 acceptance sets are read (a complemented one counts as another), not " +
-                 std::to_string(sets));
+             "at most 64 acceptance sets are read (a complemented one counts as another), not " + std::to_string(sets));
     acceptance_ = {static_cast<std::uint32_t>(sets), translated(file_.acceptance)};
   }
 
@@ -118,18 +116,16 @@ class AutomatonBuilder {
     const Condition::Op op = acceptance_.condition.op();
     const bool is_buchi = op == Condition::Op::Inf || op == Condition::Op::True || op == Condition::Op::False;
     const auto& components = graph.components();
-    if (!is_buchi && !std::all_of(components.begin(), components.end(),
-                                  [](const HoaGraph::Component& c) { return c.uniform; }))
-      refuse(
-          file_.acceptance_at,
-          "universal branches are removed from automata that are weak or have Büchi acceptance, no others");
+    if (!is_buchi &&
+        !std::all_of(components.begin(), components.end(), [](const HoaGraph::Component& c) { return c.uniform; }))
+      refuse(file_.acceptance_at,
+             "universal branches are removed from automata that are weak or have Büchi acceptance, no others");
     AlternatingBuchi out;
     out.edges.resize(rank_.size());
     for (const HoaAutomaton::State& state : file_.states)
       for (const HoaAutomaton::Edge& edge : state.edges) {
         const HoaGraph::Component& component = components[graph.component_of(state.number)];
-        const bool marked =
-            acceptance_.condition.holds(is_buchi ? marks_of(state, edge) : completed(component.marks));
+        const bool marked = acceptance_.condition.holds(is_buchi ? marks_of(state, edge) : completed(component.marks));
         out.edges[rank_.at(state.number)].push_back({edge.label, ranks(edge.targets), marked});
       }
     for (const auto& start : file_.starts) out.starts.push_back(ranks(start));

@@ -69,8 +69,7 @@ class Parser {
     } else if (text == "properties") {
       while (cursor_.peek().kind == Kind::Identifier) out_.properties.push_back(cursor_.take());
     } else if (text[0] >= 'A' && text[0] <= 'Z') {
-      cursor_.fail(header,
-                   "unknown header " + described(header) + "; its capital says that it changes the meaning");
+      cursor_.fail(header, "unknown header " + described(header) + "; its capital says that it changes the meaning");
     } else {
       while (is_value(cursor_.peek())) cursor_.take();
     }
@@ -115,8 +114,7 @@ class Parser {
       const HoaToken& name = cursor_.take();
       out_.propositions.push_back(unquoted(name.text));
       if (out_.propositions.back().empty()) cursor_.fail(name, "a proposition without a name");
-      if (!names.insert(out_.propositions.back()).second)
-        cursor_.fail(name, "a second proposition " + described(name));
+      if (!names.insert(out_.propositions.back()).second) cursor_.fail(name, "a second proposition " + described(name));
     }
     if (out_.propositions.size() != count.value)
       cursor_.fail(count, "'AP:' announces " + std::to_string(count.value) + " propositions and names " +
@@ -128,8 +126,7 @@ class Parser {
 
   // Loosest first: ∨ of ∧ of atoms.
   HoaCondition junction(std::size_t depth, HoaCondition::Op op) {
-    if (depth > HoaLabels::deepest)
-      cursor_.fail(cursor_.peek(), "this acceptance condition is nested too deeply");
+    if (depth > HoaLabels::deepest) cursor_.fail(cursor_.peek(), "this acceptance condition is nested too deeply");
     const auto part = [&] {
       return op == HoaCondition::Op::Or ? junction(depth, HoaCondition::Op::And) : condition_atom(depth);
     };
@@ -241,8 +238,8 @@ class Parser {
   void imply_labels(HoaAutomaton::State& state) {
     const std::size_t width = out_.propositions.size();
     if (width >= 63 || state.edges.size() != std::size_t{1} << width)
-      cursor_.fail(state.at, "a state without labels needs one edge per letter, 2^" + std::to_string(width) +
-                                 ", not " + std::to_string(state.edges.size()));
+      cursor_.fail(state.at, "a state without labels needs one edge per letter, 2^" + std::to_string(width) + ", not " +
+                                 std::to_string(state.edges.size()));
     for (std::size_t i = 0; i < state.edges.size(); ++i) state.edges[i].label = labels_.letter(i);
   }
 
@@ -279,16 +276,13 @@ std::optional<HoaAutomaton> HoaReader::next() {
 HoaAutomaton parse_hoa(std::string_view text, std::string_view source) {
   HoaReader reader(text, source);
   std::optional<HoaAutomaton> only = reader.next();
-  if (!only)
-    throw ltl::FormatError(source, 1, 1, "expected 'HOA: v1' at the beginning, not the end of the file");
+  if (!only) throw ltl::FormatError(source, 1, 1, "expected 'HOA: v1' at the beginning, not the end of the file");
   const HoaToken& end = only->acceptance_at;
-  if (only->aborted)
-    throw ltl::FormatError(source, end.line, end.column, "the automaton was aborted by its writer");
+  if (only->aborted) throw ltl::FormatError(source, end.line, end.column, "the automaton was aborted by its writer");
   HoaLexer rest = reader.rest();
   const HoaToken behind = rest.automaton().front();
   if (behind.kind != Kind::Eof)
-    throw ltl::FormatError(source, behind.line, behind.column,
-                           "expected the end of the file: one automaton is read");
+    throw ltl::FormatError(source, behind.line, behind.column, "expected the end of the file: one automaton is read");
   return std::move(*only);
 }
 

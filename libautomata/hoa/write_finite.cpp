@@ -5,8 +5,7 @@
 
 namespace waymark::automata {
 
-std::optional<std::string> write_hoa_within(const Dfa& dfa, std::size_t most_edges,
-                                            const HoaOptions& options) {
+std::optional<std::string> write_hoa_within(const Dfa& dfa, std::size_t most_edges, const HoaOptions& options) {
   if (!count_edges(dfa, most_edges)) return std::nullopt;
   HoaText text;
   text.name = options.name;
@@ -33,8 +32,6 @@ std::optional<std::string> write_hoa_within(const Dfa& dfa, std::size_t most_edg
   return print(text, options.layout);
 }
 
-std::string write_hoa(const Dfa& dfa, const HoaOptions& options) {
-  return *write_hoa_within(dfa, SIZE_MAX, options);
-}
+std::string write_hoa(const Dfa& dfa, const HoaOptions& options) { return *write_hoa_within(dfa, SIZE_MAX, options); }
 
 }  // namespace waymark::automata

@@ -10,9 +10,8 @@ using EdgesByState = std::vector<std::vector<BranchEdge>>;
 
 bool uniform(const EdgesByState& edges) {
   return std::all_of(edges.begin(), edges.end(), [](const std::vector<BranchEdge>& from) {
-    return std::all_of(from.begin(), from.end(), [&](const BranchEdge& edge) {
-      return edge.branch.marks == from.front().branch.marks;
-    });
+    return std::all_of(from.begin(), from.end(),
+                       [&](const BranchEdge& edge) { return edge.branch.marks == from.front().branch.marks; });
   });
 }
 
@@ -40,8 +39,7 @@ std::optional<std::string> write_hoa_within(const Automaton& automaton, std::siz
   text.starts = {automaton.initial().index};
   for (ltl::Proposition p : automaton.reads()) text.propositions.push_back(automaton.vocabulary().name(p));
   text.acceptance_name = automaton.acceptance().name().value_or("");
-  text.acceptance =
-      std::to_string(automaton.acceptance().sets) + ' ' + print(automaton.acceptance().condition);
+  text.acceptance = std::to_string(automaton.acceptance().sets) + ' ' + print(automaton.acceptance().condition);
   text.properties = "trans-labels explicit-labels ";
   text.properties += on_states ? "state-acc" : "trans-acc";
   text.properties += " no-univ-branch";

@@ -41,8 +41,7 @@ std::uint32_t AcceptingPart::add(const TransitionRelation& part) {
     for (Branch& b : branches) b.target += first;
     return Mtbdd::terminal(automaton.choices.intern(std::move(branches)));
   };
-  for (Mtbdd::Node root :
-       automaton.diagram.import(part.diagram, part.roots, leaf, [](Mtbdd::Variable v) { return v; }))
+  for (Mtbdd::Node root : automaton.diagram.import(part.diagram, part.roots, leaf, [](Mtbdd::Variable v) { return v; }))
     automaton.roots.push_back(root);
   return first;
 }

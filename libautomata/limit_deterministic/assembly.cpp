@@ -15,8 +15,7 @@ namespace {
 // is the only one of its kind, and only what a jump says is known.
 class Languages {
  public:
-  Languages(const TransitionRelation& parity, const AcceptingPart& accepting_part, bool compare,
-            Budget& budget)
+  Languages(const TransitionRelation& parity, const AcceptingPart& accepting_part, bool compare, Budget& budget)
       : compared_(compare) {
     if (!compare) return;
     const TransitionRelation entries = completed_parity(accepting_part.automaton);
@@ -26,13 +25,9 @@ class Languages {
     accepting_part_ = inclusions(entries, entries, budget);
   }
   bool compared() const { return compared_; }
-  bool same(std::uint32_t p, std::uint32_t q) const {
-    return compared_ ? states_[p][q] && states_[q][p] : p == q;
-  }
+  bool same(std::uint32_t p, std::uint32_t q) const { return compared_ ? states_[p][q] && states_[q][p] : p == q; }
   bool inside(std::uint32_t entry, std::uint32_t q) const { return from_pool_[entry][q]; }  // L(entry) ⊆ L(q)
-  bool equal(std::uint32_t entry, std::uint32_t q) const {
-    return from_pool_[entry][q] && into_pool_[q][entry];
-  }
+  bool equal(std::uint32_t entry, std::uint32_t q) const { return from_pool_[entry][q] && into_pool_[q][entry]; }
   bool covers(std::uint32_t more, std::uint32_t less) const {
     return compared_ ? accepting_part_[less][more] : less == more;
   }
@@ -90,8 +85,7 @@ class Assembly {
     meet(parity_.initial);
     for (std::size_t i = 0; i < queue.size(); ++i) {
       for (std::uint32_t member : of_class_.at(queue[i]))
-        for (const Jump& g : by_state_[member])
-          jumps_[queue[i]].push_back(request(instead_of(g.to, queue[i])));
+        for (const Jump& g : by_state_[member]) jumps_[queue[i]].push_back(request(instead_of(g.to, queue[i])));
       for (std::uint32_t target : graph_.successors(queue[i])) meet(target);
     }
   }
@@ -114,8 +108,7 @@ class Assembly {
     std::vector<std::uint32_t> out{guessed};
     if (!languages_.compared()) return out;
     for (std::uint32_t entry = 0; entry < accepting_part_.automaton.states(); ++entry)
-      if (entry != guessed && languages_.covers(entry, guessed) && languages_.inside(entry, q))
-        out.push_back(entry);
+      if (entry != guessed && languages_.covers(entry, guessed) && languages_.inside(entry, q)) out.push_back(entry);
     return out;
   }
   void keep_the_widest(std::vector<std::uint32_t>& targets) const {
@@ -179,10 +172,8 @@ class Assembly {
 
 }  // namespace
 
-std::vector<LimitDeterministic> assembled(const TransitionRelation& parity,
-                                          const AcceptingPart& accepting_part,
-                                          std::vector<std::vector<Jump>> jumps, bool compare,
-                                          Budget& budget) {
+std::vector<LimitDeterministic> assembled(const TransitionRelation& parity, const AcceptingPart& accepting_part,
+                                          std::vector<std::vector<Jump>> jumps, bool compare, Budget& budget) {
   const MergedAcceptingPart entries = merged(accepting_part, budget);
   const Languages languages(parity, entries.accepting_part, compare, budget);
   std::vector<LimitDeterministic> out;

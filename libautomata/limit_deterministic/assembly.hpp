@@ -23,8 +23,7 @@ struct Jump {
 // An automaton for each list of jumps. parity: complete, deterministic, parity(Min, Even, ·). compare: languages are
 // compared, one step of budget per pair of nodes, for all pairs of states; else states and jumps stay as they are.
 // Canonical numbering.
-std::vector<LimitDeterministic> assembled(const TransitionRelation& parity,
-                                          const AcceptingPart& accepting_part,
+std::vector<LimitDeterministic> assembled(const TransitionRelation& parity, const AcceptingPart& accepting_part,
                                           std::vector<std::vector<Jump>> jumps, bool compare, Budget& budget);
 
 }  // namespace waymark::automata

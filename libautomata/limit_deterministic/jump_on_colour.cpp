@@ -37,14 +37,13 @@ class Copies {
             AcceptingPart& accepting_part, std::vector<Jump>& out) const {
     std::vector<std::uint32_t> number(graph_.size(), unset);
     for (std::uint32_t i = 0; i < states.size(); ++i) number[states[i]] = i;
-    const TransitionRelation part =
-        rebuild(from_, states, [&](std::uint32_t q, std::span<const Branch> choice) {
-          std::vector<Branch> branches;
-          for (const Branch& b : choice)
-            if (number[b.target] != unset && kept(b))
-              branches.push_back({number[b.target], marked(q, b) ? Marks::of(0) : Marks()});
-          return branches;
-        });
+    const TransitionRelation part = rebuild(from_, states, [&](std::uint32_t q, std::span<const Branch> choice) {
+      std::vector<Branch> branches;
+      for (const Branch& b : choice)
+        if (number[b.target] != unset && kept(b))
+          branches.push_back({number[b.target], marked(q, b) ? Marks::of(0) : Marks()});
+      return branches;
+    });
     const std::uint32_t first = accepting_part.add(part);
     for (std::uint32_t i = 0; i < states.size(); ++i) out.push_back({states[i], first + i, whole});
   }
@@ -107,8 +106,7 @@ class Copies {
     for (std::size_t i = 0; i < members.size(); ++i) rest.add_state();
     for (std::uint32_t q : members)
       for (const Branch& b : graph_.branches(q))
-        if (found.of[b.target] == found.of[q] && colour(b) != without)
-          rest.add(number[q], {number[b.target], b.marks});
+        if (found.of[b.target] == found.of[q] && colour(b) != without) rest.add(number[q], {number[b.target], b.marks});
     const std::vector<bool> accepting = live_components(rest, from_.acceptance.condition).accepting;
     return std::find(accepting.begin(), accepting.end(), true) != accepting.end();
   }

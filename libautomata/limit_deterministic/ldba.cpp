@@ -75,8 +75,7 @@ TransitionRelation without_jumps(const LimitDeterministic& ldba, Budget& budget)
   return out;
 }
 
-MdpSafe::MdpSafe(LimitDeterministic ldba, const ltl::Vocabulary& vocabulary,
-                 std::vector<ltl::Proposition> reads)
+MdpSafe::MdpSafe(LimitDeterministic ldba, const ltl::Vocabulary& vocabulary, std::vector<ltl::Proposition> reads)
     : branches_(vocabulary, std::move(reads), branches_of_runs(ldba)),
       steps_(std::move(ldba.automaton)),
       accepting_part_(std::move(ldba.accepting_part)) {

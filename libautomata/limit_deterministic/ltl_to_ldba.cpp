@@ -102,8 +102,7 @@ class Construction {
   std::optional<Candidate> best_;
 };
 
-std::vector<ltl::Proposition> together(std::vector<ltl::Proposition> a,
-                                       const std::vector<ltl::Proposition>& b) {
+std::vector<ltl::Proposition> together(std::vector<ltl::Proposition> a, const std::vector<ltl::Proposition>& b) {
   a.insert(a.end(), b.begin(), b.end());
   std::sort(a.begin(), a.end());
   a.erase(std::unique(a.begin(), a.end()), a.end());

@@ -31,10 +31,9 @@ class Companions {
     meet(parity.initial, structure.initial);
     for (std::size_t i = 0; i < queue_.size(); ++i) {
       const std::uint32_t q = queue_[i];
-      pairs.from(parity.roots[q], structure.roots[*companion_[q]],
-                 [&](std::uint32_t choice, std::uint32_t companion) {
-                   meet(parity.choices[choice].front().target, companion);
-                 });
+      pairs.from(parity.roots[q], structure.roots[*companion_[q]], [&](std::uint32_t choice, std::uint32_t companion) {
+        meet(parity.choices[choice].front().target, companion);
+      });
     }
   }
   const std::optional<std::uint32_t>& of(std::uint32_t q) const { return companion_[q]; }
@@ -90,20 +89,19 @@ class Entries {
       part[q] = i;
     }
     const auto start = [&](std::size_t i) { return first[i] + waits[i].initial; };
-    TransitionRelation out =
-        rebuild(all.automaton, kept, [&](std::uint32_t q, std::span<const Branch> choice) {
-          std::vector<Branch> branches;
-          for (const Branch& b : choice) {
-            const std::uint32_t i = part[q];
-            if (!accepts_all(waits[i], b.target - first[i])) {
-              branches.push_back({b.target, {}});
-            } else {
-              const bool last = i + 1 == waits.size();
-              branches.push_back({start(last ? 0 : i + 1), last ? Marks::of(0) : Marks()});
-            }
-          }
-          return branches;
-        });
+    TransitionRelation out = rebuild(all.automaton, kept, [&](std::uint32_t q, std::span<const Branch> choice) {
+      std::vector<Branch> branches;
+      for (const Branch& b : choice) {
+        const std::uint32_t i = part[q];
+        if (!accepts_all(waits[i], b.target - first[i])) {
+          branches.push_back({b.target, {}});
+        } else {
+          const bool last = i + 1 == waits.size();
+          branches.push_back({start(last ? 0 : i + 1), last ? Marks::of(0) : Marks()});
+        }
+      }
+      return branches;
+    });
     out.initial = start(0);
     out.acceptance = Acceptance::buchi();
     return out;
@@ -149,8 +147,7 @@ std::optional<std::vector<Jump>> jump_by_master_theorem(Formula f, const Transit
     std::optional<std::vector<std::uint32_t>>& targets = known[*companions.of(q)];
     if (!targets) {
       targets.emplace();
-      const Formula meaning =
-          ltl::simplify(ltl::nnf(progression.meaning[*companions.of(q)]), ltl::Over::Infinite);
+      const Formula meaning = ltl::simplify(ltl::nnf(progression.meaning[*companions.of(q)]), ltl::Over::Infinite);
       const auto choices = advices(ltl::nnf(meaning), most_advices);
       if (!choices) return std::nullopt;
       for (const Advice& advice : *choices) {

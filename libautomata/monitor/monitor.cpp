@@ -43,8 +43,7 @@ class Subsets {
       roots.push_back(all);
     }
     out.roots = out.diagram.import(
-        work_, roots, [](std::uint32_t set) { return Mtbdd::terminal(set); },
-        [](Mtbdd::Variable v) { return v; });
+        work_, roots, [](std::uint32_t set) { return Mtbdd::terminal(set); }, [](Mtbdd::Variable v) { return v; });
     return out;
   }
 

@@ -29,8 +29,7 @@ class Monitor {
     friend bool operator==(const State&, const State&) = default;
   };
 
-  Monitor(Dfa bad, Dfa good, Foresight at_first)
-      : bad_(std::move(bad)), good_(std::move(good)), at_first_(at_first) {}
+  Monitor(Dfa bad, Dfa good, Foresight at_first) : bad_(std::move(bad)), good_(std::move(good)), at_first_(at_first) {}
 
   State initial() const { return {bad_.initial(), good_.initial(), false}; }
   State next(State q, const ltl::Letter& letter) const {  // letters over vocabulary(), O(|reads|)

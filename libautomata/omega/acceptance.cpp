@@ -17,8 +17,7 @@ Acceptance of_pairs(std::uint32_t pairs, bool rabin) {
 std::string print(const Condition& condition, bool inside_and) {
   const auto joined = [&](const char* sign, bool bracket, bool is_and) {
     std::string out;
-    for (const Condition& operand : condition.operands())
-      out += (out.empty() ? "" : sign) + print(operand, is_and);
+    for (const Condition& operand : condition.operands()) out += (out.empty() ? "" : sign) + print(operand, is_and);
     return bracket ? '(' + out + ')' : out;
   };
   switch (condition.op()) {

@@ -19,9 +19,7 @@ class Paths {
     return walk(0);
   }
   std::size_t size() const { return found_; }
-  std::uint32_t choice(std::size_t path, std::size_t q) const {
-    return choices_[path * automaton_.states() + q];
-  }
+  std::uint32_t choice(std::size_t path, std::size_t q) const { return choices_[path * automaton_.states() + q]; }
   // One path for each kind.
   std::vector<std::size_t> distinct() const {
     std::vector<std::size_t> out(found_);
@@ -77,8 +75,7 @@ class Paths {
 
 }  // namespace
 
-std::optional<AlphabetClasses> alphabet_classes(const TransitionRelation& automaton, std::size_t most,
-                                                Budget& budget) {
+std::optional<AlphabetClasses> alphabet_classes(const TransitionRelation& automaton, std::size_t most, Budget& budget) {
   Paths paths(automaton, most, budget);
   if (!paths.walk()) return std::nullopt;
   const std::vector<std::size_t> kinds = paths.distinct();

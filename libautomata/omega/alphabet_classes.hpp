@@ -21,8 +21,7 @@ struct AlphabetClasses {
 };
 
 // nullopt when the diagrams have more than `most` paths together.
-std::optional<AlphabetClasses> alphabet_classes(const TransitionRelation& automaton, std::size_t most,
-                                                Budget& budget);
+std::optional<AlphabetClasses> alphabet_classes(const TransitionRelation& automaton, std::size_t most, Budget& budget);
 // δ⁻¹ on the same kinds: the branches of q are (marks, p) for the branches (marks, q) of p.
 AlphabetClasses reversed(const AlphabetClasses& table, Budget& budget);
 

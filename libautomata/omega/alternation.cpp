@@ -25,8 +25,7 @@ Set united(const Set& a, const Set& b) {
 
 bool includes(const Owed& large, const Owed& small) {
   return std::includes(large.all.begin(), large.all.end(), small.all.begin(), small.all.end()) &&
-         std::includes(large.unmarked.begin(), large.unmarked.end(), small.unmarked.begin(),
-                       small.unmarked.end());
+         std::includes(large.unmarked.begin(), large.unmarked.end(), small.unmarked.begin(), small.unmarked.end());
 }
 
 // Alternatives none of which includes another.
@@ -155,8 +154,7 @@ class Breakpoints {
       std::sort(both.begin(), both.end());
       return Mtbdd::terminal(alternatives_.id(both));
     };
-    for (const Owed& start : starts)
-      all = automaton_.diagram.apply(unite, std::array{all, together(start)}, decide);
+    for (const Owed& start : starts) all = automaton_.diagram.apply(unite, std::array{all, together(start)}, decide);
     return map_terminals(all);
   }
 

@@ -21,24 +21,20 @@ void check_choices(const TransitionRelation& automaton) {
 
 }  // namespace
 
-Automaton::Automaton(ltl::Vocabulary vocabulary, std::vector<ltl::Proposition> reads,
-                     TransitionRelation transitions)
+Automaton::Automaton(ltl::Vocabulary vocabulary, std::vector<ltl::Proposition> reads, TransitionRelation transitions)
     : vocabulary_(std::move(vocabulary)), reads_(std::move(reads)), transitions_(std::move(transitions)) {
   require(transitions_.initial < states(), "the initial state of an automaton must be one of its states");
   require(acceptance().sets <= Marks::most, "an automaton with more than 64 acceptance sets");
   require(Marks::first(acceptance().sets).includes(acceptance().condition.marks()),
           "the acceptance condition names a mark that the automaton does not have");
-  for (ltl::Proposition p : reads_)
-    require(p.index < vocabulary_.size(), "an automaton reads an unknown proposition");
+  for (ltl::Proposition p : reads_) require(p.index < vocabulary_.size(), "an automaton reads an unknown proposition");
   check_choices(transitions_);
   const auto is_choice = [&](Mtbdd::Node n) {
     return !Mtbdd::is_terminal(n) || Mtbdd::payload(n) < transitions_.choices.size();
   };
-  for (Mtbdd::Node root : transitions_.roots)
-    require(is_choice(root), "an automaton's terminal is no choice");
+  for (Mtbdd::Node root : transitions_.roots) require(is_choice(root), "an automaton's terminal is no choice");
   for (Mtbdd::Node n : diagram().reachable(transitions_.roots)) {
-    require(is_choice(diagram().low(n)) && is_choice(diagram().high(n)),
-            "an automaton's terminal is no choice");
+    require(is_choice(diagram().low(n)) && is_choice(diagram().high(n)), "an automaton's terminal is no choice");
     require(diagram().variable(n) < reads_.size(), "an edge asks for a proposition that is not read");
   }
 }
@@ -54,11 +50,9 @@ std::span<const Branch> Automaton::next(StateId q, const ltl::Letter& letter) co
   return transitions_.choices[Mtbdd::payload(diagram().evaluate(root(q), holds))];
 }
 
-std::vector<ltl::Proposition> keep_asked(TransitionRelation& transitions,
-                                         const std::vector<ltl::Proposition>& reads) {
+std::vector<ltl::Proposition> keep_asked(TransitionRelation& transitions, const std::vector<ltl::Proposition>& reads) {
   std::vector<bool> asked(reads.size(), false);
-  for (Mtbdd::Node n : transitions.diagram.reachable(transitions.roots))
-    asked[transitions.diagram.variable(n)] = true;
+  for (Mtbdd::Node n : transitions.diagram.reachable(transitions.roots)) asked[transitions.diagram.variable(n)] = true;
   std::vector<ltl::Proposition> kept;
   std::vector<Mtbdd::Variable> renamed(reads.size());
   for (std::size_t v = 0; v < reads.size(); ++v) {

@@ -43,8 +43,7 @@ class Automaton {
 };
 
 // Renames the variables so that only those stay which some edge asks for; their propositions. reads[v]: that of v.
-std::vector<ltl::Proposition> keep_asked(TransitionRelation& transitions,
-                                         const std::vector<ltl::Proposition>& reads);
+std::vector<ltl::Proposition> keep_asked(TransitionRelation& transitions, const std::vector<ltl::Proposition>& reads);
 
 // The same automaton in canonical numbering, reading only the propositions that an edge asks for.
 // reads[v]: the proposition of variable v.

@@ -8,14 +8,12 @@ namespace waymark::automata {
 using ltl::Formula;
 using ltl::Op;
 
-Containment::Containment(const std::vector<ltl::Proposition>& reads, Budget& budget)
-    : reads_(reads), budget_(budget) {
+Containment::Containment(const std::vector<ltl::Proposition>& reads, Budget& budget) : reads_(reads), budget_(budget) {
   ltl::Random random(1);  // fixed: same formula, same automaton
   for (std::size_t i = 0; i < lassos; ++i) {
     const std::size_t start = i % letters;
     for (std::size_t j = 0; j < letters; ++j)
-      successor_[letters * i + j] =
-          static_cast<std::uint8_t>(letters * i + (j + 1 < letters ? j + 1 : start));
+      successor_[letters * i + j] = static_cast<std::uint8_t>(letters * i + (j + 1 < letters ? j + 1 : start));
   }
   for (ltl::Proposition p : reads) {
     std::uint64_t bits = 0;

@@ -33,9 +33,7 @@ class Levels {
   }
 
   using ByState = std::unordered_map<std::uint32_t, std::uint32_t>;
-  const ByState& reached() const {
-    return reached_;
-  }  // the highest levels that a component's own branches lead to
+  const ByState& reached() const { return reached_; }  // the highest levels that a component's own branches lead to
   void enter_at(const ByState& levels) { entries_ = levels; }
 
   TransitionRelation run() {
@@ -48,8 +46,7 @@ class Levels {
       const Marks marks = level == sets_ && live_.accepting[component(q)] ? Marks::of(0) : Marks();
       const auto leaf = [&](std::uint32_t c) {
         std::vector<Branch> branches;
-        for (const Branch& b : from_.choices[c])
-          branches.push_back({copy(b.target, after(q, level, b)), marks});
+        for (const Branch& b : from_.choices[c]) branches.push_back({copy(b.target, after(q, level, b)), marks});
         return out.choices.intern(std::move(branches));
       };
       out.roots.push_back(copier.copy(from_.roots[q], leaf));

@@ -7,16 +7,13 @@ namespace {
 
 using States = std::vector<std::uint32_t>;  // ascending: a component may be small in a large graph
 
-bool has(const States& states, std::uint32_t q) {
-  return std::binary_search(states.begin(), states.end(), q);
-}
+bool has(const States& states, std::uint32_t q) { return std::binary_search(states.begin(), states.end(), q); }
 
 // Does a run that stays among `states`, one component of the graph, satisfy the condition?
 bool component_accepts(const BranchGraph& graph, const States& states, const Condition& condition);
 
 // Some component of the part of the graph that lies in `states` and carries none of the forbidden marks accepts.
-bool part_accepts(const BranchGraph& graph, const States& states, Marks forbidden,
-                  const Condition& condition) {
+bool part_accepts(const BranchGraph& graph, const States& states, Marks forbidden, const Condition& condition) {
   BranchGraph part;
   for (std::uint32_t i = 0; i < states.size(); ++i) part.add_state();
   for (std::uint32_t i = 0; i < states.size(); ++i)
@@ -29,8 +26,7 @@ bool part_accepts(const BranchGraph& graph, const States& states, Marks forbidde
   for (std::size_t i = 0; i < found.order.size();) {
     States component;
     const std::uint32_t name = found.of[found.order[i]];
-    for (; i < found.order.size() && found.of[found.order[i]] == name; ++i)
-      component.push_back(found.order[i]);
+    for (; i < found.order.size() && found.of[found.order[i]] == name; ++i) component.push_back(found.order[i]);
     std::sort(component.begin(), component.end());
     if (component_accepts(part, component, condition)) return true;
   }
@@ -97,8 +93,7 @@ LiveComponents live_components(const BranchGraph& graph, const Condition& condit
         met = met | b.marks;
       }
     const auto states = [&] {
-      States all(order.begin() + static_cast<std::ptrdiff_t>(begin),
-                 order.begin() + static_cast<std::ptrdiff_t>(i));
+      States all(order.begin() + static_cast<std::ptrdiff_t>(begin), order.begin() + static_cast<std::ptrdiff_t>(i));
       std::sort(all.begin(), all.end());
       return all;
     };
@@ -122,8 +117,7 @@ bool accepts(const Automaton& automaton, const ltl::Lasso& word) {
       graph.add_state();
       const auto source = static_cast<std::uint32_t>(graph.size() - 1);
       const auto after = static_cast<std::uint32_t>(word.successor(i)) * states;
-      for (const Branch& b : automaton.next(StateId{q}, word[i]))
-        graph.add(source, {after + b.target, b.marks});
+      for (const Branch& b : automaton.next(StateId{q}, word[i])) graph.add(source, {after + b.target, b.marks});
     }
   return live_components(graph, automaton.acceptance().condition).live[automaton.initial().index];
 }

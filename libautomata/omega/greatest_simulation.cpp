@@ -20,9 +20,8 @@ constexpr std::size_t few_kinds = 512;
 // Each branch of the one has a better one among the others, as far as is known.
 bool is_covered(std::span<const Branch> branches, std::span<const Branch> better, const StatePairs& below) {
   return std::all_of(branches.begin(), branches.end(), [&](const Branch& b) {
-    return std::any_of(better.begin(), better.end(), [&](const Branch& a) {
-      return a.marks.includes(b.marks) && below(b.target, a.target);
-    });
+    return std::any_of(better.begin(), better.end(),
+                       [&](const Branch& a) { return a.marks.includes(b.marks) && below(b.target, a.target); });
   });
 }
 
@@ -220,8 +219,7 @@ class Reversal {
 
 StatePairs greatest_simulation(const TransitionRelation& automaton, Budget& budget, Comparison how) {
   StatePairs below(automaton.states(), true);
-  if (const auto table =
-          how == Comparison::Cheapest ? alphabet_classes(automaton, few_kinds, budget) : std::nullopt)
+  if (const auto table = how == Comparison::Cheapest ? alphabet_classes(automaton, few_kinds, budget) : std::nullopt)
     OnKinds(*table, below, budget).run();
   else
     OnDiagrams(automaton, below, budget).run();
@@ -232,8 +230,7 @@ StatePairs greatest_reverse_simulation(const TransitionRelation& automaton, Budg
   StatePairs below(automaton.states(), true);
   for (std::uint32_t r = 0; r < automaton.states(); ++r)
     if (r != automaton.initial) below.remove(automaton.initial, r);
-  if (const auto table =
-          how == Comparison::Cheapest ? alphabet_classes(automaton, few_kinds, budget) : std::nullopt) {
+  if (const auto table = how == Comparison::Cheapest ? alphabet_classes(automaton, few_kinds, budget) : std::nullopt) {
     OnKinds(reversed(*table, budget), below, budget).run();
   } else {
     const TransitionRelation reverse = Reversal(automaton, budget).result();

@@ -75,8 +75,7 @@ Condition without_fin(const Condition& condition, std::uint32_t mark) {
   if (condition.op() != Op::And && condition.op() != Op::Or) return condition;
   std::vector<Condition> operands;
   for (const Condition& operand : condition.operands()) operands.push_back(without_fin(operand, mark));
-  return condition.op() == Op::And ? Condition::all_of(std::move(operands))
-                                   : Condition::any_of(std::move(operands));
+  return condition.op() == Op::And ? Condition::all_of(std::move(operands)) : Condition::any_of(std::move(operands));
 }
 
 // A strongly connected part whose marks together satisfy the condition.
@@ -118,8 +117,7 @@ std::optional<Accepting> accepting_part(const Subgraph& part, const Condition& c
       for (const SourcedBranch& step : inside.edges(v))
         if (!step.branch.marks.contains(mark)) avoiding.add(step);
     if (std::optional<Accepting> avoided = accepting_part(avoiding, condition, budget)) return avoided;
-    if (std::optional<Accepting> met = accepting_part(inside, without_fin(condition, mark), budget))
-      return met;
+    if (std::optional<Accepting> met = accepting_part(inside, without_fin(condition, mark), budget)) return met;
   }
   return std::nullopt;
 }
@@ -137,8 +135,7 @@ std::vector<SourcedBranch> cycle(const Accepting& accepting, std::uint32_t from)
     }
   };
   while (!missing.empty())
-    append(accepting.part.path(
-        at, [&](const SourcedBranch& step) { return !(step.branch.marks & missing).empty(); }));
+    append(accepting.part.path(at, [&](const SourcedBranch& step) { return !(step.branch.marks & missing).empty(); }));
   if (at != from || out.empty())
     append(accepting.part.path(at, [&](const SourcedBranch& step) { return step.branch.target == from; }));
   return out;
@@ -192,8 +189,7 @@ std::optional<ltl::Lasso> find_lasso(const Automaton& automaton, Budget& budget)
   const auto inside = [&](std::uint32_t q) { return accepting->part.leaves(q); };
   std::vector<SourcedBranch> prefix;
   if (!inside(transitions.initial))
-    prefix =
-        all.path(transitions.initial, [&](const SourcedBranch& step) { return inside(step.branch.target); });
+    prefix = all.path(transitions.initial, [&](const SourcedBranch& step) { return inside(step.branch.target); });
   const std::uint32_t entry = prefix.empty() ? transitions.initial : prefix.back().branch.target;
   BranchLetters letters(transitions);
   std::vector<ltl::Letter> u, v;

@@ -21,8 +21,7 @@ struct Aligned {
 };
 
 // The diagrams of an automaton with variable v renamed to name[v], which need not keep their order.
-std::vector<Node> renamed(const TransitionRelation& from, const std::vector<Mtbdd::Variable>& name,
-                          Mtbdd& to) {
+std::vector<Node> renamed(const TransitionRelation& from, const std::vector<Mtbdd::Variable>& name, Mtbdd& to) {
   Boolean logic(to);
   std::vector<Node> image(from.diagram.size());
   const auto of = [&](Node n) { return Mtbdd::is_terminal(n) ? n : image[n.id]; };
@@ -59,8 +58,7 @@ Aligned align(const Automaton& a, const Automaton& b) {
 }
 
 // One of the two, over the common variables.
-TransitionRelation over(const Aligned& both, const std::vector<Node>& roots,
-                        const TransitionRelation& automaton) {
+TransitionRelation over(const Aligned& both, const std::vector<Node>& roots, const TransitionRelation& automaton) {
   TransitionRelation out;
   out.diagram = both.diagram;
   out.choices = automaton.choices;
@@ -72,16 +70,14 @@ TransitionRelation over(const Aligned& both, const std::vector<Node>& roots,
 
 void require_sets(std::size_t sets) {
   if (sets > Marks::most)
-    throw std::length_error("the automaton needs " + std::to_string(sets) +
-                            " acceptance sets; 64 are possible");
+    throw std::length_error("the automaton needs " + std::to_string(sets) + " acceptance sets; 64 are possible");
 }
 
 Marks shifted(Marks marks, std::uint32_t by) {
   return by >= Marks::most ? Marks() : Marks::from_bits(marks.bits() << by);
 }
 
-std::vector<Branch> moved(std::span<const Branch> branches, std::uint32_t states, std::uint32_t marks,
-                          Marks more) {
+std::vector<Branch> moved(std::span<const Branch> branches, std::uint32_t states, std::uint32_t marks, Marks more) {
   std::vector<Branch> out;
   for (const Branch& b : branches) out.push_back({b.target + states, shifted(b.marks, marks) | more});
   return out;
@@ -105,8 +101,7 @@ TransitionRelation completed(const TransitionRelation& automaton) {
   for (std::uint32_t q = 0; q < all.size(); ++q) all[q] = q;
   const auto sink = static_cast<std::uint32_t>(automaton.states());
   const auto to_sink = [&](std::uint32_t, std::span<const Branch> choice) {
-    return choice.empty() ? std::vector<Branch>{{sink, Marks()}}
-                          : std::vector<Branch>(choice.begin(), choice.end());
+    return choice.empty() ? std::vector<Branch>{{sink, Marks()}} : std::vector<Branch>(choice.begin(), choice.end());
   };
   TransitionRelation out = rebuild(automaton, all, to_sink);
   out.roots.push_back(Mtbdd::terminal(out.choices.intern({{sink, marks}})));
@@ -153,13 +148,11 @@ Automaton sum(const Automaton& a, const Automaton& b) {
   const auto states_a = static_cast<std::uint32_t>(a.states());
   const Marks in_a = Marks::of(sets), in_b = Marks::of(sets + 1);
   TransitionRelation out;
-  out.acceptance = {sets + 2,
-                    Condition::any_of({Condition::all_of({Condition::inf(sets), a.acceptance().condition}),
-                                       Condition::all_of({Condition::inf(sets + 1),
-                                                          b.acceptance().condition.shifted(sets_a)})})};
-  const auto of_a = [&](std::uint32_t c) {
-    return out.choices.intern(moved(a.transitions().choices[c], 0, 0, in_a));
-  };
+  out.acceptance = {
+      sets + 2,
+      Condition::any_of({Condition::all_of({Condition::inf(sets), a.acceptance().condition}),
+                         Condition::all_of({Condition::inf(sets + 1), b.acceptance().condition.shifted(sets_a)})})};
+  const auto of_a = [&](std::uint32_t c) { return out.choices.intern(moved(a.transitions().choices[c], 0, 0, in_a)); };
   const auto of_b = [&](std::uint32_t c) {
     return out.choices.intern(moved(b.transitions().choices[c], states_a, sets_a, in_b));
   };

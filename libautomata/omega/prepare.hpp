@@ -13,10 +13,8 @@ struct Prepared {
   ltl::Formula separated;
   ltl::Formula plain;  // before anything was pulled out: its tableau may be the smaller one
 };
-Prepared prepared_forms(ltl::Formula f, const std::vector<ltl::Proposition>& reads,
-                        const std::stop_token& stop);
-inline ltl::Formula prepared(ltl::Formula f, const std::vector<ltl::Proposition>& reads,
-                             const std::stop_token& stop) {
+Prepared prepared_forms(ltl::Formula f, const std::vector<ltl::Proposition>& reads, const std::stop_token& stop);
+inline ltl::Formula prepared(ltl::Formula f, const std::vector<ltl::Proposition>& reads, const std::stop_token& stop) {
   return prepared_forms(f, reads, stop).separated;
 }
 

@@ -11,8 +11,7 @@ class Intersection {
  public:
   Intersection(const TransitionRelation& a, const TransitionRelation& b, Budget& budget)
       : a_(a), b_(b), budget_(budget) {
-    if (a.acceptance.sets + b.acceptance.sets > Marks::most)
-      throw Budget::Exceeded{Budget::Exceeded::Reason::States};
+    if (a.acceptance.sets + b.acceptance.sets > Marks::most) throw Budget::Exceeded{Budget::Exceeded::Reason::States};
     const auto same = [](std::uint32_t payload) { return Mtbdd::terminal(payload); };
     const auto keep = [](Mtbdd::Variable v) { return v; };
     a_roots_ = out_.diagram.import(a.diagram, a.roots, same, keep);

@@ -10,10 +10,8 @@ Condition random_condition(ltl::Random& random, std::uint32_t sets, std::size_t 
     const auto mark = static_cast<std::uint32_t>(random.below(sets));
     return random.below(2) == 0 ? Condition::inf(mark) : Condition::fin(mark);
   }
-  std::vector<Condition> operands{random_condition(random, sets, depth - 1),
-                                  random_condition(random, sets, depth - 1)};
-  return random.below(2) == 0 ? Condition::all_of(std::move(operands))
-                              : Condition::any_of(std::move(operands));
+  std::vector<Condition> operands{random_condition(random, sets, depth - 1), random_condition(random, sets, depth - 1)};
+  return random.below(2) == 0 ? Condition::all_of(std::move(operands)) : Condition::any_of(std::move(operands));
 }
 
 class Maker {
@@ -57,10 +55,8 @@ class Maker {
 
 }  // namespace
 
-Automaton random_automaton(ltl::Random& random, const ltl::Vocabulary& vocabulary,
-                           const RandomAutomaton& options) {
-  if (options.states == 0 || options.branches == 0 || options.atoms > vocabulary.size() ||
-      options.sets > Marks::most)
+Automaton random_automaton(ltl::Random& random, const ltl::Vocabulary& vocabulary, const RandomAutomaton& options) {
+  if (options.states == 0 || options.branches == 0 || options.atoms > vocabulary.size() || options.sets > Marks::most)
     throw std::invalid_argument("random_automaton: no such automaton");
   std::vector<ltl::Proposition> reads;
   for (std::uint32_t p = 0; p < options.atoms; ++p) reads.push_back({p});

@@ -15,7 +15,6 @@ struct RandomAutomaton {
   bool generic = true;       // a random condition over the sets; else generalised Büchi
 };
 
-Automaton random_automaton(ltl::Random& random, const ltl::Vocabulary& vocabulary,
-                           const RandomAutomaton& options = {});
+Automaton random_automaton(ltl::Random& random, const ltl::Vocabulary& vocabulary, const RandomAutomaton& options = {});
 
 }  // namespace waymark::automata

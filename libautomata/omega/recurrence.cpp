@@ -18,16 +18,14 @@ using Node = Mtbdd::Node;
 TransitionRelation without_marks(const Transitions& structure) {
   TransitionRelation out;
   const auto leaf = [&](std::uint32_t target) { return Mtbdd::terminal(out.choices.intern({{target, {}}})); };
-  out.roots =
-      out.diagram.import(structure.diagram, structure.roots, leaf, [](Mtbdd::Variable v) { return v; });
+  out.roots = out.diagram.import(structure.diagram, structure.roots, leaf, [](Mtbdd::Variable v) { return v; });
   out.initial = structure.initial;
   return out;
 }
 
 // By state of the structure: on which letters its edge lies in an accepting component of the product. The diagram
 // receives them, with payloads 0 and 1.
-std::vector<Node> taken_by_rejected_words(const Pairs& product, std::size_t states, Mtbdd& diagram,
-                                          Budget& budget) {
+std::vector<Node> taken_by_rejected_words(const Pairs& product, std::size_t states, Mtbdd& diagram, Budget& budget) {
   const TransitionRelation& pairs = product.automaton;
   const LiveComponents live = live_components(BranchGraph(pairs), pairs.acceptance.condition);
   const std::vector<std::uint32_t>& component = live.components.of;
@@ -54,8 +52,7 @@ std::vector<Node> taken_by_rejected_words(const Pairs& product, std::size_t stat
 
 class Windows {
  public:
-  Windows(const Transitions& cosafe, Budget& budget)
-      : from_(cosafe), budget_(budget), joint_(out_.diagram, budget) {}
+  Windows(const Transitions& cosafe, Budget& budget) : from_(cosafe), budget_(budget), joint_(out_.diagram, budget) {}
 
   TransitionRelation run() {
     roots_ = out_.diagram.import(
@@ -131,19 +128,17 @@ TransitionRelation started_inside(TransitionRelation automaton) {
   std::vector<bool> left(found.count, false);
   for (std::uint32_t q = 0; q < graph.size(); ++q) {
     ++size[found.of[q]];
-    for (std::uint32_t r : graph.successors(q))
-      left[found.of[q]] = left[found.of[q]] || found.of[r] != found.of[q];
+    for (std::uint32_t r : graph.successors(q)) left[found.of[q]] = left[found.of[q]] || found.of[r] != found.of[q];
   }
   std::uint32_t best = 0;
   for (std::uint32_t c = 0; c < found.count; ++c)
     if (!left[c] && (left[best] || size[c] < size[best])) best = c;
-  automaton.initial = *std::find_if(found.order.begin(), found.order.end(),
-                                    [&](std::uint32_t q) { return found.of[q] == best; });
+  automaton.initial =
+      *std::find_if(found.order.begin(), found.order.end(), [&](std::uint32_t q) { return found.of[q] == best; });
   return automaton;
 }
 
-std::optional<TransitionRelation> deterministic_buchi(const Transitions& structure,
-                                                      const TransitionRelation& yes,
+std::optional<TransitionRelation> deterministic_buchi(const Transitions& structure, const TransitionRelation& yes,
                                                       const TransitionRelation& no, Budget& budget) {
   const TransitionRelation bare = without_marks(structure);
   TransitionRelation out;

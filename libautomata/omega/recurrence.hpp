@@ -14,8 +14,7 @@
 namespace waymark::automata {
 
 // yes, no: generalised Büchi automata of φ and ¬φ. nullopt when the structure cannot carry the marks.
-std::optional<TransitionRelation> deterministic_buchi(const Transitions& structure,
-                                                      const TransitionRelation& yes,
+std::optional<TransitionRelation> deterministic_buchi(const Transitions& structure, const TransitionRelation& yes,
                                                       const TransitionRelation& no, Budget& budget);
 
 // G F e from the minimal weak automaton of e, co-safe: every position starts a run, those that have seen a good prefix

@@ -78,8 +78,7 @@ TransitionRelation simulated(TransitionRelation automaton, Budget& budget) {
 Reduced stepwise(TransitionRelation automaton, MarksOn marks, Budget& budget) {
   Steps steps(marks, budget);
   try {
-    while (std::optional<TransitionRelation> better = steps.improved(automaton))
-      automaton = *std::move(better);
+    while (std::optional<TransitionRelation> better = steps.improved(automaton)) automaton = *std::move(better);
     return {std::move(automaton), true};
   } catch (const Budget::Exceeded& spent) {
     if (spent.reason == Budget::Exceeded::Reason::Stopped) throw;
@@ -115,8 +114,7 @@ Reduced reduce_as_marked(const TransitionRelation& automaton, Budget& budget) {
     const std::uint32_t sets = saturated.acceptance.sets;
     Reduced out = stepwise(std::move(saturated), MarksOn::Edges, budget);
     const std::size_t states = out.automaton.states();
-    if (states < least_again || states > most_again || sets == plain.acceptance.sets ||
-        is_deterministic(out.automaton))
+    if (states < least_again || states > most_again || sets == plain.acceptance.sets || is_deterministic(out.automaton))
       return out;
     Reduced other = reduce(simulated(plain, budget), MarksOn::Edges, budget);
     return is_smaller(other.automaton, out.automaton) ? std::move(other) : std::move(out);

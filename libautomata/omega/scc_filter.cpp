@@ -14,8 +14,8 @@ constexpr std::uint32_t absent = UINT32_MAX;
 // One component's marks, before and after.
 class ComponentMarks {
  public:
-  ComponentMarks(const BranchGraph& graph, const std::vector<std::uint32_t>& states, std::uint32_t sets,
-                 MarksOn marks, Budget& budget)
+  ComponentMarks(const BranchGraph& graph, const std::vector<std::uint32_t>& states, std::uint32_t sets, MarksOn marks,
+                 Budget& budget)
       : graph_(graph), states_(states), sets_(sets), marks_(marks) {
     for (std::uint32_t i = 0; i < states.size(); ++i) number_.emplace(states[i], i);
     for (std::uint32_t mark = 0; mark < sets; ++mark) {
@@ -78,11 +78,10 @@ class ComponentMarks {
       const std::uint32_t j = kept_[at];
       const auto in_j = [&](Marks m) { return m.contains(j); };
       const auto implies_j = [&](std::uint32_t i) {
-        return i != j && std::all_of(inside_.begin(), inside_.end(),
-                                     [&](Marks m) { return !m.contains(i) || m.contains(j); });
+        return i != j &&
+               std::all_of(inside_.begin(), inside_.end(), [&](Marks m) { return !m.contains(i) || m.contains(j); });
       };
-      if (std::all_of(inside_.begin(), inside_.end(), in_j) ||
-          std::any_of(kept_.begin(), kept_.end(), implies_j))
+      if (std::all_of(inside_.begin(), inside_.end(), in_j) || std::any_of(kept_.begin(), kept_.end(), implies_j))
         kept_.erase(kept_.begin() + static_cast<std::ptrdiff_t>(at));
     }
   }

@@ -31,8 +31,7 @@ template <class NoBetter>
 void drop_dominated(std::vector<Branch>& branches, const NoBetter& no_better) {
   for (std::size_t i = 0; i < branches.size();) {
     const Branch b = branches[i];
-    if (std::any_of(branches.begin(), branches.end(),
-                    [&](const Branch& a) { return a != b && no_better(b, a); }))
+    if (std::any_of(branches.begin(), branches.end(), [&](const Branch& a) { return a != b && no_better(b, a); }))
       branches.erase(branches.begin() + static_cast<std::ptrdiff_t>(i));
     else
       ++i;
@@ -121,8 +120,7 @@ Quotient bisimulation(const TransitionRelation& automaton, Budget& budget) {
     std::map<std::pair<std::uint32_t, Node>, std::uint32_t> names;
     std::vector<std::uint32_t> next(class_of.size()), representative(class_of.size()), first;
     for (std::uint32_t q = 0; q < next.size(); ++q) {
-      const auto [at, fresh] =
-          names.try_emplace({class_of[q], roots[q]}, static_cast<std::uint32_t>(names.size()));
+      const auto [at, fresh] = names.try_emplace({class_of[q], roots[q]}, static_cast<std::uint32_t>(names.size()));
       if (fresh) first.push_back(q);
       next[q] = at->second;
       representative[q] = first[at->second];
@@ -131,12 +129,11 @@ Quotient bisimulation(const TransitionRelation& automaton, Budget& budget) {
     if (names.size() == automaton.states()) return {automaton, std::move(representative)};
     if (names.size() == classes) {
       Merging merge = merging(representative);
-      TransitionRelation out =
-          rebuild(automaton, merge.kept, [&](std::uint32_t, std::span<const Branch> choice) {
-            std::vector<Branch> branches(choice.begin(), choice.end());
-            for (Branch& b : branches) b.target = merge.number[b.target];
-            return branches;
-          });
+      TransitionRelation out = rebuild(automaton, merge.kept, [&](std::uint32_t, std::span<const Branch> choice) {
+        std::vector<Branch> branches(choice.begin(), choice.end());
+        for (Branch& b : branches) b.target = merge.number[b.target];
+        return branches;
+      });
       out.initial = merge.number[automaton.initial];
       return {std::move(out), std::move(merge.number)};
     }
@@ -152,8 +149,8 @@ std::vector<bool> marked_states(const TransitionRelation& automaton) {
   return out;
 }
 
-TransitionRelation united(const TransitionRelation& automaton,
-                          const std::vector<std::uint32_t>& representative, Budget& budget) {
+TransitionRelation united(const TransitionRelation& automaton, const std::vector<std::uint32_t>& representative,
+                          Budget& budget) {
   const Merging merge = merging(representative);
   std::vector<std::uint32_t> all(automaton.states());
   std::iota(all.begin(), all.end(), 0U);
@@ -227,9 +224,8 @@ TransitionRelation Simulations::without_overtaken() {
     const auto mine = out.choices[Mtbdd::payload(n[0])], theirs = out.choices[Mtbdd::payload(n[1])];
     std::vector<Branch> kept;
     for (const Branch& b : mine)
-      if (std::none_of(theirs.begin(), theirs.end(), [&](const Branch& a) {
-            return a.marks.includes(b.marks) && after(b.target, a.target);
-          }))
+      if (std::none_of(theirs.begin(), theirs.end(),
+                       [&](const Branch& a) { return a.marks.includes(b.marks) && after(b.target, a.target); }))
         kept.push_back(b);
     return Mtbdd::terminal(out.choices.intern(std::move(kept)));
   };

@@ -26,8 +26,8 @@ inline TransitionRelation bisimulation_quotient(const TransitionRelation& automa
 std::vector<bool> marked_states(const TransitionRelation& automaton);
 
 // Each state and its representative one, with the branches of all of them. A representative stands for itself.
-TransitionRelation united(const TransitionRelation& automaton,
-                          const std::vector<std::uint32_t>& representative, Budget& budget);
+TransitionRelation united(const TransitionRelation& automaton, const std::vector<std::uint32_t>& representative,
+                          Budget& budget);
 
 // Marks are read as "the more the better": generalised Büchi (or any condition without Fin).
 // [q][r]: r simulates q.

@@ -59,8 +59,8 @@ BranchGraph all_pairs(const TransitionRelation& a, const TransitionRelation& b, 
       joint.visit(a.roots[q], b.roots[p], [&](std::uint32_t mine, std::uint32_t theirs) {
         for (const Branch& x : a.choices[mine])
           for (const Branch& y : b.choices[theirs])
-            branches.push_back({x.target * width + y.target,
-                                x.marks | Marks::from_bits(y.marks.bits() << a.acceptance.sets)});
+            branches.push_back(
+                {x.target * width + y.target, x.marks | Marks::from_bits(y.marks.bits() << a.acceptance.sets)});
       });
       std::sort(branches.begin(), branches.end());
       branches.erase(std::unique(branches.begin(), branches.end()), branches.end());
@@ -77,8 +77,8 @@ class Emptiness {
       : graph_(graph), width_(width), all_(all), budget_(budget), number_(graph.size()) {}
 
   // members[q]: the states that are q now; `name` the other way round.
-  bool operator()(const std::vector<std::uint32_t>& name,
-                  const std::vector<std::vector<std::uint32_t>>& members, std::uint32_t start) {
+  bool operator()(const std::vector<std::uint32_t>& name, const std::vector<std::vector<std::uint32_t>>& members,
+                  std::uint32_t start) {
     for (const std::uint32_t v : met_) number_[v] = unseen;
     met_.clear();
     live_.clear();
@@ -176,8 +176,8 @@ class StateSet {
 
 class StateMerging {
  public:
-  StateMerging(const TransitionRelation& automaton, const TransitionRelation& outside,
-               const std::vector<bool>& colour, Budget& budget)
+  StateMerging(const TransitionRelation& automaton, const TransitionRelation& outside, const std::vector<bool>& colour,
+               Budget& budget)
       : colour_(colour),
         width_(static_cast<std::uint32_t>(outside.states())),
         sets_(automaton.acceptance.sets + outside.acceptance.sets),
@@ -231,9 +231,7 @@ class StateMerging {
       for (const Branch& b : graph_.branches(v)) stack.push_back(b.target);
     }
   }
-  bool is_refused(std::uint32_t c, std::uint32_t d) const {
-    return met_[c].meets(live_[d]) || met_[d].meets(live_[c]);
-  }
+  bool is_refused(std::uint32_t c, std::uint32_t d) const { return met_[c].meets(live_[d]) || met_[d].meets(live_[c]); }
   void merge(std::uint32_t c, std::uint32_t d) {
     for (const std::uint32_t q : members_[c]) name_[q] = d;
     const std::size_t before = members_[d].size();
@@ -274,8 +272,7 @@ TransitionRelation without_passing_marks(const TransitionRelation& automaton) {
 
 }  // namespace
 
-Reduced state_merged(TransitionRelation automaton, const TransitionRelation& outside, MarksOn marks,
-                     Budget& budget) {
+Reduced state_merged(TransitionRelation automaton, const TransitionRelation& outside, MarksOn marks, Budget& budget) {
   Reduced out{std::move(automaton), true};
   std::size_t most = most_vertices;
   try {
@@ -284,8 +281,7 @@ Reduced state_merged(TransitionRelation automaton, const TransitionRelation& out
          most = most_after_merging) {
       const bool on_states = marks == MarksOn::States;
       const TransitionRelation base = on_states ? out.automaton : without_passing_marks(out.automaton);
-      const std::vector<bool> colour =
-          on_states ? marked_states(base) : std::vector<bool>(base.states(), false);
+      const std::vector<bool> colour = on_states ? marked_states(base) : std::vector<bool>(base.states(), false);
       StateMerging merging(base, outside, colour, budget);
       const bool complete = merging.run();
       if (!merging.changed()) return {std::move(out.automaton), complete};

@@ -16,7 +16,6 @@ namespace waymark::automata {
 // `automaton` and `outside` are generalised Büchi and accept complementary languages, over the same variables. States
 // are merged and what comes out is reduced, until nothing changes; nothing is done where the product would be too
 // large. With marks on states those with and without are not mixed. Never throws Budget::Exceeded except when stopped.
-Reduced state_merged(TransitionRelation automaton, const TransitionRelation& outside, MarksOn marks,
-                     Budget& budget);
+Reduced state_merged(TransitionRelation automaton, const TransitionRelation& outside, MarksOn marks, Budget& budget);
 
 }  // namespace waymark::automata

@@ -38,9 +38,7 @@ class LateProduct {
   static constexpr std::uint32_t alone = UINT32_MAX;
 
   std::uint32_t component(std::uint32_t p) const { return live_.components.of[p]; }
-  std::uint32_t entry(std::uint32_t p) {
-    return number(p, live_.accepting[component(p)] ? b_.initial : alone);
-  }
+  std::uint32_t entry(std::uint32_t p) { return number(p, live_.accepting[component(p)] ? b_.initial : alone); }
   std::uint32_t number(std::uint32_t p, std::uint32_t q) { return pairs_.number(p, q, budget_); }
 
   // What a letter means depends on the component of p, so an operation serves one state.
@@ -75,8 +73,7 @@ class LateProduct {
 
 }  // namespace
 
-TransitionRelation compose_late(const TransitionRelation& automaton, const TransitionRelation& late,
-                                Budget& budget) {
+TransitionRelation compose_late(const TransitionRelation& automaton, const TransitionRelation& late, Budget& budget) {
   return LateProduct(automaton, late, budget).run();
 }
 

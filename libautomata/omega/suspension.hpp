@@ -10,7 +10,6 @@ namespace waymark::automata {
 
 // Both generalised Büchi; `late` must accept uv exactly when it accepts v: purity(q).both().
 // One state of budget per state made; more than Marks::most sets count as too many.
-TransitionRelation compose_late(const TransitionRelation& automaton, const TransitionRelation& late,
-                                Budget& budget);
+TransitionRelation compose_late(const TransitionRelation& automaton, const TransitionRelation& late, Budget& budget);
 
 }  // namespace waymark::automata

@@ -20,11 +20,7 @@ using Node = Mtbdd::Node;
 class Construction {
  public:
   Construction(ltl::Arena& arena, const std::vector<ltl::Proposition>& reads, Budget& budget)
-      : arena_(arena),
-        reads_(reads),
-        budget_(budget),
-        and_(diagram_.operation()),
-        or_(diagram_.operation()) {}
+      : arena_(arena), reads_(reads), budget_(budget), and_(diagram_.operation()), or_(diagram_.operation()) {}
 
   // The reachable part.
   Tableau tableau(Formula f) {
@@ -81,8 +77,7 @@ class Construction {
     settle(open, graph, reaches_live);
   }
   // Marks are promises here: a component accepts when each is not made on some edge of it.
-  void settle(const std::vector<std::uint32_t>& open, const BranchGraph& graph,
-              std::vector<bool> reaches_live) {
+  void settle(const std::vector<std::uint32_t>& open, const BranchGraph& graph, std::vector<bool> reaches_live) {
     verdict_.resize(order_.size(), Verdict::Unknown);
     const Components found = components(graph);
     for (std::size_t i = 0; i < found.order.size();) {  // successors first
@@ -102,8 +97,7 @@ class Construction {
         }
       }
       live = live || (cyclic && made_always.empty());
-      for (std::size_t j = begin; j < i; ++j)
-        verdict_[open[found.order[j]]] = live ? Verdict::Live : Verdict::Dead;
+      for (std::size_t j = begin; j < i; ++j) verdict_[open[found.order[j]]] = live ? Verdict::Live : Verdict::Dead;
     }
   }
   // (state, promises), letters forgotten.
@@ -209,8 +203,7 @@ class Construction {
         std::vector<Branch> branches(choices_[Mtbdd::payload(n)].begin(), choices_[Mtbdd::payload(n)].end());
         for (Branch& b : branches) {
           const auto all = f.operands();
-          if (b.marks.empty() || std::find(all.begin(), all.end(), arena_.formula(b.target)) == all.end())
-            continue;
+          if (b.marks.empty() || std::find(all.begin(), all.end(), arena_.formula(b.target)) == all.end()) continue;
           if (waiting.empty()) waiting = Marks::of(b.marks.members().front());
           b = {f.id(), waiting};
         }
@@ -229,8 +222,7 @@ class Construction {
   Node literal(Formula atom, bool positive) {
     const auto at = std::lower_bound(reads_.begin(), reads_.end(), atom.proposition());
     const Node yes = one(arena_.constant(true), {}), no = Mtbdd::terminal(Choices::none);
-    return diagram_.make(static_cast<Mtbdd::Variable>(at - reads_.begin()), positive ? no : yes,
-                         positive ? yes : no);
+    return diagram_.make(static_cast<Mtbdd::Variable>(at - reads_.begin()), positive ? no : yes, positive ? yes : no);
   }
   Marks promise(Formula until) {
     Formula right = until[1];
@@ -292,8 +284,7 @@ class Construction {
       const Branch b = all[i];
       const auto better = [&](const Branch& a) {
         budget_.step();
-        return a != b && b.marks.includes(a.marks) &&
-               implies_(arena_.formula(b.target), arena_.formula(a.target));
+        return a != b && b.marks.includes(a.marks) && implies_(arena_.formula(b.target), arena_.formula(a.target));
       };
       // One at a time, so that of two branches as good as each other one stays.
       if (std::any_of(all.begin(), all.end(), better))

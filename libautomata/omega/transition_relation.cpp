@@ -55,9 +55,7 @@ void Choices::grow() {
 }
 
 ChoiceLists::ChoiceLists(const TransitionRelation& automaton)
-    : automaton_(automaton),
-      node_seen_(automaton.diagram.size(), 0),
-      choice_seen_(automaton.choices.size(), 0) {}
+    : automaton_(automaton), node_seen_(automaton.diagram.size(), 0), choice_seen_(automaton.choices.size(), 0) {}
 
 std::span<const std::uint32_t> ChoiceLists::of(std::uint32_t q) {
   ++round_;
@@ -153,12 +151,11 @@ Mtbdd::Node unite(TransitionRelation& automaton, Mtbdd::Operation operation, Nod
 
 // Nodes were made in the same order, so equal functions have equal ids.
 bool identical(const TransitionRelation& a, const TransitionRelation& b) {
-  if (a.states() != b.states() || a.initial != b.initial || a.acceptance != b.acceptance ||
-      a.roots != b.roots || a.choices.size() != b.choices.size() || a.diagram.size() != b.diagram.size())
+  if (a.states() != b.states() || a.initial != b.initial || a.acceptance != b.acceptance || a.roots != b.roots ||
+      a.choices.size() != b.choices.size() || a.diagram.size() != b.diagram.size())
     return false;
   for (std::uint32_t c = 0; c < a.choices.size(); ++c)
-    if (!std::equal(a.choices[c].begin(), a.choices[c].end(), b.choices[c].begin(), b.choices[c].end()))
-      return false;
+    if (!std::equal(a.choices[c].begin(), a.choices[c].end(), b.choices[c].begin(), b.choices[c].end())) return false;
   for (std::uint32_t id = 0; id < a.diagram.size(); ++id) {
     const Node n{id};
     if (a.diagram.variable(n) != b.diagram.variable(n) || a.diagram.low(n) != b.diagram.low(n) ||

@@ -58,8 +58,7 @@ class Paths {
 // By component: whether it has a cycle, and whether its cycles accept.
 class Colouring {
  public:
-  Colouring(ltl::Formula f, const Transitions& automaton, const std::vector<ltl::Proposition>& reads,
-            Budget& budget)
+  Colouring(ltl::Formula f, const Transitions& automaton, const std::vector<ltl::Proposition>& reads, Budget& budget)
       : formula_(f),
         automaton_(automaton),
         graph_(automaton.diagram, automaton.roots),
@@ -119,13 +118,11 @@ Transitions progression(ltl::Formula f, const std::vector<ltl::Proposition>& rea
   return close(residuals, ltl::Semantics::Infinite, leaves, budget);
 }
 
-Progression progression_with_meaning(ltl::Formula f, const std::vector<ltl::Proposition>& reads,
-                                     Budget& budget) {
+Progression progression_with_meaning(ltl::Formula f, const std::vector<ltl::Proposition>& reads, Budget& budget) {
   Residuals residuals(f, reads, budget);
   std::vector<std::uint32_t> leaves;
   Progression out{close(residuals, ltl::Semantics::Infinite, leaves, budget), {}};
-  for (std::uint32_t leaf : leaves)
-    out.meaning.push_back(residuals.formula(residuals.leaf(leaf).residual, f.arena()));
+  for (std::uint32_t leaf : leaves) out.meaning.push_back(residuals.formula(residuals.leaf(leaf).residual, f.arena()));
   return out;
 }
 
@@ -133,8 +130,8 @@ Transitions weak_deterministic(ltl::Formula f, const std::vector<ltl::Propositio
   return weak_deterministic(f, reads, progression(f, reads, budget), budget);
 }
 
-Transitions weak_deterministic(ltl::Formula f, const std::vector<ltl::Proposition>& reads,
-                               Transitions structure, Budget& budget) {
+Transitions weak_deterministic(ltl::Formula f, const std::vector<ltl::Proposition>& reads, Transitions structure,
+                               Budget& budget) {
   structure.accepting = Colouring(f, structure, reads, budget).accepting();
   return minimize(structure, budget);
 }

@@ -22,13 +22,12 @@ struct Progression {
   Transitions structure;
   std::vector<ltl::Formula> meaning;
 };
-Progression progression_with_meaning(ltl::Formula f, const std::vector<ltl::Proposition>& reads,
-                                     Budget& budget);
+Progression progression_with_meaning(ltl::Formula f, const std::vector<ltl::Proposition>& reads, Budget& budget);
 
 // Complete; accepting states are those whose loops accept. The language is φ's when φ is an obligation, else any.
 Transitions weak_deterministic(ltl::Formula f, const std::vector<ltl::Proposition>& reads, Budget& budget);
-Transitions weak_deterministic(ltl::Formula f, const std::vector<ltl::Proposition>& reads,
-                               Transitions structure, Budget& budget);  // on the structure of progression()
+Transitions weak_deterministic(ltl::Formula f, const std::vector<ltl::Proposition>& reads, Transitions structure,
+                               Budget& budget);  // on the structure of progression()
 
 // The same as Büchi automaton with marks on states; all runs accept where no state rejects. `complement` exchanges
 // accepting and rejecting states; `trim` removes the rejecting sink.

@@ -30,11 +30,11 @@ namespace {
 using ltl::Formula;
 
 constexpr BuchiStrategies strategies;
-constexpr std::size_t worth_reducing = 8;  // a tableau with more states than so many times a product's
-constexpr std::size_t few_states = 50;     // … and this many more is dropped,
-constexpr std::size_t many_states = 300;   // … and one with so many that has not fewer than a product
-constexpr std::size_t worth_again = 3;     // a second tableau has at most so many times the best one's states
-constexpr std::size_t few_again = 8;       // … and this many more
+constexpr std::size_t worth_reducing = 8;     // a tableau with more states than so many times a product's
+constexpr std::size_t few_states = 50;        // … and this many more is dropped,
+constexpr std::size_t many_states = 300;      // … and one with so many that has not fewer than a product
+constexpr std::size_t worth_again = 3;        // a second tableau has at most so many times the best one's states
+constexpr std::size_t few_again = 8;          // … and this many more
 constexpr std::size_t promised_states = 200;  // of a tableau whose marks are tried as they are
 constexpr std::size_t merged_languages = 60;  // states of deterministic automata whose languages are compared
 // Copies that have more states than the best by a part of that, here and from hopeful_from states on, are not reduced.
@@ -178,9 +178,8 @@ class Construction {
   // The tableau of the formula in which nothing was pulled out, where that makes a difference.
   std::optional<Candidate> unseparated(const TransitionRelation& best) {
     if (forms_.plain == formula_) return std::nullopt;
-    const auto raw =
-        raw_tableau(forms_.plain, strategies.second.steps,
-                    std::min({strategies.second.states, most_, worth_again * best.states() + few_again}));
+    const auto raw = raw_tableau(forms_.plain, strategies.second.steps,
+                                 std::min({strategies.second.states, most_, worth_again * best.states() + few_again}));
     if (!raw) return std::nullopt;
     routes_.push_back(reduced_tableau(*raw));
     return routes_.back();
@@ -214,8 +213,7 @@ class Construction {
       Reduced made = reduce_parity(parity, budget, merged_languages);
       const Acceptance& acceptance = made.automaton.acceptance;
       const bool is_buchi = acceptance.is_buchi() || acceptance.is_all();
-      if (is_buchi && smaller(made.automaton, from->automaton))
-        return Candidate{made.automaton, made.complete};
+      if (is_buchi && smaller(made.automaton, from->automaton)) return Candidate{made.automaton, made.complete};
     } catch (const Budget::Exceeded& spent) {
       if (spent.reason == Budget::Exceeded::Reason::Stopped) throw;
     }
@@ -227,8 +225,7 @@ class Construction {
       best = Candidate{*std::move(weak), true, true};
     // What has an automaton of one state has a minimal deterministic one of one state, if it is an obligation.
     if (best && best->automaton.states() <= 2) return best;
-    const std::size_t most =
-        best ? std::min(strategies.second.states, 4 * best->automaton.states()) : limits_.states;
+    const std::size_t most = best ? std::min(strategies.second.states, 4 * best->automaton.states()) : limits_.states;
     if (const auto raw = raw_tableau(f, best ? strategies.second.steps : strategies.tableau.steps, most)) {
       Candidate other = reduced(raw->automaton, MarksOn::Edges);
       if (f == formula_) routes_.push_back(other);
@@ -272,8 +269,7 @@ class Construction {
   std::optional<Candidate> both(const Candidate& a, const Candidate& b, bool late) {
     Budget budget(strategies.simulation.steps, limits_.states, limits_.stop);
     const auto product = within([&] {
-      return late ? compose_late(a.automaton, b.automaton, budget)
-                  : intersection(a.automaton, b.automaton, budget);
+      return late ? compose_late(a.automaton, b.automaton, budget) : intersection(a.automaton, b.automaton, budget);
     });
     if (!product) return std::nullopt;
     Candidate made = reduced(*product, MarksOn::Edges);
@@ -315,17 +311,16 @@ class Construction {
   std::optional<Candidate> deterministic(Formula f, const TransitionRelation& automaton) {
     if (automaton.states() <= 2) return std::nullopt;
     Budget budget(strategies.second.steps, strategies.second.states, limits_.stop);
-    const auto found = within([&] {
-                         return on_progression(f, reads_, automaton, outside(f, budget), budget);
-                       }).value_or(std::nullopt);
+    const auto found =
+        within([&] { return on_progression(f, reads_, automaton, outside(f, budget), budget); }).value_or(std::nullopt);
     if (!found) return std::nullopt;
     return found->weak ? Candidate{found->automaton, true, true} : reduced(found->automaton, MarksOn::Edges);
   }
   // Of the words that do not satisfy f, by the tableau. The last one is kept.
   const TransitionRelation& outside(Formula f, Budget& budget) {
     if (!outside_ || outside_->first != f)
-      outside_.emplace(
-          f, scc_filter(tableau(ltl::nnf(ltl::negate(f)), reads_, budget).automaton, MarksOn::Edges, budget));
+      outside_.emplace(f,
+                       scc_filter(tableau(ltl::nnf(ltl::negate(f)), reads_, budget).automaton, MarksOn::Edges, budget));
     return outside_->second;
   }
   // Where a deterministic automaton is the smallest, one that is not much larger may be less when its states are
@@ -345,8 +340,7 @@ class Construction {
     if (from.weak || is_deterministic(from.automaton)) return from;
     Budget budget(strategies.second.steps, strategies.second.states, limits_.stop),
         merging(strategies.merging.steps, SIZE_MAX, limits_.stop);
-    const auto out =
-        within([&] { return state_merged(from.automaton, outside(formula_, budget), marks, merging); });
+    const auto out = within([&] { return state_merged(from.automaton, outside(formula_, budget), marks, merging); });
     if (!out) return from;
     const bool is_smaller = smaller(out->automaton, from.automaton);
     return {is_smaller ? out->automaton : from.automaton, out->complete && from.reduced};
@@ -371,8 +365,7 @@ std::variant<Translated, Exhausted> translate(Formula f, const TranslationLimits
   try {
     Construction construction(f, limits, states);
     if (std::optional<Candidate> found = buchi ? construction.buchi() : construction.tgba()) {
-      const TransitionRelation result =
-          buchi ? with_one_set(std::move(found->automaton)) : std::move(found->automaton);
+      const TransitionRelation result = buchi ? with_one_set(std::move(found->automaton)) : std::move(found->automaton);
       return Translated{construction.finish(result, f.arena().vocabulary()), found->reduced};
     }
   } catch (const Budget::Exceeded&) {  // stopped

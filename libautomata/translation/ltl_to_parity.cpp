@@ -62,8 +62,7 @@ TransitionRelation rejected_by(const TransitionRelation& automaton) {
   std::iota(all.begin(), all.end(), 0U);
   const auto sink = static_cast<std::uint32_t>(automaton.states());
   TransitionRelation out = rebuild(automaton, all, [&](std::uint32_t, std::span<const Branch> choice) {
-    return choice.empty() ? std::vector<Branch>{{sink, {}}}
-                          : std::vector<Branch>(choice.begin(), choice.end());
+    return choice.empty() ? std::vector<Branch>{{sink, {}}} : std::vector<Branch>(choice.begin(), choice.end());
   });
   out.roots.push_back(Mtbdd::terminal(out.choices.intern({{sink, {}}})));
   out.acceptance.condition = out.acceptance.condition.negated();
@@ -84,8 +83,7 @@ class Construction {
       search(best);
       if (is_minimal(best)) {
         best->reduced = true;
-      } else if (best && best->automaton.states() > compared_states &&
-                 best->automaton.states() <= compared_at_last) {
+      } else if (best && best->automaton.states() > compared_states && best->automaton.states() <= compared_at_last) {
         std::optional<Candidate> fewer = reduced(*best, compared_at_last);
         best = smallest(std::move(best), std::move(fewer));
       }
@@ -138,8 +136,7 @@ class Construction {
   std::size_t most(const std::optional<Candidate>& best) const {
     if (!best) return limits_.states;
     const std::size_t waited = wait_for * best->automaton.states();
-    return std::min(limits_.states,
-                    normalised_ ? std::max(next_try(strategies.determinising.states), waited) : waited);
+    return std::min(limits_.states, normalised_ ? std::max(next_try(strategies.determinising.states), waited) : waited);
   }
   std::optional<Candidate> obligation() const {
     if (!is_obligation(formula_)) return std::nullopt;
@@ -190,9 +187,7 @@ class Construction {
     }
   }
   static std::size_t next_try(std::size_t states) { return states > SIZE_MAX / 10 ? SIZE_MAX : 10 * states; }
-  static bool is_minimal(const std::optional<Candidate>& found) {
-    return found && found->minimal.value_or(false);
-  }
+  static bool is_minimal(const std::optional<Candidate>& found) { return found && found->minimal.value_or(false); }
   // As many states as there are languages of states: no deterministic automaton has fewer.
   bool has_fewest_states(const Candidate& found) const {
     if (found.minimal) return *found.minimal;
@@ -241,8 +236,7 @@ class Construction {
         if (next && product) next = intersection(*product, *next, budget);
         if (next) product = std::move(next);
       }
-      return product ? scc_filter(started_inside(*std::move(product)), MarksOn::Edges, budget)
-                     : TransitionRelation();
+      return product ? scc_filter(started_inside(*std::move(product)), MarksOn::Edges, budget) : TransitionRelation();
     });
     if (!out || out->states() == 0) return std::nullopt;
     return Candidate{*std::move(out), reads_, true};
@@ -278,9 +272,8 @@ class Construction {
                     strategies.normal_form, &Construction::plain);
   }
   // The product of deterministic automata of the parts.
-  std::optional<Candidate> combined(
-      const std::optional<Split>& split, const Strategy& strategy,
-      std::optional<Candidate> (Construction::*make)() = &Construction::any) const {
+  std::optional<Candidate> combined(const std::optional<Split>& split, const Strategy& strategy,
+                                    std::optional<Candidate> (Construction::*make)() = &Construction::any) const {
     if (!split || split->parts().size() < 2) return std::nullopt;
     std::vector<Operand> parts;
     bool reduced = true;
@@ -290,8 +283,7 @@ class Construction {
       reduced = reduced && made->reduced;
       parts.push_back({renamed(made->automaton, made->reads, reads_), ltl::purity(g).both()});
     }
-    auto product =
-        within(strategy, [&](Budget& budget) { return combination(parts, split->over(), budget); });
+    auto product = within(strategy, [&](Budget& budget) { return combination(parts, split->over(), budget); });
     if (!product) return std::nullopt;
     return Candidate{trim(*product), reads_, reduced};
   }
@@ -319,7 +311,7 @@ class Construction {
   const TranslationLimits& limits_;
   Formula formula_;
   std::vector<ltl::Proposition> reads_;
-  std::array<std::optional<std::optional<Candidate>>, 2> buchi_;  // of φ and of ¬φ: asked for; there is one
+  std::array<std::optional<std::optional<Candidate>>, 2> buchi_;   // of φ and of ¬φ: asked for; there is one
   std::array<std::optional<std::optional<Candidate>>, 6> direct_;  // likewise
   std::optional<Candidate> normalised_;
 };

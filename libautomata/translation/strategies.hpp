@@ -15,8 +15,7 @@ struct Strategy {
 
 // Of ltl_to_tgba and ltl_to_buchi.
 struct BuchiStrategies {
-  Strategy tableau{"tableau, or minimal weak automaton of an obligation", 400'000'000, SIZE_MAX,
-                   "random4, dwyer"};
+  Strategy tableau{"tableau, or minimal weak automaton of an obligation", 400'000'000, SIZE_MAX, "random4, dwyer"};
   // The tableau of ¬φ, the weak automaton of what may be an obligation, G of co-safe formulas, the formula in which
   // nothing was pulled out.
   Strategy second{"another automaton beside that one", 2'000'000, 2'000, "random4, liberouter"};
@@ -34,8 +33,8 @@ struct ParityStrategies {
                    "random4, dwyer"};
   Strategy parts{"product of the parts of a Boolean combination", 200'000'000, SIZE_MAX, "pattern_conj"};
   Strategy paritising{"parity by alternating cycles", 200'000'000, SIZE_MAX, "pattern_conj"};
-  Strategy determinising{"determinisation of φ and of ¬φ; then ten times as many states", 2'000'000'000,
-                         1'000, "random6"};
+  Strategy determinising{"determinisation of φ and of ¬φ; then ten times as many states", 2'000'000'000, 1'000,
+                         "random6"};
   Strategy normal_form{"product of the parts of the normal form in Δ₂", 200'000'000, SIZE_MAX,
                        "300 random formulas of 30 to 50 nodes"};
   Strategy reduction{"comparison of languages", 100'000'000, SIZE_MAX, "random4"};

@@ -27,9 +27,7 @@ Described event(const std::string& action) {
   return {.holds = "you " + action, .fails = "you do not " + action, .enter = action, .act = action};
 }
 
-Described state(std::string holds, std::string fails) {
-  return {.holds = std::move(holds), .fails = std::move(fails)};
-}
+Described state(std::string holds, std::string fails) { return {.holds = std::move(holds), .fails = std::move(fails)}; }
 
 std::vector<Described> described(const Vocabulary& vocabulary, const VerbaliseOptions& options) {
   std::vector<Described> out;

@@ -10,9 +10,7 @@ bool is_junction(Formula f) { return f.op() == Op::And || f.op() == Op::Or; }
 
 // An atom with such words, or a choice of several.
 bool has_words(Formula f, std::string Described::*words_of, std::span<const Described> words) {
-  const auto named = [&](Formula g) {
-    return g.op() == Op::Atom && !(words[g.proposition().index].*words_of).empty();
-  };
+  const auto named = [&](Formula g) { return g.op() == Op::Atom && !(words[g.proposition().index].*words_of).empty(); };
   if (f.op() != Op::Or) return named(f);
   return std::all_of(f.operands().begin(), f.operands().end(), named);
 }
@@ -91,8 +89,7 @@ class Matcher {
     return false;
   }
 
-  bool take_many(char letter, std::span<const Formula> rest, std::vector<Formula> left, Op op,
-                 Bindings& bound) const {
+  bool take_many(char letter, std::span<const Formula> rest, std::vector<Formula> left, Op op, Bindings& bound) const {
     std::vector<Formula> taken = left;
     if (slot_of(letter) == Slot::State)
       std::erase_if(taken, [](Formula f) { return !is_state_clause(f); });

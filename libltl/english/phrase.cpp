@@ -120,8 +120,7 @@ Formula stretches(std::size_t n, Formula s) {
 // Exactly n stretches: (s ∧ F (¬s ∧ F …)) M (¬s ∨ G (s ∨ G …)).
 Formula exact_stretches(std::size_t n, Formula s) {
   Formula least = s, most = negate(s);
-  for (std::size_t i = 1; i < n; ++i)
-    least = conjunction(s, eventually(conjunction(negate(s), eventually(least))));
+  for (std::size_t i = 1; i < n; ++i) least = conjunction(s, eventually(conjunction(negate(s), eventually(least))));
   for (std::size_t i = 0; i < n; ++i) most = disjunction(negate(s), always(disjunction(s, always(most))));
   return strong_release(least, most);
 }
@@ -166,14 +165,12 @@ constexpr CountedPhrase counted_table[] = {
      [](Formula f) { return nested(f, Op::WeakNext); }},
     {"within {n} steps {t}", [](Arena&, const Bindings& b) { return eventually_within(b.n, *b['t']); },
      [](Formula f) { return bounded(f, Op::Or); }},
-    {"now and for {n} more steps, if any, {t}",
-     [](Arena&, const Bindings& b) { return always_within(b.n, *b['t']); },
+    {"now and for {n} more steps, if any, {t}", [](Arena&, const Bindings& b) { return always_within(b.n, *b['t']); },
      [](Formula f) { return bounded(f, Op::And); }},
     {"the number of stretches in which {s} is at most {n}", at_most_stretches, counted<at_most_stretches>},
     {"the number of stretches in which {s} is exactly {n}", exactly_stretches, counted<exactly_stretches>},
     {"the number of moments at which {s} is at least {n}", at_least_moments, counted<at_least_moments, 2>},
-    {"the number of stretches in which {s} is at least {n}", at_least_stretches,
-     counted<at_least_stretches, 2>},
+    {"the number of stretches in which {s} is at least {n}", at_least_stretches, counted<at_least_stretches, 2>},
     {"the number of moments at which {s} is at most {n}", at_most_moments, counted<at_most_moments>},
     {"the number of moments at which {s} is exactly {n}", exactly_moments, counted<exactly_moments>},
 };

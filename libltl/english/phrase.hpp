@@ -25,9 +25,7 @@ struct Bindings {
   std::array<std::optional<Formula>, 26> parts;
   std::size_t n = 0;
   std::optional<Formula>& operator[](char letter) { return parts[static_cast<std::size_t>(letter - 'a')]; }
-  const std::optional<Formula>& operator[](char letter) const {
-    return parts[static_cast<std::size_t>(letter - 'a')];
-  }
+  const std::optional<Formula>& operator[](char letter) const { return parts[static_cast<std::size_t>(letter - 'a')]; }
 };
 
 struct Phrase {

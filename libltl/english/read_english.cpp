@@ -56,10 +56,7 @@ class Lexicon {
 
   using Words = std::map<std::string, Formulas, std::less<>>;
   const Words& words(Slot slot) const {
-    return slot == Slot::Visit   ? visits_
-           : slot == Slot::Enter ? entries_
-           : slot == Slot::Act   ? acts_
-                                 : clauses_;
+    return slot == Slot::Visit ? visits_ : slot == Slot::Enter ? entries_ : slot == Slot::Act ? acts_ : clauses_;
   }
 
  private:
@@ -119,8 +116,7 @@ class Reader {
   std::vector<Bindings> bindings(std::string_view phrase, std::string_view text, const Bindings& bound) {
     const std::size_t slot = phrase.find('{');
     const std::string_view before = phrase.substr(0, slot);
-    if (slot == std::string_view::npos)
-      return text == phrase ? std::vector<Bindings>{bound} : std::vector<Bindings>{};
+    if (slot == std::string_view::npos) return text == phrase ? std::vector<Bindings>{bound} : std::vector<Bindings>{};
     if (!text.starts_with(before)) return {};
     const std::string_view after = phrase.substr(slot + 3);
     const std::string_view fixed = after.substr(0, after.find('{'));
@@ -135,14 +131,13 @@ class Reader {
   }
 
   // The letter stands for `part`, and the rest of the phrase is found in the rest of the text.
-  std::vector<Bindings> with(char letter, std::string_view part, std::string_view phrase,
-                             std::string_view text, Bindings bound) {
+  std::vector<Bindings> with(char letter, std::string_view part, std::string_view phrase, std::string_view text,
+                             Bindings bound) {
     std::vector<Bindings> out;
     if (letter == 'n') {
       const auto [end, error] = std::from_chars(part.data(), part.data() + part.size(), bound.n);
       constexpr std::size_t most = 2'000;
-      if (error != std::errc() || end != part.data() + part.size() || bound.n < 1 || bound.n > most)
-        return {};
+      if (error != std::errc() || end != part.data() + part.size() || bound.n < 1 || bound.n > most) return {};
       return bindings(phrase, text, bound);
     }
     const Formulas meanings = meanings_of(part, slot_of(letter));

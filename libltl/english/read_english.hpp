@@ -12,7 +12,6 @@
 namespace waymark::ltl {
 
 // The formula is over the vocabulary of the arena as it is. O(|text|² · phrases) at worst for usual texts.
-std::optional<Formula> read_english(std::string_view text, Arena& arena,
-                                    const VerbaliseOptions& options = {});
+std::optional<Formula> read_english(std::string_view text, Arena& arena, const VerbaliseOptions& options = {});
 
 }  // namespace waymark::ltl

@@ -38,9 +38,7 @@ Formula normal(Formula f, Arena& to, Semantics semantics) {
         break;
       case Op::Iff: copy = iff(parts[0], parts[1]); break;
       case Op::Next: copy = next(parts[0]); break;
-      case Op::WeakNext:
-        copy = semantics == Semantics::Infinite ? next(parts[0]) : weak_next(parts[0]);
-        break;
+      case Op::WeakNext: copy = semantics == Semantics::Infinite ? next(parts[0]) : weak_next(parts[0]); break;
       case Op::Until: copy = until(parts[0], parts[1]); break;
       case Op::Release: copy = release(parts[0], parts[1]); break;
     }
@@ -55,8 +53,7 @@ class Writer {
 
   std::string write(Formula f) {
     std::string out = clauses(f);
-    for (std::size_t i = 0; i < lettered_.size(); ++i)
-      out += ". " + name_of(i) + " means: " + clauses(lettered_[i]);
+    for (std::size_t i = 0; i < lettered_.size(); ++i) out += ". " + name_of(i) + " means: " + clauses(lettered_[i]);
     return out + ".";
   }
 
@@ -161,8 +158,7 @@ class Writer {
     const Formula named = negated ? f[0] : f;
     auto place = std::find(lettered_.begin(), lettered_.end(), named);
     if (place == lettered_.end()) place = lettered_.insert(place, named);
-    return name_of(static_cast<std::size_t>(place - lettered_.begin())) +
-           (negated ? " does not hold" : " holds");
+    return name_of(static_cast<std::size_t>(place - lettered_.begin())) + (negated ? " does not hold" : " holds");
   }
 
   std::vector<Described> words_;

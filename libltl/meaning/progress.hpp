@@ -13,6 +13,6 @@
 namespace waymark::ltl {
 
 Formula progress(Formula f, const Letter& letter, Semantics semantics = Semantics::Finite);  // O(DAG)
-bool accepts_empty(Formula f);  // ε ⊨ φ, O(DAG)
+bool accepts_empty(Formula f);                                                               // ε ⊨ φ, O(DAG)
 
 }  // namespace waymark::ltl

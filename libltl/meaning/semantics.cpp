@@ -45,12 +45,8 @@ bool release_holds(const std::vector<std::size_t>& positions, const Row& left, c
   return true;
 }
 
-bool next_holds(const Trace& word, std::size_t i, const Row& row) {
-  return i + 1 < word.size() && row[i + 1];
-}
-bool weak_next_holds(const Trace& word, std::size_t i, const Row& row) {
-  return i + 1 == word.size() || row[i + 1];
-}
+bool next_holds(const Trace& word, std::size_t i, const Row& row) { return i + 1 < word.size() && row[i + 1]; }
+bool weak_next_holds(const Trace& word, std::size_t i, const Row& row) { return i + 1 == word.size() || row[i + 1]; }
 bool next_holds(const Lasso& word, std::size_t i, const Row& row) { return row[word.successor(i)]; }
 bool weak_next_holds(const Lasso& word, std::size_t i, const Row& row) { return row[word.successor(i)]; }
 

@@ -92,8 +92,7 @@ TraceCheck::TraceCheck(std::span<const Formula> formulas) {
   carry_.resize(program_.size());
   // Past the end of the word N, R and G hold: the border of accepts_empty (progress.hpp).
   for (const Instruction& s : program_)
-    carry_at_end_.push_back(
-        s.code == Code::WeakNext || s.code == Code::Release || s.code == Code::Globally ? 1 : 0);
+    carry_at_end_.push_back(s.code == Code::WeakNext || s.code == Code::Release || s.code == Code::Globally ? 1 : 0);
 }
 
 std::uint32_t TraceCheck::emit(Code code, std::uint32_t a, std::uint32_t b) {
@@ -165,9 +164,7 @@ std::vector<std::uint32_t> TraceCheck::order_by_code(const std::vector<bool>& ne
   std::vector<std::size_t> missing(program_.size());
   std::vector<std::vector<std::uint32_t>> users(program_.size());
   std::array<std::vector<std::uint32_t>, static_cast<std::size_t>(Code::Globally) + 1> ready;
-  const auto queue = [&](std::uint32_t i) -> auto& {
-    return ready[static_cast<std::size_t>(program_[i].code)];
-  };
+  const auto queue = [&](std::uint32_t i) -> auto& { return ready[static_cast<std::size_t>(program_[i].code)]; };
   for (std::uint32_t i = 0; i < program_.size(); ++i) {
     if (!needed[i]) continue;
     missing[i] = arity(program_[i].code);

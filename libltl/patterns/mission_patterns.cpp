@@ -24,8 +24,7 @@ constexpr std::array<MissionRow, 22> mission_rows{{
     {"visit", "l..", "Visit all places, in any order."},
     {"sequenced-visit", "l..", "Visit the places, each some time after the one before."},
     {"ordered-visit", "l..", "Visit the places in this order, none before its predecessor."},
-    {"strict-ordered-visit", "l..",
-     "Visit the places in this order, and none a second time before its successor."},
+    {"strict-ordered-visit", "l..", "Visit the places in this order, and none a second time before its successor."},
     {"fair-visit", "l..", "Visit all places, none more often than the others."},
     {"patrolling", "l..", "Keep visiting all places, in any order."},
     {"sequenced-patrolling", "l..", "Keep visiting the places, each some time after the one before."},
@@ -82,9 +81,7 @@ Formula after(Places l, std::size_t i) { return l[(i + 1) % l.size()]; }
 Formula successor_first(Places l, std::size_t i) {
   return until(negate(l[i]), conjunction(l[i], next(until(negate(l[i]), l[i + 1]))));
 }
-Formula fair(Places l, std::size_t i) {
-  return always(implies(l[i], next(weak_until(negate(l[i]), after(l, i)))));
-}
+Formula fair(Places l, std::size_t i) { return always(implies(l[i], next(weak_until(negate(l[i]), after(l, i))))); }
 Formula predecessor_again(Places l, std::size_t i) {
   return always(implies(after(l, i), next(until(negate(after(l, i)), l[i]))));
 }
@@ -107,14 +104,12 @@ Formula over_places(Mission mission, Places l) {
     case Mission::Visit: return for_all(l, visited, n);
     case Mission::SequencedVisit: return sequence(l);
     case Mission::OrderedVisit: return all_of({sequence(l), in_order(l)});
-    case Mission::StrictOrderedVisit:
-      return all_of({sequence(l), in_order(l), for_all(l, successor_first, n - 1)});
+    case Mission::StrictOrderedVisit: return all_of({sequence(l), in_order(l), for_all(l, successor_first, n - 1)});
     case Mission::FairVisit: return all_of({for_all(l, visited, n), for_all(l, fair, n)});
     case Mission::Patrolling: return for_all(l, patrolled, n);
     case Mission::SequencedPatrolling: return always(sequence(l));
     case Mission::OrderedPatrolling: return ordered_patrolling(l);
-    case Mission::StrictOrderedPatrolling:
-      return all_of({ordered_patrolling(l), for_all(l, successor_again, n - 1)});
+    case Mission::StrictOrderedPatrolling: return all_of({ordered_patrolling(l), for_all(l, successor_again, n - 1)});
     case Mission::FairPatrolling: return all_of({for_all(l, patrolled, n), for_all(l, fair, n)});
     case Mission::GlobalAvoidance: return always(negate(l[0]));
     case Mission::PastAvoidance: return until(negate(l[0]), l[1]);
@@ -150,16 +145,14 @@ std::size_t number(const std::string& text) {
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   constexpr std::size_t most = most_levels / 4;  // each time adds a few levels
   if (error != std::errc() || end != text.data() + text.size() || value < 1 || value > most)
-    throw std::invalid_argument("expected a number from 1 to " + std::to_string(most) + ", not '" + text +
-                                "'");
+    throw std::invalid_argument("expected a number from 1 to " + std::to_string(most) + ", not '" + text + "'");
   return value;
 }
 
 Formula instantiate_mission(Mission mission_, std::span<const std::string> arguments, Arena& arena) {
   const MissionRow& row = row_of(mission_);
   if (counts(row)) {
-    if (arguments.size() != 2)
-      throw std::invalid_argument(std::string(row.name) + " takes a number and a place");
+    if (arguments.size() != 2) throw std::invalid_argument(std::string(row.name) + " takes a number and a place");
     return restricted_avoidance(mission_, number(arguments[0]), parse(arguments[1], arena));
   }
   std::vector<Formula> places;

@@ -18,15 +18,14 @@ struct PropertyRow {
 
 constexpr std::array<const char*, 5> scope_names{"globally", "before", "after", "between", "after-until"};
 constexpr std::array<const char*, 5> scope_parameters{"", " r", " q", " q r", " q r"};
-constexpr std::array<const char*, 5> scope_phrases{"Globally, ", "Before r, ", "After q, ",
-                                                   "Between q and r, ", "After q until r, "};
+constexpr std::array<const char*, 5> scope_phrases{"Globally, ", "Before r, ", "After q, ", "Between q and r, ",
+                                                   "After q until r, "};
 
 constexpr std::array<PropertyRow, 11> property_rows{{
     {"absence",
      "p",
      "p never holds.",
-     {"G !p", "F r -> (!p U r)", "G (q -> G !p)", "G ((q & !r & F r) -> (!p U r))",
-      "G ((q & !r) -> (!p W r))"}},
+     {"G !p", "F r -> (!p U r)", "G (q -> G !p)", "G ((q & !r & F r) -> (!p U r))", "G ((q & !r) -> (!p W r))"}},
     {"existence",
      "p",
      "p holds at some time.",
@@ -61,14 +60,12 @@ constexpr std::array<PropertyRow, 11> property_rows{{
      "s and then t precede p.",
      {"F p -> (!p U (s & !p & X (!p U t)))", "F r -> (!p U (r | (s & !p & X (!p U t))))",
       "G !q | (!q U ((q & F p) -> (!p U (s & !p & X (!p U t)))))",
-      "G ((q & F r) -> (!p U (r | (s & !p & X (!p U t)))))",
-      "G (q -> (F p -> (!p U (r | (s & !p & X (!p U t))))))"}},
+      "G ((q & F r) -> (!p U (r | (s & !p & X (!p U t)))))", "G (q -> (F p -> (!p U (r | (s & !p & X (!p U t))))))"}},
     {"precedence-chain-1-2",
      "p s t",
      "p precedes s and then t.",
      {"F (s & X F t) -> (!s U p)", "F r -> (!(s & !r & X (!r U (t & !r))) U (r | p))",
-      "G !q | (!q U (q & (F (s & X F t) -> (!s U p))))",
-      "G ((q & F r) -> (!(s & !r & X (!r U (t & !r))) U (r | p)))",
+      "G !q | (!q U (q & (F (s & X F t) -> (!s U p))))", "G ((q & F r) -> (!(s & !r & X (!r U (t & !r))) U (r | p)))",
       "G (q -> ((!(s & !r & X (!r U (t & !r))) U (r | p)) | G !(s & X F t)))"}},
     {"response-chain-2-1",
      "p s t",
@@ -81,8 +78,8 @@ constexpr std::array<PropertyRow, 11> property_rows{{
     {"response-chain-1-2",
      "p s t",
      "s and then t respond to p.",
-     {"G (p -> F (s & X F t))", "F r -> ((p -> (!r U (s & !r & X (!r U t)))) U r)",
-      "G (q -> G (p -> (s & X F t)))", "G ((q & F r) -> ((p -> (!r U (s & !r & X (!r U t)))) U r))",
+     {"G (p -> F (s & X F t))", "F r -> ((p -> (!r U (s & !r & X (!r U t)))) U r)", "G (q -> G (p -> (s & X F t)))",
+      "G ((q & F r) -> ((p -> (!r U (s & !r & X (!r U t)))) U r))",
       "G (q -> ((p -> (!r U (s & !r & X (!r U t)))) U (r | G (p -> (s & X F t)))))"}},
     {"constrained-response-chain",
      "p s t z",
@@ -107,9 +104,8 @@ Formula property(Body body, Scope scope, std::span<const Formula> arguments) {
   const std::string names = parameters(row, column);
   const std::size_t count = (names.size() + 1) / 2;
   if (arguments.size() != count)
-    throw std::invalid_argument(std::string(row.name) + '-' + scope_names[column] + " takes " +
-                                std::to_string(count) + " arguments (" + names + "), not " +
-                                std::to_string(arguments.size()));
+    throw std::invalid_argument(std::string(row.name) + '-' + scope_names[column] + " takes " + std::to_string(count) +
+                                " arguments (" + names + "), not " + std::to_string(arguments.size()));
   for (std::size_t i = 0; i < count; ++i) letters.add_proposition(names.substr(2 * i, 1));
   const Formula text = parse(row.formulas[column], letters, {.unknown = Unknown::Reject});
   return substitute(text, arguments.front().arena(), [&](Proposition p) { return arguments[p.index]; });

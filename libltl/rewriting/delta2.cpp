@@ -21,9 +21,7 @@ bool is_true(Formula f) { return f.op() == Op::True; }
 bool is_false(Formula f) { return f.op() == Op::False; }
 bool is_constant(Formula f) { return is_true(f) || is_false(f); }
 // G F φ, F G φ: true at every position of a word or at none.
-bool is_limit(Formula f) {
-  return (is_always(f) && is_eventually(f[1])) || (is_eventually(f) && is_always(f[1]));
-}
+bool is_limit(Formula f) { return (is_always(f) && is_eventually(f[1])) || (is_eventually(f) && is_always(f[1])); }
 
 // The constructors, with constants folded as is right for infinite words.
 Formula nexted(Formula f) { return is_constant(f) ? f : next(f); }
@@ -183,9 +181,7 @@ class Normalization {
   // match:  φ W χ[U]       result: φ U χ[U] ∨ G φ
   // match:  φ[ψ₁ U ψ₂] W χ  result: (G F ψ₂ ∧ φ[ψ₁ W ψ₂] W χ) ∨ φ[ψ₁ U ψ₂] U (χ ∨ G φ[false])
   Formula waits(const Waiting& w) {
-    const auto clean = [&](Formula g) {
-      return Plain{Op::Until}(g) && !outermost(waited(g[0], g[1]), Op::Until);
-    };
+    const auto clean = [&](Formula g) { return Plain{Op::Until}(g) && !outermost(waited(g[0], g[1]), Op::Until); };
     if (const std::optional<Formula> u = outermost(w.kept, clean)) {
       const Formula promise = always(eventually((*u)[1]));
       const Formula often = wait({replaced(w.kept, *u, waited((*u)[0], (*u)[1])), w.goal, w.meets});
@@ -222,8 +218,7 @@ class Normalization {
     if (f.op() == Op::Next) return often(f[0]);
     if (f.op() == Op::Until) return often(f[1]);
     if (f.op() == Op::Or) return each(f, &Normalization::often);
-    if (const std::optional<Formula> inner = outermost(f, is_limit))
-      return apart(f, *inner, &Normalization::often);
+    if (const std::optional<Formula> inner = outermost(f, is_limit)) return apart(f, *inner, &Normalization::often);
     const std::optional<Formula> w = outermost(f, Op::Release);
     if (!w) return always(eventually(f));
     const Waiting seen = waiting(*w);
@@ -237,8 +232,7 @@ class Normalization {
     if (f.op() == Op::Next) return for_ever(f[0]);
     if (f.op() == Op::Release) return for_ever(f[1]);
     if (f.op() == Op::And) return each(f, &Normalization::for_ever);
-    if (const std::optional<Formula> inner = outermost(f, is_limit))
-      return apart(f, *inner, &Normalization::for_ever);
+    if (const std::optional<Formula> inner = outermost(f, is_limit)) return apart(f, *inner, &Normalization::for_ever);
     const std::optional<Formula> u = outermost(f, Op::Until);
     if (!u) return eventually(always(f));
     const Formula promise = often((*u)[1]);

@@ -15,8 +15,8 @@ bool Implication::follows(Formula from, Formula to, std::size_t depth) {
   if (from == to || from.op() == Op::False || to.op() == Op::True) return true;
   if (depth == 0) return false;
   if (const bool* known = known_.find(from.id(), to.id())) return *known;
-  const bool answer = by_junctions(from, to, depth - 1) || by_temporal(from, to, depth - 1) ||
-                      by_expansion(from, to, depth - 1);
+  const bool answer =
+      by_junctions(from, to, depth - 1) || by_temporal(from, to, depth - 1) || by_expansion(from, to, depth - 1);
   known_.store(from.id(), to.id(), answer);
   return answer;
 }

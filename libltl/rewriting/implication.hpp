@@ -21,12 +21,9 @@ class Implication {
 
   // Does φ ⇒ ψ follow by the rules? Answers are remembered; formulas nested deeper than `most_depth` in the course
   // of an answer are not looked into ("no").
-  bool operator()(Formula from, Formula to) {
-    return follows(from, to, most_depth) || (oracle_ && oracle_(from, to));
-  }
+  bool operator()(Formula from, Formula to) { return follows(from, to, most_depth) || (oracle_ && oracle_(from, to)); }
   static constexpr std::size_t most_depth = 24;
-  Formula opposite(
-      Formula f);  // ¬φ with negations pushed inwards, so that it can be looked into. Remembered.
+  Formula opposite(Formula f);  // ¬φ with negations pushed inwards, so that it can be looked into. Remembered.
 
  private:
   bool follows(Formula from, Formula to, std::size_t depth);

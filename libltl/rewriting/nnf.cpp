@@ -40,8 +40,7 @@ Both normal_forms(Formula f, const std::vector<Both>& operands, bool expand) {
     case Op::Next: return {next(operands[0].yes), weak_next(operands[0].no)};
     case Op::WeakNext: return {weak_next(operands[0].yes), next(operands[0].no)};
     case Op::Until: return {until(operands[0].yes, operands[1].yes), release(operands[0].no, operands[1].no)};
-    case Op::Release:
-      return {release(operands[0].yes, operands[1].yes), until(operands[0].no, operands[1].no)};
+    case Op::Release: return {release(operands[0].yes, operands[1].yes), until(operands[0].no, operands[1].no)};
   }
   return {f, negate(f)};  // unreachable: -Werror=switch
 }

@@ -201,9 +201,8 @@ Result settled_beside(Formula f, Implication& implies) {
       if (f[i][j].op() != f.op()) continue;
       std::vector<Formula> rest;
       for (Formula x : f[i][j].operands())
-        if (std::none_of(f.operands().begin(), f.operands().end(), [&](Formula g) {
-              return g != f[i] && (is(f, Op::Or) ? implies(x, g) : implies(g, x));
-            }))
+        if (std::none_of(f.operands().begin(), f.operands().end(),
+                         [&](Formula g) { return g != f[i] && (is(f, Op::Or) ? implies(x, g) : implies(g, x)); }))
           rest.push_back(x);
       if (rest.size() == f[i][j].operands().size()) continue;
       const Formula smaller = junction(inner, without(f[i].operands(), j, junction(f.op(), rest)));
@@ -274,8 +273,7 @@ Result nexts_joined(Formula f, Implication&) {
 Result joined_by_and(Formula f, Implication&) {
   return join_two(f, Op::And, [](Formula g, Formula h) -> Result {
     if (is(g, Op::Until) && is(h, Op::Until) && g[1] == h[1]) return until(conjunction(g[0], h[0]), g[1]);
-    if (is(g, Op::Release) && is(h, Op::Release) && g[0] == h[0])
-      return release(g[0], conjunction(g[1], h[1]));
+    if (is(g, Op::Release) && is(h, Op::Release) && g[0] == h[0]) return release(g[0], conjunction(g[1], h[1]));
     return {};
   });
 }
@@ -285,8 +283,7 @@ Result joined_by_and(Formula f, Implication&) {
 Result joined_by_or(Formula f, Implication&) {
   return join_two(f, Op::Or, [](Formula g, Formula h) -> Result {
     if (is(g, Op::Until) && is(h, Op::Until) && g[0] == h[0]) return until(g[0], disjunction(g[1], h[1]));
-    if (is(g, Op::Release) && is(h, Op::Release) && g[1] == h[1])
-      return release(disjunction(g[0], h[0]), g[1]);
+    if (is(g, Op::Release) && is(h, Op::Release) && g[1] == h[1]) return release(disjunction(g[0], h[0]), g[1]);
     return {};
   });
 }

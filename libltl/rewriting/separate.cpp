@@ -56,8 +56,7 @@ class Separation {
       case Op::Next:
       case Op::WeakNext: return all();
       case Op::Until: return {f[0].op() == Op::True || known_.at(f[1]).eventual, known_.at(f[1]).universal};
-      case Op::Release:
-        return {known_.at(f[1]).eventual, f[0].op() == Op::False || known_.at(f[1]).universal};
+      case Op::Release: return {known_.at(f[1]).eventual, f[0].op() == Op::False || known_.at(f[1]).universal};
     }
     return {};  // unreachable: -Werror=switch
   }
@@ -114,8 +113,7 @@ class Separation {
     for (std::size_t i = 0; i < all.size(); ++i)
       for (std::size_t j = 0; j < all.size(); ++j) {
         const Formula g = all[i], h = all[j];
-        if (g.op() != (any ? Op::Until : Op::Release) || !(any ? is_always(h) : is_eventually(h)) ||
-            h[1] != g[0])
+        if (g.op() != (any ? Op::Until : Op::Release) || !(any ? is_always(h) : is_eventually(h)) || h[1] != g[0])
           continue;
         all[i] = any ? weak_until(g[0], g[1]) : strong_release(g[0], g[1]);
         all.erase(all.begin() + static_cast<std::ptrdiff_t>(j));
@@ -133,8 +131,7 @@ class Separation {
     std::vector<Formula> all(f.operands().begin(), f.operands().end());
     for (std::size_t i = 0; i < all.size(); ++i)
       for (std::size_t j = 0; j < all.size(); ++j) {
-        if (!(any ? is_always(all[i]) && is_eventually(all[j]) : is_eventually(all[i]) && is_always(all[j])))
-          continue;
+        if (!(any ? is_always(all[i]) && is_eventually(all[j]) : is_eventually(all[i]) && is_always(all[j]))) continue;
         const Formula kept = all[i][1], inner = all[j][1], other = nnf(negate(kept));
         const std::vector<Formula> inside = parts(inner, any ? Op::And : Op::Or);
         const auto fits = [&](Formula g) { return g == other || (any ? eventual(g) : universal(g)); };
@@ -186,8 +183,7 @@ class Separation {
     }
     // match: φ U (ψ ∨ G φ)   result: φ W ψ
     if (Split made =
-            split(right, wide,
-                  [&](Formula g) { return (is_until ? is_always(g) : is_eventually(g)) && g[1] == left; });
+            split(right, wide, [&](Formula g) { return (is_until ? is_always(g) : is_eventually(g)) && g[1] == left; });
         !made.out.empty()) {
       const Formula rest = join(wide, made.rest);
       return is_until ? weak_until(left, rest) : strong_release(left, rest);

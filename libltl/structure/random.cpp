@@ -69,8 +69,7 @@ double Random::unit() { return static_cast<double>(engine_() >> 11U) * 0x1.0p-53
 Formula random_formula(Random& random, Arena& arena, const RandomFormula& options) {
   if (arena.vocabulary().size() < options.atoms)
     throw std::invalid_argument("random_formula: the vocabulary has fewer propositions than asked for");
-  if (options.atoms == 0 && !options.constants)
-    throw std::invalid_argument("random_formula: no leaf is allowed");
+  if (options.atoms == 0 && !options.constants) throw std::invalid_argument("random_formula: no leaf is allowed");
   return of_size(random, arena, options, options.size);
 }
 

@@ -15,28 +15,17 @@ struct Spelling {
 
 // Operators that are no words; longer spellings before their own prefixes.
 constexpr Spelling spellings[] = {
-    {"<->", Symbol::Iff},       {"<=>", Symbol::Iff},
-    {"<>", Symbol::Eventually}, {"->", Symbol::Implies},
-    {"=>", Symbol::Implies},    {"&&", Symbol::And},
-    {"||", Symbol::Or},         {"/\\", Symbol::And},
-    {"\\/", Symbol::Or},        {"[]", Symbol::Always},
-    {"()", Symbol::Next},       {"&", Symbol::And},
-    {"|", Symbol::Or},          {"!", Symbol::Not},
-    {"~", Symbol::Not},         {"^", Symbol::ExclusiveOr},
-    {"¬", Symbol::Not},         {"∧", Symbol::And},
-    {"∨", Symbol::Or},          {"⊕", Symbol::ExclusiveOr},
-    {"⊻", Symbol::ExclusiveOr}, {"→", Symbol::Implies},
-    {"⇒", Symbol::Implies},     {"⟶", Symbol::Implies},
-    {"⟹", Symbol::Implies},     {"↔", Symbol::Iff},
-    {"⇔", Symbol::Iff},         {"⟷", Symbol::Iff},
-    {"⟺", Symbol::Iff},         {"≡", Symbol::Iff},
-    {"◇", Symbol::Eventually},  {"⋄", Symbol::Eventually},
-    {"♢", Symbol::Eventually},  {"⬦", Symbol::Eventually},
-    {"⟡", Symbol::Eventually},  {"□", Symbol::Always},
-    {"◻", Symbol::Always},      {"⬜", Symbol::Always},
-    {"○", Symbol::Next},        {"◯", Symbol::Next},
-    {"●", Symbol::WeakNext},    {"⬤", Symbol::WeakNext},
-    {"𝒰", Symbol::Until},       {"ℛ", Symbol::Release},
+    {"<->", Symbol::Iff},       {"<=>", Symbol::Iff},         {"<>", Symbol::Eventually}, {"->", Symbol::Implies},
+    {"=>", Symbol::Implies},    {"&&", Symbol::And},          {"||", Symbol::Or},         {"/\\", Symbol::And},
+    {"\\/", Symbol::Or},        {"[]", Symbol::Always},       {"()", Symbol::Next},       {"&", Symbol::And},
+    {"|", Symbol::Or},          {"!", Symbol::Not},           {"~", Symbol::Not},         {"^", Symbol::ExclusiveOr},
+    {"¬", Symbol::Not},         {"∧", Symbol::And},           {"∨", Symbol::Or},          {"⊕", Symbol::ExclusiveOr},
+    {"⊻", Symbol::ExclusiveOr}, {"→", Symbol::Implies},       {"⇒", Symbol::Implies},     {"⟶", Symbol::Implies},
+    {"⟹", Symbol::Implies},     {"↔", Symbol::Iff},           {"⇔", Symbol::Iff},         {"⟷", Symbol::Iff},
+    {"⟺", Symbol::Iff},         {"≡", Symbol::Iff},           {"◇", Symbol::Eventually},  {"⋄", Symbol::Eventually},
+    {"♢", Symbol::Eventually},  {"⬦", Symbol::Eventually},    {"⟡", Symbol::Eventually},  {"□", Symbol::Always},
+    {"◻", Symbol::Always},      {"⬜", Symbol::Always},        {"○", Symbol::Next},        {"◯", Symbol::Next},
+    {"●", Symbol::WeakNext},    {"⬤", Symbol::WeakNext},      {"𝒰", Symbol::Until},       {"ℛ", Symbol::Release},
     {"𝒲", Symbol::WeakUntil},   {"ℳ", Symbol::StrongRelease},
 };
 
@@ -90,8 +79,7 @@ bool is_unary_run(std::string_view word) {
 }  // namespace
 
 bool is_bare_name(std::string_view name, Notation notation) {
-  return is_identifier(name) && !is_unary_run(name) && !operator_word(name, notation) &&
-         !constant_word(name, notation);
+  return is_identifier(name) && !is_unary_run(name) && !operator_word(name, notation) && !constant_word(name, notation);
 }
 
 void Lexer::fail(Span where, std::string_view message) const { throw SyntaxError(text_, where, message); }
@@ -117,8 +105,7 @@ std::optional<std::size_t> Lexer::number() {
 
 // An operator was read; what may follow it directly: [!] or [w] after a next, a bound after F, G and U.
 Token Lexer::operation(Symbol symbol, std::size_t begin) {
-  Token token{
-      .kind = Token::Kind::Operator, .where = {begin, at_}, .symbol = symbol, .bound = {}, .name = {}};
+  Token token{.kind = Token::Kind::Operator, .where = {begin, at_}, .symbol = symbol, .bound = {}, .name = {}};
   if (symbol == Symbol::Next) {
     if (take("[w]") || (!take("[!]") && dialect_ == Dialect::Spot)) token.symbol = Symbol::WeakNext;
   } else if (symbol == Symbol::Eventually || symbol == Symbol::Always || symbol == Symbol::Until) {
@@ -187,8 +174,7 @@ void Lexer::fail_on_character() const {
   while (end < text_.size() && (static_cast<unsigned char>(text_[end]) & 0xC0U) == 0x80U) ++end;
   const Span where{at_, end};
   const std::string shown(text_.substr(at_, end - at_));
-  if (is_digit(text_[at_]))
-    fail(where, "expected a formula; numbers other than 0 and 1 must follow F<=, G<= or U<=");
+  if (is_digit(text_[at_])) fail(where, "expected a formula; numbers other than 0 and 1 must follow F<=, G<= or U<=");
   fail(where, "'" + shown + "' starts no part of a formula (names with such characters go in double quotes)");
 }
 

@@ -25,12 +25,10 @@ Formula until_within(std::size_t k, Formula left, Formula right) {
 
 class Builder {
  public:
-  Builder(std::string_view text, Arena& arena, Unknown unknown)
-      : text_(text), arena_(arena), unknown_(unknown) {}
+  Builder(std::string_view text, Arena& arena, Unknown unknown) : text_(text), arena_(arena), unknown_(unknown) {}
 
   void push(const Token& token) {  // a Name or a Constant
-    stack_.push_back(
-        {{token.kind == Token::Kind::Name ? atom(token) : arena_.constant(token.value)}, Op::Atom, 1});
+    stack_.push_back({{token.kind == Token::Kind::Name ? atom(token) : arena_.constant(token.value)}, Op::Atom, 1});
   }
   void apply(const Token& token);  // an Operator, on the last one or two formulas
   void settle(Symbol next);        // makes the last formula now unless `next` continues its chain
@@ -62,8 +60,7 @@ Formula Builder::atom(const Token& token) {
   if (unknown_ == Unknown::Add) return arena_.atom(token.name);
   if (const auto p = arena_.vocabulary().find(token.name)) return arena_.atom(*p);
   std::string message = "unknown proposition '" + token.name + "'";
-  if (const auto near = arena_.vocabulary().nearest(token.name))
-    message += " (did you mean '" + *near + "'?)";
+  if (const auto near = arena_.vocabulary().nearest(token.name)) message += " (did you mean '" + *near + "'?)";
   throw SyntaxError(text_, token.where, message);
 }
 
@@ -141,8 +138,7 @@ void Builder::apply(const Token& token) {
   switch (token.symbol) {
     case Symbol::ExclusiveOr: return push(exclusive_or(a, b), depth, token);
     case Symbol::Iff: return push(iff(a, b), depth, token);
-    case Symbol::Until:
-      return push(token.bound ? until_within(*token.bound, a, b) : until(a, b), depth, token);
+    case Symbol::Until: return push(token.bound ? until_within(*token.bound, a, b) : until(a, b), depth, token);
     case Symbol::Release: return push(release(a, b), depth, token);
     case Symbol::WeakUntil: return push(weak_until(a, b), depth + 1, token);
     case Symbol::StrongRelease: return push(strong_release(a, b), depth + 1, token);
@@ -180,8 +176,7 @@ class Parser {
     throw SyntaxError(lexer_.text(), token.where, message);
   }
   std::string quote(const Token& token) const {
-    return "'" + std::string(lexer_.text().substr(token.where.begin, token.where.end - token.where.begin)) +
-           "'";
+    return "'" + std::string(lexer_.text().substr(token.where.begin, token.where.end - token.where.begin)) + "'";
   }
   [[noreturn]] void fail_for_operand(const Token& token, const std::optional<Token>& before) const {
     fail(token, before ? "expected a formula after " + quote(*before) : "expected a formula");
@@ -208,8 +203,7 @@ void Parser::reduce(int level, bool strictly) {
 
 void Parser::close_parenthesis(const Token& token) {
   reduce(0, false);
-  if (waiting_.empty())
-    fail(token, "expected the end of the formula or an operator: no '(' is open for this ')'");
+  if (waiting_.empty()) fail(token, "expected the end of the formula or an operator: no '(' is open for this ')'");
   waiting_.pop_back();
 }
 
@@ -227,8 +221,7 @@ Formula Parser::infix() {
     Token token = lexer_.next();
     const bool binary = token.kind == Token::Kind::Operator && !is_unary(token.symbol);
     const bool ends = binary || token.kind == Token::Kind::Close || token.kind == Token::Kind::End;
-    if (complete && !ends)
-      fail(token, "expected an operator or the end of the formula before " + quote(token));
+    if (complete && !ends) fail(token, "expected an operator or the end of the formula before " + quote(token));
     if (!complete && ends) fail_for_operand(token, before);
     switch (token.kind) {
       case Token::Kind::Name:
@@ -244,8 +237,8 @@ Formula Parser::infix() {
         break;
       case Token::Kind::Open: waiting_.push_back(token); break;
     }
-    complete = token.kind == Token::Kind::Name || token.kind == Token::Kind::Constant ||
-               token.kind == Token::Kind::Close;
+    complete =
+        token.kind == Token::Kind::Name || token.kind == Token::Kind::Constant || token.kind == Token::Kind::Close;
     before = std::move(token);
   }
 }
@@ -293,8 +286,7 @@ Formula Parser::postfix() {
       case Token::Kind::End:
         if (builder_.size() == 0) fail(token, "expected a formula");
         if (builder_.size() > 1)
-          fail(token,
-               "expected an operator: " + std::to_string(builder_.size()) + " formulas stand unconnected");
+          fail(token, "expected an operator: " + std::to_string(builder_.size()) + " formulas stand unconnected");
         return builder_.result();
     }
   }

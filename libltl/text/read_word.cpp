@@ -111,12 +111,8 @@ class WordReader {
 
 }  // namespace
 
-AnyWord read_word(std::string_view text, Vocabulary& vocabulary) {
-  return WordReader(text, vocabulary).word();
-}
+AnyWord read_word(std::string_view text, Vocabulary& vocabulary) { return WordReader(text, vocabulary).word(); }
 
-Letter read_letter(std::string_view text, Vocabulary& vocabulary) {
-  return WordReader(text, vocabulary).only_letter();
-}
+Letter read_letter(std::string_view text, Vocabulary& vocabulary) { return WordReader(text, vocabulary).only_letter(); }
 
 }  // namespace waymark::ltl

@@ -2,9 +2,7 @@
 
 namespace waymark::parser {
 
-std::string_view name(Convention convention) {
-  return convention == Convention::Absolute ? "absolute" : "relative";
-}
+std::string_view name(Convention convention) { return convention == Convention::Absolute ? "absolute" : "relative"; }
 
 std::size_t Corpus::sentences() const {
   std::size_t n = 0;

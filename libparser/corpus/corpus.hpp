@@ -24,12 +24,9 @@ struct Sentence {
   bool heading_unknown = false;      // the source left the start heading open
   std::vector<plan::Pose> absolute;  // trajectory under either convention; equal when the heading is known
   std::vector<plan::Pose> relative;
-  std::string
-      formula;  // what it means, where that is known: for scores and for training with supervision alone
+  std::string formula;  // what it means, where that is known: for scores and for training with supervision alone
 
-  const std::vector<plan::Pose>& path(Convention c) const {
-    return c == Convention::Absolute ? absolute : relative;
-  }
+  const std::vector<plan::Pose>& path(Convention c) const { return c == Convention::Absolute ? absolute : relative; }
 };
 
 struct Paragraph {

@@ -11,8 +11,7 @@ namespace waymark::parser {
 std::string read_corpus_file(const std::filesystem::path& file) {
   std::ifstream in(file, std::ios::binary);
   std::ostringstream bytes;
-  if (in && in.peek() != std::ifstream::traits_type::eof())
-    bytes << in.rdbuf();  // of an empty file, << fails
+  if (in && in.peek() != std::ifstream::traits_type::eof()) bytes << in.rdbuf();  // of an empty file, << fails
   if (!in || !bytes) throw ltl::FormatError(file.string(), 0, 0, "cannot be read");
   return std::move(bytes).str();
 }

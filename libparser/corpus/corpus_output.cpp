@@ -17,10 +17,8 @@ std::string json_lines(const Corpus& corpus) {
       if (!sentence.formula.empty()) one["formula"] = sentence.formula;
       sentences.push_back(std::move(one));
     }
-    const nlohmann::ordered_json line{{"id", paragraph.id},
-                                      {"map", paragraph.map},
-                                      {"text", paragraph.text},
-                                      {"sentences", std::move(sentences)}};
+    const nlohmann::ordered_json line{
+        {"id", paragraph.id}, {"map", paragraph.map}, {"text", paragraph.text}, {"sentences", std::move(sentences)}};
     lines += line.dump() + '\n';
   }
   return lines;

@@ -16,9 +16,7 @@ using json = plan::JsonReader::Value;
 struct Line {
   plan::JsonReader reader;
 
-  [[noreturn]] void fail(const std::string& path, const std::string& expected) const {
-    reader.fail(path, expected);
-  }
+  [[noreturn]] void fail(const std::string& path, const std::string& expected) const { reader.fail(path, expected); }
 
   const json& member(const json& object, const std::string& path, const char* key) const {
     return reader.member(object, path, key);
@@ -31,8 +29,7 @@ struct Line {
   int integer(const json& value, const std::string& path) const {
     constexpr int limit = 1'000'000;
     const int number = reader.integer(value, path);
-    if (number < -limit || number > limit)
-      fail(path, "expected a whole number between −1,000,000 and 1,000,000");
+    if (number < -limit || number > limit) fail(path, "expected a whole number between −1,000,000 and 1,000,000");
     return number;
   }
 
@@ -50,8 +47,7 @@ struct Line {
     const json& list = member(object, path, key);
     if (!list.is_array() || list.empty()) fail(at, "expected a list of poses");
     std::vector<plan::Pose> poses;
-    for (std::size_t i = 0; i < list.size(); ++i)
-      poses.push_back(pose(list[i], at + "[" + std::to_string(i) + "]"));
+    for (std::size_t i = 0; i < list.size(); ++i) poses.push_back(pose(list[i], at + "[" + std::to_string(i) + "]"));
     return poses;
   }
 

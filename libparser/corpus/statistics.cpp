@@ -23,8 +23,7 @@ StatisticsByMap statistics(const Corpus& corpus) {
     for (CorpusStatistics* one : {&out.by_map[paragraph.map], &out.all}) {
       one->add_sequence(paragraph.sentences.size());
       // The relative trajectory puts one turn where the source leaves the heading open: as many poses as it has.
-      for (const Sentence& sentence : paragraph.sentences)
-        one->add_sentence(sentence.tokens, sentence.relative.size());
+      for (const Sentence& sentence : paragraph.sentences) one->add_sentence(sentence.tokens, sentence.relative.size());
     }
   return out;
 }

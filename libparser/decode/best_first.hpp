@@ -51,8 +51,7 @@ class BestFirst {
     float log_probability;
     std::size_t prefix;
     friend bool operator<(const Open& a, const Open& b) {  // ties: the one made first
-      return a.log_probability != b.log_probability ? a.log_probability < b.log_probability
-                                                    : a.prefix > b.prefix;
+      return a.log_probability != b.log_probability ? a.log_probability < b.log_probability : a.prefix > b.prefix;
     }
   };
 

@@ -53,8 +53,7 @@ std::vector<Candidate> in_parts(const ReadSentence& read, const SentenceInput& i
       if (begin == 0 && end == n) continue;                                    // that is no part
       if (begin > 0 && *token(clauses[begin].begin) == "otherwise") continue;  // goes on with what "if" began
       parts.push_back(read(
-          {{token(clauses[begin].begin), token(clauses[end - 1].end)}, input.heading_unknown && begin == 0},
-          kept));
+          {{token(clauses[begin].begin), token(clauses[end - 1].end)}, input.heading_unknown && begin == 0}, kept));
       for (const Candidate& first : beginnings[begin])
         for (const Candidate& second : parts.back())
           joints.push_back({&first, &second, first.log_probability + second.log_probability});
@@ -71,8 +70,7 @@ double log_of_sum(double a, double b) {
 
 }  // namespace
 
-std::vector<Candidate> read_by_clauses(const ReadSentence& read, const SentenceInput& input,
-                                       std::size_t beam) {
+std::vector<Candidate> read_by_clauses(const ReadSentence& read, const SentenceInput& input, std::size_t beam) {
   std::vector<Candidate> whole = read(input, beam);
   const std::vector<Clause> clauses = clauses_of(input.tokens);
   if (clauses.size() == 1) return whole;
@@ -80,17 +78,15 @@ std::vector<Candidate> read_by_clauses(const ReadSentence& read, const SentenceI
   for (const Candidate& candidate : whole)
     together.emplace(candidate.program, candidate.log_probability + std::log(0.5));
   for (const Candidate& candidate : in_parts(read, input, clauses, beam)) {
-    if (candidate.program.empty())
-      continue;  // nothing but staying: the whole sentence says so if it means it
+    if (candidate.program.empty()) continue;  // nothing but staying: the whole sentence says so if it means it
     const double half = candidate.log_probability + std::log(0.5);
     const auto [it, is_new] = together.try_emplace(candidate.program, half);
     if (!is_new) it->second = log_of_sum(it->second, half);
   }
   std::vector<Candidate> out;
   for (const auto& [program, log_probability] : together) out.push_back({program, log_probability});
-  std::stable_sort(out.begin(), out.end(), [](const Candidate& a, const Candidate& b) {
-    return a.log_probability > b.log_probability;
-  });
+  std::stable_sort(out.begin(), out.end(),
+                   [](const Candidate& a, const Candidate& b) { return a.log_probability > b.log_probability; });
   if (out.size() > beam) out.resize(beam);
   return out;
 }

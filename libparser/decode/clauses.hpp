@@ -18,7 +18,6 @@ using ReadSentence = std::function<std::vector<Candidate>(const SentenceInput&, 
 
 // The programs of p, the likeliest first, at most `beam`; of parts and beginnings only the 16 likeliest are kept, or
 // `beam`, and programs of more steps than 120 are not made. Probabilities need not sum to 1. O(clauses · 4) readings.
-std::vector<Candidate> read_by_clauses(const ReadSentence& read, const SentenceInput& input,
-                                       std::size_t beam);
+std::vector<Candidate> read_by_clauses(const ReadSentence& read, const SentenceInput& input, std::size_t beam);
 
 }  // namespace waymark::parser

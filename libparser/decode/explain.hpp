@@ -9,14 +9,12 @@ namespace waymark::parser {
 
 struct ExplainedSymbol {
   std::string symbol;
-  double probability = 0;  // of this symbol here; 1 where the grammar leaves no choice
-  std::vector<double>
-      weights;  // of the words of the sentence; they sum to less than 1: the rest lies on what stands
-                // before the first word. Empty where there was no choice
+  double probability = 0;       // of this symbol here; 1 where the grammar leaves no choice
+  std::vector<double> weights;  // of the words of the sentence; they sum to less than 1: the rest lies on what stands
+                                // before the first word. Empty where there was no choice
 };
 
 // O(symbols) choices in one pass. Throws std::invalid_argument when the program is not in the decoder's language.
-std::vector<ExplainedSymbol> explain(const EncoderDecoder& network, const SentenceInput& input,
-                                     const Program& program);
+std::vector<ExplainedSymbol> explain(const EncoderDecoder& network, const SentenceInput& input, const Program& program);
 
 }  // namespace waymark::parser

@@ -13,9 +13,8 @@ namespace waymark::parser {
 
 struct Grounder {
   WordModel word_model;
-  std::shared_ptr<const RankingModel> ranking;  // and the language that both speak
-  std::shared_ptr<const LiftedReader> commands =
-      nullptr;  // reads temporal words and named places; may be absent
+  std::shared_ptr<const RankingModel> ranking;             // and the language that both speak
+  std::shared_ptr<const LiftedReader> commands = nullptr;  // reads temporal words and named places; may be absent
 };
 
 // At most `beam` programs, the likeliest first. The same answer whenever it is asked; from several threads too.

@@ -22,8 +22,7 @@ struct Continuation {
 };
 
 // Takes up to `beam` of the continuations, in the order of their places.
-std::vector<Continuation> drawn(std::vector<Continuation> all, std::size_t beam, double epsilon,
-                                ltl::Random& random) {
+std::vector<Continuation> drawn(std::vector<Continuation> all, std::size_t beam, double epsilon, ltl::Random& random) {
   std::stable_sort(all.begin(), all.end(), [](const auto& a, const auto& b) { return a.sum > b.sum; });
   std::vector<Continuation> out;
   while (!all.empty() && out.size() < beam) {
@@ -58,14 +57,12 @@ std::vector<std::vector<Candidate>> randomised_beam(const EncoderDecoder& networ
       for (std::size_t i = 0; i < beams[s].size(); ++i) {
         const Prefix& prefix = beams[s][i];
         const ChoiceMask& mask = *prefix.prefix.mask;
-        log_softmax(scores, begin[s] + static_cast<neural::Index>(i), mask, sentences[s]->forbidden,
-                    log_p.data());
+        log_softmax(scores, begin[s] + static_cast<neural::Index>(i), mask, sentences[s]->forbidden, log_p.data());
         for (const Symbol v : mask.allowed)
           if (log_p[v] > -INFINITY) all.push_back({i, v, prefix.log_probability + log_p[v]});
       }
       std::vector<Prefix> next;
-      for (const Continuation& c :
-           drawn(std::move(all), beam - std::min(beam, found[s].size()), epsilon, random)) {
+      for (const Continuation& c : drawn(std::move(all), beam - std::min(beam, found[s].size()), epsilon, random)) {
         Prefix longer{{}, beams[s][c.prefix].symbols, c.sum};
         longer.prefix = prefixes.after(beams[s][c.prefix].prefix, c.symbol, longer.symbols);
         if (longer.prefix.ended())
@@ -77,9 +74,8 @@ std::vector<std::vector<Candidate>> randomised_beam(const EncoderDecoder& networ
     }
   }
   for (auto& candidates : found)
-    std::stable_sort(candidates.begin(), candidates.end(), [](const Candidate& a, const Candidate& b) {
-      return a.log_probability > b.log_probability;
-    });
+    std::stable_sort(candidates.begin(), candidates.end(),
+                     [](const Candidate& a, const Candidate& b) { return a.log_probability > b.log_probability; });
   return found;
 }
 

@@ -31,8 +31,7 @@ concept Domain = requires(D& domain, const typename D::Map& map, const typename 
 };
 
 template <class D>
-concept DomainWithRivals = Domain<D> &&
-    requires(const typename D::Candidates& candidates, std::size_t right) {
+concept DomainWithRivals = Domain<D> && requires(const typename D::Candidates& candidates, std::size_t right) {
   { D::rival(candidates, right) } -> std::same_as<std::optional<std::size_t>>;
 };
 

@@ -28,8 +28,7 @@ struct Moment {
 
 class ActionNetwork {
  public:
-  ActionNetwork(const NetworkOptions& o, WordTable words, std::size_t propositions,
-                const neural::Uniform& uniform)
+  ActionNetwork(const NetworkOptions& o, WordTable words, std::size_t propositions, const neural::Uniform& uniform)
       : options_(o),
         words_(std::move(words)),
         phi_(parameters.add_for_relu(o.symbol, symbols + 1, 60, uniform)),
@@ -67,8 +66,7 @@ class ActionNetwork {
     std::vector<std::vector<Index>> rows;  // by choice: columns of seen_
   };
 
-  void encode(Pass& pass, std::span<const SentenceEncoder::Words* const> sentences,
-              const Dropout& dropout) const {
+  void encode(Pass& pass, std::span<const SentenceEncoder::Words* const> sentences, const Dropout& dropout) const {
     pass.encoder.forward(encoder_, parameters, sentences, dropout);
   }
 
@@ -84,15 +82,13 @@ class ActionNetwork {
       while (static_cast<Index>(c) >= pass.begin[sentence + 1]) ++sentence;
       auto column = pass.x.col(static_cast<Index>(c));
       for (Index k = 0; k < options_.history; ++k)
-        column.segment(k * size, size) =
-            parameters.value(phi_).col(moments[c].history[static_cast<std::size_t>(k)]);
+        column.segment(k * size, size) = parameters.value(phi_).col(moments[c].history[static_cast<std::size_t>(k)]);
       for (std::size_t p = 0; p < seen[sentence].images.size(); ++p)
         if (seen[sentence].executor->holds(static_cast<std::uint16_t>(p), moments[c].pose))
           pass.rows[c].push_back(seen[sentence].images[p]);
       for (Index p : pass.rows[c]) column.tail(size) += parameters.value(seen_).col(p);
     }
-    decoder_.forward(parameters, pass.encoder.sequences(pass.begin, pass.said, nullptr), pass.x,
-                     pass.decoder);
+    decoder_.forward(parameters, pass.encoder.sequences(pass.begin, pass.said, nullptr), pass.x, pass.decoder);
     return pass.decoder.scores;
   }
 
@@ -100,8 +96,8 @@ class ActionNetwork {
     const Index size = options_.symbol;
     pass.decoder.dscores = dscores;
     pass.dx.resize(pass.x.rows(), pass.x.cols());
-    decoder_.backward(parameters, pass.encoder.sequences(pass.begin, pass.said, nullptr), pass.x,
-                      pass.decoder, pass.dx);
+    decoder_.backward(parameters, pass.encoder.sequences(pass.begin, pass.said, nullptr), pass.x, pass.decoder,
+                      pass.dx);
     for (std::size_t c = 0; c < moments.size(); ++c) {
       const auto column = pass.dx.col(static_cast<Index>(c));
       for (Index k = 0; k < options_.history; ++k)
@@ -126,8 +122,7 @@ std::array<float, symbols> log_probabilities(const Matrix& scores, Index column,
   std::array<float, symbols> out{};
   float highest = -INFINITY, total = 0;
   for (Index v = 0; v < symbols; ++v) {
-    const bool possible =
-        v == stop || map.successor(arrival.pose(), static_cast<plan::Action>(v)).has_value();
+    const bool possible = v == stop || map.successor(arrival.pose(), static_cast<plan::Action>(v)).has_value();
     out[static_cast<std::size_t>(v)] = possible ? scores(v, column) : -INFINITY;
     highest = std::max(highest, out[static_cast<std::size_t>(v)]);
   }
@@ -185,8 +180,7 @@ class ActionFollower : public Follower {
           next.push_back(std::move(longer));
         }
       }
-      std::stable_sort(next.begin(), next.end(),
-                       [](const Route& a, const Route& b) { return a.log_p > b.log_p; });
+      std::stable_sort(next.begin(), next.end(), [](const Route& a, const Route& b) { return a.log_p > b.log_p; });
       if (next.size() > places) next.resize(places);
       beam = std::move(next);
     }
@@ -208,8 +202,8 @@ struct TrainingInstance {
 
 class Learner {
  public:
-  Learner(std::span<const Example* const> examples, std::span<const Executor> executors,
-          const TrainOptions& options, const JobProgress& progress)
+  Learner(std::span<const Example* const> examples, std::span<const Executor> executors, const TrainOptions& options,
+          const JobProgress& progress)
       : options_(options),
         how_(options.network),
         progress_(progress),
@@ -242,8 +236,7 @@ class Learner {
   void add_instance(const Example& example, const Executor& executor, bool mirrored) {
     SentenceInput input = example.input;
     if (mirrored) input.tokens = mirror(input.tokens);
-    TrainingInstance instance{
-        &executor, network_.words_of(input), {network_.first(example.gold.start)}, {}, mirrored};
+    TrainingInstance instance{&executor, network_.words_of(input), {network_.first(example.gold.start)}, {}, mirrored};
     for (const plan::Action action : example.gold.actions) {
       Index said = static_cast<Index>(action);
       if (mirrored && action != plan::Action::Forward)
@@ -273,8 +266,7 @@ class Learner {
     Matrix dscores = network_.decode(pass_, moments, seen);
     Index column = 0;
     for (std::size_t i : which)
-      for (const Index answer :
-           instances_[i].answers) {  // softmax less the answer: walls are learned from being seen
+      for (const Index answer : instances_[i].answers) {  // softmax less the answer: walls are learned from being seen
         auto scores = dscores.col(column++).array();
         scores = (scores - scores.maxCoeff()).exp();
         scores /= scores.sum();
@@ -301,8 +293,8 @@ class Learner {
 }  // namespace
 
 std::shared_ptr<const Follower> learn_actions(std::span<const Example* const> examples,
-                                              std::span<const Executor> executors,
-                                              const TrainOptions& options, const JobProgress& progress) {
+                                              std::span<const Executor> executors, const TrainOptions& options,
+                                              const JobProgress& progress) {
   return Learner(examples, executors, options, progress).run();
 }
 

@@ -14,7 +14,7 @@
 namespace waymark::parser {
 
 std::shared_ptr<const Follower> learn_actions(std::span<const Example* const> examples,
-                                              std::span<const Executor> executors,
-                                              const TrainOptions& options, const JobProgress& progress);
+                                              std::span<const Executor> executors, const TrainOptions& options,
+                                              const JobProgress& progress);
 
 }  // namespace waymark::parser

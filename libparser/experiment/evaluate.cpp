@@ -28,8 +28,8 @@ PathScores compared(const plan::Map& map, plan::PoseId start, Nodes want, Nodes 
 
 class Test {
  public:
-  Test(const Follower& follower, const Executor& executor, Convention convention,
-       std::vector<Prediction>* predictions, std::stop_token stop, const HeardSentences* heard)
+  Test(const Follower& follower, const Executor& executor, Convention convention, std::vector<Prediction>* predictions,
+       std::stop_token stop, const HeardSentences* heard)
       : follower_(follower),
         executor_(executor),
         convention_(convention),
@@ -58,8 +58,7 @@ class Test {
           {id, map().name(), convention_, example.gold.start, example.gold.end, std::move(answer), {}});
   }
 
-  void paragraph(std::span<const Example> sentences, std::span<const std::string> ids,
-                 const std::string& id) {
+  void paragraph(std::span<const Example> sentences, std::span<const std::string> ids, const std::string& id) {
     plan::PoseId pose = sentences.front().gold.start;
     Nodes want, got;
     std::vector<SentenceInput> inputs;
@@ -140,8 +139,7 @@ Scores evaluate(const Follower& follower, const Corpus& corpus, const plan::Map&
   const Executor executor(map);
   const Examples examples = make_examples(corpus, {&executor, 1}, convention);
   Test test(follower, executor, convention, predictions, std::move(stop), heard);
-  for (std::size_t i = 0; i < examples.sentences.size(); ++i)
-    test.sentence(examples.sentences[i], examples.ids[i]);
+  for (std::size_t i = 0; i < examples.sentences.size(); ++i) test.sentence(examples.sentences[i], examples.ids[i]);
   for (std::size_t begin = 0, end = 0; begin < examples.sentences.size(); begin = end) {
     while (end < examples.sentences.size() && examples.paragraph[end] == examples.paragraph[begin]) ++end;
     test.paragraph(std::span(examples.sentences).subspan(begin, end - begin),

@@ -39,8 +39,8 @@ struct PathScores {
 
 struct Scores {
   ConventionScores sentence, paragraph, unheard;
-  PathScores path, paragraph_path;  // under the absolute convention
-  Percent satisfiable;  // sentences with a formula that can be satisfied on the map from their start
+  PathScores path, paragraph_path;     // under the absolute convention
+  Percent satisfiable;                 // sentences with a formula that can be satisfied on the map from their start
   std::size_t skipped_paragraphs = 0;  // unsegmented
   Scores& operator+=(const Scores& other);
 };
@@ -58,9 +58,8 @@ struct Prediction {
   std::optional<std::string> paragraph = {};  // its id; nothing: by itself
 };
 
-struct Evaluation
-    : ScoresByMap<Scores, Prediction> {  // without predictions of folds whose scores had been kept
-  std::vector<Scores> singles;           // of an ensemble: all folds of each member
+struct Evaluation : ScoresByMap<Scores, Prediction> {  // without predictions of folds whose scores had been kept
+  std::vector<Scores> singles;                         // of an ensemble: all folds of each member
   double seconds = 0;
 };
 
@@ -79,8 +78,8 @@ struct EvaluateOptions {
 
 // For each map: train on the paragraphs of the others, test on its own (those of `test` when given).
 // Throws std::invalid_argument when fewer than two maps have paragraphs; Stopped when a stop was requested.
-Evaluation evaluate_leave_one_map_out(const Corpus& train, const Corpus* test,
-                                      std::span<const plan::Map> maps, const EvaluateOptions& options = {});
+Evaluation evaluate_leave_one_map_out(const Corpus& train, const Corpus* test, std::span<const plan::Map> maps,
+                                      const EvaluateOptions& options = {});
 
 // Trains on all of one corpus and tests on another, map by map; an ensemble votes. Throws as `train` does.
 Evaluation evaluate_train_all(const Corpus& train, std::span<const plan::Map> maps, const Corpus& test,

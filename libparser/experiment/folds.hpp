@@ -14,9 +14,7 @@ namespace waymark::parser {
 
 struct Percent {  // a share of counted things
   std::size_t hits = 0, total = 0;
-  double value() const {
-    return total == 0 ? 0 : 100.0 * static_cast<double>(hits) / static_cast<double>(total);
-  }
+  double value() const { return total == 0 ? 0 : 100.0 * static_cast<double>(hits) / static_cast<double>(total); }
   Percent& operator+=(Percent other) {
     hits += other.hits;
     total += other.total;

@@ -18,8 +18,7 @@ struct FormulaShare {
 
 struct FormulaScores {
   FormulaShare all;
-  std::map<std::string, FormulaShare>
-      by_construct;  // sequencing, avoidance, until, conditional, counting, single
+  std::map<std::string, FormulaShare> by_construct;  // sequencing, avoidance, until, conditional, counting, single
   std::map<std::size_t, FormulaShare> by_length;
 };
 

@@ -7,8 +7,7 @@
 namespace waymark::parser {
 GroundingFollower::Readings GroundingFollower::read(const SentenceInput& input) const {
   Readings readings;
-  for (const Grounder& grounder : grounders_)
-    readings.push_back(likely_programs(grounder, input, how_.deciding));
+  for (const Grounder& grounder : grounders_) readings.push_back(likely_programs(grounder, input, how_.deciding));
   return readings;
 }
 
@@ -47,27 +46,22 @@ GroundingFollower::Verdict GroundingFollower::judge(const Executor& executor, co
   return verdict;
 }
 
-Response GroundingFollower::follow(const Executor& executor, const SentenceInput& input,
-                                   plan::PoseId start) const {
+Response GroundingFollower::follow(const Executor& executor, const SentenceInput& input, plan::PoseId start) const {
   Verdict verdict = judge(executor, input, read(input), start);
   if (verdict.answers.empty()) return {start, {}, {}, 0};
   return std::move(verdict.answers.front());
 }
 
-std::vector<Response> GroundingFollower::follow_all(const Executor& executor,
-                                                    std::span<const SentenceInput> paragraph,
+std::vector<Response> GroundingFollower::follow_all(const Executor& executor, std::span<const SentenceInput> paragraph,
                                                     plan::PoseId start) const {
-  if (how_.paragraph.beam_width <= 1 || paragraph.empty())
-    return Follower::follow_all(executor, paragraph, start);
+  if (how_.paragraph.beam_width <= 1 || paragraph.empty()) return Follower::follow_all(executor, paragraph, start);
   std::vector<SentenceInput> inputs(paragraph.begin(), paragraph.end());
   std::vector<Readings> readings;
   for (SentenceInput& input : inputs) {
     input.heading_unknown = input.heading_unknown && readings.empty();
     readings.push_back(read(input));
   }
-  const auto judged = [&](std::size_t k, plan::PoseId from) {
-    return judge(executor, inputs[k], readings[k], from);
-  };
+  const auto judged = [&](std::size_t k, plan::PoseId from) { return judge(executor, inputs[k], readings[k], from); };
   const auto outlook = [&](std::size_t k, plan::PoseId from) {
     const Verdict verdict = judged(k, from);
     TransitionDistribution out{{}, verdict.evidence};
@@ -77,8 +71,7 @@ std::vector<Response> GroundingFollower::follow_all(const Executor& executor,
   TransitionDistribution first = outlook(0, start);
   if (first.ends.empty()) first.ends.emplace_back(start, 1);
   std::vector<Response> answers;
-  for (const plan::PoseId end :
-       likeliest_way(executor.map(), first, inputs.size(), outlook, how_.paragraph)) {
+  for (const plan::PoseId end : likeliest_way(executor.map(), first, inputs.size(), outlook, how_.paragraph)) {
     Response answer{start, {}, {}, 0};
     for (Response& one : judged(answers.size(), start).answers)
       if (one.end == end) answer = std::move(one);

@@ -27,23 +27,20 @@ struct HallwayFold : Fold<Scores, Prediction> {  // scores of all members togeth
 
 class Experiment {
  public:
-  Experiment(const Corpus& train, const Corpus& test, std::span<const plan::Map> maps,
-             const EvaluateOptions& options)
+  Experiment(const Corpus& train, const Corpus& test, std::span<const plan::Map> maps, const EvaluateOptions& options)
       : train_(train), test_(test), maps_(maps), options_(options), executors_(maps.begin(), maps.end()) {}
 
   Evaluation run() {
     for (Convention convention : {Convention::Absolute, Convention::Relative})
       if (convention == Convention::Absolute ? options_.absolute : options_.relative) prepare(convention);
-    if (folds_.empty())
-      throw std::invalid_argument("leaving one map out needs sentences on at least two maps");
+    if (folds_.empty()) throw std::invalid_argument("leaving one map out needs sentences on at least two maps");
     read();
     const Report report = [&](double fraction, std::string_view what) {
       if (options_.train.progress) options_.train.progress(0.8 + 0.2 * fraction, what);
     };
     Evaluation evaluation{
-        run_folds<Scores, Prediction>(
-            folds_, options_.train.threads, report, "learning to choose, testing",
-            [&](HallwayFold& fold, const JobProgress& progress) { finish(fold, progress); }),
+        run_folds<Scores, Prediction>(folds_, options_.train.threads, report, "learning to choose, testing",
+                                      [&](HallwayFold& fold, const JobProgress& progress) { finish(fold, progress); }),
         {},
         0};
     for (const HallwayFold& fold : folds_) {
@@ -86,8 +83,7 @@ class Experiment {
       if (!tested || instances.empty()) continue;
       folds_.push_back({{maps_[left_out].name()}, convention, left_out, instances, false, {}});
       if (find_scores(folds_.back())) continue;
-      for (std::size_t member = 0; instances.size() > 1 && !options_.actions && member < options_.ensemble;
-           ++member) {
+      for (std::size_t member = 0; instances.size() > 1 && !options_.actions && member < options_.ensemble; ++member) {
         readers_[{member, convention, instances}];
         if (!options_.train.reranker) continue;
         for (std::size_t m : instances) readers_[{member, convention, without(instances, m)}];
@@ -132,19 +128,15 @@ class Experiment {
   }
 
   std::string reranker_part(const HallwayFold& fold, std::size_t member) const {
-    return part(fold.convention,
-                std::to_string(options_.train.seed + member) + "-without-" + fold.map + ".reranker");
+    return part(fold.convention, std::to_string(options_.train.seed + member) + "-without-" + fold.map + ".reranker");
   }
 
   std::string scores_part(const HallwayFold& fold) const {
-    return part(fold.convention, std::to_string(options_.train.seed) + '-' +
-                                     std::to_string(options_.ensemble) +
+    return part(fold.convention, std::to_string(options_.train.seed) + '-' + std::to_string(options_.ensemble) +
                                      (options_.train.reranker ? "-reranker-" : "-") + fold.map + ".scores");
   }
 
-  bool has(const std::string& name) const {
-    return options_.checkpoints != nullptr && options_.checkpoints->has(name);
-  }
+  bool has(const std::string& name) const { return options_.checkpoints != nullptr && options_.checkpoints->has(name); }
 
   // What was kept under this name; or what is learned now, as it is found again when it has been kept.
   Grounder kept_or(const std::string& name, const std::function<Grounder()>& learn) const {
@@ -157,8 +149,7 @@ class Experiment {
     if (!has(scores_part(fold))) return false;
     std::istringstream lines(*options_.checkpoints->find(scores_part(fold)));
     std::string line;
-    for (std::getline(lines, line), fold.scores = scores_of(line, scores_part(fold));
-         std::getline(lines, line);)
+    for (std::getline(lines, line), fold.scores = scores_of(line, scores_part(fold)); std::getline(lines, line);)
       fold.singles.push_back(scores_of(line, scores_part(fold)));
     return fold.scored = true;
   }
@@ -175,8 +166,8 @@ class Experiment {
       if (key.convention == convention && !has(part(key))) return true;
     for (const HallwayFold& fold : folds_)
       for (std::size_t member = 0; member < options_.ensemble; ++member)
-        if (fold.convention == convention && !fold.scored &&
-            (options_.train.reranker || fold.instances.size() == 1) && !has(reranker_part(fold, member)))
+        if (fold.convention == convention && !fold.scored && (options_.train.reranker || fold.instances.size() == 1) &&
+            !has(reranker_part(fold, member)))
           return true;
     return false;
   }
@@ -185,20 +176,18 @@ class Experiment {
   void read() {
     std::vector<std::pair<const ReaderKey, Grounder>*> work;
     for (auto& entry : readers_) work.push_back(&entry);
-    std::stable_sort(work.begin(), work.end(), [](const auto* a, const auto* b) {
-      return a->first.maps.size() > b->first.maps.size();
-    });
+    std::stable_sort(work.begin(), work.end(),
+                     [](const auto* a, const auto* b) { return a->first.maps.size() > b->first.maps.size(); });
     const Report report = [&](double fraction, std::string_view what) {
       if (options_.train.progress) options_.train.progress(0.8 * fraction, what);
     };
-    run_jobs(work.size(), options_.train.threads, report, "learning",
-             [&](std::size_t i, const JobProgress& progress) {
-               const ReaderKey& key = work[i]->first;
-               work[i]->second = kept_or(part(key), [&] {
-                 return learn_reader(on(key.convention, key.maps), executors_,
-                                     options_for(key.convention, key.member), progress);
-               });
-             });
+    run_jobs(work.size(), options_.train.threads, report, "learning", [&](std::size_t i, const JobProgress& progress) {
+      const ReaderKey& key = work[i]->first;
+      work[i]->second = kept_or(part(key), [&] {
+        return learn_reader(on(key.convention, key.maps), executors_, options_for(key.convention, key.member),
+                            progress);
+      });
+    });
   }
 
   void finish(HallwayFold& fold, const JobProgress& progress) {
@@ -211,9 +200,8 @@ class Experiment {
     HeardSentences heard;
     for (const Example* example : on(fold.convention, fold.instances)) heard.insert(example->input.tokens);
     if (options_.actions) {
-      const auto follower =
-          learn_actions(on(fold.convention, fold.instances), executors_, options_for(fold.convention, 0),
-                        [&](double f) { progress(0.9 * f); });
+      const auto follower = learn_actions(on(fold.convention, fold.instances), executors_,
+                                          options_for(fold.convention, 0), [&](double f) { progress(0.9 * f); });
       fold.scores = evaluate(*follower, test_, maps_[fold.left_out], fold.convention, &fold.predictions,
                              options_.train.stop, &heard);
       return;
@@ -224,8 +212,8 @@ class Experiment {
       progress(0.6 * static_cast<double>(member + 1) / static_cast<double>(options_.ensemble));
     }
     const auto test = [&](std::vector<Grounder> grounders, std::vector<Prediction>* predictions) {
-      return evaluate(*follower_of(std::move(grounders), options_), test_, maps_[fold.left_out],
-                      fold.convention, predictions, options_.train.stop, &heard);
+      return evaluate(*follower_of(std::move(grounders), options_), test_, maps_[fold.left_out], fold.convention,
+                      predictions, options_.train.stop, &heard);
     };
     if (members.size() > 1)
       for (const Grounder& member : members) fold.singles.push_back(test({member}, nullptr));
@@ -234,8 +222,7 @@ class Experiment {
 
   Grounder member_of(const HallwayFold& fold, std::size_t member) const {
     const TrainOptions options = options_for(fold.convention, member);
-    if (fold.instances.size() > 1 && !options.reranker)
-      return readers_.at({member, fold.convention, fold.instances});
+    if (fold.instances.size() > 1 && !options.reranker) return readers_.at({member, fold.convention, fold.instances});
     return kept_or(reranker_part(fold, member), [&] {
       return fold.instances.size() > 1 ? choosing(fold, member, options)
                                        : train_on(on(fold.convention, fold.instances), executors_, options);
@@ -248,8 +235,8 @@ class Experiment {
     for (std::size_t m : fold.instances)
       add_ranking_instances(readers_.at({member, fold.convention, without(fold.instances, m)}),
                             on(fold.convention, {m}), executors_, options, instances);
-    return with_reranker(readers_.at({member, fold.convention, fold.instances}), instances, executors_,
-                         options, [](double) {});
+    return with_reranker(readers_.at({member, fold.convention, fold.instances}), instances, executors_, options,
+                         [](double) {});
   }
 
   const Corpus &train_, &test_;
@@ -263,8 +250,8 @@ class Experiment {
 
 }  // namespace
 
-Evaluation evaluate_leave_one_map_out(const Corpus& train, const Corpus* test,
-                                      std::span<const plan::Map> maps, const EvaluateOptions& options) {
+Evaluation evaluate_leave_one_map_out(const Corpus& train, const Corpus* test, std::span<const plan::Map> maps,
+                                      const EvaluateOptions& options) {
   if (maps.empty()) throw std::invalid_argument("leaving one map out needs maps");
   const auto begin = std::chrono::steady_clock::now();
   Evaluation evaluation = Experiment(train, test == nullptr ? train : *test, maps, options).run();

@@ -14,10 +14,10 @@ constexpr std::size_t counts = 27;
 std::array<std::size_t*, counts> counts_of(Scores& s) {
   std::array<std::size_t*, counts> out{};
   std::size_t i = 0;
-  for (Percent* p : {&s.sentence.absolute, &s.sentence.relative, &s.paragraph.absolute, &s.paragraph.relative,
-                     &s.path.precision, &s.path.recall, &s.path.accuracy, &s.paragraph_path.precision,
-                     &s.paragraph_path.recall, &s.paragraph_path.accuracy, &s.satisfiable,
-                     &s.unheard.absolute, &s.unheard.relative}) {
+  for (Percent* p :
+       {&s.sentence.absolute, &s.sentence.relative, &s.paragraph.absolute, &s.paragraph.relative, &s.path.precision,
+        &s.path.recall, &s.path.accuracy, &s.paragraph_path.precision, &s.paragraph_path.recall,
+        &s.paragraph_path.accuracy, &s.satisfiable, &s.unheard.absolute, &s.unheard.relative}) {
     out[i++] = &p->hits;
     out[i++] = &p->total;
   }

@@ -19,20 +19,19 @@ std::vector<ValidationPair> validate(const Corpus& corpus, std::span<const plan:
   std::vector<std::vector<ValidationPair>> found(learned.size());
   TrainOptions single = options;
   single.threads = 1;
-  run_jobs(learned.size(), options.threads, options.progress, "validating",
-           [&](std::size_t i, const JobProgress& progress) {
-             const Grounder reader = learn_reader(instances[learned[i]], executors, single,
-                                                  [&](double fraction) { progress(0.8 * fraction); });
-             const GroundingFollower follower({reader}, following(options));
-             for (const std::size_t other : learned) {
-               if (other == learned[i]) continue;
-               const Scores scores =
-                   evaluate(follower, corpus, maps[other], options.convention, nullptr, options.stop);
-               Percent sentence = scores.sentence.absolute;
-               sentence += scores.sentence.relative;  // of the two, one was counted
-               found[i].push_back({learned[i], other, sentence});
-             }
-           });
+  run_jobs(
+      learned.size(), options.threads, options.progress, "validating", [&](std::size_t i, const JobProgress& progress) {
+        const Grounder reader =
+            learn_reader(instances[learned[i]], executors, single, [&](double fraction) { progress(0.8 * fraction); });
+        const GroundingFollower follower({reader}, following(options));
+        for (const std::size_t other : learned) {
+          if (other == learned[i]) continue;
+          const Scores scores = evaluate(follower, corpus, maps[other], options.convention, nullptr, options.stop);
+          Percent sentence = scores.sentence.absolute;
+          sentence += scores.sentence.relative;  // of the two, one was counted
+          found[i].push_back({learned[i], other, sentence});
+        }
+      });
   std::vector<ValidationPair> pairs;
   for (const auto& some : found) pairs.insert(pairs.end(), some.begin(), some.end());
   return pairs;

@@ -22,9 +22,8 @@ ltl::Formula with_direct_turns(ltl::Formula f) {
     std::optional<ltl::Formula> direct;
     if (g.op() == ltl::Op::Until && g[0] == turned && g[1].op() == ltl::Op::And) {
       const auto goals = g[1].operands();
-      const bool turns = std::any_of(goals.begin(), goals.end(), [&](ltl::Formula goal) {
-        return goal == turned_left || goal == turned_right;
-      });
+      const bool turns = std::any_of(goals.begin(), goals.end(),
+                                     [&](ltl::Formula goal) { return goal == turned_left || goal == turned_right; });
       std::vector<ltl::Formula> rest;
       for (const ltl::Formula goal : goals)
         if (goal != turned) rest.push_back(image.at(goal));

@@ -11,8 +11,7 @@ namespace {
 
 constexpr std::size_t longest_name = 3, most_nearest = 3, few_readings = 3;
 constexpr double least_with_name = 0.5;  // probability of having understood the text with the name in place
-constexpr double nearly =
-    0.95;  // a later or longer span replaces one that reads a little better: names are long
+constexpr double nearly = 0.95;       // a later or longer span replaces one that reads a little better: names are long
 constexpr double least_alike = 0.35;  // cosine of word vectors
 
 bool is_among(const auto& words, std::string_view word) {
@@ -20,8 +19,7 @@ bool is_among(const auto& words, std::string_view word) {
 }
 
 bool is_article(std::string_view word) {
-  constexpr std::array<std::string_view, 9> articles{"the",  "a",   "an",   "my",  "your",
-                                                     "some", "any", "this", "that"};
+  constexpr std::array<std::string_view, 9> articles{"the", "a", "an", "my", "your", "some", "any", "this", "that"};
   return is_among(articles, word);
 }
 
@@ -42,8 +40,7 @@ LiftedText with_name(const LiftedText& text, std::size_t begin, std::size_t end)
   LiftedText out = text;
   out.tokens.assign(text.tokens.begin(), text.tokens.begin() + static_cast<std::ptrdiff_t>(begin));
   out.tokens.emplace_back("#new");
-  out.tokens.insert(out.tokens.end(), text.tokens.begin() + static_cast<std::ptrdiff_t>(end),
-                    text.tokens.end());
+  out.tokens.insert(out.tokens.end(), text.tokens.begin() + static_cast<std::ptrdiff_t>(end), text.tokens.end());
   std::vector<std::string> met;
   for (std::string& token : out.tokens) {
     if (token.size() < 2 || token[0] != '#') continue;
@@ -83,8 +80,7 @@ std::optional<MissingName> missing_name(const LiftedReader& reader, const Lifted
   for (std::size_t begin = 1; begin < tokens.size(); ++begin) {
     if (!begins_name(tokens[begin - 1]) || is_article(tokens[begin])) continue;
     const std::size_t from = is_article(tokens[begin - 1]) ? begin - 1 : begin;
-    for (std::size_t end = begin; end < std::min(begin + longest_name, tokens.size()) && is_word(tokens[end]);
-         ++end)
+    for (std::size_t end = begin; end < std::min(begin + longest_name, tokens.size()) && is_word(tokens[end]); ++end)
       if (const double p = understood(reader, with_name(text, from, end + 1)); p > best) {
         best = nearly * p;
         span = {begin, end + 1};
@@ -92,8 +88,7 @@ std::optional<MissingName> missing_name(const LiftedReader& reader, const Lifted
   }
   if (span.first == span.second) return std::nullopt;
   MissingName missing;
-  for (std::size_t i = span.first; i < span.second; ++i)
-    missing.words += (i > span.first ? " " : "") + tokens[i];
+  for (std::size_t i = span.first; i < span.second; ++i) missing.words += (i > span.first ? " " : "") + tokens[i];
   std::vector<std::pair<double, std::string>> near;
   for (const NamedThing& thing : things)
     if (const double a = alike(reader.vectors(), singular(tokens[span.second - 1]), thing); a >= least_alike)

@@ -45,8 +45,7 @@ bool is_ongoing(const Lifted& lifted) {
 std::vector<std::string> unknown_words(const LiftedReader& reader, const LiftedText& text) {
   std::vector<std::string> out;
   for (const std::string& token : text.tokens)
-    if (token[0] != '#' && !reader.knows(token) &&
-        token.find_first_not_of(".,;:!?'\"()-") != std::string::npos)
+    if (token[0] != '#' && !reader.knows(token) && token.find_first_not_of(".,;:!?'\"()-") != std::string::npos)
       out.push_back(token);
   return out;
 }
@@ -100,9 +99,9 @@ void merge_languages(std::vector<Found>& all) {
       if (auto* const whole = std::get_if<automata::Dfa>(&dfa)) dfas.back() = std::move(*whole);
     }
     for (std::size_t j = 0; j < i; ++j) {
-      const bool same = all[i].ongoing ? all[j].ongoing && same_language(all[i].reading.formula,
-                                                                         all[j].reading.formula, small)
-                                       : dfas[i] && dfas[j] && !automata::difference(*dfas[i], *dfas[j]);
+      const bool same = all[i].ongoing
+                            ? all[j].ongoing && same_language(all[i].reading.formula, all[j].reading.formula, small)
+                            : dfas[i] && dfas[j] && !automata::difference(*dfas[i], *dfas[j]);
       if (!same) continue;
       all[j].reading.probability += std::exchange(all[i].reading.probability, 0);
       break;
@@ -112,8 +111,8 @@ void merge_languages(std::vector<Found>& all) {
 }
 
 void add(std::vector<Found>& all, Found found) {
-  const auto same = std::find_if(all.begin(), all.end(),
-                                 [&](const Found& f) { return f.reading.formula == found.reading.formula; });
+  const auto same =
+      std::find_if(all.begin(), all.end(), [&](const Found& f) { return f.reading.formula == found.reading.formula; });
   if (same == all.end())
     all.push_back(std::move(found));
   else
@@ -123,8 +122,7 @@ void add(std::vector<Found>& all, Found found) {
 }  // namespace
 
 Understanding understand(const Grounder& grounder, const std::string& text, const Executor& executor,
-                         std::span<const plan::PoseId> starts, ltl::Arena& arena,
-                         const UnderstandOptions& options) {
+                         std::span<const plan::PoseId> starts, ltl::Arena& arena, const UnderstandOptions& options) {
   Understanding out;
   if (!grounder.commands) {
     out.readings = ground(grounder, text, executor, starts, arena, options.ground);
@@ -161,9 +159,7 @@ Understanding understand(const Grounder& grounder, const std::string& text, cons
     out.missing = missing_name(reader, lifted.text, things.things());
     return out;
   }
-  const auto likelier = [](const Found& a, const Found& b) {
-    return a.reading.probability > b.reading.probability;
-  };
+  const auto likelier = [](const Found& a, const Found& b) { return a.reading.probability > b.reading.probability; };
   std::stable_sort(found.begin(), found.end(), likelier);
   merge_languages(found);
   weigh_by_routes(found, executor.map(), starts);

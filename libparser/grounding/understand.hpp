@@ -15,7 +15,7 @@ namespace waymark::parser {
 struct Understanding {
   std::vector<Reading> readings;  // best first; empty: not understood
   double probability = 1;         // that the text was understood at all
-  bool ongoing = false;  // the first reading speaks of what goes on for ever: read over infinite words
+  bool ongoing = false;           // the first reading speaks of what goes on for ever: read over infinite words
   std::vector<std::string> words_not_understood;
   std::optional<MissingName> missing;  // of a text that was not understood
 };

@@ -15,11 +15,7 @@ Saying joined(Saying a, const std::string& between, const Saying& b) {
 }  // namespace
 
 Speaker::Speaker(const plan::Map& map, Dialect dialect, std::uint64_t seed)
-    : vocabulary_(map.vocabulary()),
-      objects_(map.objects()),
-      floors_(map.floors()),
-      dialect_(dialect),
-      random_(seed) {
+    : vocabulary_(map.vocabulary()), objects_(map.objects()), floors_(map.floors()), dialect_(dialect), random_(seed) {
   if (objects_.size() < 2 || floors_.empty())
     throw std::invalid_argument("sentences need a map that lists two objects and a floor");
 }
@@ -27,8 +23,8 @@ Speaker::Speaker(const plan::Map& map, Dialect dialect, std::uint64_t seed)
 Saying Speaker::say(std::size_t clauses) {
   Saying said = clause();
   while (said.clauses < clauses) {
-    const std::string between = dialect_ == Dialect::Plain ? one_of({" and ", ", then "})
-                                                           : one_of({" and ", ", then ", " and then "});
+    const std::string between =
+        dialect_ == Dialect::Plain ? one_of({" and ", ", then "}) : one_of({" and ", ", then ", " and then "});
     said = joined(std::move(said), between, clause());
   }
   return said;
@@ -76,15 +72,13 @@ Saying Speaker::count() {
 
 Saying Speaker::to_landmark() {
   const std::string object = thing(objects_);
-  return {
-      one_of({"walk to the ", "go to the ", "move on to the "}) + object, {step(StepKind::Reach, object)}, 1};
+  return {one_of({"walk to the ", "go to the ", "move on to the "}) + object, {step(StepKind::Reach, object)}, 1};
 }
 
 Saying Speaker::to_the_end() {
-  return {
-      one_of({"go straight to the end of the hall", "follow the hall until it ends", "walk on to the wall"}),
-      {step(StepKind::Advance, "ahead_wall")},
-      1};
+  return {one_of({"go straight to the end of the hall", "follow the hall until it ends", "walk on to the wall"}),
+          {step(StepKind::Advance, "ahead_wall")},
+          1};
 }
 
 Saying Speaker::face_floor() {
@@ -102,8 +96,7 @@ Saying Speaker::until_beside() {
 }
 
 Saying Speaker::past() {
-  const std::string object = thing(objects_),
-                    verb = one_of({"walk past the ", "go straight past the ", "pass the "});
+  const std::string object = thing(objects_), verb = one_of({"walk past the ", "go straight past the ", "pass the "});
   return {verb + object, {step(StepKind::Past, object)}, 1};
 }
 
@@ -112,9 +105,8 @@ Saying Speaker::nth() {
   const bool place = random_.below(2) == 0;
   const std::string what = place ? one_of({"intersection", "corner", "tee"}) : thing(objects_);
   const std::string verb = one_of({"walk to the ", "go straight to the ", "move on to the "});
-  return {verb + (k == 2 ? "second " : "third ") + what,
-          {step(StepKind::Advance, what, static_cast<std::uint8_t>(k))},
-          1};
+  return {
+      verb + (k == 2 ? "second " : "third ") + what, {step(StepKind::Advance, what, static_cast<std::uint8_t>(k))}, 1};
 }
 
 Saying Speaker::keeping() {
@@ -193,9 +185,7 @@ std::string Speaker::one_of(std::initializer_list<const char*> choices) {
   return *(choices.begin() + random_.below(choices.size()));
 }
 
-std::string Speaker::thing(const std::vector<std::string>& names) {
-  return names[random_.below(names.size())];
-}
+std::string Speaker::thing(const std::vector<std::string>& names) { return names[random_.below(names.size())]; }
 
 std::string Speaker::other_thing(const std::string& but) {
   std::string name = thing(objects_);

@@ -39,8 +39,7 @@ std::vector<std::string> alternatives(std::string_view text) {
 }
 
 std::size_t word_end(std::string_view text, std::size_t begin) {
-  while (begin < text.size() &&
-         (std::isalnum(static_cast<unsigned char>(text[begin])) != 0 || text[begin] == '_'))
+  while (begin < text.size() && (std::isalnum(static_cast<unsigned char>(text[begin])) != 0 || text[begin] == '_'))
     ++begin;
   return begin;
 }
@@ -52,14 +51,11 @@ SynchronousGrammar::SynchronousGrammar(const std::filesystem::path& file) : sour
   if (!in) throw ltl::FormatError(file.string(), 0, 0, "cannot be read");
   std::string category;
   std::size_t number = 0;
-  const auto fail = [&](const std::string& message) {
-    throw ltl::FormatError(file.string(), number, 0, message);
-  };
+  const auto fail = [&](const std::string& message) { throw ltl::FormatError(file.string(), number, 0, message); };
   for (std::string line; std::getline(in, line);) {
     ++number;
     line = trim(line);
-    if (line.empty() ||
-        (line[0] == '#' && (line.size() < 2 || std::isdigit(static_cast<unsigned char>(line[1])) == 0)))
+    if (line.empty() || (line[0] == '#' && (line.size() < 2 || std::isdigit(static_cast<unsigned char>(line[1])) == 0)))
       continue;
     if (line[0] == '@') {
       category = trim(line.substr(1));
@@ -75,11 +71,9 @@ SynchronousGrammar::SynchronousGrammar(const std::filesystem::path& file) : sour
         words_[trim(line.substr(1, equals - 1))].push_back(std::move(a));
       continue;
     }
-    if (arrow == std::string::npos || category.empty())
-      fail("no rule: a rule is TEXT => FORMULA, below a category");
+    if (arrow == std::string::npos || category.empty()) fail("no rule: a rule is TEXT => FORMULA, below a category");
     Rule rule{trim(line.substr(0, arrow)), trim(line.substr(arrow + 2)), 1, number};
-    if (const auto colon = rule.text.find(": ");
-        colon < 4 && rule.text.find_first_not_of("0123456789.") == colon) {
+    if (const auto colon = rule.text.find(": "); colon < 4 && rule.text.find_first_not_of("0123456789.") == colon) {
       if (rule.text.find_first_of("0123456789") > colon) fail("the weight of a rule is a number");
       rule.weight = std::stod(rule.text.substr(0, colon));
       rule.text = trim(rule.text.substr(colon + 2));
@@ -91,8 +85,7 @@ SynchronousGrammar::SynchronousGrammar(const std::filesystem::path& file) : sour
 
 // Brackets are closed, and words are there: as words are checked where they stand, they are made of words above, and
 // no text goes on without end.
-void SynchronousGrammar::check_text(const std::string& text, const std::string& source,
-                                    std::size_t line) const {
+void SynchronousGrammar::check_text(const std::string& text, const std::string& source, std::size_t line) const {
   std::size_t level = 0;
   for (std::size_t at = 0; at < text.size(); ++at) {
     if (text[at] == '(') ++level;
@@ -108,8 +101,7 @@ void SynchronousGrammar::check_text(const std::string& text, const std::string& 
 void SynchronousGrammar::check_rules(const std::string& source) const {
   std::map<std::string, std::vector<std::string>> first;
   for (const auto& [category, line] : lines_)
-    if (!rules_.contains(category))
-      throw ltl::FormatError(source, line, 0, "category '" + category + "' has no rule");
+    if (!rules_.contains(category)) throw ltl::FormatError(source, line, 0, "category '" + category + "' has no rule");
   for (const auto& [category, rules] : rules_)
     for (const Rule& rule : rules) {
       const std::vector<std::string> parts = check_rule(rule, source);
@@ -130,9 +122,7 @@ void SynchronousGrammar::check_rules(const std::string& source) const {
 std::vector<std::string> SynchronousGrammar::check_rule(const Rule& rule, const std::string& source) const {
   check_text(rule.text, source, rule.line);
   std::vector<std::string> parts;
-  const auto fail = [&](const std::string& message) {
-    throw ltl::FormatError(source, rule.line, 0, message);
-  };
+  const auto fail = [&](const std::string& message) { throw ltl::FormatError(source, rule.line, 0, message); };
   const auto refer = [&](const std::string& number) {
     const bool digits =
         !number.empty() && number.size() < 3 && number.find_first_not_of("0123456789") == std::string::npos;
@@ -184,8 +174,8 @@ std::string SynchronousGrammar::expand(std::string text, ltl::Random& random) co
   return text;
 }
 
-SynchronousGrammar::Draft SynchronousGrammar::draw(const std::string& category, std::size_t depth,
-                                                   Drawing& drawing, ltl::Random& random) const {
+SynchronousGrammar::Draft SynchronousGrammar::draw(const std::string& category, std::size_t depth, Drawing& drawing,
+                                                   ltl::Random& random) const {
   if (++drawing.parts > longest_text) throw TooLong();
   if (category == "N") {
     const std::string place = " #" + std::to_string(++drawing.places) + " ";
@@ -228,8 +218,7 @@ SynchronousGrammar::Draft SynchronousGrammar::draw(const std::string& category, 
 
 SynchronousGrammar::Said SynchronousGrammar::say(const std::string& category, ltl::Random& random,
                                                  std::size_t most_tokens) const {
-  if (!rules_.contains(category))
-    throw ltl::FormatError(source_, 0, 0, "no category is called '" + category + "'");
+  if (!rules_.contains(category)) throw ltl::FormatError(source_, 0, 0, "no category is called '" + category + "'");
   for (std::size_t attempt = 0; attempt < most_attempts; ++attempt) {
     try {
       Drawing drawing;
@@ -240,8 +229,7 @@ SynchronousGrammar::Said SynchronousGrammar::say(const std::string& category, lt
   throw ltl::FormatError(source_, 0, 0, "no short text of category '" + category + "' was drawn");
 }
 
-std::optional<SynchronousGrammar::Said> SynchronousGrammar::said_of(const Draft& draft,
-                                                                    std::size_t most_tokens) const {
+std::optional<SynchronousGrammar::Said> SynchronousGrammar::said_of(const Draft& draft, std::size_t most_tokens) const {
   Said said;
   std::map<std::string, std::string> renamed;
   std::istringstream words(draft.text);
@@ -262,8 +250,7 @@ std::optional<SynchronousGrammar::Said> SynchronousGrammar::said_of(const Draft&
   for (std::string symbol; symbols >> symbol;) {
     const auto slot = renamed.find(symbol);
     if (symbol[0] == '#' && slot == renamed.end())
-      throw ltl::FormatError(source_, 0, 0,
-                             "a formula speaks of " + symbol + ", which its text does not name");
+      throw ltl::FormatError(source_, 0, 0, "a formula speaks of " + symbol + ", which its text does not name");
     lifted += " " + (slot == renamed.end() ? symbol : slot->second);
   }
   try {

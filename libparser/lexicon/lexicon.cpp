@@ -76,8 +76,7 @@ std::vector<Part> mentions(const std::vector<std::string>& tokens) {
   std::vector<Part> out;
   for (const Entry& entry : entries)
     for (const char* word : entry.words)
-      if (word != nullptr && std::binary_search(said.begin(), said.end(), word))
-        out.push_back(thing(entry.thing));
+      if (word != nullptr && std::binary_search(said.begin(), said.end(), word)) out.push_back(thing(entry.thing));
   for (const std::string& word : tokens)
     if (const std::size_t n = number_named(word); n > 0) {
       out.push_back(count(n));
@@ -98,8 +97,8 @@ std::vector<std::string> other_names(const std::string& thing) {
 
 bool in_lexicon(const Part& part) {
   if (part.kind == PartKind::Count) return part.number != 1;
-  return part.kind == PartKind::Thing && std::any_of(std::begin(entries), std::end(entries),
-                                                     [&](const Entry& e) { return part.name == e.thing; });
+  return part.kind == PartKind::Thing &&
+         std::any_of(std::begin(entries), std::end(entries), [&](const Entry& e) { return part.name == e.thing; });
 }
 
 std::size_t number_named(const std::string& word) {

@@ -18,8 +18,7 @@ class Bytes {
   Bytes(std::string_view bytes, std::string_view source) : rest_(bytes), source_(source) {}
 
   std::string_view take(std::size_t n) {
-    if (rest_.size() < n)
-      throw ltl::FormatError(std::string(source_), 0, 0, "the word vectors are cut short");
+    if (rest_.size() < n) throw ltl::FormatError(std::string(source_), 0, 0, "the word vectors are cut short");
     const std::string_view taken = rest_.substr(0, n);
     rest_.remove_prefix(n);
     return taken;
@@ -41,8 +40,7 @@ WordVectors::WordVectors(std::string_view bytes, std::string_view source) : byte
     throw ltl::FormatError(std::string(source), 0, 0, "these are no word vectors of version 1");
   in.take(magic.size());
   const auto head = in.array<std::uint32_t>(2);
-  if (head[1] != dimensions)
-    throw ltl::FormatError(std::string(source), 0, 0, "word vectors of another length");
+  if (head[1] != dimensions) throw ltl::FormatError(std::string(source), 0, 0, "word vectors of another length");
   ends_ = in.array<std::uint32_t>(head[0]);
   for (std::size_t i = 0; i < ends_.size(); ++i)
     if (ends_[i] < (i > 0 ? ends_[i - 1] : 0))
@@ -52,8 +50,8 @@ WordVectors::WordVectors(std::string_view bytes, std::string_view source) : byte
   entries_ = in.array<std::int8_t>(std::size_t{head[0]} * dimensions);
 }
 
-std::shared_ptr<const WordVectors> WordVectors::shared(std::shared_ptr<const void> owner,
-                                                       std::string_view bytes, std::string_view source) {
+std::shared_ptr<const WordVectors> WordVectors::shared(std::shared_ptr<const void> owner, std::string_view bytes,
+                                                       std::string_view source) {
   struct Owned {
     std::shared_ptr<const void> owner;
     WordVectors vectors;

@@ -27,9 +27,7 @@ class WordVectors {
   std::string_view word(std::size_t row) const;
   // entries of the vector of a row: scale(row) * entries(row)[i]
   float scale(std::size_t row) const { return scales_[row]; }
-  std::span<const std::int8_t> entries(std::size_t row) const {
-    return entries_.subspan(row * dimensions, dimensions);
-  }
+  std::span<const std::int8_t> entries(std::size_t row) const { return entries_.subspan(row * dimensions, dimensions); }
 
   // The cosine of the angle between two vectors.
   double similarity(std::size_t a, std::size_t b) const;

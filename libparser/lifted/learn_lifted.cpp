@@ -57,8 +57,8 @@ class Learner {
   }
 
   std::shared_ptr<const LiftedNetwork> run(const std::function<void(double)>& progress) {
-    const std::size_t steps = static_cast<std::size_t>(options_.epochs) *
-                              ((examples_.size() + options_.batch - 1) / options_.batch);
+    const std::size_t steps =
+        static_cast<std::size_t>(options_.epochs) * ((examples_.size() + options_.batch - 1) / options_.batch);
     for (std::size_t i = 0; i < steps; ++i) {
       const double done = static_cast<double>(i) / static_cast<double>(steps);
       step(done);
@@ -70,8 +70,7 @@ class Learner {
  private:
   static constexpr std::size_t shards = 2;
   struct Shard {
-    Shard(const LiftedNetwork& network, std::uint64_t seed)
-        : parameters(network.parameters()), random(seed) {}
+    Shard(const LiftedNetwork& network, std::uint64_t seed) : parameters(network.parameters()), random(seed) {}
     neural::Parameters parameters;
     ltl::Random random;
     LiftedNetwork::Pass pass;
@@ -123,8 +122,7 @@ class Learner {
     Index column = 0;
     for (const std::size_t i : batch)
       for (const LiftedSymbol said : examples_[i].lifted) {
-        log_softmax(scores, column, prefixes[static_cast<std::size_t>(column)].grammar,
-                    examples_[i].text.scope, log_p);
+        log_softmax(scores, column, prefixes[static_cast<std::size_t>(column)].grammar, examples_[i].text.scope, log_p);
         for (std::size_t v = 0; v < lifted_symbols; ++v)
           if (log_p[v] > -INFINITY) dscores(static_cast<Index>(v), column) = std::exp(log_p[v]);
         dscores(static_cast<Index>(said), column++) -= 1;

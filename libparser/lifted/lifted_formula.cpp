@@ -13,8 +13,7 @@ struct NoSuchLiteral {};
 
 class Denotation {
  public:
-  Denotation(std::span<const LiftedSymbol> lifted, const Bindings& bindings)
-      : lifted_(lifted), bindings_(bindings) {}
+  Denotation(std::span<const LiftedSymbol> lifted, const Bindings& bindings) : lifted_(lifted), bindings_(bindings) {}
 
   Formula whole() {
     const Formula f = formula();
@@ -168,21 +167,18 @@ class Denotation {
     for (std::size_t i = 0; i < a.size(); ++i) {
       const Formula not_a = ltl::negate(a[i]);
       parts.push_back(ltl::always(ltl::eventually(a[i])));
-      parts.push_back(
-          ltl::always(ltl::implies(a[i], ltl::until(a[i], ltl::until(not_a, a[(i + 1) % a.size()])))));
+      parts.push_back(ltl::always(ltl::implies(a[i], ltl::until(a[i], ltl::until(not_a, a[(i + 1) % a.size()])))));
     }
     return ltl::conjunction(*bindings_.arena, parts);
   }
 
   Formula counted(LiftedSymbol s) {
     const std::size_t n = number_of(take());
-    const bool event =
-        is_event(peek()) || (peek() == Or && at_ + 1 < lifted_.size() && is_event(lifted_[at_ + 1]));
+    const bool event = is_event(peek()) || (peek() == Or && at_ + 1 < lifted_.size() && is_event(lifted_[at_ + 1]));
     const Formula a = formula();
     if (s == AtLeast) return at_least(n, a, event);
     if (s == AtMost) return ltl::negate(at_least(n + 1, a, event));
-    return event ? ltl::conjunction(at_least(n, a, event), ltl::negate(at_least(n + 1, a, event)))
-                 : exactly(n, a);
+    return event ? ltl::conjunction(at_least(n, a, event), ltl::negate(at_least(n + 1, a, event))) : exactly(n, a);
   }
   static Formula at_least(std::size_t n, Formula a, bool event) {
     if (n == 1) return ltl::eventually(a);
@@ -195,10 +191,9 @@ class Denotation {
     const Formula not_a = ltl::negate(a);
     Formula visits = a, stays = ltl::always(not_a);
     for (std::size_t i = 0; i < n; ++i) {
-      if (i > 0)
-        visits = ltl::conjunction(a, ltl::eventually(ltl::conjunction(not_a, ltl::eventually(visits))));
-      stays = ltl::disjunction(
-          not_a, ltl::always(ltl::disjunction(a, i == 0 ? ltl::always(not_a) : ltl::always(stays))));
+      if (i > 0) visits = ltl::conjunction(a, ltl::eventually(ltl::conjunction(not_a, ltl::eventually(visits))));
+      stays =
+          ltl::disjunction(not_a, ltl::always(ltl::disjunction(a, i == 0 ? ltl::always(not_a) : ltl::always(stays))));
     }
     return ltl::strong_release(visits, stays);
   }
@@ -217,8 +212,7 @@ class Denotation {
 
   Formula if_else() {
     const Formula condition = formula(), then = formula(), otherwise = formula();
-    return ltl::disjunction(ltl::conjunction(condition, then),
-                            ltl::conjunction(ltl::negate(condition), otherwise));
+    return ltl::disjunction(ltl::conjunction(condition, then), ltl::conjunction(ltl::negate(condition), otherwise));
   }
 
   std::span<const LiftedSymbol> lifted_;

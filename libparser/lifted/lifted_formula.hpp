@@ -31,7 +31,6 @@ std::optional<ltl::Formula> formula_of(std::span<const LiftedSymbol> lifted, con
 
 // A spelling of φ whose formula is φ: macros where φ is one, operators elsewhere. symbol: of each proposition of φ;
 // none where a proposition has no symbol. Finds counts up to five, and orders of up to five places. [LYIL23]
-std::optional<Lifted> spell(ltl::Formula f,
-                            const std::function<std::optional<LiftedSymbol>(ltl::Proposition)>& symbol);
+std::optional<Lifted> spell(ltl::Formula f, const std::function<std::optional<LiftedSymbol>(ltl::Proposition)>& symbol);
 
 }  // namespace waymark::parser

@@ -25,11 +25,7 @@ void drop(Matrix& signals, Matrix& mask, const Dropout& dropout) {
 }
 
 neural::AttentionDecoder::Sizes decoder_sizes(const LiftedSizes& s, Index inputs) {
-  return {.encoded = Index{2} * s.width,
-          .inputs = inputs,
-          .width = s.query,
-          .symbol = s.symbol,
-          .symbols = symbols};
+  return {.encoded = Index{2} * s.width, .inputs = inputs, .width = s.query, .symbol = s.symbol, .symbols = symbols};
 }
 
 }  // namespace
@@ -46,15 +42,14 @@ bool is_read_in_mirror(const LiftedText& text) {
   return false;
 }
 
-LiftedNetwork::LiftedNetwork(WordTable words, std::shared_ptr<const WordVectors> vectors,
-                             const LiftedSizes& sizes, const neural::Uniform& uniform)
+LiftedNetwork::LiftedNetwork(WordTable words, std::shared_ptr<const WordVectors> vectors, const LiftedSizes& sizes,
+                             const neural::Uniform& uniform)
     : words_(std::move(words)),
       vectors_(std::move(vectors)),
       sizes_(sizes),
-      embeddings_(
-          parameters_.add_for_relu(sizes.word, static_cast<Index>(words_.words().size()), 60, uniform)),
-      projection_(parameters_.add_for_relu(sizes.vector, WordVectors::dimensions, 4 * WordVectors::dimensions,
-                                           uniform)),
+      embeddings_(parameters_.add_for_relu(sizes.word, static_cast<Index>(words_.words().size()), 60, uniform)),
+      projection_(
+          parameters_.add_for_relu(sizes.vector, WordVectors::dimensions, 4 * WordVectors::dimensions, uniform)),
       phi_(parameters_.add_for_relu(sizes.symbol, symbols + 1, 60, uniform)),
       lstm_(parameters_, sizes.word + sizes.vector, sizes.width, uniform),
       decoder_(parameters_, decoder_sizes(sizes, inputs()), phi_, uniform) {}
@@ -66,8 +61,7 @@ LiftedNetwork::Sentence LiftedNetwork::sentence(const LiftedText& text) const {
   out.vectors.push_back(none);
   for (const std::string& token : text.tokens) {
     out.words.push_back(words_.find(token));
-    const bool is_side =
-        text.scope.spatial && side_of(token);  // the vectors of left and right are much alike
+    const bool is_side = text.scope.spatial && side_of(token);  // the vectors of left and right are much alike
     out.vectors.push_back(is_side ? none : static_cast<std::uint32_t>(vectors_->find(token).value_or(none)));
   }
   return out;
@@ -107,8 +101,7 @@ void LiftedNetwork::Pass::place(std::span<const Sentence* const> sentences, cons
       vectors_[at] = sentences[s]->vectors[t];
       // A word that has a vector may be read by its vector alone, as unknown words are.
       const bool has_vector = vectors_[at] < network_->vectors_->size();
-      if (draws && (has_vector || t == 0) && dropout.uniform() < dropout.words)
-        words_[at] = WordTable::unknown;
+      if (draws && (has_vector || t == 0) && dropout.uniform() < dropout.words) words_[at] = WordTable::unknown;
     }
     h_begin_.push_back(static_cast<Index>(column_.size()));
   }
@@ -128,8 +121,7 @@ void LiftedNetwork::Pass::embed() {
     for (std::size_t i = 0; i < entries.size(); ++i)
       fixed_(static_cast<Index>(i), c) = scale * static_cast<float>(entries[i]);
   }
-  neural::add_product(parameters_->value(network_->projection_), fixed_,
-                      input_.bottomRows(network_->sizes_.vector));
+  neural::add_product(parameters_->value(network_->projection_), fixed_, input_.bottomRows(network_->sizes_.vector));
 }
 
 void LiftedNetwork::Pass::encode(const LiftedNetwork& network, const neural::Parameters& parameters,
@@ -141,8 +133,7 @@ void LiftedNetwork::Pass::encode(const LiftedNetwork& network, const neural::Par
   drop(input_, input_mask_, dropout);
   network.lstm_.forward(parameters, packing_, input_, lstm_);
   h_.resize(network.lstm_.width(), packing_.columns());
-  for (Index c = 0; c < packing_.columns(); ++c)
-    h_.col(c) = lstm_.h.col(column_[static_cast<std::size_t>(c)]);
+  for (Index c = 0; c < packing_.columns(); ++c) h_.col(c) = lstm_.h.col(column_[static_cast<std::size_t>(c)]);
   drop(h_, h_mask_, dropout);
   e_.resize(h_.rows(), static_cast<Index>(sentences.size()));
   for (std::size_t i = 0; i < order_.size(); ++i)
@@ -179,8 +170,7 @@ const Matrix& LiftedNetwork::Pass::decode(std::span<const Index> begin, std::spa
     for (std::size_t k = 0; k < seen.size(); ++k)
       x_.col(c).segment(static_cast<Index>(k) * size, size) = phi.col(seen[k]);
     const Index at = static_cast<Index>(seen.size()) * size;
-    if (!prefix.grammar.open().empty())
-      x_(at + std::min<Index>(prefix.grammar.open().back().operands, 7), c) = 1;
+    if (!prefix.grammar.open().empty()) x_(at + std::min<Index>(prefix.grammar.open().back().operands, 7), c) = 1;
     for (Index s = 0; s < 12; ++s)
       if ((prefix.grammar.slots_used() >> s & 1U) != 0) x_(at + 8 + s, c) = 1;
   }
@@ -216,12 +206,11 @@ void LiftedNetwork::Pass::backward(neural::Parameters& parameters, const Matrix&
                                  parameters.gradient(network_->projection_));
 }
 
-void log_softmax(const neural::ConstView& scores, Index column, const LiftedPrefix& prefix,
-                 const LiftedScope& scope, std::span<float> log_p) {
+void log_softmax(const neural::ConstView& scores, Index column, const LiftedPrefix& prefix, const LiftedScope& scope,
+                 std::span<float> log_p) {
   float highest = -INFINITY, total = 0;
   for (std::size_t v = 0; v < lifted_symbols; ++v) {
-    log_p[v] = prefix.allows(static_cast<LiftedSymbol>(v), scope) ? scores(static_cast<Index>(v), column)
-                                                                  : -INFINITY;
+    log_p[v] = prefix.allows(static_cast<LiftedSymbol>(v), scope) ? scores(static_cast<Index>(v), column) : -INFINITY;
     highest = std::max(highest, log_p[v]);
   }
   for (const float p : log_p) total += std::exp(p - highest);
@@ -229,8 +218,7 @@ void log_softmax(const neural::ConstView& scores, Index column, const LiftedPref
   for (float& p : log_p) p -= logarithm;
 }
 
-std::vector<LiftedReading> read_lifted(const LiftedNetwork& network, const LiftedText& text,
-                                       std::size_t beam) {
+std::vector<LiftedReading> read_lifted(const LiftedNetwork& network, const LiftedText& text, std::size_t beam) {
   struct Open {
     LiftedNetwork::Prefix prefix;
     Lifted lifted;
@@ -260,8 +248,7 @@ std::vector<LiftedReading> read_lifted(const LiftedNetwork& network, const Lifte
         if (const double sum = open[i].log_p + log_p[v]; sum > -14)
           next.push_back({i, static_cast<LiftedSymbol>(v), sum});
     }
-    std::stable_sort(next.begin(), next.end(),
-                     [](const Next& a, const Next& b) { return a.log_p > b.log_p; });
+    std::stable_sort(next.begin(), next.end(), [](const Next& a, const Next& b) { return a.log_p > b.log_p; });
     if (next.size() > beam) next.resize(beam);
     std::vector<Open> longer;
     for (const Next& n : next) {

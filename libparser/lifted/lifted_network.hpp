@@ -77,9 +77,7 @@ class LiftedNetwork {
    private:
     void place(std::span<const Sentence* const> sentences, const Dropout& dropout);
     void embed();
-    neural::AttentionDecoder::Sequences sequences() const {
-      return {&h_, h_begin_, &e_, nullptr, begin_, said_};
-    }
+    neural::AttentionDecoder::Sequences sequences() const { return {&h_, h_begin_, &e_, nullptr, begin_, said_}; }
 
     const LiftedNetwork* network_ = nullptr;
     const neural::Parameters* parameters_ = nullptr;
@@ -116,7 +114,6 @@ struct LiftedReading {
   double log_probability = 0;
 };
 // The likeliest lifted formulas by a beam of that width, best first.
-std::vector<LiftedReading> read_lifted(const LiftedNetwork& network, const LiftedText& text,
-                                       std::size_t beam);
+std::vector<LiftedReading> read_lifted(const LiftedNetwork& network, const LiftedText& text, std::size_t beam);
 
 }  // namespace waymark::parser

@@ -10,9 +10,7 @@ namespace {
 
 constexpr std::int32_t largest = 1024;  // size of a layer, while reading
 
-std::array<std::int32_t*, 5> layers_of(LiftedSizes& s) {
-  return {&s.word, &s.vector, &s.width, &s.query, &s.symbol};
-}
+std::array<std::int32_t*, 5> layers_of(LiftedSizes& s) { return {&s.word, &s.vector, &s.width, &s.query, &s.symbol}; }
 
 }  // namespace
 
@@ -78,8 +76,7 @@ std::shared_ptr<const LiftedReader> LiftedReader::read_from(WeightsReader& in,
     LiftedNetwork network(std::move(words), vectors, sizes, [] { return 0.5; });
     neural::Vector& values = network.parameters().values();
     const auto halves = in.list<std::uint16_t>();
-    if (static_cast<neural::Index>(halves.size()) != values.size())
-      in.fail("a network of another size than it says");
+    if (static_cast<neural::Index>(halves.size()) != values.size()) in.fail("a network of another size than it says");
     for (std::size_t k = 0; k < halves.size(); ++k) {
       const auto v = Eigen::half_impl::half_to_float(Eigen::half_impl::raw_uint16_to_half(halves[k]));
       if (!std::isfinite(v)) in.fail("a weight that is no finite number");

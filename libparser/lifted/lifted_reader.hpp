@@ -18,8 +18,7 @@ class LiftedReader {
   // Throws ltl::FormatError when the file holds no word vectors.
   static std::shared_ptr<const WordVectors> load_vectors(const std::filesystem::path& file);
 
-  LiftedReader(std::shared_ptr<const WordVectors> vectors,
-               std::vector<std::shared_ptr<const LiftedNetwork>> networks);
+  LiftedReader(std::shared_ptr<const WordVectors> vectors, std::vector<std::shared_ptr<const LiftedNetwork>> networks);
 
   // The likeliest lifted formulas, best first; probabilities of those found sum to 1 at most.
   std::vector<LiftedReading> read(const LiftedText& text, std::size_t beam = 12) const;
@@ -29,8 +28,7 @@ class LiftedReader {
   std::span<const std::shared_ptr<const LiftedNetwork>> networks() const { return networks_; }
 
   void write(WeightsWriter& out) const;
-  static std::shared_ptr<const LiftedReader> read_from(WeightsReader& in,
-                                                       const std::shared_ptr<const void>& owner);
+  static std::shared_ptr<const LiftedReader> read_from(WeightsReader& in, const std::shared_ptr<const void>& owner);
 
  private:
   std::shared_ptr<const WordVectors> vectors_;

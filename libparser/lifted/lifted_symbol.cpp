@@ -78,8 +78,7 @@ bool is_spatial(LiftedSymbol s) { return is_direction(s) || is_event(s) || is_ac
 
 LiftedSymbol nth(LiftedSymbol first, LiftedSymbol last, std::size_t number) {
   const std::size_t at = static_cast<std::size_t>(first) + number - 1;
-  if (number == 0 || at > static_cast<std::size_t>(last))
-    throw std::out_of_range("no lifted symbol of that number");
+  if (number == 0 || at > static_cast<std::size_t>(last)) throw std::out_of_range("no lifted symbol of that number");
   return static_cast<LiftedSymbol>(at);
 }
 

@@ -91,9 +91,7 @@ constexpr bool is_slot(LiftedSymbol s) { return s >= LiftedSymbol::Slot1 && s <=
 constexpr bool is_constant(LiftedSymbol s) { return s >= LiftedSymbol::Constant1; }
 constexpr bool is_thing(LiftedSymbol s) { return s >= LiftedSymbol::Slot1; }  // a slot or a constant
 constexpr bool is_direction(LiftedSymbol s) { return s >= LiftedSymbol::Ahead && s <= LiftedSymbol::Along; }
-constexpr bool is_event(LiftedSymbol s) {
-  return s >= LiftedSymbol::TurnedLeft && s <= LiftedSymbol::OpenRight;
-}
+constexpr bool is_event(LiftedSymbol s) { return s >= LiftedSymbol::TurnedLeft && s <= LiftedSymbol::OpenRight; }
 constexpr bool is_action(LiftedSymbol s) { return s >= LiftedSymbol::TurnLeft && s <= LiftedSymbol::Nth; }
 LiftedSymbol slot(std::size_t number);      // from 1; throws std::out_of_range above 12
 LiftedSymbol constant(std::size_t number);  // from 1; … above 16

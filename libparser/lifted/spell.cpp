@@ -29,8 +29,7 @@ class Speller {
   }
 
   Lifted spell(Formula f) {
-    for (const ltl::Proposition p : ltl::propositions(f))
-      atoms_.insert_or_assign(symbol_of(p), arena_->atom(p));
+    for (const ltl::Proposition p : ltl::propositions(f)) atoms_.insert_or_assign(symbol_of(p), arena_->atom(p));
     return formula(f);
   }
 
@@ -138,8 +137,7 @@ class Speller {
   Lifted viewed(const ltl::View& view) {
     if (view.symbol == ltl::Symbol::And) {
       std::vector<Formula> parts;
-      for (const ltl::ViewOperand& o : view.operands)
-        parts.insert(parts.end(), o.parts.begin(), o.parts.end());
+      for (const ltl::ViewOperand& o : view.operands) parts.insert(parts.end(), o.parts.begin(), o.parts.end());
       return conjunction(parts);
     }
     if (view.symbol == ltl::Symbol::Or) {
@@ -191,8 +189,7 @@ class Speller {
 
 }  // namespace
 
-std::optional<Lifted> spell(Formula f,
-                            const std::function<std::optional<LiftedSymbol>(ltl::Proposition)>& symbol) {
+std::optional<Lifted> spell(Formula f, const std::function<std::optional<LiftedSymbol>(ltl::Proposition)>& symbol) {
   try {
     return canonical(Speller(f.arena(), symbol).spell(f));
   } catch (const NoSymbol&) {

@@ -26,8 +26,7 @@ namespace {
 
 class Finder {
  public:
-  Finder(const std::vector<std::string>& tokens, const std::vector<NamedThing>& things,
-         const WordVectors* known)
+  Finder(const std::vector<std::string>& tokens, const std::vector<NamedThing>& things, const WordVectors* known)
       : things_(things), known_(known) {
     for (const std::string& token : tokens) words_.push_back(singular(token));
   }
@@ -85,13 +84,12 @@ std::string singular(std::string word) {
   return word;
 }
 
-std::vector<Mention> find_mentions(const std::vector<std::string>& tokens,
-                                   const std::vector<NamedThing>& things, const WordVectors* words) {
+std::vector<Mention> find_mentions(const std::vector<std::string>& tokens, const std::vector<NamedThing>& things,
+                                   const WordVectors* words) {
   return Finder(tokens, things, words).all();
 }
 
-LiftedMentions lift(const std::vector<std::string>& tokens, const std::vector<Mention>& mentions,
-                    Articles articles) {
+LiftedMentions lift(const std::vector<std::string>& tokens, const std::vector<Mention>& mentions, Articles articles) {
   LiftedMentions out;
   auto next = mentions.begin();
   for (std::size_t at = 0; at < tokens.size();) {

@@ -23,8 +23,8 @@ struct Mention {
 // The longest phrases from left to right; ties: the thing that stands first. A word of five letters or more also
 // matches with one letter wrong, left out, added, or exchanged with its neighbour, when no thing has it exactly and it
 // is no word itself. O(tokens · phrases).
-std::vector<Mention> find_mentions(const std::vector<std::string>& tokens,
-                                   const std::vector<NamedThing>& things, const WordVectors* words = nullptr);
+std::vector<Mention> find_mentions(const std::vector<std::string>& tokens, const std::vector<NamedThing>& things,
+                                   const WordVectors* words = nullptr);
 
 struct LiftedMentions {
   LiftedText text;

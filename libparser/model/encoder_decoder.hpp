@@ -32,8 +32,7 @@ class EncoderDecoder {
   using Index = neural::Index;
 
   // Words of the table are known, others are read as unknown. Draws the first weights.
-  EncoderDecoder(TypedPostfix symbols, WordTable words, const NetworkOptions& options,
-                 const neural::Uniform& uniform);
+  EncoderDecoder(TypedPostfix symbols, WordTable words, const NetworkOptions& options, const neural::Uniform& uniform);
 
   const TypedPostfix& symbols() const { return symbols_; }
   const NetworkOptions& options() const { return options_; }
@@ -54,9 +53,7 @@ class EncoderDecoder {
     const neural::Matrix& decode(std::span<const Index> begin, std::span<const History> histories);
     // After decode, with the gradient of the scores: adds to the gradients of `parameters`, which are those of encode.
     void backward(neural::Parameters& parameters, const neural::Matrix& dscores);
-    std::span<const neural::Matrix> attention() const {
-      return decoder_.weights;
-    }  // by sentence: [words × choices]
+    std::span<const neural::Matrix> attention() const { return decoder_.weights; }  // by sentence: [words × choices]
 
    private:
     const EncoderDecoder* network_ = nullptr;

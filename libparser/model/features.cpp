@@ -25,8 +25,7 @@ enum Template : std::uint64_t {
 
 // template 8 bits | context 8 | a 24 | b 24
 std::uint64_t key(Template which, std::uint64_t context, std::uint64_t a = 0, std::uint64_t b = 0) {
-  return static_cast<std::uint64_t>(which) << 56U | (context & 0xFFU) << 48U | (a & 0xFFFFFFU) << 24U |
-         (b & 0xFFFFFFU);
+  return static_cast<std::uint64_t>(which) << 56U | (context & 0xFFU) << 48U | (a & 0xFFFFFFU) << 24U | (b & 0xFFFFFFU);
 }
 
 std::uint64_t context_of(std::size_t kind, std::size_t step) {
@@ -64,12 +63,10 @@ class Extractor {
     for (std::size_t i = clause.begin; i <= clause.end; ++i) {
       const WordId a = id(i, clause), b = id(i + 1, clause);
       if (i > clause.begin && a != WordTable::unknown) keys.push_back(key(word, context, a.index));
-      if (a != WordTable::unknown && b != WordTable::unknown)
-        keys.push_back(key(pair, context, a.index, b.index));
+      if (a != WordTable::unknown && b != WordTable::unknown) keys.push_back(key(pair, context, a.index, b.index));
       if (!skips || i + 1 > clause.end) continue;
       const WordId c = id(i + 2, clause);
-      if (a != WordTable::unknown && c != WordTable::unknown)
-        keys.push_back(key(SkipPair, context, a.index, c.index));
+      if (a != WordTable::unknown && c != WordTable::unknown) keys.push_back(key(SkipPair, context, a.index, c.index));
     }
   }
 
@@ -120,12 +117,8 @@ SentenceFeatures sentence_features(const SentenceInput& input, const WordTable& 
   return Extractor(input, std::move(ids)).features(steps);
 }
 
-std::uint64_t last_token_feature(const Choice& c) {
-  return key(LastToken, context_of(c.kind, c.step), c.last);
-}
-std::uint64_t last_two_tokens_feature(const Choice& c) {
-  return key(LastTwoTokens, c.kind, c.last, c.before_last);
-}
+std::uint64_t last_token_feature(const Choice& c) { return key(LastToken, context_of(c.kind, c.step), c.last); }
+std::uint64_t last_two_tokens_feature(const Choice& c) { return key(LastTwoTokens, c.kind, c.last, c.before_last); }
 
 std::uint64_t mention_feature(const Choice& c) { return key(Mention, context_of(c.kind, c.step)); }
 

@@ -43,8 +43,7 @@ struct SentenceFeatures {
 };
 
 // For programs of so many steps. New words are added to a table that may grow; otherwise they are left out.
-SentenceFeatures sentence_features(const SentenceInput& input, WordTable& words,
-                                   std::size_t steps = choice_steps);
+SentenceFeatures sentence_features(const SentenceInput& input, WordTable& words, std::size_t steps = choice_steps);
 SentenceFeatures sentence_features(const SentenceInput& input, const WordTable& words,
                                    std::size_t steps = choice_steps);
 

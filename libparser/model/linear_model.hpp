@@ -20,8 +20,7 @@ class WeightsWriter;
 
 struct LinearModel {
   static constexpr std::uint16_t file_kind = 1;
-  explicit LinearModel(const ProgramLanguage& programs)
-      : language(programs), weights(language.columns().size()) {}
+  explicit LinearModel(const ProgramLanguage& programs) : language(programs), weights(language.columns().size()) {}
   explicit LinearModel(const ltl::Vocabulary& vocabulary, Dialect dialect = Dialect::Plain)
       : LinearModel(ProgramLanguage(vocabulary, dialect)) {}
   // The words are those of the ranking model, which the file holds once.

@@ -19,8 +19,7 @@ std::array<std::int32_t*, 5> sizes_of(NetworkOptions& options) {
 // The greatest of its layers alone.
 std::size_t least_weights(const NetworkOptions& options, std::size_t words) {
   const auto size = [](std::int32_t n) { return static_cast<std::size_t>(n); };
-  return size(options.word) * (words + 8 * size(options.width)) +
-         8 * size(options.width) * size(options.width) +
+  return size(options.word) * (words + 8 * size(options.width)) + 8 * size(options.width) * size(options.width) +
          size(options.query) * (size(options.history) * size(options.symbol) + 4 * size(options.width)) +
          size(options.symbol) * (size(options.query) + 2 * size(options.width));
 }

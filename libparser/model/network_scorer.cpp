@@ -7,12 +7,11 @@ namespace waymark::parser {
 
 const ChoiceMask& ChoiceMasks::of(const TypedState& state) {
   const PrefixState& p = state.prefix;
-  const std::uint64_t key = std::uint64_t{state.thing} << 48U | std::uint64_t{p.last_literal} << 32U |
-                            std::uint64_t{p.steps} << 24U | std::uint64_t{p.goals} << 16U |
-                            std::uint64_t{p.bools} << 12U | std::uint64_t{p.step_entries} << 8U |
-                            std::uint64_t{p.awaits} << 5U | std::uint64_t{p.operand} << 4U |
-                            std::uint64_t{p.turns} << 3U | std::uint64_t{p.oriented} << 2U |
-                            std::uint64_t{p.stayed} << 1U | std::uint64_t{p.ended};
+  const std::uint64_t key =
+      std::uint64_t{state.thing} << 48U | std::uint64_t{p.last_literal} << 32U | std::uint64_t{p.steps} << 24U |
+      std::uint64_t{p.goals} << 16U | std::uint64_t{p.bools} << 12U | std::uint64_t{p.step_entries} << 8U |
+      std::uint64_t{p.awaits} << 5U | std::uint64_t{p.operand} << 4U | std::uint64_t{p.turns} << 3U |
+      std::uint64_t{p.oriented} << 2U | std::uint64_t{p.stayed} << 1U | std::uint64_t{p.ended};
   const auto [it, is_new] = made_.try_emplace(key);
   if (is_new) {
     const std::vector<bool> allowed = symbols_->allowed(state);
@@ -46,8 +45,7 @@ NetworkPrefix NetworkPrefixes::after(const Prefix& prefix, Symbol symbol, std::v
   return next;
 }
 
-NetworkScorer::NetworkScorer(const EncoderDecoder& network, const NetworkSentence& sentence,
-                             ChoiceMasks& masks)
+NetworkScorer::NetworkScorer(const EncoderDecoder& network, const NetworkSentence& sentence, ChoiceMasks& masks)
     : network_(&network), sentence_(&sentence), masks_(&masks), log_p_(network.symbols().symbols()) {
   pass_.encode(network, network.parameters(), {&sentence_, 1});
 }

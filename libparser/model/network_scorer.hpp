@@ -50,9 +50,7 @@ class NetworkPrefixes {
   Prefix first() const { return {{}, network_->first_history(), &masks_->of({})}; }
   // Appends the symbols that were taken.
   Prefix after(const Prefix& prefix, Symbol symbol, std::vector<Symbol>& taken) const;
-  std::vector<Symbol> tokens_of(const Program& program) const {
-    return masks_->symbols().symbols_of(program);
-  }
+  std::vector<Symbol> tokens_of(const Program& program) const { return masks_->symbols().symbols_of(program); }
   Program program_of(std::span<const Symbol> symbols) const { return masks_->symbols().program_of(symbols); }
 
  private:

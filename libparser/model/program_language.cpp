@@ -55,8 +55,7 @@ ProgramLanguage::ProgramLanguage(const ltl::Vocabulary& vocabulary, PostfixGramm
 
 void ProgramLanguage::check_vocabulary(const ltl::Vocabulary& vocabulary, std::string_view whose) const {
   if (vocabulary == vocabulary_) return;
-  std::string message =
-      "the model was trained on another vocabulary than that of " + std::string(whose) + ": ";
+  std::string message = "the model was trained on another vocabulary than that of " + std::string(whose) + ": ";
   for (const std::string& name : vocabulary_.names()) {
     if (vocabulary.find(name)) continue;
     throw ltl::FormatError("", 0, 0, message + "'" + name + "' is missing there");

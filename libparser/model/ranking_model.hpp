@@ -12,7 +12,7 @@ struct RankingModel {
 
   ProgramLanguage language;
   WordTable words;
-  WeightTable reranker{1};  // (sentence, route) → one score; empty: ends are chosen by probability alone
+  WeightTable reranker{1};          // (sentence, route) → one score; empty: ends are chosen by probability alone
   WeightTable start_pose_model{1};  // the same, of where a sentence is said; empty: anywhere
 };
 

@@ -9,8 +9,7 @@ namespace {
 
 using Row = Eigen::Map<const Eigen::ArrayXf>;
 using MutableRow = Eigen::Map<Eigen::ArrayXf>;
-constexpr float least_exponent =
-    -80.0F;  // e^x is next to nothing, yet no denormal number, which would be slow
+constexpr float least_exponent = -80.0F;  // e^x is next to nothing, yet no denormal number, which would be slow
 
 }  // namespace
 
@@ -25,9 +24,7 @@ LinearPrefix LinearPrefixes::after(const Prefix& prefix, Token token, std::vecto
 
 Scorer::Scorer(const LinearModel& model) : model_(&model), buffer_(model.language.columns().size()) {}
 
-Scorer::Scorer(const LinearModel& model, const SentenceFeatures& features) : Scorer(model) {
-  begin(features);
-}
+Scorer::Scorer(const LinearModel& model, const SentenceFeatures& features) : Scorer(model) { begin(features); }
 
 void Scorer::begin(const SentenceFeatures& features) {
   features_ = &features;
@@ -37,8 +34,7 @@ void Scorer::begin(const SentenceFeatures& features) {
   const Columns& columns = model_->language.columns();
   mentioned_.clear();
   for (std::size_t t = 0; t < columns.tokens; ++t) {
-    if (std::binary_search(features.mentions.begin(), features.mentions.end(),
-                           columns.part(columns.thing[t])))
+    if (std::binary_search(features.mentions.begin(), features.mentions.end(), columns.part(columns.thing[t])))
       mentioned_.push_back(static_cast<Token>(t));
   }
 }
@@ -77,8 +73,7 @@ std::uint32_t Scorer::group(std::uint64_t id, std::span<const std::uint64_t> fea
 
 Scorer::GroupIds Scorer::groups(const Choice& c) {
   const auto& by_step = features_->by_context[c.kind];
-  const std::size_t step = std::min<std::size_t>(c.step, by_step.size() - 1),
-                    context = c.kind + choice_kinds * step;
+  const std::size_t step = std::min<std::size_t>(c.step, by_step.size() - 1), context = c.kind + choice_kinds * step;
   const std::size_t before = used_;
   const std::uint32_t sentence = group(context, by_step[step]);
   if (used_ > before)  // forbidden once, in the group that every choice of this context has
@@ -101,8 +96,7 @@ void Scorer::log_probabilities(const GroupIds& ids, const TokenRanges& choices, 
   }
   float total = 0;
   for (const auto& [begin, end] : choices.ranges)
-    if (begin < end)
-      total += (MutableRow(out + begin, end - begin) - highest).max(least_exponent).exp().sum();
+    if (begin < end) total += (MutableRow(out + begin, end - begin) - highest).max(least_exponent).exp().sum();
   const float log_total = highest + std::log(total);
   for (const auto& [begin, end] : choices.ranges) MutableRow(out + begin, end - begin) -= log_total;
 }

@@ -62,8 +62,7 @@ void SentenceEncoder::Pass::forward(const SentenceEncoder& encoder, const neural
   drop(embedded_, embedded_mask_, dropout);
   encoder.lstm_.forward(parameters, packing_, embedded_, lstm_);
   h_.resize(encoder.width(), packing_.columns());
-  for (Index c = 0; c < packing_.columns(); ++c)
-    h_.col(c) = lstm_.h.col(column_[static_cast<std::size_t>(c)]);
+  for (Index c = 0; c < packing_.columns(); ++c) h_.col(c) = lstm_.h.col(column_[static_cast<std::size_t>(c)]);
   drop(h_, h_mask_, dropout);
   e_.resize(encoder.width(), static_cast<Index>(sentences.size()));
   for (std::size_t i = 0; i < order_.size(); ++i)

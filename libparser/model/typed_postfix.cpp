@@ -27,8 +27,7 @@ TypedPostfix::TypedPostfix(const ProgramLanguage& language)
   for (Token t = PostfixGrammar::first_literal; t < literals; ++t)
     parts_[t - PostfixGrammar::first_literal].second = add(columns.part(columns.direction[t]));
   first_temporal_ = static_cast<Symbol>(names_.size());
-  for (std::size_t t = literals; t < grammar.tokens(); ++t)
-    names_.push_back(grammar.name(static_cast<Token>(t)));
+  for (std::size_t t = literals; t < grammar.tokens(); ++t) names_.push_back(grammar.name(static_cast<Token>(t)));
   const std::size_t directions = first_temporal_ - first_direction_;
   literals_.assign((first_direction_ - first_thing_) * directions, PostfixGrammar::end);
   for (Token t = PostfixGrammar::first_literal; t < literals; ++t) {
@@ -39,8 +38,8 @@ TypedPostfix::TypedPostfix(const ProgramLanguage& language)
 
 Symbol TypedPostfix::find(const Part& part) const {
   const auto it = std::find(shared_.begin(), shared_.end(), part);
-  return static_cast<Symbol>(
-      it == shared_.end() ? symbols() : first_thing_ + static_cast<std::size_t>(it - shared_.begin()));
+  return static_cast<Symbol>(it == shared_.end() ? symbols()
+                                                 : first_thing_ + static_cast<std::size_t>(it - shared_.begin()));
 }
 
 Token TypedPostfix::literal(Symbol thing, Symbol direction) const {
@@ -83,8 +82,7 @@ std::optional<Symbol> TypedPostfix::forced(const TypedState& state) const {
 
 TypedState TypedPostfix::after(const TypedState& state, Symbol symbol) const {
   if (is_thing(symbol)) return {state.prefix, symbol};
-  if (state.thing == TypedState::nothing)
-    return {grammar_.after(state.prefix, token_of(symbol)), TypedState::nothing};
+  if (state.thing == TypedState::nothing) return {grammar_.after(state.prefix, token_of(symbol)), TypedState::nothing};
   return {grammar_.after(state.prefix, literal(state.thing, symbol)), TypedState::nothing};
 }
 

@@ -96,8 +96,7 @@ float WeightTable::weight(WeightRow r, std::size_t column) const {
 
 void WeightTable::add_to(WeightRow r, float* sums) const {
   if (is_stored()) {
-    each_weight(stored_.bytes.data() + r.index,
-                [&](std::size_t c, std::uint16_t half) { sums[c] += float_of(half); });
+    each_weight(stored_.bytes.data() + r.index, [&](std::size_t c, std::uint16_t half) { sums[c] += float_of(half); });
     return;
   }
   const float* const row = weights_.data() + r.index * columns_;

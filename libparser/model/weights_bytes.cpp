@@ -91,9 +91,7 @@ WeightsWriter::WeightsWriter(const ModelHeader& header) : bytes_(magic) {
   number(ModelHeader::version | std::uint64_t{plain | header.kind} << 32U);
 }
 
-void WeightsWriter::number(std::uint64_t value) {
-  bytes_.append(reinterpret_cast<const char*>(&value), sizeof value);
-}
+void WeightsWriter::number(std::uint64_t value) { bytes_.append(reinterpret_cast<const char*>(&value), sizeof value); }
 
 void WeightsWriter::strings(const std::vector<std::string>& list_of_strings) {
   std::vector<std::uint32_t> ends;
@@ -113,8 +111,7 @@ void WeightsWriter::table(const WeightTable& table, double threshold) {
   std::vector<std::uint32_t> ends;
   std::uint64_t number_of_rows = 0, feature = 0;
   for (auto row = weights.begin(); row != weights.end();) {
-    const auto next =
-        std::find_if(row, weights.end(), [&](const Weight& w) { return w.feature != row->feature; });
+    const auto next = std::find_if(row, weights.end(), [&](const Weight& w) { return w.feature != row->feature; });
     append_leb128(rows, row->feature - std::exchange(feature, row->feature));
     if (table.columns() > 1) append_leb128(rows, static_cast<std::uint64_t>(next - row));
     for (std::size_t column = 0; row != next; ++row) {
@@ -148,8 +145,7 @@ WeightsReader::WeightsReader(std::shared_ptr<const MappedFile> file, std::string
          std::to_string(ModelHeader::version) + ": train the model again with waymark train");
   const auto sum = read_at<std::uint64_t>(bytes_, bytes_.size() - checksum_bytes);
   bytes_.remove_suffix(checksum_bytes);
-  if (bytes_.size() % 8 != 0 || sum != xxh64(bytes_))
-    fail("the model file is damaged: its checksum does not fit");
+  if (bytes_.size() % 8 != 0 || sum != xxh64(bytes_)) fail("the model file is damaged: its checksum does not fit");
   const auto kind = read_at<std::uint16_t>(bytes_, 12), dialect = read_at<std::uint16_t>(bytes_, 14);
   if (dialect > 1) fail("is a model file of an unknown kind");
   header_ = {kind, static_cast<Dialect>(dialect)};
@@ -216,8 +212,7 @@ void WeightsReader::check_rows(const StoredRows& stored, std::size_t columns) co
   for (std::size_t r = 0; r < stored.rows; ++r) {
     const std::uint64_t further = rows.leb128();
     if (further == 0 && r > 0) fail("a feature stands twice");
-    if (further > std::numeric_limits<std::uint64_t>::max() - feature)
-      fail("a feature takes more than 64 bits");
+    if (further > std::numeric_limits<std::uint64_t>::max() - feature) fail("a feature takes more than 64 bits");
     feature += further;
     rows.pass_weights();
     if (rows.wrong != nullptr) fail(rows.wrong);

@@ -14,8 +14,7 @@ WordId WordTable::find(std::string_view word) const {
 }
 
 WordId WordTable::add(std::string_view word) {
-  const auto [it, is_new] =
-      index_.try_emplace(std::string(word), WordId{static_cast<std::uint32_t>(words_.size())});
+  const auto [it, is_new] = index_.try_emplace(std::string(word), WordId{static_cast<std::uint32_t>(words_.size())});
   if (is_new) words_.emplace_back(word);
   return it->second;
 }

@@ -52,8 +52,7 @@ class Progress {
       case StepKind::Without:
       case StepKind::Keep: return enter(i + 1, arrival, rest);
       case StepKind::When: return enter(holds(step, arrival) ? i + 1 : after_[i], arrival, rest);
-      case StepKind::Whether:
-        return enter(holds(step, arrival) ? i + 1 : unit_end(program_, i + 1), arrival, rest);
+      case StepKind::Whether: return enter(holds(step, arrival) ? i + 1 : unit_end(program_, i + 1), arrival, rest);
       default: break;
     }
     if (rest[first_bit_[i]]) return false;  // it has been entered before

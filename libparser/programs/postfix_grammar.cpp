@@ -17,8 +17,7 @@ PostfixGrammar::PostfixGrammar(const ltl::Vocabulary& vocabulary, Dialect dialec
 
 PostfixGrammar::PostfixGrammar(const ltl::Vocabulary& vocabulary, Limits limits)
     : limits_(limits), names_{"end", "then", "&", "stay", "orient", "reach", "advance", "next", "face"} {
-  if (vocabulary.size() > 20'000)
-    throw std::invalid_argument("a vocabulary of more than 20,000 propositions");
+  if (vocabulary.size() > 20'000) throw std::invalid_argument("a vocabulary of more than 20,000 propositions");
   for (int k = 1; k <= max_forward; ++k) names_.push_back("forward_" + std::to_string(k));
   for (const std::string& name : vocabulary.names()) {
     names_.push_back(name);
@@ -48,21 +47,17 @@ std::optional<Step> PostfixGrammar::operator_of(Token t) const {
 
 Token PostfixGrammar::token_of(const Step& step) const {
   const auto none = static_cast<Token>(tokens());
-  const auto temporal = [&](Temporal which) {
-    return limits_.dialect == Dialect::Temporal ? token(which) : none;
-  };
+  const auto temporal = [&](Temporal which) { return limits_.dialect == Dialect::Temporal ? token(which) : none; };
   switch (step.kind) {
     case StepKind::Stay: return stay;
     case StepKind::Orient: return orient;
     case StepKind::Forward:
-      return step.count < 1 || step.count > max_forward ? none
-                                                        : static_cast<Token>(first_forward + step.count - 1);
+      return step.count < 1 || step.count > max_forward ? none : static_cast<Token>(first_forward + step.count - 1);
     case StepKind::Reach: return reach;
     case StepKind::Next: return next;
     case StepKind::Advance:
       if (step.count == 0) return advance;
-      return step.count < 2 || step.count > max_advance ? none
-                                                        : temporal(step.count == 2 ? advance_2 : advance_3);
+      return step.count < 2 || step.count > max_advance ? none : temporal(step.count == 2 ? advance_2 : advance_3);
     case StepKind::Face: return face;
     case StepKind::Past: return temporal(past);
     case StepKind::Without: return temporal(without);
@@ -78,8 +73,7 @@ bool PostfixGrammar::takes(const PrefixState& s, const Step& by) const {
   if (s.bools != 1) return false;
   const auto n = static_cast<int>(operands(by.kind));
   if (n == 0) return !s.turns || by.kind == StepKind::Next || by.kind == StepKind::Face;
-  return s.goals == 1 && !s.turns && s.awaits == 0 && !s.oriented &&
-         s.steps + n + own_steps(by.kind) <= limits_.steps;
+  return s.goals == 1 && !s.turns && s.awaits == 0 && !s.oriented && s.steps + n + own_steps(by.kind) <= limits_.steps;
 }
 
 bool PostfixGrammar::allowed(const PrefixState& s, Token t) const {

@@ -59,8 +59,7 @@ struct TokenRanges {
 
 class PostfixGrammar {
  public:
-  static constexpr Token end = 0, then = 1, both = 2, stay = 3, orient = 4, reach = 5, advance = 6, next = 7,
-                         face = 8;
+  static constexpr Token end = 0, then = 1, both = 2, stay = 3, orient = 4, reach = 5, advance = 6, next = 7, face = 8;
   static constexpr Token first_forward = 9;  // forward_1
   static constexpr int max_forward = 8;
   static constexpr Token first_literal = first_forward + max_forward;
@@ -72,9 +71,7 @@ class PostfixGrammar {
     int goals = 2;  // literals of one goal, ≤ Step::max_goals
     Dialect dialect = Dialect::Plain;
   };
-  static constexpr Limits limits_of(Dialect dialect) {
-    return {dialect == Dialect::Plain ? 3 : 12, 2, dialect};
-  }
+  static constexpr Limits limits_of(Dialect dialect) { return {dialect == Dialect::Plain ? 3 : 12, 2, dialect}; }
 
   explicit PostfixGrammar(const ltl::Vocabulary& vocabulary, Dialect dialect = Dialect::Plain);
   PostfixGrammar(const ltl::Vocabulary& vocabulary, Limits limits);
@@ -109,17 +106,7 @@ class PostfixGrammar {
 
  private:
   // Operators of the temporal dialect, from end_of_literals_ on.
-  enum Temporal : std::uint8_t {
-    past,
-    advance_2,
-    advance_3,
-    without,
-    keep,
-    when,
-    whether,
-    apply,
-    temporal_operators
-  };
+  enum Temporal : std::uint8_t { past, advance_2, advance_3, without, keep, when, whether, apply, temporal_operators };
   Token token(Temporal which) const { return static_cast<Token>(end_of_literals_ + which); }
   std::optional<Step> operator_of(Token token) const;  // without its goals; of operators that take literals
   bool takes(const PrefixState& state, const Step& by) const;

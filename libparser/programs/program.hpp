@@ -46,8 +46,8 @@ enum class StepKind : std::uint8_t {
 struct Step {
   static constexpr std::size_t max_goals = 3;
   StepKind kind = StepKind::Stay;
-  std::uint8_t count = 0;  // moves of Forward; k of advance_k, k ≥ 2; otherwise 0
-  std::uint8_t goals = 0;  // literals of g, at least one for Reach … Past, one for functions
+  std::uint8_t count = 0;                       // moves of Forward; k of advance_k, k ≥ 2; otherwise 0
+  std::uint8_t goals = 0;                       // literals of g, at least one for Reach … Past, one for functions
   std::array<std::uint16_t, max_goals> goal{};  // proposition indices, ascending; unused ones 0
 
   std::span<const std::uint16_t> literals() const { return {goal.data(), goals}; }

@@ -144,8 +144,7 @@ class Peeler {
   }
 
   // advance_k with k > `times` first, for the goal of those that went before; then past; then this one.
-  void peel_advance(Formula f, Formula meanwhile, int times, const Program& same,
-                    std::vector<Peeled>& out) const {
+  void peel_advance(Formula f, Formula meanwhile, int times, const Program& same, std::vector<Peeled>& out) const {
     const auto then = after_next(f, meanwhile);
     const auto g = then ? target(*then, moved_, meanwhile) : std::nullopt;
     if (!g) return;
@@ -221,8 +220,7 @@ class Peeler {
       if (!rest) continue;
       std::vector<Formula> others = parts;
       others.erase(others.begin() + static_cast<std::ptrdiff_t>(i));
-      if (ltl::disjunction(arena_, others) == *rest)
-        out.push_back({{Step{StepKind::Orient, 0, 0, {}}}, *rest});
+      if (ltl::disjunction(arena_, others) == *rest) out.push_back({{Step{StepKind::Orient, 0, 0, {}}}, *rest});
     }
   }
 

@@ -9,15 +9,13 @@
 
 namespace waymark::parser {
 
-std::vector<Weighed> likely_programs(const Grounder& grounder, const SentenceInput& input,
-                                     const Deciding& how) {
+std::vector<Weighed> likely_programs(const Grounder& grounder, const SentenceInput& input, const Deciding& how) {
   const Wording wording(grounder.ranking->language, mentions(input.tokens));
   std::vector<Weighed> weighed;
   const auto read_one = [&](const SentenceInput& one, std::size_t beam) {
     return read(grounder.word_model, one, beam);
   };
-  for (Candidate& candidate :
-       how.clauses ? read_by_clauses(read_one, input, how.beam) : read_one(input, how.beam)) {
+  for (Candidate& candidate : how.clauses ? read_by_clauses(read_one, input, how.beam) : read_one(input, how.beam)) {
     const double lexical_overlap_penalty = how.trust * wording.lexical_overlap_penalty(candidate.program),
                  p = candidate.log_probability;
     weighed.push_back({std::move(candidate.program), p - trust_in_wording * lexical_overlap_penalty,
@@ -33,8 +31,7 @@ std::optional<std::pair<Plan, std::size_t>> plan_from(const Executor& executor, 
   std::optional<std::pair<Plan, std::size_t>> best;
   for (std::size_t i = 0; i < starts.size(); ++i) {
     auto plan = executor.run(program, starts[i], then);
-    if (plan && (!best || plan->actions.size() < best->first.actions.size()))
-      best.emplace(std::move(*plan), i);
+    if (plan && (!best || plan->actions.size() < best->first.actions.size())) best.emplace(std::move(*plan), i);
   }
   return best;
 }
@@ -53,8 +50,8 @@ std::vector<End> rank_ends(std::span<const Weighed> candidates, std::span<const 
   return ends;
 }
 
-Decision decide(std::vector<Weighed> candidates, const Executor& executor,
-                std::span<const plan::PoseId> starts, Then then) {
+Decision decide(std::vector<Weighed> candidates, const Executor& executor, std::span<const plan::PoseId> starts,
+                Then then) {
   Decision decision;
   decision.candidates = std::move(candidates);
   for (const Weighed& candidate : decision.candidates) {

@@ -18,8 +18,7 @@ struct End {
 // A program the reader thinks likely, weighed by how well it says what the sentence says (lexical_overlap.hpp).
 struct Weighed {
   Program program;
-  double log_weight =
-      0;  // log p(program | sentence) − trust_in_wording · lexical_overlap_penalty; not normalised
+  double log_weight = 0;  // log p(program | sentence) − trust_in_wording · lexical_overlap_penalty; not normalised
   double preference = 0;  // the same with more trust, to compare programs that lead to one end
 };
 inline constexpr double trust_in_wording = 3.0, trust_at_one_end = 6.0;
@@ -39,16 +38,15 @@ struct Deciding {
 };
 
 // The reader's `beam` likeliest programs of a sentence, most weight first.
-std::vector<Weighed> likely_programs(const Grounder& grounder, const SentenceInput& input,
-                                     const Deciding& how = {});
+std::vector<Weighed> likely_programs(const Grounder& grounder, const SentenceInput& input, const Deciding& how = {});
 
 // The plan from several starts is the cheapest of the plans from each, ties by their order.
 std::optional<std::pair<Plan, std::size_t>> plan_from(const Executor& executor, const Program& program,
                                                       std::span<const plan::PoseId> starts, Then then);
 
 // What candidates that are known come to. By weight of the programs alone; reranker.hpp reranks the ends.
-Decision decide(std::vector<Weighed> candidates, const Executor& executor,
-                std::span<const plan::PoseId> starts, Then then);
+Decision decide(std::vector<Weighed> candidates, const Executor& executor, std::span<const plan::PoseId> starts,
+                Then then);
 // The same, read first.
 Decision decide(const Grounder& grounder, const Executor& executor, const SentenceInput& input,
                 std::span<const plan::PoseId> starts, const Deciding& how = {});

@@ -44,8 +44,7 @@ std::vector<Hypothesis> likeliest(const Next& all, std::size_t kept) {
 // Of the likeliest place, the likeliest pose.
 std::size_t last_pose(const plan::Map& map, const std::vector<Hypothesis>& hypotheses) {
   std::map<std::uint32_t, double> places;
-  for (const Hypothesis& hypothesis : hypotheses)
-    places[map.node_of(hypothesis.pose)] += hypothesis.probability;
+  for (const Hypothesis& hypothesis : hypotheses) places[map.node_of(hypothesis.pose)] += hypothesis.probability;
   std::size_t best = 0;
   for (std::size_t i = 1; i < hypotheses.size(); ++i)
     if (places[map.node_of(hypotheses[i].pose)] > places[map.node_of(hypotheses[best].pose)]) best = i;
@@ -54,10 +53,10 @@ std::size_t last_pose(const plan::Map& map, const std::vector<Hypothesis>& hypot
 
 }  // namespace
 
-std::vector<plan::PoseId> likeliest_way(
-    const plan::Map& map, const TransitionDistribution& first, std::size_t sentences,
-    const std::function<TransitionDistribution(std::size_t, plan::PoseId)>& later,
-    const ParagraphOptions& options) {
+std::vector<plan::PoseId> likeliest_way(const plan::Map& map, const TransitionDistribution& first,
+                                        std::size_t sentences,
+                                        const std::function<TransitionDistribution(std::size_t, plan::PoseId)>& later,
+                                        const ParagraphOptions& options) {
   Next next;
   for (const auto& [end, p] : first.ends) add(Hypothesis{end, 1, 1, 0}, 0, end, p, next);
   std::vector<std::vector<Hypothesis>> hypotheses{likeliest(next, options.beam_width)};
@@ -77,8 +76,7 @@ std::vector<plan::PoseId> likeliest_way(
   }
   std::vector<plan::PoseId> way;
   std::size_t i = last_pose(map, hypotheses.back());
-  for (std::size_t k = hypotheses.size(); k-- > 0; i = hypotheses[k][i].before)
-    way.push_back(hypotheses[k][i].pose);
+  for (std::size_t k = hypotheses.size(); k-- > 0; i = hypotheses[k][i].before) way.push_back(hypotheses[k][i].pose);
   std::reverse(way.begin(), way.end());
   return way;
 }

@@ -29,9 +29,9 @@ struct TransitionDistribution {
 // The poses of the result after each sentence. first: the distribution after sentence 0, not empty. later(k, start):
 // the one after sentence k, 1 ≤ k < sentences, asked at most `beam_width` times for each k.
 // O(sentences · beam_width · ends · log).
-std::vector<plan::PoseId> likeliest_way(
-    const plan::Map& map, const TransitionDistribution& first, std::size_t sentences,
-    const std::function<TransitionDistribution(std::size_t, plan::PoseId)>& later,
-    const ParagraphOptions& options);
+std::vector<plan::PoseId> likeliest_way(const plan::Map& map, const TransitionDistribution& first,
+                                        std::size_t sentences,
+                                        const std::function<TransitionDistribution(std::size_t, plan::PoseId)>& later,
+                                        const ParagraphOptions& options);
 
 }  // namespace waymark::parser

@@ -9,8 +9,7 @@ CandidateFeatures features_of(const RankingModel& model, const Executor& executo
                               std::span<const plan::PoseId> starts, const Decision& decision) {
   RerankerSentence sentence(model, input);
   for (const End& end : decision.ends)
-    sentence.add_end(executor, starts[decision.start[end.candidate]], *decision.plans[end.candidate],
-                     end.mass);
+    sentence.add_end(executor, starts[decision.start[end.candidate]], *decision.plans[end.candidate], end.mass);
   return sentence.take();
 }
 
@@ -30,8 +29,7 @@ bool chooses(const RankingModel& model, const Decision& decision) {
 
 void choose_end(const RankingModel& model, const Executor& executor, const SentenceInput& input,
                 std::span<const plan::PoseId> starts, Decision& decision) {
-  if (chooses(model, decision))
-    choose(model, features_of(model, executor, input, starts, decision), decision);
+  if (chooses(model, decision)) choose(model, features_of(model, executor, input, starts, decision), decision);
 }
 
 double choose_and_locate(const RankingModel& model, const Executor& executor, const SentenceInput& input,

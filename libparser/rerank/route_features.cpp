@@ -44,8 +44,7 @@ std::uint32_t mix(std::uint32_t a, std::uint32_t b) {
 std::uint32_t fold(const std::vector<plan::Action>& actions, bool runs_only) {
   std::uint32_t h = 7;
   for (std::size_t i = 0; i < actions.size() && i < 16; ++i)
-    if (!runs_only || i == 0 || actions[i] != actions[i - 1])
-      h = mix(h, static_cast<std::uint32_t>(actions[i]));
+    if (!runs_only || i == 0 || actions[i] != actions[i - 1]) h = mix(h, static_cast<std::uint32_t>(actions[i]));
   return h;
 }
 
@@ -62,8 +61,7 @@ RerankerSentence::RerankerSentence(const RankingModel& model, const SentenceInpu
   for (std::size_t i = 0; i <= input.tokens.size(); ++i) {
     const WordId word = i < input.tokens.size() ? model.words.find(input.tokens[i]) : WordTable::end;
     if (i < input.tokens.size() && word != WordTable::unknown) words_.push_back(word.index);
-    if (before != WordTable::unknown && word != WordTable::unknown)
-      pairs_.push_back(mix(before.index, word.index));
+    if (before != WordTable::unknown && word != WordTable::unknown) pairs_.push_back(mix(before.index, word.index));
     before = word;
   }
   for (auto* list : {&words_, &pairs_}) {
@@ -99,18 +97,15 @@ struct RerankerSentence::Walk {
   std::size_t last_run = 0;           // moves at the end of the route
 };
 
-RerankerSentence::Walk RerankerSentence::walk_of(const Executor& executor, plan::PoseId start,
-                                                 const Plan& plan) const {
+RerankerSentence::Walk RerankerSentence::walk_of(const Executor& executor, plan::PoseId start, const Plan& plan) const {
   using plan::Action;
   Walk walk{plan.actions, 0, {Arrival::start(start)}, {}, {}, {}};
   for (const Action action : plan.actions)
     walk.poses.push_back(Arrival::start(*executor.map().successor(walk.poses.back().pose(), action)));
-  if (mirrored_)
-    std::transform(walk.actions.begin(), walk.actions.end(), walk.actions.begin(), mirror_action);
+  if (mirrored_) std::transform(walk.actions.begin(), walk.actions.end(), walk.actions.begin(), mirror_action);
   walk.first_turns = fold(walk.actions, true);
   if (heading_unknown_)
-    walk.actions.erase(walk.actions.begin(),
-                       std::find(walk.actions.begin(), walk.actions.end(), Action::Forward));
+    walk.actions.erase(walk.actions.begin(), std::find(walk.actions.begin(), walk.actions.end(), Action::Forward));
   const std::size_t left_out = plan.actions.size() - walk.actions.size();
   for (std::size_t i = 0; i < walk.actions.size(); ++i) {
     const Arrival at = walk.poses[left_out + i];
@@ -135,24 +130,20 @@ void RerankerSentence::add_shape(const Walk& walk, std::vector<Property>& out) c
   out.push_back({Pattern, fold(walk.actions, true), true});
   out.push_back({Moves, up_to(moves, 10), true});
   out.push_back({Turns, up_to(walk.actions.size() - moves, 5), true});
-  out.push_back(
-      {LastAction, walk.actions.empty() ? 3U : static_cast<std::uint64_t>(walk.actions.back()), true});
+  out.push_back({LastAction, walk.actions.empty() ? 3U : static_cast<std::uint64_t>(walk.actions.back()), true});
   out.push_back({LastRun, up_to(walk.last_run, 10), true});
   out.push_back({FirstRun, walk.runs.empty() ? 0U : up_to(walk.runs.front(), 10), true});
   out.push_back({Runs, up_to(walk.runs.size(), 4), true});
 }
 
-void RerankerSentence::add_sights(const Executor& executor, const Walk& walk,
-                                  std::vector<Property>& out) const {
+void RerankerSentence::add_sights(const Executor& executor, const Walk& walk, std::vector<Property>& out) const {
   const auto crossing = model_->language.vocabulary().find("intersection");
   const auto propositions = static_cast<std::uint16_t>(images_.size());
   for (std::uint16_t p = 0; p < propositions; ++p) {
     const std::uint16_t image = images_[p];
     if (hidden_[image]) continue;
     const auto holds = [&](Arrival at) { return executor.holds(p, at); };
-    const auto count = [&](auto begin, auto end) {
-      return static_cast<std::size_t>(std::count_if(begin, end, holds));
-    };
+    const auto count = [&](auto begin, auto end) { return static_cast<std::size_t>(std::count_if(begin, end, holds)); };
     const auto& [poses, moved_from] = std::tie(walk.poses, walk.moved_from);
     const auto& [direction, kind, name] = model_->language.observables()[p];
     const bool next = direction == plan::Direction::Next,
@@ -213,8 +204,7 @@ void RerankerSentence::add_end(const Executor& executor, plan::PoseId start, con
   const Walk walk = walk_of(executor, start, plan);
   add_shape(walk, properties);
   add_sights(executor, walk, properties);
-  for (const Property& property : properties)
-    add_to_last_end(key(Alone, property.kind, property.id), &property);
+  for (const Property& property : properties) add_to_last_end(key(Alone, property.kind, property.id), &property);
   add_mentions(properties, walk.moved_from.size());
 }
 

@@ -35,8 +35,7 @@ class SaidSearch {
         units_(gold.actions.size() + 1),
         directed_(language.vocabulary().size(), false) {
     poses_.push_back(gold.start);
-    for (const plan::Action action : gold.actions)
-      poses_.push_back(*executor.map().successor(poses_.back(), action));
+    for (const plan::Action action : gold.actions) poses_.push_back(*executor.map().successor(poses_.back(), action));
     find_literals(language, mentions(tokens));
     for (const std::uint16_t p : literals_) add_steps_of(p);
     for (int k = 1; k <= 4; ++k) steps_.push_back({StepKind::Forward, static_cast<std::uint8_t>(k), 0, {}});
@@ -52,11 +51,9 @@ class SaidSearch {
     });
     std::vector<Consistent> out;
     for (Said& said : found_) {
-      if (out.size() == most || said.lexical_overlap_penalty > found_.front().lexical_overlap_penalty + slack)
-        break;
+      if (out.size() == most || said.lexical_overlap_penalty > found_.front().lexical_overlap_penalty + slack) break;
       const auto plan = executor_.run(said.program, gold_.start);
-      if (plan && plan->end == gold_.end)
-        out.push_back({std::move(said.program), plan->actions == gold_.actions});
+      if (plan && plan->end == gold_.end) out.push_back({std::move(said.program), plan->actions == gold_.actions});
     }
     return out;
   }
@@ -74,8 +71,8 @@ class SaidSearch {
     const auto number = static_cast<std::uint16_t>(language.observables().size());
     for (std::uint16_t p = 0; p < number; ++p) {
       const auto& [direction, kind, name] = language.observables()[p];
-      const bool mentioned = std::binary_search(said.begin(), said.end(),
-                                                columns.part(columns.thing[PostfixGrammar::literal(p)]));
+      const bool mentioned =
+          std::binary_search(said.begin(), said.end(), columns.part(columns.thing[PostfixGrammar::literal(p)]));
       const bool is_said =
           kind != plan::Kind::PlaceNumber && direction != Direction::Behind && direction != Direction::Next;
       if (!grammar_.usable(p) || !is_said) continue;
@@ -96,8 +93,7 @@ class SaidSearch {
       add(StepKind::Next);
       return;
     }
-    for (const StepKind kind : {StepKind::Reach, StepKind::Advance, StepKind::Face, StepKind::Past})
-      add(kind);
+    for (const StepKind kind : {StepKind::Reach, StepKind::Advance, StepKind::Face, StepKind::Past}) add(kind);
     for (std::uint8_t k = 2; k <= PostfixGrammar::max_advance; ++k) add(StepKind::Advance, k);
   }
 
@@ -137,8 +133,7 @@ class SaidSearch {
         for (const StepKind kind : {StepKind::Without, StepKind::Keep}) {
           const Program unit{{kind, 0, 1, {guard}}, step};
           const auto end = done_by(at, unit);
-          if (end && plan_of(at, {step})->actions != plan_of(at, unit)->actions)
-            units.push_back({unit, *end});
+          if (end && plan_of(at, {step})->actions != plan_of(at, unit)->actions) units.push_back({unit, *end});
         }
       }
     }
@@ -203,9 +198,8 @@ class SaidSearch {
 
 }  // namespace
 
-std::vector<Consistent> said_programs(const Executor& executor, const ProgramLanguage& language,
-                                      const GoldRoute& gold, const std::vector<std::string>& tokens,
-                                      UnitPlans& plans, std::size_t most) {
+std::vector<Consistent> said_programs(const Executor& executor, const ProgramLanguage& language, const GoldRoute& gold,
+                                      const std::vector<std::string>& tokens, UnitPlans& plans, std::size_t most) {
   return SaidSearch(executor, language, gold, tokens, plans).run(most);
 }
 

@@ -22,8 +22,7 @@ namespace waymark::parser {
 using UnitPlans = std::map<std::pair<plan::PoseId, Program>, std::optional<Plan>>;
 
 // Those that disagree least with the sentence, at most `most`. `language`: of the temporal dialect.
-std::vector<Consistent> said_programs(const Executor& executor, const ProgramLanguage& language,
-                                      const GoldRoute& gold, const std::vector<std::string>& tokens,
-                                      UnitPlans& plans, std::size_t most = 100);
+std::vector<Consistent> said_programs(const Executor& executor, const ProgramLanguage& language, const GoldRoute& gold,
+                                      const std::vector<std::string>& tokens, UnitPlans& plans, std::size_t most = 100);
 
 }  // namespace waymark::parser

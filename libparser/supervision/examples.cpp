@@ -14,8 +14,7 @@ namespace {
 
 GoldRoute gold_route(const Sentence& sentence, const plan::Map& map, Convention convention) {
   const auto fail = [&] {
-    throw std::invalid_argument("sentence " + sentence.id + ": its trajectory is impossible on map " +
-                                map.name());
+    throw std::invalid_argument("sentence " + sentence.id + ": its trajectory is impossible on map " + map.name());
   };
   GoldRoute gold;
   gold.heading_unknown = sentence.heading_unknown;
@@ -92,8 +91,8 @@ void add_said_programs(std::span<Example> examples, std::span<const Executor> ex
   std::vector<std::vector<UnitPlans>> plans(threads, std::vector<UnitPlans>(executors.size()));
   share_out(examples.size(), threads, go_on, [&](std::size_t i, std::size_t thread) {
     Example& example = examples[i];
-    std::vector<Consistent> all = said_programs(executors[example.map], language, example.gold,
-                                                example.input.tokens, plans[thread][example.map]);
+    std::vector<Consistent> all =
+        said_programs(executors[example.map], language, example.gold, example.input.tokens, plans[thread][example.map]);
     all.insert(all.end(), example.programs->begin(), example.programs->end());
     example.programs = std::make_shared<const std::vector<Consistent>>(std::move(all));
   });
@@ -101,9 +100,8 @@ void add_said_programs(std::span<Example> examples, std::span<const Executor> ex
 
 }  // namespace
 
-void find_programs(std::span<Example> examples, std::span<const Executor> executors,
-                   const PostfixGrammar& grammar, int threads,
-                   const std::function<bool(double fraction)>& go_on) {
+void find_programs(std::span<Example> examples, std::span<const Executor> executors, const PostfixGrammar& grammar,
+                   int threads, const std::function<bool(double fraction)>& go_on) {
   std::map<std::pair<std::size_t, GoldRoute>, std::shared_ptr<std::vector<Consistent>>> routes;
   for (Example& example : examples) {
     auto& programs = routes[{example.map, example.gold}];

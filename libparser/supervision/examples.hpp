@@ -43,8 +43,7 @@ struct Stopped {};  // thrown by long work when a stop was requested
 Examples make_examples(const Corpus& corpus, std::span<const Executor> executors, Convention convention);
 
 // Fills `programs`, on so many threads. The result does not depend on their number.
-void find_programs(std::span<Example> examples, std::span<const Executor> executors,
-                   const PostfixGrammar& grammar, int threads,
-                   const std::function<bool(double fraction)>& go_on);
+void find_programs(std::span<Example> examples, std::span<const Executor> executors, const PostfixGrammar& grammar,
+                   int threads, const std::function<bool(double fraction)>& go_on);
 
 }  // namespace waymark::parser

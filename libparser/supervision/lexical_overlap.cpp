@@ -23,10 +23,8 @@ Wording::Wording(const ProgramLanguage& language, const std::vector<Part>& menti
   const Columns& columns = language.columns();
   left_ = column_of(columns, thing("left"));
   right_ = column_of(columns, thing("right"));
-  for (std::size_t i = 0; i < columns.parts.size(); ++i)
-    unsaid_[columns.tokens + i] = in_lexicon(columns.parts[i]);
-  std::map<std::string, std::vector<std::uint16_t>>
-      topics;  // a number is one topic: it counts, or names a place
+  for (std::size_t i = 0; i < columns.parts.size(); ++i) unsaid_[columns.tokens + i] = in_lexicon(columns.parts[i]);
+  std::map<std::string, std::vector<std::uint16_t>> topics;  // a number is one topic: it counts, or names a place
   for (const Part& mention : mentions) {
     const std::uint16_t column = column_of(columns, mention);
     if (column == no_column) continue;
@@ -40,8 +38,7 @@ std::vector<std::uint16_t> Wording::named_by(const Program& program) const {
   const Columns& columns = language_->columns();
   std::vector<std::uint16_t> named;
   for (const Step& step : program) {
-    if (step.kind == StepKind::Forward)
-      named.push_back(columns.thing[PostfixGrammar::first_forward + step.count - 1U]);
+    if (step.kind == StepKind::Forward) named.push_back(columns.thing[PostfixGrammar::first_forward + step.count - 1U]);
     for (std::uint16_t p : step.literals()) {
       const Token token = PostfixGrammar::literal(p);
       named.push_back(columns.thing[token]);
@@ -58,9 +55,7 @@ std::vector<std::uint16_t> Wording::named_by(const Program& program) const {
 
 double Wording::lexical_overlap_penalty(const Program& program) const {
   const std::vector<std::uint16_t> named = named_by(program);
-  const auto names = [&](std::uint16_t column) {
-    return std::binary_search(named.begin(), named.end(), column);
-  };
+  const auto names = [&](std::uint16_t column) { return std::binary_search(named.begin(), named.end(), column); };
   double sum = 0;
   for (const auto& topic : topics_)
     if (std::none_of(topic.begin(), topic.end(), names)) sum += missing;

@@ -28,8 +28,7 @@ class Horizon {
   std::vector<plan::Action> actions(std::int32_t at) const {
     std::vector<plan::Action> out;
     for (; at >= 0; at = reached_[static_cast<std::size_t>(at)].from)
-      if (const Arrival by = reached_[static_cast<std::size_t>(at)].arrival; !by.is_start())
-        out.push_back(by.action());
+      if (const Arrival by = reached_[static_cast<std::size_t>(at)].arrival; !by.is_start()) out.push_back(by.action());
     std::reverse(out.begin(), out.end());
     return out;
   }
@@ -68,8 +67,7 @@ class Search {
     for (int k = 1; k <= PostfixGrammar::max_forward; ++k) keep({forward(k)});
     if (gold_.heading_unknown) {
       one_step(StepKind::Advance, true);
-      for (int k = 1; k <= PostfixGrammar::max_forward; ++k)
-        keep({Step{StepKind::Orient, 0, 0, {}}, forward(k)});
+      for (int k = 1; k <= PostfixGrammar::max_forward; ++k) keep({Step{StepKind::Orient, 0, 0, {}}, forward(k)});
     }
     more_steps();
     return std::move(found_);
@@ -113,8 +111,7 @@ class Search {
                                          gold_.actions.begin() + static_cast<std::ptrdiff_t>(end));
     const bool moves = want.front() == plan::Action::Forward;
     std::vector<Step> steps;
-    if (moves && want.size() <= PostfixGrammar::max_forward)
-      steps.push_back(forward(static_cast<int>(want.size())));
+    if (moves && want.size() <= PostfixGrammar::max_forward) steps.push_back(forward(static_cast<int>(want.size())));
     std::vector<StepKind> kinds{moves ? StepKind::Advance : StepKind::Face};
     if (!few) kinds.insert(kinds.end(), {StepKind::Next, StepKind::Reach});
     if (few && !moves) kinds.push_back(StepKind::Next);
@@ -135,8 +132,7 @@ class Search {
       if (gold_.actions[i] != gold_.actions[i - 1]) cuts.push_back(i);
     cuts.push_back(gold_.actions.size());
     const std::size_t legs = cuts.size() - 1;
-    const bool orient =
-        gold_.heading_unknown && gold_.actions.size() > 1 && gold_.actions[0] != plan::Action::Forward;
+    const bool orient = gold_.heading_unknown && gold_.actions.size() > 1 && gold_.actions[0] != plan::Action::Forward;
     if (gold_.actions.empty() || legs < 2 || legs > 4) return;
     std::vector<std::vector<Step>> steps;
     for (std::size_t i = 0; i < legs; ++i) steps.push_back(parts(cuts[i], cuts[i + 1], legs >= 3));

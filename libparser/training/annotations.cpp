@@ -42,8 +42,7 @@ Grounder train_supervised(const std::vector<Annotation>& pairs, const plan::Map&
   std::vector<Example> examples;
   for (const Annotation& pair : pairs) {
     const std::vector<Consistent> only{{pair.program, true}};
-    examples.push_back(
-        {{tokenize(pair.text), false}, 0, {}, std::make_shared<const std::vector<Consistent>>(only)});
+    examples.push_back({{tokenize(pair.text), false}, 0, {}, std::make_shared<const std::vector<Consistent>>(only)});
   }
   std::vector<const Example*> instances;
   for (const Example& example : examples) instances.push_back(&example);

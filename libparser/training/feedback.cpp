@@ -20,8 +20,7 @@ std::vector<plan::Action> turns_between(const plan::Map& map, plan::PoseId from,
   return std::vector<plan::Action>(static_cast<std::size_t>(clockwise), plan::Action::Right);
 }
 
-plan::Trajectory random_walk(const plan::Map& map, plan::PoseId start, std::size_t length,
-                             ltl::Random& random) {
+plan::Trajectory random_walk(const plan::Map& map, plan::PoseId start, std::size_t length, ltl::Random& random) {
   plan::Trajectory walk{{start}, {}};
   while (walk.actions.size() < length) {
     const auto action = static_cast<plan::Action>(random.below(3));

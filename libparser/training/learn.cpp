@@ -36,8 +36,7 @@ std::shared_ptr<const RankingModel> ranking_of(std::span<const Example* const> e
 
 Grounder learn_reader(std::span<const Example* const> examples, std::span<const Executor> executors,
                       const TrainOptions& options, const JobProgress& progress) {
-  if (options.reader == ReaderKind::Linear)
-    return grounder_of(learn_linear(examples, executors, options, progress));
+  if (options.reader == ReaderKind::Linear) return grounder_of(learn_linear(examples, executors, options, progress));
   return {learn_network(examples, executors, options, progress),
           ranking_of(examples, executors.front().map().vocabulary(), options.dialect)};
 }
@@ -56,8 +55,8 @@ Grounder train_on(std::span<const Example* const> examples, std::span<const Exec
     std::vector<const Example*> others;
     for (std::size_t h = 0; h < groups.size(); ++h)
       if (h != i - 1) others.insert(others.end(), groups[h].begin(), groups[h].end());
-    add_ranking_instances(learn_reader(others, executors, options, progress), groups[i - 1], executors,
-                          options, instances[i - 1]);
+    add_ranking_instances(learn_reader(others, executors, options, progress), groups[i - 1], executors, options,
+                          instances[i - 1]);
   };
   const Report most = [&](double fraction, std::string_view what) {
     if (options.progress) options.progress(0.9 * fraction, what);
@@ -79,8 +78,7 @@ Grounder train(const Corpus& corpus, std::span<const plan::Map> maps, const Trai
       throw std::invalid_argument("maps " + maps.front().name() + " and " + map.name() +
                                   " have different vocabularies");
   for (const Paragraph& paragraph : corpus.paragraphs)
-    if (std::none_of(maps.begin(), maps.end(),
-                     [&](const plan::Map& map) { return map.name() == paragraph.map; }))
+    if (std::none_of(maps.begin(), maps.end(), [&](const plan::Map& map) { return map.name() == paragraph.map; }))
       throw std::invalid_argument("paragraph " + paragraph.id + ": there is no map '" + paragraph.map + "'");
   Examples examples = make_examples(corpus, executors, options.convention);
   if (examples.sentences.empty()) throw std::invalid_argument("the corpus holds no sentence to learn from");

@@ -33,19 +33,18 @@ struct TrainOptions {
   double decay = 1e-2;          // L2, per update of a row
   double mention = 4.0;         // first weight of naming what the sentence mentions
   double other_route = 0.3;     // weight of a consistent program whose route is not the gold one
-  double wording = 2.0;  // … by e^−wording per unit of lexical-overlap penalty (lexical_overlap.hpp)
-  int explore_from = 2;  // from this epoch on, every second one searches the own beam for consistent programs
-  std::size_t explore = 32;  // how many programs of it
-  bool mirrored = true;      // every sentence also as its mirror image
-  bool reranker = true;      // also learn to choose between ends on the map
+  double wording = 2.0;         // … by e^−wording per unit of lexical-overlap penalty (lexical_overlap.hpp)
+  int explore_from = 2;         // from this epoch on, every second one searches the own beam for consistent programs
+  std::size_t explore = 32;     // how many programs of it
+  bool mirrored = true;         // every sentence also as its mirror image
+  bool reranker = true;         // also learn to choose between ends on the map
   int reranker_epochs = 6;
   double reranker_rate = 0.03;  // AdaGrad
   double reranker_decay = 0.2;  // L2
   std::size_t beam = 64;
-  double trust = 1;     // in wording when deciding: 0 takes the reader's word for everything
-  bool clauses = true;  // when deciding, sentences of several are also read clause by clause
-  std::size_t beam_width =
-      12;  // poses kept along a paragraph; 1: each sentence is settled before the next is heard
+  double trust = 1;             // in wording when deciding: 0 takes the reader's word for everything
+  bool clauses = true;          // when deciding, sentences of several are also read clause by clause
+  std::size_t beam_width = 12;  // poses kept along a paragraph; 1: each sentence is settled before the next is heard
   // Called from the calling thread, fraction in [0, 1], never decreasing.
   Report progress = {};
   std::stop_token stop = {};  // polled once per sentence; then Stopped (examples.hpp) is thrown

@@ -22,8 +22,8 @@ struct TrainingInstance {
 
 class Learner {
  public:
-  Learner(std::span<const Example* const> examples, std::span<const Executor> executors,
-          const TrainOptions& options, const JobProgress& progress)
+  Learner(std::span<const Example* const> examples, std::span<const Executor> executors, const TrainOptions& options,
+          const JobProgress& progress)
       : executors_(executors),
         options_(options),
         progress_(progress),
@@ -34,8 +34,7 @@ class Learner {
         place_numbers_(place_numbers(model_.language)) {
     for (std::uint8_t kind = 0; kind < choice_kinds; ++kind)
       for (std::uint8_t step = 0; step < choice_steps; ++step)
-        model_.weights.row(
-            model_.weights.add(mention_feature({kind, step, 0, 0})))[model_.language.columns().mention] =
+        model_.weights.row(model_.weights.add(mention_feature({kind, step, 0, 0})))[model_.language.columns().mention] =
             static_cast<float>(options.mention);
     instances_.reserve(2 * examples.size());
     for (const Example* example : examples) {
@@ -96,8 +95,7 @@ class Learner {
     for (const Candidate& candidate : best_programs(scorer_, options_.explore)) {
       const Program here = instance.mirrored ? mirror(candidate.program, images_) : candidate.program;
       const auto plan = executor.run(here, example.gold.start, options_.then);
-      if (plan && plan->end == example.gold.end)
-        add_program(instance, here, plan->actions == example.gold.actions);
+      if (plan && plan->end == example.gold.end) add_program(instance, here, plan->actions == example.gold.actions);
     }
   }
 

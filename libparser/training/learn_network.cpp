@@ -29,8 +29,8 @@ struct TrainingInstance {
 
 class Learner {
  public:
-  Learner(std::span<const Example* const> examples, std::span<const Executor> executors,
-          const TrainOptions& options, const JobProgress& progress)
+  Learner(std::span<const Example* const> examples, std::span<const Executor> executors, const TrainOptions& options,
+          const JobProgress& progress)
       : options_(options),
         how_(options.network),
         progress_(progress),
@@ -38,8 +38,7 @@ class Learner {
         language_(executors.front().map().vocabulary(), options.dialect),
         images_(mirror_images(language_.vocabulary())),
         place_numbers_(place_numbers(language_)),
-        network_(TypedPostfix(language_), words_met_twice(examples), how_.sizes,
-                 [this] { return random_.unit(); }),
+        network_(TypedPostfix(language_), words_met_twice(examples), how_.sizes, [this] { return random_.unit(); }),
         adam_(network_.parameters(), {.rate = how_.rate}) {
     for (std::size_t s = 0; s < shards; ++s) shards_.emplace_back(network_, executors, options, s);
     instances_.reserve(2 * examples.size());
@@ -52,8 +51,7 @@ class Learner {
   std::shared_ptr<const NetworkModel> run() {
     const std::size_t steps = (instances_.size() + how_.batch - 1) / how_.batch;
     each_batch(
-        instances_.size(), how_.batch, how_.epochs, options_.stop,
-        [&](std::size_t n) { return random_.below(n); },
+        instances_.size(), how_.batch, how_.epochs, options_.stop, [&](std::size_t n) { return random_.below(n); },
         [&](std::span<const std::size_t> instances, int epoch, std::size_t begin) {
           const std::size_t b = begin / how_.batch;
           const double done = (epoch + static_cast<double>(b) / static_cast<double>(steps)) / how_.epochs;
@@ -84,18 +82,14 @@ class Learner {
     SentenceInput input = example.input;
     if (mirrored) input.tokens = mirror(input.tokens);
     SentenceFeatures features = sentence_features(input, network_.words());
-    TrainingInstance instance{&example,
-                              mirrored,
-                              network_.sentence(input),
-                              std::move(features.places),
-                              Wording(language_, features.mentions),
-                              {}};
+    TrainingInstance instance{
+        &example, mirrored, network_.sentence(input), std::move(features.places), Wording(language_, features.mentions),
+        {}};
     if (how_.search == ProgramSearch::Consistent) {
       std::vector<std::pair<Program, double>> programs;
       double best = 0;
       for (const Consistent& candidate : *example.programs) {
-        const auto weighed =
-            weigh(instance, candidate.program, candidate.same_route, shards_.front().feedback);
+        const auto weighed = weigh(instance, candidate.program, candidate.same_route, shards_.front().feedback);
         if (weighed.second <= 0) continue;
         best = std::max(best, weighed.second);
         programs.push_back(weighed);
@@ -177,8 +171,7 @@ class Learner {
       TrainingInstance& instance = *instances[i];
       for (const Candidate& candidate : found[i]) {
         const Program here = instance.mirrored ? mirror(candidate.program, images_) : candidate.program;
-        if (how_.search == ProgramSearch::Consistent && shard.feedback.of(here, *instance.example) <= 0)
-          continue;
+        if (how_.search == ProgramSearch::Consistent && shard.feedback.of(here, *instance.example) <= 0) continue;
         const auto [program, weight] =
             weigh(instance, here, goes_the_gold_route(here, *instance.example, shard), shard.feedback);
         if (weight > 0) instance.trie.add(NetworkPrefixes(network_, shard.masks), program, weight);
@@ -209,8 +202,8 @@ class Learner {
 }  // namespace
 
 std::shared_ptr<const NetworkModel> learn_network(std::span<const Example* const> examples,
-                                                  std::span<const Executor> executors,
-                                                  const TrainOptions& options, const JobProgress& progress) {
+                                                  std::span<const Executor> executors, const TrainOptions& options,
+                                                  const JobProgress& progress) {
   return Learner(examples, executors, options, progress).run();
 }
 

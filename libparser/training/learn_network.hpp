@@ -18,7 +18,7 @@ namespace waymark::parser {
 
 // As learn_reader of learn.hpp.
 std::shared_ptr<const NetworkModel> learn_network(std::span<const Example* const> examples,
-                                                  std::span<const Executor> executors,
-                                                  const TrainOptions& options, const JobProgress& progress);
+                                                  std::span<const Executor> executors, const TrainOptions& options,
+                                                  const JobProgress& progress);
 
 }  // namespace waymark::parser

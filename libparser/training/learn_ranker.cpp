@@ -83,8 +83,7 @@ class RankerLearner {
   std::vector<WeightRow> touched_;
 };
 
-void leave_out_rare_features(std::size_t rows, std::span<LabelledDecision> decisions,
-                             std::size_t least_maps) {
+void leave_out_rare_features(std::size_t rows, std::span<LabelledDecision> decisions, std::size_t least_maps) {
   std::vector<std::uint64_t> maps(rows, 0);  // of each row, as bits
   std::uint64_t all = 0;
   for (const LabelledDecision& decision : decisions) {
@@ -96,8 +95,7 @@ void leave_out_rare_features(std::size_t rows, std::span<LabelledDecision> decis
   const int least = std::min(static_cast<int>(least_maps), std::popcount(all));
   for (LabelledDecision& decision : decisions)
     for (auto& bundle : decision.bundles)
-      std::erase_if(bundle,
-                    [&](const auto& feature) { return std::popcount(maps[feature.row.index]) < least; });
+      std::erase_if(bundle, [&](const auto& feature) { return std::popcount(maps[feature.row.index]) < least; });
 }
 
 }  // namespace

@@ -22,8 +22,7 @@ bool teaches(const RankingInstance& instance) {
 }
 
 void learn_table(const RankingModel& model, WeightTable& table, std::span<const RankingInstance> all,
-                 std::span<const Executor> executors, const TrainOptions& options,
-                 const JobProgress& progress) {
+                 std::span<const Executor> executors, const TrainOptions& options, const JobProgress& progress) {
   *table.row(table.add(log_mass_feature())) = 1.0F;
   std::vector<Hallways::Text> texts;
   for (const RankingInstance& instance : all) {
@@ -51,8 +50,7 @@ void RankingInstances::add(RankingInstances&& more) {
 }
 
 void add_ranking_instances(const Grounder& reader, std::span<const Example* const> examples,
-                           std::span<const Executor> executors, const TrainOptions& options,
-                           RankingInstances& all) {
+                           std::span<const Executor> executors, const TrainOptions& options, RankingInstances& all) {
   constexpr std::size_t other_starts = 4;
   Decision before;
   for (std::size_t i = 0; i < examples.size(); ++i) {
@@ -78,11 +76,10 @@ void add_ranking_instances(const Grounder& reader, std::span<const Example* cons
   }
 }
 
-Grounder with_reranker(const Grounder& reader, const RankingInstances& all,
-                       std::span<const Executor> executors, const TrainOptions& options,
-                       const JobProgress& progress) {
-  auto model = std::make_shared<RankingModel>(reader.ranking->language.vocabulary(),
-                                              reader.ranking->language.dialect());
+Grounder with_reranker(const Grounder& reader, const RankingInstances& all, std::span<const Executor> executors,
+                       const TrainOptions& options, const JobProgress& progress) {
+  auto model =
+      std::make_shared<RankingModel>(reader.ranking->language.vocabulary(), reader.ranking->language.dialect());
   model->words = reader.ranking->words;
   learn_table(*model, model->reranker, all.of_ends, executors, options,
               [&](double fraction) { progress(0.3 * fraction); });

@@ -27,8 +27,7 @@ void add_ranking_instances(const Grounder& reader, std::span<const Example* cons
                            RankingInstances& instances);
 
 // The same reader with a reranker and a start-pose model learned for it.
-Grounder with_reranker(const Grounder& reader, const RankingInstances& instances,
-                       std::span<const Executor> executors, const TrainOptions& options,
-                       const JobProgress& progress);
+Grounder with_reranker(const Grounder& reader, const RankingInstances& instances, std::span<const Executor> executors,
+                       const TrainOptions& options, const JobProgress& progress);
 
 }  // namespace waymark::parser

@@ -32,15 +32,14 @@ class Mean {
 void run_jobs(std::size_t jobs, int threads, const Report& report, std::string_view what,
               const std::function<void(std::size_t job, const JobProgress& progress)>& run) {
   Mean mean(jobs);
-  ltl::parallel_for(jobs, static_cast<std::size_t>(std::max(threads, 1)),
-                    [&](std::size_t job, std::size_t thread) {
-                      const JobProgress progress = [&](double fraction) {
-                        const double all = mean.update(job, fraction);
-                        if (thread == 0 && report) report(all, what);
-                      };
-                      run(job, progress);
-                      progress(1.0);
-                    });
+  ltl::parallel_for(jobs, static_cast<std::size_t>(std::max(threads, 1)), [&](std::size_t job, std::size_t thread) {
+    const JobProgress progress = [&](double fraction) {
+      const double all = mean.update(job, fraction);
+      if (thread == 0 && report) report(all, what);
+    };
+    run(job, progress);
+    progress(1.0);
+  });
 }
 
 }  // namespace waymark::parser

@@ -24,8 +24,8 @@ void each_epoch(std::size_t instances, int epochs, const Below& below, const Vis
 
 // The same in batches: visit(batch, epoch, begin), where the batch begins in its epoch. Throws Stopped when asked to.
 template <class Below, class Visit>
-void each_batch(std::size_t instances, std::size_t batch, int epochs, const std::stop_token& stop,
-                const Below& below, const Visit& visit) {
+void each_batch(std::size_t instances, std::size_t batch, int epochs, const std::stop_token& stop, const Below& below,
+                const Visit& visit) {
   each_epoch(instances, epochs, below, [&](std::span<const std::size_t> order, int epoch) {
     for (std::size_t begin = 0; begin < order.size(); begin += batch) {
       if (stop.stop_requested()) throw Stopped{};

@@ -41,18 +41,15 @@ std::vector<Method> learning_methods() {
        QLearning{.counterfactual = true, .replays = replays}},
       {"shaped", "the same, shaped by the automaton's distance to acceptance",
        QLearning{.counterfactual = true, .shaped = true, .replays = replays}},
-      {"shaped-only", "Q-learning shaped by the automaton's distance to acceptance",
-       QLearning{.shaped = true}, false},
+      {"shaped-only", "Q-learning shaped by the automaton's distance to acceptance", QLearning{.shaped = true}, false},
       {"lpopl", "one value function for each progressed formula, sub-tasks easiest first",
        QLearning{.counterfactual = true, .curriculum = true, .replays = replays}},
       {"dqn-objects", "deep Q-learning on distances from the pose to objects", DqnMethod{{}, Sight::Objects}},
       {"dqn-landmarks", "the same, to floors and paintings too", DqnMethod{{}, Sight::Landmarks}},
-      {"dqn-literal", "the same, distances from the place whatever the heading",
-       DqnMethod{{}, Sight::Literal}},
+      {"dqn-literal", "the same, distances from the place whatever the heading", DqnMethod{{}, Sight::Literal}},
       {"dqn-double", "dqn-landmarks with double Q", DqnMethod{{.double_q = true}}, false},
       {"dqn-prioritised", "dqn-landmarks with prioritised replay", DqnMethod{{.prioritised = true}}, false},
-      {"dqn-trees", "dqn-landmarks that reads the progressed formula", DqnMethod{{}, Sight::Landmarks, true},
-       false},
+      {"dqn-trees", "dqn-landmarks that reads the progressed formula", DqnMethod{{}, Sight::Landmarks, true}, false},
   };
 }
 
@@ -90,8 +87,7 @@ bool LearningTask::allows(const Method& method) const {
 }
 
 LearningCurve LearningTask::run(const Method& method, const Training& training) const {
-  if (const auto* q_learning = std::get_if<QLearning>(&method.how))
-    return learn(product_, *q_learning, training).curve;
+  if (const auto* q_learning = std::get_if<QLearning>(&method.how)) return learn(product_, *q_learning, training).curve;
   const auto& [dqn, sight, trees] = std::get<DqnMethod>(method.how);
   return learn(product_, {&seen(sight)->by_position, trees ? &*trees_ : nullptr}, dqn, training);
 }
@@ -133,8 +129,8 @@ Summary summarise(std::span<const Verdict> verdicts) {
   summary.to_90 = bootstrap_median(all(&Verdict::to_90));
   summary.to_optimum = bootstrap_median(all(&Verdict::to_optimum));
   summary.to_stay = bootstrap_median(all(&Verdict::to_stay));
-  const auto came = std::count_if(verdicts.begin(), verdicts.end(),
-                                  [](const Verdict& v) { return v.to_optimum < infinity; });
+  const auto came =
+      std::count_if(verdicts.begin(), verdicts.end(), [](const Verdict& v) { return v.to_optimum < infinity; });
   summary.optimal = rate(static_cast<std::size_t>(came), verdicts.size());
   summary.updates = median(all(&Verdict::updates));
   summary.seconds = median(all(&Verdict::seconds));

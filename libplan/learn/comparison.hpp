@@ -63,9 +63,7 @@ class LearningTask {
 
  private:
   LearningTask(TabularProduct product, std::optional<ltl::Formula> formula, double discount);
-  const std::optional<Observations>& seen(Sight sight) const {
-    return observations_[static_cast<std::size_t>(sight)];
-  }
+  const std::optional<Observations>& seen(Sight sight) const { return observations_[static_cast<std::size_t>(sight)]; }
   TabularProduct product_;
   Optimum optimum_;
   double seconds_ = 0;

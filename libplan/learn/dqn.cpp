@@ -123,16 +123,14 @@ class Learner {
   }
 
   void show(std::uint32_t state, Matrix& x, std::size_t column) const {
-    network_.show(online_, product_.position_of(state), product_.task_of(state),
-                  x.col(static_cast<Index>(column)));
+    network_.show(online_, product_.position_of(state), product_.task_of(state), x.col(static_cast<Index>(column)));
   }
   std::uint32_t best_offered(const Matrix& q, std::size_t column, std::uint32_t state) const {
     const std::uint32_t position = product_.position_of(state);
     std::uint32_t best = product_.actions;
     for (std::uint32_t a = 0; a < product_.actions; ++a)
       if (product_.is_offered(position, a) &&
-          (best == product_.actions ||
-           q(a, static_cast<Index>(column)) > q(best, static_cast<Index>(column))))
+          (best == product_.actions || q(a, static_cast<Index>(column)) > q(best, static_cast<Index>(column))))
         best = a;
     return best;
   }
@@ -147,8 +145,8 @@ class Learner {
       action = best_offered(network_.forward(online_, column_, single_), 0, state);
     }
     const Environment::Transition taken = environment_.step(action);
-    const std::size_t place = replay_.add(
-        {product_.position_of(state), product_.task_of(state), action, taken.position, taken.letter});
+    const std::size_t place =
+        replay_.add({product_.position_of(state), product_.task_of(state), action, taken.position, taken.letter});
     if (method_.prioritised) priorities_.set(place, priorities_.greatest());
     if (!taken.is_last()) return;
     ++curve_.episodes;
@@ -172,11 +170,11 @@ class Learner {
     for (std::size_t i = 0; i < drawn_.size(); ++i) {
       const std::uint32_t action = drawn_[i].experience.action;
       const float error = q(action, static_cast<Index>(i)) - target_of(i);
-      dq(action, static_cast<Index>(i)) = static_cast<float>(drawn_[i].weight) *
-                                          std::clamp(error, -1.0F, 1.0F) / static_cast<float>(method_.batch);
+      dq(action, static_cast<Index>(i)) =
+          static_cast<float>(drawn_[i].weight) * std::clamp(error, -1.0F, 1.0F) / static_cast<float>(method_.batch);
       if (method_.prioritised)
-        priorities_.set(drawn_[i].place, std::pow(std::abs(static_cast<double>(error)) + least_priority,
-                                                  method_.priority_exponent));
+        priorities_.set(drawn_[i].place,
+                        std::pow(std::abs(static_cast<double>(error)) + least_priority, method_.priority_exponent));
     }
     network_.backward(online_, x_, tasks_, batch_, dx_);
     adam_.step(online_.parameters);
@@ -220,8 +218,7 @@ class Learner {
       best = target_.of(next_[i], chosen_[i]);
     } else {
       for (std::uint32_t a = 0; a < product_.actions; ++a)
-        if (product_.is_offered(product_.position_of(next_[i]), a))
-          best = std::max(best, target_.of(next_[i], a));
+        if (product_.is_offered(product_.position_of(next_[i]), a)) best = std::max(best, target_.of(next_[i], a));
     }
     return static_cast<float>(training_.discount) * best;
   }
@@ -248,8 +245,7 @@ class Learner {
 
 }  // namespace
 
-LearningCurve learn(const TabularProduct& product, const DqnInput& input, const Dqn& method,
-                    const Training& training) {
+LearningCurve learn(const TabularProduct& product, const DqnInput& input, const Dqn& method, const Training& training) {
   if (product.is_over()) throw std::invalid_argument("the task is over where it begins");
   if (input.by_position->cols() != static_cast<Index>(product.positions))
     throw std::invalid_argument("the observations are of another model");

@@ -31,7 +31,6 @@ struct Dqn {
 };
 
 // Throws std::invalid_argument when the product is over at every start, or the input is not that of its positions.
-LearningCurve learn(const TabularProduct& product, const DqnInput& input, const Dqn& method,
-                    const Training& training);
+LearningCurve learn(const TabularProduct& product, const DqnInput& input, const Dqn& method, const Training& training);
 
 }  // namespace waymark::plan

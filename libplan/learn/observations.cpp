@@ -35,8 +35,7 @@ std::vector<std::string> named(const Map& map, Sight sight) {
 }
 
 // Rows divided by the greatest distance of all.
-Observations scaled(std::vector<std::string> names, const std::vector<Distances>& rows,
-                    std::size_t positions) {
+Observations scaled(std::vector<std::string> names, const std::vector<Distances>& rows, std::size_t positions) {
   std::uint32_t greatest = 1;
   for (const Distances& row : rows)
     for (const auto& distance : row) greatest = std::max(greatest, distance.value_or(0));

@@ -20,17 +20,15 @@ class AsSolved {
     for (std::uint32_t i = 0; i < states(); ++i) visit(State{i});
   }
   bool is_goal(State s) const { return product_.ending(s.index) == Ending::Accepting; }
-  std::uint32_t choices(State s) const {
-    return product_.ending(s.index) == Ending::Open ? product_.actions : 0;
-  }
+  std::uint32_t choices(State s) const { return product_.ending(s.index) == Ending::Open ? product_.actions : 0; }
   template <class Visit>  // nothing comes of an action that is not offered
   void for_each_outcome(State s, std::uint32_t action, Visit&& visit) const {
     const std::uint32_t q = product_.task_of(s.index);
     double before = 0;
     for (const TabularProduct::Outcome& o : product_.outcomes_of(product_.position_of(s.index), action)) {
       const std::uint32_t next = product_.task.after(q, o.letter);
-      visit(product_.task.ending[next] == Ending::Trap ? trap : product_.state(o.position, next),
-            o.up_to - before, false);
+      visit(product_.task.ending[next] == Ending::Trap ? trap : product_.state(o.position, next), o.up_to - before,
+            false);
       before = o.up_to;
     }
   }
@@ -45,8 +43,7 @@ Optimum optimum(const TabularProduct& product, const OptimumOptions& options) {
   const AsSolved solved(product);
   const double discount = options.discount;
   DiscountedSweeps sweeps(solved, discount);
-  sweeps.run(discount < 1 ? discounted_change(options.tolerance, discount) : options.tolerance, {},
-             options.sweeps);
+  sweeps.run(discount < 1 ? discounted_change(options.tolerance, discount) : options.tolerance, {}, options.sweeps);
   Optimum best;
   best.sweeps = sweeps.sweeps();
   best.policy.assign(product.states(), no_action);

@@ -35,8 +35,7 @@ std::vector<bool> hopeful(const PolicyChain& chain) {
   std::vector<std::uint32_t> todo;
   std::vector<bool> reaches(chain.states(), false);
   for (std::uint32_t s = 0; s < chain.states(); ++s) {
-    for (std::uint32_t i = chain.first[s]; i < chain.first[s + 1]; ++i)
-      sources[chain.outcomes[i].target].push_back(s);
+    for (std::uint32_t i = chain.first[s]; i < chain.first[s + 1]; ++i) sources[chain.outcomes[i].target].push_back(s);
     if (chain.ending[s] != Ending::Accepting) continue;
     reaches[s] = true;
     todo.push_back(s);

@@ -23,8 +23,7 @@ class Curriculum {
     const std::uint32_t whole = product.task_of(product.starts[0].state);
     std::vector<std::uint32_t> tasks;
     for (std::uint32_t q = 0; q < product.task.tasks; ++q)
-      if (product.task.ending[q] == Ending::Open && q != product.task.initial && q != whole)
-        tasks.push_back(q);
+      if (product.task.ending[q] == Ending::Open && q != product.task.initial && q != whole) tasks.push_back(q);
     std::stable_sort(tasks.begin(), tasks.end(), [&](std::uint32_t a, std::uint32_t b) {
       return product.task.distance[a] < product.task.distance[b];
     });

@@ -5,8 +5,7 @@ namespace waymark::plan {
 using neural::Index;
 using neural::Matrix;
 
-QNetwork::QNetwork(const DqnInput& input, const Shape& shape, ltl::Random& random, QWeights& weights)
-    : input_(input) {
+QNetwork::QNetwork(const DqnInput& input, const Shape& shape, ltl::Random& random, QWeights& weights) : input_(input) {
   const auto uniform = [&random] { return random.unit(); };
   if (input.trees != nullptr) {
     encoder_.emplace(weights.parameters, shape.task_width, input.trees->slots, uniform);
@@ -29,8 +28,7 @@ void QNetwork::read_tasks(QWeights& weights) const {
     weights.tasks.col(q) = weights.vectors.col(input_.trees->root[static_cast<std::size_t>(q)]);
 }
 
-void QNetwork::show(const QWeights& weights, std::uint32_t position, std::uint32_t task,
-                    neural::View x) const {
+void QNetwork::show(const QWeights& weights, std::uint32_t position, std::uint32_t task, neural::View x) const {
   x.topRows(input_.by_position->rows()) = input_.by_position->col(position);
   x.bottomRows(weights.tasks.rows()) = weights.tasks.col(task);
 }

@@ -83,8 +83,7 @@ TabularProduct compose_model(const Model& model, TaskRows task) {
   }
   product.first.push_back(static_cast<std::uint32_t>(product.outcomes.size()));
   const std::uint32_t first = product.task.classes.of(model.initial_letter());
-  product.starts.push_back(
-      {product.state(model.initial(), product.task.after(product.task.initial, first)), 1});
+  product.starts.push_back({product.state(model.initial(), product.task.after(product.task.initial, first)), 1});
   return product;
 }
 
@@ -102,9 +101,7 @@ bool TabularProduct::is_over() const {
 }
 
 TabularProduct compose(const Mdp& model, TaskRows task) { return compose_model(model, std::move(task)); }
-TabularProduct compose(const GridWorld& model, TaskRows task) {
-  return compose_model(model, std::move(task));
-}
+TabularProduct compose(const GridWorld& model, TaskRows task) { return compose_model(model, std::move(task)); }
 
 TabularProduct tabulate(const Map& map, const automata::Dfa& dfa, std::span<const PoseId> starts,
                         const MapNoise& noise) {

@@ -32,9 +32,8 @@ struct TabularProduct {
 
   TaskRows task;
   std::uint32_t positions = 0, actions = 0;
-  std::vector<std::string> names;  // by action, in the order that breaks ties
-  std::vector<std::uint32_t>
-      first;  // by choice: where its outcomes begin; equal to the next where it is not offered
+  std::vector<std::string> names;    // by action, in the order that breaks ties
+  std::vector<std::uint32_t> first;  // by choice: where its outcomes begin; equal to the next where it is not offered
   std::vector<Outcome> outcomes;
   std::vector<double> cost;   // by choice
   std::vector<Start> starts;  // in sum 1
@@ -64,8 +63,7 @@ TabularProduct compose(const GridWorld& model, TaskRows task);
 // conventions.md 8); noise: chances to slip.
 TabularProduct tabulate(const Map& map, const automata::Dfa& dfa, std::span<const PoseId> starts,
                         const MapNoise& noise = {});
-inline TabularProduct tabulate(const Map& map, const automata::Dfa& dfa, PoseId start,
-                               const MapNoise& noise = {}) {
+inline TabularProduct tabulate(const Map& map, const automata::Dfa& dfa, PoseId start, const MapNoise& noise = {}) {
   return tabulate(map, dfa, {&start, 1}, noise);
 }
 

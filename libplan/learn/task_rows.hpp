@@ -23,9 +23,7 @@ struct TaskRows {
   std::vector<Ending> ending;            // by task
   std::vector<std::uint32_t> distance;   // by task: fewest letters to acceptance, or unreachable
 
-  std::uint32_t after(std::uint32_t task, std::uint32_t letter) const {
-    return next[task * letters + letter];
-  }
+  std::uint32_t after(std::uint32_t task, std::uint32_t letter) const { return next[task * letters + letter]; }
 };
 
 // Throws ltl::FormatError naming a proposition that the automaton reads and the model lacks.

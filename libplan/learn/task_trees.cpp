@@ -37,8 +37,7 @@ Index operands_told_apart(ltl::Op op) {
 class Trees {
  public:
   explicit Trees(ltl::Formula phi) {
-    for (Index op = 0; op < operators; ++op)
-      out.slots.push_back(operands_told_apart(static_cast<ltl::Op>(op)));
+    for (Index op = 0; op < operators; ++op) out.slots.push_back(operands_told_apart(static_cast<ltl::Op>(op)));
     for (const ltl::Proposition p : ltl::propositions(phi)) {
       atoms_.emplace(p, static_cast<Index>(out.slots.size()));
       out.slots.push_back(0);
@@ -48,11 +47,9 @@ class Trees {
   Index node_of(ltl::Formula f) {
     for (const ltl::Formula g : ltl::subformulas(f)) {
       if (node_.contains(g)) continue;
-      neural::SymbolNode node{g.op() == ltl::Op::Atom ? atoms_.at(g.proposition())
-                                                      : static_cast<Index>(g.op())};
+      neural::SymbolNode node{g.op() == ltl::Op::Atom ? atoms_.at(g.proposition()) : static_cast<Index>(g.op())};
       for (std::size_t i = 0; i < g.operands().size(); ++i)
-        node.children.push_back(
-            {node_.at(g[i]), operands_told_apart(g.op()) == 2 ? static_cast<Index>(i) : 0});
+        node.children.push_back({node_.at(g[i]), operands_told_apart(g.op()) == 2 ? static_cast<Index>(i) : 0});
       node_.emplace(g, static_cast<Index>(out.nodes.size()));
       out.nodes.push_back(std::move(node));
     }
@@ -76,8 +73,8 @@ std::vector<std::optional<ltl::Formula>> formulas_of(const TaskRows& table, ltl:
     for (std::uint32_t letter = 0; letter < table.letters; ++letter) {
       const std::uint32_t next = table.after(queue[head], letter);
       if (formula[next]) continue;
-      formula[next] = ltl::simplify(
-          ltl::progress(*formula[queue[head]], table.classes.representatives()[letter]), ltl::Over::Rest);
+      formula[next] =
+          ltl::simplify(ltl::progress(*formula[queue[head]], table.classes.representatives()[letter]), ltl::Over::Rest);
       queue.push_back(next);
     }
   return formula;

@@ -26,8 +26,7 @@ struct Training {
 
   double epsilon(std::size_t step) const {
     if (step >= explore_steps) return explore_last;
-    return explore +
-           (explore_last - explore) * static_cast<double>(step) / static_cast<double>(explore_steps);
+    return explore + (explore_last - explore) * static_cast<double>(step) / static_cast<double>(explore_steps);
   }
 };
 

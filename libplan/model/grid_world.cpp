@@ -8,8 +8,7 @@ namespace {
 
 void check(const GridWorld::Shape& shape, std::size_t palette, const std::vector<std::uint16_t>& cells) {
   const std::size_t size = std::size_t{shape.width} * shape.height;
-  if (size == 0 || size > GridWorld::max_cells)
-    throw std::invalid_argument("a grid without cells, or with too many");
+  if (size == 0 || size > GridWorld::max_cells) throw std::invalid_argument("a grid without cells, or with too many");
   if (cells.size() != size) throw std::invalid_argument("not as many cells as the grid has");
   for (std::uint16_t kind : cells)
     if (kind >= palette) throw std::invalid_argument("a cell of no known kind");
@@ -30,9 +29,8 @@ std::string_view name(Compass direction) {
   return names[static_cast<std::size_t>(direction)];
 }
 
-GridWorld::GridWorld(const Shape& shape, const ltl::Vocabulary& vocabulary,
-                     const std::vector<GridCell>& palette, const std::vector<std::uint16_t>& cells,
-                     std::uint32_t start)
+GridWorld::GridWorld(const Shape& shape, const ltl::Vocabulary& vocabulary, const std::vector<GridCell>& palette,
+                     const std::vector<std::uint16_t>& cells, std::uint32_t start)
     : shape_(shape),
       start_(start),
       step_{0U - shape.width, 1, shape.width, 0U - 1U},

@@ -18,8 +18,7 @@
 namespace waymark::plan {
 
 enum class Compass : std::uint8_t { North, East, South, West };
-inline constexpr std::array<Compass, 4> all_compass{Compass::North, Compass::East, Compass::South,
-                                                    Compass::West};
+inline constexpr std::array<Compass, 4> all_compass{Compass::North, Compass::East, Compass::South, Compass::West};
 std::string_view name(Compass direction);  // "N", "E", "S", "W"
 
 struct SlipChances {  // where a move goes; in sum 1

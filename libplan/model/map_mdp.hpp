@@ -59,9 +59,8 @@ struct TurnChances {  // what a turn may do instead; the rest is as meant
   friend bool operator==(const TurnChances&, const TurnChances&) = default;
 };
 struct MapNoise {
-  MapNoise(
-      const SlipChances& of_forward = {},  // NOLINT(google-explicit-constructor): most noise is that alone
-      const TurnChances& of_turns = {})
+  MapNoise(const SlipChances& of_forward = {},  // NOLINT(google-explicit-constructor): most noise is that alone
+           const TurnChances& of_turns = {})
       : forward(of_forward), turn(of_turns) {}
   SlipChances forward;
   TurnChances turn;

@@ -11,8 +11,8 @@ void Mdp::tabulate_predecessors() {
   const auto for_each_pair = [&](auto&& visit) {  // (source, target), each once
     std::fill(last_source.begin(), last_source.end(), UINT32_MAX);
     for (std::uint32_t s = 0; s < states(); ++s)
-      for (std::uint32_t o = choices_[first_choice_[s]].first_outcome;
-           o < choices_[first_choice_[s + 1]].first_outcome; ++o) {
+      for (std::uint32_t o = choices_[first_choice_[s]].first_outcome; o < choices_[first_choice_[s + 1]].first_outcome;
+           ++o) {
         const std::uint32_t target = outcomes_[o].target;
         if (last_source[target] == s) continue;
         last_source[target] = s;
@@ -61,8 +61,7 @@ void MdpBuilder::check_choice(std::uint32_t state, std::uint32_t k) const {
     sum += o.probability;
   }
   if (!(std::abs(sum - 1) <= 1e-9)) fail("the probabilities of a choice do not add up to 1");
-  if (!(mdp_.cost(state, k) >= 0) || std::isinf(mdp_.cost(state, k)))
-    fail("a cost that is negative or infinite");
+  if (!(mdp_.cost(state, k) >= 0) || std::isinf(mdp_.cost(state, k))) fail("a cost that is negative or infinite");
 }
 
 Mdp MdpBuilder::build(std::uint32_t initial, LetterId initial_letter) && {

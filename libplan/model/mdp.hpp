@@ -38,9 +38,7 @@ class Mdp {
   std::uint32_t outcome_count(std::uint32_t s, std::uint32_t k) const {
     return static_cast<std::uint32_t>(outcomes(s, k).size());
   }
-  const ModelOutcome& outcome(std::uint32_t s, std::uint32_t k, std::uint32_t i) const {
-    return outcomes(s, k)[i];
-  }
+  const ModelOutcome& outcome(std::uint32_t s, std::uint32_t k, std::uint32_t i) const { return outcomes(s, k)[i]; }
   template <class Visit>  // visit(target, letter, probability)
   void for_each_outcome(std::uint32_t s, std::uint32_t k, Visit&& visit) const {
     for (const ModelOutcome& o : outcomes(s, k)) visit(o.target, o.letter, o.probability);

@@ -31,8 +31,7 @@ std::vector<double> cuts_of(const std::vector<Terrain::Edge>& edges) {
     }
   }
   std::sort(cuts.begin(), cuts.end());
-  cuts.erase(std::unique(cuts.begin(), cuts.end(), [](double a, double b) { return b - a < least; }),
-             cuts.end());
+  cuts.erase(std::unique(cuts.begin(), cuts.end(), [](double a, double b) { return b - a < least; }), cuts.end());
   return cuts;
 }
 
@@ -52,8 +51,7 @@ void TerrainCells::add_slab(const Terrain& terrain, const std::vector<Terrain::E
   const double middle = (left + right) / 2;
   std::vector<Terrain::Edge> across;
   for (const Terrain::Edge& edge : edges)
-    if (std::min(edge.a.x, edge.b.x) < middle && std::max(edge.a.x, edge.b.x) > middle)
-      across.push_back(edge);
+    if (std::min(edge.a.x, edge.b.x) < middle && std::max(edge.a.x, edge.b.x) > middle) across.push_back(edge);
   std::sort(across.begin(), across.end(), [&](const Terrain::Edge& a, const Terrain::Edge& b) {
     return height_at(a, middle) < height_at(b, middle);
   });
@@ -66,8 +64,8 @@ void TerrainCells::add_slab(const Terrain& terrain, const std::vector<Terrain::E
     const bool is_free = terrain.contains(inside);
     const Point top_left{left, height_at(top, left)}, top_right{right, height_at(top, right)};
     if (is_free)
-      add_cell(terrain, {top_left, top_right, Point{right, height_at(bottom, right)},
-                         Point{left, height_at(bottom, left)}});
+      add_cell(terrain,
+               {top_left, top_right, Point{right, height_at(bottom, right)}, Point{left, height_at(bottom, left)}});
     const auto here = static_cast<std::uint32_t>(cells_.size() - 1);
     if (is_free && above_is_free) join(here - 1, here, top_left, top_right);
     above_is_free = is_free;

@@ -167,8 +167,7 @@ Explored explore(const automata::Dfa& dfa, const Workspace& workspace, PoseId st
     problem.low = {std::min(problem.low.x, c.x - 1), std::min(problem.low.y, c.y - 1)};
     problem.high = {std::max(problem.high.x, c.x + 1), std::max(problem.high.y, c.y + 1)};
   }
-  return try_exploring(problem, how,
-                       [&](const Motion& motion) { return is_accepted(motion, workspace, dfa); });
+  return try_exploring(problem, how, [&](const Motion& motion) { return is_accepted(motion, workspace, dfa); });
 }
 
 }  // namespace waymark::plan

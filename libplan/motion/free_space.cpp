@@ -25,15 +25,13 @@ struct Sweep {
 }  // namespace
 
 bool admits(const FreeSpace& space, const Configuration& c, const Robot& robot) {
-  if (const auto* disc = std::get_if<Disc>(&robot))
-    return space.admits(position(c), position(c), disc->radius);
+  if (const auto* disc = std::get_if<Disc>(&robot)) return space.admits(position(c), position(c), disc->radius);
   return space.contains(position(c)) && space.clearance(body(std::get<Car>(robot), c), touching) >= touching;
 }
 
 bool admits(const FreeSpace& space, const Piece& piece, const Robot& robot) {
   const Configuration from = piece.at(0), to = piece.at(1);
-  if (const auto* disc = std::get_if<Disc>(&robot))
-    return space.admits(position(from), position(to), disc->radius);
+  if (const auto* disc = std::get_if<Disc>(&robot)) return space.admits(position(from), position(to), disc->radius);
   const auto& car = std::get<Car>(robot);
   const double path = piece.length() + reach(car) * std::abs(radians(piece.turn()));
   return space.contains(position(from)) && Sweep{space, piece, car, path}.is_free(0, 1);

@@ -27,9 +27,7 @@ double distance(Point a, Point b, Point c, Point d) {
   return std::min({distance(a, c, d), distance(b, c, d), distance(c, a, b), distance(d, a, b)});
 }
 
-double orientation(Point a, Point b, Point c) {
-  return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
-}
+double orientation(Point a, Point b, Point c) { return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x); }
 
 bool contains(const Box& box, Point p) {
   bool left = true, right = true;
@@ -66,8 +64,7 @@ bool contains(const Polygon& polygon, Point p) {  // a ray to the east meets the
 
 double signed_area(const Polygon& polygon) {
   double twice = 0;
-  for (std::size_t i = 1; i + 1 < polygon.size(); ++i)
-    twice += orientation(polygon[0], polygon[i], polygon[i + 1]);
+  for (std::size_t i = 1; i + 1 < polygon.size(); ++i) twice += orientation(polygon[0], polygon[i], polygon[i + 1]);
   return twice / 2;
 }
 

@@ -24,7 +24,7 @@ double gap(const Box& box, Point a, Point b);  // to the segment ab, 0 where the
 using Polygon = std::vector<Point>;              // closed: the last corner is joined to the first
 bool contains(const Polygon& polygon, Point p);  // on the border either answer
 double signed_area(const Polygon& polygon);      // positive when walked clockwise on the page
-bool meets_itself(const Polygon& polygon);  // two edges that are no neighbours touch, or neighbours overlap
+bool meets_itself(const Polygon& polygon);       // two edges that are no neighbours touch, or neighbours overlap
 
 // Where the lines of two segments that cross or touch meet; the segments must not be parallel.
 Point meeting(Point a, Point b, Point c, Point d);

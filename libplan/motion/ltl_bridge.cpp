@@ -50,16 +50,14 @@ void set(ob::State* state, const Configuration& c) {
 // One step. Both controls are drawn from −1 … 1. Cubed, the second says how sharply to turn, more often little than
 // much: a car or a disc bends its way. The first is the speed; for a fifth of it a car backs up, and a disc turns in
 // place.
-Configuration stepped(const ExplorationProblem& problem, const Configuration& from, double first,
-                      double second) {
+Configuration stepped(const ExplorationProblem& problem, const Configuration& from, double first, double second) {
   const double steering = second * second * second, speed = std::max(0.2, (first + 1) / 2);
   if (const auto* car = std::get_if<Car>(&problem.robot)) {
     const double way = problem.step * (first < backing ? -1 : speed);
     return Piece::driving(from, way, way * steering / car->turning_radius / degree).at(1);
   }
   const bool in_place = first < backing;
-  const double turn = in_place ? turn_step * second : bend_step * steering,
-               way = in_place ? 0 : problem.step * speed;
+  const double turn = in_place ? turn_step * second : bend_step * steering, way = in_place ? 0 : problem.step * speed;
   const Point towards = ahead_of(from.heading + turn / 2);
   return {from.x + way * towards.x, from.y + way * towards.y, normalized(from.heading + turn)};
 }
@@ -109,8 +107,7 @@ class LabelledCells : public oc::PropositionalDecomposition {
   LabelledCells(std::shared_ptr<Cells> cells, unsigned int bits)
       : PropositionalDecomposition(cells), cells_(std::move(cells)), bits_(bits) {}
   oc::World worldAtRegion(int region) override {
-    return region < 0 ? oc::World(bits_)
-                      : world_of(cells_->at(region).symbol, bits_);  // nothing set: no guard holds
+    return region < 0 ? oc::World(bits_) : world_of(cells_->at(region).symbol, bits_);  // nothing set: no guard holds
   }
   int getNumProps() const override { return static_cast<int>(bits_); }
 
@@ -128,8 +125,7 @@ class Dynamics : public oc::StatePropagator {
     const Configuration here = configuration_of(from), there = stepped(problem_, here, values[0], values[1]);
     set(to, there);
     if (!problem_.is_free(here, configuration_of(to)))
-      to->as<State>()->setX(
-          std::numeric_limits<double>::quiet_NaN());  // the one sign that a step was not valid
+      to->as<State>()->setX(std::numeric_limits<double>::quiet_NaN());  // the one sign that a step was not valid
   }
 
  private:
@@ -156,8 +152,7 @@ oc::SpaceInformationPtr make_space(const ExplorationProblem& problem, const ob::
   limits.setHigh(1);
   controls->setBounds(limits);
   auto space = std::make_shared<oc::SpaceInformation>(states, controls);
-  space->setStateValidityChecker(
-      [](const ob::State* state) { return !std::isnan(state->as<State>()->getX()); });
+  space->setStateValidityChecker([](const ob::State* state) { return !std::isnan(state->as<State>()->getX()); });
   space->setStatePropagator(std::make_shared<Dynamics>(space, problem));
   space->setMinMaxControlDuration(1, most_steps);
   space->setPropagationStepSize(1);
@@ -238,8 +233,7 @@ std::vector<Configuration> explore(const ExplorationProblem& problem, double sec
   set(start.get(), problem.start);
   definition->addLowerStartState(start.get());
   const ob::State* first = definition->getStartState(0);
-  if (!product_space->satisfiesBounds(first) ||
-      !product_space->isValid(first))  // OMPL would follow a null pointer
+  if (!product_space->satisfiesBounds(first) || !product_space->isValid(first))  // OMPL would follow a null pointer
     throw std::logic_error("explore: the start is no state of the product");
   oc::LTLPlanner planner(product_space, product, explore_seconds);
   planner.setProblemDefinition(definition);

@@ -38,7 +38,7 @@ struct ExplorationProblem {
   std::function<std::optional<std::uint32_t>(const Configuration&)> region_of;
   std::function<bool(const Configuration&, const Configuration&)> is_free;  // one piece of motion
   Point low, high;                                                          // all positions lie between
-  double step = 0.04;  // of propagation: its length, at most
+  double step = 0.04;                                                       // of propagation: its length, at most
   Robot robot;
   Configuration start;
 };

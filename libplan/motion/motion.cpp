@@ -99,9 +99,7 @@ class Reader {
 
 }  // namespace
 
-int quarter_of(double heading) {
-  return static_cast<int>(std::floor((heading + quarter_turn / 2) / quarter_turn)) & 3;
-}
+int quarter_of(double heading) { return static_cast<int>(std::floor((heading + quarter_turn / 2) / quarter_turn)) & 3; }
 
 bool is_configuration(const Configuration& c) {
   return std::isfinite(c.x) && std::isfinite(c.y) && c.heading >= 0 && c.heading < full_turn;

@@ -49,7 +49,7 @@ std::variant<Trajectory, NoRoute> route_of(const Motion& motion, const Workspace
 class CertifiedMotion {
  public:
   const Motion& motion() const { return motion_; }
-  const CertifiedRoute& route() const { return route_; }  // read off the motion, not the one it was made from
+  const CertifiedRoute& route() const { return route_; }       // read off the motion, not the one it was made from
   const std::vector<double>& times() const { return times_; }  // of the actions, as in TimedRoute
 
  private:

@@ -55,8 +55,7 @@ void set(ob::State* state, const Configuration& c) {
 // The space of a car, of which the problem says what part is sampled.
 class CarSpace : public ob::ReedsSheppStateSpace {
  public:
-  explicit CarSpace(const DriveProblem& problem)
-      : ReedsSheppStateSpace(problem.turning_radius), problem_(problem) {}
+  explicit CarSpace(const DriveProblem& problem) : ReedsSheppStateSpace(problem.turning_radius), problem_(problem) {}
   ob::StateSamplerPtr allocDefaultStateSampler() const override;
   const DriveProblem& problem() const { return problem_; }
 
@@ -100,8 +99,7 @@ class Validator : public ob::MotionValidator {  // proved along the whole motion
       : MotionValidator(space), is_free_(std::move(is_free)) {}
   bool checkMotion(const ob::State* a, const ob::State* b) const override { return is_free_(a, b); }
   // Planners that keep the part of a motion before the obstacle ask this; none of ours does.
-  bool checkMotion(const ob::State* a, const ob::State* b,
-                   std::pair<ob::State*, double>& last_valid) const override {
+  bool checkMotion(const ob::State* a, const ob::State* b, std::pair<ob::State*, double>& last_valid) const override {
     const bool free = checkMotion(a, b);
     if (!free && last_valid.first != nullptr) si_->copyState(last_valid.first, a);
     if (!free) last_valid.second = 0;
@@ -166,8 +164,7 @@ void begin_random_numbers(std::uint32_t seed) {
   ompl::RNG::setSeed(std::max(seed, 1U));  // 0 is not taken
 }
 
-Line driven(const ob::ReedsSheppStateSpace& space, const ob::State* a, const ob::State* b,
-            double turning_radius) {
+Line driven(const ob::ReedsSheppStateSpace& space, const ob::State* a, const ob::State* b, double turning_radius) {
   const ob::ReedsSheppStateSpace::ReedsSheppPath path = space.reedsShepp(a, b);
   Line line{configuration_of(a)};
   for (std::size_t i = 0; i < 5; ++i) {

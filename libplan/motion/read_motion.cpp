@@ -54,8 +54,8 @@ Configuration parse_configuration(std::string_view text) {
   }
   const Configuration c{values[0], values[1], values[2]};
   if (count < 2 || goes_on || at != end || !is_configuration(c))
-    throw ltl::FormatError(
-        "", 0, 0, "expected x,y or x,y,heading with 0 ≤ heading < 360, not \"" + std::string(text) + '"');
+    throw ltl::FormatError("", 0, 0,
+                           "expected x,y or x,y,heading with 0 ≤ heading < 360, not \"" + std::string(text) + '"');
   return c;
 }
 

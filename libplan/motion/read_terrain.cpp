@@ -72,8 +72,6 @@ class TerrainReader {
 
 }  // namespace
 
-Terrain parse_terrain(std::string_view json, std::string_view source) {
-  return TerrainReader(json, source).read();
-}
+Terrain parse_terrain(std::string_view json, std::string_view source) { return TerrainReader(json, source).read(); }
 
 }  // namespace waymark::plan

@@ -10,8 +10,7 @@ namespace waymark::plan {
 // A motion whose route is this one, or the first leg for which the iterations did not suffice. Throws
 // std::invalid_argument when the robot fits into no hallway, or not where the route starts.
 Realization realize(const Trajectory& route, const Workspace& workspace, const Sampling& sampling = {});
-inline Realization realize(const CertifiedRoute& route, const Workspace& workspace,
-                           const Sampling& sampling = {}) {
+inline Realization realize(const CertifiedRoute& route, const Workspace& workspace, const Sampling& sampling = {}) {
   return realize(route.route(), workspace, sampling);
 }
 

@@ -15,16 +15,14 @@ constexpr std::size_t most_goals = 10;     // that a car's leg is sampled toward
 constexpr double steps_across = 200;       // of propagation, from corner to corner of the terrain
 constexpr std::size_t most_attempts = 25;  // runs through the cells that are tried
 
-void check_start(const Terrain& terrain, const TerrainCells& cells, const Configuration& start,
-                 const Robot& robot) {
+void check_start(const Terrain& terrain, const TerrainCells& cells, const Configuration& start, const Robot& robot) {
   if (!is_possible(robot)) throw std::invalid_argument("a robot has no such size");
   if (!cells.at(position(start)) || !admits(terrain, start, robot))
     throw std::invalid_argument("the robot does not fit where it starts");
 }
 
 // Passages too narrow for the body, as far as a few points of each show: runs through them are not worth a try.
-std::vector<PassageId> narrow_passages(const Terrain& terrain, const TerrainCells& cells,
-                                       const Robot& robot) {
+std::vector<PassageId> narrow_passages(const Terrain& terrain, const TerrainCells& cells, const Robot& robot) {
   constexpr int points = 16;
   const auto* car = std::get_if<Car>(&robot);
   const double radius = car != nullptr ? car->width / 2 : std::get<Disc>(robot).radius;
@@ -34,8 +32,7 @@ std::vector<PassageId> narrow_passages(const Terrain& terrain, const TerrainCell
       bool is_wide = false;
       for (int k = 0; k <= points && !is_wide; ++k) {
         const double t = 1.0 * k / points;
-        const Point p{passage.a.x + t * (passage.b.x - passage.a.x),
-                      passage.a.y + t * (passage.b.y - passage.a.y)};
+        const Point p{passage.a.x + t * (passage.b.x - passage.a.x), passage.a.y + t * (passage.b.y - passage.a.y)};
         is_wide = terrain.admits(p, p, radius);
       }
       if (!is_wide) narrow.push_back({from, passage.to});
@@ -68,8 +65,7 @@ class TourMaker {
     const std::vector<Point> ends = ends_of(leg);
     if (ends.empty()) return false;
     const SamplingBudget budget = sampling_budget(sampling_, index);
-    Line way = car_ == nullptr ? disc_line(leg, line.back(), ends, budget)
-                               : car_line(leg, line.back(), ends, budget);
+    Line way = car_ == nullptr ? disc_line(leg, line.back(), ends, budget) : car_line(leg, line.back(), ends, budget);
     if (way.size() < 2 || !reads(way, {leg.now, leg.next})) return false;
     line.insert(line.end(), way.begin() + 1, way.end());
     return true;
@@ -137,14 +133,12 @@ class TourMaker {
       Line line = shortest_drive(from, goal, car_->turning_radius);
       drives.emplace_back(length(Motion{line, sampling_.robot}), std::move(line));
     }
-    std::stable_sort(drives.begin(), drives.end(),
-                     [](const auto& a, const auto& b) { return a.first < b.first; });
+    std::stable_sort(drives.begin(), drives.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
     for (const auto& [unused, line] : drives)
       if (reads(line, {leg.now, leg.next})) return line;
     std::vector<Configuration> spread;  // every goal costs the sampler a drive for every state it considers
     for (std::size_t i = 0; i < most_goals; ++i) spread.push_back(goals[i * goals.size() / most_goals]);
-    return sample_drive(
-        {terrain_.low(), terrain_.high(), 0, 180, car_->turning_radius, is_free, from, spread}, budget);
+    return sample_drive({terrain_.low(), terrain_.high(), 0, 180, car_->turning_radius, is_free, from, spread}, budget);
   }
 
   const Terrain& terrain_;
@@ -220,8 +214,7 @@ TourOutcome realize(const automata::Dfa& dfa, const Terrain& terrain, const Conf
   return NotFound{most_attempts};
 }
 
-Explored explore(const automata::Dfa& dfa, const Terrain& terrain, const Configuration& start,
-                 const Exploration& how) {
+Explored explore(const automata::Dfa& dfa, const Terrain& terrain, const Configuration& start, const Exploration& how) {
   const TerrainCells cells(terrain);
   check_start(terrain, cells, start, how.robot);
   const std::uint32_t first = cells.at(position(start)).value();
@@ -248,8 +241,7 @@ Explored explore(const automata::Dfa& dfa, const Terrain& terrain, const Configu
   if (!has_run(problem)) return NoRun{};
   for (const PassageId& passage : narrow_passages(terrain, cells, how.robot)) {
     auto& neighbours = problem.regions[passage.from].neighbours;
-    neighbours.erase(std::remove(neighbours.begin(), neighbours.end(), static_cast<int>(passage.to)),
-                     neighbours.end());
+    neighbours.erase(std::remove(neighbours.begin(), neighbours.end(), static_cast<int>(passage.to)), neighbours.end());
   }
   if (!has_run(problem)) return OutOfTime{0};
   return try_exploring(problem, how, [&](const Motion& motion) { return is_accepted(motion, terrain, dfa); });

@@ -23,7 +23,6 @@ using TourOutcome = std::variant<Motion, NoRun, NotFound>;
 // of the terrain.
 TourOutcome realize(const automata::Dfa& dfa, const Terrain& terrain, const Configuration& start,
                     const Sampling& sampling);
-Explored explore(const automata::Dfa& dfa, const Terrain& terrain, const Configuration& start,
-                 const Exploration& how);
+Explored explore(const automata::Dfa& dfa, const Terrain& terrain, const Configuration& start, const Exploration& how);
 
 }  // namespace waymark::plan

@@ -6,8 +6,7 @@ namespace waymark::plan {
 namespace {
 
 constexpr double rear_share = 0.2;  // of the length of a car, behind its rear axle
-constexpr double rounding =
-    1e-6;  // relative, of the turning radius; a tenth of it absolute, of the length of arcs
+constexpr double rounding = 1e-6;   // relative, of the turning radius; a tenth of it absolute, of the length of arcs
 
 bool is_length(double value) { return std::isfinite(value) && value > 0; }
 
@@ -35,8 +34,7 @@ std::optional<Piece> piece_between(const Configuration& from, const Configuratio
   if (std::holds_alternative<Disc>(robot)) return Piece::gliding(from, to);
   const auto piece = Piece::driving(from, to);
   const double tightest = std::get<Car>(robot).turning_radius * (1 - rounding);
-  if (!piece || piece->length() + rounding / 10 < tightest * std::abs(radians(piece->turn())))
-    return std::nullopt;
+  if (!piece || piece->length() + rounding / 10 < tightest * std::abs(radians(piece->turn()))) return std::nullopt;
   return piece;
 }
 

@@ -47,8 +47,7 @@ class Driver {
     for (const Leg& leg : legs()) {
       Layer next = joined(leg);
       if (next.empty()) next = sampled(leg);
-      if (next.empty())
-        return Unreached{route_.poses[leg.begin], route_.poses[leg.end], sampling_.iterations};
+      if (next.empty()) return Unreached{route_.poses[leg.begin], route_.poses[leg.end], sampling_.iterations};
       layers_.push_back(std::move(next));
     }
     return motion();
@@ -65,8 +64,7 @@ class Driver {
   std::vector<Leg> legs() const {
     std::vector<Leg> out;
     for (std::size_t i = 0; i < route_.actions.size(); ++i) {
-      const bool goes_on =
-          i > 0 && route_.actions[i] == Action::Forward && route_.actions[i - 1] == Action::Forward;
+      const bool goes_on = i > 0 && route_.actions[i] == Action::Forward && route_.actions[i - 1] == Action::Forward;
       if (goes_on && !is_furnished(i))
         out.back().end = i + 1;
       else
@@ -89,8 +87,7 @@ class Driver {
         const double forward = along * workspace_.width() / 2, sideways = across * workspace_.width() / 2;
         const Configuration stop{c.x + forward * ahead.x + sideways * right.x,
                                  c.y + forward * ahead.y + sideways * right.y, heading(pose)};
-        if (workspace_.cell_at(position(stop)) != here || !admits(workspace_, stop, sampling_.robot))
-          continue;
+        if (workspace_.cell_at(position(stop)) != here || !admits(workspace_, stop, sampling_.robot)) continue;
         out.push_back(stop);
         if (is_end && along == 0 && across == 0) return out;
       }
@@ -159,8 +156,7 @@ class Driver {
   }
 
   // Confined to the cells of the leg and, for a turn, to the hallways that meet its cell.
-  DriveProblem problem(const Leg& leg, const Configuration& from,
-                       const std::vector<Configuration>& goals) const {
+  DriveProblem problem(const Leg& leg, const Configuration& from, const std::vector<Configuration>& goals) const {
     const Point a = workspace_.centre(node(leg.begin)), b = workspace_.centre(node(leg.end));
     const double half = workspace_.width() / 2;
     const double room = node(leg.begin) == node(leg.end) ? 1 - half : half;
@@ -191,8 +187,7 @@ class Driver {
       std::vector<double> passed;
       if (turns) piece->passes_heading(middle, 360, passed);
       for (const double t : passed)
-        if (workspace_.cell_at(position(piece->at(t))) != Cell{Cell::Kind::Node, node(leg.begin)})
-          return false;
+        if (workspace_.cell_at(position(piece->at(t))) != Cell{Cell::Kind::Node, node(leg.begin)}) return false;
     }
     return true;
   }
@@ -202,10 +197,10 @@ class Driver {
     for (std::size_t i = 0; i + 2 < line.size(); ++i)
       for (std::size_t j = line.size() - 1; j > i + 1; --j) {
         const Line part = shortest_drive(line[i], line[j], car_.turning_radius);
-        if (cost_of(part, car_) >= cost_of({line.begin() + static_cast<std::ptrdiff_t>(i),
-                                            line.begin() + static_cast<std::ptrdiff_t>(j) + 1},
-                                           car_) -
-                                       1e-9)
+        if (cost_of(part, car_) >=
+            cost_of({line.begin() + static_cast<std::ptrdiff_t>(i), line.begin() + static_cast<std::ptrdiff_t>(j) + 1},
+                    car_) -
+                1e-9)
           continue;
         Line other(line.begin(), line.begin() + static_cast<std::ptrdiff_t>(i));
         other.insert(other.end(), part.begin(), part.end());

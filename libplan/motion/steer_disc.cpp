@@ -52,11 +52,9 @@ class Glider {
   // Beside furniture the robot starts where its first leg is shortest.
   void start() {
     if (!(radius_ >= 0 && room_ < workspace_.width() / 2))
-      throw std::invalid_argument(
-          "the radius of the robot must lie between 0 and half the width of a hallway");
+      throw std::invalid_argument("the radius of the robot must lie between 0 and half the width of a hallway");
     const std::vector<Point> stands = workspace_.stands(node(0), room_);
-    if (stands.empty())
-      throw std::invalid_argument("the robot does not fit beside the furniture where it starts");
+    if (stands.empty()) throw std::invalid_argument("the robot does not fit beside the furniture where it starts");
     const auto first = std::find(route_.actions.begin(), route_.actions.end(), Action::Forward);
     const auto leg = static_cast<std::size_t>(first - route_.actions.begin());
     motion_.robot = sampling_.robot;
@@ -73,12 +71,10 @@ class Glider {
     if (!is_free(path[0], path[1])) path = rounded(tightened(sampled(begin, end, goals), free), free);
     const auto before = static_cast<std::ptrdiff_t>(motion_.configurations.size());
     for (std::size_t i = 1; i < path.size(); ++i) append(path[i], heading(end));
-    const Motion leg{{motion_.configurations.begin() + before - 1, motion_.configurations.end()},
-                     sampling_.robot};
+    const Motion leg{{motion_.configurations.begin() + before - 1, motion_.configurations.end()}, sampling_.robot};
     const auto read = route_of(leg, workspace_);  // a path that goes back to an earlier cell is no such leg
     const auto* actions = std::get_if<Trajectory>(&read);
-    return actions != nullptr && actions->poses.back() == route_.poses[end] &&
-           actions->actions.size() == end - begin;
+    return actions != nullptr && actions->poses.back() == route_.poses[end] && actions->actions.size() == end - begin;
   }
 
   bool is_free(Point a, Point b) const { return workspace_.admits(a, b, room_); }
@@ -103,8 +99,7 @@ class Glider {
 
 }  // namespace
 
-std::vector<Point> tightened(const std::vector<Point>& path,
-                             const std::function<bool(Point, Point)>& is_free) {
+std::vector<Point> tightened(const std::vector<Point>& path, const std::function<bool(Point, Point)>& is_free) {
   std::vector<Point> out;
   for (std::size_t i = 0; i < path.size();) {
     out.push_back(path[i]);

@@ -16,8 +16,7 @@ Realization steer_disc(const Trajectory& route, const Workspace& workspace, cons
 
 // Paths of straight lines. From every point straight on to the farthest one that can be reached; corners cut a quarter
 // into both of their sides [Cha74], where the cut is free, three times over.
-std::vector<Point> tightened(const std::vector<Point>& path,
-                             const std::function<bool(Point, Point)>& is_free);
+std::vector<Point> tightened(const std::vector<Point>& path, const std::function<bool(Point, Point)>& is_free);
 std::vector<Point> rounded(std::vector<Point> path, const std::function<bool(Point, Point)>& is_free);
 
 }  // namespace waymark::plan

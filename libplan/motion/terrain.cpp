@@ -13,8 +13,7 @@ void check(const Polygon& polygon, const std::string& what) {
 }
 
 void add_edges(const Polygon& polygon, std::vector<Terrain::Edge>& out) {
-  for (std::size_t i = 0; i < polygon.size(); ++i)
-    out.push_back({polygon[i], polygon[(i + 1) % polygon.size()]});
+  for (std::size_t i = 0; i < polygon.size(); ++i) out.push_back({polygon[i], polygon[(i + 1) % polygon.size()]});
 }
 
 std::vector<Point> corners_of(const std::vector<Terrain::Edge>& edges) {
@@ -33,15 +32,13 @@ std::vector<Point> corners_of(const std::vector<Terrain::Edge>& edges) {
 
 }  // namespace
 
-Terrain::Terrain(std::string name, Polygon border, std::vector<Polygon> obstacles,
-                 std::vector<NamedRegion> regions)
+Terrain::Terrain(std::string name, Polygon border, std::vector<Polygon> obstacles, std::vector<NamedRegion> regions)
     : name_(std::move(name)),
       border_(std::move(border)),
       obstacles_(std::move(obstacles)),
       regions_(std::move(regions)) {
   check(border_, "boundary");
-  for (std::size_t i = 0; i < obstacles_.size(); ++i)
-    check(obstacles_[i], "obstacles[" + std::to_string(i) + "]");
+  for (std::size_t i = 0; i < obstacles_.size(); ++i) check(obstacles_[i], "obstacles[" + std::to_string(i) + "]");
   for (std::size_t i = 0; i < regions_.size(); ++i) {
     const std::string what = "regions[" + std::to_string(i) + "]";
     if (regions_[i].name.empty()) throw std::invalid_argument(what + ": a region has a name");
@@ -67,9 +64,9 @@ ltl::Letter Terrain::label(Point p) const {
 }
 
 bool Terrain::contains(Point p) const {
-  return plan::contains(border_, p) &&
-         std::none_of(obstacles_.begin(), obstacles_.end(),
-                      [&](const Polygon& obstacle) { return plan::contains(obstacle, p); });
+  return plan::contains(border_, p) && std::none_of(obstacles_.begin(), obstacles_.end(), [&](const Polygon& obstacle) {
+           return plan::contains(obstacle, p);
+         });
 }
 
 // Starting in the free space and staying off its border is staying in it.

@@ -28,17 +28,15 @@ class Terrain : public FreeSpace {
   const std::vector<Polygon>& obstacles() const { return obstacles_; }
   const std::vector<NamedRegion>& regions() const { return regions_; }
   const ltl::Vocabulary& vocabulary() const { return vocabulary_; }  // the names of the regions
-  Point low() const { return low_; }  // opposite corners of the least rectangle
+  Point low() const { return low_; }                                 // opposite corners of the least rectangle
   Point high() const { return high_; }
 
   struct Edge {
     Point a, b;
   };
-  const std::vector<Edge>& walls() const { return walls_; }         // of the border and the obstacles
-  const std::vector<Edge>& region_edges() const { return edges_; }  // where letters may change
-  const std::vector<Point>& region_corners() const {
-    return corners_;
-  }  // where edges of regions end or cross
+  const std::vector<Edge>& walls() const { return walls_; }              // of the border and the obstacles
+  const std::vector<Edge>& region_edges() const { return edges_; }       // where letters may change
+  const std::vector<Point>& region_corners() const { return corners_; }  // where edges of regions end or cross
 
   ltl::Letter label(Point p) const;  // of a point on the edge of a region, with or without that region
   bool contains(Point p) const override;

@@ -30,8 +30,7 @@ class WordReader {
     const std::vector<double> events = events_of(*piece);
     for (const double t : events)
       for (const Point& p : terrain_.region_corners())
-        if (distance(p, position(piece->at(t))) < corner)
-          return "the centre goes through a corner of regions";
+        if (distance(p, position(piece->at(t))) < corner) return "the centre goes through a corner of regions";
     for (std::size_t i = 0; i + 1 < events.size(); ++i)
       read(terrain_.label(position(piece->at((events[i] + events[i + 1]) / 2))),
            static_cast<double>(index - 1) + events[i]);
@@ -99,8 +98,7 @@ class TourSearch {
 
   Point entry(const Node& node) const {
     const Passage* by = nodes_.at(node).by;
-    return by == nullptr ? cells_.cells()[node.first].centre
-                         : Point{(by->a.x + by->b.x) / 2, (by->a.y + by->b.y) / 2};
+    return by == nullptr ? cells_.cells()[node.first].centre : Point{(by->a.x + by->b.x) / 2, (by->a.y + by->b.y) / 2};
   }
 
   void expand(const Node& node, double cost) {
@@ -170,8 +168,8 @@ CertifiedTour certify(Motion motion, const Terrain& terrain, ltl::Formula f) {
   return CertifiedTour(std::move(motion), std::move(word));
 }
 
-std::optional<std::vector<CellStep>> plan_tour(const automata::Dfa& dfa, const TerrainCells& cells,
-                                               std::uint32_t start, const std::vector<PassageId>& blocked) {
+std::optional<std::vector<CellStep>> plan_tour(const automata::Dfa& dfa, const TerrainCells& cells, std::uint32_t start,
+                                               const std::vector<PassageId>& blocked) {
   return TourSearch(dfa, cells, blocked).run(start);
 }
 

@@ -52,8 +52,7 @@ struct PassageId {
 };
 // The run of 𝒜_φ through the cells that is shortest from the centre of a passage to that of the next, without going
 // through those that are blocked. nullopt: there is none; with none blocked, that no tour of any robot satisfies φ.
-std::optional<std::vector<CellStep>> plan_tour(const automata::Dfa& dfa, const TerrainCells& cells,
-                                               std::uint32_t start,
+std::optional<std::vector<CellStep>> plan_tour(const automata::Dfa& dfa, const TerrainCells& cells, std::uint32_t start,
                                                const std::vector<PassageId>& blocked = {});
 
 }  // namespace waymark::plan

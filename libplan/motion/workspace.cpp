@@ -8,8 +8,7 @@
 namespace waymark::plan {
 namespace {
 
-constexpr std::array<Point, 4> directions{Point{0, -1}, Point{1, 0}, Point{0, 1},
-                                          Point{-1, 0}};  // heading / 90
+constexpr std::array<Point, 4> directions{Point{0, -1}, Point{1, 0}, Point{0, 1}, Point{-1, 0}};  // heading / 90
 
 }  // namespace
 
@@ -29,8 +28,7 @@ std::vector<Workspace::Wall> Workspace::walls_around(std::uint32_t node) const {
     const Point ahead = directions[i], right = directions[(i + 1) % 4];
     // `forward` ahead of the centre and `sideways` to the right of it
     const auto at = [&](double forward, double sideways) {
-      return Point{c.x + forward * ahead.x + sideways * right.x,
-                   c.y + forward * ahead.y + sideways * right.y};
+      return Point{c.x + forward * ahead.x + sideways * right.x, c.y + forward * ahead.y + sideways * right.y};
     };
     if (map_->hallway(node, 90 * static_cast<int>(i)) == nullptr) {
       walls.push_back({at(half, -half), at(half, half)});
@@ -106,11 +104,9 @@ double Workspace::clearance(const Box& box, double most) const {
     for (int y = nearest(top - most); y <= nearest(bottom + most); ++y) {
       const auto node = map_->hallways().node_at(x, y);
       if (!node) continue;
-      if (is_furnished(*node))
-        least = std::min(least, std::max(0.0, gap(box, centre(*node)) - shape_.furniture));
+      if (is_furnished(*node)) least = std::min(least, std::max(0.0, gap(box, centre(*node)) - shape_.furniture));
       for (const Wall& wall : walls_[*node])
-        if (distance(middle, wall.a, wall.b) - radius < least)
-          least = std::min(least, gap(box, wall.a, wall.b));
+        if (distance(middle, wall.a, wall.b) - radius < least) least = std::min(least, gap(box, wall.a, wall.b));
     }
   return least;
 }

@@ -18,9 +18,8 @@ class AlphabetClasses {
  public:
   AlphabetClasses() = default;  // of no letters
   // Throws ltl::FormatError under Refuse, naming the proposition and the owner of the letters. O(letters · |reads|).
-  AlphabetClasses(const Letters& letters, const ltl::Vocabulary& vocabulary,
-                  const std::vector<ltl::Proposition>& reads, UnknownProposition unknown,
-                  const std::string& owner = "the model");
+  AlphabetClasses(const Letters& letters, const ltl::Vocabulary& vocabulary, const std::vector<ltl::Proposition>& reads,
+                  UnknownProposition unknown, const std::string& owner = "the model");
 
   std::size_t size() const { return representatives_.size(); }
   std::uint32_t of(LetterId letter) const { return class_[letter.index]; }

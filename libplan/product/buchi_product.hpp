@@ -48,7 +48,7 @@ struct MarkedEdge {
 };
 
 struct MarkedGraph {
-  std::uint32_t sets = 0;  // an infinite run is accepted when it meets each of so many marks again and again
+  std::uint32_t sets = 0;             // an infinite run is accepted when it meets each of so many marks again and again
   std::vector<std::uint32_t> first;   // by vertex, one more for the end
   std::vector<MarkedEdge> edges;      // by source
   std::vector<std::uint32_t> starts;  // where a run may begin

@@ -39,8 +39,7 @@ struct LimitVisitor : boost::default_bfs_visitor {
 
 }  // namespace
 
-std::optional<MapProduct> MapProduct::explore(const Map& map, const automata::Dfa& dfa,
-                                              std::span<const PoseId> starts,
+std::optional<MapProduct> MapProduct::explore(const Map& map, const automata::Dfa& dfa, std::span<const PoseId> starts,
                                               const CompositionLimits& limits) {
   MapProduct out(std::make_shared<const Parts>(Parts{MapMdp(map), TaskSteps(map, dfa)}));
   for (const PoseId s : starts)
@@ -50,8 +49,7 @@ std::optional<MapProduct> MapProduct::explore(const Map& map, const automata::Df
   visitor.order = &out.order_;
   visitor.limits = &limits;
   try {
-    boost::breadth_first_visit(out, out.starts_.begin(), out.starts_.end(), open, visitor,
-                               Colors{&out.order_});
+    boost::breadth_first_visit(out, out.starts_.begin(), out.starts_.end(), open, visitor, Colors{&out.order_});
   } catch (const LimitMet&) {
     return std::nullopt;
   }

@@ -27,14 +27,12 @@ class MapProduct : public Product<MapMdp, TaskSteps> {
  public:
   // Map and automaton must outlive it. Throws ltl::FormatError naming a proposition that the map lacks. nullopt: more
   // vertices than the limit, or stopped. O(|S| · |Q|).
-  static std::optional<MapProduct> explore(const Map& map, const automata::Dfa& dfa,
-                                           std::span<const PoseId> starts, const CompositionLimits& limits);
+  static std::optional<MapProduct> explore(const Map& map, const automata::Dfa& dfa, std::span<const PoseId> starts,
+                                           const CompositionLimits& limits);
 
   const Map& map() const { return task().map(); }
   const automata::Dfa& dfa() const { return task().dfa(); }
-  const std::vector<ProductState>& starts() const {
-    return starts_;
-  }  // one for every start pose, in that order
+  const std::vector<ProductState>& starts() const { return starts_; }  // one for every start pose, in that order
   bool is_accepting(const ProductState& v) const { return is_goal(v); }
   bool is_trap(const ProductState& v) const { return task().is_over(v.task); }
   Action action(const ProductEdge& e) const { return model().move(e.from.place, e.choice); }
@@ -73,8 +71,8 @@ MapProduct compose(const Map& map, const automata::Dfa& dfa, std::span<const Pos
 inline MapProduct compose(const Map& map, const automata::Dfa& dfa, PoseId start) {
   return compose(map, dfa, {&start, 1});
 }
-inline std::optional<MapProduct> compose(const Map& map, const automata::Dfa& dfa,
-                                         std::span<const PoseId> starts, const CompositionLimits& limits) {
+inline std::optional<MapProduct> compose(const Map& map, const automata::Dfa& dfa, std::span<const PoseId> starts,
+                                         const CompositionLimits& limits) {
   return MapProduct::explore(map, dfa, starts, limits);
 }
 

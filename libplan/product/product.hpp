@@ -48,9 +48,7 @@ class Product {
     return model_->choices(s.place) + static_cast<std::uint32_t>(task_->jumps(s.task).size());
   }
   bool is_jump(const ProductState& s, std::uint32_t k) const { return k >= model_->choices(s.place); }
-  double cost(const ProductState& s, std::uint32_t k) const {
-    return is_jump(s, k) ? 0 : model_->cost(s.place, k);
-  }
+  double cost(const ProductState& s, std::uint32_t k) const { return is_jump(s, k) ? 0 : model_->cost(s.place, k); }
   template <class Visit>  // visit(pair): where a run may begin that starts in the place with that letter
   void for_each_start(std::uint32_t place, LetterId letter, Visit&& visit) const {
     for (const std::uint32_t q : task_->initial_states())
@@ -77,8 +75,8 @@ class Product {
   using traversal_category = boost::incidence_graph_tag;
   using degree_size_type = std::size_t;
 
-  class out_edge_iterator : public boost::iterator_facade<out_edge_iterator, const ProductEdge,
-                                                          boost::single_pass_traversal_tag> {
+  class out_edge_iterator
+      : public boost::iterator_facade<out_edge_iterator, const ProductEdge, boost::single_pass_traversal_tag> {
    public:
     out_edge_iterator() = default;
     out_edge_iterator(const Product& product, const ProductState& from, std::uint32_t choice)

@@ -31,8 +31,8 @@ class ProductMdp : public Product<M, TaskTable> {
   };
 
   // The reachable part; model and task must outlive it. nullopt: more states than the limit, or stopped.
-  static std::optional<ProductMdp> explore(const M& model, const TaskTable& task,
-                                           std::size_t limit = SIZE_MAX, const std::stop_token& stop = {});
+  static std::optional<ProductMdp> explore(const M& model, const TaskTable& task, std::size_t limit = SIZE_MAX,
+                                           const std::stop_token& stop = {});
 
   std::uint32_t states() const { return states_; }
   std::uint64_t edges() const { return edges_; }  // outcomes of all choices, those into the trap left out
@@ -52,8 +52,7 @@ class ProductMdp : public Product<M, TaskTable> {
     std::uint32_t index = first;
     pairs_.for_each(pairs_.select(first), [&](std::uint64_t pair) {
       if (index == last) return false;
-      visit(State{index++, static_cast<std::uint32_t>(pair % places_),
-                  static_cast<std::uint32_t>(pair / places_)});
+      visit(State{index++, static_cast<std::uint32_t>(pair % places_), static_cast<std::uint32_t>(pair / places_)});
       return true;
     });
   }
@@ -112,9 +111,7 @@ class ProductMdp : public Product<M, TaskTable> {
   ProductMdp(const M& model, const TaskTable& task)
       : Base(model, task), places_(model.states()), pairs_(places_ * task.states()) {}
   std::uint64_t pair(std::uint32_t place, std::uint32_t task) const { return task * places_ + place; }
-  std::uint32_t index(std::uint32_t place, std::uint32_t task) const {
-    return pairs_.rank(pair(place, task));
-  }
+  std::uint32_t index(std::uint32_t place, std::uint32_t task) const { return pairs_.rank(pair(place, task)); }
   void number();
 
   std::uint64_t places_;

@@ -20,11 +20,10 @@ class RankedSet {
   void rank();  // after the last insert
   std::uint32_t rank(std::uint64_t i) const {
     const Word& word = words_[i / 64];
-    return word.before +
-           static_cast<std::uint32_t>(std::popcount(word.bits & ((std::uint64_t{1} << (i % 64)) - 1)));
+    return word.before + static_cast<std::uint32_t>(std::popcount(word.bits & ((std::uint64_t{1} << (i % 64)) - 1)));
   }
   std::uint64_t select(std::uint32_t rank) const;  // the member with that rank, O(log size)
-  template <class Visit>  // visit(member), ascending from `first` on, until it says false
+  template <class Visit>                           // visit(member), ascending from `first` on, until it says false
   void for_each(std::uint64_t first, Visit&& visit) const {
     std::uint64_t skip = ~std::uint64_t{0} << (first % 64);
     for (std::uint64_t w = first / 64; w < words_.size(); ++w, skip = ~std::uint64_t{0})

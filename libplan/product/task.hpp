@@ -17,9 +17,7 @@ concept Task = requires(const T& task, std::uint32_t q, LetterId letter) {
   { task.initial_states()[0] } -> std::convertible_to<std::uint32_t>;  // before the first letter, jumps taken
   { task.is_goal(q) } -> std::same_as<bool>;
   { task.is_over(q) } -> std::same_as<bool>;  // nothing is asked after it: its pairs have no choices
-  {
-    task.steps(q, letter).size()
-    } -> std::convertible_to<std::size_t>;  // none: the task cannot be met any more
+  { task.steps(q, letter).size() } -> std::convertible_to<std::size_t>;  // none: the task cannot be met any more
   { task.steps(q, letter)[0].target } -> std::convertible_to<std::uint32_t>;
   { task.jumps(q).size() } -> std::convertible_to<std::size_t>;
   { task.jumps(q)[0] } -> std::convertible_to<std::uint32_t>;

@@ -6,8 +6,7 @@ TaskSteps::TaskSteps(const Map& map, const automata::Dfa& dfa, Traps traps)
     : map_(&map),
       dfa_(&dfa),
       traps_(traps),
-      classes_(map.letters(), dfa.vocabulary(), dfa.reads(), UnknownProposition::Refuse,
-               "the map " + map.name()),
+      classes_(map.letters(), dfa.vocabulary(), dfa.reads(), UnknownProposition::Refuse, "the map " + map.name()),
       rows_(dfa.states(), not_visited) {}
 
 void TaskSteps::visit(automata::StateId q) const {

@@ -18,8 +18,7 @@ class BellmanOperator {  // all of them must outlive it
   using State = typename Product::State;
   using Compact = typename Product::Compact;
 
-  BellmanOperator(const Product& product, const Unknowns& unknowns,
-                  const EndComponentQuotient<Product>& merged)
+  BellmanOperator(const Product& product, const Unknowns& unknowns, const EndComponentQuotient<Product>& merged)
       : product_(product), unknowns_(unknowns), merged_(merged) {}
 
   // One state.
@@ -31,11 +30,9 @@ class BellmanOperator {  // all of them must outlive it
       double sum = measure == Measure::MinCost ? product_.cost(s, k) : 0, stays = 0;
       bool counts = true;
       product_.for_each_outcome(s, k, [&](std::uint32_t t, double p, bool) {
-        if (t == s.index ||
-            (t != Product::trap && own != EndComponents::none && merged_.component(t) == own)) {
+        if (t == s.index || (t != Product::trap && own != EndComponents::none && merged_.component(t) == own)) {
           stays += p;
-        } else if (t != Product::trap &&
-                   (is_probability(measure) || unknowns_.unknown[t] || unknowns_.targets[t])) {
+        } else if (t != Product::trap && (is_probability(measure) || unknowns_.unknown[t] || unknowns_.targets[t])) {
           sum += p * values[t];
         } else {
           counts = counts && is_probability(measure);

@@ -34,8 +34,8 @@ class BlockEquations {  // all of them must outlive it
   using Compact = typename Product::Compact;
 
   // The block is the range [first, last) of states.
-  BlockEquations(const Product& product, const EndComponentQuotient<Product>& merged,
-                 const KnownValues& known, std::uint32_t first, std::uint32_t last)
+  BlockEquations(const Product& product, const EndComponentQuotient<Product>& merged, const KnownValues& known,
+                 std::uint32_t first, std::uint32_t last)
       : product_(product), merged_(merged), known_(known), first_(first), row_(last - first, no_row) {}
 
   // By unknown, in that order. nullopt: stopped, out of sweeps, or the bounds do not meet in doubles.

@@ -46,8 +46,7 @@ class Clock {
 template <class Model>
 class TaskSolver {
  public:
-  TaskSolver(const Model& model, const CaseTask& task, const GivenAutomaton* given,
-             const CaseOptions& options)
+  TaskSolver(const Model& model, const CaseTask& task, const GivenAutomaton* given, const CaseOptions& options)
       : model_(model), task_(task), given_(given), options_(options), arena_(model.letters().vocabulary()) {}
 
   CaseAnswer answer() {
@@ -74,13 +73,10 @@ class TaskSolver {
       throw std::invalid_argument("a lasso or cycle is a walk, it has no strategy");
     if (options_.method == CaseMethod::Search && !by_search() && task_.query != Query::LeastLasso &&
         task_.query != Query::MinCycle)
-      throw std::invalid_argument(
-          "method search answers rmin, steps, cycle and lasso, on deterministic models only");
+      throw std::invalid_argument("method search answers rmin, steps, cycle and lasso, on deterministic models only");
   }
   bool is_finite(ltl::Formula f) const { return is_finite_task(f, task_.logic); }
-  automata::TranslationLimits limits() const {
-    return {.states = options_.states / 1000 + 1, .stop = options_.stop};
-  }
+  automata::TranslationLimits limits() const { return {.states = options_.states / 1000 + 1, .stop = options_.stop}; }
   template <class Automaton>
   static Automaton made(std::optional<Automaton> automaton) {
     if (!automaton) throw Spent{"no automaton within the limits"};
@@ -98,22 +94,20 @@ class TaskSolver {
       if (task_.logic != Logic::Ltl) throw std::invalid_argument("query lasso is about infinite words");
       return lasso(made(lasso_automaton(f, limits())), f, clock);
     }
-    if (const auto landmarks = visits(f); landmarks && by_search() && options_.top == 1 &&
-                                          !options_.strategy && model_.states() >= worth_compressing)
+    if (const auto landmarks = visits(f);
+        landmarks && by_search() && options_.top == 1 && !options_.strategy && model_.states() >= worth_compressing)
       return visit(*landmarks, false);
     const bool negated = task_.query == Query::MinProbability && !is_finite(f);
-    solve(made(task_automaton(negated ? ltl::simplify(ltl::negate(f), ltl::Semantics::Infinite) : f,
-                              task_.logic, task_.query, limits())),
+    solve(made(task_automaton(negated ? ltl::simplify(ltl::negate(f), ltl::Semantics::Infinite) : f, task_.logic,
+                              task_.query, limits())),
           f, negated, clock);
     if (answer_.status == Status::Infeasible && options_.explain) explain(asked);
   }
 
   void automaton() {
     Clock clock;
-    if (task_.query == Query::LeastLasso)
-      return lasso(made(lasso_automaton(*given_, limits())), std::nullopt, clock);
-    const bool negated =
-        task_.query == Query::MinProbability && !std::holds_alternative<automata::Dfa>(*given_);
+    if (task_.query == Query::LeastLasso) return lasso(made(lasso_automaton(*given_, limits())), std::nullopt, clock);
+    const bool negated = task_.query == Query::MinProbability && !std::holds_alternative<automata::Dfa>(*given_);
     solve(made(task_automaton(*given_, task_.query, limits())), std::nullopt, negated, clock);
     if (answer_.status == Status::Infeasible)
       answer_.reason = is_cost() ? "no strategy is sure to be accepted by the automaton"
@@ -130,17 +124,14 @@ class TaskSolver {
       decide(task, automaton, negated, clock);
   }
 
-  bool by_search() const {
-    return is_cost() && model_.is_deterministic() && options_.method <= CaseMethod::Search;
-  }
+  bool by_search() const { return is_cost() && model_.is_deterministic() && options_.method <= CaseMethod::Search; }
 
   // F p & F q & …, of several propositions and nothing else: landmarks to be seen in any order.
   std::optional<std::vector<std::string>> visits(ltl::Formula f) const {
     if (f.op() != ltl::Op::And || f.operands().size() > most_landmarks) return std::nullopt;
     std::vector<std::string> out;
     for (ltl::Formula g : f.operands()) {
-      if (g.op() != ltl::Op::Until || g[0].op() != ltl::Op::True || g[1].op() != ltl::Op::Atom)
-        return std::nullopt;
+      if (g.op() != ltl::Op::Until || g[0].op() != ltl::Op::True || g[1].op() != ltl::Op::Atom) return std::nullopt;
       out.push_back(arena_.vocabulary().name(g[1].proposition()));
     }
     return out;
@@ -165,8 +156,7 @@ class TaskSolver {
 
   bool is_cost() const { return task_.query == Query::MinCost || task_.query == Query::MinSteps; }
 
-  void find_routes(const TaskTable& task, const TaskAutomaton& automaton, std::optional<ltl::Formula> f,
-                   Clock& clock) {
+  void find_routes(const TaskTable& task, const TaskAutomaton& automaton, std::optional<ltl::Formula> f, Clock& clock) {
     std::vector<ChoiceRoute> routes;
     SearchStatistics statistics;
     if (options_.top > 1) {
@@ -197,8 +187,7 @@ class TaskSolver {
   // By the definition, not by the automaton: the finite word satisfies f, and so, of a co-safe f without X, does all
   // that begins with it. Of another good prefix the word that stands still in its last letter is tried. Without a
   // formula by a run of the automaton.
-  void certify_route(const ChoiceRoute& route, const TaskAutomaton& automaton,
-                     std::optional<ltl::Formula> f) const {
+  void certify_route(const ChoiceRoute& route, const TaskAutomaton& automaton, std::optional<ltl::Formula> f) const {
     const ltl::Trace word = word_of(model_, route);
     const std::vector<ltl::Letter> letters(word.begin(), word.end());
     if (!f) {
@@ -207,16 +196,15 @@ class TaskSolver {
       if (!automata::accepts(dfa, read)) throw std::logic_error("a route that the automaton does not accept");
       return;
     }
-    const bool finite = is_finite(*f) &&
-                        (task_.logic != Logic::Ltl || ltl::fragments(*f, ltl::Semantics::Infinite).next_free);
+    const bool finite =
+        is_finite(*f) && (task_.logic != Logic::Ltl || ltl::fragments(*f, ltl::Semantics::Infinite).next_free);
     const bool holds = finite ? ltl::TraceCheck(*f)(ltl::Columns(word, arena_.vocabulary().size()))
                               : ltl::holds(ltl::Lasso(letters, {letters.back()}), *f);
     if (!holds) throw std::logic_error("a route whose word does not satisfy " + ltl::print(*f));
   }
 
   void lasso(const automata::Automaton& automaton, std::optional<ltl::Formula> f, Clock& clock) {
-    if (options_.method > CaseMethod::Search)
-      throw std::invalid_argument("query lasso is answered by method search");
+    if (options_.method > CaseMethod::Search) throw std::invalid_argument("query lasso is answered by method search");
     answer_.automaton_states = automaton.states();
     answer_.seconds.automaton = clock.lap();
     auto found = least_lasso(model_, automaton, options_.order, options_.states, options_.stop);
@@ -230,8 +218,8 @@ class TaskSolver {
       answer_.reason = "no walk without end satisfies the task";
       return;
     }
-    const CertifiedLasso certified = f ? certify(std::move(*found->route), model_, *f)
-                                       : certify(std::move(*found->route), model_, automaton);
+    const CertifiedLasso certified =
+        f ? certify(std::move(*found->route), model_, *f) : certify(std::move(*found->route), model_, automaton);
     const LassoRoute& route = certified.route();
     answer_.lasso = {named(model_, route.prefix), named(model_, route.cycle), route.rounds};
     answer_.status = Status::Solved;
@@ -259,8 +247,8 @@ class TaskSolver {
     answer_.product_edges = product->edges();
     if (task_.query == Query::Discounted && options_.method == CaseMethod::PolicyIteration)
       throw std::invalid_argument("query discounted is answered by method vi");
-    answer_.method = options_.method == CaseMethod::PolicyIteration ? CaseMethod::PolicyIteration
-                                                                    : CaseMethod::ValueIteration;
+    answer_.method =
+        options_.method == CaseMethod::PolicyIteration ? CaseMethod::PolicyIteration : CaseMethod::ValueIteration;
     const auto found = decided(*product, negated);
     answer_.seconds.solve = clock.lap();
     if (!found) throw Spent{"the bounds did not meet within the limits"};
@@ -295,10 +283,7 @@ class TaskSolver {
   std::string reason(const Violation& violation) const {
     std::string out = is_cost() ? "no strategy is sure to satisfy " : "no strategy has a chance to satisfy ";
     for (std::size_t i = 0; i < violation.conflict.size(); ++i)
-      out += (i == 0                               ? ""
-              : i + 1 == violation.conflict.size() ? " and "
-                                                   : ", ") +
-             ltl::print(violation.conflict[i]);
+      out += (i == 0 ? "" : i + 1 == violation.conflict.size() ? " and " : ", ") + ltl::print(violation.conflict[i]);
     if (violation.conflict.size() > 1) out += " together";
     const std::vector<std::string> unseen = never_seen(model_, violation.conflict);
     for (std::size_t i = 0; i < unseen.size(); ++i)
@@ -311,8 +296,7 @@ class TaskSolver {
     constexpr std::string_view prefix = "patrol:";
     if (task_.logic != Logic::Derived || task_.formula.compare(0, prefix.size(), prefix) != 0)
       throw std::invalid_argument("query cycle answers formulas of the kind patrol:a,b,c of logic derived");
-    if (options_.method > CaseMethod::Search)
-      throw std::invalid_argument("query cycle is answered by method search");
+    if (options_.method > CaseMethod::Search) throw std::invalid_argument("query cycle is answered by method search");
     std::vector<std::string> landmarks(1);
     for (char c : task_.formula.substr(prefix.size())) {
       if (c == ',')
@@ -323,8 +307,7 @@ class TaskSolver {
     visit(landmarks, true);
   }
 
-  static constexpr std::size_t worth_compressing =
-      100'000;  // states; smaller products are searched as they are
+  static constexpr std::size_t worth_compressing = 100'000;  // states; smaller products are searched as they are
 
   const Model& model_;
   const CaseTask& task_;

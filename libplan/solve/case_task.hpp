@@ -43,10 +43,9 @@ struct CaseAnswer {
   struct Seconds {
     double automaton = 0, product = 0, solve = 0;
   } seconds;
-  std::string reason;  // of Infeasible and Exhausted
-  std::vector<std::string>
-      dropped;  // infeasible conjunctions: the fewest conjuncts without which the rest can be met
-  std::vector<NamedRoute> routes;  // of a search when several were asked for, cheapest first
+  std::string reason;                // of Infeasible and Exhausted
+  std::vector<std::string> dropped;  // infeasible conjunctions: the fewest conjuncts without which the rest can be met
+  std::vector<NamedRoute> routes;    // of a search when several were asked for, cheapest first
   struct Lasso {
     NamedRoute prefix, cycle;  // the cycle begins and ends where the prefix ends
     std::uint64_t rounds = 1;
@@ -55,8 +54,7 @@ struct CaseAnswer {
   struct Written {
     TaskAutomaton automaton;
     std::vector<Decision> decisions;
-    Bounds
-        re_evaluated;  // as a Markov chain; for pmin of an infinite task of the negation's probability, taken from 1
+    Bounds re_evaluated;  // as a Markov chain; for pmin of an infinite task of the negation's probability, taken from 1
   };
   std::optional<Written> strategy;
 };

@@ -41,8 +41,7 @@ struct WinningRegion {
     product.for_each_state([&](const auto& s) {
       open[s.index] = !states[s.index];
       for (std::uint32_t k = 0; k < product.choices(s) && !any_mark; ++k)
-        product.for_each_outcome(s, k,
-                                 [&](std::uint32_t, double, bool marked) { any_mark = any_mark || marked; });
+        product.for_each_outcome(s, k, [&](std::uint32_t, double, bool marked) { any_mark = any_mark || marked; });
     });
     if (!any_mark) return;
     components = end_components(product, open, [](const auto&, std::uint32_t) { return true; });
@@ -109,12 +108,11 @@ void play_for_ever(const Product& product, const WinningRegion<Product>& winning
 }
 
 template <Measure measure, class Product>
-double action_value(const Product& product, const typename Product::State& s, std::uint32_t k,
-                    const Unknowns& unknowns, const std::vector<double>& values) {
+double action_value(const Product& product, const typename Product::State& s, std::uint32_t k, const Unknowns& unknowns,
+                    const std::vector<double>& values) {
   double sum = measure == Measure::MinCost ? product.cost(s, k) : 0;
   product.for_each_outcome(s, k, [&](std::uint32_t t, double p, bool) {
-    if (t != Product::trap &&
-        (measure == Measure::MaxProbability || unknowns.unknown[t] || unknowns.targets[t]))
+    if (t != Product::trap && (measure == Measure::MaxProbability || unknowns.unknown[t] || unknowns.targets[t]))
       sum += p * values[t];
     else if (measure == Measure::MinCost)
       sum = INFINITY;
@@ -127,14 +125,11 @@ double action_value(const Product& product, const typename Product::State& s, st
 template <Measure measure, class Product>
 bool choose(const Product& product, const Unknowns& unknowns, const std::vector<double>& values, double slack,
             Strategy& strategy) {
-  const StateSet attracted =
-      attractor(product, unknowns.targets, strategy, [&](const auto& s, std::uint32_t k) {
-        if (!unknowns.unknown[s.index]) return false;
-        const double value = values[s.index],
-                     offered = action_value<measure>(product, s, k, unknowns, values);
-        return measure == Measure::MaxProbability ? offered >= value * (1 - slack)
-                                                  : offered <= value * (1 + slack);
-      });
+  const StateSet attracted = attractor(product, unknowns.targets, strategy, [&](const auto& s, std::uint32_t k) {
+    if (!unknowns.unknown[s.index]) return false;
+    const double value = values[s.index], offered = action_value<measure>(product, s, k, unknowns, values);
+    return measure == Measure::MaxProbability ? offered >= value * (1 - slack) : offered <= value * (1 + slack);
+  });
   for (std::uint32_t i = 0; i < product.states(); ++i)
     if (unknowns.unknown[i] && !attracted[i]) return false;
   return true;
@@ -217,16 +212,14 @@ Unknowns unknowns_of(const Product& product, const StateSet& targets) {
 // `kept`: the entries of the product, its starts among them. `claimed`: values of the best strategy, to begin with.
 template <Measure measure, class Product>
 std::optional<Bounds> evaluate(const Product& product, const Strategy& strategy, const StateSet& kept,
-                               const IterationOptions& options,
-                               const std::vector<double>* claimed = nullptr) {
+                               const IterationOptions& options, const std::vector<double>* claimed = nullptr) {
   using Chain = StrategyChain<Product>;
   const Chain chain(product, strategy);
   const Unknowns unknowns = unknowns_in<measure>(chain, WinningRegion<Chain>(chain).states);
   const std::uint32_t start = strategy.start;
   if (measure == Measure::MinCost && !unknowns.unknown[start] && !unknowns.targets[start])
     return Bounds{INFINITY, INFINITY};
-  const auto values =
-      ValueIteration<Chain, measure>(chain, unknowns, options, {.bounds = &kept}, claimed).run();
+  const auto values = ValueIteration<Chain, measure>(chain, unknowns, options, {.bounds = &kept}, claimed).run();
   if (!values) return std::nullopt;
   return Bounds{values->bounds.lower(start), values->bounds.upper(start)};
 }
@@ -236,29 +229,25 @@ template <Measure measure>
 bool delivers(const Decided& decided, double tolerance) {
   const Bounds& claimed = decided.value;
   const Bounds& found = decided.re_evaluated;
-  return measure == Measure::MaxProbability
-             ? found.lower >= claimed.lower - tolerance
-             : found.upper <= claimed.upper + tolerance * std::max(1.0, claimed.upper);
+  return measure == Measure::MaxProbability ? found.lower >= claimed.lower - tolerance
+                                            : found.upper <= claimed.upper + tolerance * std::max(1.0, claimed.upper);
 }
 
 // What a strategy attains bounds the value too.
 template <Measure measure>
 void tighten(Decided& decided) {
   if (measure == Measure::MaxProbability)
-    decided.value.lower =
-        std::max(decided.value.lower, std::min(decided.re_evaluated.lower, decided.value.upper));
+    decided.value.lower = std::max(decided.value.lower, std::min(decided.re_evaluated.lower, decided.value.upper));
   else
-    decided.value.upper =
-        std::min(decided.value.upper, std::max(decided.re_evaluated.upper, decided.value.lower));
+    decided.value.upper = std::min(decided.value.upper, std::max(decided.re_evaluated.upper, decided.value.lower));
 }
 
 // The strategy of the unknown states: by the bounds that some choice of every state attains. Slack costs at most so
 // much in every step, but with too little of it the only way on may be one that drift makes endless: so it is a
 // strategy that was evaluated and found good that counts.
 template <Measure measure, class Product>
-bool choose_and_evaluate(const Product& product, const Unknowns& unknowns,
-                         const std::vector<double>& attained, const StateSet& kept,
-                         const IterationOptions& limits, Decided& out) {
+bool choose_and_evaluate(const Product& product, const Unknowns& unknowns, const std::vector<double>& attained,
+                         const StateSet& kept, const IterationOptions& limits, Decided& out) {
   IterationOptions limited = limits;
   limited.sweeps = 20'000;
   for (double slack : {1e-10, 1e-12, 1e-14, 1e-15, 1e-8, 1e-7, 1e-6, 1e-5}) {
@@ -279,8 +268,7 @@ std::optional<Decided> decide(const Product& product, const WinningRegion<Produc
                               const IterationOptions& limits) {
   const Unknowns unknowns = unknowns_of<measure>(product, winning.states);
   const StateSet kept = entries(product, unknowns.unknown, product.starts());
-  auto values =
-      ValueIteration<Product, measure>(product, unknowns, limits, {.bounds = &kept, .attained = true}).run();
+  auto values = ValueIteration<Product, measure>(product, unknowns, limits, {.bounds = &kept, .attained = true}).run();
   if (!values) return std::nullopt;
   Decided out;
   out.sweeps = values->sweeps;
@@ -307,11 +295,9 @@ std::optional<Decided> decide(const Product& product, const WinningRegion<Produc
   play_for_ever(product, winning, out.strategy);
   if (measure == Measure::MaxProbability)  // almost surely: to what is winning, never leaving what is sure
     attractor(product, winning.states, out.strategy, [&](const auto& s, std::uint32_t k) {
-      return unknowns.targets[s.index] && !winning.states[s.index] &&
-             all_outcomes_in(product, s, k, unknowns.targets);
+      return unknowns.targets[s.index] && !winning.states[s.index] && all_outcomes_in(product, s, k, unknowns.targets);
     });
-  if (!choose_and_evaluate<measure>(product, unknowns, values->attained, kept, limits, out))
-    return std::nullopt;
+  if (!choose_and_evaluate<measure>(product, unknowns, values->attained, kept, limits, out)) return std::nullopt;
   if (limits.keep_values) out.values = std::move(values->attained);
   return out;
 }
@@ -323,8 +309,7 @@ Qualitative qualitative(const ProductMdp<Model>& product) {
   const StateSet winning = WinningRegion<ProductMdp<Model>>(product).states;
   const StateSet sure = almost_surely(product, winning), some = can_reach(product, winning);
   const auto any = [&](const StateSet& set) {
-    return std::any_of(product.starts().begin(), product.starts().end(),
-                       [&](std::uint32_t i) { return set[i]; });
+    return std::any_of(product.starts().begin(), product.starts().end(), [&](std::uint32_t i) { return set[i]; });
   };
   return any(sure) ? Qualitative::Sure : any(some) ? Qualitative::Some : Qualitative::None;
 }
@@ -336,8 +321,7 @@ std::optional<Decided> least_probability(const ProductMdp<Model>& product, const
 }
 
 template <class Model>
-std::optional<Decided> greatest_probability(const ProductMdp<Model>& product,
-                                            const IterationOptions& limits) {
+std::optional<Decided> greatest_probability(const ProductMdp<Model>& product, const IterationOptions& limits) {
   if (product.starts().empty()) return Decided{};
   return decide<Measure::MaxProbability>(product, WinningRegion<ProductMdp<Model>>(product), limits);
 }

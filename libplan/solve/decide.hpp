@@ -39,13 +39,11 @@ Qualitative qualitative(const ProductMdp<Model>& product);
 // nullopt: stopped, bounds that doubles cannot bring together, or no strategy found that is worth the value when it is
 // evaluated.
 template <class Model>
-std::optional<Decided> greatest_probability(const ProductMdp<Model>& product,
-                                            const IterationOptions& limits = {});
+std::optional<Decided> greatest_probability(const ProductMdp<Model>& product, const IterationOptions& limits = {});
 
 // Pmin: the least probability of reaching a goal of a finite task. Of an infinite one it is 1 − Pmax of the negation.
 template <class Model>
-std::optional<Decided> least_probability(const ProductMdp<Model>& product,
-                                         const IterationOptions& limits = {});
+std::optional<Decided> least_probability(const ProductMdp<Model>& product, const IterationOptions& limits = {});
 
 // Least expected cost until a goal is reached; infinite (lower = upper = ∞) unless some strategy reaches one almost
 // surely.

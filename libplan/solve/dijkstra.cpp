@@ -19,16 +19,15 @@ struct Dijkstra {
   static constexpr std::uint32_t nothing = UINT32_MAX;
   static constexpr std::uint64_t pairs_between_polls = 1U << 16U;
 
-  explicit Dijkstra(const Product<M, TaskTable>& of)
-      : product(of), order(of.model().states(), of.task().states()) {}
+  explicit Dijkstra(const Product<M, TaskTable>& of) : product(of), order(of.model().states(), of.task().states()) {}
 
   std::optional<SearchAnswer> run(const ProductState& first, std::size_t limit, const std::stop_token& stop) {
     SearchAnswer answer;
     met[meet(first)].distance.cost = 0;
     try {
       boost::dijkstra_shortest_paths_no_init(
-          product, first, boost::dummy_property_map(), Distances{{}, this}, Weights{{}, this},
-          Numbers{{}, this}, std::less<>(),
+          product, first, boost::dummy_property_map(), Distances{{}, this}, Weights{{}, this}, Numbers{{}, this},
+          std::less<>(),
           [](const Distance& d, const Distance& w) {
             return Distance{d.cost + w.cost, w.pair};
           },
@@ -69,9 +68,7 @@ struct Dijkstra {
   };
   struct Colors : PropertyMap<ProductState, boost::default_color_type, boost::read_write_property_map_tag> {
     Dijkstra* search;
-    friend boost::default_color_type get(const Colors& m, const ProductState& s) {
-      return m.search->at(s).color;
-    }
+    friend boost::default_color_type get(const Colors& m, const ProductState& s) { return m.search->at(s).color; }
     friend void put(const Colors& m, const ProductState& s, boost::default_color_type color) {
       m.search->at(s).color = color;
     }
@@ -95,8 +92,7 @@ struct Dijkstra {
 
     template <class Graph>
     void examine_vertex(const ProductState& s, const Graph& g) {
-      if (search->met.size() > limit ||
-          (search->settled++ % pairs_between_polls == 0 && stop->stop_requested()))
+      if (search->met.size() > limit || (search->settled++ % pairs_between_polls == 0 && stop->stop_requested()))
         throw Ended{nothing};
       if (g.is_goal(s)) throw Ended{search->order.number(s)};
       answer->statistics.edges += g.choices(s);
@@ -136,14 +132,14 @@ struct Dijkstra {
 }  // namespace
 
 template <Model M>
-std::optional<SearchAnswer> dijkstra(const Product<M, TaskTable>& product, const ProductState& first,
-                                     std::size_t limit, const std::stop_token& stop) {
+std::optional<SearchAnswer> dijkstra(const Product<M, TaskTable>& product, const ProductState& first, std::size_t limit,
+                                     const std::stop_token& stop) {
   return Dijkstra<M>(product).run(first, limit, stop);
 }
 
-template std::optional<SearchAnswer> dijkstra(const Product<Mdp, TaskTable>&, const ProductState&,
-                                              std::size_t, const std::stop_token&);
-template std::optional<SearchAnswer> dijkstra(const Product<GridWorld, TaskTable>&, const ProductState&,
-                                              std::size_t, const std::stop_token&);
+template std::optional<SearchAnswer> dijkstra(const Product<Mdp, TaskTable>&, const ProductState&, std::size_t,
+                                              const std::stop_token&);
+template std::optional<SearchAnswer> dijkstra(const Product<GridWorld, TaskTable>&, const ProductState&, std::size_t,
+                                              const std::stop_token&);
 
 }  // namespace waymark::plan

@@ -29,7 +29,7 @@ struct SearchAnswer {
 
 // From one pair to the nearest goal. nullopt: stopped, or more pairs met than the limit.
 template <Model M>
-std::optional<SearchAnswer> dijkstra(const Product<M, TaskTable>& product, const ProductState& first,
-                                     std::size_t limit, const std::stop_token& stop);
+std::optional<SearchAnswer> dijkstra(const Product<M, TaskTable>& product, const ProductState& first, std::size_t limit,
+                                     const std::stop_token& stop);
 
 }  // namespace waymark::plan

@@ -37,7 +37,6 @@ std::optional<Decided> greatest_discounted(const ProductMdp<Model>& product, dou
 }
 
 template std::optional<Decided> greatest_discounted(const ProductMdp<Mdp>&, double, const IterationOptions&);
-template std::optional<Decided> greatest_discounted(const ProductMdp<GridWorld>&, double,
-                                                    const IterationOptions&);
+template std::optional<Decided> greatest_discounted(const ProductMdp<GridWorld>&, double, const IterationOptions&);
 
 }  // namespace waymark::plan

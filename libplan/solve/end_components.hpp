@@ -19,8 +19,7 @@ struct EndComponents {
 
 // Does the choice stay in the component of its state, whatever comes of it?
 template <class Product>
-bool stays(const Product& product, const typename Product::State& s, std::uint32_t k,
-           const EndComponents& components) {
+bool stays(const Product& product, const typename Product::State& s, std::uint32_t k, const EndComponents& components) {
   bool all = components.of[s.index] != EndComponents::none;
   product.for_each_outcome(s, k, [&](std::uint32_t t, double, bool) {
     all = all && t != Product::trap && components.of[t] == components.of[s.index];
@@ -122,8 +121,8 @@ EndComponents end_components(const Product& product, const StateSet& within, con
   std::uint32_t members = UINT32_MAX;
   for (std::uint32_t components = UINT32_MAX;;) {
     found = detail::Round(product, found, usable).run();
-    const auto still = static_cast<std::uint32_t>(std::count_if(
-        found.of.begin(), found.of.end(), [](std::uint32_t c) { return c != EndComponents::none; }));
+    const auto still = static_cast<std::uint32_t>(
+        std::count_if(found.of.begin(), found.of.end(), [](std::uint32_t c) { return c != EndComponents::none; }));
     if (found.count == components && still == members) return found;
     components = found.count;
     members = still;

@@ -12,8 +12,7 @@ namespace waymark::plan {
 
 double Equations::value(std::uint32_t choice, const std::vector<double>& x, Side side) const {
   double sum = constant_[side][choice];
-  for (std::uint32_t t = first_term_[choice]; t < first_term_[choice + 1]; ++t)
-    sum += coefficient_[t] * x[unknown_[t]];
+  for (std::uint32_t t = first_term_[choice]; t < first_term_[choice + 1]; ++t) sum += coefficient_[t] * x[unknown_[t]];
   return sum;
 }
 
@@ -51,8 +50,8 @@ bool Equations::close_from_above() {
 
 void Equations::guess(double tolerance) {
   for (std::uint32_t i = 0; i < rows(); ++i)
-    x_.upper[i] = is_probability(measure_) ? std::min(1.0, x_.lower[i] + tolerance / 2)
-                                           : x_.lower[i] * (1 + tolerance / 2);
+    x_.upper[i] =
+        is_probability(measure_) ? std::min(1.0, x_.lower[i] + tolerance / 2) : x_.lower[i] * (1 + tolerance / 2);
 }
 
 bool Equations::prove(std::uint64_t sweeps, const IterationOptions&) {
@@ -86,8 +85,7 @@ std::optional<Equations::Solution> Equations::solve(const IterationOptions& opti
   x_.upper.assign(rows(), 0);
   if (measure_ == Measure::MinCost) start_from_best_luck();
   linear_ = measure_ != Measure::MinProbability && rows() <= factored;
-  if (iterate_optimistically(*this, options, options.tolerance / 16) != IterationEnd::Proved)
-    return std::nullopt;
+  if (iterate_optimistically(*this, options, options.tolerance / 16) != IterationEnd::Proved) return std::nullopt;
   return std::move(x_);
 }
 
@@ -180,8 +178,8 @@ bool Equations::evaluate(const std::vector<std::uint32_t>& policy, std::vector<d
   factors.compute(matrix);
   if (factors.info() != Eigen::Success) return false;
   Eigen::VectorXd solved = factors.solve(right);
-  solved += factors.solve(
-      right - matrix * solved);  // one step of refinement: the residual is what bounds are proved by
+  solved +=
+      factors.solve(right - matrix * solved);  // one step of refinement: the residual is what bounds are proved by
   x.assign(solved.data(), solved.data() + solved.size());
   for (double& v : x) {
     if (!(v >= -1e-9) || std::isinf(v)) return false;

@@ -31,8 +31,7 @@ class Explainer {
       if (culprits.size() > 1) out += " together";
     }
     const std::vector<std::string> missing = out_of_reach(culprits);
-    for (std::size_t i = 0; i < missing.size(); ++i)
-      out += (i == 0 ? "; never seen from there: " : ", ") + missing[i];
+    for (std::size_t i = 0; i < missing.size(); ++i) out += (i == 0 ? "; never seen from there: " : ", ") + missing[i];
     return out;
   }
 
@@ -115,8 +114,7 @@ class Explainer {
 
   std::string show_starts() const {
     std::string out;
-    for (std::size_t i = 0; i < starts_.size(); ++i)
-      out += (i == 0 ? "" : " or ") + show(map_.pose(starts_[i]));
+    for (std::size_t i = 0; i < starts_.size(); ++i) out += (i == 0 ? "" : " or ") + show(map_.pose(starts_[i]));
     return out;
   }
 
@@ -127,8 +125,7 @@ class Explainer {
 
 }  // namespace
 
-Infeasible explain_infeasible(const Map& map, ltl::Formula f, std::span<const PoseId> starts,
-                              std::stop_token stop) {
+Infeasible explain_infeasible(const Map& map, ltl::Formula f, std::span<const PoseId> starts, std::stop_token stop) {
   try {
     return {Explainer(map, starts, std::move(stop)).reason(f)};
   } catch (const Stopped&) {

@@ -24,13 +24,11 @@ GridBlock::GridBlock(const Product& product, Measure measure, Order order, const
   upper_ = lower_;
 }
 
-std::optional<GridBlock> GridBlock::of(const Product& product, const Unknowns& unknowns, Measure measure,
-                                       Order order, const KeptBounds& known, const Strategy* only) {
-  if (measure == Measure::MinProbability || !product.task().jumps(order.front().task).empty())
-    return std::nullopt;
+std::optional<GridBlock> GridBlock::of(const Product& product, const Unknowns& unknowns, Measure measure, Order order,
+                                       const KeptBounds& known, const Strategy* only) {
+  if (measure == Measure::MinProbability || !product.task().jumps(order.front().task).empty()) return std::nullopt;
   for (const auto& c : order) {
-    const bool merged =
-        unknowns.merged.count > 0 && unknowns.merged.of[product.state(c).index] != EndComponents::none;
+    const bool merged = unknowns.merged.count > 0 && unknowns.merged.of[product.state(c).index] != EndComponents::none;
     if (merged || c.task != order.front().task) return std::nullopt;
   }
   GridBlock block(product, measure, std::move(order), only);
@@ -76,8 +74,7 @@ bool GridBlock::read_cell(std::uint32_t cell, const Unknowns& unknowns, const Ke
     if (unknowns.unknown[t] && q == task_) return false;
     good |= 1U << d;
     const double target = is_probability(measure_) ? 1 : 0;
-    around_.push_back(unknowns.targets[t] ? Around{to, target, target}
-                                          : Around{to, known.lower(t), known.upper(t)});
+    around_.push_back(unknowns.targets[t] ? Around{to, target, target} : Around{to, known.lower(t), known.upper(t)});
   }
   std::uint32_t choices = counted(open, good);
   if (only_ != nullptr) choices &= 16U << only_->choice[product_.state(Product::Compact{cell, task_}).index];
@@ -146,8 +143,7 @@ inline double GridBlock::best(std::uint32_t cell, const std::vector<double>& x) 
   std::array<double, 4> offered = row.cost;
   for (std::size_t d = 0; d < 4; ++d)
     for (std::size_t k = 0; k < 4; ++k) offered[k] += row.chance[d][k] * values[d];
-  if (measure_ == Measure::MinCost)
-    return std::min(std::min(offered[0], offered[1]), std::min(offered[2], offered[3]));
+  if (measure_ == Measure::MinCost) return std::min(std::min(offered[0], offered[1]), std::min(offered[2], offered[3]));
   return std::max(std::max(std::max(offered[0], offered[1]), std::max(offered[2], offered[3])), 0.0);
 }
 
@@ -234,8 +230,8 @@ double GridBlock::sweep(std::size_t first, std::size_t last, double over_relaxat
     const std::uint32_t cell = cells_[i];
     double& value = lower_[cell + margin_];
     const double now = best(cell, lower_), step = now - value;
-    change = std::max(
-        change, is_probability(measure_) ? std::abs(step) : std::abs(step) / std::min(std::abs(now), most));
+    change =
+        std::max(change, is_probability(measure_) ? std::abs(step) : std::abs(step) / std::min(std::abs(now), most));
     value += over_relaxation * step;
   }
   return change;
@@ -309,8 +305,7 @@ bool GridBlock::prove(std::uint64_t sweeps, const IterationOptions&) {
   set_around(Side::Bounds);
   bool above = false, below = false;
   for (std::uint64_t tries = 0; tries < most && !above; ++tries, ++sweeps_) above = close_from_above();
-  for (std::uint64_t tries = 0; tries < most && above && !below; ++tries, ++sweeps_)
-    below = close_from_below();
+  for (std::uint64_t tries = 0; tries < most && above && !below; ++tries, ++sweeps_) below = close_from_below();
   return above && below;
 }
 

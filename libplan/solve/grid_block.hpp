@@ -34,8 +34,8 @@ class GridBlock {
 
   // `known` holds the bounds of other blocks' entries. With a strategy: of its choices only. nullopt: a
   // block of another kind.
-  static std::optional<GridBlock> of(const Product& product, const Unknowns& unknowns, Measure measure,
-                                     Order order, const KeptBounds& known, const Strategy* only = nullptr);
+  static std::optional<GridBlock> of(const Product& product, const Unknowns& unknowns, Measure measure, Order order,
+                                     const KeptBounds& known, const Strategy* only = nullptr);
 
   // Values to begin with: the bound, by state, that a strategy like this one attains, proved with this tolerance. The
   // nearer to the truth they are, from whichever side, the sooner it is found.
@@ -45,8 +45,7 @@ class GridBlock {
   template <class Visit>  // visit(state, lower, upper), once they are solved
   void for_each(Visit&& visit) const {
     for (std::uint32_t cell : cells_)
-      visit(product_.state(Product::Compact{cell, task_}).index, lower_[cell + margin_],
-            upper_[cell + margin_]);
+      visit(product_.state(Product::Compact{cell, task_}).index, lower_[cell + margin_], upper_[cell + margin_]);
   }
 
   // The backend of optimistic_iteration.hpp.

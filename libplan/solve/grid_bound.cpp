@@ -62,8 +62,7 @@ std::optional<GridBound> GridBound::of(const GridWorld& grid, const TaskTable& t
     for (std::uint32_t to = 0; to < letters && !task.is_goal(q); ++to) {
       const std::uint32_t target = task.next(q, {to}).target;
       if (target == TaskTable::trap || target == q || boxes[to].left > boxes[to].right) continue;
-      if (const std::uint32_t then = rest[target * letters + to]; then != never)
-        out.ways_.push_back({boxes[to], then});
+      if (const std::uint32_t then = rest[target * letters + to]; then != never) out.ways_.push_back({boxes[to], then});
     }
   }
   out.first_.push_back(static_cast<std::uint32_t>(out.ways_.size()));

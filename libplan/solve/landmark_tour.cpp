@@ -212,14 +212,17 @@ class Tours {
 }  // namespace
 
 template <class Model>
-std::optional<std::variant<LandmarkTour, NoLandmarkTour>> shortest_tour(
-    const Model& model, const std::vector<std::string>& landmarks, bool closed, const std::stop_token& stop) {
+std::optional<std::variant<LandmarkTour, NoLandmarkTour>> shortest_tour(const Model& model,
+                                                                        const std::vector<std::string>& landmarks,
+                                                                        bool closed, const std::stop_token& stop) {
   return Tours<Model>(model, landmarks, stop).run(closed);
 }
 
-template std::optional<std::variant<LandmarkTour, NoLandmarkTour>> shortest_tour(
-    const Mdp&, const std::vector<std::string>&, bool, const std::stop_token&);
-template std::optional<std::variant<LandmarkTour, NoLandmarkTour>> shortest_tour(
-    const GridWorld&, const std::vector<std::string>&, bool, const std::stop_token&);
+template std::optional<std::variant<LandmarkTour, NoLandmarkTour>> shortest_tour(const Mdp&,
+                                                                                 const std::vector<std::string>&, bool,
+                                                                                 const std::stop_token&);
+template std::optional<std::variant<LandmarkTour, NoLandmarkTour>> shortest_tour(const GridWorld&,
+                                                                                 const std::vector<std::string>&, bool,
+                                                                                 const std::stop_token&);
 
 }  // namespace waymark::plan

@@ -31,8 +31,8 @@ constexpr std::size_t most_landmarks = 20;
 // model that is not deterministic, for more than most_landmarks, and for a landmark whose place shows it on one way in
 // but not on another.
 template <class Model>
-std::optional<std::variant<LandmarkTour, NoLandmarkTour>> shortest_tour(
-    const Model& model, const std::vector<std::string>& landmarks, bool closed,
-    const std::stop_token& stop = {});
+std::optional<std::variant<LandmarkTour, NoLandmarkTour>> shortest_tour(const Model& model,
+                                                                        const std::vector<std::string>& landmarks,
+                                                                        bool closed, const std::stop_token& stop = {});
 
 }  // namespace waymark::plan

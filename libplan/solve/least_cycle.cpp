@@ -27,8 +27,7 @@ AcceptingPart::AcceptingPart(const MarkedGraph& graph) {
     met[c] = met[c] | e.marks;
     cyclic[c] = true;
   }
-  for (std::uint32_t c = 0; c < found.count; ++c)
-    accepting_.push_back(cyclic[c] && met[c].includes(graph.all()));
+  for (std::uint32_t c = 0; c < found.count; ++c) accepting_.push_back(cyclic[c] && met[c].includes(graph.all()));
   component_ = std::move(found.of);
 }
 
@@ -79,8 +78,7 @@ void LeastCycles::expand(std::uint32_t node, double cost) {
 double LeastCycles::through(std::uint32_t v, double most) {
   reset();
   target_ = layered(v, graph_.all());
-  for (std::uint32_t e = graph_.first[v]; e < graph_.first[v + 1]; ++e)
-    relax(none, e, Marks(), graph_.edges[e].cost);
+  for (std::uint32_t e = graph_.first[v]; e < graph_.first[v + 1]; ++e) relax(none, e, Marks(), graph_.edges[e].cost);
   while (!heap_.empty()) {
     const auto [cost, node] = heap_.front();
     if (cost > std::min(most, distance_[target_])) break;  // whatever costs as much as the answer is expanded

@@ -20,8 +20,7 @@ constexpr std::uint32_t no_edge = UINT32_MAX;
 
 // Least costs from the starts, and the edge by which each vertex is reached.
 struct Distances {
-  explicit Distances(const MarkedGraph& graph)
-      : cost(graph.vertices(), INFINITY), by(graph.vertices(), no_edge) {
+  explicit Distances(const MarkedGraph& graph) : cost(graph.vertices(), INFINITY), by(graph.vertices(), no_edge) {
     using Entry = std::pair<double, std::uint32_t>;
     std::priority_queue<Entry, std::vector<Entry>, std::greater<>> heap;
     for (std::uint32_t v : graph.starts) {
@@ -63,8 +62,7 @@ class LassoSearch {
   }
   std::vector<std::uint32_t> way_to(std::uint32_t v) const {
     std::vector<std::uint32_t> edges;
-    for (; distances_.by[v] != no_edge; v = graph_.edges[edges.back()].from)
-      edges.push_back(distances_.by[v]);
+    for (; distances_.by[v] != no_edge; v = graph_.edges[edges.back()].from) edges.push_back(distances_.by[v]);
     std::reverse(edges.begin(), edges.end());
     return edges;
   }
@@ -120,8 +118,7 @@ class LassoSearch {
   LeastCycles cycles_;
 };
 
-ChoiceRoute route_of(const BuchiProduct& product, std::uint32_t from,
-                     const std::vector<std::uint32_t>& edges) {
+ChoiceRoute route_of(const BuchiProduct& product, std::uint32_t from, const std::vector<std::uint32_t>& edges) {
   ChoiceRoute out;
   out.places.push_back(product.states[from].place);
   for (std::uint32_t e : edges) {
@@ -160,8 +157,8 @@ std::string_view name(LassoOrder order) {
 }
 
 template <class Model>
-std::optional<LassoAnswer> least_lasso(const Model& model, const automata::Automaton& automaton,
-                                       LassoOrder order, std::size_t limit, const std::stop_token& stop) {
+std::optional<LassoAnswer> least_lasso(const Model& model, const automata::Automaton& automaton, LassoOrder order,
+                                       std::size_t limit, const std::stop_token& stop) {
   try {
     automata::Budget budget(SIZE_MAX, limit, stop);
     const BuchiProduct product = compose(model, automaton, budget);
@@ -172,8 +169,7 @@ std::optional<LassoAnswer> least_lasso(const Model& model, const automata::Autom
     const std::uint32_t entry = product.graph.edges[found.cycle.edges.front()].from;
     const std::vector<std::uint32_t> way = search.way_to(entry);
     const std::uint32_t start = way.empty() ? entry : product.graph.edges[way.front()].from;
-    answer.route =
-        LassoRoute{route_of(product, start, way), route_of(product, entry, found.cycle.edges), found.rounds};
+    answer.route = LassoRoute{route_of(product, start, way), route_of(product, entry, found.cycle.edges), found.rounds};
     return answer;
   } catch (const automata::Budget::Exceeded&) {
     return std::nullopt;
@@ -204,10 +200,10 @@ CertifiedLasso certify(LassoRoute route, const Model& model, const automata::Aut
   return CertifiedLasso(std::move(route), false);
 }
 
-template std::optional<LassoAnswer> least_lasso(const Mdp&, const automata::Automaton&, LassoOrder,
-                                                std::size_t, const std::stop_token&);
-template std::optional<LassoAnswer> least_lasso(const GridWorld&, const automata::Automaton&, LassoOrder,
-                                                std::size_t, const std::stop_token&);
+template std::optional<LassoAnswer> least_lasso(const Mdp&, const automata::Automaton&, LassoOrder, std::size_t,
+                                                const std::stop_token&);
+template std::optional<LassoAnswer> least_lasso(const GridWorld&, const automata::Automaton&, LassoOrder, std::size_t,
+                                                const std::stop_token&);
 template ltl::Lasso word_of(const Mdp&, const LassoRoute&);
 template ltl::Lasso word_of(const GridWorld&, const LassoRoute&);
 template CertifiedLasso certify(LassoRoute, const Mdp&, ltl::Formula);

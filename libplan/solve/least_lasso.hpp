@@ -39,9 +39,8 @@ struct LassoAnswer {
 // nullopt: stopped, or more vertices than the limit; (vertex, set of marks) count. Throws std::invalid_argument for a
 // model that is not deterministic and an automaton that is not generalised Büchi.
 template <class Model>
-std::optional<LassoAnswer> least_lasso(const Model& model, const automata::Automaton& automaton,
-                                       LassoOrder order, std::size_t limit = 100'000'000,
-                                       const std::stop_token& stop = {});
+std::optional<LassoAnswer> least_lasso(const Model& model, const automata::Automaton& automaton, LassoOrder order,
+                                       std::size_t limit = 100'000'000, const std::stop_token& stop = {});
 
 template <class Model>
 ltl::Lasso word_of(const Model& model, const LassoRoute& route);
@@ -59,8 +58,7 @@ class CertifiedLasso {
   friend CertifiedLasso certify(LassoRoute route, const Model& model, ltl::Formula f);
   template <class Model>
   friend CertifiedLasso certify(LassoRoute route, const Model& model, const automata::Automaton& automaton);
-  CertifiedLasso(LassoRoute route, bool by_definition)
-      : route_(std::move(route)), by_definition_(by_definition) {}
+  CertifiedLasso(LassoRoute route, bool by_definition) : route_(std::move(route)), by_definition_(by_definition) {}
   LassoRoute route_;
   bool by_definition_;
 };

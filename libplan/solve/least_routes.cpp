@@ -90,8 +90,8 @@ class WalkSearch {
 }  // namespace
 
 template <Model M>
-std::optional<RoutesAnswer> least_routes(const Product<M, TaskTable>& product, std::size_t most,
-                                         std::size_t limit, const std::stop_token& stop) {
+std::optional<RoutesAnswer> least_routes(const Product<M, TaskTable>& product, std::size_t most, std::size_t limit,
+                                         const std::stop_token& stop) {
   if (!product.model().is_deterministic())
     throw std::invalid_argument("a search for routes needs a deterministic model");
   std::optional<ProductState> first;  // one at most: a DFA does not jump
@@ -102,7 +102,7 @@ std::optional<RoutesAnswer> least_routes(const Product<M, TaskTable>& product, s
 
 template std::optional<RoutesAnswer> least_routes(const Product<Mdp, TaskTable>&, std::size_t, std::size_t,
                                                   const std::stop_token&);
-template std::optional<RoutesAnswer> least_routes(const Product<GridWorld, TaskTable>&, std::size_t,
-                                                  std::size_t, const std::stop_token&);
+template std::optional<RoutesAnswer> least_routes(const Product<GridWorld, TaskTable>&, std::size_t, std::size_t,
+                                                  const std::stop_token&);
 
 }  // namespace waymark::plan

@@ -70,8 +70,7 @@ class MarkovChain {
   }
   template <class Visit>
   void for_each_predecessor(State s, Visit&& visit) const {
-    for (std::uint32_t i = first_source_[s.index]; i < first_source_[s.index + 1]; ++i)
-      visit(State{sources_[i]});
+    for (std::uint32_t i = first_source_[s.index]; i < first_source_[s.index + 1]; ++i) visit(State{sources_[i]});
   }
 
  private:

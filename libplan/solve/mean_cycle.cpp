@@ -14,8 +14,7 @@ constexpr std::uint32_t no_index = UINT32_MAX;
 
 class RatioSearch {
  public:
-  RatioSearch(const MarkedGraph& graph, const AcceptingPart& part, const Cycle& known,
-              automata::Budget& budget)
+  RatioSearch(const MarkedGraph& graph, const AcceptingPart& part, const Cycle& known, automata::Budget& budget)
       : graph_(graph),
         part_(part),
         budget_(budget),
@@ -140,8 +139,7 @@ class RatioSearch {
   }
 
   // Through tight steps of the component, past one that completes a round; fewest steps.
-  std::vector<LayeredEdge> shortest_circle(std::uint32_t entry,
-                                           const automata::Components& components) const {
+  std::vector<LayeredEdge> shortest_circle(std::uint32_t entry, const automata::Components& components) const {
     std::vector<LayeredEdge> by(2 * potential_.size());  // 2 · node + whether a round was completed
     std::vector<std::uint32_t> before(by.size(), no_index), queue{2 * entry};
     for (std::size_t i = 0; i < queue.size() && before[2 * entry + 1] == no_index; ++i)
@@ -153,8 +151,7 @@ class RatioSearch {
         queue.push_back(to);
       });
     std::vector<LayeredEdge> out;
-    for (std::uint32_t at = 2 * entry + 1; out.empty() || at != 2 * entry; at = before[at])
-      out.push_back(by[at]);
+    for (std::uint32_t at = 2 * entry + 1; out.empty() || at != 2 * entry; at = before[at]) out.push_back(by[at]);
     std::reverse(out.begin(), out.end());
     return out;
   }

@@ -15,14 +15,12 @@ enum class Measure : std::uint8_t { MaxProbability, MinProbability, MinCost };
 constexpr bool is_probability(Measure measure) { return measure != Measure::MinCost; }
 
 struct IterationOptions {
-  double tolerance = 1e-6;        // upper − lower, proved: absolute for probabilities, relative for costs
-  bool policy_iteration = false;  // linear solves from the start, not only where sweeps are slow
+  double tolerance = 1e-6;            // upper − lower, proved: absolute for probabilities, relative for costs
+  bool policy_iteration = false;      // linear solves from the start, not only where sweeps are slow
   std::uint64_t sweeps = UINT64_MAX;  // of each block
-  std::size_t written_out = std::size_t{1}
-                            << 20U;  // unknowns of a block up to which its equations are written out
-  std::size_t on_grid =
-      20'000;  // unknowns of a block of a grid from which it is swept in place, where its kind allows
-  bool keep_values = false;  // of all states, in the answer
+  std::size_t written_out = std::size_t{1} << 20U;  // unknowns of a block up to which its equations are written out
+  std::size_t on_grid = 20'000;  // unknowns of a block of a grid from which it is swept in place, where its kind allows
+  bool keep_values = false;      // of all states, in the answer
   std::stop_token stop = {};
 };
 
@@ -30,14 +28,11 @@ struct IterationOptions {
 inline bool raises(double before, double after) { return after > before * (1 + 1e-15); }
 
 template <class B>
-concept OptimisticBackend = requires(B& backend, double number, std::uint64_t sweeps,
-                                     const IterationOptions& options) {
-  { backend.sweeps() } -> std::same_as<std::uint64_t>;  // so far
-  {
-    backend.refine(number, options)
-    } -> std::same_as<bool>;  // until a sweep changes less; false: out of limits
-  backend.guess(number);      // bounds, so far apart
-  { backend.prove(sweeps, options) } -> std::same_as<bool>;  // after so many sweeps of refinement
+concept OptimisticBackend = requires(B& backend, double number, std::uint64_t sweeps, const IterationOptions& options) {
+  { backend.sweeps() } -> std::same_as<std::uint64_t>;        // so far
+  { backend.refine(number, options) } -> std::same_as<bool>;  // until a sweep changes less; false: out of limits
+  backend.guess(number);                                      // bounds, so far apart
+  { backend.prove(sweeps, options) } -> std::same_as<bool>;   // after so many sweeps of refinement
 };
 
 enum class IterationEnd : std::uint8_t { Proved, NotProved, OutOfLimits };

@@ -141,8 +141,7 @@ class BreadthFirst {
     }
     std::reverse(out.places.begin(), out.places.end());
     std::reverse(out.choices.begin(), out.choices.end());
-    for (std::size_t i = 0; i < out.choices.size(); ++i)
-      out.cost += model_.cost(out.places[i], out.choices[i]);
+    for (std::size_t i = 0; i < out.choices.size(); ++i) out.cost += model_.cost(out.places[i], out.choices[i]);
     return out;
   }
 
@@ -171,8 +170,7 @@ class BestFirst {
 
   // nullopt: stopped, no route, or given up: `most` pairs were settled, or the way is more than twice as long as the
   // bound had it, so that walls decide and the bound hardly helps.
-  std::optional<std::uint32_t> moves(const ProductState& first, std::uint64_t most,
-                                     const std::stop_token& stop) {
+  std::optional<std::uint32_t> moves(const ProductState& first, std::uint64_t most, const std::stop_token& stop) {
     put(first, 0);
     const std::size_t longest = 2 * buckets_.size();
     for (std::uint32_t f = 0; f < buckets_.size() && f < longest; ++f)
@@ -219,8 +217,8 @@ struct Bounded {  // what A* found: the moves of a shortest route, and the bound
   std::optional<std::uint32_t> moves;
   SearchStatistics statistics;
 };
-Bounded by_best_first(const Product<GridWorld, TaskTable>& product, const ProductState& first,
-                      std::size_t limit, const std::stop_token& stop) {
+Bounded by_best_first(const Product<GridWorld, TaskTable>& product, const ProductState& first, std::size_t limit,
+                      const std::stop_token& stop) {
   const GridWorld& grid = product.model();
   const TaskTable& task = product.task();
   const std::uint64_t pairs = std::uint64_t{task.states()} * grid.states();
@@ -233,8 +231,7 @@ Bounded by_best_first(const Product<GridWorld, TaskTable>& product, const Produc
   out.statistics = search.statistics();
   return out;
 }
-Bounded by_best_first(const Product<Mdp, TaskTable>&, const ProductState&, std::size_t,
-                      const std::stop_token&) {
+Bounded by_best_first(const Product<Mdp, TaskTable>&, const ProductState&, std::size_t, const std::stop_token&) {
   return {};  // no places to measure between
 }
 
@@ -288,8 +285,7 @@ ltl::Trace word_of(const Model& model, const ChoiceRoute& route) {
   std::vector<ltl::Letter> letters{model.letters()[model.initial_letter()]};
   for (std::size_t i = 0; i < route.choices.size(); ++i) {
     const ModelOutcome outcome = model.outcome(route.places[i], route.choices[i], 0);
-    if (outcome.target != route.places[i + 1])
-      throw std::logic_error("a route that takes a step it cannot take");
+    if (outcome.target != route.places[i + 1]) throw std::logic_error("a route that takes a step it cannot take");
     letters.push_back(model.letters()[outcome.letter]);
   }
   return ltl::Trace(std::move(letters));
@@ -297,10 +293,8 @@ ltl::Trace word_of(const Model& model, const ChoiceRoute& route) {
 
 template std::optional<double> uniform_cost(const Mdp&);
 template std::optional<double> uniform_cost(const GridWorld&);
-template std::optional<SearchAnswer> search(const Product<Mdp, TaskTable>&, std::size_t,
-                                            const std::stop_token&);
-template std::optional<SearchAnswer> search(const Product<GridWorld, TaskTable>&, std::size_t,
-                                            const std::stop_token&);
+template std::optional<SearchAnswer> search(const Product<Mdp, TaskTable>&, std::size_t, const std::stop_token&);
+template std::optional<SearchAnswer> search(const Product<GridWorld, TaskTable>&, std::size_t, const std::stop_token&);
 template ltl::Trace word_of(const Mdp&, const ChoiceRoute&);
 template ltl::Trace word_of(const GridWorld&, const ChoiceRoute&);
 

@@ -40,20 +40,16 @@ StateSet backward(const Product& product, const StateSet& targets, const Usable&
 }
 
 template <class Product>
-bool some_outcome_in(const Product& product, const typename Product::State& s, std::uint32_t k,
-                     const StateSet& set) {
+bool some_outcome_in(const Product& product, const typename Product::State& s, std::uint32_t k, const StateSet& set) {
   bool some = false;
-  product.for_each_outcome(
-      s, k, [&](std::uint32_t t, double, bool) { some = some || (t != Product::trap && set[t]); });
+  product.for_each_outcome(s, k, [&](std::uint32_t t, double, bool) { some = some || (t != Product::trap && set[t]); });
   return some;
 }
 
 template <class Product>
-bool all_outcomes_in(const Product& product, const typename Product::State& s, std::uint32_t k,
-                     const StateSet& set) {
+bool all_outcomes_in(const Product& product, const typename Product::State& s, std::uint32_t k, const StateSet& set) {
   bool all = true;
-  product.for_each_outcome(s, k,
-                           [&](std::uint32_t t, double, bool) { all = all && t != Product::trap && set[t]; });
+  product.for_each_outcome(s, k, [&](std::uint32_t t, double, bool) { all = all && t != Product::trap && set[t]; });
   return all;
 }
 
@@ -90,8 +86,7 @@ void keep_safe(const Product& product, const StateSet& targets, StateSet& set) {
   };
   product.for_each_state([&](const auto& s) {
     look_at(s);
-    for (; !open.empty(); open.pop_front())
-      product.for_each_predecessor(product.state(open.front()), look_at);
+    for (; !open.empty(); open.pop_front()) product.for_each_predecessor(product.state(open.front()), look_at);
   });
 }
 

@@ -17,8 +17,7 @@ Route roll_out(const MapProduct& product, const Policy& policy) {
     auto [edge, end] = out_edges(at, product);
     while (edge != end && product.action(*edge) != *action) ++edge;
     if (edge == end) throw std::logic_error("the policy takes an action that the product does not have");
-    if (trajectory.actions.size() >= num_vertices(product))
-      throw std::logic_error("the policy runs in a circle");
+    if (trajectory.actions.size() >= num_vertices(product)) throw std::logic_error("the policy runs in a circle");
     at = edge->to;
     trajectory.actions.push_back(*action);
     trajectory.poses.push_back(PoseId{at.place});

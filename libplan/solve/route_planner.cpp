@@ -12,10 +12,7 @@ constexpr std::size_t polling_interval = 4096;  // pairs between two looks at th
 }  // namespace
 
 RoutePlanner::RoutePlanner(const Map& map, const automata::Dfa& dfa)
-    : task_(map, dfa, TaskSteps::Traps::LeftOut),
-      model_(map),
-      words_(map.poses() / 64 + 1),
-      row_(dfa.states(), none) {
+    : task_(map, dfa, TaskSteps::Traps::LeftOut), model_(map), words_(map.poses() / 64 + 1), row_(dfa.states(), none) {
   for ([[maybe_unused]] Action action : all_actions) assert(map.cost(action) == map.cost(Action::Forward));
 }
 

@@ -78,8 +78,8 @@ std::optional<std::vector<double>> costs_to_go(const MapProduct& product, const 
   try {
     boost::dijkstra_shortest_paths(graph, accepting.begin(), accepting.end(), boost::dummy_property_map(),
                                    boost::make_iterator_property_map(cost.begin(), index),
-                                   get(boost::edge_weight, graph), index, std::less<>(), std::plus<>(),
-                                   infinity, 0.0, visitor);
+                                   get(boost::edge_weight, graph), index, std::less<>(), std::plus<>(), infinity, 0.0,
+                                   visitor);
   } catch (const SearchEnds&) {
     return std::nullopt;
   }
@@ -88,8 +88,7 @@ std::optional<std::vector<double>> costs_to_go(const MapProduct& product, const 
 
 // In each vertex the first action that begins a least-cost route. Walked from the far end of the edge costs were added
 // at, so equality is exact.
-std::vector<std::optional<Action>> first_best_actions(const MapProduct& product,
-                                                      const std::vector<double>& cost) {
+std::vector<std::optional<Action>> first_best_actions(const MapProduct& product, const std::vector<double>& cost) {
   std::vector<std::optional<Action>> actions(cost.size());
   for (const ProductState& v : boost::make_iterator_range(vertices(product))) {
     const std::size_t i = product.index(v);
@@ -175,8 +174,7 @@ struct AStar {
           product, start, [&](const Vertex& v) { return bound(v); }, visitor, boost::dummy_property_map(),
           boost::make_iterator_property_map(ranks.begin(), index),
           boost::make_iterator_property_map(cost.begin(), index), CostMap{&product},
-          boost::make_iterator_property_map(colors.begin(), index), index, std::less<>(), std::plus<>(),
-          infinity, 0.0);
+          boost::make_iterator_property_map(colors.begin(), index), index, std::less<>(), std::plus<>(), infinity, 0.0);
     } catch (const SearchEnds&) {
     }
     if (stopped || !(least < beat)) return std::nullopt;

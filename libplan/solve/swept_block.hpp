@@ -34,8 +34,7 @@ class SweptBlock {  // all of them must outlive it
   // How many sweeps it took; nullopt: stopped, out of sweeps, or the bounds do not meet in doubles.
   std::optional<std::uint64_t> solve(const std::vector<Compact>& order, const IterationOptions& options) {
     order_ = &order;
-    if (iterate_optimistically(*this, options, options.tolerance / 16) != IterationEnd::Proved)
-      return std::nullopt;
+    if (iterate_optimistically(*this, options, options.tolerance / 16) != IterationEnd::Proved) return std::nullopt;
     return sweeps();
   }
 

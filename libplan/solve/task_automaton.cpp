@@ -123,8 +123,8 @@ std::optional<TaskAutomaton> task_automaton(const GivenAutomaton& given, Query q
   if (asks_for_prefix(query))
     return within(limits, [&](Budget& budget) -> TaskAutomaton { return good_prefixes(automaton, budget); });
   return within(limits, [&](Budget& budget) -> TaskAutomaton {
-    return automata::limit_deterministic(automata::to_parity(
-        query == Query::MinProbability ? complement_of(automaton, budget) : automaton, budget));
+    return automata::limit_deterministic(
+        automata::to_parity(query == Query::MinProbability ? complement_of(automaton, budget) : automaton, budget));
   });
 }
 
@@ -134,14 +134,13 @@ std::optional<Automaton> lasso_automaton(ltl::Formula f, const automata::Transla
   return std::nullopt;
 }
 
-std::optional<Automaton> lasso_automaton(const GivenAutomaton& given,
-                                         const automata::TranslationLimits& limits) {
+std::optional<Automaton> lasso_automaton(const GivenAutomaton& given, const automata::TranslationLimits& limits) {
   const auto* automaton = std::get_if<Automaton>(&given);
   if (automaton == nullptr)
     throw std::invalid_argument("a lasso is an infinite word, the automaton is about finite ones");
   return within(limits, [&](Budget& budget) {
-    return automata::as_automaton(automata::without_fin(automaton->transitions(), budget),
-                                  automaton->vocabulary(), automaton->reads());
+    return automata::as_automaton(automata::without_fin(automaton->transitions(), budget), automaton->vocabulary(),
+                                  automaton->reads());
   });
 }
 

@@ -26,8 +26,7 @@ class EndComponentQuotient {
       : product_(product), unknowns_(unknowns), members_(unknowns.merged.count) {
     if (unknowns.merged.count == 0) return;
     product.for_each_state([&](const State& s) {
-      if (component(s.index) != EndComponents::none)
-        members_[component(s.index)].push_back(product.compact(s));
+      if (component(s.index) != EndComponents::none) members_[component(s.index)].push_back(product.compact(s));
     });
   }
 
@@ -62,8 +61,7 @@ class EndComponentQuotient {
       bool near = false;
       for (std::uint32_t k = 0; k < product_.choices(s) && !near; ++k)
         product_.for_each_outcome(s, k, [&](std::uint32_t t, double, bool) {
-          near =
-              near || (t != Product::trap && (unknowns_.targets[t] || (unknowns_.unknown[t] && t < first)));
+          near = near || (t != Product::trap && (unknowns_.targets[t] || (unknowns_.unknown[t] && t < first)));
         });
       if (near) meet(s);
     });

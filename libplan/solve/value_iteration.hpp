@@ -32,8 +32,7 @@ struct Values {
 
 // What is remembered of states whose block has been solved.
 struct Keep {
-  const StateSet* bounds =
-      nullptr;  // of these states, which include those that other blocks lead into; none: of all
+  const StateSet* bounds = nullptr;  // of these states, which include those that other blocks lead into; none: of all
   bool attained = false;
 };
 
@@ -55,8 +54,7 @@ class ValueIteration {
 
   std::optional<Values> run() {  // nullopt: stopped, out of sweeps, or the bounds do not meet in doubles
     for (std::uint32_t i = 0; i < product_.states(); ++i)
-      if (unknowns_.targets[i])
-        set(i, target_value, target_value);  // unknowns are 0 until their block is solved
+      if (unknowns_.targets[i]) set(i, target_value, target_value);  // unknowns are 0 until their block is solved
     const std::vector<std::uint32_t>& blocks = product_.blocks();
     for (std::size_t b = 0; b + 1 < blocks.size(); ++b)
       if (!solve_block(blocks[b], blocks[b + 1])) return std::nullopt;
@@ -113,8 +111,7 @@ class ValueIteration {
 
   bool solve_equations(const std::vector<Compact>& order, std::uint32_t first, std::uint32_t last) {
     const KnownValues known{unknowns_, values_.bounds, target_value};
-    const auto solution =
-        BlockEquations<Product, measure>(product_, merged_, known, first, last).solve(order, limits_);
+    const auto solution = BlockEquations<Product, measure>(product_, merged_, known, first, last).solve(order, limits_);
     if (!solution) return false;
     for (std::uint32_t i = 0; i < order.size(); ++i)
       set_merged(product_.state(order[i]), solution->lower[i], solution->upper[i]);

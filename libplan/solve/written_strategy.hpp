@@ -42,8 +42,7 @@ std::vector<Decision> decisions(const ProductMdp<Model>& product, const Strategy
     if (k == Strategy::none) continue;
     Decision decision{product.model().name(s.place), product.task().origin(s.task), {}, Decision::no_jump};
     if (product.is_jump(s, k))
-      decision.jump =
-          product.task().origin(product.task().jumps(s.task)[k - product.model().choices(s.place)]);
+      decision.jump = product.task().origin(product.task().jumps(s.task)[k - product.model().choices(s.place)]);
     else
       decision.action = product.model().action(s.place, k);
     out.push_back(std::move(decision));
@@ -58,10 +57,8 @@ std::vector<Decision> decisions(const Model& model, const TaskTable& task, const
   std::uint32_t q = task.next(task.initial_states().front(), model.initial_letter()).target;
   for (std::size_t i = 0; i < route.choices.size(); ++i) {
     const std::uint32_t place = route.places[i], k = route.choices[i];
-    out.push_back(
-        {model.name(place), task.origin(q), std::string(model.action(place, k)), Decision::no_jump});
-    model.for_each_outcome(place, k,
-                           [&](std::uint32_t, LetterId letter, double) { q = task.next(q, letter).target; });
+    out.push_back({model.name(place), task.origin(q), std::string(model.action(place, k)), Decision::no_jump});
+    model.for_each_outcome(place, k, [&](std::uint32_t, LetterId letter, double) { q = task.next(q, letter).target; });
   }
   return out;
 }

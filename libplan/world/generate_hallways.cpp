@@ -40,10 +40,9 @@ class HallwayDrawing {
       while (!furniture[place].empty()) place = (place + 1) % places_;
       furniture[place] = objects[i % objects.size()];
     }
-    std::string out = "{\"name\": \"hallway-" + std::to_string(recipe.width) + 'x' +
-                      std::to_string(recipe.height) + "-s" + std::to_string(recipe.seed) +
-                      "\",\n \"objects\": " + list(objects) + ",\n \"floors\": " + list(floors) +
-                      ",\n \"walls\": " + list(walls) + ",\n \"nodes\": [\n";
+    std::string out = "{\"name\": \"hallway-" + std::to_string(recipe.width) + 'x' + std::to_string(recipe.height) +
+                      "-s" + std::to_string(recipe.seed) + "\",\n \"objects\": " + list(objects) +
+                      ",\n \"floors\": " + list(floors) + ",\n \"walls\": " + list(walls) + ",\n \"nodes\": [\n";
     for (std::uint32_t p = 0; p < places_; ++p)
       out += "  {\"x\": " + std::to_string(p % width_) + ", \"y\": " + std::to_string(p / width_) +
              (furniture[p].empty() ? "" : ", \"object\": \"" + std::string(furniture[p]) + '"') +
@@ -102,8 +101,8 @@ class HallwayDrawing {
     };
     const std::string_view floor = floors[below(static_cast<std::uint32_t>(floors.size()))],
                            wall = walls[below(static_cast<std::uint32_t>(walls.size()))];
-    return "{\"a\": " + place(s.first) + ", \"b\": " + place(s.second) + ", \"floor\": \"" +
-           std::string(floor) + "\", \"wall\": \"" + std::string(wall) + "\"}";
+    return "{\"a\": " + place(s.first) + ", \"b\": " + place(s.second) + ", \"floor\": \"" + std::string(floor) +
+           "\", \"wall\": \"" + std::string(wall) + "\"}";
   }
 
   const std::uint32_t width_, places_;

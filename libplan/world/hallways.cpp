@@ -6,9 +6,7 @@
 namespace waymark::plan {
 namespace {
 
-std::string show(const Node& node) {
-  return "(" + std::to_string(node.x) + "," + std::to_string(node.y) + ")";
-}
+std::string show(const Node& node) { return "(" + std::to_string(node.x) + "," + std::to_string(node.y) + ")"; }
 
 // heading / 90 of the step from one node to its neighbour; nullopt when they are no orthogonal neighbours.
 std::optional<std::size_t> quarter(const Node& from, const Node& to) {
@@ -23,13 +21,11 @@ std::optional<std::size_t> quarter(const Node& from, const Node& to) {
 }  // namespace
 
 std::string show(const Pose& pose) {
-  return "(" + std::to_string(pose.x) + "," + std::to_string(pose.y) + "," + std::to_string(pose.heading) +
-         ")";
+  return "(" + std::to_string(pose.x) + "," + std::to_string(pose.y) + "," + std::to_string(pose.heading) + ")";
 }
 
 void Hallways::add_node(Node node) {
-  if (node.x < -max_coordinate || node.x > max_coordinate || node.y < -max_coordinate ||
-      node.y > max_coordinate)
+  if (node.x < -max_coordinate || node.x > max_coordinate || node.y < -max_coordinate || node.y > max_coordinate)
     throw std::invalid_argument("coordinates run from " + std::to_string(-max_coordinate) + " to " +
                                 std::to_string(max_coordinate));
   if (node.place && (*node.place < 1 || *node.place > max_place))

@@ -97,8 +97,7 @@ std::size_t offset_of(std::string_view json, std::string_view path) {
 
 ltl::FormatError format_error(std::string_view source, std::string_view json, std::string_view path,
                               std::string_view message, std::size_t first_line) {
-  const std::string text =
-      path.empty() ? std::string(message) : std::string(path) + ": " + std::string(message);
+  const std::string text = path.empty() ? std::string(message) : std::string(path) + ": " + std::string(message);
   return format_error_at(source, json, offset_of(json, path), text, first_line);
 }
 

@@ -18,8 +18,7 @@ JsonReader::Value JsonReader::parse() const {
                           "malformed JSON: " + std::string(what.substr(colon == what.npos ? 0 : colon + 2)),
                           first_line_);
   } catch (const Value::out_of_range&) {
-    throw ltl::FormatError(source_, first_line_ > 1 ? first_line_ : 0, 0,
-                           "a number of the JSON text is out of range");
+    throw ltl::FormatError(source_, first_line_ > 1 ? first_line_ : 0, 0, "a number of the JSON text is out of range");
   }
 }
 
@@ -27,14 +26,12 @@ void JsonReader::fail(const std::string& path, const std::string& message) const
   throw format_error(source_, text_, path, message, first_line_);
 }
 
-void JsonReader::check_keys(const Value& object, const std::string& path,
-                            const std::vector<std::string>& known) const {
+void JsonReader::check_keys(const Value& object, const std::string& path, const std::vector<std::string>& known) const {
   const ltl::Vocabulary names(known);
   for (const auto& [key, value] : object.items()) {
     if (names.find(key)) continue;
     const auto meant = names.nearest(key);
-    if (meant && !object.contains(*meant))
-      fail(path, "unknown key \"" + key + "\" (did you mean \"" + *meant + "\"?)");
+    if (meant && !object.contains(*meant)) fail(path, "unknown key \"" + key + "\" (did you mean \"" + *meant + "\"?)");
   }
 }
 
@@ -68,8 +65,7 @@ std::string JsonReader::string(const Value& value, const std::string& path) cons
 std::vector<std::string> JsonReader::strings(const Value& value, const std::string& path) const {
   if (!value.is_array()) fail(path, "expected a list of texts");
   std::vector<std::string> out;
-  for (std::size_t i = 0; i < value.size(); ++i)
-    out.push_back(string(value[i], path + "[" + std::to_string(i) + "]"));
+  for (std::size_t i = 0; i < value.size(); ++i) out.push_back(string(value[i], path + "[" + std::to_string(i) + "]"));
   return out;
 }
 

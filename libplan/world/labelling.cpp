@@ -59,11 +59,11 @@ Names places(const Observables& observables) {
 // A kind of proposition of poses: which names there are, and which of them hold where.
 struct KindOfPose {
   Kind kind;
-  Names (*names)(const Observables&);                  // of empty observables: those that every map has
-  Names (*here)(const Hallways&, std::uint32_t node);  // of a node; nullptr: there are none
-  bool next;                  // the names of the node one step ahead are propositions
-  bool seen;                  // the names seen in the four directions are propositions
-  Names (*way)(const Edge*);  // of a hallway, or of no hallway; nullptr: there are none
+  Names (*names)(const Observables&);                      // of empty observables: those that every map has
+  Names (*here)(const Hallways&, std::uint32_t node);      // of a node; nullptr: there are none
+  bool next;                                               // the names of the node one step ahead are propositions
+  bool seen;                                               // the names seen in the four directions are propositions
+  Names (*way)(const Edge*);                               // of a hallway, or of no hallway; nullptr: there are none
   std::string (*noun)(const std::string& name) = nullptr;  // in English; nullptr: "the NAME"
 };
 
@@ -110,8 +110,7 @@ Kind kind_of(const std::string& name, Direction direction, const ltl::Vocabulary
   if (is_fixed) return fixed->kind;
   if (vocabulary.find(proposition_name({Direction::Next, Kind::Object, name}))) return Kind::Object;
   if (!vocabulary.find(name)) return Kind::Painting;
-  return vocabulary.find(proposition_name({Direction::Ahead, Kind::Floor, name})) ? Kind::Floor
-                                                                                  : Kind::Object;
+  return vocabulary.find(proposition_name({Direction::Ahead, Kind::Floor, name})) ? Kind::Floor : Kind::Object;
 }
 
 Observable observable_of(const std::string& proposition, const ltl::Vocabulary& vocabulary) {
@@ -167,8 +166,7 @@ ltl::Vocabulary hallway_vocabulary(const Observables& observables) {
   for (const Direction side : {Direction::Left, Direction::Right}) add(side, Kind::Event, {"turned"});
   const auto is_place = [](const KindOfPose& kind) { return kind.kind == Kind::PlaceNumber; };
   add_kinds(Direction::Here, [&](const KindOfPose& kind) { return kind.here != nullptr && !is_place(kind); });
-  for (const Direction direction : directions)
-    add_kinds(direction, [](const KindOfPose& kind) { return kind.seen; });
+  for (const Direction direction : directions) add_kinds(direction, [](const KindOfPose& kind) { return kind.seen; });
   add_kinds(Direction::Next, [](const KindOfPose& kind) { return kind.next; });
   add_kinds(Direction::Here, is_place);
   return vocabulary;

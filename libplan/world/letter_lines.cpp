@@ -35,8 +35,7 @@ std::vector<std::string> cells_of(std::string_view line) {
 
 LetterLines::LetterLines(ltl::Vocabulary vocabulary, LetterFormat format, std::string source)
     : vocabulary_(std::move(vocabulary)), names_(vocabulary_), format_(format), source_(std::move(source)) {}
-LetterLines::LetterLines(LetterFormat format, std::string source)
-    : LetterLines({}, format, std::move(source)) {
+LetterLines::LetterLines(LetterFormat format, std::string source) : LetterLines({}, format, std::move(source)) {
   forgets_ = false;
 }
 
@@ -46,8 +45,7 @@ std::vector<ltl::Letter> LetterLines::read(std::string_view line) {
   if (line.empty() || line.front() == '#') return {};
   if (format_ == LetterFormat::Auto && line == "{}") return {ltl::Letter()};  // in text as in JSON
   if (format_ == LetterFormat::Auto) format_ = format_of(line);
-  if (forgets_ && header_.empty() && names_.size() > vocabulary_.size() + most_further_names)
-    names_ = vocabulary_;
+  if (forgets_ && header_.empty() && names_.size() > vocabulary_.size() + most_further_names) names_ = vocabulary_;
   if (format_ == LetterFormat::Text) return text_letters(line);
   if (format_ == LetterFormat::Json) return {json_letter(line)};
   if (!header_.empty()) return {csv_letter(line)};
@@ -56,10 +54,8 @@ std::vector<ltl::Letter> LetterLines::read(std::string_view line) {
 }
 
 LetterFormat LetterLines::format_of(std::string_view first) const {
-  if ((first.front() == '[' || first.front() == '{') && nlohmann::json::accept(first))
-    return LetterFormat::Json;
-  const bool row =
-      first.find(',') != std::string_view::npos && first.find_first_of("{}();") == std::string_view::npos;
+  if ((first.front() == '[' || first.front() == '{') && nlohmann::json::accept(first)) return LetterFormat::Json;
+  const bool row = first.find(',') != std::string_view::npos && first.find_first_of("{}();") == std::string_view::npos;
   return row ? LetterFormat::Csv : LetterFormat::Text;
 }
 
@@ -86,8 +82,7 @@ ltl::Letter LetterLines::json_letter(std::string_view line) {
     return letter;
   }
   if (!value.is_object())
-    throw ltl::FormatError(source_, line_, 1,
-                           "expected a list of names, or an object of names and truth values");
+    throw ltl::FormatError(source_, line_, 1, "expected a list of names, or an object of names and truth values");
   for (const auto& [name, holds] : value.items()) {
     const bool is_number = holds.is_number_integer() && (holds == 0 || holds == 1);
     if (!holds.is_boolean() && !is_number) reader.fail(name, "expected true, false, 1 or 0");
@@ -98,8 +93,7 @@ ltl::Letter LetterLines::json_letter(std::string_view line) {
 
 void LetterLines::read_header(std::string_view line) {
   for (const std::string& name : cells_of(line)) {
-    if (name.empty())
-      throw ltl::FormatError(source_, line_, 1, "the header of the table has a column without a name");
+    if (name.empty()) throw ltl::FormatError(source_, line_, 1, "the header of the table has a column without a name");
     header_.push_back(names_.add(name));
   }
 }
@@ -107,17 +101,16 @@ void LetterLines::read_header(std::string_view line) {
 ltl::Letter LetterLines::csv_letter(std::string_view line) const {
   const std::vector<std::string> cells = cells_of(line);
   if (cells.size() != header_.size())
-    throw ltl::FormatError(source_, line_, 1,
-                           "the row has " + std::to_string(cells.size()) + " cells, the header " +
-                               std::to_string(header_.size()));
+    throw ltl::FormatError(
+        source_, line_, 1,
+        "the row has " + std::to_string(cells.size()) + " cells, the header " + std::to_string(header_.size()));
   ltl::Letter letter;
   for (std::size_t i = 0; i < cells.size(); ++i) {
     if (cells[i] == "1" || cells[i] == "true" || cells[i] == "True" || cells[i] == "TRUE")
       letter.insert(header_[i]);
     else if (!(cells[i].empty() || cells[i] == "0" || cells[i] == "false" || cells[i] == "False" ||
                cells[i] == "FALSE"))
-      throw ltl::FormatError(source_, line_, 1,
-                             "expected 1, 0, true, false or nothing, not '" + cells[i] + "'");
+      throw ltl::FormatError(source_, line_, 1, "expected 1, 0, true, false or nothing, not '" + cells[i] + "'");
   }
   return letter;
 }

@@ -43,8 +43,8 @@ std::string_view name(Action action) {
   throw std::logic_error("not an action");
 }
 
-Map::Map(std::string name, Hallways hallways, std::vector<std::string> objects,
-         std::vector<std::string> floors, std::vector<std::string> walls)
+Map::Map(std::string name, Hallways hallways, std::vector<std::string> objects, std::vector<std::string> floors,
+         std::vector<std::string> walls)
     : name_(std::move(name)),
       hallways_(std::move(hallways)),
       observables_{std::move(objects), std::move(floors), std::move(walls), highest_place(hallways_)},

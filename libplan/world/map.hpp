@@ -24,9 +24,8 @@
 namespace waymark::plan {
 
 enum class Action : std::uint8_t { Forward, Left, Right };
-inline constexpr std::array<Action, 3> all_actions{Action::Forward, Action::Left,
-                                                   Action::Right};  // the tie order
-std::string_view name(Action action);                               // "FORWARD", "LEFT", "RIGHT"
+inline constexpr std::array<Action, 3> all_actions{Action::Forward, Action::Left, Action::Right};  // the tie order
+std::string_view name(Action action);  // "FORWARD", "LEFT", "RIGHT"
 
 struct PoseId {
   std::uint32_t index = 0;  // 4 · node + heading / 90
@@ -35,8 +34,7 @@ struct PoseId {
 
 class Map {
  public:
-  static constexpr std::size_t max_size = std::size_t{1}
-                                          << 24U;  // nodes · propositions: the letters fit in memory
+  static constexpr std::size_t max_size = std::size_t{1} << 24U;  // nodes · propositions: the letters fit in memory
 
   // Throws std::invalid_argument on a map without nodes, on one beyond max_size, and as world/hallways.hpp and
   // world/labelling.hpp say. places: the highest place number of the nodes.
@@ -73,13 +71,9 @@ class Map {
   double cost(Action) const { return 1.0; }  // conventions.md 4
 
   const ltl::Letter& label(PoseId p) const { return letter(label_id(p)); }  // L(p), without events
-  const ltl::Letter& letter(PoseId after, Action by) const {
-    return letter(letter_id(after, by));
-  }  // with events
+  const ltl::Letter& letter(PoseId after, Action by) const { return letter(letter_id(after, by)); }  // with events
   LetterId label_id(PoseId p) const { return letter_ids_[p.index][3]; }
-  LetterId letter_id(PoseId after, Action by) const {
-    return letter_ids_[after.index][static_cast<std::size_t>(by)];
-  }
+  LetterId letter_id(PoseId after, Action by) const { return letter_ids_[after.index][static_cast<std::size_t>(by)]; }
   const ltl::Letter& letter(LetterId id) const { return letters_[id]; }
   const Letters& letters() const { return letters_; }
 

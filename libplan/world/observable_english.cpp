@@ -34,9 +34,7 @@ ltl::Described described(const Observable& observable) {
 }
 
 std::function<ltl::Described(ltl::Proposition)> hallway_english(const ltl::Vocabulary& vocabulary) {
-  return [observables = observables_of(vocabulary)](ltl::Proposition p) {
-    return described(observables.at(p.index));
-  };
+  return [observables = observables_of(vocabulary)](ltl::Proposition p) { return described(observables.at(p.index)); };
 }
 
 }  // namespace waymark::plan

@@ -41,8 +41,7 @@ class MapReader {
     std::vector<std::string> walls = values(document, "walls", walls_);
     std::optional<Map> map;
     in_.at("", [&] {
-      map.emplace(std::move(name), std::move(hallways), std::move(objects), std::move(floors),
-                  std::move(walls));
+      map.emplace(std::move(name), std::move(hallways), std::move(objects), std::move(floors), std::move(walls));
     });
     return std::move(*map);
   }
@@ -54,8 +53,7 @@ class MapReader {
   void check_headings(const json& headings) const {
     const json ours = {{"0", {0, -1}}, {"90", {1, 0}}, {"180", {0, 1}}, {"270", {-1, 0}}};
     if (headings != ours)
-      in_.fail("headings",
-               R"(must be {"0": [0,-1], "90": [1,0], "180": [0,1], "270": [-1,0]}: y grows downwards)");
+      in_.fail("headings", R"(must be {"0": [0,-1], "90": [1,0], "180": [0,1], "270": [-1,0]}: y grows downwards)");
   }
 
   Node node(const json& value, const std::string& path) {
@@ -66,16 +64,13 @@ class MapReader {
       if (!value.contains(key)) in_.fail(path, "the key \"" + std::string(key) + "\" is missing");
     node.x = in_.integer(value["x"], path + ".x");
     node.y = in_.integer(value["y"], path + ".y");
-    if (value.contains("place") && !value["place"].is_null())
-      node.place = in_.integer(value["place"], path + ".place");
-    if (const std::string name = optional_name(value, "object", path, objects_); !name.empty())
-      node.object = name;
+    if (value.contains("place") && !value["place"].is_null()) node.place = in_.integer(value["place"], path + ".place");
+    if (const std::string name = optional_name(value, "object", path, objects_); !name.empty()) node.object = name;
     return node;
   }
 
   Edge edge(const json& value, const std::string& path, const Hallways& hallways) {
-    if (!value.is_object())
-      in_.fail(path, R"(expected an edge like {"a": [0,5], "b": [0,6], "floor": "blue"})");
+    if (!value.is_object()) in_.fail(path, R"(expected an edge like {"a": [0,5], "b": [0,6], "floor": "blue"})");
     in_.check_keys(value, path, {"a", "b", "floor", "wall"});
     Edge edge;
     edge.a = end(value, "a", path, hallways);
@@ -85,8 +80,7 @@ class MapReader {
     return edge;
   }
 
-  std::uint32_t end(const json& edge, const std::string& key, const std::string& path,
-                    const Hallways& hallways) const {
+  std::uint32_t end(const json& edge, const std::string& key, const std::string& path, const Hallways& hallways) const {
     if (!edge.contains(key)) in_.fail(path, "the key \"" + key + "\" is missing");
     const std::string here = path + "." + key;
     const json& value = edge[key];
@@ -98,8 +92,7 @@ class MapReader {
   }
 
   // The text under `key`, "" when missing or null; remembered in `used`.
-  std::string optional_name(const json& object, const std::string& key, const std::string& path,
-                            Used& used) const {
+  std::string optional_name(const json& object, const std::string& key, const std::string& path, Used& used) const {
     if (!object.contains(key) || object[key].is_null()) return "";
     const std::string here = path + "." + key;
     std::string name = in_.string(object[key], here);
@@ -138,9 +131,7 @@ std::string read_text(const std::filesystem::path& file) {
 
 }  // namespace
 
-Map parse_map(std::string_view json_text, std::string_view source) {
-  return MapReader(json_text, source).read();
-}
+Map parse_map(std::string_view json_text, std::string_view source) { return MapReader(json_text, source).read(); }
 
 std::vector<std::string> shipped_maps(const std::filesystem::path& data) {
   std::vector<std::string> names;
@@ -160,8 +151,7 @@ Map read_map(const std::string& name_or_file, const std::filesystem::path& data)
   std::error_code error;
   if (std::filesystem::exists(name_or_file, error)) return parse_map(read_text(name_or_file), name_or_file);
   std::string message = "unknown map '" + name_or_file + "': no such file, and no such map";
-  if (const auto meant = ltl::Vocabulary(names).nearest(name_or_file))
-    message += " (did you mean '" + *meant + "'?)";
+  if (const auto meant = ltl::Vocabulary(names).nearest(name_or_file)) message += " (did you mean '" + *meant + "'?)";
   message += names.empty() ? "; no maps in " + (data / "maps").string() : "; the maps are";
   for (std::size_t i = 0; i < names.size(); ++i) message += (i == 0 ? " " : ", ") + names[i];
   throw ltl::FormatError("", 0, 0, message);

@@ -105,8 +105,7 @@ std::string landmark_name(std::string_view name) {
   for (char c : name) {
     if (c == '\'') continue;
     if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-    const bool plain =
-        (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || (static_cast<unsigned char>(c) >= 0x80);
+    const bool plain = (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || (static_cast<unsigned char>(c) >= 0x80);
     if (plain)
       out += c;
     else if (!out.empty() && out.back() != '_')

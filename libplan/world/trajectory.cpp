@@ -19,9 +19,8 @@ std::string no_such_pose(const Map& map, const Pose& pose) {
   const auto distance = [&](const Node& node) {
     return std::abs(std::int64_t{node.x} - pose.x) + std::abs(std::int64_t{node.y} - pose.y);
   };
-  const Node& nearest =
-      *std::min_element(map.nodes().begin(), map.nodes().end(),
-                        [&](const Node& a, const Node& b) { return distance(a) < distance(b); });
+  const Node& nearest = *std::min_element(map.nodes().begin(), map.nodes().end(),
+                                          [&](const Node& a, const Node& b) { return distance(a) < distance(b); });
   const auto place = [](int x, int y) { return "(" + std::to_string(x) + "," + std::to_string(y) + ")"; };
   return place(pose.x, pose.y) + " is no place of " + (map.name().empty() ? "the map" : map.name()) +
          "; the nearest is " + place(nearest.x, nearest.y);
@@ -33,8 +32,7 @@ std::string impossible_step(const Map& map, PoseId from, PoseId to) {
   const char* separator = " ";
   for (Action action : all_actions) {
     const auto next = map.successor(from, action);
-    out += separator + std::string(name(action)) +
-           (next ? " leads to " + show(map.pose(*next)) : " meets a wall");
+    out += separator + std::string(name(action)) + (next ? " leads to " + show(map.pose(*next)) : " meets a wall");
     separator = ", ";
   }
   return out;
@@ -73,8 +71,7 @@ class JsonForm {
     if (!list.is_array()) in_.fail(path, "expected a list of poses [x,y,heading]");
     if (list.empty()) in_.fail(path, "a trajectory needs at least one pose");
     Trajectory trajectory;
-    for (std::size_t i = 0; i < list.size(); ++i)
-      append(list[i], path + "[" + std::to_string(i) + "]", trajectory);
+    for (std::size_t i = 0; i < list.size(); ++i) append(list[i], path + "[" + std::to_string(i) + "]", trajectory);
     return trajectory;
   }
 
@@ -84,8 +81,7 @@ class JsonForm {
   void append(const Value& value, const std::string& path, Trajectory& trajectory) const {
     if (!value.is_array() || value.size() != 3) in_.fail(path, "expected a pose [x,y,heading]");
     std::array<int, 3> numbers{};
-    for (std::size_t i = 0; i < 3; ++i)
-      numbers[i] = in_.integer(value[i], path + "[" + std::to_string(i) + "]");
+    for (std::size_t i = 0; i < 3; ++i) numbers[i] = in_.integer(value[i], path + "[" + std::to_string(i) + "]");
     const Pose pose{numbers[0], numbers[1], numbers[2]};
     const auto id = map_.find(pose);
     if (!id) in_.fail(path, no_such_pose(map_, pose));
@@ -231,8 +227,7 @@ std::optional<Action> parse_action(std::string_view text) {
 
 std::string show(const Trajectory& trajectory, const Map& map) {
   const Pose start = map.pose(trajectory.poses.front());
-  std::string out =
-      std::to_string(start.x) + "," + std::to_string(start.y) + "," + std::to_string(start.heading);
+  std::string out = std::to_string(start.x) + "," + std::to_string(start.y) + "," + std::to_string(start.heading);
   for (Action action : trajectory.actions) out += " " + std::string(name(action));
   return out;
 }

@@ -49,8 +49,7 @@ void read(benchmark::State& state) {
   const Workload& w = workload();
   std::size_t i = 0;
   for (auto _ : state) {
-    benchmark::DoNotOptimize(
-        parser::read(w.model.word_model, {tokenize(w.texts[i++ % w.texts.size()]), false}, 64));
+    benchmark::DoNotOptimize(parser::read(w.model.word_model, {tokenize(w.texts[i++ % w.texts.size()]), false}, 64));
   }
   state.SetItemsProcessed(state.iterations());
 }

@@ -53,9 +53,8 @@ void deep(benchmark::State& state, Sight sight, const Dqn& method, bool with_tre
   half_random.explore_steps = steps / 2;
   std::size_t taken = 0;
   for (auto _ : state) {
-    benchmark::DoNotOptimize(learn(workload().product,
-                                   {&seen.by_position, with_trees ? &workload().trees : nullptr}, method,
-                                   half_random));
+    benchmark::DoNotOptimize(
+        learn(workload().product, {&seen.by_position, with_trees ? &workload().trees : nullptr}, method, half_random));
     taken += steps;
   }
   state.counters["steps"] = benchmark::Counter(static_cast<double>(taken), benchmark::Counter::kIsRate);

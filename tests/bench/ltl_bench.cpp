@@ -71,8 +71,7 @@ std::vector<Fact> facts(const fs::path& path, const std::string& kind) {
       continue;
     }
     const auto number = [&](const std::string& name) {
-      const auto at =
-          static_cast<std::size_t>(std::find(header.begin(), header.end(), name) - header.begin());
+      const auto at = static_cast<std::size_t>(std::find(header.begin(), header.end(), name) - header.begin());
       const std::string text = at < row.size() ? row[at] : "";
       const bool digits = !text.empty() && text.find_first_not_of("0123456789") == std::string::npos;
       return digits ? std::stod(text) : -1.0;
@@ -88,8 +87,8 @@ void set(benchmark::State& state, Translate run, const std::string& kind, const 
   const std::vector<Fact> expected = facts(facts_path, kind);
   for (auto _ : state) {
     auto& out = state.counters;
-    for (const char* name : {"lines", "states", "peer_states", "edges", "peer_edges", "above_1.1", "timeouts",
-                             "answered_s", "slowest_s"})
+    for (const char* name :
+         {"lines", "states", "peer_states", "edges", "peer_edges", "above_1.1", "timeouts", "answered_s", "slowest_s"})
       out[name] = 0;
     std::ifstream in(path);
     std::size_t i = 0;
@@ -123,8 +122,7 @@ const bool registered = [] {
   for (const auto& [kind, run] : kinds)
     for (const fs::path& path : files)
       benchmark::RegisterBenchmark((std::string(kind) + "/" + path.stem().string()).c_str(), set, run,
-                                   std::string(kind), path,
-                                   folder / "facts" / (path.stem().string() + ".tsv"), limit)
+                                   std::string(kind), path, folder / "facts" / (path.stem().string() + ".tsv"), limit)
           ->Iterations(1)
           ->Unit(benchmark::kSecond);
   return true;

@@ -37,8 +37,7 @@ std::string delivery(std::size_t legs) {
   for (std::size_t i = 2; i <= 2 * legs; ++i) names += ", p" + number(i);
   for (std::size_t i = 1; i <= 2 * legs; ++i)
     chain += (i > 1 ? " & " : "") + ("ex1 x" + number(i)) + ": " +
-             (i > 1 ? "x" + number(i - 1) + " < x" + number(i) + " & " : "") + "x" + number(i) + " in p" +
-             number(i);
+             (i > 1 ? "x" + number(i - 1) + " < x" + number(i) + " & " : "") + "x" + number(i) + " in p" + number(i);
   return "m2l-str;\nvar2 " + names + ";\n" + chain + ";\n";
 }
 
@@ -50,12 +49,7 @@ void mona(benchmark::State& state, std::string (*make)(std::size_t)) {
     if (std::system(command.c_str()) != 0) state.SkipWithError("mona is not installed, or ran out of nodes");
   fs::remove(file);
 }
-BENCHMARK_CAPTURE(mona, visit_all, visit_all)
-    ->Arg(8)
-    ->Arg(12)
-    ->Arg(16)
-    ->UseRealTime()
-    ->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(mona, visit_all, visit_all)->Arg(8)->Arg(12)->Arg(16)->UseRealTime()->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(mona, responses, responses)->Arg(8)->Arg(12)->UseRealTime()->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(mona, delivery, delivery)->Arg(2)->Arg(4)->UseRealTime()->Unit(benchmark::kMillisecond);
 

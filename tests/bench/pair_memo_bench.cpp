@@ -19,8 +19,7 @@ Pairs pairs_to_meet(std::size_t different) {
   ltl::Random random(1);
   Pairs out;
   for (std::size_t i = 0; i < 4 * different; ++i)
-    out.emplace_back(static_cast<std::uint32_t>(random.below(different)),
-                     static_cast<std::uint32_t>(random.below(3)));
+    out.emplace_back(static_cast<std::uint32_t>(random.below(different)), static_cast<std::uint32_t>(random.below(3)));
   return out;
 }
 

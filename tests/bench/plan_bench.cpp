@@ -28,8 +28,7 @@ struct Pair {
 
 // Tasks are X(l₁ ∧ l₂) or F(l₁ ∧ l₂) steps, each with the next one nested inside; only feasible pairs are kept.
 struct Workload {
-  explicit Workload(std::size_t steps)
-      : map(read_map("grid", WAYMARK_SOURCE_DIR "/data")), arena(map.vocabulary()) {
+  explicit Workload(std::size_t steps) : map(read_map("grid", WAYMARK_SOURCE_DIR "/data")), arena(map.vocabulary()) {
     ltl::Random random(1);
     while (tasks.size() < 64) {
       const ltl::Formula f = task(random, steps);
@@ -39,10 +38,8 @@ struct Workload {
       tasks.push_back(dfa);
     }
     while (pairs.size() < 512) {
-      const Pair pair{PoseId{static_cast<std::uint32_t>(random.below(map.poses()))},
-                      random.below(tasks.size())};
-      if (std::holds_alternative<Route>(RoutePlanner(map, tasks[pair.task]).plan(pair.start)))
-        pairs.push_back(pair);
+      const Pair pair{PoseId{static_cast<std::uint32_t>(random.below(map.poses()))}, random.below(tasks.size())};
+      if (std::holds_alternative<Route>(RoutePlanner(map, tasks[pair.task]).plan(pair.start))) pairs.push_back(pair);
     }
   }
 
@@ -93,8 +90,7 @@ void planner_per_pair(benchmark::State& state) {
 }
 
 void planner_per_task(benchmark::State& state) {
-  std::vector<std::unique_ptr<RoutePlanner>> planners(
-      workload(static_cast<std::size_t>(state.range(0))).tasks.size());
+  std::vector<std::unique_ptr<RoutePlanner>> planners(workload(static_cast<std::size_t>(state.range(0))).tasks.size());
   run(state, [&](Workload& work, const Pair& pair) {
     auto& planner = planners[pair.task];
     if (!planner) planner = std::make_unique<RoutePlanner>(work.map, work.tasks[pair.task]);

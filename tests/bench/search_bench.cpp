@@ -160,9 +160,8 @@ double by_dijkstra(const GridProduct& product, const ProductState& start) {
   visitor.index = at.index;
   at.cost[get(at.index, start)] = 0;
   try {
-    boost::dijkstra_shortest_paths_no_init(product, start, at.map(at.before), at.map(at.cost),
-                                           Costs{&product}, at.index, std::less<>(), std::plus<>(), 0.0,
-                                           visitor, at.map(at.color));
+    boost::dijkstra_shortest_paths_no_init(product, start, at.map(at.before), at.map(at.cost), Costs{&product},
+                                           at.index, std::less<>(), std::plus<>(), 0.0, visitor, at.map(at.color));
   } catch (const Found&) {
   }
   return reached;
@@ -183,9 +182,9 @@ double by_a_star(const GridProduct& product, const ProductState& start) {
   at.cost[get(at.index, start)] = 0;
   at.rank[get(at.index, start)] = heuristic(start);
   try {
-    boost::astar_search_no_init(product, start, heuristic, visitor, at.map(at.before), at.map(at.rank),
-                                at.map(at.cost), Costs{&product}, at.map(at.color), at.index, std::less<>(),
-                                std::plus<>(), double{INFINITY}, 0.0);
+    boost::astar_search_no_init(product, start, heuristic, visitor, at.map(at.before), at.map(at.rank), at.map(at.cost),
+                                Costs{&product}, at.map(at.color), at.index, std::less<>(), std::plus<>(),
+                                double{INFINITY}, 0.0);
   } catch (const Found&) {
   }
   return reached;
@@ -199,13 +198,12 @@ struct Hallways512 {
     std::size_t task;
   };
   Hallways512() : map(read_map("grid", WAYMARK_SOURCE_DIR "/data")), arena(map.vocabulary()) {
-    for (const char* text : {"F (chair & X F sofa)", "F (sofa & F (easel & F lamp))",
-                             "X (moved U (moved & corner))", "F (hatrack & F (chair & F sofa))"})
+    for (const char* text : {"F (chair & X F sofa)", "F (sofa & F (easel & F lamp))", "X (moved U (moved & corner))",
+                             "F (hatrack & F (chair & F sofa))"})
       tasks.push_back(automata::ltlf_to_dfa(ltl::parse(text, arena)));
     ltl::Random random(1);
     while (pairs.size() < 512) {
-      const Pair pair{PoseId{static_cast<std::uint32_t>(random.below(map.poses()))},
-                      random.below(tasks.size())};
+      const Pair pair{PoseId{static_cast<std::uint32_t>(random.below(map.poses()))}, random.below(tasks.size())};
       pairs.push_back(pair);
     }
   }
@@ -256,12 +254,10 @@ struct Scatter {
     cells[side * (side - 20) + side / 3] = 3;
     GridWorld::Shape shape{.width = side, .height = side};
     if (!even) shape.cost = {2, 1, 2, 1};
-    return GridWorld(shape, ltl::Vocabulary({"a", "b"}),
-                     {{},
-                      {.wall = true},
-                      {.label = ltl::Letter{ltl::Proposition{0}}},
-                      {.label = ltl::Letter{ltl::Proposition{1}}}},
-                     cells, 0);
+    return GridWorld(
+        shape, ltl::Vocabulary({"a", "b"}),
+        {{}, {.wall = true}, {.label = ltl::Letter{ltl::Proposition{0}}}, {.label = ltl::Letter{ltl::Proposition{1}}}},
+        cells, 0);
   }
   GridWorld grid;
   ltl::Arena arena;

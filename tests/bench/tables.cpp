@@ -37,8 +37,7 @@ class Rows {
     for (std::size_t number = 1; std::getline(in, line); ++number) rows_[number] = cells(line);
   }
   Numbers column(const std::string& name) const {
-    const auto at =
-        static_cast<std::size_t>(std::find(headings_.begin(), headings_.end(), name) - headings_.begin());
+    const auto at = static_cast<std::size_t>(std::find(headings_.begin(), headings_.end(), name) - headings_.begin());
     Numbers out;
     for (const auto& [number, row] : rows_) {
       double value = 0;
@@ -103,8 +102,7 @@ Numbers common(const Numbers& a, const Numbers& b) {
 Numbers least(const Numbers& a, const Numbers& b) {
   Numbers out = a;
   for (const auto& [line, value] : b)
-    if (const auto [at, fresh] = out.try_emplace(line, value); !fresh)
-      at->second = std::min(at->second, value);
+    if (const auto [at, fresh] = out.try_emplace(line, value); !fresh) at->second = std::min(at->second, value);
   return out;
 }
 template <class Test>
@@ -157,30 +155,27 @@ std::string of_lines(const std::string& name, const Numbers& compared, const Row
 
 // Spot's and LTL3BA's; `theirs` is the beginning of the columns' names.
 void nondeterministic(const std::string& target, const std::string& theirs) {
-  heading(
-      "LTL to " + target + "; our seconds are the processor's, of all lines; Spot's of those that it answers",
-      {"set (lines)", "states", "Spot", "edges", "Spot", "> 1.1 ×", "fewer", "s", "Spot s", "LTL3BA answers",
-       "states", "LTL3BA", "no answer"});
+  heading("LTL to " + target + "; our seconds are the processor's, of all lines; Spot's of those that it answers",
+          {"set (lines)", "states", "Spot", "edges", "Spot", "> 1.1 ×", "fewer", "s", "Spot s", "LTL3BA answers",
+           "states", "LTL3BA", "no answer"});
   for (const std::string& name : infinite_sets) {
     const auto [made, took] = ours(set_path(name, false), target);
     const Rows peer = facts(name, false);
     const Numbers states = made.column("states"), edges = made.column("edges"), time = made.column("seconds");
     const Numbers spot = peer.column(theirs + "_states"), spot_edges = peer.column(theirs + "_edges"),
-                  spot_time = peer.column(theirs + "_s"),
-                  ltl3ba = peer.column("ltl3ba_" + theirs + "_states");
+                  spot_time = peer.column(theirs + "_s"), ltl3ba = peer.column("ltl3ba_" + theirs + "_states");
     const Numbers compared = common(states, spot), both = common(states, ltl3ba);
-    row({of_lines(name, compared, made), whole(sum(compared)), whole(sum(spot, compared)),
-         whole(sum(edges, compared)), whole(sum(spot_edges, compared)),
-         std::to_string(count(states, spot, much_more)), std::to_string(count(states, spot, fewer)),
-         seconds(took), seconds(sum(spot_time, compared)), std::to_string(ltl3ba.size()), whole(sum(both)),
-         whole(sum(ltl3ba, both)), std::to_string(made.size() - states.size())});
+    row({of_lines(name, compared, made), whole(sum(compared)), whole(sum(spot, compared)), whole(sum(edges, compared)),
+         whole(sum(spot_edges, compared)), std::to_string(count(states, spot, much_more)),
+         std::to_string(count(states, spot, fewer)), seconds(took), seconds(sum(spot_time, compared)),
+         std::to_string(ltl3ba.size()), whole(sum(both)), whole(sum(ltl3ba, both)),
+         std::to_string(made.size() - states.size())});
   }
 }
 
 void parity() {
   heading("LTL to deterministic parity, line by line beside the smaller one of Spot's and Owl's",
-          {"set (lines)", "states", "smaller of both", "Spot", "Owl", "more", "fewer", "s", "Spot s",
-           "no answer"});
+          {"set (lines)", "states", "smaller of both", "Spot", "Owl", "more", "fewer", "s", "Spot s", "no answer"});
   for (const std::string& name : infinite_sets) {
     const auto [made, took] = ours(set_path(name, false), "parity");
     const Rows peer = facts(name, false), owl = facts(name, false, ".owl.tsv");
@@ -189,14 +184,13 @@ void parity() {
     const Numbers best = least(spot, by_owl), compared = common(states, best);
     const auto whole_or_none = [&](const Numbers& n) {
       const Numbers both = common(n, compared);
-      return both.empty() ? std::string("–")
-                          : whole(sum(both)) +
-                                (both.size() == compared.size() ? "" : " of " + std::to_string(both.size()));
+      return both.empty()
+                 ? std::string("–")
+                 : whole(sum(both)) + (both.size() == compared.size() ? "" : " of " + std::to_string(both.size()));
     };
-    row({of_lines(name, compared, made), whole(sum(compared)), whole(sum(best, compared)),
-         whole_or_none(spot), whole_or_none(by_owl), std::to_string(count(states, best, more)),
-         std::to_string(count(states, best, fewer)), seconds(took),
-         seconds(sum(peer.column("dpa_s"), common(compared, spot))),
+    row({of_lines(name, compared, made), whole(sum(compared)), whole(sum(best, compared)), whole_or_none(spot),
+         whole_or_none(by_owl), std::to_string(count(states, best, more)), std::to_string(count(states, best, fewer)),
+         seconds(took), seconds(sum(peer.column("dpa_s"), common(compared, spot))),
          std::to_string(made.size() - states.size())});
   }
 }
@@ -212,8 +206,8 @@ void limit_deterministic() {
     const Numbers states = made.column("states"), compared = common(states, theirs);
     row({of_lines(name, compared, made), whole(sum(compared)), whole(sum(theirs, compared)),
          whole(sum(made.column("edges"), compared)), whole(sum(owl.column("owl_ldba_edges"), compared)),
-         std::to_string(count(states, theirs, more)), std::to_string(count(states, theirs, fewer)),
-         seconds(took), std::to_string(made.size() - states.size())});
+         std::to_string(count(states, theirs, more)), std::to_string(count(states, theirs, fewer)), seconds(took),
+         std::to_string(made.size() - states.size())});
   }
 }
 
@@ -221,8 +215,7 @@ void finite() {
   heading(
       "LTLf to minimal DFA; the ratio is the geometric mean of our seconds over Lydia's on the lines that "
       "both answer",
-      {"set", "lines", "answered", "as many states as the reference", "Lydia answers", "ratio", "slower",
-       "s"});
+      {"set", "lines", "answered", "as many states as the reference", "Lydia answers", "ratio", "slower", "s"});
   double logarithms = 0, compared = 0;
   for (const std::string& name : finite_sets) {
     const auto [made, took] = ours(set_path(name, true), "dfa");

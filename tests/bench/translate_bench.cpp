@@ -44,8 +44,7 @@ std::string delivery(std::size_t legs) {  // F (pick1 & X F (drop1 & X F (pick2 
 }
 std::string responses(std::size_t n) {
   std::string out = "true";
-  for (std::size_t i = 1; i <= n; ++i)
-    out += " & G (a" + std::to_string(i) + " -> F b" + std::to_string(i) + ")";
+  for (std::size_t i = 1; i <= n; ++i) out += " & G (a" + std::to_string(i) + " -> F b" + std::to_string(i) + ")";
   return out;
 }
 std::string visit_and_avoid(std::size_t n) { return visit_all(n) + " & G !z"; }
@@ -104,8 +103,7 @@ std::vector<std::string> facts(const fs::path& path) {
     std::vector<std::string> row;
     for (std::string cell; std::getline(cells, cell, '\t');) row.push_back(cell);
     if (column == SIZE_MAX) {
-      column = static_cast<std::size_t>(std::find(row.begin(), row.end(), "min_complete_dfa_states") -
-                                        row.begin());
+      column = static_cast<std::size_t>(std::find(row.begin(), row.end(), "min_complete_dfa_states") - row.begin());
     } else {
       out.push_back(column < row.size() ? row[column] : "?");
     }

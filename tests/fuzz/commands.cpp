@@ -55,12 +55,10 @@ void read_vectors(std::string_view said) {
 
 void read_back(const std::string& text) {
   ltl::Arena arena(ltl::Vocabulary({"chair", "lamp", "blue"}));
-  const ltl::VerbaliseOptions english{ltl::Semantics::Finite, [&](ltl::Proposition p) {
-                                        return ltl::place("the " + arena.vocabulary().name(p));
-                                      }};
+  const ltl::VerbaliseOptions english{
+      ltl::Semantics::Finite, [&](ltl::Proposition p) { return ltl::place("the " + arena.vocabulary().name(p)); }};
   const auto formula = ltl::read_english(text, arena, english);
-  if (formula && ltl::read_english(ltl::verbalise(*formula, english), arena, english) != formula)
-    std::abort();
+  if (formula && ltl::read_english(ltl::verbalise(*formula, english), arena, english) != formula) std::abort();
 }
 
 void read(std::uint8_t reader, std::string_view text) {

@@ -6,9 +6,8 @@
 namespace waymark::golden {
 
 struct CommandResult {
-  std::string
-      output;  // both streams, ending in a line break if there is any; what differs from run to run is SECONDS
-  int exit = -1;  // −1: killed by a signal
+  std::string output;  // both streams, ending in a line break if there is any; what differs from run to run is SECONDS
+  int exit = -1;       // −1: killed by a signal
 };
 
 // `waymark` is the program of this build; standard input is empty.

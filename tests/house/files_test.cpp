@@ -30,8 +30,8 @@ TEST(Files, HaveNarrowLines) {
     bool is_code_block = false;
     for (std::size_t i = 0; i < file.lines.size(); ++i) {
       const std::string& line = file.lines[i];
-      const auto columns = std::count_if(
-          line.begin(), line.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; });
+      const auto columns = std::count_if(line.begin(), line.end(),
+                                         [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; });
       if (file.path.ends_with(".md") && line.starts_with("```")) is_code_block = !is_code_block;
       EXPECT_TRUE(is_code_block || columns <= most_columns) << file.path << ":" << i + 1;
     }
@@ -39,8 +39,7 @@ TEST(Files, HaveNarrowLines) {
 }
 
 TEST(Files, AreNamedAfterWhatTheyHold) {
-  const std::set<std::string> vague{"util", "utils",  "common",  "core", "manager",
-                                    "base", "helper", "helpers", "misc"};
+  const std::set<std::string> vague{"util", "utils", "common", "core", "manager", "base", "helper", "helpers", "misc"};
   for (const SourceFile& file : files("hpp cpp txt md"))
     for (const auto& part : std::filesystem::path(file.path))
       EXPECT_FALSE(vague.contains(part.stem().string())) << file.path;
@@ -73,8 +72,7 @@ TEST(Files, AreFinished) {
       "CK)\\b");
   for (const SourceFile& file : files("hpp cpp cmake txt"))
     for (std::size_t i = 0; i < file.lines.size(); ++i)
-      EXPECT_FALSE(std::regex_search(file.lines[i], unfinished))
-          << file.path << ":" << i + 1 << ": " << file.lines[i];
+      EXPECT_FALSE(std::regex_search(file.lines[i], unfinished)) << file.path << ":" << i + 1 << ": " << file.lines[i];
 }
 
 TEST(Files, HeadersStartWithWhatTheyAre) {
@@ -106,11 +104,11 @@ TEST(Files, CiteSourcesThatExist) {
   for (const SourceFile& file : files("hpp cpp md"))
     for (std::size_t i = 0; i < file.lines.size(); ++i) {
       const std::string& line = file.lines[i];
-      for (auto match = std::sregex_iterator(line.begin(), line.end(), citation);
-           match != std::sregex_iterator(); ++match) {
+      for (auto match = std::sregex_iterator(line.begin(), line.end(), citation); match != std::sregex_iterator();
+           ++match) {
         ++citations;
-        EXPECT_TRUE(keys.contains((*match)[1])) << file.path << ":" << i + 1 << " cites " << match->str()
-                                                << ", which docs/references.bib does not have";
+        EXPECT_TRUE(keys.contains((*match)[1]))
+            << file.path << ":" << i + 1 << " cites " << match->str() << ", which docs/references.bib does not have";
       }
     }
   EXPECT_GT(citations, 0U);
@@ -126,8 +124,7 @@ TEST(Files, LinkToPagesThatExist) {
            ++match) {
         ++links;
         const auto target = root() / std::filesystem::path(file.path).parent_path() / (*match)[1].str();
-        EXPECT_TRUE(std::filesystem::exists(target))
-            << file.path << ":" << i + 1 << " links to " << (*match)[1];
+        EXPECT_TRUE(std::filesystem::exists(target)) << file.path << ":" << i + 1 << " links to " << (*match)[1];
       }
     }
   EXPECT_GT(links, 0U);

@@ -22,8 +22,8 @@ TEST(Includes, AreWrittenFromTheRootAndExist) {
   for (const SourceFile& file : files("hpp cpp"))
     for (const Include& include : includes(file)) {
       const bool ours = std::filesystem::is_regular_file(root() / include.path);
-      EXPECT_EQ(ours, include.quoted)
-          << at(file, include) << ": quotes are for our own files, named from the root; brackets for others'";
+      EXPECT_EQ(ours, include.quoted) << at(file, include)
+                                      << ": quotes are for our own files, named from the root; brackets for others'";
     }
 }
 
@@ -36,8 +36,8 @@ TEST(Includes, PointDownwardsBetweenLibraries) {
         if (!include.quoted || folder_of(include.path) == library.folder) continue;
         ++edges;
         EXPECT_TRUE(library.below.contains(folder_of(include.path)))
-            << at(file, include) << ", but " << library.folder << " stands on "
-            << testing::PrintToString(library.below) << " only (DEPENDS in its CMakeLists.txt)";
+            << at(file, include) << ", but " << library.folder << " stands on " << testing::PrintToString(library.below)
+            << " only (DEPENDS in its CMakeLists.txt)";
       }
     }
   EXPECT_GT(edges, 0U) << "no include between libraries was read";
@@ -66,14 +66,13 @@ TEST(Includes, FollowTheOrderOfTheList) {
       for (const Include& include : includes(file)) {
         if (!include.quoted || folder_of(include.path) != library.folder || !here) continue;
         const auto there = library.position(include.path);
-        EXPECT_TRUE(there && *there <= *here) << at(file, include) << ", which does not stand before it in "
-                                              << library.folder << "/CMakeLists.txt";
+        EXPECT_TRUE(there && *there <= *here)
+            << at(file, include) << ", which does not stand before it in " << library.folder << "/CMakeLists.txt";
       }
     }
 }
 
-using Edges =
-    std::map<std::string, std::map<std::string, std::string>>;  // from → to → an include that makes it
+using Edges = std::map<std::string, std::map<std::string, std::string>>;  // from → to → an include that makes it
 
 // What `name_of` names is one node. Repeatedly removes the nodes that include no node left; what then remains stands on
 // a circle.
@@ -135,12 +134,12 @@ struct Heavy {
 };
 
 std::vector<Heavy> heavy_headers() {
-  return {{"OMPL", std::regex("ompl/.*"), 2},
-          {"Graphviz", std::regex("(graphviz/)?(gvc|cgraph)\\.h"), 1},
-          {"CLI11", std::regex("CLI/.*"), 3},
-          {"an HTTP server", std::regex("(.*/)?httplib\\.h"), 1},
-          {"a Boost.Graph algorithm",
-           std::regex("boost/graph/.*(search|shortest|first|astar|components|visitors).*"), 3}};
+  return {
+      {"OMPL", std::regex("ompl/.*"), 2},
+      {"Graphviz", std::regex("(graphviz/)?(gvc|cgraph)\\.h"), 1},
+      {"CLI11", std::regex("CLI/.*"), 3},
+      {"an HTTP server", std::regex("(.*/)?httplib\\.h"), 1},
+      {"a Boost.Graph algorithm", std::regex("boost/graph/.*(search|shortest|first|astar|components|visitors).*"), 3}};
 }
 
 TEST(Includes, HeavyHeadersStayBehindWalls) {
@@ -148,11 +147,9 @@ TEST(Includes, HeavyHeadersStayBehindWalls) {
     std::vector<std::string> sources;
     for (const SourceFile& file : files("hpp cpp"))
       for (const Include& include : includes(file)) {
-        if (include.quoted || folder_of(file.path) == "tests" ||
-            !std::regex_match(include.path, heavy.header))
+        if (include.quoted || folder_of(file.path) == "tests" || !std::regex_match(include.path, heavy.header))
           continue;
-        EXPECT_FALSE(is_library_file(file) && file.path.ends_with(".hpp"))
-            << at(file, include) << ": " << heavy.name;
+        EXPECT_FALSE(is_library_file(file) && file.path.ends_with(".hpp")) << at(file, include) << ": " << heavy.name;
         if (sources.empty() || sources.back() != file.path) sources.push_back(file.path);
       }
     EXPECT_LE(sources.size(), heavy.sources) << heavy.name << " in " << testing::PrintToString(sources);

@@ -68,8 +68,7 @@ std::vector<SourceFile> files(std::string_view extensions) {
   std::istringstream in{std::string(extensions)};
   for (std::string extension; in >> extension;) wanted.insert("." + extension);
   std::vector<SourceFile> out;
-  for (auto entry = fs::recursive_directory_iterator(root()); entry != fs::recursive_directory_iterator();
-       ++entry) {
+  for (auto entry = fs::recursive_directory_iterator(root()); entry != fs::recursive_directory_iterator(); ++entry) {
     const std::string name = entry->path().filename().string();
     if (entry->is_directory() && (name.starts_with(".") || name.starts_with("build"))) {
       entry.disable_recursion_pending();
@@ -98,8 +97,7 @@ std::vector<Library> libraries() {
     Library library{arguments[0], {}, {}};
     read_lists(arguments[0], library);
     for (const Library& earlier : out)
-      if (library.below.contains(earlier.folder))
-        library.below.insert(earlier.below.begin(), earlier.below.end());
+      if (library.below.contains(earlier.folder)) library.below.insert(earlier.below.begin(), earlier.below.end());
     out.push_back(std::move(library));
   }
   return out;
@@ -114,8 +112,7 @@ Library tools() {
 std::optional<std::size_t> Library::position(std::string_view path) const {
   const auto find = [&](const std::string& name) { return std::find(sources.begin(), sources.end(), name); };
   auto at = find(std::string(path));
-  if (at == sources.end() && path.ends_with(".hpp"))
-    at = find(std::string(path.substr(0, path.size() - 4)) + ".cpp");
+  if (at == sources.end() && path.ends_with(".hpp")) at = find(std::string(path.substr(0, path.size() - 4)) + ".cpp");
   if (at == sources.end()) at = find(std::string(path.substr(0, path.rfind('/'))) + "/*.cpp");
   if (at == sources.end()) return std::nullopt;
   return static_cast<std::size_t>(at - sources.begin());

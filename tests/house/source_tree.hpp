@@ -29,9 +29,8 @@ struct Library {
   std::optional<std::size_t> position(std::string_view path) const;
 };
 
-const std::filesystem::path& root();  // of the source tree
-std::vector<SourceFile> files(
-    std::string_view extensions);  // "hpp cpp md", every such file of the project, sorted
+const std::filesystem::path& root();                         // of the source tree
+std::vector<SourceFile> files(std::string_view extensions);  // "hpp cpp md", every such file of the project, sorted
 std::vector<Include> includes(const SourceFile& file);
 std::vector<Library> libraries();              // in the order of the root CMakeLists.txt
 Library tools();                               // the command line, read the same way

@@ -66,10 +66,7 @@ bool accepts_by_run(const Dfa& dfa, const Trace& word) {
 class Engines {  // one formula, prepared for every engine
  public:
   explicit Engines(Formula f)
-      : formula_(f),
-        check_(f),
-        dfa_(ltlf_to_dfa(f)),
-        file_(read_hoa(write_hoa(dfa_, {.name = ltl::print(f)}))) {}
+      : formula_(f), check_(f), dfa_(ltlf_to_dfa(f)), file_(read_hoa(write_hoa(dfa_, {.name = ltl::print(f)}))) {}
 
   bool accepts(Engine engine, const Trace& word) {
     switch (engine) {
@@ -99,8 +96,8 @@ class Engines {  // one formula, prepared for every engine
   const bool truth = ltl::holds(word, f);
   for (Engine engine : engines)
     if (engines_of_f.accepts(engine, word) != truth)
-      return ::testing::AssertionFailure() << engine << (truth ? " rejects, " : " accepts, ")
-                                           << "the definition does not: " << show(f, word);
+      return ::testing::AssertionFailure()
+             << engine << (truth ? " rejects, " : " accepts, ") << "the definition does not: " << show(f, word);
   return ::testing::AssertionSuccess();
 }
 
@@ -148,8 +145,7 @@ TEST(Engines, EquivalentFormulasGiveTheSameBytes) {
     const Formula f = ltl::random_formula(random, arena, {.size = 6 + random.below(15), .atoms = 3});
     const std::string bytes = write_hoa(ltlf_to_dfa(f));
     for (Formula g : {ltl::simplify(f, ltl::Semantics::Finite), ltl::nnf(f)})
-      ASSERT_EQ(write_hoa(ltlf_to_dfa(g)), bytes)
-          << show(f) << "\nrewritten to " << ltl::print(g) << "\nseed " << seed;
+      ASSERT_EQ(write_hoa(ltlf_to_dfa(g)), bytes) << show(f) << "\nrewritten to " << ltl::print(g) << "\nseed " << seed;
   }
 }
 
@@ -177,8 +173,7 @@ TEST(Engines, BooleanOperatorsAreProducts) {
     const Dfa af = ltlf_to_dfa(f), ag = ltlf_to_dfa(g), not_f = ltlf_to_dfa(ltl::negate(f));
     ASSERT_FALSE(shortest_word(product(af, not_f, [](bool p, bool q) { return p && q; }))) << show(f);
     const Dfa everything = ltlf_to_dfa(arena.constant(true));
-    ASSERT_FALSE(difference(product(af, not_f, [](bool p, bool q) { return p || q; }), everything))
-        << show(f);
+    ASSERT_FALSE(difference(product(af, not_f, [](bool p, bool q) { return p || q; }), everything)) << show(f);
     const Dfa both = product(af, ag, [](bool p, bool q) { return p && q; });
     ASSERT_FALSE(difference(both, ltlf_to_dfa(ltl::conjunction(f, g)))) << show(f) << " and " << show(g);
   }

@@ -87,8 +87,7 @@ class Buddy : public ::testing::Test {
     const auto [known, fresh] = image.try_emplace(theirs.id(), ours);
     if (!fresh) return known->second == ours;
     return !Mtbdd::is_terminal(ours) && static_cast<int>(diagram_.variable(ours)) == bdd_var(theirs) &&
-           walk(diagram_.low(ours), bdd_low(theirs), image) &&
-           walk(diagram_.high(ours), bdd_high(theirs), image);
+           walk(diagram_.low(ours), bdd_low(theirs), image) && walk(diagram_.high(ours), bdd_high(theirs), image);
   }
 };
 
@@ -161,13 +160,11 @@ TEST_F(Buddy, TerminalsPartitionTheAssignments) {
       Both cube = constant(true);
       for (std::size_t v = 0; v < variables; ++v)
         if (random.chance(0.3)) {
-          const Both positive = variable(v),
-                     literal = apply(random.chance(0.5) ? 0 : 2, positive, positive, cube);
+          const Both positive = variable(v), literal = apply(random.chance(0.5) ? 0 : 2, positive, positive, cube);
           cube = apply(0, cube, literal, cube);
         }
       all = logic_.if_then_else(cube.ours, Mtbdd::terminal(k), all);
-      for (std::uint32_t j = 0; j < payloads; ++j)
-        of[j] = j == k ? of[j] | cube.theirs : of[j] & !cube.theirs;
+      for (std::uint32_t j = 0; j < payloads; ++j) of[j] = j == k ? of[j] | cube.theirs : of[j] & !cube.theirs;
     }
     Mtbdd copy;
     const Node copied = copy.import(

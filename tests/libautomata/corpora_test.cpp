@@ -50,8 +50,7 @@ TEST_P(Corpora, HaveTheMinimalNumberOfStates) {
   if (!fs::exists(folder / (set + ".ltlf")))
     GTEST_SKIP() << "benchmark formulas not found: " << folder / (set + ".ltlf") << " (set WAYMARK_SHARED)";
   const std::vector<std::string> formulas = lines(folder / (set + ".ltlf"));
-  const std::vector<std::string> expected =
-      column(folder / "facts" / (set + ".tsv"), "min_complete_dfa_states");
+  const std::vector<std::string> expected = column(folder / "facts" / (set + ".tsv"), "min_complete_dfa_states");
   std::size_t compared = 0;
   for (std::size_t i = 0; i < formulas.size() && i < expected.size(); ++i) {
     if (expected[i].find_first_not_of("0123456789") != std::string::npos) continue;  // TO, ? or -: no fact
@@ -66,9 +65,8 @@ TEST_P(Corpora, HaveTheMinimalNumberOfStates) {
 
 // The sets that translate in milliseconds; the large ones are measured by the benchmark translate_bench.
 INSTANTIATE_TEST_SUITE_P(Ltlf, Corpora,
-                         ::testing::Values("ltlf_families", "ltlf_dwyer", "ltlf_declare",
-                                           "ltlf_declare_models", "ltlf_patterns_u_gf", "ltlf_random4",
-                                           "ltlf_random6"),
+                         ::testing::Values("ltlf_families", "ltlf_dwyer", "ltlf_declare", "ltlf_declare_models",
+                                           "ltlf_patterns_u_gf", "ltlf_random4", "ltlf_random6"),
                          [](const auto& set) { return std::string(set.param); });
 
 }  // namespace

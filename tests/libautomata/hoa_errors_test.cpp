@@ -30,10 +30,8 @@ TEST(ReadHoa, PointsAtWhatIsWrong) {
       {"HOA: v1\nAP: 2 \"ä\" \"ä\"\n", 2, 11, "a second proposition '\"ä\"'"},
       {"HOA: v1\nAcceptance: 1 Inf(1)\n", 2, 19, "acceptance set 1 of 1"},
       {"HOA: v1\nAcceptance: 1 Max(0)\n", 2, 15, "expected Inf, Fin, t or f"},
-      {"HOA: v1\nStart: 0\nAcceptance: 2 Inf(0)&Inf(1)\n--BODY--\n--END--", 3, 1,
-       "the acceptance of a DFA is Büchi"},
-      {"HOA: v1\nStart: 0\nAcceptance: 1 Fin(0)\n--BODY--\n--END--", 3, 1,
-       "the acceptance of a DFA is Büchi"},
+      {"HOA: v1\nStart: 0\nAcceptance: 2 Inf(0)&Inf(1)\n--BODY--\n--END--", 3, 1, "the acceptance of a DFA is Büchi"},
+      {"HOA: v1\nStart: 0\nAcceptance: 1 Fin(0)\n--BODY--\n--END--", 3, 1, "the acceptance of a DFA is Büchi"},
       {"HOA: v1\nStart: 0\nStart: 1\nAcceptance: 0 t\n--BODY--\n--END--", 3, 1, "several initial states"},
       {"HOA: v1\nStart: 0&1\nAcceptance: 0 t\n--BODY--\n--END--", 0, 0, "alternating automata are no DFAs"},
       {"HOA: v1\nStates: 2\nStart: 2\n", 3, 8, "state 2 of 2"},
@@ -51,14 +49,11 @@ TEST(ReadHoa, PointsAtWhatIsWrong) {
       {std::string(head) + "State: 0 [t] 0&1\n--END--", 6, 10, "a universal branch"},
       {std::string(head) + "State: 0 0 1 1\n--END--", 6, 1, "one edge per letter, 2^2, not 3"},
       {std::string(head) + "State: 0 [0] 0 1\n--END--", 6, 1, "some edges of this state have labels"},
-      {std::string(head) + "State: [t] 0 [0] 0\n--END--", 6, 14,
-       "a label on an edge of a state that has a label"},
+      {std::string(head) + "State: [t] 0 [0] 0\n--END--", 6, 14, "a label on an edge of a state that has a label"},
       {std::string(head) + "State: 0 {1} [t] 0\n--END--", 6, 11, "acceptance set 1 of 1"},
-      {std::string(head) + "State: 0 [t] 0\nState: 0 [t] 0\n--END--", 7, 8,
-       "state 0 is defined a second time"},
+      {std::string(head) + "State: 0 [t] 0\nState: 0 [t] 0\n--END--", 7, 8, "state 0 is defined a second time"},
       {std::string(head) + "State: 0 [t] 0\n--ABORT--", 7, 1, "the automaton was aborted"},
-      {std::string(head) + "State: 0 [t] 0\n", 7, 1,
-       "expected 'State:', an edge or --END--, not the end of the file"},
+      {std::string(head) + "State: 0 [t] 0\n", 7, 1, "expected 'State:', an edge or --END--, not the end of the file"},
       {std::string(head) + "State: 0 [t] 0\n--END--\nHOA: v1", 8, 1, "one automaton is read"},
   };
   for (const auto& row : table) {
@@ -66,8 +61,7 @@ TEST(ReadHoa, PointsAtWhatIsWrong) {
       read_hoa(row.text, "wrong.hoa");
       ADD_FAILURE() << "was read: " << row.text;
     } catch (const ltl::FormatError& error) {
-      EXPECT_NE(std::string(error.what()).find(row.message), std::string::npos) << error.what() << "\n"
-                                                                                << row.text;
+      EXPECT_NE(std::string(error.what()).find(row.message), std::string::npos) << error.what() << "\n" << row.text;
       EXPECT_NE(std::string(error.what()).find("wrong.hoa"), std::string::npos) << error.what();
       EXPECT_EQ(error.line(), row.line) << error.what() << "\n" << row.text;
       EXPECT_EQ(error.column(), row.column) << error.what() << "\n" << row.text;
@@ -85,8 +79,7 @@ TEST(ReadHoa, NumbersInTheTextDoNotCostMemory) {
 TEST(ReadHoa, PropositionsAreLimited) {
   std::string names;
   for (int i = 0; i < 5000; ++i) names += " \"p" + std::to_string(i) + '"';
-  EXPECT_THROW(read_hoa("HOA: v1\nAP: 5000" + names + "\nAcceptance: 0 t\n--BODY--\n--END--"),
-               ltl::FormatError);
+  EXPECT_THROW(read_hoa("HOA: v1\nAP: 5000" + names + "\nAcceptance: 0 t\n--BODY--\n--END--"), ltl::FormatError);
 }
 
 TEST(ReadHoa, NestingIsLimited) {

@@ -39,8 +39,7 @@ std::size_t read_all(const fs::path& file, const ParseOptions& options) {
 }
 
 TEST(Corpora, AreReadToTheLastLine) {
-  if (!fs::exists(shared() / "ltl"))
-    GTEST_SKIP() << "SKIPPED: no formula collections in " << shared() / "ltl";
+  if (!fs::exists(shared() / "ltl")) GTEST_SKIP() << "SKIPPED: no formula collections in " << shared() / "ltl";
   std::size_t files = 0;
   for (const auto& entry : fs::directory_iterator(shared() / "ltl")) {
     const std::string extension = entry.path().extension().string();

@@ -90,8 +90,7 @@ void expect_read_alike(const std::string& heading, std::size_t rows, Notation le
   EXPECT_EQ(table.size(), rows);
   for (const auto& [written, meant] : table) {
     Arena arena;
-    EXPECT_EQ(parse(written, arena, {.notation = left}), parse(meant, arena))
-        << written << " is not " << meant;
+    EXPECT_EQ(parse(written, arena, {.notation = left}), parse(meant, arena)) << written << " is not " << meant;
   }
 }
 

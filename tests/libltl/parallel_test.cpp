@@ -27,9 +27,8 @@ TEST(ParallelFor, RunsEachJobOnceAtAnyNumberOfThreads) {
 
 TEST(ParallelFor, ThreadZeroIsTheCaller) {
   const auto caller = std::this_thread::get_id();
-  parallel_for(50, 3, [&](std::size_t, std::size_t thread) {
-    EXPECT_EQ(thread == 0, std::this_thread::get_id() == caller);
-  });
+  parallel_for(50, 3,
+               [&](std::size_t, std::size_t thread) { EXPECT_EQ(thread == 0, std::this_thread::get_id() == caller); });
 }
 
 // Jobs 0 and 1 run at the same time, so one of them runs in a helper thread; both are made to throw from there.

@@ -11,8 +11,7 @@ using reference::Reader;
 using reference::Real;
 
 constexpr AttentionDecoder::Sizes sizes{.encoded = 4, .inputs = 3, .width = 5, .symbol = 2, .symbols = 6};
-constexpr std::array<Index, 4> elements{0, 3, 4, 8},
-    choices{0, 2, 2, 5};  // the second sequence has no choice
+constexpr std::array<Index, 4> elements{0, 3, 4, 8}, choices{0, 2, 2, 5};  // the second sequence has no choice
 
 constexpr std::array<Index, 5> said{2, 0, 0, 1, 2};  // columns of x
 
@@ -45,8 +44,8 @@ void check_against_definition(bool marked) {
       for (Index j = choices[s]; j < choices[s + 1]; ++j) {
         const auto i = static_cast<Index>(s);
         const Real m = marked ? Real(marks.col(i).cast<double>()) : Real(Real::Zero(6, 1));
-        scores.col(j) = scores_of(theta, hh.middleCols(elements[s], elements[s + 1] - elements[s]), ee.col(i),
-                                  m, xx.col(said[static_cast<std::size_t>(j)]));
+        scores.col(j) = scores_of(theta, hh.middleCols(elements[s], elements[s + 1] - elements[s]), ee.col(i), m,
+                                  xx.col(said[static_cast<std::size_t>(j)]));
       }
     return scores;
   };

@@ -19,12 +19,10 @@ TEST(Multiply, AgreesWithEigenOnAllKindsOfShapes) {
   for (const Index m : {1, 3, 15, 16, 17, 64})
     for (const Index n : {1, 3, 4, 5, 32})
       for (const Index k : {1, 2, 25, 64, 300}) {
-        const Matrix a = random_matrix(random, m, k), b = random_matrix(random, k, n),
-                     c = random_matrix(random, m, n);
+        const Matrix a = random_matrix(random, m, k), b = random_matrix(random, k, n), c = random_matrix(random, m, n);
         const Matrix at = a.transpose(), bt = b.transpose(), expected = c + a * b;
         const auto is_expected = [&](const Matrix& got) {
-          EXPECT_LT((got - expected).cwiseAbs().maxCoeff(), 1e-4F)
-              << m << " × " << k << " · " << k << " × " << n;
+          EXPECT_LT((got - expected).cwiseAbs().maxCoeff(), 1e-4F) << m << " × " << k << " · " << k << " × " << n;
         };
         Matrix got = c;
         add_product(a, b, got);

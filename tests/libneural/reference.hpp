@@ -39,8 +39,7 @@ inline Real sigmoid(const Real& x) { return (1 + (-x.array()).exp()).inverse(); 
 
 // h of every element of one sequence x [inputs × length].
 inline Real lstm(Reader& theta, const Real& x, Index width) {
-  const Real w = theta.take(4 * width, x.rows()), u = theta.take(4 * width, width),
-             b = theta.take(4 * width, 1);
+  const Real w = theta.take(4 * width, x.rows()), u = theta.take(4 * width, width), b = theta.take(4 * width, 1);
   Real h = Real::Zero(width, 1), c = h, all(width, x.cols());
   for (Index t = 0; t < x.cols(); ++t) {
     const Real a = w * x.col(t) + u * h + b;
@@ -54,13 +53,12 @@ inline Real lstm(Reader& theta, const Real& x, Index width) {
 }
 
 // Scores of one choice x of a sequence h with summary e and marks m; φ: a column for each symbol.
-inline Real attention(Reader& theta, const Real& phi, Index width, const Real& h, const Real& e,
-                      const Real& m, const Real& x) {
+inline Real attention(Reader& theta, const Real& phi, Index width, const Real& h, const Real& e, const Real& m,
+                      const Real& x) {
   const Index encoded = h.rows();
-  const Real from_e = theta.take(width, encoded), from_x = theta.take(width, x.rows()),
-             bias = theta.take(width, 1), attend = theta.take(width, encoded),
-             say = theta.take(phi.rows(), width + encoded), beta = theta.take(phi.cols(), 1),
-             u = theta.take(width + encoded, 1), u0 = theta.take(1, 1);
+  const Real from_e = theta.take(width, encoded), from_x = theta.take(width, x.rows()), bias = theta.take(width, 1),
+             attend = theta.take(width, encoded), say = theta.take(phi.rows(), width + encoded),
+             beta = theta.take(phi.cols(), 1), u = theta.take(width + encoded, 1), u0 = theta.take(1, 1);
   const Real q = (from_e * e + from_x * x + bias).cwiseMax(0);
   Real alpha = (q.transpose() * attend * h).array().exp();
   alpha /= alpha.sum();

@@ -20,8 +20,8 @@ namespace {
 class Ground : public ::testing::Test {
  protected:
   static const Grounder& model() {
-    static const Grounder shipped = load_grounder(std::filesystem::path(WAYMARK_SOURCE_DIR) / "data" /
-                                                  "models" / "encoder-decoder.waymark");
+    static const Grounder shipped =
+        load_grounder(std::filesystem::path(WAYMARK_SOURCE_DIR) / "data" / "models" / "encoder-decoder.waymark");
     return shipped;
   }
 
@@ -73,8 +73,7 @@ TEST_F(Ground, WhatFollowsHasASayInWhatWentBefore) {
     for (const std::string& text : texts)
       for (std::uint32_t pose = 0; pose < map.poses(); pose += testing::sanitized ? 160 : 48) {
         std::vector<SentenceInput> inputs;
-        for (const std::string& sentence : split_sentences(text))
-          inputs.push_back({tokenize(sentence), false});
+        for (const std::string& sentence : split_sentences(text)) inputs.push_back({tokenize(sentence), false});
         const plan::PoseId start{pose};
         const auto answers = whole.follow_all(executor, inputs, start);
         Program want;
@@ -85,8 +84,7 @@ TEST_F(Ground, WhatFollowsHasASayInWhatWentBefore) {
         ASSERT_FALSE(readings.empty());
         const Program& got = readings.front().program;
         ASSERT_GE(got.size(), want.size());
-        EXPECT_TRUE(std::equal(want.begin(), want.end(), got.begin()))
-            << map.name() << ' ' << pose << ' ' << text;
+        EXPECT_TRUE(std::equal(want.begin(), want.end(), got.begin())) << map.name() << ' ' << pose << ' ' << text;
         const auto settled = settling.follow_all(executor, inputs, start);
         unsettled += settled[settled.size() - 2].end != answers[answers.size() - 2].end ? 1U : 0U;
         ++paragraphs;

@@ -68,9 +68,8 @@ TEST(WeightsFile, KeepsWordsAndWeightsToHalfPrecision) {
   EXPECT_EQ(read.ranking->reranker.rows(), 39U);  // the zero weight needs no row
   ASSERT_EQ(read.ranking->start_pose_model.rows(), 40U);
   model.ranking->start_pose_model.each([&](std::uint64_t feature, std::size_t column, float weight) {
-    EXPECT_EQ(
-        read.ranking->start_pose_model.weight(read.ranking->start_pose_model.find(feature).value(), column),
-        weight);
+    EXPECT_EQ(read.ranking->start_pose_model.weight(read.ranking->start_pose_model.find(feature).value(), column),
+              weight);
   });
 }
 
@@ -109,8 +108,7 @@ TEST(WeightsFile, FindsTheFeaturesThatAreThereAndNoOthers) {
       const std::uint64_t feature = r == 0 ? 0 : r == 1 ? UINT64_MAX : random() >> random() % 64;
       *model.ranking->reranker.row(model.ranking->reranker.add(feature)) = 1.0F + static_cast<float>(r % 7);
       float* const row = model.linear->weights.row(model.linear->weights.add(feature));
-      for (std::size_t c = random() % 3; c < model.linear->weights.columns(); c += 1 + random() % 9)
-        row[c] = 2.0F;
+      for (std::size_t c = random() % 3; c < model.linear->weights.columns(); c += 1 + random() % 9) row[c] = 2.0F;
     }
     const Grounder read = parse_grounder(serialize(model));
     std::vector<float> sums(model.linear->weights.columns()), wanted(model.linear->weights.columns());
@@ -122,8 +120,7 @@ TEST(WeightsFile, FindsTheFeaturesThatAreThereAndNoOthers) {
       std::fill(sums.begin(), sums.end(), 1.0F);
       std::fill(wanted.begin(), wanted.end(), 1.0F);
       model.linear->weights.add_to(model.linear->weights.find(feature).value(), wanted.data());
-      if (const auto row = linear_of(read).weights.find(feature))
-        linear_of(read).weights.add_to(*row, sums.data());
+      if (const auto row = linear_of(read).weights.find(feature)) linear_of(read).weights.add_to(*row, sums.data());
       EXPECT_EQ(sums, wanted);
     };
     model.ranking->reranker.each([&](std::uint64_t feature, std::size_t, float) {
@@ -143,8 +140,8 @@ TEST(WeightsFile, TheChecksumIsXxh64) {  // against values of the reference impl
 TEST(WeightsFile, WithoutAThresholdWhatIsNotZeroIsKept) {
   const Parts model({"chair"});
   for (const float weight : {0.0F, 1e-4F, -0.01F, 0.02F})
-    *model.ranking->start_pose_model.row(
-        model.ranking->start_pose_model.add(model.ranking->start_pose_model.rows())) = weight;
+    *model.ranking->start_pose_model.row(model.ranking->start_pose_model.add(model.ranking->start_pose_model.rows())) =
+        weight;
   model.linear->weights.row(model.linear->weights.add(5))[2] = 1e-3F;
   const Grounder all = parse_grounder(serialize(model, 0)), some = parse_grounder(serialize(model, 0.02));
   EXPECT_EQ(all.ranking->start_pose_model.rows(), 3U);
@@ -237,8 +234,7 @@ TEST(WeightsFile, APropositionOfNoFormAndAnUnknownKindAreErrorsOfTheFile) {
 }
 
 TEST(WeightsFile, IsWrittenWholeOrNotAtAll) {
-  const auto directory =
-      std::filesystem::temp_directory_path() / ("waymark_weights_" + std::to_string(getpid()));
+  const auto directory = std::filesystem::temp_directory_path() / ("waymark_weights_" + std::to_string(getpid()));
   std::filesystem::create_directories(directory);
   save(some_model(), directory / "a.waymark");
   EXPECT_EQ(serialize(load_grounder(directory / "a.waymark")), serialize(some_model()));

@@ -60,8 +60,7 @@ Edges edges_of(const MapProduct& product) {
   for (const ProductState& v : boost::make_iterator_range(vertices(product))) {
     auto& list = out[show_pair(product.map(), v)];
     for (auto [e, end] = out_edges(v, product); e != end; ++e)
-      list.push_back(std::string(name(product.action(*e))) + " " +
-                     show_pair(product.map(), target(*e, product)));
+      list.push_back(std::string(name(product.action(*e))) + " " + show_pair(product.map(), target(*e, product)));
   }
   return out;
 }

@@ -68,14 +68,13 @@ TEST_F(Conventions, TiesByActionOrder) {
   const Map map = plus();  // chair to the west of the crossing, sofa to the east
   const PoseId crossing = pose_at(map, 1, 1, 0), south = pose_at(map, 1, 1, 180);
   EXPECT_EQ(plan(map, "F (sofa | chair)", {crossing}), "LEFT FORWARD");  // RIGHT FORWARD costs as much
-  EXPECT_EQ(plan(map, "F (sofa | chair)", {south}), "LEFT FORWARD");  // and so does RIGHT, to the other one
+  EXPECT_EQ(plan(map, "F (sofa | chair)", {south}), "LEFT FORWARD");     // and so does RIGHT, to the other one
   EXPECT_EQ(plan(map, "F chair", {pose_at(map, 1, 1, 90)}), "LEFT LEFT FORWARD");  // RIGHT RIGHT, LEFT LEFT
-  EXPECT_EQ(plan(map, "X X true", {crossing}), "FORWARD LEFT");  // FORWARD FORWARD meets a wall
+  EXPECT_EQ(plan(map, "X X true", {crossing}), "FORWARD LEFT");                    // FORWARD FORWARD meets a wall
   EXPECT_EQ(plan(map, "X !moved", {crossing}), "LEFT");
   // The tie is between whole action strings: FORWARD comes as early as it can.
   const Map ring = square();
-  EXPECT_EQ(plan(ring, "F moved & F turned_left & F turned_right", {pose_at(ring, 0, 0, 90)}),
-            "FORWARD LEFT RIGHT");
+  EXPECT_EQ(plan(ring, "F moved & F turned_left & F turned_right", {pose_at(ring, 0, 0, 90)}), "FORWARD LEFT RIGHT");
 }
 
 TEST_F(Conventions, StartSetsGoByCostThenByOrder) {
@@ -113,8 +112,7 @@ TEST_F(Conventions, AdvanceMovesAtLeastOnceAndStraight) {
 
 TEST_F(Conventions, FaceTurnsAtLeastOnceAndStays) {
   const Map map = hallway(2);
-  const std::string face_open =
-      "X((turned_left | turned_right) U ((turned_left | turned_right) & ahead_open))";
+  const std::string face_open = "X((turned_left | turned_right) U ((turned_left | turned_right) & ahead_open))";
   EXPECT_EQ(plan(map, face_open, {pose_at(map, 0, 0, 0)}), "RIGHT");
   EXPECT_EQ(plan(map, face_open, {pose_at(map, 0, 0, 180)}), "LEFT");
   EXPECT_EQ(plan(map, face_open, {pose_at(map, 0, 0, 270)}), "LEFT LEFT");
@@ -134,9 +132,8 @@ TEST_F(Conventions, OrientAllowsAnyTurnsFirst) {
 
 TEST_F(Conventions, ThenIsPlannedAsAWhole) {
   // (0,0) start facing east: the nearer chair, one step west, is on the way to no lamp; the farther one is.
-  const Map map(
-      "fork", {{0, 0, {}, {}}, {1, 0, {}, {}}, {2, 0, "chair", {}}, {3, 0, "lamp", {}}, {-1, 0, "chair", {}}},
-      {{0, 1, "", ""}, {1, 2, "", ""}, {2, 3, "", ""}, {4, 0, "", ""}}, {"chair", "lamp"}, {}, {});
+  const Map map("fork", {{0, 0, {}, {}}, {1, 0, {}, {}}, {2, 0, "chair", {}}, {3, 0, "lamp", {}}, {-1, 0, "chair", {}}},
+                {{0, 1, "", ""}, {1, 2, "", ""}, {2, 3, "", ""}, {4, 0, "", ""}}, {"chair", "lamp"}, {}, {});
   const PoseId start = pose_at(map, 0, 0, 270);
   EXPECT_EQ(plan(map, "F chair", {start}), "FORWARD");
   // Greedy would fetch the near chair first and walk 1 + 2 + 4; the plan turns and takes the far one.

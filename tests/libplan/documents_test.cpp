@@ -55,8 +55,7 @@ TEST(Documents, TheExampleLabelIsTheLabel) {
   }
   const Map map = annex();
   std::vector<std::string> actual;
-  for (ltl::Proposition p : map.label(pose_at(map, 1, 0, 90)).members())
-    actual.push_back(map.vocabulary().name(p));
+  for (ltl::Proposition p : map.label(pose_at(map, 1, 0, 90)).members()) actual.push_back(map.vocabulary().name(p));
   std::sort(documented.begin(), documented.end());
   std::sort(actual.begin(), actual.end());
   EXPECT_EQ(documented, actual);

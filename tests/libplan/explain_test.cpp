@@ -24,8 +24,7 @@ TEST(Explain, NamesTheSmallestPartThatIsTooMuch) {
   const Map map = hallway(3);
   const PoseId start = pose_at(map, 0, 0, 90);
   EXPECT_EQ(reason(map, "F chair", {start}), "feasible");
-  EXPECT_EQ(reason(map, "moved & !moved", {start}),
-            "no finite word satisfies the formula: it contradicts itself");
+  EXPECT_EQ(reason(map, "moved & !moved", {start}), "no finite word satisfies the formula: it contradicts itself");
   EXPECT_EQ(reason(map, "G moved & F (X X !moved)", {start}),
             "no finite word satisfies the formula: it contradicts itself");
   EXPECT_EQ(reason(map, "F sofa", {start}),
@@ -44,8 +43,7 @@ TEST(Explain, StopsWhenAsked) {
   source.request_stop();
   const PoseId start{0};
   const ltl::Formula f = ltl::parse("F chair & F sofa", arena);
-  EXPECT_EQ(explain_infeasible(map, f, {&start, 1}, source.get_token()).reason,
-            "no route satisfies the formula");
+  EXPECT_EQ(explain_infeasible(map, f, {&start, 1}, source.get_token()).reason, "no route satisfies the formula");
 }
 
 TEST(PlanOf, ReportsWhatTheMapLacks) {
@@ -78,8 +76,8 @@ TEST(Solve, GivesUpWhenAsked) {
   source.request_stop();
   using enum ShortestRoute::Algorithm;
   for (const auto algorithm : {AStar, Dijkstra}) {
-    EXPECT_TRUE(std::holds_alternative<Exhausted>(
-        solve(product, {.algorithm = algorithm, .stop = source.get_token()})));
+    EXPECT_TRUE(
+        std::holds_alternative<Exhausted>(solve(product, {.algorithm = algorithm, .stop = source.get_token()})));
     EXPECT_TRUE(std::holds_alternative<Solved>(solve(product, {.algorithm = algorithm})));
   }
   EXPECT_TRUE(std::holds_alternative<Exhausted>(RoutePlanner(map, dfa).plan(PoseId{0}, source.get_token())));

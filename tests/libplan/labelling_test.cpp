@@ -11,8 +11,7 @@ namespace {
 
 std::vector<std::string> label_names(const Map& map, int x, int y, int heading) {
   std::vector<std::string> names;
-  for (ltl::Proposition p : map.label(pose_at(map, x, y, heading)).members())
-    names.push_back(map.vocabulary().name(p));
+  for (ltl::Proposition p : map.label(pose_at(map, x, y, heading)).members()) names.push_back(map.vocabulary().name(p));
   std::sort(names.begin(), names.end());
   return names;
 }
@@ -21,19 +20,17 @@ using Names = std::vector<std::string>;
 
 TEST(Labelling, SeesObjectsAlongTheHallwayFloorsAndPaintingsOfTheNextSegment) {
   const Map map = hallway(3);  // blue, brick, brick; the chair stands at (3,0)
-  EXPECT_EQ(label_names(map, 0, 0, 90),
-            (Names{"ahead_blue", "ahead_chair", "ahead_fish", "ahead_open", "behind_wall", "blue", "dead_end",
-                   "left_wall", "next_corridor", "right_wall"}));
+  EXPECT_EQ(label_names(map, 0, 0, 90), (Names{"ahead_blue", "ahead_chair", "ahead_fish", "ahead_open", "behind_wall",
+                                               "blue", "dead_end", "left_wall", "next_corridor", "right_wall"}));
   EXPECT_EQ(label_names(map, 1, 0, 180),
-            (Names{"ahead_wall", "behind_wall", "blue", "brick", "corridor", "left_brick", "left_chair",
-                   "left_fish", "left_open", "right_blue", "right_fish", "right_open"}));
-  EXPECT_EQ(
-      label_names(map, 2, 0, 90),
-      (Names{"ahead_brick", "ahead_chair", "ahead_fish", "ahead_open", "behind_brick", "behind_fish",
-             "behind_open", "brick", "corridor", "left_wall", "next_chair", "next_dead_end", "right_wall"}));
+            (Names{"ahead_wall", "behind_wall", "blue", "brick", "corridor", "left_brick", "left_chair", "left_fish",
+                   "left_open", "right_blue", "right_fish", "right_open"}));
+  EXPECT_EQ(label_names(map, 2, 0, 90),
+            (Names{"ahead_brick", "ahead_chair", "ahead_fish", "ahead_open", "behind_brick", "behind_fish",
+                   "behind_open", "brick", "corridor", "left_wall", "next_chair", "next_dead_end", "right_wall"}));
   // What stands here is not ahead.
-  EXPECT_EQ(label_names(map, 3, 0, 90), (Names{"ahead_wall", "behind_brick", "behind_fish", "behind_open",
-                                               "brick", "chair", "dead_end", "left_wall", "right_wall"}));
+  EXPECT_EQ(label_names(map, 3, 0, 90), (Names{"ahead_wall", "behind_brick", "behind_fish", "behind_open", "brick",
+                                               "chair", "dead_end", "left_wall", "right_wall"}));
 }
 
 TEST(Labelling, KindsOfPlaceFollowFromTheOpenWays) {
@@ -62,9 +59,9 @@ TEST(Labelling, TheThreeSailMapsShareOneVocabulary) {
   const Map grid = shipped("grid"), jelly = shipped("jelly"), l = shipped("l");
   EXPECT_EQ(grid.vocabulary(), jelly.vocabulary());
   EXPECT_EQ(grid.vocabulary(), l.vocabulary());
-  for (const char* name : {"chair", "blue", "intersection", "tee", "corner", "corridor", "dead_end",
-                           "place_3", "ahead_chair", "left_brick", "behind_fish", "right_wall", "ahead_open",
-                           "next_chair", "next_corner", "moved", "turned_left", "turned_right"})
+  for (const char* name : {"chair", "blue", "intersection", "tee", "corner", "corridor", "dead_end", "place_3",
+                           "ahead_chair", "left_brick", "behind_fish", "right_wall", "ahead_open", "next_chair",
+                           "next_corner", "moved", "turned_left", "turned_right"})
     EXPECT_TRUE(grid.vocabulary().find(name)) << name;
   EXPECT_FALSE(grid.vocabulary().find("fish"));  // paintings hang along a segment, never at a place
 }
@@ -85,8 +82,7 @@ TEST(Labelling, TurningLeftMovesEverythingSeenOneQuarterRight) {
         for (const auto& [from, to] : turns)
           if (name.starts_with(from)) expected = to + name.substr(from.size());
         if (name.starts_with("next_")) continue;  // belongs to the heading alone
-        EXPECT_TRUE(after.contains(*names.find(expected)))
-            << file << " " << show(map.pose(PoseId{i})) << " " << name;
+        EXPECT_TRUE(after.contains(*names.find(expected))) << file << " " << show(map.pose(PoseId{i})) << " " << name;
       }
     }
   }

@@ -57,8 +57,7 @@ void check(const Map& map, ltl::Formula f) {
     ASSERT_GE(h, product.is_trap(v) ? infinity : dfa.distance_to_acceptance(automata::StateId{v.task}));
     if (product.is_accepting(v)) continue;  // never expanded by a search
     for (auto [e, end] = out_edges(v, product); e != end; ++e)
-      ASSERT_LE(h, product.cost(*e) + bound(target(*e, product)))
-          << "not consistent: " << paste(map, f, {&pose, 1});
+      ASSERT_LE(h, product.cost(*e) + bound(target(*e, product))) << "not consistent: " << paste(map, f, {&pose, 1});
   }
 }
 

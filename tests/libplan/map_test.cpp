@@ -43,8 +43,7 @@ TEST(Map, EveryHallwayCanBeWalkedBothWays) {
       if (!next) continue;
       ++moves;
       const Pose there = map.pose(*next);
-      const auto back =
-          map.successor(*map.find({there.x, there.y, (there.heading + 180) % 360}), Action::Forward);
+      const auto back = map.successor(*map.find({there.x, there.y, (there.heading + 180) % 360}), Action::Forward);
       ASSERT_TRUE(back);
       EXPECT_EQ(map.node_of(*back), map.node_of(PoseId{i}));
     }
@@ -63,8 +62,7 @@ TEST(Map, LettersAreLabelsPlusTheEventOfTheAction) {
   const Map map = square();
   const char* const events[] = {"moved", "turned_left", "turned_right"};
   for (std::uint32_t i = 0; i < map.poses(); ++i) {
-    for (const char* event : events)
-      EXPECT_FALSE(map.label(PoseId{i}).contains(*map.vocabulary().find(event)));
+    for (const char* event : events) EXPECT_FALSE(map.label(PoseId{i}).contains(*map.vocabulary().find(event)));
     for (std::size_t a = 0; a < all_actions.size(); ++a) {
       ltl::Letter expected = map.label(PoseId{i});
       expected.insert(*map.vocabulary().find(events[a]));
@@ -115,19 +113,15 @@ TEST(Map, BadPartsAreRefusedByName) {
   EXPECT_EQ(message({here, east}, {{0, 1, "blue", ""}}), "accepted");
   EXPECT_EQ(message({}, {}), "a map needs at least one node");
   EXPECT_EQ(message({here, here}, {}), "there is already a node at (0,0)");
-  EXPECT_EQ(message({here, far}, {{0, 1, "", ""}}),
-            "(0,0) and (3,0) are not orthogonal neighbours at distance 1");
-  EXPECT_EQ(message({here, diagonal}, {{0, 1, "", ""}}),
-            "(0,0) and (1,1) are not orthogonal neighbours at distance 1");
-  EXPECT_EQ(message({here, east}, {{0, 1, "", ""}, {1, 0, "", ""}}),
-            "(1,0) and (0,0) are already joined by an edge");
+  EXPECT_EQ(message({here, far}, {{0, 1, "", ""}}), "(0,0) and (3,0) are not orthogonal neighbours at distance 1");
+  EXPECT_EQ(message({here, diagonal}, {{0, 1, "", ""}}), "(0,0) and (1,1) are not orthogonal neighbours at distance 1");
+  EXPECT_EQ(message({here, east}, {{0, 1, "", ""}, {1, 0, "", ""}}), "(1,0) and (0,0) are already joined by an edge");
   EXPECT_EQ(message({here, east}, {{0, 2, "", ""}}), "an edge names a node that is not there");
   EXPECT_EQ(message({here, east}, {{0, 1, "red", ""}}), "the map shows 'red', which it does not list");
   EXPECT_EQ(message({here}, {}, {"corner"}), "two observables would share the proposition 'corner'");
   EXPECT_EQ(message({here}, {}, {"blue"}), "two observables would share the proposition 'blue'");
   EXPECT_EQ(message({{0, 0, std::nullopt, 0}}, {}), "places are numbered 1 to 1000");
-  EXPECT_EQ(message({{2'000'000, 0, std::nullopt, std::nullopt}}, {}),
-            "coordinates run from -1000000 to 1000000");
+  EXPECT_EQ(message({{2'000'000, 0, std::nullopt, std::nullopt}}, {}), "coordinates run from -1000000 to 1000000");
 }
 
 TEST(MapMdp, TurnsMayComeToNothingOrGoTooFar) {

@@ -37,8 +37,7 @@ inline Map square() {
                                 {1, 0, std::nullopt, std::nullopt},
                                 {1, 1, "sofa", std::nullopt},
                                 {0, 1, std::nullopt, std::nullopt}};
-  const std::vector<Edge> edges{
-      {0, 1, "blue", ""}, {1, 2, "brick", ""}, {2, 3, "blue", ""}, {3, 0, "brick", ""}};
+  const std::vector<Edge> edges{{0, 1, "blue", ""}, {1, 2, "brick", ""}, {2, 3, "blue", ""}, {3, 0, "brick", ""}};
   return Map("square", nodes, edges, {"chair", "sofa"}, {"blue", "brick"}, {"fish"});
 }
 
@@ -49,8 +48,7 @@ inline Map plus() {
                                 {2, 1, "sofa", std::nullopt},
                                 {1, 2, std::nullopt, std::nullopt},
                                 {0, 1, "chair", std::nullopt}};
-  const std::vector<Edge> edges{
-      {0, 1, "blue", "fish"}, {0, 2, "brick", ""}, {0, 3, "", ""}, {4, 0, "blue", ""}};
+  const std::vector<Edge> edges{{0, 1, "blue", "fish"}, {0, 2, "brick", ""}, {0, 3, "", ""}, {4, 0, "blue", ""}};
   return Map("plus", nodes, edges, {"chair", "sofa"}, {"blue", "brick"}, {"fish"});
 }
 

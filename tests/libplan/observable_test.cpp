@@ -30,8 +30,7 @@ TEST(Observable, EveryPropositionOfAMapIsReadAsWhatItWasMadeOf) {
 }
 
 TEST(Observable, FormsByExample) {
-  const ltl::Vocabulary vocabulary(
-      {"moved", "turned_right", "place_12", "next_tee", "left_wall", "dead_end"});
+  const ltl::Vocabulary vocabulary({"moved", "turned_right", "place_12", "next_tee", "left_wall", "dead_end"});
   const std::vector<Observable> want{
       {Direction::Here, Kind::Event, "moved"},    {Direction::Right, Kind::Event, "turned"},
       {Direction::Here, Kind::PlaceNumber, "12"}, {Direction::Next, Kind::NodeKind, "tee"},
@@ -48,8 +47,7 @@ TEST(Observable, UnknownFormsAreRefusedByName) {
       observables_of(ltl::Vocabulary({"moved", name}));
       ADD_FAILURE() << name;
     } catch (const std::invalid_argument& error) {
-      EXPECT_NE(std::string(error.what()).find("'" + std::string(name) + "'"), std::string::npos)
-          << error.what();
+      EXPECT_NE(std::string(error.what()).find("'" + std::string(name) + "'"), std::string::npos) << error.what();
     }
   }
 }

@@ -65,9 +65,7 @@ struct Indices {
   using reference = std::size_t;
   using category = boost::readable_property_map_tag;
   const ProductMdp<Mdp>* product;
-  friend std::size_t get(const Indices& indices, const ProductState& s) {
-    return indices.product->state(s).index;
-  }
+  friend std::size_t get(const Indices& indices, const ProductState& s) { return indices.product->state(s).index; }
 };
 
 // One object: Dijkstra of Boost.Graph, the search of ours and value iteration agree on the least cost.
@@ -76,8 +74,8 @@ TEST(Product, BoostSearchesAndValueIterationAgreeOnOneProduct) {
   ltl::Random random(seed);
   std::size_t found = 0;
   for (int i = 0; i < 200; ++i) {
-    const Mdp mdp = testing::random_model(
-        random, {.states = 6, .most_choices = 3, .deterministic = true, .unit_costs = false});
+    const Mdp mdp =
+        testing::random_model(random, {.states = 6, .most_choices = 3, .deterministic = true, .unit_costs = false});
     ltl::Arena arena(testing::vocabulary_ab());
     const ltl::Formula f = ltl::random_formula(random, arena, {.size = 3 + random.below(8), .atoms = 2});
     const TaskTable task(automata::ltlf_to_dfa(f), mdp.letters());
@@ -88,10 +86,10 @@ TEST(Product, BoostSearchesAndValueIterationAgreeOnOneProduct) {
     ByPair<double> cost{{start, 0.0}};
     ByPair<boost::default_color_type> color;
     ByPair<ProductState> before;
-    boost::dijkstra_shortest_paths_no_init(
-        *product, start, ByPairMap<ProductState>{&before, {}}, ByPairMap<double>{&cost, INFINITY},
-        Costs{&*product}, Indices{&*product}, std::less<>(), std::plus<>(), 0.0,
-        boost::default_dijkstra_visitor(), ByPairMap<boost::default_color_type>{&color, boost::white_color});
+    boost::dijkstra_shortest_paths_no_init(*product, start, ByPairMap<ProductState>{&before, {}},
+                                           ByPairMap<double>{&cost, INFINITY}, Costs{&*product}, Indices{&*product},
+                                           std::less<>(), std::plus<>(), 0.0, boost::default_dijkstra_visitor(),
+                                           ByPairMap<boost::default_color_type>{&color, boost::white_color});
     EXPECT_EQ(color.size(), num_vertices(*product)) << "all that is numbered is met";
     double least = INFINITY;
     for (auto [v, end] = vertices(*product); v != end; ++v)
@@ -125,8 +123,7 @@ TEST(Product, BreadthFirstMeetsEveryPairThatIsNumbered) {
     const Tabulated implicit(mdp, task);
     ByPair<boost::default_color_type> color;
     boost::queue<ProductState> open;
-    boost::breadth_first_visit(implicit, product->state(product->starts()[0]), open,
-                               boost::default_bfs_visitor(),
+    boost::breadth_first_visit(implicit, product->state(product->starts()[0]), open, boost::default_bfs_visitor(),
                                ByPairMap<boost::default_color_type>{&color, boost::white_color});
     EXPECT_EQ(color.size(), num_vertices(*product));
   }

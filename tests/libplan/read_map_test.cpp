@@ -53,8 +53,7 @@ TEST(ReadMap, FaultsAreReportedWhereTheyStand) {
       {R"({"nodes": [{"x": 0}], "edges": []})", "nodes[0]: the key \"y\" is missing\n  m.json:1:12"},
       {R"({"nodes": [{"x": 0, "y": 0, "objet": "chair"}], "edges": []})",
        "nodes[0]: unknown key \"objet\" (did you mean \"object\"?)\n  m.json:1:12"},
-      {R"({"nodes": [{"x": 0, "y": 0, "object": 3}], "edges": []})",
-       "nodes[0].object: expected a text\n  m.json:1:39"},
+      {R"({"nodes": [{"x": 0, "y": 0, "object": 3}], "edges": []})", "nodes[0].object: expected a text\n  m.json:1:39"},
       {R"({"nodes": [{"x": 0, "y": 0}, {"x": 0, "y": 0}], "edges": []})",
        "nodes[1]: there is already a node at (0,0)\n  m.json:1:30"},
       {R"({"nodes": [{"x": 0, "y": 0}], "edges": [{"a": [0,0], "b": [0,1]}]})",
@@ -83,9 +82,8 @@ TEST(ReadMap, SyntaxErrorsHaveLineAndColumn) {
 }
 
 TEST(ReadMap, NotesOfTheAuthorAreLeftAlone) {
-  EXPECT_EQ(
-      message_of(R"({"survey": {"year": 2006}, "nodes": [{"x": 0, "y": 0, "colour": "red"}], "edges": []})"),
-      "accepted");
+  EXPECT_EQ(message_of(R"({"survey": {"year": 2006}, "nodes": [{"x": 0, "y": 0, "colour": "red"}], "edges": []})"),
+            "accepted");
 }
 
 TEST(ReadMap, UnknownNamesListTheKnownOnes) {
@@ -120,13 +118,11 @@ Facts facts(const Map& map) {
 
 TEST(ReadMap, TheShippedMapsHoldTheFactsOfTheCorpus) {
   const char* shared = std::getenv("WAYMARK_SHARED");
-  const std::filesystem::path sail =
-      (shared != nullptr ? std::filesystem::path(shared)
-                         : std::filesystem::path(WAYMARK_SOURCE_DIR) / ".." / "shared") /
-      "sail" / "maps";
+  const std::filesystem::path sail = (shared != nullptr ? std::filesystem::path(shared)
+                                                        : std::filesystem::path(WAYMARK_SOURCE_DIR) / ".." / "shared") /
+                                     "sail" / "maps";
   if (!std::filesystem::exists(sail))
-    GTEST_SKIP() << "the SAIL maps are not at " << sail
-                 << "; set WAYMARK_SHARED to the folder that holds sail/";
+    GTEST_SKIP() << "the SAIL maps are not at " << sail << "; set WAYMARK_SHARED to the folder that holds sail/";
   for (const char* name : {"grid", "jelly", "l"}) {
     const Map ours = shipped(name), theirs = read_map((sail / (std::string(name) + ".json")).string(), "");
     EXPECT_EQ(facts(ours), facts(theirs)) << name;

@@ -64,8 +64,7 @@ TEST(SolverBattery, RandomFormulasAgainstProgression) {
       for (int k = 0; k < 3; ++k) vocabulary.add(names[random.below(names.size())]);
       const std::size_t atoms = vocabulary.size();
       ltl::Arena arena(std::move(vocabulary));
-      const ltl::Formula f =
-          ltl::random_formula(random, arena, {.size = 4 + random.below(10), .atoms = atoms});
+      const ltl::Formula f = ltl::random_formula(random, arena, {.size = 4 + random.below(10), .atoms = atoms});
       const PoseId start{static_cast<std::uint32_t>(random.below(map.poses()))};
       const auto route = agreed(map, f, {&start, 1});
       const Progressed expected = by_progression(map, f, start, 600);

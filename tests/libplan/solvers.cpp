@@ -47,8 +47,7 @@ std::vector<Solver> all_solvers() {
   using enum ShortestRoute::Algorithm;
   return {{"Dijkstra on the product",
            [](auto& map, auto& dfa, auto starts) { return by_policy(map, dfa, starts, Dijkstra); }},
-          {"A* on the product",
-           [](auto& map, auto& dfa, auto starts) { return by_policy(map, dfa, starts, AStar); }},
+          {"A* on the product", [](auto& map, auto& dfa, auto starts) { return by_policy(map, dfa, starts, AStar); }},
           {"breadth first on the fly", breadth_first}};
 }
 

@@ -16,8 +16,7 @@ TEST(Trajectory, JsonAndActionListReadTheSame) {
       {pose_at(map, 0, 0, 0), pose_at(map, 0, 0, 90), pose_at(map, 1, 0, 90), pose_at(map, 1, 0, 180)},
       {Right, Forward, Right}};
   EXPECT_EQ(parse_trajectory("[[0,0,0],[0,0,90],[1,0,90],[1,0,180]]", map), expected);
-  EXPECT_EQ(parse_trajectory(R"( {"cost": 3, "route": [[0,0,0],[0,0,90],[1,0,90],[1,0,180]]})", map),
-            expected);
+  EXPECT_EQ(parse_trajectory(R"( {"cost": 3, "route": [[0,0,0],[0,0,90],[1,0,90],[1,0,180]]})", map), expected);
   EXPECT_EQ(parse_trajectory("0,0,0 RIGHT FORWARD RIGHT", map), expected);
   EXPECT_EQ(parse_trajectory("# out of the corner\n0,0,0\nright, f # one step\nR\n", map), expected);
   EXPECT_EQ(parse_trajectory(show(expected, map), map), expected);

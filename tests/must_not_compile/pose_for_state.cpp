@@ -6,7 +6,5 @@
 #ifdef MUST_NOT_COMPILE
 bool accepting(const waymark::automata::Dfa& dfa, waymark::plan::PoseId s) { return dfa.is_accepting(s); }
 #else
-bool accepting(const waymark::automata::Dfa& dfa, waymark::automata::StateId s) {
-  return dfa.is_accepting(s);
-}
+bool accepting(const waymark::automata::Dfa& dfa, waymark::automata::StateId s) { return dfa.is_accepting(s); }
 #endif

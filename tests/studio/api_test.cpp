@@ -14,14 +14,11 @@ namespace {
 using nlohmann::json;
 
 Api& api() {
-  static Api one(parser::load_grounder(WAYMARK_DATA_FOLDER "/models/encoder-decoder.waymark"),
-                 WAYMARK_DATA_FOLDER);
+  static Api one(parser::load_grounder(WAYMARK_DATA_FOLDER "/models/encoder-decoder.waymark"), WAYMARK_DATA_FOLDER);
   return one;
 }
 
-ApiAnswer post(std::string_view path, const std::string& body) {
-  return api().answer("POST", path, body, {});
-}
+ApiAnswer post(std::string_view path, const std::string& body) { return api().answer("POST", path, body, {}); }
 
 json answer(std::string_view path, const json& request) {
   const ApiAnswer reply = post(path, request.dump());
@@ -38,8 +35,7 @@ json error(std::string_view path, const std::string& body, int status) {
 }
 
 TEST(Api, ReadsAnInstruction) {
-  const json said =
-      answer("/api/run", {{"map", "grid"}, {"start", "1,9,0"}, {"instruction", "go to the sofa"}});
+  const json said = answer("/api/run", {{"map", "grid"}, {"start", "1,9,0"}, {"instruction", "go to the sofa"}});
   EXPECT_EQ(said["status"], "solved");
   EXPECT_EQ(said["formula"], said["readings"][0]["formula"]);
   EXPECT_EQ(said["certified_by"], "definition");
@@ -51,13 +47,11 @@ TEST(Api, SaysWhatItDidNotUnderstand) {
   const json said = answer("/api/run", {{"instruction", "purple monkey dishwasher"}});
   EXPECT_EQ(said["status"], "not understood");
   EXPECT_EQ(said["words"], (json{"monkey", "dishwasher"}));
-  EXPECT_NE(answer("/api/run", {{"instruction", "purple monkey dishwasher"}, {"force", true}})["formula"],
-            json());
+  EXPECT_NE(answer("/api/run", {{"instruction", "purple monkey dishwasher"}, {"force", true}})["formula"], json());
 }
 
 TEST(Api, SaysWhichWordsNameThings) {
-  const json said =
-      answer("/api/words", {{"instruction", "Turn left, then walk to the sofa."}, {"attention", true}});
+  const json said = answer("/api/words", {{"instruction", "Turn left, then walk to the sofa."}, {"attention", true}});
   EXPECT_EQ(said["words"][0], "turn");
   ASSERT_EQ(said["mentions"].size(), 1U);
   EXPECT_EQ(said["mentions"][0]["name"], "sofa");
@@ -67,14 +61,12 @@ TEST(Api, SaysWhichWordsNameThings) {
 }
 
 TEST(Api, PlansALassoAndChecksIt) {
-  const json plan = answer(
-      "/api/plan", {{"formula", "G F sofa & G F chair"}, {"start", "1,6,0"}, {"semantics", "infinite"}});
+  const json plan =
+      answer("/api/plan", {{"formula", "G F sofa & G F chair"}, {"start", "1,6,0"}, {"semantics", "infinite"}});
   EXPECT_EQ(plan["status"], "solved");
   const std::size_t cycle = plan["cycle"].size() - 1;
-  json request{{"formula", "G F sofa & G F chair"},
-               {"semantics", "infinite"},
-               {"trajectory", plan["route"]},
-               {"cycle", cycle}};
+  json request{
+      {"formula", "G F sofa & G F chair"}, {"semantics", "infinite"}, {"trajectory", plan["route"]}, {"cycle", cycle}};
   const json check = answer("/api/check", request);
   EXPECT_EQ(check["satisfied"], true);
   EXPECT_EQ(check["steps"].size(), plan["route"].size());
@@ -85,8 +77,8 @@ TEST(Api, PlansALassoAndChecksIt) {
 }
 
 TEST(Api, FollowsATrajectoryLetterByLetter) {
-  const json check = answer("/api/check", {{"formula", "F easel & G !lamp"},
-                                           {"trajectory", {{1, 9, 0}, {1, 8, 0}, {1, 7, 0}, {1, 6, 0}}}});
+  const json check = answer(
+      "/api/check", {{"formula", "F easel & G !lamp"}, {"trajectory", {{1, 9, 0}, {1, 8, 0}, {1, 7, 0}, {1, 6, 0}}}});
   EXPECT_EQ(check["satisfied"], false);
   EXPECT_EQ(check["lost_at"], 2);
   EXPECT_EQ(check["steps"][1]["verdict"], "open");
@@ -117,33 +109,28 @@ TEST(Api, TakesAMapAndPlansOnIt) {
 }
 
 TEST(Api, RefusesAFileThatIsNoMap) {
-  for (const char* file :
-       {"", "<html>", "[]", "{}", R"({"nodes": [], "edges": []})", R"({"nodes": 7})", "\xff\xfe"})
+  for (const char* file : {"", "<html>", "[]", "{}", R"({"nodes": [], "edges": []})", R"({"nodes": 7})", "\xff\xfe"})
     EXPECT_EQ(error("/api/maps", file, 422)["kind"], "format") << file;
   EXPECT_EQ(error("/api/maps", std::string(most_body + 1, ' '), 413)["kind"], "too large");
 }
 
 TEST(Api, RefusesMapsThatAreTooLarge) {
-  json far{{"nodes", {{{"x", 0}, {"y", 0}}, {{"x", Worlds::most_extent + 1}, {"y", 0}}}},
-           {"edges", json::array()}};
+  json far{{"nodes", {{{"x", 0}, {"y", 0}}, {{"x", Worlds::most_extent + 1}, {"y", 0}}}}, {"edges", json::array()}};
   EXPECT_EQ(error("/api/maps", far.dump(), 413)["kind"], "too large");
   json many{{"nodes", json::array()}, {"edges", json::array()}};
-  for (std::size_t i = 0; i <= Worlds::most_nodes; ++i)
-    many["nodes"].push_back({{"x", i % 100}, {"y", i / 100}});
+  for (std::size_t i = 0; i <= Worlds::most_nodes; ++i) many["nodes"].push_back({{"x", i % 100}, {"y", i / 100}});
   EXPECT_EQ(error("/api/maps", many.dump(), 413)["kind"], "too large");
 }
 
 TEST(Api, RefusesFormulasThatAreTooLarge) {
   for (const char* path : {"/api/formula", "/api/plan", "/api/values", "/api/automaton"})
-    EXPECT_EQ(error(path, R"({"formula": "F<=4000 sofa & F<=4000 chair"})", 413)["kind"], "too large")
-        << path;
+    EXPECT_EQ(error(path, R"({"formula": "F<=4000 sofa & F<=4000 chair"})", 413)["kind"], "too large") << path;
 }
 
 TEST(Api, DropsTheOldestOfManyMaps) {
   std::string first;
   for (std::size_t i = 0; i <= Worlds::most_given; ++i) {
-    const json map{
-        {"name", "m" + std::to_string(i)}, {"nodes", {{{"x", 0}, {"y", 0}}}}, {"edges", json::array()}};
+    const json map{{"name", "m" + std::to_string(i)}, {"nodes", {{{"x", 0}, {"y", 0}}}}, {"edges", json::array()}};
     const std::string id = answer("/api/maps", map)["map"];
     if (i == 0) first = id;
   }
@@ -151,9 +138,8 @@ TEST(Api, DropsTheOldestOfManyMaps) {
 }
 
 TEST(Api, RefusesRequestsThatAreWrong) {
-  for (const char* body :
-       {"", "{", "[1]", "7", "null", R"({"formula": 7})", R"({"formula": ["F sofa"]})",
-        R"({"formula": "F sofa", "semantics": "both"})", R"({"formula": "F sofa", "map": 1})"})
+  for (const char* body : {"", "{", "[1]", "7", "null", R"({"formula": 7})", R"({"formula": ["F sofa"]})",
+                           R"({"formula": "F sofa", "semantics": "both"})", R"({"formula": "F sofa", "map": 1})"})
     EXPECT_EQ(error("/api/automaton", body, 400)["kind"], "request") << body;
   EXPECT_EQ(error("/api/run", R"({"instruction": ")" + std::string(most_text + 1, 'a') + "\"}", 413)["kind"],
             "too large");
@@ -171,12 +157,9 @@ TEST(Api, ReachesNoFile) {
 }
 
 TEST(Api, RefusesTrajectoriesThatAreNone) {
-  const auto walk = [](const json& poses) {
-    return json{{"formula", "F sofa"}, {"trajectory", poses}}.dump();
-  };
-  for (const json& poses :
-       {json(7), json::array(), json{1, 2}, json{{1, 9}}, json{{1, 9, "0"}}, json{{1, 9, 45}},
-        json{{99, 9, 0}}, json{{1, 9, 0}, {1, 7, 0}}, json{{1, 9, 0}, {1, 9, 180}}})
+  const auto walk = [](const json& poses) { return json{{"formula", "F sofa"}, {"trajectory", poses}}.dump(); };
+  for (const json& poses : {json(7), json::array(), json{1, 2}, json{{1, 9}}, json{{1, 9, "0"}}, json{{1, 9, 45}},
+                            json{{99, 9, 0}}, json{{1, 9, 0}, {1, 7, 0}}, json{{1, 9, 0}, {1, 9, 180}}})
     EXPECT_EQ(error("/api/check", walk(poses), 400)["kind"], "request") << poses;
   json turning = json::array();
   for (std::size_t i = 0; i <= most_poses; ++i) turning.push_back({1, 9, i % 2 == 0 ? 0 : 90});
@@ -192,17 +175,13 @@ TEST(Api, StopsWhenItIsAskedTo) {
 }
 
 TEST(Api, WritesAutomataInEveryFormat) {
-  const auto written = [](const json& request) {
-    return answer("/api/translate", request)["text"].get<std::string>();
-  };
+  const auto written = [](const json& request) { return answer("/api/translate", request)["text"].get<std::string>(); };
   EXPECT_TRUE(written({{"formula", "F sofa"}, {"format", "hoa"}}).starts_with("HOA: v1"));
   EXPECT_TRUE(written({{"formula", "F sofa"}, {"format", "dot"}}).starts_with("digraph"));
-  EXPECT_TRUE(
-      written({{"formula", "G F sofa"}, {"semantics", "infinite"}, {"to", "buchi"}, {"format", "never"}})
-          .starts_with("never"));
+  EXPECT_TRUE(written({{"formula", "G F sofa"}, {"semantics", "infinite"}, {"to", "buchi"}, {"format", "never"}})
+                  .starts_with("never"));
   EXPECT_EQ(error("/api/translate", R"({"formula": "F sofa", "format": "never"})", 422)["kind"], "usage");
-  EXPECT_NE(answer("/api/picture", {{"formula", "F sofa"}})["svg"].get<std::string>().find("<svg"),
-            std::string::npos);
+  EXPECT_NE(answer("/api/picture", {{"formula", "F sofa"}})["svg"].get<std::string>().find("<svg"), std::string::npos);
 }
 
 TEST(Api, AnswersManyAtOnceAndTurnsTheRestAway) {
@@ -212,8 +191,7 @@ TEST(Api, AnswersManyAtOnceAndTurnsTheRestAway) {
     for (int i = 0; i < 40; ++i)
       all.emplace_back([&] {
         const int status =
-            post("/api/run", R"({"instruction": "walk past the lamp to the easel", "start": "1,9,0"})")
-                .status;
+            post("/api/run", R"({"instruction": "walk past the lamp to the easel", "start": "1,9,0"})").status;
         status == 200 ? ++answered : status == 503 ? ++away : 0;
       });
   }

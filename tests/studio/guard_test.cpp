@@ -44,8 +44,7 @@ TEST(Guard, RefusesAnotherHost) {  // a name that was bound to 127.0.0.1 after i
 }
 
 TEST(Guard, RefusesAnotherOrigin) {
-  for (const char* origin :
-       {"http://evil.example", "null", "http://127.0.0.1:8322", "https://127.0.0.1:8321"}) {
+  for (const char* origin : {"http://evil.example", "null", "http://127.0.0.1:8322", "https://127.0.0.1:8321"}) {
     RequestHead head = post();
     head.origin = origin;
     EXPECT_EQ(status(here, head), 403) << origin;

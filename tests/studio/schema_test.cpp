@@ -40,8 +40,7 @@ std::string fault(const std::string& name, const json& document) {
 }
 
 ApiAnswer ask(const std::string& method, const std::string& path, const std::string& body) {
-  static Api one(parser::load_grounder(WAYMARK_DATA_FOLDER "/models/encoder-decoder.waymark"),
-                 WAYMARK_DATA_FOLDER);
+  static Api one(parser::load_grounder(WAYMARK_DATA_FOLDER "/models/encoder-decoder.waymark"), WAYMARK_DATA_FOLDER);
   return one.answer(method, "/api/" + path, body, {});
 }
 
@@ -77,8 +76,7 @@ std::vector<Case> cases() {
       {"translate", "prism", R"({"formula": "F easel & G !chair", "start": "1,9,0", "slip": 0.2})"},
       {"picture", "picture", R"({"formula": "F sofa"})"},
       {"values", "values", R"({"formula": "F easel & G !chair", "start": "1,9,0", "slip": 0.2})"},
-      {"values", "values",
-       R"({"formula": "F easel & G !chair", "start": "1,9,0", "slip": 0.2, "query": "mincost"})"},
+      {"values", "values", R"({"formula": "F easel & G !chair", "start": "1,9,0", "slip": 0.2, "query": "mincost"})"},
       {"values", "values", R"({"formula": "F easel", "start": "1,9,0", "slip": 0.2, "query": "mincost"})"},
       {"values", "values", R"({"formula": "false"})"},
       {"learn", "learn", R"({"formula": "F easel", "start": "1,9,0", "steps": 500})"},
@@ -92,10 +90,8 @@ std::vector<Case> cases() {
 TEST(Schemas, HoldOfEveryAnswer) {
   for (const Case& one : cases()) {
     const ApiAnswer answer = ask(one.method, one.path, one.body);
-    EXPECT_EQ(answer.status == 200, one.schema != "error")
-        << one.path << ' ' << one.body << ' ' << answer.json;
-    EXPECT_EQ(fault(one.schema, json::parse(answer.json)), "") << one.path << ' ' << one.body << '\n'
-                                                               << answer.json;
+    EXPECT_EQ(answer.status == 200, one.schema != "error") << one.path << ' ' << one.body << ' ' << answer.json;
+    EXPECT_EQ(fault(one.schema, json::parse(answer.json)), "") << one.path << ' ' << one.body << '\n' << answer.json;
   }
 }
 

@@ -61,8 +61,8 @@ TEST_F(Serving, ShowsThePageAndNothingElse) {
   EXPECT_NE(page->body.find("waymark studio"), std::string::npos);
   EXPECT_NE(page->get_header_value("Content-Security-Policy").find("default-src 'none'"), std::string::npos);
   for (const char* path :
-       {"/../../../../etc/passwd", "/..%2f..%2fetc/passwd", "/%2e%2e/%2e%2e/etc/passwd", "//etc/passwd",
-        "/index.html/", "/studio.css", "/data/maps/grid.json", "/page/studio.js", "/.git/config"}) {
+       {"/../../../../etc/passwd", "/..%2f..%2fetc/passwd", "/%2e%2e/%2e%2e/etc/passwd", "//etc/passwd", "/index.html/",
+        "/studio.css", "/data/maps/grid.json", "/page/studio.js", "/.git/config"}) {
     const auto answer = http.Get(path);
     ASSERT_TRUE(answer) << path;
     EXPECT_EQ(answer->status, 404) << path;

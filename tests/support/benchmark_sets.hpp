@@ -24,8 +24,7 @@ inline std::map<std::size_t, std::size_t> column(const std::filesystem::path& pa
   for (std::size_t number = 1; std::getline(in, line); ++number) {
     std::istringstream row(line);
     for (std::size_t i = 0; i <= at; ++i) std::getline(row, cell, '\t');
-    if (!cell.empty() && cell.find_first_not_of("0123456789") == std::string::npos)
-      out[number] = std::stoul(cell);
+    if (!cell.empty() && cell.find_first_not_of("0123456789") == std::string::npos) out[number] = std::stoul(cell);
   }
   return out;
 }

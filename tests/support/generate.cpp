@@ -86,8 +86,7 @@ ltl::Vocabulary letters_vocabulary(std::size_t atoms) {
 
 std::vector<Formula> all_formulas(ltl::Arena& arena, const FormulaSpace& space) {
   const ltl::Vocabulary names = letters_vocabulary(space.atoms);
-  for (std::size_t i = arena.vocabulary().size(); i < space.atoms; ++i)
-    arena.add_proposition(names.names()[i]);
+  for (std::size_t i = arena.vocabulary().size(); i < space.atoms; ++i) arena.add_proposition(names.names()[i]);
   Enumeration formulas(space.size);
   formulas.add(1, arena.constant(false));
   formulas.add(1, arena.constant(true));

@@ -33,10 +33,9 @@ TEST(Corridor, OnlyWhatWasCertifiedIsCalledCertified) {
   };
   const std::string walk = "1,9,0 LEFT LEFT FORWARD";
   EXPECT_FALSE(says_so(waymark({"draw", "--map", "grid", "--route", "-", "--svg", "-"}, walk)));
-  EXPECT_TRUE(
-      says_so(waymark({"draw", "--map", "grid", "--start", "1,9,0", "--formula", "F easel", "--svg", "-"})));
-  const Finished lasso = waymark(
-      {"plan", "G F easel", "--semantics", "infinite", "--map", "grid", "--start", "1,9,0", "--svg", "-"});
+  EXPECT_TRUE(says_so(waymark({"draw", "--map", "grid", "--start", "1,9,0", "--formula", "F easel", "--svg", "-"})));
+  const Finished lasso =
+      waymark({"plan", "G F easel", "--semantics", "infinite", "--map", "grid", "--start", "1,9,0", "--svg", "-"});
   EXPECT_TRUE(says_so(lasso));
   EXPECT_NE(lasso.output.find(" for ever, certified<"), std::string::npos);
 }
@@ -45,14 +44,13 @@ TEST(Corridor, AnswersTheDemoWithACertifiedRoute) {
   const Finished finished = waymark({"run", "--demo", "--json"});
   ASSERT_EQ(finished.exit_code, 0) << finished.output;
   const json answer = json::parse(finished.output);
-  EXPECT_EQ(keys(answer), (std::vector<std::string>{"alternatives", "automaton", "certified", "certified_by",
-                                                    "cost", "formula", "instruction", "map", "product",
-                                                    "readings", "route", "seconds", "status", "understood"}));
-  EXPECT_EQ(keys(answer["automaton"]),
-            (std::vector<std::string>{"edges", "propositions", "states", "symbolic_nodes"}));
+  EXPECT_EQ(keys(answer), (std::vector<std::string>{"alternatives", "automaton", "certified", "certified_by", "cost",
+                                                    "formula", "instruction", "map", "product", "readings", "route",
+                                                    "seconds", "status", "understood"}));
+  EXPECT_EQ(keys(answer["automaton"]), (std::vector<std::string>{"edges", "propositions", "states", "symbolic_nodes"}));
   EXPECT_EQ(keys(answer["product"]), (std::vector<std::string>{"edges", "states"}));
-  EXPECT_EQ(keys(answer["seconds"]), (std::vector<std::string>{"certify", "compose", "ground", "load",
-                                                               "solve", "total", "translate"}));
+  EXPECT_EQ(keys(answer["seconds"]),
+            (std::vector<std::string>{"certify", "compose", "ground", "load", "solve", "total", "translate"}));
   EXPECT_EQ(answer["certified"], true);
   EXPECT_EQ(answer["readings"][0]["formula"], answer["formula"]);
   EXPECT_EQ(answer["cost"], answer["route"].size() - 1);
@@ -132,8 +130,7 @@ TEST(Corridor, LinesMayNameTheirMapAndStart) {
 }
 
 TEST(Corridor, DrawsThePictureWholeWithTheAutomatonInIt) {
-  const auto svg =
-      std::filesystem::temp_directory_path() / ("waymark-corridor-" + std::to_string(::getpid()) + ".svg");
+  const auto svg = std::filesystem::temp_directory_path() / ("waymark-corridor-" + std::to_string(::getpid()) + ".svg");
   ASSERT_EQ(waymark({"run", "--demo", "--svg", svg.string()}).exit_code, 0);
   std::ifstream file(svg);
   const std::string picture{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
@@ -149,25 +146,22 @@ TEST(Corridor, RefusesAModelThatIsNone) {
 }
 
 TEST(Corridor, TrainsAndEvaluatesOnASmallCorpus) {
-  const auto folder =
-      std::filesystem::temp_directory_path() / ("waymark-corpus-" + std::to_string(::getpid()));
+  const auto folder = std::filesystem::temp_directory_path() / ("waymark-corpus-" + std::to_string(::getpid()));
   std::filesystem::create_directory(folder);
   std::ofstream corpus(folder / "instructions.jsonl");
   const auto paragraph = [&](int number, const std::string& map, const std::string& path) {
-    corpus
-        << R"({"id":"own_)" << number << R"(","num":)" << number << R"(,"map":")" << map
-        << R"(","author":"own","start_place":1,"goal_place":2,"start":[0,0,0],"goal":[0,0],"text":"turn left",)"
-        << R"("path":)" << path << R"(,"sentences":[{"id":")" << number
-        << R"(-1","text":"turn left","tokens":["turn","left","position",")" << number << R"("],)"
-        << R"("path":)" << path << R"(}],"flags":[]})" << '\n';
+    corpus << R"({"id":"own_)" << number << R"(","num":)" << number << R"(,"map":")" << map
+           << R"(","author":"own","start_place":1,"goal_place":2,"start":[0,0,0],"goal":[0,0],"text":"turn left",)"
+           << R"("path":)" << path << R"(,"sentences":[{"id":")" << number
+           << R"(-1","text":"turn left","tokens":["turn","left","position",")" << number << R"("],)"
+           << R"("path":)" << path << R"(}],"flags":[]})" << '\n';
   };
   paragraph(1, "grid", "[[1,9,0],[1,9,270]]");
   paragraph(2, "jelly", "[[17,17,0],[17,17,270]]");
   paragraph(3, "l", "[[23,18,0],[23,18,270]]");
   corpus.close();
   const auto model = folder / "model.waymark";
-  EXPECT_EQ(
-      waymark({"train", "--corpus", folder.string(), "--epochs", "2", "--out", model.string()}).exit_code, 0);
+  EXPECT_EQ(waymark({"train", "--corpus", folder.string(), "--epochs", "2", "--out", model.string()}).exit_code, 0);
   EXPECT_EQ(waymark({"run", "turn left", "--model-file", model.string(), "--start", "1,9,0"}).exit_code, 0);
   const std::vector<std::string> evaluate{"evaluate", "--corpus", folder.string(), "--leave-one-map-out",
                                           "--epochs", "2",        "--json"};
@@ -178,9 +172,9 @@ TEST(Corridor, TrainsAndEvaluatesOnASmallCorpus) {
   std::filesystem::remove_all(folder);
   ASSERT_EQ(evaluated.exit_code, 0);
   const json scores = json::parse(evaluated.output);
-  EXPECT_EQ(keys(scores), (std::vector<std::string>{"folds", "n", "paragraph", "paragraph_path", "path",
-                                                    "place_numbers", "published", "satisfiable", "seconds",
-                                                    "sentence", "staying", "unheard"}));
+  EXPECT_EQ(keys(scores),
+            (std::vector<std::string>{"folds", "n", "paragraph", "paragraph_path", "path", "place_numbers", "published",
+                                      "satisfiable", "seconds", "sentence", "staying", "unheard"}));
   EXPECT_EQ(keys(scores["folds"]), (std::vector<std::string>{"grid", "jelly", "l"}));
   EXPECT_EQ(scores["n"]["sentences"], 3);
   EXPECT_EQ(scores["place_numbers"], "hidden");

@@ -68,16 +68,15 @@ std::string hard_formula() {
   std::string text;
   for (int i = 0; i < 24; ++i) {
     const std::string p = "p" + std::to_string(i), q = "q" + std::to_string(i);
-    text += (i > 0 ? " & " : "") + std::string("F(") + p + " & X X X " + q + " & F(" + q + " & G(" + p +
-            " -> X X " + q + ")))";
+    text += (i > 0 ? " & " : "") + std::string("F(") + p + " & X X X " + q + " & F(" + q + " & G(" + p + " -> X X " +
+            q + ")))";
   }
   return text;
 }
 
 TEST(CtrlC, EndsATranslationWithinHalfASecond) {
   for (const int signal : {SIGINT, SIGTERM}) {
-    const Ended ended =
-        interrupt({"translate", "--to", "dfa", "--max-states", "4000000000", hard_formula()}, signal);
+    const Ended ended = interrupt({"translate", "--to", "dfa", "--max-states", "4000000000", hard_formula()}, signal);
     EXPECT_EQ(ended.exit_code, 11) << ended.messages;
     EXPECT_LT(ended.seconds, 0.5);
     EXPECT_NE(ended.messages.find("error: interrupted"), std::string::npos) << ended.messages;

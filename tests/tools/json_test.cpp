@@ -10,9 +10,7 @@
 namespace waymark::tools {
 namespace {
 
-std::string as_read(std::string_view text) {
-  return nlohmann::json::parse(Json(text).text()).get<std::string>();
-}
+std::string as_read(std::string_view text) { return nlohmann::json::parse(Json(text).text()).get<std::string>(); }
 
 TEST(JsonText, KeepsEveryCharacter) {
   std::string all;

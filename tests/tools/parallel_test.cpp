@@ -22,9 +22,8 @@ Outcome run(std::vector<std::string> texts, const ParallelOptions& options, cons
   TextReader reader({.arguments = std::move(texts), .file = ""}, "text");
   testing::internal::CaptureStdout();
   testing::internal::CaptureStderr();
-  const ExitCode code =
-      answer_in_parallel(reader, {}, options, answer,
-                         [](const Text& text, const std::string&) { return "bad " + text.text + "\n"; });
+  const ExitCode code = answer_in_parallel(
+      reader, {}, options, answer, [](const Text& text, const std::string&) { return "bad " + text.text + "\n"; });
   std::string output = testing::internal::GetCapturedStdout();
   return {code, std::move(output), testing::internal::GetCapturedStderr()};
 }
@@ -39,11 +38,10 @@ TEST(Parallel, RepliesComeInTheOrderOfTheTexts) {
   std::string expected;
   for (const std::string& number : numbers(2'000)) expected += number + '\n';
   for (const std::size_t threads : {1U, 2U, 7U}) {
-    const Outcome result =
-        run(numbers(2'000), {.threads = threads}, [](const Text& text, const TextDeadline&) {
-          if (std::stoi(text.text) % 100 == 0) std::this_thread::sleep_for(std::chrono::milliseconds(2));
-          return Reply{ExitCode::Done, text.text + '\n'};
-        });
+    const Outcome result = run(numbers(2'000), {.threads = threads}, [](const Text& text, const TextDeadline&) {
+      if (std::stoi(text.text) % 100 == 0) std::this_thread::sleep_for(std::chrono::milliseconds(2));
+      return Reply{ExitCode::Done, text.text + '\n'};
+    });
     EXPECT_EQ(result.output, expected) << threads;
     EXPECT_EQ(result.code, ExitCode::Done);
   }

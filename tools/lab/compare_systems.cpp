@@ -23,8 +23,7 @@ struct System {
 constexpr System all_systems[] = {
     {"actions", "actions", parser::ReaderKind::EncoderDecoder, true, false, false},
     {"linear", "linear", parser::ReaderKind::Linear, false, true, false},
-    {"encoder-decoder, no reranker", "encoder-decoder", parser::ReaderKind::EncoderDecoder, false, false,
-     true},
+    {"encoder-decoder, no reranker", "encoder-decoder", parser::ReaderKind::EncoderDecoder, false, false, true},
     {"encoder-decoder", "encoder-decoder", parser::ReaderKind::EncoderDecoder, false, true, true},
 };
 
@@ -38,8 +37,7 @@ struct Held {  // what is learned from and tested on
 std::string settings_of(const CompareSystemsOptions& options, const Held& held) {
   std::string out = "table4\ncorpus " + hexadecimal(held.corpus.checksum) + '\n';
   if (held.test) out += "test corpus " + hexadecimal(held.test->checksum) + '\n';
-  out +=
-      "seed " + std::to_string(options.train.seed) + "\nensemble " + std::to_string(options.ensemble) + '\n';
+  out += "seed " + std::to_string(options.train.seed) + "\nensemble " + std::to_string(options.ensemble) + '\n';
   if (options.epochs > 0) out += "epochs " + std::to_string(options.epochs) + '\n';
   out += "place numbers " + told_or_hidden(options.tell_place_numbers) + '\n';
   out += "version " + std::string(WAYMARK_VERSION) + '\n';
@@ -62,8 +60,7 @@ parser::EvaluateOptions options_for(const System& system, const CompareSystemsOp
   return out;
 }
 
-std::vector<ResultRow> rows_of(const CompareSystemsOptions& options, const Held& held,
-                               const Session& session) {
+std::vector<ResultRow> rows_of(const CompareSystemsOptions& options, const Held& held, const Session& session) {
   const parser::Checkpoints checkpoints(options.directory, settings_of(options, held));
   std::vector<ResultRow> rows;
   for (const System& system : all_systems) {
@@ -78,13 +75,12 @@ std::vector<ResultRow> rows_of(const CompareSystemsOptions& options, const Held&
     bar.wipe();
     const bool together = evaluation.singles.size() > 1;
     rows.push_back({system.name, together ? evaluation.singles : std::vector{evaluation.all}});
-    if (together)
-      rows.push_back({"  " + std::to_string(how.ensemble) + " of them that vote", {evaluation.all}});
+    if (together) rows.push_back({"  " + std::to_string(how.ensemble) + " of them that vote", {evaluation.all}});
     std::cerr << system.name << ": done\n";
   }
-  rows.push_back({"who stays put",
-                  {scores_of_staying(held.test ? *held.test : held.corpus, held.maps, options.absolute,
-                                     options.relative)}});
+  rows.push_back(
+      {"who stays put",
+       {scores_of_staying(held.test ? *held.test : held.corpus, held.maps, options.absolute, options.relative)}});
   return rows;
 }
 
@@ -106,11 +102,9 @@ void print_json(const CompareSystemsOptions& options, const Held& held, const st
 
 ExitCode compare_systems(const CompareSystemsOptions& options, const Session& session) {
   Held held{read_hallway_corpus(options.corpus, options.tell_place_numbers), {}, {}};
-  if (!options.test_corpus.empty())
-    held.test = read_hallway_corpus(options.test_corpus, options.tell_place_numbers);
+  if (!options.test_corpus.empty()) held.test = read_hallway_corpus(options.test_corpus, options.tell_place_numbers);
   held.maps = maps_of(held.corpus, options.data);
-  const std::vector<ResultRow> rows =
-      learn_from(options.corpus, [&] { return rows_of(options, held, session); });
+  const std::vector<ResultRow> rows = learn_from(options.corpus, [&] { return rows_of(options, held, session); });
   if (options.json) {
     print_json(options, held, rows);
     return ExitCode::Done;

@@ -24,8 +24,7 @@ JsonArray json_of(const std::vector<FeedbackCost>& rows) {
   JsonArray list;
   for (const FeedbackCost& row : rows) {
     JsonObject costs;
-    for (std::size_t e = 0; e < feedback_engines.size(); ++e)
-      costs.add(feedback_engines[e], row.microseconds[e]);
+    for (std::size_t e = 0; e < feedback_engines.size(); ++e) costs.add(feedback_engines[e], row.microseconds[e]);
     list.add(JsonObject()
                  .add("places", row.places)
                  .add("steps", row.steps)
@@ -40,8 +39,7 @@ void print_rows(const std::string& what, const std::vector<FeedbackCost>& rows) 
   for (const char* engine : feedback_engines) std::cout << std::setw(21) << engine;
   std::cout << '\n';
   for (const FeedbackCost& row : rows) {
-    std::cout << std::setw(6) << row.places << std::setw(6) << row.steps << std::setw(10)
-              << fixed(row.length, 1);
+    std::cout << std::setw(6) << row.places << std::setw(6) << row.steps << std::setw(10) << fixed(row.length, 1);
     for (const double cost : row.microseconds) std::cout << std::setw(21) << fixed(cost, 3);
     std::cout << '\n';
   }
@@ -58,18 +56,14 @@ render::CostPanel panel_of(const std::string& over, const std::vector<FeedbackCo
 }
 
 std::string plot_of(const FeedbackCosts& costs) {
-  render::CostPlot plot{
-      "What feedback costs: does the trajectory satisfy the formula, or does its plan end there?",
-      std::to_string(costs.candidates) + " formulas a sentence, routes to furniture in order",
-      "microseconds a formula",
-      {feedback_engines.begin(), feedback_engines.end()},
-      {}};
-  plot.panels.push_back(
-      panel_of("places of the map", costs.by_places, [](const auto& r) { return r.places; }));
-  plot.panels.push_back(
-      panel_of("letters of the trajectory", costs.by_length, [](const auto& r) { return r.length; }));
-  plot.panels.push_back(
-      panel_of("steps of the formula", costs.by_steps, [](const auto& r) { return r.steps; }));
+  render::CostPlot plot{"What feedback costs: does the trajectory satisfy the formula, or does its plan end there?",
+                        std::to_string(costs.candidates) + " formulas a sentence, routes to furniture in order",
+                        "microseconds a formula",
+                        {feedback_engines.begin(), feedback_engines.end()},
+                        {}};
+  plot.panels.push_back(panel_of("places of the map", costs.by_places, [](const auto& r) { return r.places; }));
+  plot.panels.push_back(panel_of("letters of the trajectory", costs.by_length, [](const auto& r) { return r.length; }));
+  plot.panels.push_back(panel_of("steps of the formula", costs.by_steps, [](const auto& r) { return r.steps; }));
   return render::draw_costs(plot);
 }
 
@@ -100,9 +94,7 @@ ExitCode run_feedback_table(const FeedbackTableOptions& options, const Session& 
 }
 
 void add_feedback_options(Command command, FeedbackTableOptions& options) {
-  command.add_option("--seed", options.measure.seed, "of maps, formulas and walks")
-      .type_name("N")
-      .show_default();
+  command.add_option("--seed", options.measure.seed, "of maps, formulas and walks").type_name("N").show_default();
   command.add_option("--sentences", options.measure.sentences, "of each row")
       .type_name("COUNT")
       .between(1, 10000)
@@ -116,9 +108,7 @@ void add_feedback_options(Command command, FeedbackTableOptions& options) {
 }
 
 void add_system_options(Command command, CompareSystemsOptions& options) {
-  command
-      .add_option("--corpus", options.corpus,
-                  "directory with instructions.jsonl and, if it has its own, maps/")
+  command.add_option("--corpus", options.corpus, "directory with instructions.jsonl and, if it has its own, maps/")
       .type_name("DIR")
       .required();
   command.add_option("--test-corpus", options.test_corpus, "take the sentences to test on from here instead")
@@ -130,9 +120,7 @@ void add_system_options(Command command, CompareSystemsOptions& options) {
       .required();
   add_data_option(command, options.data);
   command.add_option("--seed", options.train.seed, "of the first system").type_name("N").show_default();
-  command
-      .add_option("--ensemble", options.ensemble,
-                  "systems of seeds N, N + 1, …: a row each, and one that votes")
+  command.add_option("--ensemble", options.ensemble, "systems of seeds N, N + 1, …: a row each, and one that votes")
       .type_name("COUNT")
       .between(1, 100)
       .show_default();

@@ -39,8 +39,7 @@ double microseconds(const Work& work) {
 }
 
 plan::Map map_of(std::uint32_t width, std::uint32_t height, std::uint64_t seed) {
-  return plan::parse_map(
-      plan::generate_hallways({width, height, static_cast<std::uint32_t>(furniture.size()), seed}));
+  return plan::parse_map(plan::generate_hallways({width, height, static_cast<std::uint32_t>(furniture.size()), seed}));
 }
 
 Program random_program(const plan::Map& map, std::size_t steps, ltl::Random& random) {
@@ -53,8 +52,7 @@ Program random_program(const plan::Map& map, std::size_t steps, ltl::Random& ran
   return program;
 }
 
-plan::Trajectory random_walk(const plan::Map& map, plan::PoseId start, std::size_t letters,
-                             ltl::Random& random) {
+plan::Trajectory random_walk(const plan::Map& map, plan::PoseId start, std::size_t letters, ltl::Random& random) {
   plan::Trajectory walk{{start}, {}};
   while (walk.poses.size() < letters) {
     const auto action = static_cast<plan::Action>(random.below(3));
@@ -69,8 +67,7 @@ plan::Trajectory random_walk(const plan::Map& map, plan::PoseId start, std::size
 // One sentence: candidate programs, the trajectory they are judged by, and what engines keep for all of them.
 class Sentence {
  public:
-  Sentence(const parser::Executor& executor, const plan::Trajectory& trajectory,
-           const std::vector<Program>& programs)
+  Sentence(const parser::Executor& executor, const plan::Trajectory& trajectory, const std::vector<Program>& programs)
       : executor_(executor),
         arena_(executor.map().vocabulary()),
         programs_(programs),
@@ -95,8 +92,7 @@ class Sentence {
     out[0] = timed(0, [&](std::size_t i) { return progressed(formulas_[i]); });
     out[1] = microseconds([&] { rewarded[1] = checked(); });
     out[2] = timed(2, [&](std::size_t i) { return automata::accepts(dfas[i], word_); });
-    out[3] = timed(
-        3, [&](std::size_t i) { return automata::accepts(automata::ltlf_to_dfa(formulas_[i]), word_); });
+    out[3] = timed(3, [&](std::size_t i) { return automata::accepts(automata::ltlf_to_dfa(formulas_[i]), word_); });
     out[4] = timed(4, [&](std::size_t i) {
       const auto plan = executor_.run(programs_[i], start_);
       return plan && plan->end == end_;
@@ -136,8 +132,7 @@ class Sentence {
 };
 
 // letters 0: the trajectory is the plan of the first candidate; otherwise a random walk of so many letters.
-FeedbackCost row(const plan::Map& map, std::size_t steps, std::size_t letters,
-                 const FeedbackCostOptions& options) {
+FeedbackCost row(const plan::Map& map, std::size_t steps, std::size_t letters, const FeedbackCostOptions& options) {
   ltl::Random random(options.seed);
   const parser::Executor executor(map);
   FeedbackCost cost{map.nodes().size(), steps, 0, {}};
@@ -147,9 +142,9 @@ FeedbackCost row(const plan::Map& map, std::size_t steps, std::size_t letters,
     std::vector<Program> programs;
     while (programs.size() < options.candidates) programs.push_back(random_program(map, steps, random));
     const plan::PoseId start{static_cast<std::uint32_t>(random.below(map.poses()))};
-    const plan::Trajectory trajectory =
-        letters > 0 ? random_walk(map, start, letters, random)
-                    : *plan::follow(map, start, executor.run(programs.front(), start)->actions);
+    const plan::Trajectory trajectory = letters > 0
+                                            ? random_walk(map, start, letters, random)
+                                            : *plan::follow(map, start, executor.run(programs.front(), start)->actions);
     cost.length += static_cast<double>(trajectory.poses.size()) / all;
     const auto measured = Sentence(executor, trajectory, programs).measure();
     for (std::size_t e = 0; e < measured.size(); ++e)

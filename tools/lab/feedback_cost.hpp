@@ -12,9 +12,8 @@
 
 namespace waymark::tools {
 
-inline constexpr std::array feedback_engines{
-    "progression",       "trace check",         "DFA run",
-    "DFA, made and run", "plan of the program", "plan on the product"};
+inline constexpr std::array feedback_engines{"progression",       "trace check",         "DFA run",
+                                             "DFA, made and run", "plan of the program", "plan on the product"};
 
 struct FeedbackCost {
   std::size_t places = 0, steps = 0;  // of the map; of the formulas

@@ -26,17 +26,16 @@ struct GenerateCorpusOptions {
 };
 
 std::filesystem::path map_file(const std::string& name, const std::string& data) {
-  return std::filesystem::exists(name) ? std::filesystem::path(name)
-                                       : data_directory(data) / "maps" / (name + ".json");
+  return std::filesystem::exists(name) ? std::filesystem::path(name) : data_directory(data) / "maps" / (name + ".json");
 }
 
 parser::GenerateOptions recipe_of(const GenerateCorpusOptions& options) {
   parser::GenerateOptions recipe = options.recipe;
   std::istringstream clauses(options.clauses);
   char first = 0, second = 0;
-  if (!(clauses >> recipe.least_clauses >> first >> second >> recipe.most_clauses) || first != '.' ||
-      second != '.' || !clauses.eof() || recipe.least_clauses < 1 ||
-      recipe.least_clauses > recipe.most_clauses || recipe.most_clauses > 12)
+  if (!(clauses >> recipe.least_clauses >> first >> second >> recipe.most_clauses) || first != '.' || second != '.' ||
+      !clauses.eof() || recipe.least_clauses < 1 || recipe.least_clauses > recipe.most_clauses ||
+      recipe.most_clauses > 12)
     throw UsageError("--clauses '" + options.clauses + "': expected FEWEST..MOST, 1 to 12");
   if (options.plain) recipe.dialect = parser::Dialect::Plain;
   if (options.formulas == "known") recipe.formulas = parser::Formulas::Known;
@@ -46,8 +45,7 @@ parser::GenerateOptions recipe_of(const GenerateCorpusOptions& options) {
 
 ExitCode generate_corpus(const GenerateCorpusOptions& options) {
   std::vector<plan::Map> maps;
-  for (const std::string& name : options.maps)
-    maps.push_back(plan::read_map(name, data_directory(options.data)));
+  for (const std::string& name : options.maps) maps.push_back(plan::read_map(name, data_directory(options.data)));
   if (maps.empty()) maps = shipped_maps(options.data);
   parser::Corpus corpus;
   try {
@@ -83,12 +81,8 @@ void add_recipe(Command command, GenerateCorpusOptions& options) {
   command.add_option("--paragraphs", options.recipe.paragraphs, "spread over the maps")
       .between(1, 1'000'000)
       .show_default();
-  command.add_option("--sentences", options.recipe.sentences, "of each paragraph")
-      .between(1, 1000)
-      .show_default();
-  command.add_option("--clauses", options.clauses, "of each sentence")
-      .type_name("FEWEST..MOST")
-      .show_default();
+  command.add_option("--sentences", options.recipe.sentences, "of each paragraph").between(1, 1000).show_default();
+  command.add_option("--clauses", options.clauses, "of each sentence").type_name("FEWEST..MOST").show_default();
   command
       .add_option("--formulas", options.formulas,
                   "one formula in five is held out, the same for every seed: all, known, held-out")

@@ -36,8 +36,7 @@ Axis axis_of(const std::string& text) {
   for (std::string value; std::getline(list, value, ',');) {
     std::istringstream number(value);
     double x = 0;
-    if (!(number >> x) || !number.eof())
-      throw UsageError("--grid '" + text + "': '" + value + "' is no number");
+    if (!(number >> x) || !number.eof()) throw UsageError("--grid '" + text + "': '" + value + "' is no number");
     axis.values.push_back(x);
   }
   if (axis.values.empty()) throw UsageError("--grid '" + text + "' has no value");
@@ -47,8 +46,7 @@ Axis axis_of(const std::string& text) {
 void set(parser::TrainOptions& train, const std::string& name, double value) {
   const bool is_share = name == "dropout" || name == "epsilon" || name == "beta" || name == "least";
   const bool may_be_zero = is_share || name == "decay" || name == "wording";
-  const bool is_possible = may_be_zero
-                               ? value >= 0 && (!is_share || value < 1 || (value == 1 && name != "dropout"))
+  const bool is_possible = may_be_zero ? value >= 0 && (!is_share || value < 1 || (value == 1 && name != "dropout"))
                            : name == "rate" ? value > 0
                                             : value >= 1 && value <= 1000;
   if (!is_possible) throw UsageError("--grid: " + name + " cannot be " + fixed(value, 4));
@@ -160,14 +158,12 @@ ExitCode run_tune(const TuneOptions& options, const Session& session) {
   std::vector<Row> rows;
   for (const Setting& setting : settings) {
     parser::TrainOptions train = options.training.settled();
-    train.convention =
-        options.convention == "relative" ? parser::Convention::Relative : parser::Convention::Absolute;
+    train.convention = options.convention == "relative" ? parser::Convention::Relative : parser::Convention::Absolute;
     train.stop = session.stop;
     for (const auto& [name, value] : setting) set(train, name, value);
     ProgressBar bar;
     train.progress = [&](double fraction, std::string_view) {
-      bar.show((static_cast<double>(rows.size()) + fraction) / static_cast<double>(settings.size()),
-               show(setting));
+      bar.show((static_cast<double>(rows.size()) + fraction) / static_cast<double>(settings.size()), show(setting));
     };
     Row row{setting, validated(corpus, maps, train, options.corpus)};
     bar.wipe();
@@ -176,8 +172,8 @@ ExitCode run_tune(const TuneOptions& options, const Session& session) {
   }
   if (options.json) return ExitCode::Done;
   for (std::size_t m = 0; m < maps.size(); ++m) {
-    const auto best = std::max_element(
-        rows.begin(), rows.end(), [&](const Row& a, const Row& b) { return a.left_out[m] < b.left_out[m]; });
+    const auto best = std::max_element(rows.begin(), rows.end(),
+                                       [&](const Row& a, const Row& b) { return a.left_out[m] < b.left_out[m]; });
     std::cout << "best when " << maps[m].name() << " is left out: " << show(best->setting) << '\n';
   }
   return ExitCode::Done;

@@ -58,8 +58,7 @@ int main(int argc, char** argv) {
     agsafeset(context.graph, attribute.data(), value.data(), nothing.data());
   }
   pad_labels(context.graph);
-  if (gvLayout(context.gvc, context.graph, "dot") != 0)
-    return fail(our_bug, "Graphviz could not lay the graph out");
+  if (gvLayout(context.gvc, context.graph, "dot") != 0) return fail(our_bug, "Graphviz could not lay the graph out");
   char* svg = nullptr;
   unsigned length = 0;
   if (gvRenderData(context.gvc, context.graph, "svg", &svg, &length) != 0)

@@ -39,8 +39,7 @@ plan::Sampling sampling_of(const Options& options) {
   return {.iterations = options.search.iterations,
           .seed = options.search.seed,
           .robot = robot_of(options.robot),
-          .sampler =
-              options.search.sampler == "bitstar" ? plan::Sampler::BitStar : plan::Sampler::InformedRrtStar};
+          .sampler = options.search.sampler == "bitstar" ? plan::Sampler::BitStar : plan::Sampler::InformedRrtStar};
 }
 
 plan::Exploration exploration_of(const Options& options) {
@@ -64,9 +63,8 @@ ExitCode follow(const plan::Trajectory& route, const plan::Workspace& workspace,
   if (const auto* motion = std::get_if<plan::Motion>(&outcome)) return answer(*motion);
   const auto& unreached = std::get<plan::Unreached>(outcome);
   const plan::Map& map = workspace.map();
-  complain("error", "no way found from " + show(map.pose(unreached.from)) + " to " +
-                        show(map.pose(unreached.to)) + " in " + std::to_string(unreached.iterations) +
-                        " iterations: allow more, or a smaller robot");
+  complain("error", "no way found from " + show(map.pose(unreached.from)) + " to " + show(map.pose(unreached.to)) +
+                        " in " + std::to_string(unreached.iterations) + " iterations: allow more, or a smaller robot");
   return ExitCode::GaveUp;
 }
 
@@ -74,21 +72,17 @@ ExitCode answer(const plan::Explored& outcome) {
   if (const auto* motion = std::get_if<plan::Motion>(&outcome)) return answer(*motion);
   if (std::holds_alternative<plan::NoRun>(outcome)) return ExitCode::No;
   const double seconds = std::get<plan::OutOfTime>(outcome).seconds;
-  complain("error",
-           seconds > 0
-               ? "no motion found in " + fixed(seconds, 1) + " seconds: allow more, or --planner route"
-               : std::string("no motion found: the ways that would do look too narrow for the robot"));
+  complain("error", seconds > 0 ? "no motion found in " + fixed(seconds, 1) + " seconds: allow more, or --planner route"
+                                : std::string("no motion found: the ways that would do look too narrow for the robot"));
   return ExitCode::GaveUp;
 }
 
 ExitCode tour(const Options& options) {
-  const plan::Terrain terrain =
-      plan::parse_terrain(read_file(options.workspace), source_name(options.workspace));
+  const plan::Terrain terrain = plan::parse_terrain(read_file(options.workspace), source_name(options.workspace));
   const plan::Configuration start = plan::parse_configuration(options.start);
   ltl::Arena arena(terrain.vocabulary());
   const automata::Dfa dfa = automaton_of(options, arena);
-  if (options.search.planner == "ltl")
-    return answer(plan::explore(dfa, terrain, start, exploration_of(options)));
+  if (options.search.planner == "ltl") return answer(plan::explore(dfa, terrain, start, exploration_of(options)));
   const plan::TourOutcome outcome = plan::realize(dfa, terrain, start, sampling_of(options));
   if (const auto* motion = std::get_if<plan::Motion>(&outcome)) return answer(*motion);
   if (std::holds_alternative<plan::NoRun>(outcome)) return ExitCode::No;
@@ -104,8 +98,7 @@ ExitCode run(const Options& options) {
   const plan::Workspace workspace(map, {options.shape.width, options.shape.furniture});
   if (options.search.planner == "route") return follow(route, workspace, options);
   ltl::Arena arena(map.vocabulary());
-  return answer(
-      plan::explore(automaton_of(options, arena), workspace, route.poses.front(), exploration_of(options)));
+  return answer(plan::explore(automaton_of(options, arena), workspace, route.poses.front(), exploration_of(options)));
 }
 
 ExitCode parse_and_run(int argc, char** argv) {
@@ -116,10 +109,8 @@ ExitCode parse_and_run(int argc, char** argv) {
   add_robot_options(command, options.robot);
   add_search_options(command, options.search);
   add_shape_options(command, options.shape);
-  command.add_option("--formula", options.formula,
-                     "what the motion is to satisfy, with --planner ltl or --workspace");
-  command.add_option("--workspace", options.workspace,
-                     "polygons to move through; standard input is not read then");
+  command.add_option("--formula", options.formula, "what the motion is to satisfy, with --planner ltl or --workspace");
+  command.add_option("--workspace", options.workspace, "polygons to move through; standard input is not read then");
   command.add_option("--start", options.start, "x,y,heading in the workspace");
   try {
     app.parse(argc, argv);

@@ -53,8 +53,8 @@ void embed(Svg& svg, const Drawing& drawing, Point corner, double width, double 
   const double scale = std::min({1.0, width / drawing.width, height / drawing.height});
   const double w = drawing.width * scale, h = drawing.height * scale;
   svg.open("svg", "x=\"" + number(corner.x + (width - w) / 2) + "\" y=\"" + number(corner.y) + "\" width=\"" +
-                      number(w) + "\" height=\"" + number(h) + "\" viewBox=\"0 0 " + number(drawing.width) +
-                      ' ' + number(drawing.height) + '"');
+                      number(w) + "\" height=\"" + number(h) + "\" viewBox=\"0 0 " + number(drawing.width) + ' ' +
+                      number(drawing.height) + '"');
   svg.raw(drawing.content);
   svg.close("svg");
 }

@@ -30,11 +30,7 @@ Range decades(const CostPlot& plot) {
 class Panel {
  public:
   Panel(Svg& svg, const CostPanel& panel, double x0, const Range& y)
-      : svg_(svg),
-        panel_(panel),
-        x0_(x0),
-        x_{std::log10(panel.sizes.front()), std::log10(panel.sizes.back())},
-        y_(y) {
+      : svg_(svg), panel_(panel), x0_(x0), x_{std::log10(panel.sizes.front()), std::log10(panel.sizes.back())}, y_(y) {
     if (x_.to <= x_.from) x_.to = x_.from + 1;
   }
 
@@ -49,11 +45,9 @@ class Panel {
     for (const double size : panel_.sizes) {
       svg_.line({x_of(size), height - bottom}, {x_of(size), height - bottom + 5},
                 R"(stroke="#5c5c5c" stroke-width="1")");
-      svg_.text({x_of(size), height - bottom + 20}, 12, number(size),
-                R"(text-anchor="middle" fill="#5c5c5c")");
+      svg_.text({x_of(size), height - bottom + 20}, 12, number(size), R"(text-anchor="middle" fill="#5c5c5c")");
     }
-    svg_.text({x0_ + panel_width / 2, height - 14}, 13, panel_.over,
-              R"(text-anchor="middle" fill="#20242b")");
+    svg_.text({x0_ + panel_width / 2, height - 14}, 13, panel_.over, R"(text-anchor="middle" fill="#20242b")");
   }
 
   void draw_lines() const {
@@ -78,8 +72,7 @@ class Panel {
 }  // namespace
 
 std::string draw_costs(const CostPlot& plot) {
-  const double after = left + static_cast<double>(plot.panels.size()) * (panel_width + gap),
-               width = after + legend;
+  const double after = left + static_cast<double>(plot.panels.size()) * (panel_width + gap), width = after + legend;
   const Range y = decades(plot);
   Svg svg;
   svg.open_picture(width, height);

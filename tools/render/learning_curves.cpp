@@ -46,15 +46,13 @@ void draw_axes(Svg& svg, const Axes& axes) {
 
 std::string line_of(const Curve& curve, const Axes& axes) {
   std::string d;
-  for (const Curve::Point& p : curve.points)
-    d += (d.empty() ? "M " : " L ") + at({axes.x(p.steps), Axes::y(p.value)});
+  for (const Curve::Point& p : curve.points) d += (d.empty() ? "M " : " L ") + at({axes.x(p.steps), Axes::y(p.value)});
   return d;
 }
 
 std::string band_of(const Curve& curve, const Axes& axes) {
   std::string d;
-  for (const Curve::Point& p : curve.points)
-    d += (d.empty() ? "M " : " L ") + at({axes.x(p.steps), Axes::y(p.high)});
+  for (const Curve::Point& p : curve.points) d += (d.empty() ? "M " : " L ") + at({axes.x(p.steps), Axes::y(p.high)});
   for (auto p = curve.points.rbegin(); p != curve.points.rend(); ++p)
     d += " L " + at({axes.x(p->steps), Axes::y(p->low)});
   return d + " Z";

@@ -40,9 +40,9 @@ Section floors_of(const plan::Map& map) {
                             [&](const plan::Edge& e) { return e.floor == name; });
        }))
     section.entries.push_back({floor, [&map, floor](Svg& svg, Point centre) {
-                                 svg.rectangle({centre.x - 14, centre.y - 10}, 28, 20,
-                                               floor_fill(map.floors(), floor) +
-                                                   R"( stroke="#2b2b2b" stroke-width="1.2")");
+                                 svg.rectangle(
+                                     {centre.x - 14, centre.y - 10}, 28, 20,
+                                     floor_fill(map.floors(), floor) + R"( stroke="#2b2b2b" stroke-width="1.2")");
                                }});
   return section;
 }
@@ -53,8 +53,7 @@ Section objects_of(const plan::Map& map) {
          return std::any_of(map.nodes().begin(), map.nodes().end(),
                             [&](const plan::Node& n) { return n.object == name; });
        }))
-    section.entries.push_back(
-        {object, [object](Svg& svg, Point centre) { draw_object(svg, object, centre, 20); }});
+    section.entries.push_back({object, [object](Svg& svg, Point centre) { draw_object(svg, object, centre, 20); }});
   return section;
 }
 
@@ -64,8 +63,7 @@ Section paintings_of(const plan::Map& map) {
          return std::any_of(map.edges().begin(), map.edges().end(),
                             [&](const plan::Edge& e) { return e.wall == name; });
        }))
-    section.entries.push_back(
-        {wall, [wall](Svg& svg, Point centre) { draw_painting(svg, wall, centre, 17); }});
+    section.entries.push_back({wall, [wall](Svg& svg, Point centre) { draw_painting(svg, wall, centre, 17); }});
   return section;
 }
 
@@ -74,21 +72,17 @@ Section marks_of(const plan::Map& map, bool with_route) {
   if (with_route) {
     section.entries.push_back({"start", [](Svg& svg, Point centre) { draw_start_mark(svg, centre, 90); }});
     section.entries.push_back({"end", [](Svg& svg, Point centre) { draw_end_mark(svg, centre, 90); }});
-    section.entries.push_back(
-        {"n-th action", [](Svg& svg, Point centre) { draw_step_number(svg, centre, "n"); }});
+    section.entries.push_back({"n-th action", [](Svg& svg, Point centre) { draw_step_number(svg, centre, "n"); }});
   }
-  if (std::any_of(map.nodes().begin(), map.nodes().end(),
-                  [](const plan::Node& n) { return n.place.has_value(); }))
+  if (std::any_of(map.nodes().begin(), map.nodes().end(), [](const plan::Node& n) { return n.place.has_value(); }))
     section.entries.push_back({"place", [](Svg& svg, Point centre) { draw_place_badge(svg, centre, 1); }});
   return section;
 }
 
 std::vector<Section> sections_of(const plan::Map& map, bool with_route) {
-  std::vector<Section> sections{floors_of(map), paintings_of(map), objects_of(map),
-                                marks_of(map, with_route)};
-  sections.erase(
-      std::remove_if(sections.begin(), sections.end(), [](const Section& s) { return s.entries.empty(); }),
-      sections.end());
+  std::vector<Section> sections{floors_of(map), paintings_of(map), objects_of(map), marks_of(map, with_route)};
+  sections.erase(std::remove_if(sections.begin(), sections.end(), [](const Section& s) { return s.entries.empty(); }),
+                 sections.end());
   return sections;
 }
 
@@ -109,8 +103,7 @@ double legend_height(const plan::Map& map, double width, bool with_route) {
   const auto sections = sections_of(map, with_route);
   double height = 0;
   for (const Section& section : sections)
-    height += heading_height + row_height * static_cast<double>(rows(section, columns(sections, width))) +
-              section_gap;
+    height += heading_height + row_height * static_cast<double>(rows(section, columns(sections, width))) + section_gap;
   return height;
 }
 

@@ -40,15 +40,13 @@ void draw_tile(Svg& svg, const PlanView& view, std::uint32_t node) {
 void draw_hanging(Svg& svg, const PlanView& view, const plan::Edge& edge) {
   const Point a = view.centre(edge.a), b = view.centre(edge.b);
   const Point middle{(a.x + b.x) / 2, (a.y + b.y) / 2};
-  const Point place =
-      a.y == b.y ? Point{middle.x, middle.y - half - 10} : Point{middle.x - half - 12, middle.y};
+  const Point place = a.y == b.y ? Point{middle.x, middle.y - half - 10} : Point{middle.x - half - 12, middle.y};
   draw_painting(svg, edge.wall, place, 14);
 }
 
 void draw_coordinates(Svg& svg, const PlanView& view) {
   constexpr std::string_view style = R"(fill="#8a8a8a" text-anchor="middle")";
-  for (int x = view.min_x(); x <= view.max_x(); ++x)
-    svg.text({view.centre(x, 0).x, 14}, 12, std::to_string(x), style);
+  for (int x = view.min_x(); x <= view.max_x(); ++x) svg.text({view.centre(x, 0).x, 14}, 12, std::to_string(x), style);
   for (int y = view.min_y(); y <= view.max_y(); ++y)
     svg.text({10, view.centre(0, y).y + 4}, 12, std::to_string(y), style);
 }

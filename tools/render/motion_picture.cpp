@@ -16,8 +16,7 @@ constexpr std::string_view lit = "#ffd166";
 
 std::string path_of(const Scale& scale, const Playback& playback) {
   std::string d;
-  for (const Frame& frame : playback.frames())
-    d += (d.empty() ? "M" : " L") + at(scale(frame.at.x, frame.at.y));
+  for (const Frame& frame : playback.frames()) d += (d.empty() ? "M" : " L") + at(scale(frame.at.x, frame.at.y));
   return d;
 }
 
@@ -35,8 +34,8 @@ void animate(Svg& svg, std::string_view element, const std::string& attributes) 
 void draw_trail(Svg& svg, const Scale& scale, const Playback& playback, std::string_view d) {
   const double whole = playback.frames().back().travelled * scale.unit;
   const std::string dash = number(whole + 1);
-  svg.open("path", "d=\"" + std::string(d) + "\" " + stroke(route_colour, 2.6, 1) + " stroke-dasharray=\"" +
-                       dash + ' ' + dash + '"');
+  svg.open("path", "d=\"" + std::string(d) + "\" " + stroke(route_colour, 2.6, 1) + " stroke-dasharray=\"" + dash +
+                       ' ' + dash + '"');
   if (whole > 0)
     animate(svg, "animate", playback.moving("stroke-dashoffset", [&](const Frame& frame) {
       return number(whole + 1 - frame.travelled * scale.unit);

@@ -23,8 +23,7 @@ struct Line {
 std::vector<Line> title_lines(const Page& page, double width) {
   std::vector<Line> lines;
   const auto add = [&](const std::string& text, double size, double measure, std::string_view style) {
-    for (std::string& line : wrapped(text, width / size / measure))
-      lines.push_back({std::move(line), size, style});
+    for (std::string& line : wrapped(text, width / size / measure)) lines.push_back({std::move(line), size, style});
   };
   if (!page.instruction.empty())
     add("“" + page.instruction + "”", instruction_size, 1.1, R"(font-weight="bold" fill="#20242b")");
@@ -73,8 +72,7 @@ void draw_panel(Svg& svg, const Page& page, const Panel& panel, Point corner) {
   if (page.automaton) {
     svg.text({corner.x, corner.y + 14}, 13, "Automaton", R"(font-weight="bold" fill="#20242b")");
     svg.text({corner.x + 94, corner.y + 14}, 13, page.automaton_caption, R"(fill="#5c5c5c")");
-    embed(svg, *page.automaton, {corner.x, corner.y + 24}, panel.width,
-          panel.automaton_height - automaton_heading);
+    embed(svg, *page.automaton, {corner.x, corner.y + 24}, panel.width, panel.automaton_height - automaton_heading);
     below.y += panel.automaton_height;
   }
   draw_legend(svg, *page.map, below, panel.width, page.route.has_value());
@@ -84,8 +82,7 @@ void draw_panel(Svg& svg, const Page& page, const Panel& panel, Point corner) {
 }  // namespace
 
 std::string drawable(std::string formula) {
-  constexpr std::pair<std::string_view, std::string_view> plain[]{
-      {"𝒰", "U"}, {"ℛ", "R"}, {"𝒲", "W"}, {"ℳ", "M"}};
+  constexpr std::pair<std::string_view, std::string_view> plain[]{{"𝒰", "U"}, {"ℛ", "R"}, {"𝒲", "W"}, {"ℳ", "M"}};
   for (const auto& [script, letter] : plain)
     for (auto found = formula.find(script); found != std::string::npos; found = formula.find(script, found))
       formula.replace(found, script.size(), letter);

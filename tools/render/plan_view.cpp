@@ -15,10 +15,10 @@ Point direction(int heading) {
 
 PlanView::PlanView(const plan::Map& map) : map_(&map), taken_(map.nodes().size()) {
   const auto& nodes = map.nodes();
-  const auto [left, right] = std::minmax_element(
-      nodes.begin(), nodes.end(), [](const plan::Node& a, const plan::Node& b) { return a.x < b.x; });
-  const auto [top, bottom] = std::minmax_element(
-      nodes.begin(), nodes.end(), [](const plan::Node& a, const plan::Node& b) { return a.y < b.y; });
+  const auto [left, right] = std::minmax_element(nodes.begin(), nodes.end(),
+                                                 [](const plan::Node& a, const plan::Node& b) { return a.x < b.x; });
+  const auto [top, bottom] = std::minmax_element(nodes.begin(), nodes.end(),
+                                                 [](const plan::Node& a, const plan::Node& b) { return a.y < b.y; });
   min_x_ = left->x, max_x_ = right->x, min_y_ = top->y, max_y_ = bottom->y;
   width_ = 2 * margin + cell * (max_x_ - min_x_);
   height_ = 2 * margin + cell * (max_y_ - min_y_);
@@ -41,9 +41,7 @@ Point PlanView::corner(std::uint32_t node, Corner where) const {
   return {middle.x + (east ? offset : -offset), middle.y + (south ? offset : -offset)};
 }
 
-void PlanView::take(std::uint32_t node, Corner where) {
-  taken_[node][static_cast<std::size_t>(where)] = true;
-}
+void PlanView::take(std::uint32_t node, Corner where) { taken_[node][static_cast<std::size_t>(where)] = true; }
 
 Corner PlanView::take_free(std::uint32_t node) {
   const auto& taken = taken_[node];

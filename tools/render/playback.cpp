@@ -35,8 +35,7 @@ Playback::Playback(const plan::Motion& motion) {
 double Playback::seconds() const { return frames_.back().clock + rest; }
 
 double Playback::share(double time) const {
-  const auto after =
-      std::find_if(frames_.begin(), frames_.end(), [&](const Frame& f) { return f.time >= time; });
+  const auto after = std::find_if(frames_.begin(), frames_.end(), [&](const Frame& f) { return f.time >= time; });
   if (after == frames_.end()) return frames_.back().clock / seconds();
   if (after == frames_.begin()) return 0;
   const Frame& before = *(after - 1);
@@ -44,19 +43,16 @@ double Playback::share(double time) const {
   return (before.clock + t * (after->clock - before.clock)) / seconds();
 }
 
-std::string Playback::timing() const {
-  return "dur=\"" + number(seconds()) + "s\" repeatCount=\"indefinite\"";
-}
+std::string Playback::timing() const { return "dur=\"" + number(seconds()) + "s\" repeatCount=\"indefinite\""; }
 
-std::string Playback::moving(const std::string& name,
-                             const std::function<std::string(const Frame&)>& value) const {
+std::string Playback::moving(const std::string& name, const std::function<std::string(const Frame&)>& value) const {
   std::string values, times;
   for (const Frame& frame : frames_) {
     values += value(frame) + ';';
     times += key_time(frame.clock / seconds()) + ';';
   }
-  return "attributeName=\"" + name + "\" values=\"" + values + value(frames_.back()) + "\" keyTimes=\"" +
-         times + "1\" " + timing();
+  return "attributeName=\"" + name + "\" values=\"" + values + value(frames_.back()) + "\" keyTimes=\"" + times +
+         "1\" " + timing();
 }
 
 std::string Playback::switched(const std::string& name, const std::vector<Span>& spans, const std::string& on,
@@ -69,8 +65,8 @@ std::string Playback::switched(const std::string& name, const std::vector<Span>&
     values += ';' + off;
     times += ';' + key_time(share(span.to));
   }
-  return "attributeName=\"" + name + "\" calcMode=\"discrete\" values=\"" + values + "\" keyTimes=\"" +
-         times + "\" " + timing();
+  return "attributeName=\"" + name + "\" calcMode=\"discrete\" values=\"" + values + "\" keyTimes=\"" + times + "\" " +
+         timing();
 }
 
 }  // namespace waymark::render

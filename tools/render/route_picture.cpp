@@ -54,8 +54,7 @@ Point turn_point(const PlanView& view, std::uint32_t node, int from, plan::Actio
 }
 
 Corner turn_corner(int from, plan::Action turn) {
-  const int side =
-      turn == plan::Action::Left ? from : (from + 90) % 360;  // north: NE for a left turn, SE for a right
+  const int side = turn == plan::Action::Left ? from : (from + 90) % 360;  // north: NE for a left turn, SE for a right
   switch (side) {
     case 0: return Corner::NorthEast;
     case 90: return Corner::SouthEast;
@@ -115,15 +114,13 @@ class StepNumbers {
 void draw_arrow_heads(Svg& svg, const PlanView& view, const plan::Trajectory& route) {
   std::set<std::pair<std::uint32_t, std::uint32_t>> drawn;
   for (std::size_t i = 0; i < route.actions.size(); ++i) {
-    if (is_turn(route.actions[i]) || !drawn.emplace(route.poses[i].index, route.poses[i + 1].index).second)
-      continue;
+    if (is_turn(route.actions[i]) || !drawn.emplace(route.poses[i].index, route.poses[i + 1].index).second) continue;
     const int heading = view.map().pose(route.poses[i]).heading;
     const Point from = lane_point(view, route.poses[i]), to = lane_point(view, route.poses[i + 1]);
     const Point tip = from + 0.72 * (to - from), back = tip - 9 * direction(heading);
     const Point side = 5.5 * right_of(heading);
     svg.path("M" + at(tip) + " L" + at(back + side) + " L" + at(back - side) + " Z",
-             "fill=\"" + std::string(route_colour) +
-                 R"(" stroke="#fff" stroke-width="1.2" stroke-linejoin="round")");
+             "fill=\"" + std::string(route_colour) + R"(" stroke="#fff" stroke-width="1.2" stroke-linejoin="round")");
   }
 }
 

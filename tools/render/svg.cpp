@@ -97,8 +97,8 @@ void Svg::open_picture(double width, double height) {
 void Svg::close(std::string_view element) { out_ += "</" + std::string(element) + ">\n"; }
 
 void Svg::line(Point from, Point to, std::string_view attributes) {
-  out_ += "<line x1=\"" + number(from.x) + "\" y1=\"" + number(from.y) + "\" x2=\"" + number(to.x) +
-          "\" y2=\"" + number(to.y) + "\" " + std::string(attributes) + "/>\n";
+  out_ += "<line x1=\"" + number(from.x) + "\" y1=\"" + number(from.y) + "\" x2=\"" + number(to.x) + "\" y2=\"" +
+          number(to.y) + "\" " + std::string(attributes) + "/>\n";
 }
 
 void Svg::rectangle(Point corner, double width, double height, std::string_view attributes) {
@@ -107,8 +107,8 @@ void Svg::rectangle(Point corner, double width, double height, std::string_view 
 }
 
 void Svg::circle(Point centre, double radius, std::string_view attributes) {
-  out_ += "<circle cx=\"" + number(centre.x) + "\" cy=\"" + number(centre.y) + "\" r=\"" + number(radius) +
-          "\" " + std::string(attributes) + "/>\n";
+  out_ += "<circle cx=\"" + number(centre.x) + "\" cy=\"" + number(centre.y) + "\" r=\"" + number(radius) + "\" " +
+          std::string(attributes) + "/>\n";
 }
 
 void Svg::path(std::string_view d, std::string_view attributes) {
@@ -116,8 +116,8 @@ void Svg::path(std::string_view d, std::string_view attributes) {
 }
 
 void Svg::text(Point where, double size, std::string_view text, std::string_view attributes) {
-  out_ += "<text x=\"" + number(where.x) + "\" y=\"" + number(where.y) + "\" font-size=\"" + number(size) +
-          "\" " + std::string(attributes) + '>' + escaped(text) + "</text>\n";
+  out_ += "<text x=\"" + number(where.x) + "\" y=\"" + number(where.y) + "\" font-size=\"" + number(size) + "\" " +
+          std::string(attributes) + '>' + escaped(text) + "</text>\n";
 }
 
 }  // namespace waymark::render

@@ -9,8 +9,7 @@ namespace waymark::render {
 namespace {
 
 constexpr double border = 28, gutter = 34, longest_side = 720, panel = 400, title = 70;
-constexpr std::array<std::string_view, 6> colours{"#bcd9f0", "#f6d7a7", "#cfe8c4",
-                                                  "#e8c7dd", "#d8d2f0", "#f3c6bd"};
+constexpr std::array<std::string_view, 6> colours{"#bcd9f0", "#f6d7a7", "#cfe8c4", "#e8c7dd", "#d8d2f0", "#f3c6bd"};
 
 std::string outline(const plan::Polygon& polygon, const Scale& scale) {
   std::string d;
@@ -56,8 +55,7 @@ std::string draw_page(const TerrainPage& page) {
   draw_terrain(svg, terrain, scale);
   if (page.motion) draw_motion(svg, scale, page.motion->motion());
   if (page.automaton)
-    embed(svg, *page.automaton, {border + unit * wide + gutter, border + title}, panel,
-          height - 2 * border - title);
+    embed(svg, *page.automaton, {border + unit * wide + gutter, border + title}, panel, height - 2 * border - title);
   svg.close("svg");
   return svg.str();
 }

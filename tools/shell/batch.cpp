@@ -28,8 +28,8 @@ JsonObject json_error(std::size_t line, const std::string& message) {
   return JsonObject().add("line", line).add("status", "error").add("message", message);
 }
 
-ExitCode answer_each(TextReader& texts, const std::stop_token& stop,
-                     const std::function<ExitCode(const Text&)>& answer, bool json) {
+ExitCode answer_each(TextReader& texts, const std::stop_token& stop, const std::function<ExitCode(const Text&)>& answer,
+                     bool json) {
   ExitCode worst = ExitCode::Done;
   bool any = false;
   while (const std::optional<Text> text = texts.next()) {

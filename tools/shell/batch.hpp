@@ -17,7 +17,7 @@ JsonObject json_error(std::size_t line, const std::string& message);
 // file), ltl::SyntaxError and ltl::FormatError end one text only: the message goes to standard error, with `json`
 // json_error to standard output, and the batch ends with ExitCode::BadInput. Otherwise the worst verdict.
 // Throws Interrupted between texts when a stop was requested, ltl::FormatError when there was no text at all.
-ExitCode answer_each(TextReader& texts, const std::stop_token& stop,
-                     const std::function<ExitCode(const Text&)>& answer, bool json = false);
+ExitCode answer_each(TextReader& texts, const std::stop_token& stop, const std::function<ExitCode(const Text&)>& answer,
+                     bool json = false);
 
 }  // namespace waymark::tools

@@ -87,16 +87,14 @@ template Option Command::add_option(const std::string&, double&, const std::stri
 template Option Command::add_option(const std::string&, unsigned&, const std::string&);
 template Option Command::add_option(const std::string&, unsigned long&, const std::string&);
 
-Option Command::add_option_function(const std::string& names,
-                                    const std::function<void(const std::string&)>& take,
+Option Command::add_option_function(const std::string& names, const std::function<void(const std::string&)>& take,
                                     const std::string& help) {
   return Option(app_->add_option_function(names, take, help));
 }
 void Command::add_flag(const std::string& names, bool& value, const std::string& help) {
   app_->add_flag(names, value, help);
 }
-void Command::add_flag_callback(const std::string& names, const std::function<void()>& call,
-                                const std::string& help) {
+void Command::add_flag_callback(const std::string& names, const std::function<void()>& call, const std::string& help) {
   app_->add_flag_callback(names, call, help);
 }
 Command Command::add_subcommand(const std::string& name, const std::string& help) {

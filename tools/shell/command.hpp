@@ -16,8 +16,7 @@ namespace waymark::tools {
 
 // What help says of an option.
 struct OptionText {
-  std::vector<std::string>
-      names;  // "-m", "--map"; none: an argument by position, or a command, called `place`
+  std::vector<std::string> names;  // "-m", "--map"; none: an argument by position, or a command, called `place`
   std::string place, value, help;  // the kind of value: "FILE"; empty: a flag
   std::vector<std::string> choices;
 };
@@ -58,8 +57,7 @@ class Command {
                              const std::string& help);
   // "--on,!--off" is set to true by the one and to false by the other.
   void add_flag(const std::string& names, bool& value, const std::string& help);
-  void add_flag_callback(const std::string& names, const std::function<void()>& call,
-                         const std::string& help);
+  void add_flag_callback(const std::string& names, const std::function<void()>& call, const std::string& help);
 
   // Its own commands, one of which must be given.
   Command add_subcommand(const std::string& name, const std::string& help);

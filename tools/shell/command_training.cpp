@@ -13,9 +13,7 @@ void add_command_training_options(Command command, CommandTrainingOptions& optio
                   "English commands with formulas to learn from, JSON Lines; 'own': our own language alone")
       .type_name("FILE")
       .group(group);
-  command
-      .add_option("--domains", options.domains,
-                  "what commands speak of (else domains.json beside the first file)")
+  command.add_option("--domains", options.domains, "what commands speak of (else domains.json beside the first file)")
       .type_name("FILE")
       .group(group);
   command.add_option("--maps", options.maps, "maps of landmarks (else maps beside the first file)")

@@ -25,16 +25,13 @@ fs::path shipped_data() {
 fs::path data_directory(const std::string& option) {
   const char* variable = std::getenv("WAYMARK_DATA");
   const bool from_variable = option.empty() && variable != nullptr && *variable != '\0';
-  const fs::path directory = !option.empty() ? fs::path(option)
-                             : from_variable ? fs::path(variable)
-                                             : shipped_data();
+  const fs::path directory = !option.empty() ? fs::path(option) : from_variable ? fs::path(variable) : shipped_data();
   std::error_code ignored;
   if (fs::is_directory(directory, ignored)) return directory;
   const std::string_view origin = !option.empty() ? "--data"
                                   : from_variable ? "the environment variable WAYMARK_DATA"
                                                   : "the place of the executable";
-  throw ltl::FormatError(directory.string(), 0, 0,
-                         "no data directory here (named by " + std::string(origin) + ")");
+  throw ltl::FormatError(directory.string(), 0, 0, "no data directory here (named by " + std::string(origin) + ")");
 }
 
 fs::path helper(std::string_view name) {

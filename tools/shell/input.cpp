@@ -17,11 +17,9 @@ namespace {
 
 std::unique_ptr<std::istream> open(const std::string& path) {
   auto file = std::make_unique<std::ifstream>(path, std::ios::binary);
-  if (!*file)
-    throw ltl::FormatError(path, 0, 0, "cannot read the file: " + std::string(std::strerror(errno)));
+  if (!*file) throw ltl::FormatError(path, 0, 0, "cannot read the file: " + std::string(std::strerror(errno)));
   std::error_code ignored;
-  if (std::filesystem::is_directory(path, ignored))
-    throw ltl::FormatError(path, 0, 0, "is a directory, not a file");
+  if (std::filesystem::is_directory(path, ignored)) throw ltl::FormatError(path, 0, 0, "is a directory, not a file");
   return file;
 }
 
@@ -47,8 +45,7 @@ std::string read_file(const std::string& path) {
   return contents;
 }
 
-TextReader::TextReader(TextOptions options, const std::string& what)
-    : arguments_(std::move(options.arguments)) {
+TextReader::TextReader(TextOptions options, const std::string& what) : arguments_(std::move(options.arguments)) {
   const bool dash = arguments_.size() == 1 && arguments_[0] == "-";
   if (!options.file.empty() && !arguments_.empty())
     throw UsageError("give the " + what + " as an argument or with -F, not both");

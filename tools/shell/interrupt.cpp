@@ -21,8 +21,7 @@ volatile std::sig_atomic_t writer = -1;  // the handler's end of the pipe
 
 void put(char byte) {
   const int saved = errno;
-  [[maybe_unused]] const auto written =
-      ::write(writer, &byte, 1);  // the pipe is never full: nobody writes much
+  [[maybe_unused]] const auto written = ::write(writer, &byte, 1);  // the pipe is never full: nobody writes much
   errno = saved;
 }
 extern "C" void on_signal(int) { put(stop_byte); }

@@ -9,15 +9,13 @@ namespace waymark::tools {
 class Json {  // one value, as its text
  public:
   Json(std::string_view value);  // NOLINT(google-explicit-constructor): values read best without ceremony
-  Json(const char* value) : Json(std::string_view(value)) {}         // NOLINT(google-explicit-constructor)
-  Json(const std::string& value) : Json(std::string_view(value)) {}  // NOLINT(google-explicit-constructor)
-  Json(std::same_as<bool> auto value)
-      : text_(value ? "true" : "false") {}  // NOLINT(google-explicit-constructor)
+  Json(const char* value) : Json(std::string_view(value)) {}                // NOLINT(google-explicit-constructor)
+  Json(const std::string& value) : Json(std::string_view(value)) {}         // NOLINT(google-explicit-constructor)
+  Json(std::same_as<bool> auto value) : text_(value ? "true" : "false") {}  // NOLINT(google-explicit-constructor)
   template <typename Integer>
   requires(std::integral<Integer> && !std::same_as<Integer, bool>) Json(Integer value)
       : text_(std::to_string(value)) {}  // NOLINT(google-explicit-constructor)
-  Json(
-      double value);  // NOLINT(google-explicit-constructor): shortest text that reads back; infinity is "inf"
+  Json(double value);  // NOLINT(google-explicit-constructor): shortest text that reads back; infinity is "inf"
   Json() : text_("null") {}
   const std::string& text() const { return text_; }
 

@@ -17,9 +17,8 @@ void add_model_options(Command command, ModelOptions& options) {
 }
 
 parser::Grounder read_model(const ModelOptions& options, const std::string& data) {
-  const std::string file = options.file.empty()
-                               ? (data_directory(data) / "models" / "encoder-decoder.waymark").string()
-                               : options.file;
+  const std::string file =
+      options.file.empty() ? (data_directory(data) / "models" / "encoder-decoder.waymark").string() : options.file;
   if (file == "-") return parser::parse_grounder(read_file(file), source_name(file));
   return parser::load_grounder(file);
 }
@@ -27,8 +26,8 @@ parser::Grounder read_model(const ModelOptions& options, const std::string& data
 namespace {
 
 template <class Value>
-void add_choice(Command command, const std::string& name, Value& value,
-                const std::map<std::string, Value>& choices, const std::string& help) {
+void add_choice(Command command, const std::string& name, Value& value, const std::map<std::string, Value>& choices,
+                const std::string& help) {
   std::vector<std::string> names;
   for (const auto& [choice, meaning] : choices) names.push_back(choice);
   command
@@ -54,16 +53,14 @@ void add_network_options(Command command, parser::NetworkTraining& network) {
                             {"progression", FeedbackKind::Progression},
                             {"discriminating", FeedbackKind::Discriminating}},
                            "what is rewarded: plan (the default), progression, discriminating");
-  add_choice<ProgramSearch>(
-      command, "--search", network.search,
-      {{"consistent", ProgramSearch::Consistent}, {"beam", ProgramSearch::Beam}},
-      "where programs come from: consistent (the default), or the randomised beam alone");
+  add_choice<ProgramSearch>(command, "--search", network.search,
+                            {{"consistent", ProgramSearch::Consistent}, {"beam", ProgramSearch::Beam}},
+                            "where programs come from: consistent (the default), or the randomised beam alone");
   number("--rate", network.rate, "learning rate of Adam").positive();
   number("--epsilon", network.epsilon, "of the randomised beam").between(0.0, 1.0);
   number("--train-beam", network.beam, "places of the randomised beam").between(1, 1000);
   number("--beta", network.beta, "of the meritocratic objective").between(0.0, 1.0);
-  number("--least", network.least,
-         "consistent programs of less prior weight, compared with the best, are left out")
+  number("--least", network.least, "consistent programs of less prior weight, compared with the best, are left out")
       .between(0.0, 1.0);
   number("--batch", network.batch, "sentences a step").between(1, 10000);
   number("--dropout", network.dropout, "share of signals left out in training").between(0.0, 0.9);
@@ -80,13 +77,8 @@ std::string told_or_hidden(bool tell_place_numbers) { return tell_place_numbers 
 
 void add_training_options(Command command, TrainingOptions& options, const std::vector<std::string>& models) {
   parser::TrainOptions& train = options.train;
-  command.add_option("--model", options.model, "what is learned")
-      .type_name("KIND")
-      .one_of(models)
-      .show_default();
-  command.add_option("--seed", train.seed, "same seed, same machine, same bytes")
-      .type_name("N")
-      .show_default();
+  command.add_option("--model", options.model, "what is learned").type_name("KIND").one_of(models).show_default();
+  command.add_option("--seed", train.seed, "same seed, same machine, same bytes").type_name("N").show_default();
   command.add_option("--epochs", options.epochs, "passes over the sentences").type_name("N").between(1, 1000);
   command
       .add_option_function(
@@ -116,10 +108,9 @@ void add_training_options(Command command, TrainingOptions& options, const std::
       .type_name("N")
       .between(1, 1000)
       .show_default();
-  command.add_flag(
-      "--plain", options.plain,
-      "as the paper has it: no lexicon, no prior on wording, no mirror images, every route alike, "
-      "sentences as a whole");
+  command.add_flag("--plain", options.plain,
+                   "as the paper has it: no lexicon, no prior on wording, no mirror images, every route alike, "
+                   "sentences as a whole");
   add_network_options(command, train.network);
 }
 
@@ -159,14 +150,12 @@ std::vector<plan::Map> maps_of(const parser::Corpus& corpus, const std::string& 
 std::vector<plan::Map> shipped_maps(const std::string& data) {
   const auto directory = data_directory(data);
   std::vector<plan::Map> maps;
-  for (const std::string& name : plan::shipped_maps(directory))
-    maps.push_back(plan::read_map(name, directory));
+  for (const std::string& name : plan::shipped_maps(directory)) maps.push_back(plan::read_map(name, directory));
   return maps;
 }
 
-std::vector<parser::Reading> read_instruction(const parser::Grounder& model, const Text& text,
-                                              const plan::Map& map, std::span<const plan::PoseId> starts,
-                                              ltl::Arena& arena) {
+std::vector<parser::Reading> read_instruction(const parser::Grounder& model, const Text& text, const plan::Map& map,
+                                              std::span<const plan::PoseId> starts, ltl::Arena& arena) {
   auto readings = parser::ground(model, text.text, map, starts, arena);
   if (readings.empty())
     throw ltl::FormatError(text.source, text.source.empty() ? 0 : text.line, 0,

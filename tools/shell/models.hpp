@@ -45,8 +45,7 @@ std::vector<plan::Map> maps_of(const parser::Corpus& corpus, const std::string& 
 
 // The readings of one instruction on a map, at least one, best first. Throws ltl::FormatError when the text says
 // nothing that could be read.
-std::vector<parser::Reading> read_instruction(const parser::Grounder& model, const Text& text,
-                                              const plan::Map& map, std::span<const plan::PoseId> starts,
-                                              ltl::Arena& arena);
+std::vector<parser::Reading> read_instruction(const parser::Grounder& model, const Text& text, const plan::Map& map,
+                                              std::span<const plan::PoseId> starts, ltl::Arena& arena);
 
 }  // namespace waymark::tools

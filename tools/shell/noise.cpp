@@ -21,8 +21,7 @@ std::vector<double> chances(const std::string& text, const Shape& shape) {
   std::istringstream in(text);
   for (std::string part; out.size() < shape.most && std::getline(in, part, ',');) {
     std::istringstream number(part);
-    if (!(number >> out.emplace_back()) || !number.eof())
-      throw UsageError(shape.option + " takes " + shape.syntax);
+    if (!(number >> out.emplace_back()) || !number.eof()) throw UsageError(shape.option + " takes " + shape.syntax);
   }
   const double sum = std::accumulate(out.begin(), out.end(), 0.0);
   if (out.size() < shape.least || !in.eof() || !(sum < 1) || *std::min_element(out.begin(), out.end()) < 0)
@@ -45,9 +44,8 @@ void add_noise_options(Command command, NoiseOptions& options) {
 plan::MapNoise noise_of(const NoiseOptions& options) {
   plan::MapNoise noise;
   if (!options.forward.empty()) {
-    const auto c =
-        chances(options.forward, {"--slip", "LEFT,RIGHT or LEFT,RIGHT,BACK",
-                                  "two or three chances that leave something for going forward", 2, 3});
+    const auto c = chances(options.forward, {"--slip", "LEFT,RIGHT or LEFT,RIGHT,BACK",
+                                             "two or three chances that leave something for going forward", 2, 3});
     noise.forward = {.forward = 1 - c[0] - c[1] - c[2], .left = c[0], .right = c[1], .back = c[2]};
   }
   if (!options.turn.empty()) {

@@ -7,9 +7,7 @@
 namespace waymark::tools {
 
 void add_data_option(Command command, std::string& data) {
-  command
-      .add_option("--data", data,
-                  "directory of maps and models (else $WAYMARK_DATA, else beside the executable)")
+  command.add_option("--data", data, "directory of maps and models (else $WAYMARK_DATA, else beside the executable)")
       .type_name("DIR");
 }
 
@@ -20,13 +18,10 @@ void add_map_options(Command command, MapOptions& options) {
   add_data_option(command, options.data);
 }
 
-plan::Map read_map(const MapOptions& options) {
-  return plan::read_map(options.map, data_directory(options.data));
-}
+plan::Map read_map(const MapOptions& options) { return plan::read_map(options.map, data_directory(options.data)); }
 
 void add_start_option(Command command, std::string& start) {
-  command
-      .add_option("--start", start, "start pose; x,y alone: any heading (else the first place, facing north)")
+  command.add_option("--start", start, "start pose; x,y alone: any heading (else the first place, facing north)")
       .type_name("X,Y,HEADING");
 }
 
@@ -42,15 +37,12 @@ std::vector<plan::PoseId> start_poses(const std::string& start, const plan::Map&
 void add_text_options(Command command, TextOptions& options, const std::string& what) {
   command.add_option(what, options.arguments, "the " + what + "; - or nothing: standard input, one a line")
       .type_name("TEXT");
-  command
-      .add_option("-F,--file", options.file, "read from a file, one " + what + " a line; - is standard input")
+  command.add_option("-F,--file", options.file, "read from a file, one " + what + " a line; - is standard input")
       .type_name("FILE");
 }
 
 void add_notation_options(Command command, NotationOptions& options) {
-  command
-      .add_option("--dialect", options.dialect,
-                  "what X means at the end of a finite word: strong or (spot) weak")
+  command.add_option("--dialect", options.dialect, "what X means at the end of a finite word: strong or (spot) weak")
       .one_of({"waymark", "spot"})
       .show_default();
   command.add_option("--notation", options.notation, "how formulas are written")
@@ -76,8 +68,7 @@ ltl::Formula parse_formula(const Text& text, ltl::Arena& arena, const ltl::Parse
 }
 
 void add_letter_format_option(Command command, std::string& format) {
-  command
-      .add_option("--letter-format", format, "how letters are written: text, JSON lines, CSV with a header")
+  command.add_option("--letter-format", format, "how letters are written: text, JSON lines, CSV with a header")
       .one_of({"auto", "text", "json", "csv"})
       .show_default();
 }

@@ -73,8 +73,7 @@ void check_writable(const std::filesystem::path& path) {
   std::error_code ignored;
   if (std::filesystem::is_directory(path, ignored)) fail(path, EISDIR);
   const auto folder = path.has_parent_path() ? path.parent_path() : std::filesystem::path(".");
-  const bool device =
-      std::filesystem::exists(path, ignored) && !std::filesystem::is_regular_file(path, ignored);
+  const bool device = std::filesystem::exists(path, ignored) && !std::filesystem::is_regular_file(path, ignored);
   if (::access((device ? path : folder).c_str(), W_OK) != 0) fail(path, errno);
 }
 

@@ -30,8 +30,7 @@ class WorkerDeadline : public TextDeadline {
     if (also.stop_requested()) stop_.request_stop();
     passed_ = false;
     end_ = seconds > 0
-               ? Clock::now() +
-                     std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds))
+               ? Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds))
                : Clock::time_point::max();
     running_ = true;
   }
@@ -63,12 +62,7 @@ class Batch {
  public:
   Batch(TextReader& texts, const std::stop_token& stop, const ParallelOptions& options, const Replier& answer,
         const BadTextReply& bad)
-      : texts_(texts),
-        stop_(stop),
-        options_(options),
-        answer_(answer),
-        bad_(bad),
-        workers_(options.threads) {}
+      : texts_(texts), stop_(stop), options_(options), answer_(answer), bad_(bad), workers_(options.threads) {}
 
   ExitCode run() {
     const std::stop_callback interrupted(stop_, [this] {
@@ -77,10 +71,8 @@ class Batch {
     });
     {
       std::jthread watch;
-      if (options_.seconds > 0)
-        watch = std::jthread([this](const std::stop_token& over) { keep_time(over); });
-      ltl::parallel_for(workers_.size(), workers_.size(),
-                        [this](std::size_t i, std::size_t) { work(workers_[i]); });
+      if (options_.seconds > 0) watch = std::jthread([this](const std::stop_token& over) { keep_time(over); });
+      ltl::parallel_for(workers_.size(), workers_.size(), [this](std::size_t i, std::size_t) { work(workers_[i]); });
     }
     if (stop_.stop_requested()) throw Interrupted();
     if (taken_ == 0) throw ltl::FormatError(texts_.source(), 0, 0, "there is nothing to read");

@@ -47,8 +47,7 @@ Called add_subcommands(CLI::App& app, std::span<const Subcommand> rows, std::str
 
 CommandText described(const Subcommand& row) {
   CLI::App app{row.summary};
-  const Runner kept =
-      row.setup != nullptr ? row.setup(Command(app)) : Runner();  // owns what the options fill
+  const Runner kept = row.setup != nullptr ? row.setup(Command(app)) : Runner();  // owns what the options fill
   CommandText out{row.name, row.summary, Command(app).options(), {}};
   std::istringstream lines(row.examples != nullptr ? row.examples : "");
   for (std::string line; std::getline(lines, line);) out.examples.push_back("waymark " + line);
@@ -73,8 +72,7 @@ void reject_unknown_subcommand(std::span<const Subcommand> rows, int argc, char*
 
 ExitCode run_subcommand(std::span<const Subcommand> rows, int argc, char** argv) {
   reject_unknown_subcommand(rows, argc, argv);
-  if (argc == 3 &&
-      std::string_view(argv[1]) == "--write-shell-files") {  // of the build: cmake/WaymarkInstall.cmake
+  if (argc == 3 && std::string_view(argv[1]) == "--write-shell-files") {  // of the build: cmake/WaymarkInstall.cmake
     std::vector<CommandText> commands;
     for (const Subcommand& row : rows) commands.push_back(described(row));
     write_shell_files(commands, argv[2]);
@@ -120,8 +118,7 @@ ExitCode guarded(const std::function<ExitCode()>& run) {
   } catch (const std::bad_alloc&) {
     complain("error", "out of memory");
     return ExitCode::GaveUp;
-  } catch (
-      const std::exception& error) {  // an assertion of ours that did not hold: said so, never passed over
+  } catch (const std::exception& error) {  // an assertion of ours that did not hold: said so, never passed over
     complain("error", std::string("this is a bug in waymark: ") + error.what());
     return ExitCode::OurBug;
   }

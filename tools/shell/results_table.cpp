@@ -157,8 +157,7 @@ JsonArray published_results() {
   return rows;
 }
 
-Scores scores_of_staying(const parser::Corpus& corpus, std::span<const plan::Map> maps, bool absolute,
-                         bool relative) {
+Scores scores_of_staying(const parser::Corpus& corpus, std::span<const plan::Map> maps, bool absolute, bool relative) {
   Scores all;
   for (const plan::Map& map : maps)
     for (const parser::Convention convention : {parser::Convention::Absolute, parser::Convention::Relative})
@@ -219,11 +218,8 @@ void print_results(const std::string& first, std::span<const ResultRow> rows) {
 
 void print_published_results() {
   std::cout << "\npublished, for the whole corpus; path on masks that are not defined\n"
-            << std::string(name_width, ' ')
-            << "  sentence paragraph precision    recall  accuracy  start heading\n";
-  const auto cell = [](double value) {
-    std::cout << std::setw(10) << (std::isnan(value) ? "-" : fixed(value, 2));
-  };
+            << std::string(name_width, ' ') << "  sentence paragraph precision    recall  accuracy  start heading\n";
+  const auto cell = [](double value) { std::cout << std::setw(10) << (std::isnan(value) ? "-" : fixed(value, 2)); };
   for (const Published& row : published) {
     std::cout << std::left << std::setw(name_width) << row.name << std::right;
     cell(row.sentence), cell(row.paragraph);

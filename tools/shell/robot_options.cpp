@@ -23,9 +23,8 @@ plan::Robot robot_of(const RobotOptions& options) {
 
 void add_search_options(Command command, SearchOptions& options) {
   command
-      .add_option(
-          "--planner", options.planner,
-          "route: the discrete route first, then a motion along it; ltl: OMPL's LTLPlanner on the automaton")
+      .add_option("--planner", options.planner,
+                  "route: the discrete route first, then a motion along it; ltl: OMPL's LTLPlanner on the automaton")
       .one_of({"route", "ltl"})
       .show_default();
   command.add_option("--sampler", options.sampler, "of legs that need it: Informed RRT* or BIT*")
@@ -34,9 +33,7 @@ void add_search_options(Command command, SearchOptions& options) {
   command.add_option("--iterations", options.iterations, "of sampling, for each leg that needs it")
       .between(1, 10'000'000)
       .show_default();
-  command
-      .add_option("--seed", options.seed,
-                  "of the sampling; the same seed gives the same motion (not with ltl)")
+  command.add_option("--seed", options.seed, "of the sampling; the same seed gives the same motion (not with ltl)")
       .show_default();
   command.add_option("--seconds", options.seconds, "that the planner ltl is given").positive().show_default();
 }
@@ -65,8 +62,7 @@ std::vector<std::string> arguments_of(const RobotOptions& robot, const SearchOpt
 
 JsonArray line_of(const plan::Motion& motion) {
   JsonArray line;
-  for (const plan::Configuration& c : motion.configurations)
-    line.add(JsonArray().add(c.x).add(c.y).add(c.heading));
+  for (const plan::Configuration& c : motion.configurations) line.add(JsonArray().add(c.x).add(c.y).add(c.heading));
   return line;
 }
 
@@ -76,10 +72,8 @@ void add_robot(JsonObject& json, const plan::Robot& robot) {
     return;
   }
   const auto& car = std::get<plan::Car>(robot);
-  json.add("car", JsonObject()
-                      .add("length", car.length)
-                      .add("width", car.width)
-                      .add("turning_radius", car.turning_radius));
+  json.add("car",
+           JsonObject().add("length", car.length).add("width", car.width).add("turning_radius", car.turning_radius));
 }
 
 std::string in_words(const plan::Robot& robot) {

@@ -20,8 +20,7 @@ std::string joined(const std::vector<std::string>& parts, const std::string& bet
 
 std::vector<std::string> flags_of(const CommandText& command) {
   std::vector<std::string> out;
-  for (const OptionText& option : command.options)
-    out.insert(out.end(), option.names.begin(), option.names.end());
+  for (const OptionText& option : command.options) out.insert(out.end(), option.names.begin(), option.names.end());
   return out;
 }
 
@@ -70,8 +69,7 @@ std::string zsh(std::span<const CommandText> commands) {
   std::string out =
       "#compdef waymark\n# zsh completion of waymark; made by the build\n"
       "_waymark() {\n  local -a commands\n  commands=(\n";
-  for (const CommandText& command : commands)
-    out += "    '" + command.name + ":" + zsh_text(command.summary) + "'\n";
+  for (const CommandText& command : commands) out += "    '" + command.name + ":" + zsh_text(command.summary) + "'\n";
   out +=
       "  )\n  if ((CURRENT == 2)); then\n    _describe 'subcommand' commands\n    return\n  fi\n"
       "  case $words[2] in\n";
@@ -103,8 +101,8 @@ std::string fish_text(const std::string& text) {
 std::string fish(std::span<const CommandText> commands) {
   std::string out = "# fish completion of waymark; made by the build\n";
   for (const CommandText& command : commands) {
-    out += "complete -c waymark -n __fish_use_subcommand -a " + command.name + " -d '" +
-           fish_text(command.summary) + "'\n";
+    out += "complete -c waymark -n __fish_use_subcommand -a " + command.name + " -d '" + fish_text(command.summary) +
+           "'\n";
     for (const OptionText& option : command.options) {
       if (option.names.empty()) continue;
       out += "complete -c waymark -n '__fish_seen_subcommand_from " + command.name + "'";
@@ -137,9 +135,8 @@ std::string heading(const std::string& page) {
 
 std::string manual_page(const CommandText& command) {
   const std::string page = "waymark-" + command.name;
-  std::string out = heading(page) + troff(page) + " \\- " + troff(command.summary) +
-                    "\n.SH SYNOPSIS\n.B waymark " + troff(command.name) +
-                    "\n[options] [arguments]\n.SH OPTIONS\n";
+  std::string out = heading(page) + troff(page) + " \\- " + troff(command.summary) + "\n.SH SYNOPSIS\n.B waymark " +
+                    troff(command.name) + "\n[options] [arguments]\n.SH OPTIONS\n";
   for (const OptionText& option : command.options) {
     out += ".TP\n.B " + troff(option.names.empty() ? option.place : joined(option.names, ", "));
     if (!option.value.empty()) out += " \\fI" + troff(option.value) + "\\fR";

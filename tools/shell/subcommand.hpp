@@ -28,8 +28,7 @@ struct Subcommand {  // a row in the table of a program
 // What `waymark` and its helpers say of commands that the helpers run.
 inline constexpr const char* serve_summary = "the studio, a page in the browser to see what formulas mean";
 inline constexpr const char* serve_examples = "serve\nserve --port 8080";
-inline constexpr const char* experiment_summary =
-    "a whole table of results, which goes on where it was stopped";
+inline constexpr const char* experiment_summary = "a whole table of results, which goes on where it was stopped";
 inline constexpr const char* tune_summary = "which settings of training validate best";
 inline constexpr const char* experiment_examples =
     "experiment feedback-cost --sentences 2 --candidates 4\n"

@@ -45,14 +45,12 @@ std::string Terminal::paint(Paint how, std::string_view text) const {
 
 Terminal terminal_of(int file_descriptor) {
   if (::isatty(file_descriptor) == 0) return {};
-  return {.colour = environment("NO_COLOR").empty() && environment("TERM") != "dumb",
-          .unicode = utf8_locale()};
+  return {.colour = environment("NO_COLOR").empty() && environment("TERM") != "dumb", .unicode = utf8_locale()};
 }
 
 void complain(std::string_view label, std::string_view message) {
   std::cout.flush();
-  std::cerr << terminal_of(STDERR_FILENO).paint(Paint::Red, std::string(label) + ":") << ' ' << message
-            << '\n';
+  std::cerr << terminal_of(STDERR_FILENO).paint(Paint::Red, std::string(label) + ":") << ' ' << message << '\n';
 }
 
 ProgressBar::ProgressBar() : visible_(::isatty(STDERR_FILENO) != 0 && environment("TERM") != "dumb") {}
@@ -73,8 +71,8 @@ void ProgressBar::show(double fraction, std::string_view what) {
   constexpr int width = 30;
   const int full = static_cast<int>(std::clamp(fraction, 0.0, 1.0) * width);
   std::cerr << "\r\x1b[K[" << std::string(static_cast<std::size_t>(full), '#')
-            << std::string(static_cast<std::size_t>(width - full), ' ') << "] " << fixed(100 * fraction, 0)
-            << " %  " << what << std::flush;
+            << std::string(static_cast<std::size_t>(width - full), ' ') << "] " << fixed(100 * fraction, 0) << " %  "
+            << what << std::flush;
 }
 
 bool stdin_is_terminal() { return ::isatty(STDIN_FILENO) != 0; }
@@ -89,8 +87,7 @@ std::string hexadecimal(std::uint64_t value) {
 std::string fixed(double value, int digits) {
   std::array<char, 400> buffer{};  // the longest double has 309 digits before the point
   const auto end =
-      std::to_chars(buffer.data(), buffer.data() + buffer.size(), value, std::chars_format::fixed, digits)
-          .ptr;
+      std::to_chars(buffer.data(), buffer.data() + buffer.size(), value, std::chars_format::fixed, digits).ptr;
   return {buffer.data(), end};
 }
 

@@ -38,8 +38,7 @@ constexpr std::array endpoints{
     Endpoint{"/api/learn", learn_task},
 };
 
-JsonObject dispatch(std::string_view method, std::string_view path, std::string_view body,
-                    const Context& context) {
+JsonObject dispatch(std::string_view method, std::string_view path, std::string_view body, const Context& context) {
   const bool lists = path == "/api/maps";
   if (lists && method == "GET") return list_maps(context);
   if (lists && method == "POST") {
@@ -60,9 +59,7 @@ ApiAnswer failure(int status, const std::string& kind, const std::string& messag
 // Places are counted in characters, as a page counts them.
 ApiAnswer failure(const ltl::SyntaxError& error, std::string_view body) {
   const std::string text = Request(body).text_or("formula", "");
-  const auto characters = [&](std::size_t bytes) {
-    return ltl::utf8_length(std::string_view(text).substr(0, bytes));
-  };
+  const auto characters = [&](std::size_t bytes) { return ltl::utf8_length(std::string_view(text).substr(0, bytes)); };
   return {422, JsonObject()
                    .add("error", JsonObject()
                                      .add("kind", "syntax")

@@ -21,12 +21,10 @@ class Api {
   static constexpr double most_seconds = 10;  // of one request
   static constexpr int most_at_once = 8;      // requests; one more is turned away
 
-  Api(parser::Grounder reader, const std::filesystem::path& data)
-      : reader_(std::move(reader)), worlds_(data) {}
+  Api(parser::Grounder reader, const std::filesystem::path& data) : reader_(std::move(reader)), worlds_(data) {}
 
   // method: "GET" or "POST". Thread-safe; never throws.
-  ApiAnswer answer(std::string_view method, std::string_view path, std::string_view body,
-                   const std::stop_token& stop);
+  ApiAnswer answer(std::string_view method, std::string_view path, std::string_view body, const std::stop_token& stop);
 
  private:
   ApiAnswer answer_within(std::string_view method, std::string_view path, std::string_view body,

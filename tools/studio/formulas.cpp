@@ -44,10 +44,9 @@ Json drawing(const std::optional<std::string>& dot) {
   const auto laid_out = render::lay_out(*dot);
   if (!laid_out) return Json();
   render::Svg svg;
-  svg.open("svg", "xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 " + render::number(laid_out->width) +
-                      ' ' + render::number(laid_out->height) + "\" width=\"" +
-                      render::number(laid_out->width) + "\" height=\"" + render::number(laid_out->height) +
-                      '"');
+  svg.open("svg", "xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 " + render::number(laid_out->width) + ' ' +
+                      render::number(laid_out->height) + "\" width=\"" + render::number(laid_out->width) +
+                      "\" height=\"" + render::number(laid_out->height) + '"');
   svg.raw(laid_out->content);
   svg.close("svg");
   return svg.str();
@@ -97,8 +96,7 @@ JsonObject explain_formula(const Request& request, const Context& context) {
   const auto semantics = semantics_of(request);
   try {
     const automata::TranslationLimits limits{.stop = context.stop};
-    return tools::json_of(tools::explain(written.formula, semantics, true, limits), written.formula,
-                          semantics);
+    return tools::json_of(tools::explain(written.formula, semantics, true, limits), written.formula, semantics);
   } catch (const tools::ExplanationLimit&) {
     throw tools::GaveUp("no automaton within the limits");
   }
@@ -110,8 +108,7 @@ JsonObject translate_formula(const Request& request, const Context& context) {
   const std::string format = request.one_of("format", {"hoa", "dot", "never", "lbtt", "ba", "tsv"});
   const tools::Translation& translation = tools::find_translation(semantics, request.text_or("to", ""));
   const tools::Translated made = translation.run(written.formula, {.stop = context.stop});
-  if (std::holds_alternative<automata::Exhausted>(made))
-    throw tools::GaveUp("no automaton within the limits");
+  if (std::holds_alternative<automata::Exhausted>(made)) throw tools::GaveUp("no automaton within the limits");
   const tools::Shown about{.name = ltl::print(written.formula),
                            .unicode_name = ltl::print(written.formula, ltl::Style::Unicode),
                            .semantics = semantics};
@@ -126,9 +123,7 @@ JsonObject translate_formula(const Request& request, const Context& context) {
     tools::Reply operator()(const automata::TranslatedForMdps& ldba) const {
       return tools::show(ldba.automaton, about, output);
     }
-    tools::Reply operator()(const automata::Exhausted&) const {
-      throw std::logic_error("no automaton to show");
-    }
+    tools::Reply operator()(const automata::Exhausted&) const { throw std::logic_error("no automaton to show"); }
   };
   const tools::Reply reply = std::visit(Show{about, output}, made);
   if (!reply.problem.empty()) throw tools::GaveUp(reply.problem);
@@ -137,8 +132,7 @@ JsonObject translate_formula(const Request& request, const Context& context) {
 
 JsonObject draw_automaton(const Request& request, const Context& context) {
   const Written written(request, context);
-  if (semantics_of(request) == ltl::Semantics::Finite)
-    return drawn(tools::translate(written.formula, context.stop));
+  if (semantics_of(request) == ltl::Semantics::Finite) return drawn(tools::translate(written.formula, context.stop));
   const auto automaton = plan::lasso_automaton(written.formula, {.stop = context.stop});
   if (!automaton) throw tools::GaveUp("no automaton within the limits");
   return drawn(*automaton);

@@ -16,8 +16,7 @@ bool is_literal_address(std::string_view host) {
   const auto all = [&](std::string_view allowed) {
     return !host.empty() && host.find_first_not_of(allowed) == std::string_view::npos;
   };
-  return all("0123456789.") ||
-         (host.starts_with('[') && host.ends_with(']') && all("0123456789abcdefABCDEF:[]"));
+  return all("0123456789.") || (host.starts_with('[') && host.ends_with(']') && all("0123456789abcdefABCDEF:[]"));
 }
 
 bool names_us(const Access& access, std::string_view host) {
@@ -39,9 +38,7 @@ bool equal(std::string_view a, std::string_view b) {
 
 }  // namespace
 
-bool is_loopback(std::string_view host) {
-  return host == "127.0.0.1" || host == "localhost" || host == "::1";
-}
+bool is_loopback(std::string_view host) { return host == "127.0.0.1" || host == "localhost" || host == "::1"; }
 
 std::string new_token() {
   std::random_device device;

@@ -65,16 +65,12 @@ JsonObject json_of(const World& world) {
 
 }  // namespace
 
-JsonObject list_maps(const Context& context) {
-  return JsonObject().add("maps", json_of(context.worlds.names()));
-}
+JsonObject list_maps(const Context& context) { return JsonObject().add("maps", json_of(context.worlds.names())); }
 
 JsonObject show_map(const Request& request, const Context& context) {
   return json_of(*context.worlds.of(request.text_or("map", "grid")));
 }
 
-JsonObject add_map(std::string_view file, const Context& context) {
-  return json_of(*context.worlds.add(file));
-}
+JsonObject add_map(std::string_view file, const Context& context) { return json_of(*context.worlds.add(file)); }
 
 }  // namespace waymark::studio

@@ -43,8 +43,7 @@ std::string Request::text(const std::string& name) const {
   if (!value.is_string()) reject("'" + name + "': expected a text");
   const auto& text = value.get_ref<const std::string&>();
   if (text.size() > most_text)
-    throw RequestError(413, "too large",
-                       "'" + name + "' has more than " + std::to_string(most_text) + " bytes");
+    throw RequestError(413, "too large", "'" + name + "' has more than " + std::to_string(most_text) + " bytes");
   return text;
 }
 
@@ -84,8 +83,7 @@ plan::Trajectory Request::trajectory(const std::string& name, const plan::Map& m
   const nlohmann::json& poses = (*members_)[name];
   if (!poses.is_array() || poses.empty()) reject("'" + name + "': expected a list of poses");
   if (poses.size() > most_poses)
-    throw RequestError(413, "too large",
-                       "'" + name + "' has more than " + std::to_string(most_poses) + " poses");
+    throw RequestError(413, "too large", "'" + name + "' has more than " + std::to_string(most_poses) + " poses");
   plan::Trajectory walk;
   for (std::size_t i = 0; i < poses.size(); ++i) {
     const std::string where = name + "[" + std::to_string(i) + "]";
@@ -105,9 +103,8 @@ plan::Trajectory Request::trajectory(const std::string& name, const plan::Map& m
 ltl::Formula formula_of(const Request& request, ltl::Arena& arena) {
   const ltl::Formula formula = ltl::parse(request.text("formula"), arena, {.unknown = ltl::Unknown::Reject});
   if (ltl::tree_size(formula) > most_formula)
-    throw RequestError(
-        413, "too large",
-        "'formula' has more than " + std::to_string(most_formula) + " operators, bounds spelled out");
+    throw RequestError(413, "too large",
+                       "'formula' has more than " + std::to_string(most_formula) + " operators, bounds spelled out");
   return formula;
 }
 

@@ -25,8 +25,7 @@ ExitCode run_serve(const ServeOptions& options, const Session& session) {
   studio::Server server(access, api);
   std::cout << "The studio is at " << studio::address_of(server.access()) << "\n";
   if (!access.token.empty())
-    std::cout
-        << "Others on the network reach it, and what they send is not encrypted; the token lets them in.\n";
+    std::cout << "Others on the network reach it, and what they send is not encrypted; the token lets them in.\n";
   std::cout << "Ctrl-C ends it.\n" << std::flush;
   // Idle connections would hold their threads for seconds, and nothing is left to be written.
   const std::stop_callback end(session.stop, [] { std::_Exit(static_cast<int>(ExitCode::Done)); });

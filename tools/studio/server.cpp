@@ -30,8 +30,7 @@ RequestHead head_of(const httplib::Request& request, const std::string (&values)
 
 std::optional<Refusal> refusal_of(const Access& access, const httplib::Request& request) {
   const std::string values[5] = {request.get_header_value("Host"), request.get_header_value("Origin"),
-                                 request.get_header_value("Sec-Fetch-Site"),
-                                 request.get_header_value("Content-Type"),
+                                 request.get_header_value("Sec-Fetch-Site"), request.get_header_value("Content-Type"),
                                  request.get_header_value("Authorization")};
   return refusal(access, head_of(request, values));
 }
@@ -91,14 +90,12 @@ class Server::Listener {
       response.set_content(error_json("refused", refused->reason), json_type);
       return Next::Handled;
     });
-    const httplib::Server::HandlerWithResponse explain = [](const httplib::Request&,
-                                                            httplib::Response& response) {
+    const httplib::Server::HandlerWithResponse explain = [](const httplib::Request&, httplib::Response& response) {
       if (!response.body.empty()) return Next::Unhandled;
       const bool large = response.status == 413;
-      response.set_content(
-          error_json(large ? "too large" : "request",
-                     large ? "the request has more than 1 MiB" : "the request is not answered"),
-          json_type);
+      response.set_content(error_json(large ? "too large" : "request",
+                                      large ? "the request has more than 1 MiB" : "the request is not answered"),
+                           json_type);
       return Next::Handled;
     };
     server_.set_error_handler(explain);
@@ -118,8 +115,7 @@ class Server::Listener {
   // The files of the page are looked up among those that are embedded: no path leads to the machine.
   static void answer_page(const httplib::Request& request, httplib::Response& response) {
     const auto all = assets();
-    const auto asset =
-        std::find_if(all.begin(), all.end(), [&](const Asset& a) { return a.path == request.path; });
+    const auto asset = std::find_if(all.begin(), all.end(), [&](const Asset& a) { return a.path == request.path; });
     if (asset == all.end()) {
       response.status = 404;
       response.set_content("not found\n", "text/plain");

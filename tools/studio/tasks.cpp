@@ -27,8 +27,7 @@ std::vector<plan::PoseId> starts_of(const Request& request, const plan::Map& map
 }
 
 // The readings as a page shows them: in mathematical notation and in English.
-JsonArray shown(const std::vector<parser::Reading>& readings, ltl::Semantics semantics,
-                const plan::Map& map) {
+JsonArray shown(const std::vector<parser::Reading>& readings, ltl::Semantics semantics, const plan::Map& map) {
   JsonArray out;
   for (std::size_t i = 0; i < std::min(readings.size(), shown_readings); ++i)
     out.add(JsonObject()
@@ -51,8 +50,7 @@ JsonObject route_answer(const tools::Heard& heard, double grounding, const std::
   const double translating = watch.lap();
   tools::Answer answer = tools::answer_of(heard, dfa, stop);
   if (heard.readings.size() > 1)
-    answer.alternatives =
-        tools::json_of(tools::alternatives(heard.readings, heard.map, heard.starts, stop), heard.map);
+    answer.alternatives = tools::json_of(tools::alternatives(heard.readings, heard.map, heard.starts, stop), heard.map);
   answer.corridor_run.seconds.ground = grounding;
   answer.corridor_run.seconds.translate = translating;
   return tools::json_of(answer, heard.map);
@@ -94,8 +92,7 @@ JsonObject run_instruction(const Request& request, const Context& context) {
   const tools::Heard heard{no_id, text, map, starts, understood.readings, shown_readings};
   const bool infinite = semantics == "infinite" || (semantics == "auto" && understood.ongoing);
   const auto kind = infinite ? ltl::Semantics::Infinite : ltl::Semantics::Finite;
-  JsonObject out =
-      infinite ? lasso_answer(heard, context.stop) : route_answer(heard, grounding, context.stop);
+  JsonObject out = infinite ? lasso_answer(heard, context.stop) : route_answer(heard, grounding, context.stop);
   return out.add("shown", shown(understood.readings, kind, map));
 }
 
@@ -144,8 +141,7 @@ JsonObject draw_plan(const Request& request, const Context& context) {
   }
   const automata::Dfa dfa = tools::translate(task.formula, context.stop);
   picture.dfa = &dfa;
-  picture.route =
-      tools::shown(tools::run_corridor(task.world->map, dfa, task.formula, task.starts, context.stop));
+  picture.route = tools::shown(tools::run_corridor(task.world->map, dfa, task.formula, task.starts, context.stop));
   return JsonObject().add("svg", tools::drawn(picture).svg);
 }
 

@@ -67,8 +67,7 @@ JsonArray poses_json(const plan::ProductMdp<plan::Mdp>& product, const plan::Dec
   return out;
 }
 
-plan::ProductMdp<plan::Mdp> explored(const plan::Mdp& mdp, const plan::TaskTable& table,
-                                     const std::stop_token& stop) {
+plan::ProductMdp<plan::Mdp> explored(const plan::Mdp& mdp, const plan::TaskTable& table, const std::stop_token& stop) {
   auto product = plan::ProductMdp<plan::Mdp>::explore(mdp, table, most_pairs, stop);
   if (stop.stop_requested()) throw tools::Interrupted();
   if (!product) throw tools::GaveUp("the product with the map is too large");
@@ -128,8 +127,7 @@ JsonObject learn_task(const Request& request, const Context& context) {
   const auto steps = static_cast<std::size_t>(request.number_or("steps", 5'000, 100, 50'000));
   const auto run = static_cast<std::size_t>(request.number_or("seed", 1, 1, 1'000)) - 1;
   const automata::Dfa dfa = tools::translate(task.formula, context.stop);
-  const plan::LearningTask learning(task.world->map, dfa, task.formula, {&task.start, 1},
-                                    {.noise = task.noise});
+  const plan::LearningTask learning(task.world->map, dfa, task.formula, {&task.start, 1}, {.noise = task.noise});
   const plan::PolicyValue best = learning.optimum().value;
   JsonObject out;
   out.add("formula", ltl::print(task.formula))
@@ -140,8 +138,7 @@ JsonObject learn_task(const Request& request, const Context& context) {
                           .add("cost", std::isinf(best.cost) ? Json() : Json(best.cost)));
   JsonArray points;
   if (best.probability > 0 && !learning.product().is_over()) {
-    const tools::Protocol protocol{
-        .seeds = 1, .steps = steps, .interval = std::max<std::size_t>(1, steps / 50)};
+    const tools::Protocol protocol{.seeds = 1, .steps = steps, .interval = std::max<std::size_t>(1, steps / 50)};
     const auto curve = learning.run(method, tools::training_of(method, protocol, run, context.stop));
     if (context.stop.stop_requested()) throw tools::Interrupted();
     for (const plan::Checkpoint& at : curve.checkpoints)

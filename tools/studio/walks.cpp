@@ -92,13 +92,11 @@ JsonObject check_finite(const Request& request, const Context& context) {
 }
 
 // Every state in which a run on the letters so far may be.
-std::vector<automata::StateId> after(const automata::Automaton& automaton,
-                                     const std::vector<automata::StateId>& states,
+std::vector<automata::StateId> after(const automata::Automaton& automaton, const std::vector<automata::StateId>& states,
                                      const ltl::Letter& letter) {
   std::vector<automata::StateId> out;
   for (const automata::StateId q : states)
-    for (const automata::Branch& branch : automaton.next(q, letter))
-      out.push_back(automata::StateId{branch.target});
+    for (const automata::Branch& branch : automaton.next(q, letter)) out.push_back(automata::StateId{branch.target});
   std::sort(out.begin(), out.end());
   out.erase(std::unique(out.begin(), out.end()), out.end());
   return out;
@@ -111,8 +109,8 @@ JsonObject check_infinite(const Request& request, const Context& context) {
   const auto automaton = plan::lasso_automaton(walked.formula, {.stop = context.stop});
   if (!automaton) throw tools::GaveUp("no automaton within the limits");
   const std::size_t actions = walked.walk.actions.size();
-  const auto cycle = static_cast<std::size_t>(
-      request.number_or("cycle", 0, 0, static_cast<double>(walked.walk.actions.size())));
+  const auto cycle =
+      static_cast<std::size_t>(request.number_or("cycle", 0, 0, static_cast<double>(walked.walk.actions.size())));
   std::optional<bool> satisfied;
   if (cycle > 0) {
     if (walked.walk.poses[actions - cycle] != walked.walk.poses.back())

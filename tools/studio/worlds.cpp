@@ -20,9 +20,9 @@ std::string name_of_contents(std::string_view text) {
 }
 
 int extent(const std::vector<plan::Node>& nodes, int plan::Node::*coordinate) {
-  const auto [least, most] = std::minmax_element(
-      nodes.begin(), nodes.end(),
-      [&](const plan::Node& a, const plan::Node& b) { return a.*coordinate < b.*coordinate; });
+  const auto [least, most] =
+      std::minmax_element(nodes.begin(), nodes.end(),
+                          [&](const plan::Node& a, const plan::Node& b) { return a.*coordinate < b.*coordinate; });
   return (*most).*coordinate - (*least).*coordinate;
 }
 
@@ -42,11 +42,9 @@ std::vector<std::string> Worlds::names() const {
 
 std::shared_ptr<const World> Worlds::of(const std::string& id) const {
   const auto is_it = [&](const std::shared_ptr<const World>& world) { return world->id == id; };
-  if (const auto found = std::find_if(shipped_.begin(), shipped_.end(), is_it); found != shipped_.end())
-    return *found;
+  if (const auto found = std::find_if(shipped_.begin(), shipped_.end(), is_it); found != shipped_.end()) return *found;
   const std::lock_guard lock(mutex_);
-  if (const auto found = std::find_if(given_.begin(), given_.end(), is_it); found != given_.end())
-    return *found;
+  if (const auto found = std::find_if(given_.begin(), given_.end(), is_it); found != given_.end()) return *found;
   throw RequestError(404, "no such map",
                      id.starts_with("given-") ? "this map is no longer there: hand its file over again"
                                               : "there is no map of that name");

@@ -23,10 +23,9 @@ namespace fs = std::filesystem;
 std::vector<fs::path> files_of(const fs::path& directory) {
   std::vector<fs::path> files;
   std::error_code error;
-  if (!fs::is_directory(directory, error))
-    throw ltl::FormatError(directory.string(), 0, 0, "is no directory");
-  for (fs::recursive_directory_iterator at(directory, error);
-       !error && at != fs::recursive_directory_iterator(); at.increment(error))
+  if (!fs::is_directory(directory, error)) throw ltl::FormatError(directory.string(), 0, 0, "is no directory");
+  for (fs::recursive_directory_iterator at(directory, error); !error && at != fs::recursive_directory_iterator();
+       at.increment(error))
     if (std::error_code unknown; at->is_regular_file(unknown)) files.push_back(at->path());
   if (error) throw ltl::FormatError(directory.string(), 0, 0, "cannot be read: " + error.message());
   std::sort(files.begin(), files.end());
@@ -83,8 +82,8 @@ class Import {
   ImportedCorpus run() {
     read_maps();
     const bool xml = has("SingleSentence.xml") || has("Paragraph.xml");
-    const bool settrc = std::any_of(files_.begin(), files_.end(),
-                                    [](const fs::path& f) { return f.extension() == ".settrc"; });
+    const bool settrc =
+        std::any_of(files_.begin(), files_.end(), [](const fs::path& f) { return f.extension() == ".settrc"; });
     if (xml)
       read_xml();
     else if (settrc)
@@ -120,8 +119,7 @@ class Import {
       if (file.extension() != ".xml" || file.filename().string().rfind("map-", 0) != 0) continue;
       ReleasedMap map = parse_xml_map(text_of(file), file.string());
       const auto numbered = [](const ReleasedMap& m) {
-        return std::any_of(m.nodes.begin(), m.nodes.end(),
-                           [](const plan::Node& n) { return n.place.has_value(); });
+        return std::any_of(m.nodes.begin(), m.nodes.end(), [](const plan::Node& n) { return n.place.has_value(); });
       };
       std::set<int> numbers;
       for (const plan::Node& n : map.nodes)
@@ -182,8 +180,7 @@ class Import {
     number_places();
   }
 
-  ReleasedParagraph& add_paragraph(const XmlExample& example, const std::string& number,
-                                   const std::string& file) {
+  ReleasedParagraph& add_paragraph(const XmlExample& example, const std::string& number, const std::string& file) {
     ReleasedParagraph& p = paragraphs_.emplace_back();
     p.id = paragraph_name(example.file_name);
     p.map = example.map;
@@ -234,8 +231,7 @@ class Import {
   std::optional<plan::Pose> place(const ReleasedMap& map, int number, ReleasedParagraph& p) {
     const auto at = place_of(map, number);
     if (!at)
-      note(p, p.file, p.line, "unknown-place",
-           "the map " + map.name + " has no place " + std::to_string(number));
+      note(p, p.file, p.line, "unknown-place", "the map " + map.name + " has no place " + std::to_string(number));
     return at;
   }
 
@@ -251,8 +247,7 @@ class Import {
         report(p.file, p.line, "repeated", p.id + ": left out, as in " + where(kept[*same]));
         continue;
       }
-      if (!before.empty())
-        note(p, p.file, p.line, "name-twice", "says something else in " + where(kept[before[0]]));
+      if (!before.empty()) note(p, p.file, p.line, "name-twice", "says something else in " + where(kept[before[0]]));
       before.push_back(kept.size());
       kept.push_back(std::move(p));
     }
@@ -292,8 +287,7 @@ ImportedCorpus import_lines(const fs::path& directory) {
   out.instructions = read_corpus_file(file);
   out.paragraphs = corpus.paragraphs.size();
   out.sentences = corpus.sentences();
-  for (const fs::path& map : map_files(directory))
-    out.maps.emplace(map.stem().string(), read_corpus_file(map));
+  for (const fs::path& map : map_files(directory)) out.maps.emplace(map.stem().string(), read_corpus_file(map));
   std::map<std::string, ReleasedMap> maps;
   for (const plan::Map& map : corpus.maps) maps.emplace(map.name(), released(map));
   for (auto& [paragraph, start_place, flags] : parse_lines(out.instructions, file)) {
@@ -302,8 +296,7 @@ ImportedCorpus import_lines(const fs::path& directory) {
     auto found = find_irregularities(paragraph, map == maps.end() ? nullptr : &map->second);
     if (maps.empty()) std::erase_if(found, [](const Irregularity& i) { return i.kind == "unknown-map"; });
     for (Irregularity& flag : flags)  // what it says of itself and nobody sees any more
-      if (std::none_of(found.begin(), found.end(),
-                       [&](const Irregularity& i) { return i.kind == flag.kind; }))
+      if (std::none_of(found.begin(), found.end(), [&](const Irregularity& i) { return i.kind == flag.kind; }))
         found.push_back(std::move(flag));
     std::move(found.begin(), found.end(), std::back_inserter(out.irregularities));
   }

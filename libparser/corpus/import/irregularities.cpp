@@ -17,8 +17,7 @@ class Check {
 
   std::vector<Irregularity> run() {
     if (map_ == nullptr) report(here(), "unknown-map", "there is no map called " + p_.map);
-    if (p_.sentences.empty())
-      report(here(), "unsegmented", "no sentences, only text and path of the paragraph");
+    if (p_.sentences.empty()) report(here(), "unsegmented", "no sentences, only text and path of the paragraph");
     std::vector<ReleasedSentence> kept;
     for (ReleasedSentence& sentence : p_.sentences) {
       check_labels(sentence);
@@ -100,7 +99,7 @@ class Check {
     return fine;
   }
 
-  void numbers() {  // "12-3": sentences that nobody could align are left out, their numbers missing
+  void numbers() {               // "12-3": sentences that nobody could align are left out, their numbers missing
     if (p_.number == 0) return;  // navi numbers nothing
     std::string missing;
     int expected = 1;
@@ -109,15 +108,13 @@ class Check {
       if (dash == std::string::npos) return;
       const int number = std::atoi(sentence.id.c_str() + dash + 1);
       if (number < expected)
-        report(of(sentence), "sentence-order",
-               "sentence " + sentence.id + " stands after one that follows it");
+        report(of(sentence), "sentence-order", "sentence " + sentence.id + " stands after one that follows it");
       constexpr int most = 1000;  // beyond, it is no number that counts sentences
       for (; expected < number && number < most; ++expected) missing += " " + std::to_string(expected);
       expected = std::max(expected, number + 1);
     }
     if (!missing.empty())
-      report(of(p_.sentences.front()), "sentence-numbers-missing",
-             "the source leaves out the sentences" + missing);
+      report(of(p_.sentences.front()), "sentence-numbers-missing", "the source leaves out the sentences" + missing);
   }
 
   void joins() {
@@ -129,19 +126,15 @@ class Check {
         if (p_.start && !same_place(start, *p_.start))
           report(of(sentence), "start-differs", "starts at " + show(start) + ", " + not_at(*p_.start));
         if (!open && p_.number != 0)  // navi's set traces have no open headings
-          report(of(sentence), "first-heading-known",
-                 "the first sentence starts with a heading, " + show(start));
+          report(of(sentence), "first-heading-known", "the first sentence starts with a heading, " + show(start));
         continue;
       }
-      if (open)
-        report(of(sentence), "heading-unknown-inside", "a later sentence starts with an open heading");
+      if (open) report(of(sentence), "heading-unknown-inside", "a later sentence starts with an open heading");
       const Pose& end = p_.sentences[i - 1].trace.poses.back();
       if (!same_place(end, start))
-        report(of(sentence), "gap",
-               "starts at " + show(start) + ", the sentence before ends at " + show(end));
+        report(of(sentence), "gap", "starts at " + show(start) + ", the sentence before ends at " + show(end));
       else if (end.heading != start.heading)
-        report(of(sentence), "heading-gap",
-               "starts at " + show(start) + ", the sentence before ends at " + show(end));
+        report(of(sentence), "heading-gap", "starts at " + show(start) + ", the sentence before ends at " + show(end));
     }
   }
 
@@ -164,8 +157,7 @@ class Check {
     if (whole == p_.path) return;  // its steps were looked at
     check_path(p_.path, here());
     if (whole != p_.path)
-      report(here(), "differs-from-paragraph-path",
-             "the trajectories of its sentences, joined, are not its path");
+      report(here(), "differs-from-paragraph-path", "the trajectories of its sentences, joined, are not its path");
     if (!same_place(end, p_.path.back()))
       report(here(), "end-differs-from-paragraph-path",
              "its sentences end at " + show(end) + ", its path at " + show(p_.path.back()));

@@ -38,8 +38,7 @@ class LineReader {
       in_.each(object, "", "flags", [&](const json& flag, const std::string& path) {
         out.flags.push_back(
             {std::string(file_), number_, in_.string(in_.member(flag, path, "kind"), path + ".kind"),
-             p.id + ": " +
-                 (flag.contains("message") ? in_.string(flag["message"], path + ".message") : flag.dump())});
+             p.id + ": " + (flag.contains("message") ? in_.string(flag["message"], path + ".message") : flag.dump())});
       });
     return out;
   }
@@ -54,8 +53,8 @@ class LineReader {
     std::vector<plan::Pose> out;
     in_.each(object, path, key, [&](const json& value, const std::string& at) {
       if (!value.is_array() || value.size() != 3) in_.fail(at, "expected a pose [x, y, heading]");
-      out.push_back({in_.integer(value[0], at + "[0]"), in_.integer(value[1], at + "[1]"),
-                     in_.integer(value[2], at + "[2]")});
+      out.push_back(
+          {in_.integer(value[0], at + "[0]"), in_.integer(value[1], at + "[1]"), in_.integer(value[2], at + "[2]")});
     });
     return out;
   }
@@ -69,9 +68,8 @@ class LineReader {
 
 std::vector<FlaggedParagraph> parse_lines(std::string_view json_lines, std::string_view file) {
   std::vector<FlaggedParagraph> out;
-  each_line(json_lines, [&](std::string_view line, std::size_t number) {
-    out.push_back(LineReader(line, file, number).read());
-  });
+  each_line(json_lines,
+            [&](std::string_view line, std::size_t number) { out.push_back(LineReader(line, file, number).read()); });
   return out;
 }
 

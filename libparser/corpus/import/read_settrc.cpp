@@ -54,8 +54,8 @@ std::map<std::string, std::string, std::less<>> properties_of(const TextLine& li
   return properties;
 }
 
-int place(const std::map<std::string, std::string, std::less<>>& properties, const char* key,
-          const TextLine& line, std::string_view file) {
+int place(const std::map<std::string, std::string, std::less<>>& properties, const char* key, const TextLine& line,
+          std::string_view file) {
   const auto at = properties.find(key);
   int value = 0;
   if (at != properties.end()) {
@@ -77,8 +77,7 @@ std::vector<SettrcParagraph> parse_settrc(std::string_view text, std::string_vie
       throw ltl::FormatError(file, block.back().number, 0, "expected a trace after every sentence");
     const auto properties = properties_of(block[1], file);
     const auto map = properties.find("map");
-    if (map == properties.end())
-      throw ltl::FormatError(file, block[1].number, 0, "the property map is missing");
+    if (map == properties.end()) throw ltl::FormatError(file, block[1].number, 0, "the property map is missing");
     SettrcParagraph out;
     out.paragraph.id = block[0].text;
     out.paragraph.map = lower(map->second);
@@ -89,12 +88,11 @@ std::vector<SettrcParagraph> parse_settrc(std::string_view text, std::string_vie
     for (const auto& [key, value] : properties)
       if (key != "map" && key != "x" && key != "y") out.paragraph.properties.emplace(key, value);
     for (std::size_t i = 2; i < block.size(); i += 2)
-      out.paragraph.sentences.push_back(
-          {{},
-           std::string(block[i].text),
-           parse_trace(block[i + 1].text, file, block[i + 1].number, block[i + 1].column),
-           std::string(file),
-           block[i].number});
+      out.paragraph.sentences.push_back({{},
+                                         std::string(block[i].text),
+                                         parse_trace(block[i + 1].text, file, block[i + 1].number, block[i + 1].column),
+                                         std::string(file),
+                                         block[i].number});
     paragraphs.push_back(std::move(out));
   }
   return paragraphs;

@@ -20,8 +20,7 @@ class Xml {  // a document that knows the lines of its nodes
         document_.load_buffer(text.data(), text.size(), pugi::parse_default | pugi::parse_ws_pcdata,
                               pugi::encoding_utf8);
     if (!result)
-      throw ltl::FormatError(file, line_of(result.offset), 0,
-                             std::string("malformed XML: ") + result.description());
+      throw ltl::FormatError(file, line_of(result.offset), 0, std::string("malformed XML: ") + result.description());
   }
 
   std::size_t line(const pugi::xml_node& node) const { return line_of(node.offset_debug()); }
@@ -86,9 +85,7 @@ std::string squeezed(std::string_view text) {
   return out;
 }
 
-std::vector<std::string> sorted(const std::set<std::string>& values) {
-  return {values.begin(), values.end()};
-}
+std::vector<std::string> sorted(const std::set<std::string>& values) { return {values.begin(), values.end()}; }
 
 class MapReader {
  public:
@@ -128,16 +125,14 @@ class MapReader {
       in_.fail(edge, std::string(name) + ": expected x,y");
     const char* second = first.ptr + 1;
     while (second != last && *second == ' ') ++second;
-    if (std::from_chars(second, last, y).ec != std::errc())
-      in_.fail(edge, std::string(name) + ": expected x,y");
+    if (std::from_chars(second, last, y).ec != std::errc()) in_.fail(edge, std::string(name) + ": expected x,y");
     const auto node = hallways_.node_at(x, y);
     if (!node) in_.fail(edge, std::string(name) + ": there is no node at " + text);
     return *node;
   }
 
   void add_edge(const pugi::xml_node& edge) {
-    plan::Edge read{end(edge, "node1"), end(edge, "node2"), in_.attribute(edge, "floor"),
-                    in_.attribute(edge, "wall")};
+    plan::Edge read{end(edge, "node1"), end(edge, "node2"), in_.attribute(edge, "floor"), in_.attribute(edge, "wall")};
     checked(edge, [&] { hallways_.add_edge(read); });
     floors_.insert(read.floor);
     walls_.insert(read.wall);
@@ -159,8 +154,7 @@ class MapReader {
   std::set<std::string> objects_, floors_, walls_;
 };
 
-std::optional<plan::Pose> place(const Xml& in, const pugi::xml_node& node, const char* name,
-                                std::string_view file) {
+std::optional<plan::Pose> place(const Xml& in, const pugi::xml_node& node, const char* name, std::string_view file) {
   const pugi::xml_attribute value = node.attribute(name);
   if (!value) return std::nullopt;
   const std::string text = value.value();

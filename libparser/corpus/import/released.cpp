@@ -15,8 +15,7 @@ class Scanner {  // of poses
       : text_(text), file_(file), line_(line), column_(column) {}
 
   bool at_end() {
-    while (at_ < text_.size() &&
-           (text_[at_] == ' ' || text_[at_] == '\t' || text_[at_] == '\r' || text_[at_] == '\n'))
+    while (at_ < text_.size() && (text_[at_] == ' ' || text_[at_] == '\t' || text_[at_] == '\r' || text_[at_] == '\n'))
       ++at_;
     return at_ == text_.size();
   }
@@ -88,8 +87,7 @@ std::vector<plan::Pose> parse_pose_list(std::string_view text, std::string_view 
   return poses;
 }
 
-ReleasedTrace parse_trace(std::string_view text, std::string_view file, std::size_t line,
-                          std::size_t column) {
+ReleasedTrace parse_trace(std::string_view text, std::string_view file, std::size_t line, std::size_t column) {
   Scanner in(text, file, line, column);
   ReleasedTrace trace;
   std::vector<std::string_view> actions;

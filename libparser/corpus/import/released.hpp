@@ -18,9 +18,8 @@ struct Irregularity {
 };
 
 struct ReleasedTrace {
-  std::vector<plan::Pose> poses;  // heading −1: left open
-  std::vector<std::size_t>
-      mislabelled;  // k: the action after pose k is another one than the poses say; sorted
+  std::vector<plan::Pose> poses;         // heading −1: left open
+  std::vector<std::size_t> mislabelled;  // k: the action after pose k is another one than the poses say; sorted
 };
 
 struct ReleasedSentence {

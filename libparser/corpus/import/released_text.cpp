@@ -17,11 +17,10 @@ std::size_t character(std::string_view text) {
   const std::size_t length = first >= 0xF0 ? 4 : first >= 0xE0 ? 3 : 2;
   if (first < 0xC2 || first > 0xF4 || text.size() < length) return 0;
   const auto second = static_cast<unsigned char>(text[1]);
-  if ((first == 0xE0 && second < 0xA0) || (first == 0xED && second > 0x9F) ||
-      (first == 0xF0 && second < 0x90) || (first == 0xF4 && second > 0x8F))
+  if ((first == 0xE0 && second < 0xA0) || (first == 0xED && second > 0x9F) || (first == 0xF0 && second < 0x90) ||
+      (first == 0xF4 && second > 0x8F))
     return 0;
-  return std::all_of(text.begin() + 1, text.begin() + static_cast<std::ptrdiff_t>(length), continues) ? length
-                                                                                                      : 0;
+  return std::all_of(text.begin() + 1, text.begin() + static_cast<std::ptrdiff_t>(length), continues) ? length : 0;
 }
 
 std::size_t first_fault(std::string_view text) {  // text.size(): there is none
@@ -39,8 +38,7 @@ bool declares_latin1(std::string_view text) {
   std::string declaration(text.substr(0, text.find("?>")));
   for (char& c : declaration)
     if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  return declaration.find("iso-8859-1") != std::string::npos ||
-         declaration.find("latin1") != std::string::npos;
+  return declaration.find("iso-8859-1") != std::string::npos || declaration.find("latin1") != std::string::npos;
 }
 
 std::string from_latin1(std::string_view text) {
@@ -65,8 +63,7 @@ std::string released_text(std::string bytes, std::string_view file) {
   const std::size_t fault = first_fault(bytes);
   if (fault < bytes.size()) {
     const auto end = bytes.begin() + static_cast<std::ptrdiff_t>(fault);
-    throw ltl::FormatError(file, 1 + static_cast<std::size_t>(std::count(bytes.begin(), end, '\n')), 0,
-                           "is not UTF-8");
+    throw ltl::FormatError(file, 1 + static_cast<std::size_t>(std::count(bytes.begin(), end, '\n')), 0, "is not UTF-8");
   }
   return bytes;
 }

@@ -30,10 +30,7 @@ std::vector<Pose> resolved(const std::vector<Pose>& path, int from) {
 
 json json_of(const ReleasedSentence& sentence) {
   const std::vector<Pose>& path = sentence.trace.poses;
-  json out{{"id", sentence.id},
-           {"text", sentence.text},
-           {"tokens", tokenize(sentence.text)},
-           {"path", json_of(path)}};
+  json out{{"id", sentence.id}, {"text", sentence.text}, {"tokens", tokenize(sentence.text)}, {"path", json_of(path)}};
   if (path.front().heading >= 0) return out;
   const int known = path.size() > 1 ? path[1].heading : 90;
   out["path_north"] = json_of(resolved(path, 0));
@@ -75,8 +72,7 @@ std::string json_line(const ReleasedParagraph& p, const std::vector<Irregularity
   for (const ReleasedSentence& sentence : p.sentences) out["sentences"].push_back(json_of(sentence));
   if (!p.properties.empty()) out["properties"] = p.properties;
   out["flags"] = json::array();
-  for (const Irregularity& flag : flags)
-    out["flags"].push_back({{"kind", flag.kind}, {"message", flag.message}});
+  for (const Irregularity& flag : flags) out["flags"].push_back({{"kind", flag.kind}, {"message", flag.message}});
   return out.dump();
 }
 

@@ -15,9 +15,8 @@ struct Command {
   std::size_t n = 0;    // its size, 0 without one
   bool lifted = false;  // propositions stand in the text as they are
   std::string text, formula;
-  std::vector<std::string> propositions;  // of the formula
-  std::map<std::string, std::optional<std::string>>
-      landmarks;  // proposition → its words in the text, if verbatim
+  std::vector<std::string> propositions;                        // of the formula
+  std::map<std::string, std::optional<std::string>> landmarks;  // proposition → its words in the text, if verbatim
   std::size_t count = 1;
   bool suspect = false;  // there are reasons to doubt the label
 };

@@ -81,8 +81,7 @@ CommandDomain CommandDomain::small(std::string name, const std::vector<std::stri
   domain.name_ = std::move(name);
   domain.propositions_ = propositions;
   std::sort(domain.propositions_.begin(), domain.propositions_.end());
-  for (const std::string& p : domain.propositions_)
-    domain.things_.push_back(thing_of(p, domain.propositions_));
+  for (const std::string& p : domain.propositions_) domain.things_.push_back(thing_of(p, domain.propositions_));
   domain.constants_ = domain.propositions_;
   if (domain.constants_.size() > most_constants) domain.constants_.resize(most_constants);
   return domain;
@@ -113,9 +112,9 @@ std::vector<CommandDomain::Lift> CommandDomain::lift(const std::string& text) co
     std::vector<NamedThing> things;
     std::vector<Mention> mentions;
     for (std::size_t i = 0; i < tokens.size(); ++i) {
-      const bool names = propositions_.empty() ? is_letter_name(tokens[i])
-                                               : std::find(propositions_.begin(), propositions_.end(),
-                                                           tokens[i]) != propositions_.end();
+      const bool names = propositions_.empty()
+                             ? is_letter_name(tokens[i])
+                             : std::find(propositions_.begin(), propositions_.end(), tokens[i]) != propositions_.end();
       if (!names) continue;
       std::size_t t = 0;
       while (t < things.size() && things[t].name != tokens[i]) ++t;
@@ -166,10 +165,10 @@ CommandDomains::CommandDomains(const std::filesystem::path& domains, std::filesy
     for (const auto& [name, domain] : json.items()) {
       std::vector<std::string> propositions;
       for (const auto& [p, _] : domain.at("propositions").items()) propositions.push_back(p);
-      const bool letters = std::all_of(propositions.begin(), propositions.end(),
-                                       [](const std::string& p) { return p.size() == 1; });
-      domains_.emplace(name, letters ? CommandDomain::with_letters(name, propositions)
-                                     : CommandDomain::small(name, propositions));
+      const bool letters =
+          std::all_of(propositions.begin(), propositions.end(), [](const std::string& p) { return p.size() == 1; });
+      domains_.emplace(
+          name, letters ? CommandDomain::with_letters(name, propositions) : CommandDomain::small(name, propositions));
     }
   } catch (const nlohmann::json::exception& e) {
     throw ltl::FormatError(domains.string(), 0, 0, std::string("no domains: ") + e.what());

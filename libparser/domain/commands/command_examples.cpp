@@ -71,8 +71,7 @@ class Speaking {
     std::vector<std::string> tokens;
     const std::size_t n = 1 + random_.below(12), slots = random_.below(2);
     for (std::size_t i = 0; i < n; ++i) tokens.push_back(random_.chance(0.1) ? letters() : word());
-    if (slots > 0)
-      tokens.insert(tokens.begin() + static_cast<std::ptrdiff_t>(random_.below(n)), name(slot(1)));
+    if (slots > 0) tokens.insert(tokens.begin() + static_cast<std::ptrdiff_t>(random_.below(n)), name(slot(1)));
     return example(std::move(tokens), slots, {LiftedSymbol::Nothing});
   }
   std::string letters() {
@@ -103,8 +102,7 @@ std::vector<LiftedExample> own_commands(const SynchronousGrammar& grammar, const
   return Speaking(grammar, vectors, options).all();
 }
 
-LabelledCommands labelled_commands(std::span<const Command> commands, CommandDomains& domains,
-                                   double unnamed) {
+LabelledCommands labelled_commands(std::span<const Command> commands, CommandDomains& domains, double unnamed) {
   LabelledCommands out;
   for (const Command& command : commands) {
     if (command.suspect) continue;
@@ -135,10 +133,9 @@ std::vector<LiftedExample> route_instructions(const Corpus& corpus, std::span<co
     out.push_back({things[map].lift(tokens, &vectors).text, {LiftedSymbol::Route}, weight});
   };
   for (const Paragraph& paragraph : corpus.paragraphs) {
-    const auto map =
-        static_cast<std::size_t>(std::find_if(maps.begin(), maps.end(),
-                                              [&](const plan::Map& m) { return m.name() == paragraph.map; }) -
-                                 maps.begin());
+    const auto map = static_cast<std::size_t>(
+        std::find_if(maps.begin(), maps.end(), [&](const plan::Map& m) { return m.name() == paragraph.map; }) -
+        maps.begin());
     if (map == maps.size()) continue;
     std::vector<std::string> whole;
     for (const Sentence& sentence : paragraph.sentences) {

@@ -30,8 +30,7 @@ struct LabelledCommands {
   std::vector<LiftedExample> examples;
   std::size_t left_out = 0;
 };
-LabelledCommands labelled_commands(std::span<const Command> commands, CommandDomains& domains,
-                                   double unnamed);
+LabelledCommands labelled_commands(std::span<const Command> commands, CommandDomains& domains, double unnamed);
 
 // Sentences and paragraphs of a corpus, as texts that the reader of programs reads.
 std::vector<LiftedExample> route_instructions(const Corpus& corpus, std::span<const plan::Map> maps,

@@ -20,8 +20,8 @@ bool same_language(ltl::Formula a, ltl::Formula b, std::size_t steps) {
 namespace {
 
 void vote(std::vector<CommandReading>& all, const CommandReading& reading) {
-  const auto same = std::find_if(all.begin(), all.end(),
-                                 [&](const CommandReading& r) { return r.formula == reading.formula; });
+  const auto same =
+      std::find_if(all.begin(), all.end(), [&](const CommandReading& r) { return r.formula == reading.formula; });
   if (same == all.end())
     all.push_back(reading);
   else
@@ -29,9 +29,8 @@ void vote(std::vector<CommandReading>& all, const CommandReading& reading) {
 }
 
 void sort(std::vector<CommandReading>& all) {
-  std::stable_sort(all.begin(), all.end(), [](const CommandReading& a, const CommandReading& b) {
-    return a.probability > b.probability;
-  });
+  std::stable_sort(all.begin(), all.end(),
+                   [](const CommandReading& a, const CommandReading& b) { return a.probability > b.probability; });
 }
 
 }  // namespace
@@ -50,8 +49,7 @@ CommandReadings read_command(const LiftedReader& reader, const CommandDomain& do
   sort(out.readings);
   for (std::size_t i = 1; i < std::min(out.readings.size(), options.compared); ++i)
     for (std::size_t j = 0; j < i; ++j)
-      if (out.readings[i].probability > 0 &&
-          same_language(out.readings[j].formula, out.readings[i].formula)) {
+      if (out.readings[i].probability > 0 && same_language(out.readings[j].formula, out.readings[i].formula)) {
         out.readings[j].probability += out.readings[i].probability;
         out.readings[i].probability = 0;
       }

@@ -35,8 +35,7 @@ void count(CommandScore& score, const CommandAnswer& answer) {
 }  // namespace
 
 void Calibration::add(double probability, bool right) {
-  const auto at =
-      static_cast<std::size_t>(std::clamp(probability, 0.0, 1.0) * static_cast<double>(bins.size()));
+  const auto at = static_cast<std::size_t>(std::clamp(probability, 0.0, 1.0) * static_cast<double>(bins.size()));
   Bin& bin = bins[std::min(at, bins.size() - 1)];
   ++bin.n;
   bin.right += right ? 1 : 0;
@@ -53,8 +52,8 @@ double Calibration::expected_error() const {
   return all > 0 ? error / static_cast<double>(all) : 0;
 }
 
-CommandScores score_commands(const LiftedReader& reader, std::span<const Command> commands,
-                             CommandDomains& domains, const ReadCommandOptions& options) {
+CommandScores score_commands(const LiftedReader& reader, std::span<const Command> commands, CommandDomains& domains,
+                             const ReadCommandOptions& options) {
   std::vector<const CommandDomain*> domain;
   for (const Command& command : commands) domain.push_back(&domains.of(command.domain));
   CommandScores scores;
@@ -89,10 +88,8 @@ CommandSplit split_commands(std::vector<Command> commands, std::vector<Command> 
   return split;
 }
 
-LiftedReader train_commands(const CommandSplit& split, CommandDomains& domains,
-                            const SynchronousGrammar& grammar,
-                            const std::shared_ptr<const WordVectors>& vectors,
-                            const CommandsExperiment& how) {
+LiftedReader train_commands(const CommandSplit& split, CommandDomains& domains, const SynchronousGrammar& grammar,
+                            const std::shared_ptr<const WordVectors>& vectors, const CommandsExperiment& how) {
   std::vector<LiftedExample> examples = own_commands(grammar, *vectors, how.own);
   const auto labelled = labelled_commands(split.training, domains, split.new_kinds ? 1 : 0);
   examples.insert(examples.end(), labelled.examples.begin(), labelled.examples.end());

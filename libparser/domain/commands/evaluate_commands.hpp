@@ -46,8 +46,8 @@ struct CommandScores {
   std::vector<CommandAnswer> answers;
 };
 
-CommandScores score_commands(const LiftedReader& reader, std::span<const Command> commands,
-                             CommandDomains& domains, const ReadCommandOptions& options);
+CommandScores score_commands(const LiftedReader& reader, std::span<const Command> commands, CommandDomains& domains,
+                             const ReadCommandOptions& options);
 
 // What is tested, and what is left to learn from: the rows of the fold are tested; with commands made from others
 // (`from`) those are tested whose origin is in the fold.
@@ -65,8 +65,7 @@ struct CommandsExperiment {
   std::function<void(double)> progress;
 };
 // Where the test has new kinds, domains are not told: what was said of a domain is then no reason against a kind.
-LiftedReader train_commands(const CommandSplit& split, CommandDomains& domains,
-                            const SynchronousGrammar& grammar,
+LiftedReader train_commands(const CommandSplit& split, CommandDomains& domains, const SynchronousGrammar& grammar,
                             const std::shared_ptr<const WordVectors>& vectors, const CommandsExperiment& how);
 
 }  // namespace waymark::parser

@@ -13,8 +13,7 @@ std::vector<Landmark> read_landmarks(const std::filesystem::path& file) {
     const nlohmann::json json = nlohmann::json::parse(text_of(file));
     for (const auto& entry : json.at("landmarks")) {
       Landmark l{entry.at("prop").get<std::string>(), entry.value("name", ""), {}, {}};
-      if (entry.contains("other_names"))
-        l.other_names = entry.at("other_names").get<std::vector<std::string>>();
+      if (entry.contains("other_names")) l.other_names = entry.at("other_names").get<std::vector<std::string>>();
       if (entry.contains("tags"))
         for (const auto& [key, value] : entry.at("tags").items())
           if (value.is_string()) l.tags[key] = value.get<std::string>();

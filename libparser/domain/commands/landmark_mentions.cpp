@@ -14,8 +14,8 @@ namespace {
 
 // What a matched word, a joint and a foreign word inside a phrase are worth, in units of a word that fits one
 // landmark alone.
-constexpr double by_name = 1, by_tag = 0.75, joint = -0.02, foreign = -0.9, each_mention = -0.55,
-                 whole_name = 0.9, in_order = 0.25, comma = -0.3,
+constexpr double by_name = 1, by_tag = 0.75, joint = -0.02, foreign = -0.9, each_mention = -0.55, whole_name = 0.9,
+                 in_order = 0.25, comma = -0.3,
                  adjacent = -2.5,  // to the phrase before, or joined to it by "operated by"
     misspelled = 0.8;
 constexpr std::size_t longest_phrase = 14, most_readings = 4;
@@ -25,12 +25,11 @@ bool is_among(const std::array<std::string_view, n>& words, std::string_view wor
   return std::find(words.begin(), words.end(), word) != words.end();
 }
 constexpr std::array<std::string_view, 41> joints{
-    "operated", "specializing", "specialize", "your",  "the",     "a",     "an",
-    "on",       "at",           "of",         "in",    "with",    "that",  "and",
-    "&",        "'s",           "s",          "for",   "by",      "near",  "serves",
-    "serving",  "called",       "named",      "which", "is",      "to",    "-",
-    ".",        "from",         "its",        "it",    "has",     "known", "as",
-    "located",  "offering",     "offers",     "sells", "selling", "where"};
+    "operated", "specializing", "specialize", "your",  "the",   "a",       "an",       "on",     "at",    "of",
+    "in",       "with",         "that",       "and",   "&",     "'s",      "s",        "for",    "by",    "near",
+    "serves",   "serving",      "called",     "named", "which", "is",      "to",       "-",      ".",     "from",
+    "its",      "it",           "has",        "known", "as",    "located", "offering", "offers", "sells", "selling",
+    "where"};
 constexpr std::array<std::string_view, 42> command_words{
     "travel", "turn",  "right",  "left", "north",   "south",  "east", "west", "head",  "straight", "walk",
     "way",    "stop",  "around", "next", "finally", "no",     "now",  "go",   "visit", "then",     "avoid",
@@ -81,15 +80,13 @@ class City {
       Known k;
       std::vector<std::string> names = l.other_names;
       names.insert(names.begin(), l.name);
-      for (const char* key :
-           {"short_name", "alt_name", "official_name", "old_name", "brand", "name:en", "operator"})
+      for (const char* key : {"short_name", "alt_name", "official_name", "old_name", "brand", "name:en", "operator"})
         if (const auto tag = l.tags.find(key); tag != l.tags.end()) names.push_back(tag->second);
       for (const std::string& name : names) {
         std::set<std::string> words;
         k.sequences.push_back(roots(name));
         for (const std::string& word : k.sequences.back())
-          if (!is_among(joints, word) && word.find_first_of(",.;:!?'\"()") == std::string::npos)
-            words.insert(word);
+          if (!is_among(joints, word) && word.find_first_of(",.;:!?'\"()") == std::string::npos) words.insert(word);
         k.name_words.insert(words.begin(), words.end());
         if (!words.empty()) k.names.push_back(std::move(words));
       }
@@ -110,8 +107,7 @@ class City {
   double told_by(const std::string& word) const {
     const auto it = holders_.find(word);
     if (it == holders_.end() || known_.size() < 2) return it == holders_.end() ? 0 : 1;
-    return 1 - std::log(static_cast<double>(it->second.size())) /
-                   std::log(static_cast<double>(known_.size()) + 1);
+    return 1 - std::log(static_cast<double>(it->second.size())) / std::log(static_cast<double>(known_.size()) + 1);
   }
   bool is_name_word(const std::string& word) const { return holders_.contains(word); }
   const Known& operator[](std::size_t i) const { return known_[i]; }
@@ -233,9 +229,7 @@ class Finder {
     return at < words_.size() &&
            (words_[at] == "a" || words_[at] == "an" || words_[at] == "the" || words_[at] == "located");
   }
-  bool ends_phrase(std::size_t at) const {
-    return !is_among(joints, words_[at]) && city_.is_name_word(words_[at]);
-  }
+  bool ends_phrase(std::size_t at) const { return !is_among(joints, words_[at]) && city_.is_name_word(words_[at]); }
 
   const City& city_;
   std::vector<std::string> words_;
@@ -244,17 +238,14 @@ class Finder {
 
 // Where a phrase ends with what is said of its place: general nouns, "on Central Avenue", ", a theatre building,".
 std::size_t with_description(const std::vector<std::string>& tokens, std::size_t end) {
-  constexpr std::array<std::string_view, 12> streets{"street",    "avenue", "road",   "lane",
-                                                     "boulevard", "drive",  "plaza",  "place",
-                                                     "way",       "court",  "square", "parkway"};
+  constexpr std::array<std::string_view, 12> streets{"street", "avenue", "road", "lane",  "boulevard", "drive",
+                                                     "plaza",  "place",  "way",  "court", "square",    "parkway"};
   constexpr std::size_t longest_description = 6;
-  const auto is = [&](std::size_t at, auto... words) {
-    return at < tokens.size() && ((tokens[at] == words) || ...);
-  };
+  const auto is = [&](std::size_t at, auto... words) { return at < tokens.size() && ((tokens[at] == words) || ...); };
   while (end < tokens.size() && is_among(general, root(tokens[end]))) ++end;
   if (is(end, "on", "at", "in", "near", "along"))
-    for (std::size_t at = end + 1;
-         at < tokens.size() && at <= end + longest_description && !is(at, ",", "and", "then"); ++at)
+    for (std::size_t at = end + 1; at < tokens.size() && at <= end + longest_description && !is(at, ",", "and", "then");
+         ++at)
       if (is_among(streets, root(tokens[at]))) return at + 1;
   if (is(end, ",") && is(end + 1, "a", "an"))
     for (std::size_t at = end + 2; at <= tokens.size() && at <= end + 2 + longest_description; ++at) {

@@ -25,19 +25,16 @@ std::vector<std::string> words_of(const std::string& name) {
 
 // Names of furniture that commands use and the lexicon of route instructions lacks.
 constexpr std::array<std::pair<std::string_view, std::string_view>, 20> more_names{
-    {{"sofa", "settee"},        {"sofa", "divan"},         {"sofa", "davenport"},
-     {"sofa", "loveseat"},      {"sofa", "love seat"},     {"hatrack", "hat stand"},
-     {"hatrack", "coat stand"}, {"hatrack", "coat tree"},  {"hatrack", "hat tree"},
-     {"hatrack", "hatstand"},   {"lamp", "lantern"},       {"lamp", "lampstand"},
-     {"lamp", "light bulb"},    {"barstool", "bar chair"}, {"barstool", "high stool"},
-     {"easel", "art stand"},    {"easel", "paint stand"},  {"easel", "painting stand"},
-     {"easel", "canvas stand"}, {"chair", "arm chair"}}};
+    {{"sofa", "settee"},       {"sofa", "divan"},           {"sofa", "davenport"},      {"sofa", "loveseat"},
+     {"sofa", "love seat"},    {"hatrack", "hat stand"},    {"hatrack", "coat stand"},  {"hatrack", "coat tree"},
+     {"hatrack", "hat tree"},  {"hatrack", "hatstand"},     {"lamp", "lantern"},        {"lamp", "lampstand"},
+     {"lamp", "light bulb"},   {"barstool", "bar chair"},   {"barstool", "high stool"}, {"easel", "art stand"},
+     {"easel", "paint stand"}, {"easel", "painting stand"}, {"easel", "canvas stand"},  {"chair", "arm chair"}}};
 
 NamedThing named(const plan::Observable& observable) {
   NamedThing thing{observable.name, {}};
   if (observable.kind == Kind::PlaceNumber) {
-    for (const char* noun :
-         {"position", "place", "spot", "number", "location", "node", "point", "pos", "no"}) {
+    for (const char* noun : {"position", "place", "spot", "number", "location", "node", "point", "pos", "no"}) {
       thing.phrases.push_back({noun, observable.name});
       thing.phrases.push_back({noun, "number", observable.name});
     }
@@ -47,8 +44,7 @@ NamedThing named(const plan::Observable& observable) {
   for (const std::string& other : other_names(observable.name)) thing.phrases.push_back(words_of(other));
   for (const auto& [name, other] : more_names)
     if (name == observable.name) thing.phrases.push_back(words_of(std::string(other)));
-  if (observable.name == "concrete")
-    thing.phrases.push_back({"stone"});  // before gravel, which the lexicon prefers
+  if (observable.name == "concrete") thing.phrases.push_back({"stone"});  // before gravel, which the lexicon prefers
   return thing;
 }
 
@@ -58,16 +54,14 @@ bool is_among(const std::array<std::string_view, n>& words, const std::string& w
 }
 
 constexpr std::array<std::string_view, 30> surfaces{
-    "hall",    "hallway",   "floor",  "flooring", "path",   "corridor",  "alley",   "tile",
-    "carpet",  "carpeting", "road",   "street",   "lane",   "area",      "section", "passage",
-    "stretch", "surface",   "patch",  "rug",      "bit",    "part",      "pathway", "walkway",
-    "picture", "painting",  "poster", "mural",    "ground", "passageway"};
+    "hall", "hallway", "floor",   "flooring", "path",    "corridor", "alley",   "tile",    "carpet", "carpeting",
+    "road", "street",  "lane",    "area",     "section", "passage",  "stretch", "surface", "patch",  "rug",
+    "bit",  "part",    "pathway", "walkway",  "picture", "painting", "poster",  "mural",   "ground", "passageway"};
 constexpr std::array<std::string_view, 8> joints{"with", "of", "has", "have", "that", "the", "a", "in"};
 
 class Absorbing {
  public:
-  Absorbing(const std::vector<std::string>& tokens, std::vector<Mention> mentions,
-            const std::vector<Kind>& kinds)
+  Absorbing(const std::vector<std::string>& tokens, std::vector<Mention> mentions, const std::vector<Kind>& kinds)
       : mentions_(std::move(mentions)), kinds_(kinds) {
     for (const std::string& token : tokens) words_.push_back(singular(token));
   }
@@ -93,8 +87,7 @@ class Absorbing {
   Mention extended(Mention m) const {
     if (kinds_[m.thing] != Kind::Floor && kinds_[m.thing] != Kind::Painting) return m;
     while (is_surface(m.end)) ++m.end;
-    if (m.end + 2 < words_.size() && (words_[m.end] == "on" || words_[m.end] == "in") &&
-        words_[m.end + 1] == "the" &&
+    if (m.end + 2 < words_.size() && (words_[m.end] == "on" || words_[m.end] == "in") && words_[m.end + 1] == "the" &&
         (words_[m.end + 2] == "wall" || words_[m.end + 2] == "floor" || words_[m.end + 2] == "ground"))
       m.end += 3;
     std::size_t at = m.begin;
@@ -127,8 +120,7 @@ std::vector<std::string> with_places(std::vector<std::string> tokens) {
       out.push_back("position");
       out.push_back(std::to_string(n));
     } else {
-      listing = listing &&
-                (word == "and" || word == "," || word == "or" || word == "then" || word == "to" || n > 0);
+      listing = listing && (word == "and" || word == "," || word == "or" || word == "then" || word == "to" || n > 0);
       out.push_back(tokens[i]);
     }
   }
@@ -139,10 +131,9 @@ std::vector<std::string> with_places(std::vector<std::string> tokens) {
 
 HallwayThings::HallwayThings(const ltl::Vocabulary& vocabulary) {
   for (const plan::Observable& observable : plan::observables_of(vocabulary)) {
-    if (observable.kind == Kind::Event || observable.name == "open" || observable.name == "corridor")
-      continue;
-    const bool known = std::any_of(things_.begin(), things_.end(),
-                                   [&](const NamedThing& t) { return t.name == observable.name; });
+    if (observable.kind == Kind::Event || observable.name == "open" || observable.name == "corridor") continue;
+    const bool known =
+        std::any_of(things_.begin(), things_.end(), [&](const NamedThing& t) { return t.name == observable.name; });
     if (known) continue;
     things_.push_back(named(observable));
     kinds_.push_back(observable.kind);
@@ -151,14 +142,12 @@ HallwayThings::HallwayThings(const ltl::Vocabulary& vocabulary) {
 
 LiftedMentions HallwayThings::lift(const std::vector<std::string>& tokens, const WordVectors* known) const {
   const std::vector<std::string> words = with_places(tokens);
-  LiftedMentions out =
-      parser::lift(words, Absorbing(words, find_mentions(words, things_, known), kinds_).run());
+  LiftedMentions out = parser::lift(words, Absorbing(words, find_mentions(words, things_, known), kinds_).run());
   out.text.scope.spatial = true;
   return out;
 }
 
-std::optional<ltl::Formula> HallwayThings::literal(ltl::Arena& arena, LiftedSymbol direction,
-                                                   std::size_t thing) const {
+std::optional<ltl::Formula> HallwayThings::literal(ltl::Arena& arena, LiftedSymbol direction, std::size_t thing) const {
   const std::string& name = things_[thing].name;
   const auto atom = [&](Direction d) -> std::optional<ltl::Formula> {
     const auto p = arena.vocabulary().find(plan::proposition_name({d, kinds_[thing], name}));
@@ -167,8 +156,7 @@ std::optional<ltl::Formula> HallwayThings::literal(ltl::Arena& arena, LiftedSymb
   const auto along = [&]() -> std::optional<ltl::Formula> {
     const auto behind = atom(Direction::Behind);
     const auto moved = arena.vocabulary().find("moved");
-    if (!behind || !moved || (kinds_[thing] != Kind::Floor && kinds_[thing] != Kind::Painting))
-      return std::nullopt;
+    if (!behind || !moved || (kinds_[thing] != Kind::Floor && kinds_[thing] != Kind::Painting)) return std::nullopt;
     return ltl::conjunction(arena.atom(*moved), *behind);
   };
   switch (direction) {

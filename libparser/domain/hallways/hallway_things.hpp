@@ -20,8 +20,7 @@ class HallwayThings {
   // Slots for what is mentioned; "the hall with the blue floor" is one mention.
   LiftedMentions lift(const std::vector<std::string>& tokens, const WordVectors* words = nullptr) const;
   // `slots`: things of slot 1, 2 … start: where it is said, for "come back here"; none: not known.
-  Bindings bindings(ltl::Arena& arena, std::vector<std::size_t> slots,
-                    std::optional<std::size_t> start) const;
+  Bindings bindings(ltl::Arena& arena, std::vector<std::size_t> slots, std::optional<std::size_t> start) const;
 
  private:
   std::optional<ltl::Formula> literal(ltl::Arena& arena, LiftedSymbol direction, std::size_t thing) const;

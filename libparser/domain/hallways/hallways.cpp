@@ -15,8 +15,7 @@ CandidateFeatures Hallways::features(const Text& text, const Candidates& candida
 
 bool Hallways::right(const RankingInstance& instance, const Route& route) {
   const GoldRoute& gold = instance.example->gold;
-  return instance.asks == RankingInstance::Question::End ? route.plan.end == gold.end
-                                                         : route.start == gold.start;
+  return instance.asks == RankingInstance::Question::End ? route.plan.end == gold.end : route.start == gold.start;
 }
 
 }  // namespace waymark::parser

@@ -42,8 +42,7 @@ class Hallways {
   using Route = HallwayRoute;
 
   // `model` numbers the words and the features. There is one executor for each map. Both must outlive this object.
-  Hallways(const RankingModel& model, std::span<const Executor> executors)
-      : model_(&model), executors_(executors) {}
+  Hallways(const RankingModel& model, std::span<const Executor> executors) : model_(&model), executors_(executors) {}
 
   static const ltl::Vocabulary& vocabulary(const Map& map) { return map.vocabulary(); }
   static std::size_t map_of(const Text& text) { return text.instance->example->map; }

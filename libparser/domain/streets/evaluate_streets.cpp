@@ -22,8 +22,7 @@ void test(CityFold& fold, const StreetModel& model, const StreetCorpus& corpus) 
     StreetCandidates found = streets.candidates(&text);
     StreetPrediction prediction{&text, {}, rank_routes(streets, model.weights, &text, found)};
     StreetScores one{{0, 1}, {0, 1}, {0, 1}, {0, 1}};
-    for (const CandidateRoute& route : found.routes)
-      one.supply.hits |= route.landmarks == text.path ? 1U : 0U;
+    for (const CandidateRoute& route : found.routes) one.supply.hits |= route.landmarks == text.path ? 1U : 0U;
     if (!prediction.readings.empty()) {
       const StreetRoute& route = prediction.readings.front().route.landmarks;
       one.exact_path.hits = Streets::right(&text, route) ? 1 : 0;
@@ -42,8 +41,7 @@ std::vector<const StreetInstruction*> training_part(const StreetCorpus& train, c
   std::vector<const StreetInstruction*> part;
   for (const StreetInstruction& instruction : train.instructions)
     if (train_all || train.maps[instruction.map].name != left_out) part.push_back(&instruction);
-  if (part.empty())
-    throw std::invalid_argument("nothing is left to train on when " + left_out + " is left out");
+  if (part.empty()) throw std::invalid_argument("nothing is left to train on when " + left_out + " is left out");
   return part;
 }
 
@@ -67,11 +65,9 @@ StreetEvaluation evaluate_streets(const StreetCorpus& train, const StreetCorpus&
   std::optional<StreetModel> one;  // for all folds
   if (train_all) one = learn_streets(training_part(train, "", true), train.maps, options);
   const auto finish = [&](CityFold& fold, const parser::JobProgress&) {
-    test(fold, one ? *one : learn_streets(training_part(train, fold.map, false), train.maps, options),
-         test_corpus);
+    test(fold, one ? *one : learn_streets(training_part(train, fold.map, false), train.maps, options), test_corpus);
   };
-  StreetEvaluation evaluation{
-      parser::run_folds<StreetScores, StreetPrediction>(folds, threads, {}, "cities", finish)};
+  StreetEvaluation evaluation{parser::run_folds<StreetScores, StreetPrediction>(folds, threads, {}, "cities", finish)};
   for (const auto& [map, scores] : evaluation.folds) {
     evaluation.mean_exact_path += scores.exact_path.value() / static_cast<double>(folds.size());
     evaluation.mean_goal += scores.goal.value() / static_cast<double>(folds.size());

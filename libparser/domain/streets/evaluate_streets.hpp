@@ -23,15 +23,14 @@ struct StreetPrediction {  // of one instruction
   std::vector<StreetReading> readings;  // best first
 };
 
-struct StreetEvaluation
-    : parser::ScoresByMap<StreetScores, StreetPrediction> {  // predictions: readings cut to 3
-  double mean_exact_path = 0, mean_goal = 0;                 // over maps, in percent
+struct StreetEvaluation : parser::ScoresByMap<StreetScores, StreetPrediction> {  // predictions: readings cut to 3
+  double mean_exact_path = 0, mean_goal = 0;                                     // over maps, in percent
 };
 
 // One map left out: trained on the other maps of `train`, tested on the instructions of `test` about this one. A map of
 // `test` that `train` does not have is tested with everything in `train`; with `train_all` every map of `test` is.
 // Throws std::invalid_argument when a fold has nothing to train on, Stopped when a stop was requested.
-StreetEvaluation evaluate_streets(const StreetCorpus& train, const StreetCorpus& test, bool train_all,
-                                  int threads, const StreetOptions& options);
+StreetEvaluation evaluate_streets(const StreetCorpus& train, const StreetCorpus& test, bool train_all, int threads,
+                                  const StreetOptions& options);
 
 }  // namespace waymark::streets

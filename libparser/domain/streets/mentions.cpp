@@ -9,12 +9,11 @@
 namespace waymark::streets {
 namespace {
 
-constexpr std::size_t spare_words = 2;  // of a stretch, beyond those of the longest name
-constexpr std::size_t most_name_words =
-    6;  // whose subsequences are all parts; longer names keep their stretches only
-constexpr double frequent = 0.004;      // share of the texts of a city
-constexpr float missing_letter = 0.1F;  // what a letter of the name that was left out costs
-constexpr float most_behind = 2.5F;     // letters by which a name may fit worse and still be kept
+constexpr std::size_t spare_words = 2;      // of a stretch, beyond those of the longest name
+constexpr std::size_t most_name_words = 6;  // whose subsequences are all parts; longer names keep their stretches only
+constexpr double frequent = 0.004;          // share of the texts of a city
+constexpr float missing_letter = 0.1F;      // what a letter of the name that was left out costs
+constexpr float most_behind = 2.5F;         // letters by which a name may fit worse and still be kept
 
 constexpr float one_more = 1.5F;  // letters that a mention costs, so that names are not torn apart
 
@@ -72,8 +71,7 @@ std::size_t slips(std::string_view a, std::string_view b) {
     now[0] = i;
     for (std::size_t j = 1; j <= b.size(); ++j) {
       now[j] = std::min({last[j] + 1, now[j - 1] + 1, last[j - 1] + (a[i - 1] == b[j - 1] ? 0U : 1U)});
-      if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1])
-        now[j] = std::min(now[j], before[j - 2] + 1);
+      if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1]) now[j] = std::min(now[j], before[j - 2] + 1);
     }
     std::swap(before, last);
     std::swap(last, now);
@@ -81,8 +79,7 @@ std::size_t slips(std::string_view a, std::string_view b) {
   return last[b.size()];
 }
 
-CommonWords common_words(std::span<const StreetInstruction* const> instructions,
-                         const std::vector<StreetMap>& maps) {
+CommonWords common_words(std::span<const StreetInstruction* const> instructions, const std::vector<StreetMap>& maps) {
   std::vector<std::set<std::string>> named(maps.size());
   for (std::size_t m = 0; m < maps.size(); ++m)
     for (const Landmark& landmark : maps[m].landmarks)
@@ -126,12 +123,10 @@ void MentionFinder::add_parts(LandmarkIndex landmark, const std::vector<std::str
     if (part.letters.size() > 1 || part.letters == name) parts_.push_back(std::move(part));
   };
   if (n <= most_name_words) {
-    for (unsigned subset = 1; subset < 1U << n; ++subset)
-      add([&](std::size_t i) { return (subset >> i & 1U) != 0; });
+    for (unsigned subset = 1; subset < 1U << n; ++subset) add([&](std::size_t i) { return (subset >> i & 1U) != 0; });
   } else {
     for (std::size_t begin = 0; begin < n; ++begin)
-      for (std::size_t end = begin + 1; end <= n; ++end)
-        add([&](std::size_t i) { return begin <= i && i < end; });
+      for (std::size_t end = begin + 1; end <= n; ++end) add([&](std::size_t i) { return begin <= i && i < end; });
   }
 }
 

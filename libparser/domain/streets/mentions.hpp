@@ -18,8 +18,7 @@ namespace waymark::streets {
 
 using CommonWords = std::unordered_set<std::string>;
 // Words of instruction texts that are frequent in two cities without being part of a name there.
-CommonWords common_words(std::span<const StreetInstruction* const> instructions,
-                         const std::vector<StreetMap>& maps);
+CommonWords common_words(std::span<const StreetInstruction* const> instructions, const std::vector<StreetMap>& maps);
 
 struct NameFit {  // how a stretch of words fits a name
   LandmarkIndex landmark = 0;

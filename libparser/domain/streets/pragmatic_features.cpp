@@ -25,8 +25,7 @@ void add_rival_named(FeatureList& out, const TextOnRoute& text, LandmarkIndex la
   const unsigned role = at == 0 ? 0 : at + 1 == route.size() ? 2 : 1;
   const bool neighbour_named = named(text, route[at]);
   out.add(K::RivalNamed, 1, 0, bin(nearest, {0.02, 0.06, 0.13, 0.25, 0.4}), role, neighbour_named);
-  out.add(K::RivalNamed, 1, 1,
-          bin(distance_from(text.map, route, landmark) / text.unit, {0.02, 0.05, 0.1, 0.2, 0.4}),
+  out.add(K::RivalNamed, 1, 1, bin(distance_from(text.map, route, landmark) / text.unit, {0.02, 0.05, 0.1, 0.2, 0.4}),
           neighbour_named);
 }
 
@@ -109,9 +108,8 @@ void add_walk(FeatureList& out, const TextOnRoute& text) {
   for (std::size_t i = 0; i < n; ++i) {
     const auto step = static_cast<unsigned>(walk.steps[i]);
     const bool last = i + 1 == n;
-    const bool again = std::count_if(text.placed.begin(), text.placed.end(), [&](const PlacedMention& m) {
-                         return m.landmark == text.placed[i].landmark;
-                       }) > 1;
+    const bool again = std::count_if(text.placed.begin(), text.placed.end(),
+                                     [&](const PlacedMention& m) { return m.landmark == text.placed[i].landmark; }) > 1;
     out.add(K::Step, 1, 0, step, text.cues[i].cue, again);
     out.add(K::Step, 1, 1, step, last, i == 0, again);
     out.add(K::Step, 1, 2, step, text.cues[i].cue, text.cues[i].onwards, last);

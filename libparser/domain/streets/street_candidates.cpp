@@ -6,10 +6,8 @@ namespace waymark::streets {
 namespace {
 
 // Settings of the rough count: it only has to keep the right route among many.
-constexpr double own_landmark =
-    2.5;  // letters by which a name may fit worse if its landmark lies on the route
-constexpr double unnamed = 1.0, elsewhere = 1.0, backwards = 0.6, skipped = 0.15, wrong_goal = 0.8,
-                 by_rank = 0.06;
+constexpr double own_landmark = 2.5;  // letters by which a name may fit worse if its landmark lies on the route
+constexpr double unnamed = 1.0, elsewhere = 1.0, backwards = 0.6, skipped = 0.15, wrong_goal = 0.8, by_rank = 0.06;
 
 double rough_score(const CandidateRoute& route, const std::vector<PlacedMention>& mentions) {
   std::vector<bool> named(route.landmarks.size(), false);
@@ -43,8 +41,8 @@ std::vector<PlacedMention> place(const std::vector<Mention>& mentions, const Str
       const double here = fit.letters + (at != route.end() ? own_landmark : 0);
       if (here <= score) continue;
       score = here;
-      best = {fit.landmark, at == route.end() ? off_route : static_cast<std::uint32_t>(at - route.begin()),
-              fit.letters, fit.complete};
+      best = {fit.landmark, at == route.end() ? off_route : static_cast<std::uint32_t>(at - route.begin()), fit.letters,
+              fit.complete};
     }
     placed.push_back(best);
   }
@@ -52,8 +50,7 @@ std::vector<PlacedMention> place(const std::vector<Mention>& mentions, const Str
 }
 
 std::vector<CandidateRoute> candidate_routes(const StreetMap& map, RouteTable& routes, LandmarkIndex start,
-                                             const std::vector<Mention>& mentions,
-                                             const CandidateLimits& limits) {
+                                             const std::vector<Mention>& mentions, const CandidateLimits& limits) {
   struct Scored {
     double score;
     LandmarkIndex goal;
@@ -69,8 +66,7 @@ std::vector<CandidateRoute> candidate_routes(const StreetMap& map, RouteTable& r
     }
   }
   const std::size_t kept = std::min(limits.candidates, scored.size());
-  std::stable_sort(scored.begin(), scored.end(),
-                   [](const Scored& a, const Scored& b) { return a.score > b.score; });
+  std::stable_sort(scored.begin(), scored.end(), [](const Scored& a, const Scored& b) { return a.score > b.score; });
   std::vector<CandidateRoute> out;
   for (std::size_t i = 0; i < kept; ++i) {
     const auto& ranked = routes.routes(start, scored[i].goal);

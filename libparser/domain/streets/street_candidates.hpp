@@ -38,7 +38,6 @@ struct CandidateLimits {
 
 // Best first by the rough count.
 std::vector<CandidateRoute> candidate_routes(const StreetMap& map, RouteTable& routes, LandmarkIndex start,
-                                             const std::vector<Mention>& mentions,
-                                             const CandidateLimits& limits = {});
+                                             const std::vector<Mention>& mentions, const CandidateLimits& limits = {});
 
 }  // namespace waymark::streets

@@ -25,8 +25,7 @@ StreetRoute read_path(const plan::JsonReader& line, const json& object, const St
   for (std::size_t i = 0; i < list.size(); ++i) {
     const std::string at = "path[" + std::to_string(i) + "]";
     path.push_back(read_landmark(line, list[i], at, map));
-    if (i > 0 && !map.length(path[i - 1], path[i]))
-      line.fail(at, "no way leads there from the landmark before");
+    if (i > 0 && !map.length(path[i - 1], path[i])) line.fail(at, "no way leads there from the landmark before");
   }
   return path;
 }
@@ -38,8 +37,7 @@ StreetInstruction read_instruction(const plan::JsonReader& line, const std::vect
   instruction.id = text("id");
   instruction.text = text("text");
   const auto tokens = object.find("tokens");
-  instruction.tokens =
-      tokens == object.end() ? parser::tokenize(instruction.text) : line.strings(*tokens, "tokens");
+  instruction.tokens = tokens == object.end() ? parser::tokenize(instruction.text) : line.strings(*tokens, "tokens");
   const std::string name = text("map");
   const auto map = std::find_if(maps.begin(), maps.end(), [&](const StreetMap& m) { return m.name == name; });
   if (map == maps.end()) line.fail("map", "there is no map called '" + name + "'");
@@ -53,8 +51,7 @@ StreetInstruction read_instruction(const plan::JsonReader& line, const std::vect
 }  // namespace
 
 std::vector<StreetInstruction> parse_street_instructions(std::string_view json_lines,
-                                                         const std::vector<StreetMap>& maps,
-                                                         std::string_view source) {
+                                                         const std::vector<StreetMap>& maps, std::string_view source) {
   std::vector<StreetInstruction> instructions;
   parser::each_line(json_lines, [&](std::string_view text, std::size_t number) {
     instructions.push_back(read_instruction(plan::JsonReader(text, source, number), maps));

@@ -26,8 +26,7 @@ const std::map<std::string, Word, std::less<>>& words() {
     for (const Half& v : {Half{"north", "n", 1}, Half{"south", "s", -1}}) {
       for (const char* ending : {"", "ern", "ward", "wards", "erly", "bound"})
         t[v.vertical + std::string(ending)] = {K::Compass, 0, v.up};
-      for (const auto& [side, letter, right] :
-           {std::tuple{"east", "e", 1.0}, std::tuple{"west", "w", -1.0}}) {
+      for (const auto& [side, letter, right] : {std::tuple{"east", "e", 1.0}, std::tuple{"west", "w", -1.0}}) {
         for (const char* ending : {"", "ern", "ward", "wards", "erly", "bound"}) {
           t[side + std::string(ending)] = {K::Compass, right, 0};
           t[v.vertical + std::string(side) + ending] = {K::Compass, right, v.up};
@@ -65,8 +64,7 @@ std::optional<Direction> clock(const std::vector<std::string>& letters, std::siz
 
 }  // namespace
 
-std::optional<Direction> last_direction(const std::vector<std::string>& tokens, std::size_t begin,
-                                        std::size_t end) {
+std::optional<Direction> last_direction(const std::vector<std::string>& tokens, std::size_t begin, std::size_t end) {
   constexpr std::size_t apart = 4;  // words between "up" and "left" that still make one direction
   std::vector<std::string> letters;
   for (std::size_t i = begin; i < end; ++i) letters.push_back(letters_of(tokens[i]));

@@ -14,8 +14,7 @@ struct Direction {
 };
 
 // The last direction said in tokens[begin, end): "north east", "2 o'clock", "up and to the left".
-std::optional<Direction> last_direction(const std::vector<std::string>& tokens, std::size_t begin,
-                                        std::size_t end);
+std::optional<Direction> last_direction(const std::vector<std::string>& tokens, std::size_t begin, std::size_t end);
 
 // Least angle between two directions, in degrees, [0, 180].
 double angle_between(double a, double b);

@@ -64,8 +64,7 @@ class Writer {
   void as_read() {
     for (const streets::Interpretation& reading : readings(nodes_[0], placed_, cues_)) {
       std::size_t at = 0;
-      for (const LandmarkIndex node : nodes_)
-        at += at < reading.landmarks.size() && reading.landmarks[at] == node;
+      for (const LandmarkIndex node : nodes_) at += at < reading.landmarks.size() && reading.landmarks[at] == node;
       if (at < reading.landmarks.size()) continue;
       const std::size_t silent = nodes_.size() - at;
       const bool to_goal = reading.landmarks.back() == nodes_.back();
@@ -201,16 +200,14 @@ class Writer {
     }
     add(Kind::MoveGap, 1, how, gap);
     if (end > begin)
-      add(Kind::StartWord, 1, how, hash_of(tokens_[end - 1]),
-          end - begin > 1 ? hash_of(tokens_[end - 2]) : 0);
+      add(Kind::StartWord, 1, how, hash_of(tokens_[end - 1]), end - begin > 1 ? hash_of(tokens_[end - 2]) : 0);
   }
 
   void off(const PlacedMention& here, std::size_t begin, std::size_t end) {
     const double away = beside(here.landmark);
     const unsigned how_far = bin(away, {0.03, 0.08, 0.15, 0.25, 0.4, 0.7});
     const std::uint32_t nearest = nearest_on_route(here.landmark);
-    const unsigned apart =
-        bin(map_.distance(here.landmark, nodes_[nearest]) / unit_, {0.05, 0.1, 0.2, 0.3, 0.5, 0.8});
+    const unsigned apart = bin(map_.distance(here.landmark, nodes_[nearest]) / unit_, {0.05, 0.1, 0.2, 0.3, 0.5, 0.8});
     const unsigned role = nearest == 0 ? 0 : nearest + 1 == nodes_.size() ? 2 : 1;
     add(Kind::Beside, 1, how_far);
     add(Kind::Beside, 1, 100, apart, role, named_[nearest] > 0);
@@ -240,8 +237,7 @@ class Writer {
       const double extra = goal ? d(i - 1, i) : d(i - 1, i) + d(i, i + 1) - d(i - 1, i + 1);
       const unsigned out_of_way = bin(extra / unit_, {0.005, 0.02, 0.05, 0.1, 0.2, 0.4, 0.8});
       const unsigned beside_last = bin(d(i - 1, i) / unit_, {0.05, 0.1, 0.2, 0.4, 0.8});
-      const bool on_rival =
-          std::find(route_.rival.begin(), route_.rival.end(), nodes_[i]) != route_.rival.end();
+      const bool on_rival = std::find(route_.rival.begin(), route_.rival.end(), nodes_[i]) != route_.rival.end();
       add(Kind::Silent, 1, goal, out_of_way);
       add(Kind::Silent, 1, goal, 100 + beside_last);
       add(Kind::SilentRival, 1, goal, on_rival);
@@ -296,8 +292,7 @@ class Writer {
     // What is named tells the route from its rival.
     std::size_t here = 0, there = 0;
     for (const PlacedMention& m : placed_) {
-      const bool rival =
-          std::find(route_.rival.begin(), route_.rival.end(), m.landmark) != route_.rival.end();
+      const bool rival = std::find(route_.rival.begin(), route_.rival.end(), m.landmark) != route_.rival.end();
       here += m.position != off_route && !rival ? 1U : 0U;
       there += m.position == off_route && rival ? 1U : 0U;
     }

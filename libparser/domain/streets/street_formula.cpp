@@ -26,11 +26,9 @@ std::optional<StreetRoute> waypoints(const StreetMap& map, const StreetRoute& ro
 
 ltl::Formula visit_in_order(const StreetMap& map, const StreetRoute& landmarks, ltl::Arena& arena) {
   std::vector<ltl::Formula> atoms;  // made in their order, which is that of operands when they are printed
-  for (const LandmarkIndex l : landmarks)
-    atoms.push_back(arena.atom(plan::landmark_name(map.landmarks[l].name)));
+  for (const LandmarkIndex l : landmarks) atoms.push_back(arena.atom(plan::landmark_name(map.landmarks[l].name)));
   ltl::Formula task = arena.constant(true);
-  for (auto at = atoms.rbegin(); at != atoms.rend(); ++at)
-    task = ltl::eventually(ltl::conjunction(*at, task));
+  for (auto at = atoms.rbegin(); at != atoms.rend(); ++at) task = ltl::eventually(ltl::conjunction(*at, task));
   return task;
 }
 

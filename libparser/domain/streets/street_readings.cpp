@@ -56,8 +56,7 @@ Cue cue_of(std::string_view word) {
   return at == cues.end() ? Cue::None : at->second;
 }
 
-std::vector<MentionCue> mention_cues(const std::vector<std::string>& tokens,
-                                     const std::vector<Mention>& mentions) {
+std::vector<MentionCue> mention_cues(const std::vector<std::string>& tokens, const std::vector<Mention>& mentions) {
   std::vector<MentionCue> out(mentions.size());
   std::size_t begin = 0;
   for (std::size_t m = 0; m < mentions.size(); ++m) {
@@ -101,8 +100,8 @@ std::vector<Interpretation> readings(LandmarkIndex start, const std::vector<Plac
       if (std::find(reading.landmarks.begin(), reading.landmarks.end(), here) == reading.landmarks.end())
         reading.landmarks.push_back(here);
     }
-    const bool fresh = std::none_of(
-        out.begin(), out.end(), [&](const Interpretation& r) { return r.landmarks == reading.landmarks; });
+    const bool fresh =
+        std::none_of(out.begin(), out.end(), [&](const Interpretation& r) { return r.landmarks == reading.landmarks; });
     if (fresh) out.push_back(std::move(reading));
   }
   return out;

@@ -20,8 +20,7 @@ struct MentionCue {
   Cue cue = Cue::None;
   bool onwards = false;  // something is reached right after it, in the same sentence
 };
-std::vector<MentionCue> mention_cues(const std::vector<std::string>& tokens,
-                                     const std::vector<Mention>& mentions);
+std::vector<MentionCue> mention_cues(const std::vector<std::string>& tokens, const std::vector<Mention>& mentions);
 
 struct Interpretation {
   static constexpr unsigned reordered = 1, passed_by = 2, another_start = 4;

@@ -12,8 +12,8 @@ constexpr double unreachable = std::numeric_limits<double>::infinity();
 
 // Dijkstra from `start` to `goal` over landmarks that are not closed, without the ways start → closed_ways.
 // Maps are small: the next landmark is found by looking at all of them. O(landmarks²).
-StreetRoute shortest(const StreetMap& map, LandmarkIndex start, LandmarkIndex goal,
-                     const std::vector<bool>& closed, const std::set<LandmarkIndex>& closed_ways) {
+StreetRoute shortest(const StreetMap& map, LandmarkIndex start, LandmarkIndex goal, const std::vector<bool>& closed,
+                     const std::set<LandmarkIndex>& closed_ways) {
   const std::size_t n = map.landmarks.size();
   std::vector<double> length(n, unreachable);
   std::vector<LandmarkIndex> before(n, start);
@@ -41,8 +41,7 @@ StreetRoute shortest(const StreetMap& map, LandmarkIndex start, LandmarkIndex go
 
 double length_of(const StreetMap& map, const StreetRoute& route) {
   double sum = 0;
-  for (std::size_t i = 1; i < route.size(); ++i)
-    sum += map.length(route[i - 1], route[i]).value_or(unreachable);
+  for (std::size_t i = 1; i < route.size(); ++i) sum += map.length(route[i - 1], route[i]).value_or(unreachable);
   return sum;
 }
 

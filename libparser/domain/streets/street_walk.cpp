@@ -57,8 +57,7 @@ Walk walk_along(const CandidateRoute& route, const std::vector<PlacedMention>& m
   walk.cost = never;
   std::uint32_t at = 0;
   for (std::uint32_t p = 0; p < positions; ++p) {
-    const double cost =
-        table.cost[n * positions + p] + cost_unreached * static_cast<double>(positions - 1 - p);
+    const double cost = table.cost[n * positions + p] + cost_unreached * static_cast<double>(positions - 1 - p);
     if (cost < walk.cost) walk.cost = cost, at = p;
   }
   walk.reaches_goal = at + 1 == positions;

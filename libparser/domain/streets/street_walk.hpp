@@ -19,8 +19,8 @@ constexpr double cost_unreached = 1, cost_no_step = 0.4;
 
 struct Walk {
   std::vector<MentionRole> steps;  // by mention
-  std::size_t unreached = 0;  // landmarks of the route that no mention steps on; the start counts as reached
-  bool reaches_goal = false;  // by its last step
+  std::size_t unreached = 0;       // landmarks of the route that no mention steps on; the start counts as reached
+  bool reaches_goal = false;       // by its last step
   double cost = 0;
 };
 

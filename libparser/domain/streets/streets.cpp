@@ -31,8 +31,7 @@ parser::CandidateFeatures Streets::features(Text text, const StreetCandidates& c
   parser::CandidateFeatures out;
   for (const CandidateRoute& route : candidates.routes) {
     out.candidates.push_back({static_cast<std::uint32_t>(out.bundles.size())});
-    out.bundles.push_back(
-        street_features(maps_[text->map], unit, text->tokens, candidates.mentions, cues, route));
+    out.bundles.push_back(street_features(maps_[text->map], unit, text->tokens, candidates.mentions, cues, route));
   }
   return out;
 }
@@ -53,16 +52,15 @@ StreetModel learn_streets(std::span<const Streets::Text> texts, const std::vecto
   return model;
 }
 
-std::vector<StreetReading> rank_routes(Streets& streets, const parser::WeightTable& weights,
-                                       Streets::Text text, const StreetCandidates& candidates) {
+std::vector<StreetReading> rank_routes(Streets& streets, const parser::WeightTable& weights, Streets::Text text,
+                                       const StreetCandidates& candidates) {
   std::vector<StreetReading> out;
   if (candidates.routes.empty()) return out;
   std::vector<double> probabilities = parser::scores(weights, streets.features(text, candidates));
   parser::normalise(probabilities);
   for (std::size_t i = 0; i < probabilities.size(); ++i) out.push_back({candidates[i], probabilities[i]});
-  std::stable_sort(out.begin(), out.end(), [](const StreetReading& a, const StreetReading& b) {
-    return a.probability > b.probability;
-  });
+  std::stable_sort(out.begin(), out.end(),
+                   [](const StreetReading& a, const StreetReading& b) { return a.probability > b.probability; });
   return out;
 }
 

@@ -86,7 +86,7 @@ struct StreetReading {
 };
 
 // The candidates by probability, best first; empty where no way leaves the start.
-std::vector<StreetReading> rank_routes(Streets& streets, const parser::WeightTable& weights,
-                                       Streets::Text text, const StreetCandidates& candidates);
+std::vector<StreetReading> rank_routes(Streets& streets, const parser::WeightTable& weights, Streets::Text text,
+                                       const StreetCandidates& candidates);
 
 }  // namespace waymark::streets

@@ -10,8 +10,7 @@ namespace {
 using plan::TabularProduct;
 
 // Maps have no noise: a choice has one outcome.
-std::vector<plan::Action> walk(const TabularProduct& product, const plan::ActionTable& policy,
-                               std::size_t horizon) {
+std::vector<plan::Action> walk(const TabularProduct& product, const plan::ActionTable& policy, std::size_t horizon) {
   std::vector<plan::Action> actions;
   std::uint32_t state = product.starts.front().state;
   while (product.ending(state) == plan::Ending::Open && actions.size() < horizon) {
@@ -25,8 +24,7 @@ std::vector<plan::Action> walk(const TabularProduct& product, const plan::Action
 
 }  // namespace
 
-Response LearnedFollower::follow(const Executor& executor, const SentenceInput& input,
-                                 plan::PoseId start) const {
+Response LearnedFollower::follow(const Executor& executor, const SentenceInput& input, plan::PoseId start) const {
   Response answer = reader_->follow(executor, input, start);
   if (answer.program.empty()) return answer;
   const Task task{executor.map().name(), start.index, answer.program};

@@ -74,12 +74,7 @@ class Drawing {
         continue;
       }
       const std::uint32_t d = ways[below(count)];
-      const std::uint32_t dx = d == 1   ? 1
-                               : d == 3 ? UINT32_MAX
-                                        : 0,
-                          dy = d == 2   ? 1
-                               : d == 0 ? UINT32_MAX
-                                        : 0;
+      const std::uint32_t dx = d == 1 ? 1 : d == 3 ? UINT32_MAX : 0, dy = d == 2 ? 1 : d == 0 ? UINT32_MAX : 0;
       rows_[y + dy][x + dx] = rows_[y + 2 * dy][x + 2 * dx] = '.';
       trail.emplace_back(x + 2 * dx, y + 2 * dy);
     }
@@ -129,8 +124,7 @@ class Drawing {
 
 // The plain cells that are reached from a cell, walls, hazards and one-way cells heeded; row by row.
 std::vector<std::uint32_t> reached(const std::vector<std::string>& rows, std::uint32_t start) {
-  const auto width = static_cast<std::uint32_t>(rows[0].size()),
-             height = static_cast<std::uint32_t>(rows.size());
+  const auto width = static_cast<std::uint32_t>(rows[0].size()), height = static_cast<std::uint32_t>(rows.size());
   const auto open = [](char cell, std::size_t d) {
     const std::size_t one_way = one_way_glyphs.find(cell);
     return cell == '.' || one_way == d;
@@ -144,8 +138,7 @@ std::vector<std::uint32_t> reached(const std::vector<std::string>& rows, std::ui
     const std::array<bool, 4> inside{y > 0, x + 1 < width, y + 1 < height, x > 0};
     const std::array<std::uint32_t, 4> next{cell - width, cell + 1, cell + width, cell - 1};
     for (std::size_t d = 0; d < 4; ++d) {
-      if (!inside[d] || met[next[d]] || !open(rows[y][x], d) ||
-          !open(rows[next[d] / width][next[d] % width], d))
+      if (!inside[d] || met[next[d]] || !open(rows[y][x], d) || !open(rows[next[d] / width][next[d] % width], d))
         continue;
       met[next[d]] = true;
       stack.push_back(next[d]);
@@ -160,8 +153,7 @@ std::vector<std::uint32_t> reached(const std::vector<std::string>& rows, std::ui
 bool has_hazards(GridKind kind) { return kind == GridKind::Scatter || kind == GridKind::Bridge; }
 
 void check(const GridRecipe& recipe) {
-  if (recipe.width < 3 || recipe.height < 3 ||
-      std::size_t{recipe.width} * recipe.height > GridWorld::max_cells)
+  if (recipe.width < 3 || recipe.height < 3 || std::size_t{recipe.width} * recipe.height > GridWorld::max_cells)
     throw std::invalid_argument("a map is 3 to some thousand cells wide and high");
   if (recipe.landmarks > GridRecipe::most_landmarks)
     throw std::invalid_argument("at most " + std::to_string(GridRecipe::most_landmarks) + " landmarks");
@@ -277,9 +269,9 @@ void write_case(std::ostream& out, const GridText& grid) {
   if (has('x')) out << R"(, "x": {"props": ["x"]})";
   for (const std::string& l : grid.landmarks) out << ", \"" << l << "\": {\"props\": [\"" << l << "\"]}";
   out << "},\n \"start\": {\"x\": " << grid.x << ", \"y\": " << grid.y
-      << "}, \"moves\": [\"N\", \"E\", \"S\", \"W\"],\n \"motion\": {\"forward\": "
-      << text(grid.motion.forward) << ", \"left\": " << text(grid.motion.left)
-      << ", \"right\": " << text(grid.motion.right) << ", \"back\": " << text(grid.motion.back)
+      << "}, \"moves\": [\"N\", \"E\", \"S\", \"W\"],\n \"motion\": {\"forward\": " << text(grid.motion.forward)
+      << ", \"left\": " << text(grid.motion.left) << ", \"right\": " << text(grid.motion.right)
+      << ", \"back\": " << text(grid.motion.back)
       << ", \"blocked\": \"stay\"}, \"cost\": {\"step\": 1},\n \"tasks\": [";
   for (std::size_t i = 0; i < grid.tasks.size(); ++i) {
     const CaseTask& task = grid.tasks[i];

@@ -174,8 +174,7 @@ class CaseReader {
       in_.fail("rows", "expected " + std::to_string(shape.height) + " rows");
     in_.each(document, "", "rows", [&](const Value& value, const std::string& path) {
       const std::string row = in_.string(value, path);
-      if (row.size() != shape.width)
-        in_.fail(path, "expected " + std::to_string(shape.width) + " characters");
+      if (row.size() != shape.width) in_.fail(path, "expected " + std::to_string(shape.width) + " characters");
       for (char glyph : row) {
         const auto kind = kinds.of_glyph[static_cast<unsigned char>(glyph)];
         if (!kind) in_.fail(path, std::string("the glyph '") + glyph + "' is not in the legend");
@@ -283,17 +282,14 @@ class CaseReader {
     std::map<std::uint32_t, double> chance_;
   };
 
-  static Outcomes moved(const MapGraph& graph, std::uint32_t node, std::uint32_t heading,
-                        const SlipChances& slip) {
+  static Outcomes moved(const MapGraph& graph, std::uint32_t node, std::uint32_t heading, const SlipChances& slip) {
     Outcomes out;
-    const std::array<double, 4> chance{slip.forward, slip.right, slip.back,
-                                       slip.left};  // by turn to the right
+    const std::array<double, 4> chance{slip.forward, slip.right, slip.back, slip.left};  // by turn to the right
     for (std::uint32_t turn = 0; turn < 4; ++turn)
       out.add(4 * graph.ways[node][(heading + turn) % 4].to.value_or(node) + heading, chance[turn]);
     return out;
   }
-  static Outcomes turned(std::uint32_t node, std::uint32_t heading, std::uint32_t quarter,
-                         const TurnChances& slip) {
+  static Outcomes turned(std::uint32_t node, std::uint32_t heading, std::uint32_t quarter, const TurnChances& slip) {
     Outcomes out;
     out.add(4 * node + heading, slip.stay);
     out.add(4 * node + (heading + quarter) % 4, 1 - slip.stay - slip.beyond);
@@ -302,8 +298,7 @@ class CaseReader {
   }
 
   Mdp map(const Value& document) const {
-    in_.check_keys(document, "",
-                   {"format", "name", "nodes", "edges", "start", "actions", "motion", "cost", "tasks"});
+    in_.check_keys(document, "", {"format", "name", "nodes", "edges", "start", "actions", "motion", "cost", "tasks"});
     if (document.contains("actions") && document["actions"] != Value({"forward", "left", "right"}))
       in_.fail("actions", R"(expected ["forward", "left", "right"])");
     ltl::Vocabulary vocabulary;
@@ -331,8 +326,7 @@ class CaseReader {
       }
     const Value& start = in_.member(document, "", "start");
     const std::uint32_t node = node_of(graph, in_.member(start, "start", "node"), "start.node");
-    const std::uint32_t heading =
-        named(in_, directions, in_.member(start, "start", "heading"), "start.heading");
+    const std::uint32_t heading = named(in_, directions, in_.member(start, "start", "heading"), "start.heading");
     const LetterId first = letter(node, heading);
     std::optional<Mdp> out;
     in_.at("motion", [&] { out = std::move(builder).build(4 * node + heading, first); });
@@ -357,9 +351,7 @@ std::string_view name(CaseTask::Query query) {
   return {};
 }
 
-PlanningCase parse_case(std::string_view json, std::string_view source) {
-  return CaseReader(json, source).read();
-}
+PlanningCase parse_case(std::string_view json, std::string_view source) { return CaseReader(json, source).read(); }
 
 PlanningCase read_case(const std::filesystem::path& file) {
   std::ifstream in(file, std::ios::binary);

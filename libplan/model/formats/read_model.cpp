@@ -35,8 +35,7 @@ PlanningCase read_model(const std::filesystem::path& file, std::string_view star
     return {name, read_prism_explicit(file), {}};
   }
   const std::string text = contents(file);
-  if (file.extension() == ".json" && !is_case(text, source))
-    return {name, parse_streets(text, source, start), {}};
+  if (file.extension() == ".json" && !is_case(text, source)) return {name, parse_streets(text, source, start), {}};
   no_start();
   if (file.extension() == ".json") return parse_case(text, source);
   return {name, parse_prism(text, source), {}};

@@ -25,8 +25,7 @@ Mdp parse_streets(std::string_view json, std::string_view source, std::string_vi
   while (!start.empty() && first < names.size() && std::to_string(map.landmarks[first].id) != start &&
          names[first] != start)
     ++first;
-  if (first == names.size())
-    throw ltl::FormatError(source, 0, 0, "there is no landmark '" + std::string(start) + "'");
+  if (first == names.size()) throw ltl::FormatError(source, 0, 0, "there is no landmark '" + std::string(start) + "'");
   const LetterId first_letter = letter(first);
   return std::move(builder).build(first, first_letter);
 }

@@ -62,8 +62,7 @@ std::vector<PrismToken> prism_tokens(std::string_view text, std::string_view sou
       add(Kind::Number, end_of_number(text, at));
     } else if (c == '"') {
       const std::size_t end = text.find('"', at + 1);
-      if (end == std::string_view::npos)
-        throw ltl::SyntaxError(text, {at, at + 1}, "a string without an end", source);
+      if (end == std::string_view::npos) throw ltl::SyntaxError(text, {at, at + 1}, "a string without an end", source);
       out.push_back({Kind::String, text.substr(at + 1, end - at - 1), {at, end + 1}});
       at = end + 1;
     } else if (const std::size_t length = symbol_length(text.substr(at)); length > 0) {
@@ -78,8 +77,7 @@ std::vector<PrismToken> prism_tokens(std::string_view text, std::string_view sou
 
 bool PrismTokens::is(std::string_view word, std::size_t ahead) const {
   const PrismToken& token = peek(ahead);
-  return (token.kind == PrismToken::Kind::Symbol || token.kind == PrismToken::Kind::Name) &&
-         token.text == word;
+  return (token.kind == PrismToken::Kind::Symbol || token.kind == PrismToken::Kind::Name) && token.text == word;
 }
 bool PrismTokens::accept(std::string_view word) {
   if (!is(word)) return false;
@@ -138,8 +136,8 @@ PrismExpressions::Id PrismExpressions::parse_level(PrismTokens& in, std::size_t 
   Id left = parse_level(in, level + 1);
   for (;;) {
     const Operators& operators = levels[level];
-    const auto found = std::find_if(operators.begin(), operators.end(),
-                                    [&](const auto& candidate) { return in.is(candidate.first); });
+    const auto found =
+        std::find_if(operators.begin(), operators.end(), [&](const auto& candidate) { return in.is(candidate.first); });
     if (found == operators.end()) return left;
     in.next();
     const Id right = parse_level(in, level + 1);
@@ -196,8 +194,8 @@ PrismExpressions::Id PrismExpressions::parse_call(PrismTokens& in) {
                                                       {"ceil", Op::Ceil, 1, 1},
                                                       {"pow", Op::Pow, 2, 2}}};
   const PrismToken token = in.peek();
-  const auto* found = std::find_if(functions.begin(), functions.end(),
-                                   [&](const Function& f) { return f.name == token.text; });
+  const auto* found =
+      std::find_if(functions.begin(), functions.end(), [&](const Function& f) { return f.name == token.text; });
   if (found == functions.end()) in.fail("expected one of the functions min, max, mod, floor, ceil, pow");
   in.next();
   in.expect("(");
@@ -246,8 +244,7 @@ PrismExpressions::Type PrismExpressions::find_type(Id e) {
   };
   const auto numeric = [&] {
     all(Type::Double);
-    const bool whole =
-        std::all_of(operands.begin(), operands.end(), [&](Id o) { return type(o) == Type::Int; });
+    const bool whole = std::all_of(operands.begin(), operands.end(), [&](Id o) { return type(o) == Type::Int; });
     return whole ? Type::Int : Type::Double;
   };
   switch (op) {
@@ -288,8 +285,7 @@ PrismExpressions::Type PrismExpressions::find_type(Id e) {
 
 PrismExpressions::Type PrismExpressions::type_of_name(Id e) {
   const auto at = names_.find(nodes_[e].name);
-  if (at == names_.end())
-    tokens_->fail(where(e), "there is no variable, constant or formula '" + nodes_[e].name + "'");
+  if (at == names_.end()) tokens_->fail(where(e), "there is no variable, constant or formula '" + nodes_[e].name + "'");
   nodes_[e].operands.clear();
   nodes_[e].value = at->second;
   const Meaning meaning = meanings_[at->second];
@@ -299,8 +295,7 @@ PrismExpressions::Type PrismExpressions::type_of_name(Id e) {
 double PrismExpressions::value_of_name(const Node& node, const PrismValues& values) {
   Meaning& meaning = meanings_[static_cast<std::size_t>(node.value)];
   if (meaning.is_variable) {
-    if (meaning.variable >= values.size())
-      tokens_->fail(node.where, "a variable where a constant is expected");
+    if (meaning.variable >= values.size()) tokens_->fail(node.where, "a variable where a constant is expected");
     return values[meaning.variable];
   }
   if (meaning.known_at != now_) {

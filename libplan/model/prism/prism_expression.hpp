@@ -30,9 +30,7 @@ class PrismTokens {  // a place in a text that is being read
   PrismTokens(std::string_view text, std::string_view source)
       : text_(text), source_(source), tokens_(prism_tokens(text, source)) {}
 
-  const PrismToken& peek(std::size_t ahead = 0) const {
-    return tokens_[std::min(at_ + ahead, tokens_.size() - 1)];
-  }
+  const PrismToken& peek(std::size_t ahead = 0) const { return tokens_[std::min(at_ + ahead, tokens_.size() - 1)]; }
   const PrismToken& next() { return tokens_[at_ + 1 < tokens_.size() ? at_++ : at_]; }
   bool is(std::string_view word, std::size_t ahead = 0) const;  // a symbol or a word of the language
   bool accept(std::string_view word);

@@ -74,8 +74,7 @@ class ModelReader {
     } else if (in_.is("module")) {
       module();
     } else {
-      in_.fail(
-          "expected a constant, formula, module, label or rewards: what is read is docs/formats/prism.md");
+      in_.fail("expected a constant, formula, module, label or rewards: what is read is docs/formats/prism.md");
     }
   }
 
@@ -238,8 +237,7 @@ class ModelReader {
 
   static std::string show(const PrismValues& values) {
     std::string out;
-    for (double value : values)
-      out += (out.empty() ? "" : ",") + std::to_string(static_cast<std::int64_t>(value));
+    for (double value : values) out += (out.empty() ? "" : ",") + std::to_string(static_cast<std::int64_t>(value));
     return out;
   }
 
@@ -288,13 +286,11 @@ class ModelReader {
     for (const Update& u : command.updates) {
       const double probability = u.probability ? expressions_.value(*u.probability, values) : 1;
       if (!(probability >= 0 && probability <= 1))
-        in_.fail(expressions_.where(*u.probability),
-                 "a probability outside of [0, 1] in state " + show(values));
+        in_.fail(expressions_.where(*u.probability), "a probability outside of [0, 1] in state " + show(values));
       sum += probability;
       if (probability == 0) continue;
       const std::uint32_t target = state(updated(u, values));
-      const auto same =
-          std::find_if(out.begin(), out.end(), [&](const Outcome& o) { return o.target == target; });
+      const auto same = std::find_if(out.begin(), out.end(), [&](const Outcome& o) { return o.target == target; });
       if (same == out.end())
         out.push_back({target, probability});
       else
@@ -343,8 +339,7 @@ class ModelReader {
       if (expressions_.value(command.guard, values) == 0) continue;
       any = true;
       start_choice(command.action, command.where);
-      for (const Outcome& o : outcomes(command, values))
-        builder.add_outcome(o.target, letter(o.target), o.probability);
+      for (const Outcome& o : outcomes(command, values)) builder.add_outcome(o.target, letter(o.target), o.probability);
     }
     if (any) return;
     expressions_.next_state();

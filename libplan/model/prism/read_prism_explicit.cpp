@@ -134,8 +134,7 @@ class ExplicitReader {
     if (!in.next()) in.fail("expected the numbers of states, choices and transitions");
     states_ = in.index();
     const std::uint32_t choices = in.index();
-    if (in.at_end())
-      in.fail("two numbers: a Markov chain; what is read is an mdp (states, choices, transitions)");
+    if (in.at_end()) in.fail("two numbers: a Markov chain; what is read is an mdp (states, choices, transitions)");
     const std::uint32_t transitions = in.index();
     in.expect_end();
     if (states_ == 0) in.fail("a model without states");
@@ -148,8 +147,7 @@ class ExplicitReader {
       if (!in.at_end()) row.action = in.word();
       in.expect_end();
     }
-    std::stable_sort(rows_.begin(), rows_.end(),
-                     [](const Row& a, const Row& b) { return place(a) < place(b); });
+    std::stable_sort(rows_.begin(), rows_.end(), [](const Row& a, const Row& b) { return place(a) < place(b); });
     std::size_t found = 0;
     for (std::size_t i = 0; i < rows_.size(); ++i) found += starts_choice(i) ? 1 : 0;
     check_promise("transitions", transitions, rows_.size());
@@ -158,9 +156,9 @@ class ExplicitReader {
 
   void check_promise(const char* what, std::size_t promised, std::size_t found) const {
     if (promised != found)
-      throw ltl::FormatError(prefix_ + ".tra", 1, 1,
-                             "the first line promises " + std::to_string(promised) + ' ' + what +
-                                 ", there are " + std::to_string(found));
+      throw ltl::FormatError(
+          prefix_ + ".tra", 1, 1,
+          "the first line promises " + std::to_string(promised) + ' ' + what + ", there are " + std::to_string(found));
   }
 
   static std::pair<std::uint32_t, std::uint32_t> place(const Row& row) { return {row.source, row.choice}; }

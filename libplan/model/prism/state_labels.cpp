@@ -55,10 +55,7 @@ StateLabelled split(const Model& model) {
     builder.add_choice("stay", 0);
     builder.add_outcome(i, entered.letter[i]);
   }
-  return {std::move(builder).build(0, model.initial_letter()),
-          std::move(entered.letter),
-          std::move(entered.state),
-          {}};
+  return {std::move(builder).build(0, model.initial_letter()), std::move(entered.letter), std::move(entered.state), {}};
 }
 
 void add_values(StateLabelled& labelled, std::size_t states, const StateValues& own) {

@@ -20,8 +20,8 @@ struct StateValues {
 };
 
 struct StateLabelled {
-  Mdp mdp;                       // every outcome carries the letter of its target; 0 is the initial state
-  std::vector<LetterId> letter;  // by state
+  Mdp mdp;                            // every outcome carries the letter of its target; 0 is the initial state
+  std::vector<LetterId> letter;       // by state
   std::vector<std::uint32_t> origin;  // by state: the state of the model
   StateValues values;
 };

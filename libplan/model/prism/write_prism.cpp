@@ -58,8 +58,8 @@ class ActionNames {  // one for every action, or for every action at one cost
 // ---- explicit files
 
 std::string transitions(const Mdp& mdp) {
-  std::string out = std::to_string(mdp.states()) + ' ' + std::to_string(mdp.choices()) + ' ' +
-                    std::to_string(mdp.outcomes()) + '\n';
+  std::string out =
+      std::to_string(mdp.states()) + ' ' + std::to_string(mdp.choices()) + ' ' + std::to_string(mdp.outcomes()) + '\n';
   ActionNames actions(false);
   for (std::uint32_t s = 0; s < mdp.states(); ++s)
     for (std::uint32_t k = 0; k < mdp.choices(s); ++k) {
@@ -80,8 +80,7 @@ std::string states(const StateLabelled& model) {
   out += ")\n";
   for (std::size_t s = 0; s < model.mdp.states(); ++s) {
     out += std::to_string(s) + ':';
-    for (std::size_t v = 0; v < width; ++v)
-      out += (v == 0 ? "(" : ",") + std::to_string(values.values[s * width + v]);
+    for (std::size_t v = 0; v < width; ++v) out += (v == 0 ? "(" : ",") + std::to_string(values.values[s * width + v]);
     out += ")\n";
   }
   return out;
@@ -124,8 +123,7 @@ std::string transition_rewards(const Mdp& mdp) {
         ++count;
       }
     }
-  return std::to_string(mdp.states()) + ' ' + std::to_string(mdp.choices()) + ' ' + std::to_string(count) +
-         '\n' + rows;
+  return std::to_string(mdp.states()) + ' ' + std::to_string(mdp.choices()) + ' ' + std::to_string(count) + '\n' + rows;
 }
 
 // ---- the language
@@ -152,9 +150,7 @@ class LanguageWriter {
   }
 
  private:
-  std::int32_t value(std::size_t s, std::size_t v) const {
-    return model_.values.values[s * variables_.size() + v];
-  }
+  std::int32_t value(std::size_t s, std::size_t v) const { return model_.values.values[s * variables_.size() + v]; }
 
   std::string declaration(std::size_t v) const {
     std::int32_t least = value(0, v), most = least;
@@ -194,8 +190,7 @@ class LanguageWriter {
     std::string out;
     if (const auto cost = only_cost(mdp_); cost && by_state_) return "  true : " + text(*cost) + ";\n";
     if (!by_state_) {
-      for (const auto& [action, name] : actions_.all())
-        out += "  [" + name + "] true : " + text(action.second) + ";\n";
+      for (const auto& [action, name] : actions_.all()) out += "  [" + name + "] true : " + text(action.second) + ";\n";
       return out;
     }
     for (std::uint32_t s = 0; s < mdp_.states(); ++s)
@@ -233,8 +228,7 @@ std::string rectangles(const GridWorld& grid, const CellTest& contains) {
   std::map<Run, std::uint32_t> open, still;             // → its first row
   std::string out;
   const auto close = [&](Run run, std::uint32_t from, std::uint32_t to) {
-    out +=
-        (out.empty() ? "(" : " | (") + range('x', run.first, run.second) + '&' + range('y', from, to) + ')';
+    out += (out.empty() ? "(" : " | (") + range('x', run.first, run.second) + '&' + range('y', from, to) + ')';
   };
   for (std::uint32_t y = 0; y <= grid.height(); ++y) {
     still.clear();
@@ -260,8 +254,7 @@ std::string grid_command(const GridWorld& grid, std::size_t meant) {
   std::string out;
   for (std::size_t turn = 0; turn < 4; ++turn)
     if (chance[turn] != 0)
-      out += (out.empty() ? "" : " + ") + text(chance[turn]) + ":(" +
-             std::string(updates[(meant + turn) % 4]) + ')';
+      out += (out.empty() ? "" : " + ") + text(chance[turn]) + ":(" + std::string(updates[(meant + turn) % 4]) + ')';
   return "  [go" + std::string(name(all_compass[meant])) + "] true -> " + out + ";\n";
 }
 
@@ -286,8 +279,7 @@ std::string write_prism(const GridWorld& grid) {
            ";\n";
   const std::uint32_t start = grid.initial(), width = grid.width();
   out += "\nmodule grid\n  x : [0.." + std::to_string(width - 1) + "] init " + std::to_string(start % width) +
-         ";\n  y : [0.." + std::to_string(grid.height() - 1) + "] init " + std::to_string(start / width) +
-         ";\n";
+         ";\n  y : [0.." + std::to_string(grid.height() - 1) + "] init " + std::to_string(start / width) + ";\n";
   for (std::size_t d = 0; d < 4; ++d) out += grid_command(grid, d);
   out += "endmodule\n\nrewards \"cost\"\n";
   const std::array<double, 4>& cost = grid.shape().cost;
@@ -302,8 +294,7 @@ std::string write_prism(const GridWorld& grid) {
     out += "label \"" + names[p] + "\" = " +
            rectangles(grid,
                       [&](std::uint32_t cell) {
-                        return !grid.is_wall(cell) &&
-                               grid.letters()[grid.letter(cell)].contains(ltl::Proposition{p});
+                        return !grid.is_wall(cell) && grid.letters()[grid.letter(cell)].contains(ltl::Proposition{p});
                       }) +
            ";\n";
   return out;

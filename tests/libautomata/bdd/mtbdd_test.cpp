@@ -14,16 +14,15 @@ namespace {
 using Node = Mtbdd::Node;
 
 // A random diagram over `variables` variables, by the truth table: entry i is the payload under the bits of i.
-Node from_table(Mtbdd& diagram, const std::vector<std::uint32_t>& table, Mtbdd::Variable variable,
-                std::size_t base, Mtbdd::Variable variables) {
+Node from_table(Mtbdd& diagram, const std::vector<std::uint32_t>& table, Mtbdd::Variable variable, std::size_t base,
+                Mtbdd::Variable variables) {
   if (variable == variables) return Mtbdd::terminal(table[base]);
   const Node low = from_table(diagram, table, variable + 1, base, variables);
   const Node high = from_table(diagram, table, variable + 1, base | std::size_t{1} << variable, variables);
   return diagram.make(variable, low, high);
 }
 
-std::vector<std::uint32_t> random_table(std::mt19937_64& engine, Mtbdd::Variable variables,
-                                        std::uint32_t payloads) {
+std::vector<std::uint32_t> random_table(std::mt19937_64& engine, Mtbdd::Variable variables, std::uint32_t payloads) {
   std::vector<std::uint32_t> table(std::size_t{1} << variables);
   for (std::uint32_t& entry : table) entry = static_cast<std::uint32_t>(engine() % payloads);
   return table;
@@ -94,8 +93,7 @@ TEST(Mtbdd, CachedResultsSurviveGrowthAndStayApart) {
   const auto table = random_table(engine, 12, 1000);
   const Node f = from_table(diagram, table, 0, 0, 12);
   for (int round = 0; round < 2; ++round) {
-    const Node g = diagram.apply(twice, std::array{f}, times2),
-               h = diagram.apply(thrice, std::array{f}, times3);
+    const Node g = diagram.apply(twice, std::array{f}, times2), h = diagram.apply(thrice, std::array{f}, times3);
     for (std::size_t i = 0; i < table.size(); i += 7) {
       ASSERT_EQ(value(diagram, g, i), 2 * table[i]);
       ASSERT_EQ(value(diagram, h, i), 3 * table[i]);

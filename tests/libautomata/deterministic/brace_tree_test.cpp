@@ -36,9 +36,8 @@ TEST(Determinize, KeepsTheLanguageOfRandomAutomata) {
         << "seed " << seed << ", automaton " << i << '\n'
         << write_hoa(from);
     for (const ltl::Lasso& word : words)
-      ASSERT_EQ(accepts(made, word), accepts(from, word))
-          << "seed " << seed << ", automaton " << i << '\n'
-          << write_hoa(from) << "on " << ltl::show(word, one_letter);
+      ASSERT_EQ(accepts(made, word), accepts(from, word)) << "seed " << seed << ", automaton " << i << '\n'
+                                                          << write_hoa(from) << "on " << ltl::show(word, one_letter);
   }
 }
 

@@ -50,8 +50,7 @@ TEST_P(ParityCorpora, AreNoLargerThanTheirPeersLineByLine) {
       }
     for (int i = 0; i < 10; ++i) {
       const ltl::Lasso word = ltl::random_lasso(
-          random,
-          {.prefix = random.below(4), .cycle = 1 + random.below(4), .atoms = arena.vocabulary().size()});
+          random, {.prefix = random.below(4), .cycle = 1 + random.below(4), .atoms = arena.vocabulary().size()});
       ASSERT_EQ(accepts(dpa.automaton(), word), ltl::holds(word, f))
           << path << ":" << number << " on " << ltl::show(word, arena.vocabulary());
     }

@@ -24,9 +24,7 @@ using ltl::Formula;
 using ltl::Lasso;
 using testing::show;
 
-Automaton only(const std::variant<Translated, Exhausted>& result) {
-  return std::get<Translated>(result).automaton;
-}
+Automaton only(const std::variant<Translated, Exhausted>& result) { return std::get<Translated>(result).automaton; }
 
 ::testing::AssertionResult agree(Formula f, const Automaton& automaton, const Lasso& word) {
   if (accepts(automaton, word) == ltl::holds(word, f)) return ::testing::AssertionSuccess();
@@ -176,8 +174,7 @@ TEST(LtlToParity, TheNormalFormAnswersWhereDeterminisationDoesNot) {
     std::size_t states;
   } table[] = {
       {"F F !F(((!p1 W p3) U (G((G p2 ^ F p3) M (X !p0)))) R (p2 M p1))", 10},
-      {"!G G F((X p2 & X F(p1 ^ G p0)) <-> ((F(p0 <-> p3)) U (G F(p1 W (p0 R p3)))))",
-       20},  // 11 by g++, 12 by clang
+      {"!G G F((X p2 & X F(p1 ^ G p0)) <-> ((F(p0 <-> p3)) U (G F(p1 W (p0 R p3)))))", 20},  // 11 by g++, 12 by clang
   };
   ltl::Random random(82);
   for (const auto& row : table) {

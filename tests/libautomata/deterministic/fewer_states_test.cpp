@@ -32,8 +32,7 @@ TransitionRelation random_parity(ltl::Random& random, const RandomAutomaton& opt
       if (!b.marks.empty()) b.marks = Marks::of(b.marks.members().front());
     return branches;
   });
-  out.acceptance =
-      Acceptance::parity(Acceptance::Extreme::Min, Acceptance::Parity::Even, out.acceptance.sets);
+  out.acceptance = Acceptance::parity(Acceptance::Extreme::Min, Acceptance::Parity::Even, out.acceptance.sets);
   return out;
 }
 
@@ -86,8 +85,7 @@ TEST(Languages, AreThoseThatIncludeEachOther) {
     for (std::uint32_t q = 0; q < complete.states(); ++q)
       for (std::uint32_t r = 0; r < q; ++r) {
         const bool same = included[q][r] && included[r][q];
-        ASSERT_EQ(language[q] == language[r], same)
-            << "seed " << seed << ", automaton " << i << ", " << q << ' ' << r;
+        ASSERT_EQ(language[q] == language[r], same) << "seed " << seed << ", automaton " << i << ", " << q << ' ' << r;
         ++(same ? shared : apart);
       }
   }

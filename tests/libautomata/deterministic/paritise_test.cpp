@@ -66,11 +66,9 @@ TEST(Paritise, CopiesNoStateOfAParityAutomaton) {
   for (int i = 0; i < 200; ++i) {
     const std::uint32_t sets = static_cast<std::uint32_t>(i % 5);
     TransitionRelation from =
-        random_automaton(random, ab, {.states = 6, .sets = sets, .branches = 1, .generic = false})
-            .transitions();
-    from.acceptance =
-        Acceptance::parity(i % 2 == 0 ? Acceptance::Extreme::Min : Acceptance::Extreme::Max,
-                           i % 4 < 2 ? Acceptance::Parity::Even : Acceptance::Parity::Odd, sets);
+        random_automaton(random, ab, {.states = 6, .sets = sets, .branches = 1, .generic = false}).transitions();
+    from.acceptance = Acceptance::parity(i % 2 == 0 ? Acceptance::Extreme::Min : Acceptance::Extreme::Max,
+                                         i % 4 < 2 ? Acceptance::Parity::Even : Acceptance::Parity::Odd, sets);
     Budget budget;
     ASSERT_EQ(paritise(from, budget).states(), canonical(from).states()) << i;
   }
@@ -120,8 +118,7 @@ Condition random_combination(ltl::Random& random, std::uint32_t parts, int depth
   }
   std::vector<Condition> operands{random_combination(random, parts, depth - 1),
                                   random_combination(random, parts, depth - 1)};
-  return random.below(2) == 0 ? Condition::all_of(std::move(operands))
-                              : Condition::any_of(std::move(operands));
+  return random.below(2) == 0 ? Condition::all_of(std::move(operands)) : Condition::any_of(std::move(operands));
 }
 
 TEST(Combination, IsTheBooleanOneOfTheLanguages) {
@@ -155,8 +152,7 @@ TEST(Combination, IsTheBooleanOneOfTheLanguages) {
       for (std::uint32_t k = 0; k < count; ++k)
         if (accepts(automata[k], word)) accepting = accepting | Marks::of(k);
       ASSERT_EQ(accepts(made, word), over.holds(accepting))
-          << "seed " << seed << ", round " << i << ", " << print(over) << " on " << ltl::show(word, ab)
-          << '\n'
+          << "seed " << seed << ", round " << i << ", " << print(over) << " on " << ltl::show(word, ab) << '\n'
           << write_hoa(made);
     }
   }
@@ -236,8 +232,7 @@ TEST(LtlToParity, HasTheLanguageOfTheTableauOnBooleanCombinations) {
       Budget budget;
       ASSERT_TRUE(is_empty(intersection(automaton, no, budget).transitions()))
           << ltl::print(f) << " accepts too much; seed " << seed << ", formula " << i;
-      ASSERT_TRUE(within(yes, automaton))
-          << ltl::print(f) << " accepts too little; seed " << seed << ", formula " << i;
+      ASSERT_TRUE(within(yes, automaton)) << ltl::print(f) << " accepts too little; seed " << seed << ", formula " << i;
     }
   }
 }

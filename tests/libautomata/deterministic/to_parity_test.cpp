@@ -32,8 +32,7 @@ TEST(WithoutFin, ClausesSayWhatTheConditionSays) {
   ltl::Random random(31);
   for (int i = 0; i < 200; ++i) {
     const Acceptance acceptance =
-        random_automaton(random, ab, {.states = 2, .sets = 1 + static_cast<std::uint32_t>(i % 5)})
-            .acceptance();
+        random_automaton(random, ab, {.states = 2, .sets = 1 + static_cast<std::uint32_t>(i % 5)}).acceptance();
     const std::vector<Clause> all = clauses(acceptance.condition);
     for (std::uint64_t bits = 0; bits < std::uint64_t{1} << acceptance.sets; ++bits)
       ASSERT_EQ(holds(all, Marks::from_bits(bits)), acceptance.condition.holds(Marks::from_bits(bits)))
@@ -45,8 +44,7 @@ TEST(WithoutFin, KeepsTheLanguage) {
   ltl::Random random(32);
   for (int i = 0; i < testing::scaled(150); ++i) {
     const Automaton from = random_automaton(
-        random, ab,
-        {.states = static_cast<std::uint32_t>(1 + i % 4), .sets = static_cast<std::uint32_t>(i % 4)});
+        random, ab, {.states = static_cast<std::uint32_t>(1 + i % 4), .sets = static_cast<std::uint32_t>(i % 4)});
     Budget budget;
     const Automaton made = as_automaton(without_fin(from.transitions(), budget), ab, from.reads());
     ASSERT_TRUE(made.acceptance().is_generalized_buchi());

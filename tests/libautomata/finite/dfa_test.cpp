@@ -84,10 +84,8 @@ TEST(Run, ShortestWordIsShortestAndAccepted) {
     const char* formula;
     std::size_t length;
   } table[] = {
-      {"true", 1},          {"a", 1},
-      {"X a", 2},           {"X X X true", 4},
-      {"F (a & X F b)", 2}, {"F a & F !a", 2},
-      {"N false", 1},       {"G (a -> X b) & F a & G !b | X X (a & !b)", 3},
+      {"true", 1},          {"a", 1},          {"X a", 2},     {"X X X true", 4},
+      {"F (a & X F b)", 2}, {"F a & F !a", 2}, {"N false", 1}, {"G (a -> X b) & F a & G !b | X X (a & !b)", 3},
   };
   for (const auto& row : table) {
     const Dfa dfa = translate(row.formula);

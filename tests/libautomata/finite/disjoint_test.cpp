@@ -146,8 +146,7 @@ TEST(Disjoint, ProductsAreMinimalAndThoseOfPairs) {
       merge_initial(copies, unlimited);
       ASSERT_TRUE(same(canonical(copies), expected)) << ltl::print(f) << "  and  " << ltl::print(g);
       const AtEachLength again = at_each_length(canonical(copies), unlimited);
-      ASSERT_TRUE(again.told_apart && again.reached && again.own_roots)
-          << ltl::print(f) << "  and  " << ltl::print(g);
+      ASSERT_TRUE(again.told_apart && again.reached && again.own_roots) << ltl::print(f) << "  and  " << ltl::print(g);
       ++copied;
     }
   }
@@ -157,8 +156,7 @@ TEST(Disjoint, ProductsAreMinimalAndThoseOfPairs) {
 
 TEST(Disjoint, TheInitialStateMayBeAnother) {
   ltl::Arena arena(ltl::Vocabulary({"a", "b", "c", "d"}));
-  const Transitions first = minimal(ltl::parse("G (a -> F b)", arena)),
-                    second = minimal(ltl::parse("F c", arena));
+  const Transitions first = minimal(ltl::parse("G (a -> F b)", arena)), second = minimal(ltl::parse("F c", arena));
   Budget unlimited;
   Transitions made = disjoint_product(first, second, both, unlimited);
   const std::size_t before = made.roots.size();
@@ -169,8 +167,7 @@ TEST(Disjoint, TheInitialStateMayBeAnother) {
 
 TEST(Disjoint, RunsOutOfStatesBeforeTheyAreMade) {
   ltl::Arena arena(ltl::Vocabulary({"a", "b", "c", "d"}));
-  const Transitions first = minimal(ltl::parse("F a & F b", arena)),
-                    second = minimal(ltl::parse("F c & F d", arena));
+  const Transitions first = minimal(ltl::parse("F a & F b", arena)), second = minimal(ltl::parse("F c & F d", arena));
   Budget few(SIZE_MAX, 10, {});
   EXPECT_THROW(disjoint_product(first, second, both, few), Budget::Exceeded);
 }

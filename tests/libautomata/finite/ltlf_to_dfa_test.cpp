@@ -37,8 +37,7 @@ std::string chain(std::size_t n) {  // F (p1 & X F (p2 & …))
 std::string responses(std::size_t n) {
   std::string out;
   for (std::size_t i = 1; i <= n; ++i)
-    out +=
-        (i > 1 ? " & " : "") + std::string("G (a") + std::to_string(i) + " -> F b" + std::to_string(i) + ")";
+    out += (i > 1 ? " & " : "") + std::string("G (a") + std::to_string(i) + " -> F b" + std::to_string(i) + ")";
   return out;
 }
 
@@ -107,8 +106,7 @@ TEST(LtlfToDfa, BytesDoNotDependOnTheArenasPast) {
   ltl::Arena fresh(ltl::Vocabulary({"a", "b", "c"})), used(ltl::Vocabulary({"a", "b", "c"}));
   for (const char* before : {"F c", "G (b -> X c)", "b U a", "F b & G !c"}) ltl::parse(before, used);
   for (const char* text : {"F a & (b U c)", "G (a -> X (b & F c))", "(a U b) U c", "F a <-> G b"})
-    EXPECT_EQ(write_hoa(ltlf_to_dfa(ltl::parse(text, fresh))), write_hoa(ltlf_to_dfa(ltl::parse(text, used))))
-        << text;
+    EXPECT_EQ(write_hoa(ltlf_to_dfa(ltl::parse(text, fresh))), write_hoa(ltlf_to_dfa(ltl::parse(text, used)))) << text;
 }
 
 TEST(LtlfToDfa, StopsAtTheLimitOfStates) {
@@ -136,8 +134,7 @@ TEST(LtlfToDfa, StopsSoonAfterItIsAskedTo) {
 }
 
 TEST(LtlfToDfa, ReadsDeepAndWideFormulas) {
-  constexpr std::size_t depth =
-      testing::sanitized ? 500 : 4000;  // sanitizers make frames several times larger
+  constexpr std::size_t depth = testing::sanitized ? 500 : 4000;  // sanitizers make frames several times larger
   std::string nested = "a";
   for (std::size_t i = 0; i < depth; ++i) nested = "X " + nested;
   EXPECT_EQ(translate(nested).states(), depth + 3);

@@ -28,8 +28,7 @@ Table random_table(ltl::Random& random, std::uint32_t states, bool very_weak) {
   Table out;
   for (std::uint32_t q = 0; q < states; ++q) {
     out.next.emplace_back();
-    for (std::uint32_t& r : out.next.back())
-      r = static_cast<std::uint32_t>(random.below(very_weak ? q + 1 : states));
+    for (std::uint32_t& r : out.next.back()) r = static_cast<std::uint32_t>(random.below(very_weak ? q + 1 : states));
     out.accepting.push_back(random.chance(0.3));
   }
   out.accepting.back() = false;  // the initial state
@@ -40,8 +39,7 @@ Transitions symbolic(const Table& table) {
   Transitions out;
   for (const auto& next : table.next) {
     const auto leaf = [&](std::uint32_t letter) { return Mtbdd::terminal(next[letter]); };
-    const Mtbdd::Node low = out.diagram.make(1, leaf(0), leaf(2)),
-                      high = out.diagram.make(1, leaf(1), leaf(3));
+    const Mtbdd::Node low = out.diagram.make(1, leaf(0), leaf(2)), high = out.diagram.make(1, leaf(1), leaf(3));
     out.roots.push_back(out.diagram.make(0, low, high));
   }
   out.accepting = table.accepting;
@@ -80,8 +78,7 @@ std::vector<std::size_t> moore(const Table& table) {
 TEST(Minimize, RefinementFindsTheCoarsestPartition) {
   ltl::Random random(11);
   for (int i = 0; i < 3000; ++i) {
-    const Table table =
-        random_table(random, 1 + static_cast<std::uint32_t>(random.below(12)), random.chance(0.3));
+    const Table table = random_table(random, 1 + static_cast<std::uint32_t>(random.below(12)), random.chance(0.3));
     const Transitions automaton = symbolic(table);
     const TransitionGraph graph(automaton.diagram, automaton.roots);
     Budget unlimited;
@@ -96,8 +93,7 @@ Table ring(ltl::Random& random, std::uint32_t states) {
   const std::size_t period = 1 + random.below(states / 4);
   for (std::uint32_t q = 0; q < states; ++q) {
     out.next.emplace_back();
-    for (std::uint32_t letter = 0; letter < letters; ++letter)
-      out.next.back()[letter] = (q + 1 + letter / 2) % states;
+    for (std::uint32_t letter = 0; letter < letters; ++letter) out.next.back()[letter] = (q + 1 + letter / 2) % states;
     if (random.chance(0.01)) out.next.back()[1] = static_cast<std::uint32_t>(random.below(states));
     out.accepting.push_back(q % period == 0);
   }
@@ -152,8 +148,7 @@ TEST(Minimize, KeepsTheLanguageAndCannotBeRepeated) {
     const Dfa once = minimize(before), twice = minimize(once);
     ASSERT_FALSE(difference(before, once).has_value()) << "automaton " << i;
     ASSERT_EQ(once.states(), twice.states());
-    for (std::uint32_t q = 0; q < once.states(); ++q)
-      ASSERT_EQ(once.root(StateId{q}), twice.root(StateId{q}));
+    for (std::uint32_t q = 0; q < once.states(); ++q) ASSERT_EQ(once.root(StateId{q}), twice.root(StateId{q}));
   }
 }
 

@@ -31,13 +31,11 @@ TEST(FiniteRoutes, AgreeWithProductsOfTheOperands) {
       const std::size_t atoms = own.vocabulary().size();
       const ltl::Formula goal = ltl::random_formula(random, own, {.size = 8, .atoms = atoms});
       ltl::Formula late = own.atom(names[2 * k + 1]);
-      for (std::size_t wait = random.below(4); wait > 0; --wait)
-        late = ltl::weak_next(ltl::disjunction(late, goal));
+      for (std::size_t wait = random.below(4); wait > 0; --wait) late = ltl::weak_next(ltl::disjunction(late, goal));
       const ltl::Formula response = ltl::always(ltl::implies(own.atom(names[2 * k]), late));
       operands.push_back(ltl::transfer(random.chance(0.8) ? response : goal, arena));
     }
-    const ltl::Formula f =
-        conjunction ? ltl::conjunction(arena, operands) : ltl::disjunction(arena, operands);
+    const ltl::Formula f = conjunction ? ltl::conjunction(arena, operands) : ltl::disjunction(arena, operands);
     const Dfa made = ltlf_to_dfa(f);
     Dfa expected = ltlf_to_dfa(operands[0]);
     for (std::size_t k = 1; k < operands.size(); ++k) {
@@ -61,11 +59,9 @@ TEST(FiniteRoutes, TheOrderOfPropositionsDoesNotMatter) {
   std::string text = "true";
   for (const char* side : {"a", "b"})
     for (std::size_t i = 1; i <= n; ++i) apart.push_back(side + std::to_string(i));
-  for (std::size_t i = 1; i <= n; ++i)
-    text += " & G (a" + std::to_string(i) + " -> F b" + std::to_string(i) + ")";
+  for (std::size_t i = 1; i <= n; ++i) text += " & G (a" + std::to_string(i) + " -> F b" + std::to_string(i) + ")";
   ltl::Arena in_pairs, in_halves{ltl::Vocabulary(apart)};
-  const Dfa first = ltlf_to_dfa(ltl::parse(text, in_pairs)),
-            second = ltlf_to_dfa(ltl::parse(text, in_halves));
+  const Dfa first = ltlf_to_dfa(ltl::parse(text, in_pairs)), second = ltlf_to_dfa(ltl::parse(text, in_halves));
   EXPECT_EQ(first.states(), (1U << n) + 1);
   EXPECT_EQ(second.states(), (1U << n) + 1);
   EXPECT_FALSE(difference(first, second).has_value());
@@ -101,8 +97,7 @@ TEST(FiniteRoutes, LimitsEndBothRoutes) {
 }
 
 TEST(FiniteRoutes, BytesAreTheSameOnEachRun) {
-  const std::string text =
-      "(F a & G (b -> F c) | G (d -> X a)) & (F e U f) & G (g -> N (h | a)) & (F c <-> F h)";
+  const std::string text = "(F a & G (b -> F c) | G (d -> X a)) & (F e U f) & G (g -> N (h | a)) & (F c <-> F h)";
   ltl::Arena one, two;
   EXPECT_EQ(write_hoa(ltlf_to_dfa(ltl::parse(text, one))), write_hoa(ltlf_to_dfa(ltl::parse(text, two))));
 }

@@ -42,8 +42,7 @@ TEST(Difference, MatchesPropositionsByName) {
 }
 
 TEST(Product, RefusesToAcceptTheEmptyWord) {
-  EXPECT_THROW(product(translate("a"), translate("b"), [](bool p, bool q) { return p == q; }),
-               std::invalid_argument);
+  EXPECT_THROW(product(translate("a"), translate("b"), [](bool p, bool q) { return p == q; }), std::invalid_argument);
 }
 
 TEST(Product, EndsWhenItsEffortIsSpent) {

@@ -44,9 +44,8 @@ TEST(Dot, EscapesAndBreaksLongLabels) {
   const ltl::Formula odd = arena.atom("say \"hi\" \\ there");
   const std::string escaped = write_dot(ltlf_to_dfa(ltl::eventually(odd)));
   EXPECT_FALSE(contains(escaped, "label=\"\"say")) << escaped;
-  const std::string wide =
-      write_dot(translate("F (ahead_chair & left_brick & behind_fish | right_wall & ahead_open & tee)"),
-                {.label_width = 20});
+  const std::string wide = write_dot(
+      translate("F (ahead_chair & left_brick & behind_fish | right_wall & ahead_open & tee)"), {.label_width = 20});
   EXPECT_TRUE(contains(wide, "\\n∨ ")) << wide;
 }
 

@@ -26,8 +26,7 @@ std::string label(ltl::Formula f) {
     case ltl::Op::Not: return "!(" + label(f[0]) + ")";
     case ltl::Op::And:
     case ltl::Op::Or:
-      for (ltl::Formula g : f.operands())
-        out += (out.empty() ? "(" : f.op() == ltl::Op::And ? "&" : "|") + label(g);
+      for (ltl::Formula g : f.operands()) out += (out.empty() ? "(" : f.op() == ltl::Op::And ? "&" : "|") + label(g);
       return out + ")";
     default: ADD_FAILURE() << "no guard"; return "f";
   }
@@ -50,8 +49,7 @@ Automaton rebuilt(const std::string& initial, const std::vector<Line>& lines, co
   std::map<std::size_t, std::string> bodies;
   for (const Line& line : lines) {
     ltl::Arena arena{ab};
-    const ltl::Formula guard =
-        ltl::parse(line.guard, arena, {.notation = notation, .unknown = ltl::Unknown::Reject});
+    const ltl::Formula guard = ltl::parse(line.guard, arena, {.notation = notation, .unknown = ltl::Unknown::Reject});
     const std::size_t source = number(line.source), target = number(line.target);
     bodies[source] += " [" + label(guard) + "] " + std::to_string(target) + " {" + line.marks + "}";
   }
@@ -122,8 +120,8 @@ Automaton from_never(const std::string& text) {
     if (initial.empty()) initial = source;
     const std::size_t arrow = line.find(" -> goto ");
     if (arrow == std::string::npos) continue;
-    out.push_back({source, line.substr(arrow + 9), line.substr(5, arrow - 5),
-                   source.starts_with("accept_") ? "0" : ""});
+    out.push_back(
+        {source, line.substr(arrow + 9), line.substr(5, arrow - 5), source.starts_with("accept_") ? "0" : ""});
   }
   return rebuilt(initial, out, "1 Inf(0)");
 }
@@ -138,8 +136,7 @@ Automaton from_ba(const std::string& text) {
     const std::size_t arrow = line.find("->"), comma = line.find(',');
     if (arrow == std::string::npos) continue;
     const std::string source = line.substr(comma + 1, arrow - comma - 1);
-    out.push_back(
-        {source, line.substr(arrow + 2), line.substr(0, comma), accepting.contains(source) ? "0" : ""});
+    out.push_back({source, line.substr(arrow + 2), line.substr(0, comma), accepting.contains(source) ? "0" : ""});
   }
   return rebuilt(lines[0], out, "1 Inf(0)");
 }
@@ -147,10 +144,9 @@ Automaton from_ba(const std::string& text) {
 TEST(Exchange, WhatIsWrittenIsTheSameAutomaton) {
   ltl::Random random(31);
   for (int i = 0; i < 24; ++i) {
-    const Automaton a = random_automaton(random, ab,
-                                         {.states = static_cast<std::uint32_t>(1 + i % 4),
-                                          .sets = static_cast<std::uint32_t>(i % 3),
-                                          .generic = false});
+    const Automaton a = random_automaton(
+        random, ab,
+        {.states = static_cast<std::uint32_t>(1 + i % 4), .sets = static_cast<std::uint32_t>(i % 3), .generic = false});
     const std::string table = *write_table(a, 1'000), lbtt = *write_lbtt(a, 1'000);
     expect_same(a, from_table(table, acceptance_of(a)), table);
     expect_same(a, from_lbtt(lbtt, acceptance_of(a)), lbtt);
@@ -200,8 +196,7 @@ TEST(Exchange, EdgesAreCountedFirst) {
 }
 
 TEST(Exchange, OtherConditionsAreRefused) {
-  const Automaton a =
-      read_omega_hoa("HOA: v1 Start: 0 AP: 0 Acceptance: 1 Fin(0) --BODY-- State: 0 [t] 0 --END--");
+  const Automaton a = read_omega_hoa("HOA: v1 Start: 0 AP: 0 Acceptance: 1 Fin(0) --BODY-- State: 0 [t] 0 --END--");
   Budget budget;
   EXPECT_FALSE(make_state_based(a, budget).has_value());
   EXPECT_THROW(write_never_claim(a, 9), std::invalid_argument);
@@ -211,12 +206,10 @@ TEST(Exchange, OtherConditionsAreRefused) {
 TEST(OmegaDot, GroupsEdgesAndShowsMarksAsDots) {
   const std::string dot = *write_dot_within(read_omega_hoa(response), 100, {.name = "□(a → ◇b)"});
   EXPECT_NE(dot.find("label=<□(a → ◇b)   ·   Inf(0)>"), std::string::npos) << dot;
-  EXPECT_NE(dot.find("0 -> 1 [label=<a ∧ ¬b <font color=\"#0072B2\">●<sub>0</sub></font>>];"),
-            std::string::npos)
+  EXPECT_NE(dot.find("0 -> 1 [label=<a ∧ ¬b <font color=\"#0072B2\">●<sub>0</sub></font>>];"), std::string::npos)
       << dot;
   const std::string two = *write_dot_within(
-      read_omega_hoa(
-          "HOA: v1 Start: 0 AP: 1 \"a\" Acceptance: 1 Inf(0) --BODY-- State: 0 [0] 0 {0} [!0] 0 --END--"),
+      read_omega_hoa("HOA: v1 Start: 0 AP: 1 \"a\" Acceptance: 1 Inf(0) --BODY-- State: 0 [0] 0 {0} [!0] 0 --END--"),
       100);
   EXPECT_NE(two.find("0 -> 0 [label=<¬a<br/>a <font"), std::string::npos) << two;
 }

@@ -23,8 +23,8 @@ Dfa translate(std::string_view text, const std::vector<std::string>& names = {})
 ::testing::AssertionResult means(std::string_view hoa, std::string_view formula) {
   const std::optional<Difference> found = difference(read_hoa(hoa), translate(formula));
   if (!found) return ::testing::AssertionSuccess();
-  return ::testing::AssertionFailure()
-         << "differs from " << formula << " on " << ltl::show(found->word, found->vocabulary);
+  return ::testing::AssertionFailure() << "differs from " << formula << " on "
+                                       << ltl::show(found->word, found->vocabulary);
 }
 
 TEST(WriteHoa, IsStableAndStatesItsConvention) {
@@ -68,10 +68,9 @@ TEST(ReadHoa, MarksOnStatesSayWhereTheWordMayStop) {
 }
 
 TEST(ReadHoa, MarksOnEdgesSayAfterWhichLetter) {
-  EXPECT_TRUE(
-      means(R"(HOA: v1 States: 1 Start: 0 AP: 1 "a" Acceptance: 1 Inf(0) properties: trans-acc --BODY--
+  EXPECT_TRUE(means(R"(HOA: v1 States: 1 Start: 0 AP: 1 "a" Acceptance: 1 Inf(0) properties: trans-acc --BODY--
     State: 0 [!0] 0 [0] 0 {0} --END--)",
-            "F (a & N false)"));
+                    "F (a & N false)"));
 }
 
 TEST(ReadHoa, AMarkOnTheInitialStateCountsOnReturnOnly) {
@@ -116,8 +115,7 @@ TEST(ReadHoa, MissingLettersLeadToATrap) {
 TEST(ReadHoa, OtherAcceptanceThatADfaMayHave) {
   EXPECT_TRUE(means(R"(HOA: v1 Start: 0 AP: 1 "a" Acceptance: 0 t --BODY-- State: 0 [0] 0 --END--)", "G a"))
       << "every run is accepting: only missing edges reject";
-  EXPECT_TRUE(
-      means(R"(HOA: v1 Start: 0 AP: 1 "a" Acceptance: 0 f --BODY-- State: 0 [t] 0 --END--)", "false"));
+  EXPECT_TRUE(means(R"(HOA: v1 Start: 0 AP: 1 "a" Acceptance: 0 f --BODY-- State: 0 [t] 0 --END--)", "false"));
   EXPECT_TRUE(means(R"(HOA: v1 Start: 0 AP: 1 "a" Acceptance: 2 Inf(1) --BODY--
     State: 0 {0} [!0] 0 [0] 1 State: 1 {1} [t] 1 --END--)",
                     "F a"))

@@ -32,8 +32,7 @@ const ltl::Vocabulary ab({"a", "b"});
 }
 
 TEST(OmegaHoa, ReadsNondeterminismAndSeveralInitialStates) {
-  EXPECT_TRUE(
-      means("Start: 0 Acceptance: 1 Inf(0) --BODY-- State: 0 [t] 0 [0] 1 State: 1 {0} [0] 1", "F G a"));
+  EXPECT_TRUE(means("Start: 0 Acceptance: 1 Inf(0) --BODY-- State: 0 [t] 0 [0] 1 State: 1 {0} [0] 1", "F G a"));
   EXPECT_TRUE(means("Start: 0 Start: 1 Acceptance: 0 t --BODY-- State: 0 [0] 0 State: 1 [1] 1", "G a | G b"));
   EXPECT_TRUE(means("Acceptance: 0 t --BODY-- State: 0 [0] 0", "false"));
 }
@@ -45,25 +44,21 @@ TEST(OmegaHoa, ReadsEveryCondition) {
   EXPECT_TRUE(means("Start: 0 Acceptance: 2 Inf(!0)" + body, "G F !a"));
   EXPECT_TRUE(means("Start: 0 Acceptance: 2 Fin(!0)|Inf(1)" + body, "F G a | G F b"));
   EXPECT_TRUE(means("Start: 0 Acceptance: 2 Inf(0)&Inf(1)" + body, "G F a & G F b"));
-  EXPECT_TRUE(means("Start: 0 Acceptance: 2 Fin(0)&Inf(1) | Fin(1)&Inf(0)" + body,
-                    "(F G !a & G F b) | (F G !b & G F a)"));
+  EXPECT_TRUE(
+      means("Start: 0 Acceptance: 2 Fin(0)&Inf(1) | Fin(1)&Inf(0)" + body, "(F G !a & G F b) | (F G !b & G F a)"));
   EXPECT_TRUE(means("Start: 0 Acceptance: 0 f --BODY-- State: 0 [t] 0", "false"));
 }
 
 TEST(OmegaHoa, ReadsMarksOnStatesLabelsOnStatesAndAliases) {
-  EXPECT_TRUE(means("Start: 0 Acceptance: 1 Inf(0) --BODY-- State: 0 [0] 1 [!0] 0 State: 1 {0} [0] 1 [!0] 0",
-                    "G F a"));
-  EXPECT_TRUE(means("Start: 0 Start: 1 Acceptance: 1 Inf(0) --BODY-- State: [0] 0 {0} 0 1 State: [!0] 1 0 1",
-                    "G F a"));
-  EXPECT_TRUE(
-      means("Start: 0 Alias: @x 0&1 Alias: @y !@x Acceptance: 0 t --BODY-- State: 0 [@y] 0", "G !(a & b)"));
+  EXPECT_TRUE(means("Start: 0 Acceptance: 1 Inf(0) --BODY-- State: 0 [0] 1 [!0] 0 State: 1 {0} [0] 1 [!0] 0", "G F a"));
+  EXPECT_TRUE(means("Start: 0 Start: 1 Acceptance: 1 Inf(0) --BODY-- State: [0] 0 {0} 0 1 State: [!0] 1 0 1", "G F a"));
+  EXPECT_TRUE(means("Start: 0 Alias: @x 0&1 Alias: @y !@x Acceptance: 0 t --BODY-- State: 0 [@y] 0", "G !(a & b)"));
   EXPECT_TRUE(means("Start: 0 Acceptance: 1 Inf(0) --BODY-- State: 0 0 0 {0} 0 0 {0}", "G F a"));
 }
 
 TEST(OmegaHoa, RemovesUniversalBranches) {
-  EXPECT_TRUE(
-      means("Start: 0&1 Acceptance: 1 Inf(0) --BODY-- State: 0 [0] 0 {0} [!0] 0 State: 1 [1] 1 {0} [!1] 1",
-            "G F a & G F b"));
+  EXPECT_TRUE(means("Start: 0&1 Acceptance: 1 Inf(0) --BODY-- State: 0 [0] 0 {0} [!0] 0 State: 1 [1] 1 {0} [!1] 1",
+                    "G F a & G F b"));
   EXPECT_TRUE(
       means("Start: 0 Acceptance: 1 Fin(0) properties: very-weak --BODY-- "
             "State: 0 [!0] 0 [0] 0&1 State: 1 {0} [!1] 1 [1] 2 State: 2 [t] 2",
@@ -114,11 +109,10 @@ TEST(OmegaHoa, WhatIsWrittenIsReadBack) {
   ltl::Random random(21);
   for (int i = 0; i < 300; ++i) {
     const Automaton a = random_automaton(
-        random, ab,
-        {.states = static_cast<std::uint32_t>(1 + i % 5), .sets = static_cast<std::uint32_t>(i % 4)});
+        random, ab, {.states = static_cast<std::uint32_t>(1 + i % 5), .sets = static_cast<std::uint32_t>(i % 4)});
     for (const bool flag : {false, true}) {
-      const std::string text = write_hoa(
-          a, {.name = "a \"name\"", .marks_on_states = flag, .layout = {.aliases = flag, .one_line = flag}});
+      const std::string text =
+          write_hoa(a, {.name = "a \"name\"", .marks_on_states = flag, .layout = {.aliases = flag, .one_line = flag}});
       EXPECT_EQ(std::count(text.begin(), text.end(), '\n') == 1, flag) << text;
       HoaAutomaton file = parse_hoa(text, "");
       EXPECT_EQ(file.name, "a \"name\"");

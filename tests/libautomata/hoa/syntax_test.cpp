@@ -71,8 +71,7 @@ TEST(HoaSyntax, ReadsStreams) {
 }
 
 TEST(HoaSyntax, ReadsOnBehindAWrongAutomaton) {
-  HoaReader reader("HOA: v1 Acceptance: 0 nonsense --BODY-- --END-- HOA: v1 Acceptance: 0 t --BODY-- --END--",
-                   "");
+  HoaReader reader("HOA: v1 Acceptance: 0 nonsense --BODY-- --END-- HOA: v1 Acceptance: 0 t --BODY-- --END--", "");
   EXPECT_THROW(reader.next(), ltl::FormatError);
   EXPECT_TRUE(reader.next().has_value());
   EXPECT_FALSE(reader.next().has_value());
@@ -99,12 +98,9 @@ TEST(HoaSyntax, PointsAtWhatIsWrong) {
       {"HOA: v1\nAcceptance: 1 Inf(0)&\n--BODY--", 3, 1, "expected an acceptance condition"},
       {"HOA: v1\nAcceptance: 1 (Inf(0)\n--BODY--", 3, 1, "expected ')'"},
       {"HOA: v1\nAcceptance: 1 Inf 0\n", 2, 19, "expected '(', not '0'"},
-      {"HOA: v1\nAP: 1 \"a\" Alias: @a 0 Alias: @a 0 Acceptance: 0 t\n--BODY--\n--END--", 2, 30,
-       "a second alias '@a'"},
-      {"HOA: v1\nAP: 1 \"a\" Alias: @b @a Alias: @a 0 Acceptance: 0 t\n--BODY--\n--END--", 2, 21,
-       "unknown alias '@a'"},
-      {"HOA: v1\nAP: 1 \"a\" Acceptance: 0 t\n--BODY--\nState: 0&1\n--END--", 4, 8,
-       "expected the number of one state"},
+      {"HOA: v1\nAP: 1 \"a\" Alias: @a 0 Alias: @a 0 Acceptance: 0 t\n--BODY--\n--END--", 2, 30, "a second alias '@a'"},
+      {"HOA: v1\nAP: 1 \"a\" Alias: @b @a Alias: @a 0 Acceptance: 0 t\n--BODY--\n--END--", 2, 21, "unknown alias '@a'"},
+      {"HOA: v1\nAP: 1 \"a\" Acceptance: 0 t\n--BODY--\nState: 0&1\n--END--", 4, 8, "expected the number of one state"},
   };
   for (const auto& row : table) {
     try {

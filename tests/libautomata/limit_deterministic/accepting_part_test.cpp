@@ -45,8 +45,7 @@ TEST(Choosing, AnswersAreOptionsAndNoMoreThanTheFirstOnes) {
   for (int i = 0; i < 300; ++i) {
     std::vector<std::uint32_t> successors;
     const std::size_t size = 1 + random.below(12);
-    for (std::size_t q = 0; q < size; ++q)
-      successors.push_back(static_cast<std::uint32_t>(random.below(size)));
+    for (std::size_t q = 0; q < size; ++q) successors.push_back(static_cast<std::uint32_t>(random.below(size)));
     Choosing::Requests requests(random.below(6));
     for (auto& options : requests)
       for (std::size_t k = random.below(4) + 1; k > 0; --k)

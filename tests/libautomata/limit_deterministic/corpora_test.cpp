@@ -28,8 +28,7 @@ class LdbaCorpora : public ::testing::TestWithParam<Gate> {};
 TEST_P(LdbaCorpora, AreNoLargerThanOwlsLineByLine) {
   const fs::path folder = testing::benchmark_sets(), path = folder / (std::string(GetParam().set) + ".ltl");
   if (!fs::exists(path)) GTEST_SKIP() << "benchmark formulas not found: " << path << " (set WAYMARK_SHARED)";
-  const auto owl =
-      testing::column(folder / "facts" / (std::string(GetParam().set) + ".owl.tsv"), "owl_ldba_states");
+  const auto owl = testing::column(folder / "facts" / (std::string(GetParam().set) + ".owl.tsv"), "owl_ldba_states");
   ASSERT_FALSE(owl.empty());
   std::ifstream in(path);
   ltl::Random random(1);
@@ -46,8 +45,7 @@ TEST_P(LdbaCorpora, AreNoLargerThanOwlsLineByLine) {
     }
     for (int i = 0; i < 10; ++i) {
       const ltl::Lasso word = ltl::random_lasso(
-          random,
-          {.prefix = random.below(4), .cycle = 1 + random.below(4), .atoms = arena.vocabulary().size()});
+          random, {.prefix = random.below(4), .cycle = 1 + random.below(4), .atoms = arena.vocabulary().size()});
       ASSERT_EQ(accepts(ldba.automaton(), word), ltl::holds(word, f))
           << path << ":" << number << " on " << ltl::show(word, arena.vocabulary());
     }

@@ -59,8 +59,7 @@ struct Way {
 LimitDeterministic bare(Formula simple, const std::vector<ltl::Proposition>& reads, Way way) {
   Budget budget;
   const Automaton dpa = ltl_to_dpa(simple).automaton();
-  const TransitionRelation parity =
-      completed_parity(min_even_parity(renamed(dpa.transitions(), dpa.reads(), reads)));
+  const TransitionRelation parity = completed_parity(min_even_parity(renamed(dpa.transitions(), dpa.reads(), reads)));
   AcceptingPart accepting_part;
   const auto jumps = way.by_theorem ? jump_by_master_theorem(simple, parity, reads, accepting_part, budget)
                                     : std::optional(jump_on_colour(parity, accepting_part));
@@ -86,25 +85,22 @@ TEST_P(Guessing, WinsInMarkovDecisionProcessesWithTheProbabilityOfTheFormula) {
   ltl::Random random(seed);
   for (int i = 0; i < testing::scaled(200); ++i) {
     ltl::Arena arena(testing::letters_vocabulary(2));
-    const Formula f = ltl::simplify(
-        ltl::random_formula(random, arena, {.size = 4 + random.below(12), .atoms = 2}), ltl::Over::Infinite);
+    const Formula f = ltl::simplify(ltl::random_formula(random, arena, {.size = 4 + random.below(12), .atoms = 2}),
+                                    ltl::Over::Infinite);
     const auto reads = ltl::propositions(f);
     const LimitDeterministic ldba = bare(f, reads, GetParam());
     const Dpa dpa = ltl_to_dpa(f);
     for (int j = 0; j < 5; ++j) {
-      const referee::World world =
-          referee::random_world(random, 2 + static_cast<std::uint32_t>(random.below(4)),
-                                {ltl::Proposition{0}, ltl::Proposition{1}});
-      ASSERT_NEAR(referee::greatest_probability(world, ldba, reads),
-                  referee::greatest_probability(world, dpa), 1e-6)
+      const referee::World world = referee::random_world(random, 2 + static_cast<std::uint32_t>(random.below(4)),
+                                                         {ltl::Proposition{0}, ltl::Proposition{1}});
+      ASSERT_NEAR(referee::greatest_probability(world, ldba, reads), referee::greatest_probability(world, dpa), 1e-6)
           << show(f) << "; seed " << seed << ", formula " << i << ", MDP " << j;
     }
   }
 }
 
 INSTANTIATE_TEST_SUITE_P(Ways, Guessing,
-                         ::testing::Values(Way{false, false}, Way{false, true}, Way{true, false},
-                                           Way{true, true}));
+                         ::testing::Values(Way{false, false}, Way{false, true}, Way{true, false}, Way{true, true}));
 
 TEST(LtlToLdba, AgreesWithTheDefinitionOnRandomPairs) {
   constexpr std::uint64_t seed = 7;
@@ -135,8 +131,7 @@ TEST(LtlToLdba, HasTheLanguageOfTheTableau) {
     ASSERT_TRUE(is_empty(intersection(ldba, no, budget).transitions())) << show(f) << " accepts too much";
     const TransitionRelation outside = complement_parity(determinize(ldba.transitions(), budget));
     const Automaton rejected(ldba.vocabulary(), ldba.reads(), outside);
-    ASSERT_TRUE(is_empty(intersection(yes, rejected, budget).transitions()))
-        << show(f) << " accepts too little";
+    ASSERT_TRUE(is_empty(intersection(yes, rejected, budget).transitions())) << show(f) << " accepts too little";
   }
 }
 
@@ -150,13 +145,11 @@ TEST(LtlToLdba, WinsInMarkovDecisionProcessesWithTheProbabilityOfTheFormula) {
     const MdpSafe ldba = ltl_to_ldba(f);
     const Dpa dpa = ltl_to_dpa(f);
     for (int j = 0; j < 5; ++j) {
-      const referee::World world =
-          referee::random_world(random, 2 + static_cast<std::uint32_t>(random.below(4)),
-                                {ltl::Proposition{0}, ltl::Proposition{1}});
+      const referee::World world = referee::random_world(random, 2 + static_cast<std::uint32_t>(random.below(4)),
+                                                         {ltl::Proposition{0}, ltl::Proposition{1}});
       const double expected = referee::greatest_probability(world, dpa);
       const double found = referee::greatest_probability(world, ldba);
-      ASSERT_NEAR(found, expected, 1e-6)
-          << show(f) << "; seed " << seed << ", formula " << i << ", MDP " << j;
+      ASSERT_NEAR(found, expected, 1e-6) << show(f) << "; seed " << seed << ", formula " << i << ", MDP " << j;
       proper += expected > 1e-6 && expected < 1 - 1e-6 ? 1 : 0;
     }
   }
@@ -218,8 +211,7 @@ TEST(LtlToLdba, GivesUpWithinItsLimits) {
   std::stop_source source;
   source.request_stop();
   EXPECT_TRUE(std::holds_alternative<Exhausted>(ltl_to_ldba(f, {.stop = source.get_token()})));
-  const Formula g =
-      ltl::parse("F G(a | X b) | G F(c & X d)", arena);  // one copy for each colour that is guessed
+  const Formula g = ltl::parse("F G(a | X b) | G F(c & X d)", arena);  // one copy for each colour that is guessed
   EXPECT_TRUE(std::holds_alternative<Translated>(ltl_to_parity(g, {.states = 7})));
   EXPECT_TRUE(std::holds_alternative<Exhausted>(ltl_to_ldba(g, {.states = 7})));
 }

@@ -27,8 +27,7 @@ struct Decisions {
 };
 
 // The states of maximal end components whose actions are among those allowed: 0 outside, else a number from 1.
-inline std::vector<std::uint32_t> end_components(const Decisions& mdp,
-                                                 std::vector<std::vector<bool>> allowed) {
+inline std::vector<std::uint32_t> end_components(const Decisions& mdp, std::vector<std::vector<bool>> allowed) {
   struct Graph {
     std::vector<std::vector<std::uint32_t>> targets;
     std::size_t size() const { return targets.size(); }
@@ -120,8 +119,7 @@ struct World {
   std::vector<std::vector<std::vector<Move>>> actions;
 };
 
-inline World random_world(ltl::Random& random, std::uint32_t states,
-                          const std::vector<ltl::Proposition>& atoms) {
+inline World random_world(ltl::Random& random, std::uint32_t states, const std::vector<ltl::Proposition>& atoms) {
   World out;
   for (std::uint32_t s = 0; s < states; ++s) {
     ltl::Letter& letter = out.label.emplace_back();
@@ -176,12 +174,10 @@ double greatest_probability(const World& world, std::uint32_t automaton_initial,
 
 using Next = std::optional<std::pair<std::uint32_t, std::uint32_t>>;  // target, colour
 
-inline std::optional<Branch> branch_on(const TransitionRelation& automaton,
-                                       const std::vector<ltl::Proposition>& reads, std::uint32_t q,
-                                       const ltl::Letter& letter) {
+inline std::optional<Branch> branch_on(const TransitionRelation& automaton, const std::vector<ltl::Proposition>& reads,
+                                       std::uint32_t q, const ltl::Letter& letter) {
   const auto holds = [&](Mtbdd::Variable v) { return letter.contains(reads[v]); };
-  const auto choice =
-      automaton.choices[Mtbdd::payload(automaton.diagram.evaluate(automaton.roots[q], holds))];
+  const auto choice = automaton.choices[Mtbdd::payload(automaton.diagram.evaluate(automaton.roots[q], holds))];
   if (choice.empty()) return std::nullopt;
   return choice.front();
 }
@@ -202,8 +198,7 @@ inline double greatest_probability(const World& world, const LimitDeterministic&
     const auto b = branch_on(ldba.automaton, reads, q, letter);
     return b ? Next({b->target, b->marks.empty() ? 1U : 0U}) : Next();
   };
-  return greatest_probability(world, ldba.automaton.initial, 1, step,
-                              [&](std::uint32_t q) { return ldba.jumps[q]; });
+  return greatest_probability(world, ldba.automaton.initial, 1, step, [&](std::uint32_t q) { return ldba.jumps[q]; });
 }
 
 inline double greatest_probability(const World& world, const MdpSafe& ldba) {

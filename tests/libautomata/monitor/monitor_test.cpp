@@ -24,8 +24,7 @@ TEST(Monitor, SaysWhatAllContinuationsHaveInCommon) {
   ltl::Arena arena(testing::letters_vocabulary(2));
   const std::vector<ltl::Lasso> continuations = testing::all_lassos({.length = 3, .atoms = 2});
   std::vector<ltl::Formula> formulas = testing::all_formulas(arena, {.size = 3, .atoms = 2});
-  for (const char* text :
-       {"G (a -> X b)", "F (a & X b)", "a U b", "a W b", "G F a", "F a & G b", "X a <-> F b"})
+  for (const char* text : {"G (a -> X b)", "F (a & X b)", "a U b", "a W b", "G F a", "F a & G b", "X a <-> F b"})
     formulas.push_back(ltl::parse(text, arena));
   for (const ltl::Formula f : formulas) {
     const Monitor m = monitor(f);
@@ -34,8 +33,7 @@ TEST(Monitor, SaysWhatAllContinuationsHaveInCommon) {
       bool some = false, all = true;
       for (const ltl::Lasso& rest : continuations) {
         std::vector<ltl::Letter> prefix = letters, cycle;
-        for (std::size_t i = 0; i < rest.size(); ++i)
-          (i < rest.loop_start() ? prefix : cycle).push_back(rest[i]);
+        for (std::size_t i = 0; i < rest.size(); ++i) (i < rest.loop_start() ? prefix : cycle).push_back(rest[i]);
         const bool holds = ltl::holds(ltl::Lasso(prefix, cycle), f);
         some = some || holds;
         all = all && holds;
@@ -74,8 +72,7 @@ TEST(Monitor, OfSafetyIsTheMinimalDfaOfItsBadPrefixes) {
 
 TEST(Monitor, StopsAtTheLimits) {
   ltl::Arena arena;
-  const auto result =
-      ltl_to_monitor(ltl::parse("G (a -> X X X X b) & F (c & X X X d)", arena), {.states = 4});
+  const auto result = ltl_to_monitor(ltl::parse("G (a -> X X X X b) & F (c & X X X d)", arena), {.states = 4});
   EXPECT_TRUE(std::holds_alternative<Exhausted>(result));
 }
 

@@ -33,8 +33,7 @@ TEST_P(BuchiCorpora, HaveTheirSizesAndTheirLanguages) {
   std::size_t general_states = 0, general_edges = 0, buchi_states = 0, buchi_edges = 0, number = 0;
   for (std::string line; std::getline(in, line);) {
     ++number;
-    if (testing::sanitized && number % 10 != 1)
-      continue;  // slow there; sizes are for the whole set, in release
+    if (testing::sanitized && number % 10 != 1) continue;  // slow there; sizes are for the whole set, in release
     ltl::Arena arena;
     const ltl::Formula f = ltl::parse(line, arena);
     const Automaton general = ltl_to_tgba(f), buchi = ltl_to_buchi(f);
@@ -44,8 +43,7 @@ TEST_P(BuchiCorpora, HaveTheirSizesAndTheirLanguages) {
     buchi_edges += count_edges(buchi.transitions());
     for (int i = 0; i < 10; ++i) {
       const ltl::Lasso word = ltl::random_lasso(
-          random,
-          {.prefix = random.below(4), .cycle = 1 + random.below(4), .atoms = arena.vocabulary().size()});
+          random, {.prefix = random.below(4), .cycle = 1 + random.below(4), .atoms = arena.vocabulary().size()});
       ASSERT_EQ(accepts(general, word), ltl::holds(word, f))
           << path << ":" << number << " on " << ltl::show(word, arena.vocabulary());
       ASSERT_EQ(accepts(buchi, word), ltl::holds(word, f))
@@ -64,8 +62,7 @@ INSTANTIATE_TEST_SUITE_P(
     ::testing::Values(Gate{"ltl_dwyer", 100, 261, 103, 273}, Gate{"ltl_etessami_holzmann", 18, 36, 22, 44},
                       Gate{"ltl_somenzi_bloem", 39, 76, 45, 88}, Gate{"ltl_pelanek_beem", 22, 49, 25, 56},
                       Gate{"ltl_liberouter", 92, 404, 119, 785}, Gate{"ltl_lily", 139, 720, 150, 750},
-                      Gate{"ltl_families", 935, 5228, 992, 5260},
-                      Gate{"ltl_random4", 2943, 7670, 3192, 8464}),
+                      Gate{"ltl_families", 935, 5228, 992, 5260}, Gate{"ltl_random4", 2943, 7670, 3192, 8464}),
     [](const auto& gate) { return std::string(gate.param.set); });
 
 }  // namespace

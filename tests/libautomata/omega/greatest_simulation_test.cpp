@@ -30,8 +30,7 @@ std::vector<Step> steps(const TransitionRelation& automaton) {
     for (std::uint32_t letter = 0; letter < letters; ++letter) {
       const auto holds = [&](Mtbdd::Variable v) { return (letter >> v & 1U) != 0; };
       const Mtbdd::Node n = automaton.diagram.evaluate(automaton.roots[q], holds);
-      for (const Branch& b : automaton.choices[Mtbdd::payload(n)])
-        out.push_back({q, letter, b.target, b.marks});
+      for (const Branch& b : automaton.choices[Mtbdd::payload(n)]) out.push_back({q, letter, b.target, b.marks});
     }
   return out;
 }
@@ -74,8 +73,7 @@ TEST(GreatestSimulation, IsTheRelationOfTheDefinitionForwardsAndBackwards) {
     const StatePairs before = by_definition(steps(a), a.states(), a.initial);
     for (const Comparison how : {Comparison::Cheapest, Comparison::OfDiagrams}) {
       EXPECT_EQ(greatest_simulation(a, budget, how), after) << "seed " << seed << ", automaton " << i;
-      EXPECT_EQ(greatest_reverse_simulation(a, budget, how), before)
-          << "seed " << seed << ", automaton " << i;
+      EXPECT_EQ(greatest_reverse_simulation(a, budget, how), before) << "seed " << seed << ", automaton " << i;
     }
     for (std::uint32_t q = 0; q < a.states(); ++q)
       for (std::uint32_t r = 0; r < a.states(); ++r, ++pairs) related += q != r && after(q, r) ? 1U : 0U;
@@ -89,8 +87,7 @@ TEST(AlphabetClasses, AreAsManyAsThereAreDifferentColumns) {
   const auto vocabulary = testing::letters_vocabulary(atoms);
   Budget budget;
   for (std::size_t i = 0; i < 50; ++i) {
-    const Automaton automaton =
-        random_automaton(random, vocabulary, {.states = 3, .atoms = atoms, .empty = 0.6});
+    const Automaton automaton = random_automaton(random, vocabulary, {.states = 3, .atoms = atoms, .empty = 0.6});
     const TransitionRelation& a = automaton.transitions();
     const auto table = alphabet_classes(a, letters, budget);
     ASSERT_TRUE(table.has_value());
@@ -98,8 +95,8 @@ TEST(AlphabetClasses, AreAsManyAsThereAreDifferentColumns) {
     for (std::uint32_t letter = 0; letter < letters; ++letter) {
       std::vector<std::uint32_t> column;
       for (Mtbdd::Node root : a.roots)
-        column.push_back(Mtbdd::payload(
-            a.diagram.evaluate(root, [&](Mtbdd::Variable v) { return (letter >> v & 1U) != 0; })));
+        column.push_back(
+            Mtbdd::payload(a.diagram.evaluate(root, [&](Mtbdd::Variable v) { return (letter >> v & 1U) != 0; })));
       columns.insert(column);
     }
     std::set<std::vector<std::uint32_t>> kinds;

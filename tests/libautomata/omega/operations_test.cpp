@@ -30,8 +30,7 @@ RandomAutomaton shape(int i, std::size_t branches) {
 TEST(OmegaOperations, AreTheBooleanOnesOfTheLanguages) {
   ltl::Random random(11);
   for (int i = 0; i < 60; ++i) {
-    const Automaton a = random_automaton(random, ab, shape(i, 2)),
-                    b = random_automaton(random, ab, shape(i + 1, 2));
+    const Automaton a = random_automaton(random, ab, shape(i, 2)), b = random_automaton(random, ab, shape(i + 1, 2));
     Budget budget;
     const Automaton both = intersection(a, b, budget), any = sum(a, b);
     testing::for_each_lasso(small, [&](const ltl::Lasso& word) {
@@ -59,8 +58,7 @@ TEST(OmegaOperations, OfDeterministicAutomataAreDeterministic) {
 }
 
 TEST(OmegaOperations, MatchPropositionsByName) {
-  const Automaton a =
-      read_omega_hoa("HOA: v1 Start: 0 AP: 1 \"b\" Acceptance: 0 t --BODY-- State: 0 [0] 0 --END--");
+  const Automaton a = read_omega_hoa("HOA: v1 Start: 0 AP: 1 \"b\" Acceptance: 0 t --BODY-- State: 0 [0] 0 --END--");
   const Automaton b =
       read_omega_hoa("HOA: v1 Start: 0 AP: 2 \"a\" \"b\" Acceptance: 0 t --BODY-- State: 0 [0&1] 0 --END--");
   Budget budget;
@@ -72,8 +70,7 @@ TEST(OmegaOperations, StopAtTheLimits) {
   ltl::Random random(13);
   const Automaton a = random_automaton(random, ab, {.states = 6, .empty = 0});
   Budget few(SIZE_MAX, 3, {});
-  EXPECT_THROW(intersection(a, random_automaton(random, ab, {.states = 6, .empty = 0}), few),
-               Budget::Exceeded);
+  EXPECT_THROW(intersection(a, random_automaton(random, ab, {.states = 6, .empty = 0}), few), Budget::Exceeded);
   Budget any;
   const Automaton many = random_automaton(random, ab, {.sets = 40});
   EXPECT_THROW(intersection(many, many, any), Budget::Exceeded);
@@ -106,8 +103,7 @@ AlternatingBuchi random_alternating(ltl::Random& random, std::uint32_t states) {
   Boolean logic(out.diagram);
   const auto some_states = [&] {
     std::set<std::uint32_t> some;
-    for (std::size_t n = 1 + random.below(2); n > 0; --n)
-      some.insert(static_cast<std::uint32_t>(random.below(states)));
+    for (std::size_t n = 1 + random.below(2); n > 0; --n) some.insert(static_cast<std::uint32_t>(random.below(states)));
     return std::vector<std::uint32_t>(some.begin(), some.end());
   };
   out.edges.resize(states);

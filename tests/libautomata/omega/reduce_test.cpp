@@ -88,8 +88,7 @@ TEST_F(Reductions, FreeMarksKeepTheLanguage) {
   });
 }
 TEST_F(Reductions, ReduceKeepsTheLanguage) {
-  keep_the_language(
-      [&](const TransitionRelation& a) { return reduce(a, MarksOn::Edges, budget_).automaton; });
+  keep_the_language([&](const TransitionRelation& a) { return reduce(a, MarksOn::Edges, budget_).automaton; });
 }
 TEST_F(Reductions, ReduceAsMarkedKeepsTheLanguage) {
   keep_the_language([&](const TransitionRelation& a) { return reduce_as_marked(a, budget_).automaton; });

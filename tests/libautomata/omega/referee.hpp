@@ -66,8 +66,7 @@ inline bool can_repeat(const std::vector<Move>& all, Marks exactly) {
 inline bool accepts(const Automaton& automaton, const ltl::Lasso& word) {
   const std::vector<Move> all = moves(automaton, word);
   for (std::uint64_t bits = 0; bits < std::uint64_t{1} << automaton.acceptance().sets; ++bits)
-    if (automaton.acceptance().condition.holds(Marks::from_bits(bits)) &&
-        can_repeat(all, Marks::from_bits(bits)))
+    if (automaton.acceptance().condition.holds(Marks::from_bits(bits)) && can_repeat(all, Marks::from_bits(bits)))
       return true;
   return false;
 }

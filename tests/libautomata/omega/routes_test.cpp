@@ -62,8 +62,7 @@ TEST_F(Routes, ADeterministicBuchiAutomatonIsFoundWhereTheStructureCarriesIt) {
   }
   for (const char* text : {"F G a", "F G a | G F b", "G F a & G F b"}) {  // the last one would have to count
     const Formula f = ltl::parse(text, arena_);
-    EXPECT_FALSE(
-        deterministic_buchi(progression(f, reads_, budget_), tableau_of(f), tableau_of(negate(f)), budget_))
+    EXPECT_FALSE(deterministic_buchi(progression(f, reads_, budget_), tableau_of(f), tableau_of(negate(f)), budget_))
         << text;
   }
 }
@@ -73,8 +72,7 @@ TEST_F(Routes, WhatConcernsTheFarEndMayStartLate) {
     testing::for_each_formula(arena_, {.size = 3, .atoms = 2}, [&](Formula f) {
       const Formula q = ltl::parse(late, arena_);
       ASSERT_TRUE(ltl::purity(q).both()) << late;
-      ASSERT_TRUE(
-          accepts_the_words_of(conjunction(f, q), compose_late(tableau_of(f), tableau_of(q), budget_)));
+      ASSERT_TRUE(accepts_the_words_of(conjunction(f, q), compose_late(tableau_of(f), tableau_of(q), budget_)));
     });
 }
 
@@ -97,8 +95,7 @@ TEST_F(Routes, ContainmentIsImplicationOnEveryWord) {
   for (Formula f : formulas)
     for (Formula g : formulas) {
       bool on_words = true;
-      for (const ltl::Lasso& word : words_)
-        on_words = on_words && (!ltl::holds(word, f) || ltl::holds(word, g));
+      for (const ltl::Lasso& word : words_) on_words = on_words && (!ltl::holds(word, f) || ltl::holds(word, g));
       ASSERT_EQ(implies(f, g), on_words) << show(f) << " and " << show(g);
       found += on_words ? 1 : 0;
     }

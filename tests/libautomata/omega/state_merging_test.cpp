@@ -35,8 +35,7 @@ class Fold : public ::testing::Test {
     return ::testing::AssertionSuccess();
   }
   // Two states that could be one still.
-  ::testing::AssertionResult is_folded_up(const TransitionRelation& automaton,
-                                          const TransitionRelation& outside) {
+  ::testing::AssertionResult is_folded_up(const TransitionRelation& automaton, const TransitionRelation& outside) {
     for (std::uint32_t c = 1; c < automaton.states(); ++c)
       for (std::uint32_t d = 0; d < c; ++d) {
         std::vector<std::uint32_t> name(automaton.states());
@@ -61,8 +60,8 @@ TEST_F(Fold, KeepsTheLanguageOfSmallFormulas) {
   const std::size_t step = testing::sanitized ? 101 : 11;
   for (std::size_t i = 0; i < small.size() * small.size(); i += step) {
     const Formula left = small[i % small.size()], right = small[i / small.size()];
-    const Formula f = ltl::disjunction(i % 2 == 0 ? left : ltl::eventually(ltl::always(left)),
-                                       ltl::always(ltl::eventually(right)));
+    const Formula f =
+        ltl::disjunction(i % 2 == 0 ? left : ltl::eventually(ltl::always(left)), ltl::always(ltl::eventually(right)));
     const TransitionRelation general = reduced_tableau(f), outside = reduced_tableau(negate(f));
     const Reduced made = state_merged(general, outside, MarksOn::Edges, budget_);
     EXPECT_TRUE(made.complete);
@@ -102,8 +101,7 @@ TEST_F(Fold, StatesWithAndWithoutMarksAreNotMixed) {
     const Formula f = ltl::nnf(ltl::random_formula(random, arena_, {.size = 14, .atoms = 2}));
     const TransitionRelation levels = degeneralize(reduced_tableau(f), {.look_ahead = true}, budget_);
     if (levels.states() > 40) continue;
-    const TransitionRelation out =
-        state_merged(levels, reduced_tableau(negate(f)), MarksOn::States, budget_).automaton;
+    const TransitionRelation out = state_merged(levels, reduced_tableau(negate(f)), MarksOn::States, budget_).automaton;
     ASSERT_TRUE(accepts_the_words_of(f, out));
     const std::vector<bool> marked = marked_states(out);
     for (std::uint32_t q = 0; q < out.states(); ++q)

@@ -34,8 +34,7 @@ bool marks_are_on_states(const Automaton& automaton) {
 }
 
 bool is_trimmed(const Automaton& automaton) {
-  const LiveComponents live =
-      live_components(BranchGraph(automaton.transitions()), automaton.acceptance().condition);
+  const LiveComponents live = live_components(BranchGraph(automaton.transitions()), automaton.acceptance().condition);
   for (std::uint32_t q = 0; q < automaton.states(); ++q)
     if (!live.live[q]) return automaton.states() == 1 && count_edges(automaton.transitions()) == 0;
   return true;
@@ -62,8 +61,7 @@ TEST(Tableau, AgreesWithTheDefinitionOnAllSmallPairs) {
   testing::for_each_formula(arena, {.size = 4, .atoms = 2}, [&](Formula f) {
     const auto reads = ltl::propositions(f);
     Budget budget;
-    const Automaton raw =
-        as_automaton(tableau(ltl::nnf(f), reads, budget).automaton, arena.vocabulary(), reads);
+    const Automaton raw = as_automaton(tableau(ltl::nnf(f), reads, budget).automaton, arena.vocabulary(), reads);
     for (const Lasso& word : words) ASSERT_TRUE(agree(f, raw, word));
   });
 }

@@ -46,8 +46,7 @@ TEST(Verbalise, SaysWhatAFormulaMeans) {
       {"G (p -> X (q U r))", "whenever p holds, one step later q holds until r holds."},
       {"(p U q) U (q U p)",
        "(A) holds until (B) holds. (A) means: p holds until q holds. (B) means: q holds until p holds."},
-      {"X(left & X(moved & X(moved & F chair)))",
-       "turn left, then go forward 2 times, then go to the chair."},
+      {"X(left & X(moved & X(moved & F chair)))", "turn left, then go forward 2 times, then go to the chair."},
       {"(!sofa U chair) & F sofa", "do not go to the sofa until you are at the chair; go to the sofa."},
       {"(p & X(moved U (moved & chair))) | (!p & F sofa)",
        "if p holds, go forward until you are at the chair, otherwise go to the sofa."},
@@ -91,9 +90,7 @@ void expect_read_back(Formula f, const VerbaliseOptions& options) {
 
 // Of the two propositions, one is a place and the other an event, or both are symbols.
 std::vector<VerbaliseOptions> descriptions() {
-  const auto robot = [](Proposition p) {
-    return p.index == 0 ? floor("the blue floor") : event("turn left");
-  };
+  const auto robot = [](Proposition p) { return p.index == 0 ? floor("the blue floor") : event("turn left"); };
   return {{.semantics = Semantics::Finite},
           {.semantics = Semantics::Infinite},
           {.semantics = Semantics::Finite, .describe = robot},
@@ -113,16 +110,15 @@ TEST(ReadEnglish, ReadsBackRandomFormulas) {
     Random random(14);
     Arena arena(letters_vocabulary(2));
     for (int i = 0; i < 5'000; ++i)
-      ASSERT_NO_FATAL_FAILURE(expect_read_back(
-          random_formula(random, arena, {.size = 1 + random.below(9), .atoms = 2}), options));
+      ASSERT_NO_FATAL_FAILURE(
+          expect_read_back(random_formula(random, arena, {.size = 1 + random.below(9), .atoms = 2}), options));
   }
 }
 
 // The lifted templates of the literature, where they are at hand.
 TEST(ReadEnglish, ReadsBackTemplates) {
   const char* const given = std::getenv("WAYMARK_SHARED");
-  std::ifstream in(std::string(given != nullptr ? given : WAYMARK_SOURCE_DIR "/../shared") +
-                   "/commands/templates.tsv");
+  std::ifstream in(std::string(given != nullptr ? given : WAYMARK_SOURCE_DIR "/../shared") + "/commands/templates.tsv");
   if (!in) GTEST_SKIP() << "SKIPPED: no templates";
   std::string line;
   std::getline(in, line);
@@ -130,9 +126,9 @@ TEST(ReadEnglish, ReadsBackTemplates) {
   for (; std::getline(in, line); ++count) {
     Arena arena;
     const Formula f = parse(line.substr(line.rfind('\t') + 1), arena);
-    for (const VerbaliseOptions& options :
-         {VerbaliseOptions{},
-          VerbaliseOptions{.describe = [&](Proposition p) { return place(arena.vocabulary().name(p)); }}}) {
+    for (const VerbaliseOptions& options : {VerbaliseOptions{}, VerbaliseOptions{.describe = [&](Proposition p) {
+                                              return place(arena.vocabulary().name(p));
+                                            }}}) {
       const std::string text = verbalise(f, options);
       EXPECT_EQ(read_english(text, arena, options), f) << line << "   " << text;
     }
@@ -142,10 +138,9 @@ TEST(ReadEnglish, ReadsBackTemplates) {
 
 TEST(ReadEnglish, RefusesWhatVerbaliseDoesNotWrite) {
   Arena arena(letters_vocabulary(2));
-  for (const char* text :
-       {"", ".", "a", "a holds", "c holds.", "a holds b holds.", "eventually.", "(A) holds.",
-        "(A) holds. (A) means: (A) holds.", "a holds and b holds or a holds.", "0 steps later a holds.",
-        "please, a holds.", "xyzzy plugh."})
+  for (const char* text : {"", ".", "a", "a holds", "c holds.", "a holds b holds.", "eventually.", "(A) holds.",
+                           "(A) holds. (A) means: (A) holds.", "a holds and b holds or a holds.",
+                           "0 steps later a holds.", "please, a holds.", "xyzzy plugh."})
     EXPECT_FALSE(read_english(text, arena)) << text;
 }
 

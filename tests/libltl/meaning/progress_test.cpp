@@ -69,8 +69,7 @@ TEST(Laws, ProgressionAgreesWithTheDefinition) {
   Arena arena(testing::letters_vocabulary(2));
   const auto words = testing::all_traces({.length = 3, .atoms = 2});
   testing::for_each_formula(arena, {.size = 4, .atoms = 2}, [&](Formula f) {
-    for (const Trace& word : words)
-      ASSERT_EQ(accepts_by_progression(f, word), holds(word, f)) << show(f, word);
+    for (const Trace& word : words) ASSERT_EQ(accepts_by_progression(f, word), holds(word, f)) << show(f, word);
   });
 }
 
@@ -98,8 +97,7 @@ TEST(Laws, ProgressionOnInfiniteWordsReadsTheFirstLetter) {
   const auto words = testing::all_lassos({.length = 3, .atoms = 2});
   testing::for_each_formula(arena, {.size = 4, .atoms = 2}, [&](Formula f) {
     for (const Lasso& word : words)
-      ASSERT_EQ(holds(rest_of(word), progress(f, word[0], Semantics::Infinite)), holds(word, f))
-          << show(f, word);
+      ASSERT_EQ(holds(rest_of(word), progress(f, word[0], Semantics::Infinite)), holds(word, f)) << show(f, word);
   });
 }
 

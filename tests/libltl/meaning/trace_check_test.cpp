@@ -58,8 +58,7 @@ TEST(Laws, TraceCheckAgreesWithTheDefinitionAtEveryPositionOfLongWords) {
   for (int i = 0; i < 150; ++i) {
     const Formula f = random_formula(random, arena, {.size = 14, .atoms = 3});
     const std::size_t length = 60 + random.below(80);
-    const Trace word =
-        random_trace(random, {.length = length, .atoms = 3, .density = i % 2 == 0 ? 0.5 : 0.97});
+    const Trace word = random_trace(random, {.length = length, .atoms = 3, .density = i % 2 == 0 ? 0.5 : 0.97});
     const Columns columns(word, 3);
     TraceCheck check(f);
     ASSERT_EQ(check(columns), holds(word, f)) << show(f, word) << "   seed 4, pair " << i;
@@ -67,8 +66,7 @@ TEST(Laws, TraceCheckAgreesWithTheDefinitionAtEveryPositionOfLongWords) {
     check.at_every_position(columns, 0, truth);
     for (std::size_t k = 0; k < length; k += 11) {
       const std::size_t bit = length - 1 - k;
-      ASSERT_EQ(((truth[bit / 64] >> (bit % 64)) & 1U) != 0, holds(suffix(word, k), f))
-          << show(f, suffix(word, k));
+      ASSERT_EQ(((truth[bit / 64] >> (bit % 64)) & 1U) != 0, holds(suffix(word, k), f)) << show(f, suffix(word, k));
     }
     if (length <= 64) {
       ASSERT_EQ(check(columns.block(0), length), holds(word, f)) << show(f, word);

@@ -48,8 +48,7 @@ TEST(Patterns, AgreeWithTheCollectedFormulas) {
     Random random(line + 1);
     for (int i = 0; i < 2'000; ++i) {
       const Lasso word = random_lasso(
-          random,
-          {.prefix = random.below(6), .cycle = 1 + random.below(4), .atoms = order.size(), .density = 0.3});
+          random, {.prefix = random.below(6), .cycle = 1 + random.below(4), .atoms = order.size(), .density = 0.3});
       ASSERT_EQ(holds(word, ours), holds(word, theirs))
           << pattern.name << " " << print(ours) << " and line " << line + 1 << " " << print(theirs) << " on "
           << show(word, arena.vocabulary());
@@ -72,8 +71,7 @@ TEST(Patterns, HaveNamesOfTheirOwnAndFormulasThatInstantiateThem) {
     if (pattern.parameters == "l..") arguments = {"l1", "l2", "l3"};
     if (pattern.parameters == "n l") arguments = {"2", "l"};
     Arena arena;
-    EXPECT_EQ(print(parse(pattern.formula, arena)), print(instantiate(pattern.name, arguments, arena)))
-        << pattern.name;
+    EXPECT_EQ(print(parse(pattern.formula, arena)), print(instantiate(pattern.name, arguments, arena))) << pattern.name;
   }
 }
 
@@ -111,8 +109,7 @@ bool achieves(Mission mission_, std::string_view once, std::string_view forever,
   Arena arena(testing::letters_vocabulary(places));
   const auto letters = [](std::string_view text) {
     std::vector<Letter> out;
-    for (char c : text)
-      out.push_back(c == '-' ? Letter{} : Letter{Proposition{static_cast<std::uint32_t>(c - 'a')}});
+    for (char c : text) out.push_back(c == '-' ? Letter{} : Letter{Proposition{static_cast<std::uint32_t>(c - 'a')}});
     return out;
   };
   std::vector<Formula> l;
@@ -163,12 +160,9 @@ TEST(Patterns, RestrictedAvoidanceCounts) {
       std::size_t times = 0;
       for (std::size_t i = 0; i < word.size(); ++i)
         if (!word[i].empty()) times += i < word.loop_start() ? 1 : 100;  // on the cycle: for ever
-      EXPECT_EQ(holds(word, restricted_avoidance(Mission::UpperRestrictedAvoidance, bound, a)),
-                times <= bound);
-      EXPECT_EQ(holds(word, restricted_avoidance(Mission::LowerRestrictedAvoidance, bound, a)),
-                times >= bound);
-      EXPECT_EQ(holds(word, restricted_avoidance(Mission::ExactRestrictedAvoidance, bound, a)),
-                times == bound)
+      EXPECT_EQ(holds(word, restricted_avoidance(Mission::UpperRestrictedAvoidance, bound, a)), times <= bound);
+      EXPECT_EQ(holds(word, restricted_avoidance(Mission::LowerRestrictedAvoidance, bound, a)), times >= bound);
+      EXPECT_EQ(holds(word, restricted_avoidance(Mission::ExactRestrictedAvoidance, bound, a)), times == bound)
           << bound << " on " << show(word, arena.vocabulary());
     });
 }

@@ -76,11 +76,9 @@ TEST(Delta2, IsWhatItSaysAndMeansTheSameOnRandomPairs) {
       continue;
     }
     if (!is_delta2(f)) ++changed;
-    ASSERT_TRUE(is_delta2(*g)) << show(f) << "\nbecame " << print(*g) << "\nseed " << seed << ", formula "
-                               << i;
+    ASSERT_TRUE(is_delta2(*g)) << show(f) << "\nbecame " << print(*g) << "\nseed " << seed << ", formula " << i;
     for (int j = 0; j < 20; ++j) {
-      const Lasso word =
-          random_lasso(random, {.prefix = random.below(4), .cycle = 1 + random.below(4), .atoms = 3});
+      const Lasso word = random_lasso(random, {.prefix = random.below(4), .cycle = 1 + random.below(4), .atoms = 3});
       ASSERT_EQ(holds(word, f), holds(word, *g))
           << show(f, word) << "\nbecame " << print(*g) << "\nseed " << seed << ", formula " << i;
     }

@@ -38,8 +38,7 @@ TEST(Separate, KeepsTheMeaningOnRandomPairs) {
     const Formula f = random_formula(random, arena, {.size = 8 + random.below(16), .atoms = 3});
     const Formula g = separated(f);
     for (int j = 0; j < 20; ++j) {
-      const Lasso word =
-          random_lasso(random, {.prefix = random.below(4), .cycle = 1 + random.below(4), .atoms = 3});
+      const Lasso word = random_lasso(random, {.prefix = random.below(4), .cycle = 1 + random.below(4), .atoms = 3});
       ASSERT_EQ(holds(word, f), holds(word, g))
           << show(f, word) << "\nbecame " << print(g) << "\nseed " << seed << ", formula " << i;
     }

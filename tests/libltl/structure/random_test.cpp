@@ -18,8 +18,7 @@ TEST(Conventions, TheSameSeedGivesTheSameFormulasAndWords) {
   Random random(1);
   // Fixed text, not two runs compared: std::mt19937_64 is the same on every machine, and so must these be.
   EXPECT_EQ(print(random_formula(random, arena, {.size = 10, .atoms = 3})), "G !N G !(a U b)");
-  EXPECT_EQ(show(random_trace(random, {.length = 3, .atoms = 3}), arena.vocabulary()),
-            "{a, b}; {a, b, c}; {a, b, c}");
+  EXPECT_EQ(show(random_trace(random, {.length = 3, .atoms = 3}), arena.vocabulary()), "{a, b}; {a, b, c}; {a, b, c}");
   EXPECT_EQ(show(random_lasso(random, {.prefix = 1, .cycle = 2, .atoms = 3}), arena.vocabulary()),
             "{}; ({a, c}; {a})ʷ");
 }
@@ -40,12 +39,10 @@ TEST(Random, FormulasReachEveryOperatorAndKeepToTheirOptions) {
   Random random(8);
   std::set<Op> seen;
   for (int i = 0; i < 500; ++i)
-    for (Formula g : subformulas(random_formula(random, arena, {.size = 12, .atoms = 2})))
-      seen.insert(g.op());
+    for (Formula g : subformulas(random_formula(random, arena, {.size = 12, .atoms = 2}))) seen.insert(g.op());
   EXPECT_EQ(seen.size(), 11U);
   for (int i = 0; i < 500; ++i) {
-    const Formula f =
-        random_formula(random, arena, {.size = 9, .atoms = 2, .constants = false, .weak_next = false});
+    const Formula f = random_formula(random, arena, {.size = 9, .atoms = 2, .constants = false, .weak_next = false});
     for (Formula g : subformulas(f)) EXPECT_NE(g.op(), Op::WeakNext) << testing::show(f);
     for (Proposition p : propositions(f)) EXPECT_LT(p.index, 2U) << testing::show(f);
   }

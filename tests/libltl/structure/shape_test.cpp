@@ -34,8 +34,8 @@ TEST(Shape, ForgetsNamesAndNothingElse) {
 
 // Each proposition as pᵢ, i its place in the vocabulary.
 std::string anonymous(const std::string& text, const Vocabulary& vocabulary) {
-  return testing::with_letters(
-      text, [&](char c) { return "p" + std::to_string(vocabulary.find(std::string(1, c))->index); });
+  return testing::with_letters(text,
+                               [&](char c) { return "p" + std::to_string(vocabulary.find(std::string(1, c))->index); });
 }
 
 TEST(Shape, IsThatOfTheTextWithOtherNames) {

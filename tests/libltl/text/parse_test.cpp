@@ -114,19 +114,15 @@ TEST(Parse, DialectSpotReadsPlainNextAsWeak) {
 TEST(Parse, QuotedNamesAreAnyText) {
   Arena arena;
   const Formula f = parse(R"(F "red chair" & "U" & "say \"hi\" \\")", arena);
-  EXPECT_EQ(f, conjunction(conjunction(eventually(arena.atom("red chair")), arena.atom("U")),
-                           arena.atom("say \"hi\" \\")));
+  EXPECT_EQ(
+      f, conjunction(conjunction(eventually(arena.atom("red chair")), arena.atom("U")), arena.atom("say \"hi\" \\")));
 }
 
 TEST(Parse, LbtIsPrefix) {
   const ParseOptions lbt{.notation = Notation::Lbt};
   const Pair table[] = {
-      {"U p0 G p1", "p0 U G p1"},
-      {"& | p0 p1 ! p2", "(p0 | p1) & !p2"},
-      {"i p0 e p1 p2", "p0 -> (p1 <-> p2)"},
-      {"V t f", "true R false"},
-      {"^ W a M b c X d", "(a W (b M c)) ^ X d"},
-      {"!\"e\"", "!\"e\""},
+      {"U p0 G p1", "p0 U G p1"}, {"& | p0 p1 ! p2", "(p0 | p1) & !p2"},      {"i p0 e p1 p2", "p0 -> (p1 <-> p2)"},
+      {"V t f", "true R false"},  {"^ W a M b c X d", "(a W (b M c)) ^ X d"}, {"!\"e\"", "!\"e\""},
   };
   for (const Pair& pair : table) expect_equal(pair, lbt);
 }

@@ -20,18 +20,17 @@ struct Row {
 
 TEST(Print, WritesEveryStyle) {
   const Row table[] = {
-      {"F(chair & X(turned_left & F sofa))", "F(chair & X(turned_left & F sofa))",
-       "◇(chair ∧ ○(turned_left ∧ ◇sofa))",
+      {"F(chair & X(turned_left & F sofa))", "F(chair & X(turned_left & F sofa))", "◇(chair ∧ ○(turned_left ∧ ◇sofa))",
        "\\mathsf{F}\\,(\\mathit{chair} \\land \\mathsf{X}\\,(\\mathit{turned\\_left} \\land "
        "\\mathsf{F}\\,\\mathit{sofa}))",
        "F & chair X & turned_left F sofa", "chair turned_left sofa F & X & F"},
       {"!(a U b) | N c", "(a U b) -> N c", "(a 𝒰 b) → ●c",
-       "(\\mathit{a} \\mathbin{\\mathsf{U}} \\mathit{b}) \\rightarrow \\mathsf{N}\\,\\mathit{c}",
-       "i U a b N c", "a b U c N ->"},
+       "(\\mathit{a} \\mathbin{\\mathsf{U}} \\mathit{b}) \\rightarrow \\mathsf{N}\\,\\mathit{c}", "i U a b N c",
+       "a b U c N ->"},
       {"a xor true R false", "a ^ (true R false)", "a ⊕ (⊤ ℛ ⊥)",
        "\\mathit{a} \\oplus (\\top \\mathbin{\\mathsf{R}} \\bot)", "^ a V t f", "a true false R ^"},
-      {"a & b & c", "a & b & c", "a ∧ b ∧ c", "\\mathit{a} \\land \\mathit{b} \\land \\mathit{c}",
-       "& & a b c", "a b & c &"},
+      {"a & b & c", "a & b & c", "a ∧ b ∧ c", "\\mathit{a} \\land \\mathit{b} \\land \\mathit{c}", "& & a b c",
+       "a b & c &"},
       {"F<=2 a", "F<=2 a", "◇≤2 a", "\\mathsf{F}_{\\leq 2}\\,\\mathit{a}", "| a X | a X a", "a a a X | X |"},
       {"\"e\" W \"a b\"", "e W \"a b\"", "e 𝒲 \"a b\"", "\\mathit{e} \\mathbin{\\mathsf{W}} \\mathit{a\\ b}",
        "W \"e\" \"a b\"", "e \"a b\" W"},

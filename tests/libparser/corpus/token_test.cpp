@@ -15,8 +15,7 @@ TEST(Token, LowersSplitsApostrophesAndKeepsMarks) {
       {"it's the chair, isn't it?", {"it", "s", "the", "chair", ",", "is", "n't", "it", "?"}},
       {"the walls' end", {"the", "walls", "end"}},
       {"blue-tiled hall.", {"blue-tiled", "hall", "."}},
-      {"(50%) \"here\"; there: now!",
-       {"(", "50", "%", ")", "\"", "here", "\"", ";", "there", ":", "now", "!"}},
+      {"(50%) \"here\"; there: now!", {"(", "50", "%", ")", "\"", "here", "\"", ";", "there", ":", "now", "!"}},
       {"  \t\n", {}},
       {"''", {}},
       {"n't", {"n't"}},
@@ -26,8 +25,7 @@ TEST(Token, LowersSplitsApostrophesAndKeepsMarks) {
 }
 
 TEST(Token, SentencesAreCutAfterMarks) {
-  EXPECT_EQ(split_sentences("Go on. Turn left; stop!! Where?"),
-            (Words{"Go on.", " Turn left;", " stop!", " Where?"}));
+  EXPECT_EQ(split_sentences("Go on. Turn left; stop!! Where?"), (Words{"Go on.", " Turn left;", " stop!", " Where?"}));
   EXPECT_EQ(split_sentences("walk on"), Words{"walk on"});
   EXPECT_EQ(split_sentences(" .;! "), Words{});
   EXPECT_EQ(split_sentences(""), Words{});
@@ -70,8 +68,7 @@ TEST(Token, ClausesAreCutAtJointsAndMarks) {
     }
     return out;
   };
-  EXPECT_EQ(clauses("Turn left, and then walk on; go to the chair."),
-            "turn left |walk on |go to the chair |");
+  EXPECT_EQ(clauses("Turn left, and then walk on; go to the chair."), "turn left |walk on |go to the chair |");
   EXPECT_EQ(clauses("then turn"), "turn |");
   EXPECT_EQ(clauses("the sand, the band"), "the sand |the band |");
   EXPECT_EQ(clauses("and then,"), "and then , |");

@@ -42,8 +42,8 @@ struct Told {
 };
 
 std::vector<Candidate> by_clauses(const Told& reader, const SentenceInput& input, std::size_t beam) {
-  return read_by_clauses([&](const SentenceInput& one, std::size_t most) { return reader.read(one, most); },
-                         input, beam);
+  return read_by_clauses([&](const SentenceInput& one, std::size_t most) { return reader.read(one, most); }, input,
+                         beam);
 }
 
 using Mass = std::map<Program, double>;
@@ -101,9 +101,8 @@ TEST(Clauses, ProbabilitiesAreThoseOfTheDefinition) {
           if (std::none_of(out.begin(), out.end(), [&](const Candidate& c) { return c.program == program; }))
             out.push_back({program, std::log(0.05 + 0.9 * random.unit())});
         }
-        std::sort(out.begin(), out.end(), [](const Candidate& a, const Candidate& b) {
-          return a.log_probability > b.log_probability;
-        });
+        std::sort(out.begin(), out.end(),
+                  [](const Candidate& a, const Candidate& b) { return a.log_probability > b.log_probability; });
         return out;
       };
       const Mass want = by_definition(reader, input);

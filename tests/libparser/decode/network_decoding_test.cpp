@@ -36,8 +36,7 @@ TEST(NetworkDecoding, BestFirstIsTheSortedList) {
   std::sort(sorted.rbegin(), sorted.rend());
   for (std::size_t i = 0; i < best.size(); ++i) {
     EXPECT_NEAR(best[i].log_probability, sorted[i], 1e-4) << i;
-    EXPECT_NEAR(best[i].log_probability, all.at(best[i].program), 1e-4)
-        << small.grammar.show(best[i].program);
+    EXPECT_NEAR(best[i].log_probability, all.at(best[i].program), 1e-4) << small.grammar.show(best[i].program);
   }
 }
 
@@ -46,8 +45,7 @@ TEST(NetworkDecoding, AReaderReadsTheSameAgainAndInSeveralThreads) {
   const SmallNetwork small;
   const WordModel model = std::make_shared<const NetworkModel>(small.network);
   std::vector<SentenceInput> inputs;
-  for (const char* text :
-       {"walk to the chair and turn left", "left", "walk", "to place 1", "chair left chair"})
+  for (const char* text : {"walk to the chair and turn left", "left", "walk", "to place 1", "chair left chair"})
     for (const bool unknown : {false, true}) inputs.push_back({tokenize(text), unknown});
   const auto read = [&](const SentenceInput& input) {
     std::vector<std::pair<Program, double>> out;
@@ -86,8 +84,7 @@ TEST(NetworkDecoding, AWideBeamFindsEverythingAndANarrowOneWhatIsLikely) {
   EncoderDecoder::Pass pass;
   const NetworkSentence* const only = &small.sentence;
   pass.encode(small.network, small.network.parameters(), {&only, 1});
-  const auto found =
-      randomised_beam(small.network, pass, {&only, 1}, masks, all.size(), 0, small.random).front();
+  const auto found = randomised_beam(small.network, pass, {&only, 1}, masks, all.size(), 0, small.random).front();
   EXPECT_EQ(found.size(), all.size());
   for (std::size_t i = 0; i < found.size(); ++i) {
     EXPECT_NEAR(found[i].log_probability, all.at(found[i].program), 1e-4);
@@ -173,8 +170,7 @@ TEST_F(Trie, GradientIsThatOfTheSumOfLogProbabilities) {
   const auto loss = [&] {
     const Likelihoods found = likelihoods(trie, s, 0, small.sentence.forbidden);
     double sum = 0;
-    for (std::size_t i = 0; i < g.size(); ++i)
-      sum += static_cast<double>(g[i]) * static_cast<double>(found.log_p[i]);
+    for (std::size_t i = 0; i < g.size(); ++i) sum += static_cast<double>(g[i]) * static_cast<double>(found.log_p[i]);
     return sum;
   };
   neural::Matrix dscores = neural::Matrix::Zero(s.rows(), s.cols());

@@ -17,8 +17,7 @@ const ltl::Vocabulary few_propositions({"chair", "ahead_wall", "place_1", "turne
 
 class Decoding : public testing::Test {
  protected:
-  Decoding()
-      : features(sentence_features({tokenize("walk to the chair and turn left"), false}, model.words)) {
+  Decoding() : features(sentence_features({tokenize("walk to the chair and turn left"), false}, model.words)) {
     std::mt19937_64 random(5);
     const auto fill = [&](std::uint64_t feature) {
       float* const row = model.weights.row(model.weights.add(feature));
@@ -28,8 +27,7 @@ class Decoding : public testing::Test {
     for (const auto& kind : features.by_context)
       for (const auto& step : kind)
         for (std::size_t i = 0; i < step.size(); i += 5) fill(step[i]);
-    for (Token last = 0; last < model.language.grammar().tokens(); ++last)
-      fill(last_token_feature({0, 1, last, 0}));
+    for (Token last = 0; last < model.language.grammar().tokens(); ++last) fill(last_token_feature({0, 1, last, 0}));
     fill(mention_feature({0, 0, 0, 0}));
   }
 
@@ -43,14 +41,12 @@ class Decoding : public testing::Test {
     for (Token token : model.language.grammar().tokens_of(program)) {
       const bool forced = model.language.grammar().forced(state).has_value();
       if (!forced) {
-        scorer.log_probabilities(scorer.groups(choice), model.language.grammar().choices(state),
-                                 log_p.data());
+        scorer.log_probabilities(scorer.groups(choice), model.language.grammar().choices(state), log_p.data());
         log_probability += static_cast<double>(log_p[token]);
       }
       state = model.language.grammar().after(state, token);
       PrefixState next = state;  // the choice is seen after what is forced
-      while (const auto t = model.language.grammar().forced(next))
-        next = model.language.grammar().after(next, *t);
+      while (const auto t = model.language.grammar().forced(next)) next = model.language.grammar().after(next, *t);
       if (!forced) choice = choice_after(next, choice, token);
     }
     return std::exp(log_probability);

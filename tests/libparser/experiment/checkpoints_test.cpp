@@ -19,8 +19,7 @@ namespace fs = std::filesystem;
 class CheckpointDirectory : public ::testing::Test {
  protected:
   void TearDown() override { fs::remove_all(directory); }
-  const fs::path directory =
-      fs::temp_directory_path() / ("waymark-checkpoints-" + std::to_string(::getpid()));
+  const fs::path directory = fs::temp_directory_path() / ("waymark-checkpoints-" + std::to_string(::getpid()));
 };
 
 std::vector<fs::path> files_in(const fs::path& directory, const std::string& extension) {

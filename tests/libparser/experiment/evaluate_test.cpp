@@ -27,12 +27,9 @@ TEST(Evaluate, CountsSentencesParagraphsAndNodesByHand) {
   Sentence walk{"2", "", {}, false, {{1, 9, 0}, {1, 8, 0}, {1, 7, 0}}, {{1, 9, 0}, {1, 8, 0}, {1, 7, 0}}, ""};
   Sentence turn{"3", "", {}, false, {{1, 9, 0}, {1, 9, 90}}, {{1, 9, 0}, {1, 9, 90}}, ""};
   Corpus corpus;
-  corpus.paragraphs = {{"a", "grid", "", {stay, walk}},
-                       {"b", "grid", "", {turn}},
-                       {"c", "grid", "", {}},
-                       {"d", "l", "", {walk}}};
-  const Scores s =
-      evaluate(GroundingFollower({grounder_of(std::move(model))}, {}), corpus, grid, Convention::Absolute);
+  corpus.paragraphs = {
+      {"a", "grid", "", {stay, walk}}, {"b", "grid", "", {turn}}, {"c", "grid", "", {}}, {"d", "l", "", {walk}}};
+  const Scores s = evaluate(GroundingFollower({grounder_of(std::move(model))}, {}), corpus, grid, Convention::Absolute);
   EXPECT_EQ(s.sentence.absolute.hits, 1U);
   EXPECT_EQ(s.sentence.absolute.total, 3U);
   EXPECT_EQ(s.sentence.relative.total, 0U);
@@ -109,9 +106,8 @@ TEST(Evaluate, PredictionsCanBeScoredAgain) {
     EXPECT_EQ(by_sentence.total, sentences);
     EXPECT_EQ(by_sentence.hits, right);
     EXPECT_EQ(by_paragraph.total, paragraphs.size());
-    EXPECT_EQ(by_paragraph.hits,
-              static_cast<std::size_t>(std::count_if(paragraphs.begin(), paragraphs.end(),
-                                                     [](const auto& p) { return p.second; })));
+    EXPECT_EQ(by_paragraph.hits, static_cast<std::size_t>(std::count_if(paragraphs.begin(), paragraphs.end(),
+                                                                        [](const auto& p) { return p.second; })));
     EXPECT_EQ(predictions.size(), 2 * sentences);
     EXPECT_GT(right, 0U);
     EXPECT_GT(elsewhere, 0U);
@@ -119,8 +115,7 @@ TEST(Evaluate, PredictionsCanBeScoredAgain) {
 }
 
 TEST(Evaluate, LearnsItsOwnLanguageAcrossMaps) {
-  const Corpus corpus =
-      generate_corpus(shipped_maps(), {.seed = 5, .paragraphs = testing::scaled(90), .sentences = 4});
+  const Corpus corpus = generate_corpus(shipped_maps(), {.seed = 5, .paragraphs = testing::scaled(90), .sentences = 4});
   EvaluateOptions options;
   options.relative = false;
   const Evaluation result = evaluate_leave_one_map_out(corpus, nullptr, shipped_maps(), options);

@@ -52,8 +52,7 @@ class World {
     ranking_ = std::make_shared<RankingModel>(map_.vocabulary());
     for (const SentenceInput& input : paragraph)
       for (const std::string& word : input.tokens) ranking_->words.add(word);
-    for (const SentenceInput& input :
-         paragraph)  // ends of sentences depend on where they begin: from a few poses
+    for (const SentenceInput& input : paragraph)  // ends of sentences depend on where they begin: from a few poses
       for (int i = 0; i < 4; ++i) {
         const plan::PoseId from{i == 0 ? start.index : static_cast<std::uint32_t>(random_() % map_.poses())};
         const Decision decision = decide(grounder(), executor_, input, {&from, 1}, {.beam = 16, .trust = 0});
@@ -115,8 +114,7 @@ TEST(GroundingFollower, ParagraphsEndAtTheLikeliestPlaceOverAllWays) {
     const auto answers = whole.follow_all(world.executor(), world.paragraph, world.start);
     ASSERT_EQ(answers.size(), world.paragraph.size());
     const plan::PoseId end = answers.back().end;
-    for (const auto& [place, weight] : places)
-      EXPECT_LE(weight, places[world.map().node_of(end)] * (1 + 1e-9));
+    for (const auto& [place, weight] : places) EXPECT_LE(weight, places[world.map().node_of(end)] * (1 + 1e-9));
     for (const auto& [pose, weight] : poses)
       if (world.map().node_of(pose) == world.map().node_of(end)) {
         EXPECT_LE(weight, poses[end] * (1 + 1e-9));

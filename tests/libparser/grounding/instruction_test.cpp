@@ -14,8 +14,7 @@ TEST(Instruction, IsTextUnlessItBeginsWithABrace) {
 }
 
 TEST(Instruction, MaySayWhereItIsSpoken) {
-  const Instruction whole =
-      parse_instruction(R"({"text":"stop","map":"l","start":[3,4,90],"note":1})", "f", 1);
+  const Instruction whole = parse_instruction(R"({"text":"stop","map":"l","start":[3,4,90],"note":1})", "f", 1);
   EXPECT_EQ(whole.text, "stop");
   EXPECT_EQ(whole.map, "l");
   EXPECT_EQ(whole.start, "3,4,90");

@@ -101,8 +101,8 @@ TEST(Understand, StraightToTheThirdHallway) {
   const ltl::Formula turned = arena.atom(*arena.vocabulary().find("turned_left"));
   ltl::Formula rest = ltl::next(ltl::conjunction(turned, ltl::next(moved)));
   for (int i = 0; i < 3; ++i)
-    rest = ltl::next(ltl::until(ltl::conjunction(moved, ltl::negate(way)),
-                                ltl::conjunction(ltl::conjunction(moved, way), rest)));
+    rest = ltl::next(
+        ltl::until(ltl::conjunction(moved, ltl::negate(way)), ltl::conjunction(ltl::conjunction(moved, way), rest)));
   EXPECT_EQ(answer.readings.front().formula, rest);
 }
 
@@ -123,8 +123,7 @@ TEST(DirectTurns, AreStrongerThanWhatTheProgramSays) {
     }
     EXPECT_GT(satisfied, 0U);
   }
-  const ltl::Formula facing =
-      ltl::parse("X((turned_left | turned_right) U ((turned_left | turned_right) & a))", arena);
+  const ltl::Formula facing = ltl::parse("X((turned_left | turned_right) U ((turned_left | turned_right) & a))", arena);
   EXPECT_EQ(with_direct_turns(facing), facing);
 }
 

@@ -17,8 +17,7 @@
 namespace waymark::parser {
 namespace {
 
-Corpus temporal(std::uint64_t seed, Formulas formulas = Formulas::All, std::size_t least = 1,
-                std::size_t most = 3) {
+Corpus temporal(std::uint64_t seed, Formulas formulas = Formulas::All, std::size_t least = 1, std::size_t most = 3) {
   return generate_corpus(shipped_maps(), {.seed = seed,
                                           .paragraphs = 60,
                                           .sentences = 4,
@@ -79,14 +78,12 @@ TEST(Generate, SaysEverythingThatTheTemporalDialectHas) {
 }
 
 TEST(Generate, SplitsShareNoFormulaAndLengthsAreKept) {
-  const auto known = formulas_of(temporal(1, Formulas::Known)),
-             held_out = formulas_of(temporal(2, Formulas::HeldOut));
+  const auto known = formulas_of(temporal(1, Formulas::Known)), held_out = formulas_of(temporal(2, Formulas::HeldOut));
   EXPECT_GT(held_out.size(), 50U);
   for (const std::string& formula : held_out) EXPECT_EQ(known.count(formula), 0U) << formula;
   each_sentence(temporal(3, Formulas::All, 5, 5), [](const Paragraph&, const Sentence& sentence) {
     std::size_t joints = 0;  // five clauses are joined four times
-    for (const std::string& word : sentence.tokens)
-      joints += word == "and" || word == "," || word == "then" ? 1 : 0;
+    for (const std::string& word : sentence.tokens) joints += word == "and" || word == "," || word == "then" ? 1 : 0;
     EXPECT_GE(joints, 4U) << sentence.text;
   });
 }
@@ -102,8 +99,7 @@ TEST(Generate, SeedsDecideAndLinesReadBack) {
 
 TEST(Generate, OptionsThatDoNotFitAreRefused) {
   EXPECT_THROW(generate_corpus({}, {}), std::invalid_argument);
-  EXPECT_THROW(generate_corpus(shipped_maps(), {.least_clauses = 3, .most_clauses = 2}),
-               std::invalid_argument);
+  EXPECT_THROW(generate_corpus(shipped_maps(), {.least_clauses = 3, .most_clauses = 2}), std::invalid_argument);
 }
 
 TEST(FormulaJudge, TellsSameFromEquivalentFromWrong) {

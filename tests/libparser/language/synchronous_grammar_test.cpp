@@ -106,9 +106,8 @@ TEST(SynchronousGrammars, WhatTheShippedOneSaysIsAllowed) {
         prefix.append(s);
       }
       ASSERT_TRUE(prefix.ended()) << print(said.lifted);
-      const auto named = static_cast<std::size_t>(
-          std::count_if(said.tokens.begin(), said.tokens.end(),
-                        [](const std::string& t) { return t.size() > 1 && t[0] == '#'; }));
+      const auto named = static_cast<std::size_t>(std::count_if(
+          said.tokens.begin(), said.tokens.end(), [](const std::string& t) { return t.size() > 1 && t[0] == '#'; }));
       ASSERT_GE(named, said.slots);
     }
 }

@@ -46,7 +46,7 @@ TEST(WordVectors, DamagedHeadsAreRefused) {
   };
   EXPECT_NE(message(14, '2').find("version 1"), std::string::npos);
   EXPECT_NE(message(20, 99).find("length"), std::string::npos);
-  EXPECT_NE(message(24 + 4, 0).find("damaged"), std::string::npos);  // a word that ends before it begins
+  EXPECT_NE(message(24 + 4, 0).find("damaged"), std::string::npos);                 // a word that ends before it begins
   EXPECT_NE(message(24 + 4 * 4 + 3, '\xFF').find("cut short"), std::string::npos);  // ends near 2³²
 }
 

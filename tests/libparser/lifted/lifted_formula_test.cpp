@@ -24,8 +24,7 @@ using enum LiftedSymbol;
 
 // Slot n is the n-th name; events are propositions of their names; directions of slots do not exist.
 struct Letters {
-  explicit Letters(std::vector<std::string> of)
-      : names(std::move(of)), arena(ltl::Vocabulary(vocabulary(names))) {
+  explicit Letters(std::vector<std::string> of) : names(std::move(of)), arena(ltl::Vocabulary(vocabulary(names))) {
     bindings.arena = &arena;
     bindings.literal = [this](LiftedSymbol direction, LiftedSymbol thing) -> std::optional<ltl::Formula> {
       if (direction != End || is_constant(thing)) return std::nullopt;
@@ -35,8 +34,7 @@ struct Letters {
     };
   }
   static std::vector<std::string> vocabulary(std::vector<std::string> names) {
-    for (const LiftedSymbol s : {TurnedLeft, TurnedRight, Moved, Start, OpenLeft, OpenRight})
-      names.push_back(name(s));
+    for (const LiftedSymbol s : {TurnedLeft, TurnedRight, Moved, Start, OpenLeft, OpenRight}) names.push_back(name(s));
     return names;
   }
   std::optional<Lifted> spell(ltl::Formula f) const {
@@ -46,9 +44,7 @@ struct Letters {
       return slot(static_cast<std::size_t>(at - names.begin()) + 1);
     });
   }
-  std::optional<ltl::Formula> formula(const char* lifted) const {
-    return formula_of(parse_lifted(lifted), bindings);
-  }
+  std::optional<ltl::Formula> formula(const char* lifted) const { return formula_of(parse_lifted(lifted), bindings); }
 
   std::vector<std::string> names;
   ltl::Arena arena;
@@ -68,8 +64,7 @@ bool is_allowed(const Lifted& lifted, const LiftedScope& scope) {
 TEST(LiftedFormula, MacrosDenoteTheTemplatesOfCommands) {
   Letters letters({"a", "b", "c", "d", "h"});
   for (const Template& t : templates())
-    EXPECT_EQ(formula_of(t.lifted, letters.bindings), ltl::parse(t.formula, letters.arena))
-        << print(t.lifted);
+    EXPECT_EQ(formula_of(t.lifted, letters.bindings), ltl::parse(t.formula, letters.arena)) << print(t.lifted);
 }
 
 TEST(LiftedFormula, TemplatesWithTheirPlacesPermutedAreSpelledAndReadBack) {
@@ -157,8 +152,8 @@ TEST(LiftedFormula, WhatIsIncompleteOrNoFormulaIsRefused) {
 }
 
 // All short sequences that the grammar of prefixes allows.
-void for_each_allowed(const LiftedScope& scope, std::size_t length, const LiftedPrefix& prefix,
-                      Lifted& lifted, const std::function<void(const Lifted&)>& see) {
+void for_each_allowed(const LiftedScope& scope, std::size_t length, const LiftedPrefix& prefix, Lifted& lifted,
+                      const std::function<void(const Lifted&)>& see) {
   if (prefix.ended()) return see(lifted);
   if (lifted.size() == length) return;
   for (std::size_t v = 0; v < lifted_symbols; ++v) {
@@ -208,8 +203,7 @@ TEST(LiftedPrefixes, EveryAllowedContinuationEnds) {
     while (!prefix.ended()) {
       std::vector<LiftedSymbol> allowed;
       for (std::size_t v = 0; v < lifted_symbols; ++v)
-        if (prefix.allows(static_cast<LiftedSymbol>(v), scope))
-          allowed.push_back(static_cast<LiftedSymbol>(v));
+        if (prefix.allows(static_cast<LiftedSymbol>(v), scope)) allowed.push_back(static_cast<LiftedSymbol>(v));
       ASSERT_FALSE(allowed.empty()) << print(lifted);
       std::vector<LiftedSymbol> open;  // mostly what goes on
       for (const LiftedSymbol s : allowed)
@@ -231,8 +225,7 @@ TEST(LiftedSymbols, HaveNamesThatAreReadBackAndMirror) {
     EXPECT_EQ(lifted_symbol(name(s)), s) << name(s);
     EXPECT_EQ(mirrored(mirrored({s})), Lifted{s});
   }
-  EXPECT_EQ(print(mirrored(parse_lifted("sequence turnleft left #1 end"))),
-            "sequence turnright right #1 end");
+  EXPECT_EQ(print(mirrored(parse_lifted("sequence turnleft left #1 end"))), "sequence turnright right #1 end");
   EXPECT_THROW(slot(13), std::out_of_range);
   EXPECT_THROW(number(0), std::out_of_range);
 }

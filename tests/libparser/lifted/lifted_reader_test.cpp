@@ -21,8 +21,7 @@ LiftedExample example(const std::string& text, const char* lifted, const char* d
   std::istringstream words(text);
   for (std::string word; words >> word;) {
     out.text.tokens.push_back(word);
-    if (word[0] == '#')
-      out.text.scope.slots = std::max(out.text.scope.slots, static_cast<std::size_t>(word[1] - '0'));
+    if (word[0] == '#') out.text.scope.slots = std::max(out.text.scope.slots, static_cast<std::size_t>(word[1] - '0'));
   }
   return out;
 }
@@ -54,8 +53,7 @@ Real scores_of(const LiftedNetwork& network, const WordVectors& vectors, const E
   Reader read(theta);
   const auto symbols = static_cast<Index>(lifted_symbols);
   const Real table = read.take(tiny.word, static_cast<Index>(network.words().words().size())),
-             project = read.take(tiny.vector, WordVectors::dimensions),
-             phi = read.take(tiny.symbol, symbols + 1);
+             project = read.take(tiny.vector, WordVectors::dimensions), phi = read.take(tiny.symbol, symbols + 1);
   std::vector<std::string> tokens = text.tokens;
   tokens.insert(tokens.begin(), "<" + text.domain + ">");
   Real x = Real::Zero(tiny.word + tiny.vector, static_cast<Index>(tokens.size()));
@@ -64,8 +62,8 @@ Real scores_of(const LiftedNetwork& network, const WordVectors& vectors, const E
     x.col(t).head(tiny.word) = table.col(network.words().find(token).index);
     const auto row = vectors.find(token);
     for (std::size_t i = 0; row && i < WordVectors::dimensions; ++i)
-      x.col(t).tail(tiny.vector) += project.col(static_cast<Index>(i)) *
-                                    static_cast<double>(vectors.scale(*row)) * vectors.entries(*row)[i];
+      x.col(t).tail(tiny.vector) +=
+          project.col(static_cast<Index>(i)) * static_cast<double>(vectors.scale(*row)) * vectors.entries(*row)[i];
   }
   const Real there = neural::reference::lstm(read, x, tiny.width),
              back = neural::reference::lstm(read, x.rowwise().reverse(), tiny.width);
@@ -78,16 +76,15 @@ Real scores_of(const LiftedNetwork& network, const WordVectors& vectors, const E
   Real seen = Real::Zero(5 * tiny.symbol + 20, 1);
   for (std::size_t k = 0; k < 5; ++k) {
     const bool there_is = k < 3 ? k < prefix.size() : k - 3 < open.size();
-    const Index which = !there_is ? symbols
-                                  : static_cast<Index>(k < 3 ? prefix[prefix.size() - 1 - k]
-                                                             : open[open.size() - 1 - (k - 3)].symbol);
+    const Index which =
+        !there_is ? symbols
+                  : static_cast<Index>(k < 3 ? prefix[prefix.size() - 1 - k] : open[open.size() - 1 - (k - 3)].symbol);
     seen.middleRows(static_cast<Index>(k) * tiny.symbol, tiny.symbol) = phi.col(which);
   }
   if (!open.empty()) seen(5 * tiny.symbol + std::min<Index>(open.back().operands, 7)) = 1;
   for (const LiftedSymbol s : prefix)
     if (is_slot(s)) seen(5 * tiny.symbol + 8 + static_cast<Index>(number_of(s)) - 1) = 1;
-  return neural::reference::attention(read, phi.leftCols(symbols), tiny.query, h, e, Real::Zero(symbols, 1),
-                                      seen);
+  return neural::reference::attention(read, phi.leftCols(symbols), tiny.query, h, e, Real::Zero(symbols, 1), seen);
 }
 
 TEST(LiftedNetworkGradient, IsThatOfTheDefinition) {
@@ -120,8 +117,7 @@ TEST(LiftedNetworkGradient, IsThatOfTheDefinition) {
     double sum = 0;
     for (const LiftedExample& one : examples)
       for (std::size_t n = 0; n < one.lifted.size(); ++n)
-        sum +=
-            scores_of(network, *vectors, theta, one.text, std::span(one.lifted).first(n)).squaredNorm() / 2;
+        sum += scores_of(network, *vectors, theta, one.text, std::span(one.lifted).first(n)).squaredNorm() / 2;
     return sum;
   };
   neural::reference::check(theta, network.parameters().gradients().data(), loss, "parameters");
@@ -162,8 +158,7 @@ TEST(LearnLifted, TheNumberOfThreadsChangesNoByte) {
 
 Grounder with_commands() {
   Grounder grounder = grounder_of(LinearModel(ltl::Vocabulary({"chair", "moved"})));
-  std::vector<std::shared_ptr<const LiftedNetwork>> networks(
-      2, std::make_shared<const LiftedNetwork>(tiny_network()));
+  std::vector<std::shared_ptr<const LiftedNetwork>> networks(2, std::make_shared<const LiftedNetwork>(tiny_network()));
   grounder.commands = std::make_shared<const LiftedReader>(few_vectors(), networks);
   return grounder;
 }
@@ -200,8 +195,7 @@ TEST(LiftedReaderFile, EveryCutAndEveryFlippedBitIsNoticed) {
 
 // What no writer writes, under a checksum that fits.
 TEST(LiftedReaderFile, NetworksThatCannotBeAreRefused) {
-  const auto message = [](std::uint64_t networks, std::uint64_t layer, std::size_t weights,
-                          std::uint16_t weight) {
+  const auto message = [](std::uint64_t networks, std::uint64_t layer, std::size_t weights, std::uint16_t weight) {
     WeightsWriter out({.kind = LinearModel::file_kind});
     out.list(bytes_of_vectors({"go", "to"}));
     out.number(networks);

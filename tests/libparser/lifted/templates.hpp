@@ -19,8 +19,7 @@ inline const std::vector<Template>& templates() {
         {"react #1 #2", "G (a -> F b)"},
         {"exactly 1 #1", "a M (!a | G (a | G !a))"},
         {"exactly 2 #1", "(a & F (!a & F a)) M (!a | G (a | G (!a | G (a | G !a))))"},
-        {"exactly 3 #1",
-         "(a & F (!a & F (a & F (!a & F a)))) M (!a | G (a | G (!a | G (a | G (!a | G (a | G !a))))))"},
+        {"exactly 3 #1", "(a & F (!a & F (a & F (!a & F a)))) M (!a | G (a | G (!a | G (a | G (!a | G (a | G !a))))))"},
         {"exactly 4 #1",
          "(a & F (!a & F (a & F (!a & F (a & F (!a & F a)))))) M "
          "(!a | G (a | G (!a | G (a | G (!a | G (a | G (!a | G (a | G !a))))))))"},
@@ -36,15 +35,13 @@ inline const std::vector<Template>& templates() {
         {"atleast 1 #1", "F a"},
         {"atleast 2 #1", "F (a & (a U (!a & (!a U F a))))"},
         {"atleast 3 #1", "F (a & (a U (!a & (!a U F (a & (a U (!a & (!a U F a))))))))"},
-        {"atleast 4 #1",
-         "F (a & (a U (!a & (!a U F (a & (a U (!a & (!a U F (a & (a U (!a & (!a U F a))))))))))))"},
+        {"atleast 4 #1", "F (a & (a U (!a & (!a U F (a & (a U (!a & (!a U F (a & (a U (!a & (!a U F a))))))))))))"},
         {"atleast 5 #1",
          "F (a & (a U (!a & (!a U F (a & (a U (!a & (!a U F (a & (a U (!a & (!a U F (a & (a U (!a & "
          "(!a U F a))))))))))))))))"},
         {"atmost 1 #1", "!F (a & (a U (!a & (!a U F a))))"},
         {"atmost 2 #1", "!F (a & (a U (!a & (!a U F (a & (a U (!a & (!a U F a))))))))"},
-        {"atmost 3 #1",
-         "!F (a & (a U (!a & (!a U F (a & (a U (!a & (!a U F (a & (a U (!a & (!a U F a))))))))))))"},
+        {"atmost 3 #1", "!F (a & (a U (!a & (!a U F (a & (a U (!a & (!a U F (a & (a U (!a & (!a U F a))))))))))))"},
         {"atmost 4 #1",
          "!F (a & (a U (!a & (!a U F (a & (a U (!a & (!a U F (a & (a U (!a & (!a U F (a & (a U (!a & "
          "(!a U F a))))))))))))))))"},

@@ -8,13 +8,10 @@
 namespace waymark::parser {
 namespace {
 
-const std::vector<NamedThing> things{{"sofa", {{"sofa"}, {"couch"}}},
-                                     {"lamp", {{"lamp"}}},
-                                     {"floor_lamp", {{"floor", "lamp"}}},
-                                     {"easel", {{"easel"}}}};
+const std::vector<NamedThing> things{
+    {"sofa", {{"sofa"}, {"couch"}}}, {"lamp", {{"lamp"}}}, {"floor_lamp", {{"floor", "lamp"}}}, {"easel", {{"easel"}}}};
 
-std::string lifted(const std::string& text, const WordVectors* words = nullptr,
-                   Articles articles = Articles::Go) {
+std::string lifted(const std::string& text, const WordVectors* words = nullptr, Articles articles = Articles::Go) {
   const auto tokens = tokenize(text);
   std::string out;
   for (const std::string& token : lift(tokens, find_mentions(tokens, things, words), articles).text.tokens)

@@ -28,12 +28,10 @@ std::vector<Masks> masks_of(std::span<const NetworkSentence> sentences, const Ne
   std::vector<Masks> out(sentences.size());
   std::vector<std::size_t> order(sentences.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
-  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-    return sentences[a].words.size() > sentences[b].words.size();
-  });
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return sentences[a].words.size() > sentences[b].words.size(); });
   const auto draw = [&](Real&& mask) {
-    for (double& entry : mask.reshaped())
-      entry = dropout.uniform() < dropout.signals ? 0 : 1 / (1 - dropout.signals);
+    for (double& entry : mask.reshaped()) entry = dropout.uniform() < dropout.signals ? 0 : 1 / (1 - dropout.signals);
     return mask;
   };
   for (std::size_t s = 0; s < out.size(); ++s) {
@@ -51,8 +49,7 @@ std::vector<Masks> masks_of(std::span<const NetworkSentence> sentences, const Ne
 
 class Definition {
  public:
-  Definition(const EncoderDecoder& network, const Eigen::VectorXd& theta)
-      : network_(network), theta_(theta) {}
+  Definition(const EncoderDecoder& network, const Eigen::VectorXd& theta) : network_(network), theta_(theta) {}
 
   // Scores of all symbols after a history.
   Real scores(const NetworkSentence& sentence, const Masks& masks, const History& history) const {
@@ -66,15 +63,13 @@ class Definition {
     x = x.cwiseProduct(masks.embedded).eval();
     const Real there = neural::reference::lstm(read, x, o.width),
                back = neural::reference::lstm(read, x.rowwise().reverse(), o.width);
-    Real h(2 * o.width, x.cols()), e(2 * o.width, 1), said(o.symbol * o.history, 1),
-        marks = Real::Zero(symbols, 1);
+    Real h(2 * o.width, x.cols()), e(2 * o.width, 1), said(o.symbol * o.history, 1), marks = Real::Zero(symbols, 1);
     h << there, back.rowwise().reverse();
     e << there.rightCols(1), back.rightCols(1);
     for (Index k = 0; k < o.history; ++k)
       said.middleRows(k * o.symbol, o.symbol) = phi.col(history[static_cast<std::size_t>(k)]);
     for (const Symbol symbol : sentence.marked) marks(symbol) = 1;
-    return neural::reference::attention(read, phi.leftCols(symbols), o.query, h.cwiseProduct(masks.h), e,
-                                        marks, said);
+    return neural::reference::attention(read, phi.leftCols(symbols), o.query, h.cwiseProduct(masks.h), e, marks, said);
   }
 
   // log p of a program: the softmax over what is allowed, symbol by symbol; what is forced costs nothing.
@@ -103,8 +98,7 @@ class Definition {
   const Eigen::VectorXd& theta_;
 };
 
-double objective_of(Objective objective, double beta, std::span<const double> log_p,
-                    std::span<const double> rewards) {
+double objective_of(Objective objective, double beta, std::span<const double> log_p, std::span<const double> rewards) {
   const double power = objective == Objective::Meritocratic ? beta : 1;
   double sum = 0;
   for (std::size_t z = 0; z < log_p.size(); ++z) sum += std::pow(std::exp(log_p[z]) * rewards[z], power);
@@ -118,12 +112,10 @@ void check(Objective objective, double dropout) {
   std::vector<NetworkSentence> sentences;
   for (const char* text : {"walk left", "walk to the chair and turn left to place 1", "chair"})
     sentences.push_back(network.sentence({tokenize(text), sentences.size() == 1}));
-  const double unit =
-      objective == Objective::Reinforce ? 100 : 1;   // p is small: gradients that can be told from zero
-  std::vector<std::pair<Program, double>> programs;  // with rewards
+  const double unit = objective == Objective::Reinforce ? 100 : 1;  // p is small: gradients that can be told from zero
+  std::vector<std::pair<Program, double>> programs;                 // with rewards
   for (const auto& [program, log_p] : small.all())
-    if (programs.size() < 7)
-      programs.emplace_back(program, unit * (0.2 + 0.15 * static_cast<double>(programs.size())));
+    if (programs.size() < 7) programs.emplace_back(program, unit * (0.2 + 0.15 * static_cast<double>(programs.size())));
   ASSERT_EQ(programs.size(), 7U);
 
   ltl::Random first(5), second(5);
@@ -134,8 +126,7 @@ void check(Objective objective, double dropout) {
   std::vector<History> histories;
   std::vector<Index> begin{0};
   for (std::size_t s = 0; s < sentences.size(); ++s) {
-    for (const auto& [program, reward] : programs)
-      tries[s].add(NetworkPrefixes(network, masks), program, reward);
+    for (const auto& [program, reward] : programs) tries[s].add(NetworkPrefixes(network, masks), program, reward);
     append_histories(tries[s], histories);
     begin.push_back(static_cast<Index>(histories.size()));
     batch.push_back(&sentences[s]);
@@ -146,14 +137,13 @@ void check(Objective objective, double dropout) {
   neural::Matrix dscores = neural::Matrix::Zero(scores.rows(), scores.cols());
   for (std::size_t s = 0; s < sentences.size(); ++s) {
     const Likelihoods found = likelihoods(tries[s], scores, begin[s], sentences[s].forbidden);
-    backpropagate(tries[s], found, objective_gradient(objective, beta, found.log_p, tries[s].log_weights()),
-                  dscores, begin[s]);
+    backpropagate(tries[s], found, objective_gradient(objective, beta, found.log_p, tries[s].log_weights()), dscores,
+                  begin[s]);
   }
   network.parameters().gradients().setZero();
   pass.backward(network.parameters(), dscores);
 
-  const auto left_out =
-      masks_of(sentences, network.options(), {dropout, dropout, [&] { return second.unit(); }});
+  const auto left_out = masks_of(sentences, network.options(), {dropout, dropout, [&] { return second.unit(); }});
   Eigen::VectorXd theta = network.parameters().values().cast<double>();
   const Definition definition(network, theta);
   std::vector<double> rewards;

@@ -28,8 +28,7 @@ TEST(Features, AStepSharesTheFeaturesOfItsClauseWithTheSameWordsElsewhere) {
   // The second step of the first sentence sees what the first step of the second sees: "turn", "left", and the pairs
   // <s> turn, turn left, left </s>; and "one clause left".
   EXPECT_GE(common(context(two, 0, 1), context(one, 0, 0)), 5U);
-  EXPECT_LT(common(context(two, 0, 0), context(one, 0, 0)),
-            common(context(two, 0, 1), context(one, 0, 0)) + 6);
+  EXPECT_LT(common(context(two, 0, 0), context(one, 0, 0)), common(context(two, 0, 1), context(one, 0, 0)) + 6);
 }
 
 TEST(Features, UnknownWordsAreLeftOutWhenDecoding) {
@@ -86,8 +85,7 @@ TEST(Features, ModelsOfAnotherVocabularyAreRefusedByName) {
 
 TEST(WeightTable, FindsWhatWasAddedAfterGrowth) {
   WeightTable table(3);
-  for (std::uint64_t f = 0; f < 5000; ++f)
-    table.row(table.add(f * 0x100000001ULL))[1] = static_cast<float>(f);
+  for (std::uint64_t f = 0; f < 5000; ++f) table.row(table.add(f * 0x100000001ULL))[1] = static_cast<float>(f);
   EXPECT_EQ(table.rows(), 5000U);
   for (std::uint64_t f = 0; f < 5000; ++f)
     ASSERT_EQ(table.row(table.find(f * 0x100000001ULL).value())[1], static_cast<float>(f));

@@ -13,8 +13,7 @@ struct SmallNetwork {
   explicit SmallNetwork(std::uint64_t seed = 3, PostfixGrammar::Limits limits = {.steps = 1, .goals = 2})
       : language(ltl::Vocabulary({"chair", "ahead_chair", "ahead_wall", "place_1", "turned_left"}), limits),
         random(seed),
-        network(TypedPostfix(language), words(),
-                {.word = 5, .width = 4, .query = 6, .symbol = 5, .history = 3},
+        network(TypedPostfix(language), words(), {.word = 5, .width = 4, .query = 6, .symbol = 5, .history = 3},
                 [this] { return random.unit(); }),
         sentence(network.sentence({tokenize("walk to the chair and turn left"), false})) {
     for (neural::Index i = 0; i < network.parameters().size(); ++i)  // sharper than what training begins with

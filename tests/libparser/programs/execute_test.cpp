@@ -18,9 +18,8 @@ void expect_same_plan(const Executor& executor, const PostfixGrammar& grammar, c
   const plan::Planned planned = plan::plan_of(map, formula, start, {.explain = false});
   const auto plan = executor.run(program, start);
   const plan::Pose p = map.pose(start);
-  const std::string where = grammar.show(program) + "  =  " + ltl::print(formula) + "  on " + map.name() +
-                            " from " + std::to_string(p.x) + "," + std::to_string(p.y) + "," +
-                            std::to_string(p.heading);
+  const std::string where = grammar.show(program) + "  =  " + ltl::print(formula) + "  on " + map.name() + " from " +
+                            std::to_string(p.x) + "," + std::to_string(p.y) + "," + std::to_string(p.heading);
   const auto* const route = std::get_if<plan::CertifiedRoute>(&planned);
   ASSERT_EQ(plan.has_value(), route != nullptr) << where;
   if (route == nullptr) return;

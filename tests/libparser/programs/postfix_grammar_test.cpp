@@ -52,8 +52,8 @@ TEST_P(PostfixGrammarIn, EveryPrefixCanBeCompletedAndRangesSayWhatIsAllowed) {
     EXPECT_EQ(allowed.empty(), state.ended);
     std::vector<Token> ranges;
     grammar.choices(state).each([&](Token t) {
-      const bool usable = !grammar.is_literal(t) ||
-                          grammar.usable(static_cast<std::uint16_t>(t - PostfixGrammar::first_literal));
+      const bool usable =
+          !grammar.is_literal(t) || grammar.usable(static_cast<std::uint16_t>(t - PostfixGrammar::first_literal));
       if (usable) ranges.push_back(t);
     });
     EXPECT_EQ(ranges, allowed);
@@ -105,8 +105,7 @@ TEST(PostfixGrammar, ShowsPostfix) {
   const PostfixGrammar grammar(small);
   const Program program{{StepKind::Next, 0, 1, {4}}, {StepKind::Reach, 0, 2, {0, 2}}};
   EXPECT_EQ(grammar.show(program), "turned_left next a c & reach then");
-  EXPECT_EQ(grammar.show({{StepKind::Orient, 0, 0, {}}, {StepKind::Forward, 2, 0, {}}}),
-            "orient forward_2 then");
+  EXPECT_EQ(grammar.show({{StepKind::Orient, 0, 0, {}}, {StepKind::Forward, 2, 0, {}}}), "orient forward_2 then");
   const PostfixGrammar temporal(small, Dialect::Temporal);
   const Step to_a{StepKind::Reach, 0, 1, {0}}, left{StepKind::Next, 0, 1, {4}};
   EXPECT_EQ(temporal.show({left, {StepKind::Without, 0, 1, {2}}, to_a}),
@@ -125,8 +124,7 @@ TEST(PostfixGrammar, TheTemporalDialectAddsOperatorsBehindAndMovesNoToken) {
 
 TEST(PostfixGrammar, FunctionsTakePlainStepsAndAreNotNested) {
   const PostfixGrammar plain(small), temporal(small, Dialect::Temporal);
-  const Step without{StepKind::Without, 0, 1, {2}}, when{StepKind::When, 0, 1, {1}},
-      to_a{StepKind::Reach, 0, 1, {0}};
+  const Step without{StepKind::Without, 0, 1, {2}}, when{StepKind::When, 0, 1, {1}}, to_a{StepKind::Reach, 0, 1, {0}};
   EXPECT_FALSE(plain.contains({without, to_a}));
   EXPECT_TRUE(temporal.contains({without, to_a}));
   EXPECT_FALSE(temporal.contains({when, without, to_a}));

@@ -62,8 +62,7 @@ TEST_F(Programs, FunctionsApplyToTheStepsAfterThem) {
       {{step(StepKind::Without, {"sofa"}), chair}, "!sofa U chair"},
       {{step(StepKind::Without, {"sofa"}), chair, lamp}, "!sofa U (chair & F lamp)"},
       {{step(StepKind::Keep, {"blue"}), chair}, "blue U chair"},
-      {{step(StepKind::Keep, {"blue"}), forward(2), left},
-       "blue & X (moved & blue & X (moved & X turned_left))"},
+      {{step(StepKind::Keep, {"blue"}), forward(2), left}, "blue & X (moved & blue & X (moved & X turned_left))"},
       {{step(StepKind::Without, {"sofa"}), step(StepKind::Advance, {"lamp"})},
        "!sofa & X ((moved & !sofa) U (moved & lamp))"},
       {{step(StepKind::When, {"ahead_wall"}), left}, "(ahead_wall & X turned_left) | !ahead_wall"},
@@ -81,10 +80,8 @@ TEST_F(Programs, FunctionsApplyToTheStepsAfterThem) {
 
 TEST_F(Programs, MirroringExchangesSidesAndIsItsOwnInverse) {
   const auto images = mirror_images(arena.vocabulary());
-  const Program program{step(StepKind::Next, {"turned_left"}), step(StepKind::Advance, {"left_chair"}),
-                        forward(2)};
-  const Program image{step(StepKind::Next, {"turned_right"}), step(StepKind::Advance, {"right_chair"}),
-                      forward(2)};
+  const Program program{step(StepKind::Next, {"turned_left"}), step(StepKind::Advance, {"left_chair"}), forward(2)};
+  const Program image{step(StepKind::Next, {"turned_right"}), step(StepKind::Advance, {"right_chair"}), forward(2)};
   EXPECT_EQ(mirror(program, images), image);
   std::mt19937_64 random(1);
   const PostfixGrammar grammar(arena.vocabulary());

@@ -35,9 +35,8 @@ TEST(Recognise, FindsTheProgramOfAFormula) {
 }
 
 TEST(Recognise, WhatIsNoProgramIsNotTakenForOne) {
-  for (const char* text :
-       {"G chair", "F chair & F sofa", "!chair", "chair U (sofa | lamp)", "N chair", "false",
-        "(tee & X turned_left) | (chair & X moved)", "F moved", "X (moved & chair)"})
+  for (const char* text : {"G chair", "F chair & F sofa", "!chair", "chair U (sofa | lamp)", "N chair", "false",
+                           "(tee & X turned_left) | (chair & X moved)", "F moved", "X (moved & chair)"})
     EXPECT_EQ(read(text), "none") << text;
   EXPECT_EQ(read("!sofa U chair", Dialect::Plain), "none");
   EXPECT_EQ(read("F chair", Dialect::Plain), "chair reach");
@@ -67,8 +66,7 @@ TEST(Recognise, EveryProgramIsFoundFromItsFormula) {
       const ltl::Formula formula = formula_of(program, arena);
       const auto found = program_of(formula, grammar);
       ASSERT_TRUE(found.has_value()) << grammar.show(program) << "  =  " << ltl::print(formula);
-      ASSERT_EQ(formula_of(*found, arena), formula)
-          << grammar.show(program) << " and " << grammar.show(*found);
+      ASSERT_EQ(formula_of(*found, arena), formula) << grammar.show(program) << " and " << grammar.show(*found);
     }
   }
   EXPECT_GT(seen, 5'000U);

@@ -11,8 +11,7 @@
 
 namespace waymark::parser {
 
-inline const std::vector<std::string> random_words{"left", "right", "chair", "blue",
-                                                   "two",  "until", "wall",  "second"};
+inline const std::vector<std::string> random_words{"left", "right", "chair", "blue", "two", "until", "wall", "second"};
 
 inline SentenceInput random_sentence(std::mt19937_64& random) {
   SentenceInput input;
@@ -37,11 +36,9 @@ inline std::vector<Weighed> random_candidates(const SentenceInput& input, const 
 
 // Gives every feature of the ends of this decision that the table does not have a random weight.
 inline void add_weights(const RankingModel& model, const Executor& executor, const SentenceInput& input,
-                        plan::PoseId start, const Decision& decision, WeightTable& table,
-                        std::mt19937_64& random) {
+                        plan::PoseId start, const Decision& decision, WeightTable& table, std::mt19937_64& random) {
   RerankerSentence sentence(model, input);
-  for (const End& end : decision.ends)
-    sentence.add_end(executor, start, *decision.plans[end.candidate], end.mass);
+  for (const End& end : decision.ends) sentence.add_end(executor, start, *decision.plans[end.candidate], end.mass);
   std::uniform_real_distribution<float> weight(-0.3F, 0.3F);
   const auto add = [&](std::uint64_t feature) {
     if (!table.find(feature)) *table.row(table.add(feature)) = weight(random);

@@ -34,8 +34,7 @@ struct Case {
     input = random_sentence(random);
     input.heading_unknown = random() % 2 == 0;
     start = random_pose(map, random);
-    decision = decide(random_candidates(input, model->language.grammar(), 16), executor, {&start, 1},
-                      Then::WholePlan);
+    decision = decide(random_candidates(input, model->language.grammar(), 16), executor, {&start, 1}, Then::WholePlan);
     add_weights(*model, executor, input, start, decision, model->reranker, random);
     add_weights(*model, executor, input, start, decision, model->start_pose_model, random);
   }
@@ -148,8 +147,8 @@ TEST(RouteFeatures, OfAMirrorImageAreThoseOfTheRouteInTheMirror) {
 TEST(RouteFeatures, TurnsThatNobodySpeaksOfAreOneProperty) {
   Case c;
   SentenceInput known{{"chair"}, false}, unknown{{"chair"}, true};
-  const auto differing = [&](const SentenceInput& input, plan::PoseId one, plan::PoseId other,
-                             const Plan& from_one, const Plan& from_other) {
+  const auto differing = [&](const SentenceInput& input, plan::PoseId one, plan::PoseId other, const Plan& from_one,
+                             const Plan& from_other) {
     const auto a = features_of(*c.model, c.executor, input, one, from_one, false);
     const auto b = features_of(*c.model, c.executor, input, other, from_other, false);
     std::vector<std::uint64_t> out;
@@ -160,8 +159,7 @@ TEST(RouteFeatures, TurnsThatNobodySpeaksOfAreOneProperty) {
   for (std::uint32_t pose = 0; pose < c.map.poses(); ++pose) {
     const auto moved = c.map.successor({pose}, plan::Action::Forward);
     if (!moved) continue;
-    const plan::PoseId left =
-        *c.map.successor({pose}, plan::Action::Right);  // one turn to the left of it is `pose`
+    const plan::PoseId left = *c.map.successor({pose}, plan::Action::Right);  // one turn to the left of it is `pose`
     const plan::PoseId right = *c.map.successor({pose}, plan::Action::Left);
     const Plan from_left{*moved, {plan::Action::Left, plan::Action::Forward}},
         from_right{*moved, {plan::Action::Right, plan::Action::Forward}};

@@ -34,11 +34,9 @@ TEST_F(WordingTest, CountsWhatOneOfThemNamesAlone) {
 }
 
 TEST_F(WordingTest, DirectionsNameTheirSide) {
-  EXPECT_EQ(
-      lexical_overlap_penalty("stop with the chair to your left", {goal(StepKind::Reach, "left_chair")}), 0);
-  EXPECT_EQ(
-      lexical_overlap_penalty("stop with the chair to your left", {goal(StepKind::Reach, "right_chair")}),
-      Wording::missing + Wording::added);
+  EXPECT_EQ(lexical_overlap_penalty("stop with the chair to your left", {goal(StepKind::Reach, "left_chair")}), 0);
+  EXPECT_EQ(lexical_overlap_penalty("stop with the chair to your left", {goal(StepKind::Reach, "right_chair")}),
+            Wording::missing + Wording::added);
   EXPECT_EQ(lexical_overlap_penalty("stop with the chair ahead", {goal(StepKind::Reach, "ahead_chair")}), 0);
 }
 

@@ -20,8 +20,8 @@ TEST(PlaceNumbers, AreHidden) {
 }
 
 TEST(PlaceNumbers, CountsStay) {
-  for (const char* text : {"go forward 3", "walk two blocks", "the chair is two alleys away",
-                           "turn at one end", "the other one is blue", "take the 2 steps, then 1 more"})
+  for (const char* text : {"go forward 3", "walk two blocks", "the chair is two alleys away", "turn at one end",
+                           "the other one is blue", "take the 2 steps, then 1 more"})
     EXPECT_EQ(hidden(text), tokenize(text));
 }
 

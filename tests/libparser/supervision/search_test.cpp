@@ -64,8 +64,7 @@ std::set<Program> minimal_one_step_programs(const Executor& executor, const Post
       if (ends_right(one)) found.insert(one);
       for (std::uint16_t q = 0; q < p; ++q) {
         const Program two{{kind, 0, 2, {q, p}}};
-        if (grammar.usable(q, kind) && ends_right(two) && !ends_right(one) &&
-            !ends_right({{kind, 0, 1, {q}}}))
+        if (grammar.usable(q, kind) && ends_right(two) && !ends_right(one) && !ends_right({{kind, 0, 1, {q}}}))
           found.insert(two);
       }
     }
@@ -76,8 +75,7 @@ TEST(Search, FindsAllMinimalOneStepPrograms) {
   const plan::Map& map = shipped_maps().front();
   const Executor executor(map);
   const PostfixGrammar grammar(map.vocabulary());
-  const GoldRoute gold =
-      gold_route(map, map.find({1, 9, 0}).value(), {plan::Action::Forward, plan::Action::Left});
+  const GoldRoute gold = gold_route(map, map.find({1, 9, 0}).value(), {plan::Action::Forward, plan::Action::Left});
   std::set<Program> found;
   for (const Consistent& c : consistent_programs(executor, grammar, gold))
     if (c.program.size() == 1 && c.program[0].goals > 0) found.insert(c.program);

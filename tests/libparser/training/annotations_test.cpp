@@ -50,8 +50,8 @@ const Annotations& pairs_of_ours() {
 FormulaScores scores_on_pairs(const Grounder& grounder) {
   FormulaJudge judge(vocabulary(), Dialect::Temporal);
   for (const Annotation& pair : pairs_of_ours().pairs) {
-    const auto read = likely_programs(grounder, {tokenize(pair.text), false},
-                                      {.clauses = false});  // as its reader reads it
+    const auto read =
+        likely_programs(grounder, {tokenize(pair.text), false}, {.clauses = false});  // as its reader reads it
     judge.judge(pair.formula, read.empty() ? Program{} : read.front().program);
   }
   return judge.scores();

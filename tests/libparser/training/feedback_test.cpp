@@ -36,8 +36,7 @@ TEST_F(FeedbackTest, ProgressionIsTheShareOfTrajectoriesThatSatisfyTheFormula) {
       ltl::Arena arena(map.vocabulary());
       const ltl::Formula formula = formula_of(program, arena);
       double expected = 0;
-      for (const plan::Trajectory& trajectory : gold)
-        expected += ltl::holds(word_of(trajectory, map), formula) ? 1 : 0;
+      for (const plan::Trajectory& trajectory : gold) expected += ltl::holds(word_of(trajectory, map), formula) ? 1 : 0;
       expected /= static_cast<double>(gold.size());
       EXPECT_EQ(progression.of(program, example), expected) << grammar.show(program);
       wholly += expected == 1 ? 1 : 0;
@@ -73,8 +72,7 @@ TEST_F(FeedbackTest, PlanComparesEnds) {
 }
 
 TEST_F(FeedbackTest, DiscriminatingAsksForTheWholeTrajectory) {
-  Feedback progression = feedback(FeedbackKind::Progression),
-           discriminating = feedback(FeedbackKind::Discriminating);
+  Feedback progression = feedback(FeedbackKind::Progression), discriminating = feedback(FeedbackKind::Discriminating);
   std::mt19937_64 random(7);
   std::size_t refused = 0, kept = 0;
   for (const Example& example : examples) {

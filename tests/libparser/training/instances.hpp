@@ -6,9 +6,7 @@
 
 namespace waymark::parser {
 
-inline std::span<const plan::Map> training_maps() {
-  return std::span(shipped_maps()).first(2);
-}  // grid, jelly
+inline std::span<const plan::Map> training_maps() { return std::span(shipped_maps()).first(2); }  // grid, jelly
 
 inline Corpus training_corpus(std::size_t paragraphs) {
   return generate_corpus(training_maps(), {.seed = 1, .paragraphs = paragraphs, .sentences = 4});

@@ -30,8 +30,7 @@ LabelledDecision random_decision(std::mt19937_64& random) {
   }
   for (int i = 0; i < 4; ++i) {
     auto& candidate = decision.candidates.emplace_back();
-    for (std::uint64_t n = 1 + random() % 3; n > 0; --n)
-      candidate.push_back(static_cast<std::uint32_t>(random() % 5));
+    for (std::uint64_t n = 1 + random() % 3; n > 0; --n) candidate.push_back(static_cast<std::uint32_t>(random() % 5));
   }
   decision.right = random() % 2 == 0 ? std::vector<std::size_t>{1} : std::vector<std::size_t>{0, 2};
   if (random() % 2 == 0) decision.rival = 3;
@@ -71,8 +70,7 @@ TEST(LearnRanker, StepsAlongTheGradientOfItsLoss) {
       *more.row({f}) += step, *less.row({f}) -= step;
       const double slope =
           (loss(more, decisions[0], against_rival) - loss(less, decisions[0], against_rival)) / (2.0 * step);
-      const double moved =
-          static_cast<double>(after.weight({f}, 0)) - static_cast<double>(before.weight({f}, 0));
+      const double moved = static_cast<double>(after.weight({f}, 0)) - static_cast<double>(before.weight({f}, 0));
       EXPECT_NEAR(100 * moved, -slope, 2e-3) << "round " << round << ", feature " << f;
     }
   }
@@ -113,9 +111,7 @@ class Doors {
   using Candidates = std::vector<std::size_t>;
   using Route = std::size_t;
 
-  static ltl::Vocabulary vocabulary(const Map&) {
-    return ltl::Vocabulary({"north", "east", "south", "west"});
-  }
+  static ltl::Vocabulary vocabulary(const Map&) { return ltl::Vocabulary({"north", "east", "south", "west"}); }
   static std::size_t map_of(const Text&) { return 0; }
   static Candidates candidates(const Text&) { return {0, 1, 2, 3}; }
   static CandidateFeatures features(const Text& text, const Candidates& doors) {

@@ -109,8 +109,7 @@ TEST(LearnReranker, WhatIsRightBecomesLikelier) {
     return with_reranker(setting().reader, setting().instances, setting().executors, options, [](double) {});
   };
   const Grounder before = learned(0), after = learned(6);
-  const auto gain = [&](const WeightTable RankingModel::*table,
-                        const std::vector<RankingInstance>& instances) {
+  const auto gain = [&](const WeightTable RankingModel::*table, const std::vector<RankingInstance>& instances) {
     return log_likelihood(*after.ranking, (*after.ranking).*table, instances) -
            log_likelihood(*before.ranking, (*before.ranking).*table, instances);
   };

@@ -19,9 +19,7 @@ TEST(Generate, TrajectoriesAreLegalAndSeedsDecide) {
   const std::vector<Executor> executors(shipped_maps().begin(), shipped_maps().end());
   EXPECT_EQ(make_examples(own_corpus(), executors, Convention::Absolute).sentences.size(), 120U);
   const auto text = [](std::uint64_t seed) {
-    return generate_corpus(shipped_maps(), {.seed = seed, .paragraphs = 2, .sentences = 4})
-        .paragraphs[1]
-        .text;
+    return generate_corpus(shipped_maps(), {.seed = seed, .paragraphs = 2, .sentences = 4}).paragraphs[1].text;
   };
   EXPECT_EQ(text(3), text(3));
   EXPECT_NE(text(3), text(4));

@@ -33,8 +33,7 @@ TEST(NetworkAccuracy, LearnsItsOwnLanguageFromTrajectories) {
 TEST(NetworkAccuracy, AsThePaperHasItLearnsSomethingFromItsOwnBeam) {
   const Corpus clauses =
       generate_corpus(training_maps(), {.seed = 1, .paragraphs = 240, .sentences = 4, .most_clauses = 1});
-  for (const Objective objective :
-       {Objective::MarginalLikelihood, Objective::Meritocratic, Objective::Reinforce}) {
+  for (const Objective objective : {Objective::MarginalLikelihood, Objective::Meritocratic, Objective::Reinforce}) {
     TrainOptions options = small_options(16);
     options.network.search = ProgramSearch::Beam;
     options.network.objective = objective;

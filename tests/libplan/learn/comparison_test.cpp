@@ -14,8 +14,7 @@ namespace {
 
 LearningCurve curve_of(const std::vector<PolicyValue>& values) {
   LearningCurve curve;
-  for (const PolicyValue& value : values)
-    curve.checkpoints.push_back({100 * curve.checkpoints.size(), value});
+  for (const PolicyValue& value : values) curve.checkpoints.push_back({100 * curve.checkpoints.size(), value});
   return curve;
 }
 
@@ -43,8 +42,7 @@ TEST(Comparison, StepsAreThoseOfTheFirstCheckpointThatIsThere) {
 }
 
 TEST(Comparison, SummariesCountRunsThatNeverCameThere) {
-  const std::vector<Verdict> verdicts{judge(curve_of({lost, best}), best, 1),
-                                      judge(curve_of({lost, lost}), best, 3),
+  const std::vector<Verdict> verdicts{judge(curve_of({lost, best}), best, 1), judge(curve_of({lost, lost}), best, 3),
                                       judge(curve_of({best, best}), best, 2)};
   const Summary summary = summarise(verdicts);
   EXPECT_EQ(summary.to_optimum.value, 100);
@@ -78,10 +76,9 @@ TEST(Comparison, ModelsAreLearntToo) {
     cells.back() = 2;
     GridWorld::Shape shape{.width = length, .height = 1};
     shape.motion.fill({.forward = 1 - 2 * slip, .left = slip, .right = slip, .back = 0});
-    return GridWorld(
-        shape, names,
-        {{}, {.label = ltl::Letter{ltl::Proposition{0}}}, {.label = ltl::Letter{ltl::Proposition{1}}}}, cells,
-        length / 2);
+    return GridWorld(shape, names,
+                     {{}, {.label = ltl::Letter{ltl::Proposition{0}}}, {.label = ltl::Letter{ltl::Proposition{1}}}},
+                     cells, length / 2);
   };
   ltl::Arena arena(names);
   const ltl::Formula phi = ltl::parse("F (a & F b)", arena);
@@ -113,8 +110,7 @@ TEST(Comparison, CounterfactualAndShapedLearnersAreOptimalWithinTwoThousandSteps
     if (method.name != "counterfactual" && method.name != "shaped") continue;
     std::vector<double> steps;
     for (std::uint64_t seed = 1; seed <= 20; ++seed)
-      steps.push_back(
-          judge(task.run(method, {.steps = 4'000, .seed = seed}), task.optimum().value, 0).to_optimum);
+      steps.push_back(judge(task.run(method, {.steps = 4'000, .seed = seed}), task.optimum().value, 0).to_optimum);
     EXPECT_LE(median(steps), 2'000) << method.name;
   }
 }

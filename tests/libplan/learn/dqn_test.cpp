@@ -13,8 +13,7 @@ namespace waymark::plan {
 namespace {
 
 struct Small {  // a task of a few dozen states, with everything a network may be shown
-  explicit Small(const std::string& text, const SlipChances& slip = {})
-      : map(plus()), arena(map.vocabulary()) {
+  explicit Small(const std::string& text, const SlipChances& slip = {}) : map(plus()), arena(map.vocabulary()) {
     const ltl::Formula phi = ltl::parse(text, arena);
     product = tabulate(map, automata::ltlf_to_dfa(phi), PoseId{3}, slip);
     trees = trees_of(product.task, phi);
@@ -56,8 +55,7 @@ TEST(Dqn, LearnsASmallTaskInEveryVariant) {
                                                                              {"prioritised", ranked, nullptr},
                                                                              {"trees", fast, &small.trees}};
   for (const auto& [name, method, trees] : variants) {
-    const LearningCurve curve =
-        learn(small.product, {&small.seen.by_position, trees}, method, training(6'000));
+    const LearningCurve curve = learn(small.product, {&small.seen.by_position, trees}, method, training(6'000));
     EXPECT_NEAR(best_of(curve), best, 1e-9) << name;
     EXPECT_EQ(curve.updates, 6'000 - method.batch + 1) << name;
   }
@@ -66,8 +64,8 @@ TEST(Dqn, LearnsASmallTaskInEveryVariant) {
 TEST(Dqn, LearnsANoisyTask) {
   const Small small("F sofa", slippery);
   const double best = optimum(small.product).value.value;
-  const LearningCurve curve = learn(small.product, {&small.seen.by_position, nullptr},
-                                    {.hidden = {32, 32}, .rate = 1e-3}, training(6'000));
+  const LearningCurve curve =
+      learn(small.product, {&small.seen.by_position, nullptr}, {.hidden = {32, 32}, .rate = 1e-3}, training(6'000));
   EXPECT_GT(best_of(curve), 0.9 * best);
 }
 
@@ -76,8 +74,7 @@ TEST(Dqn, TheSameSeedGivesTheSameCurve) {
   Training often = training(1'000);
   often.interval = 50;
   const DqnInput input{&small.seen.by_position, nullptr};
-  const LearningCurve one = learn(small.product, input, {}, often),
-                      two = learn(small.product, input, {}, often);
+  const LearningCurve one = learn(small.product, input, {}, often), two = learn(small.product, input, {}, often);
   ASSERT_EQ(one.checkpoints.size(), 21U);
   for (std::size_t i = 0; i < one.checkpoints.size(); ++i)
     EXPECT_EQ(one.checkpoints[i].value.value, two.checkpoints[i].value.value) << i;

@@ -76,9 +76,8 @@ TEST(TaskTrees, FormulasMeanWhatTheirStatesAccept) {
     ++known;
     for (std::uint32_t letter = 0; letter < product.task.letters; ++letter) {
       const std::uint32_t next = product.task.after(q, letter);
-      EXPECT_EQ(
-          ltl::accepts_empty(ltl::progress(*formulas[q], product.task.classes.representatives()[letter])),
-          product.task.ending[next] == Ending::Accepting);
+      EXPECT_EQ(ltl::accepts_empty(ltl::progress(*formulas[q], product.task.classes.representatives()[letter])),
+                product.task.ending[next] == Ending::Accepting);
     }
   }
   EXPECT_GE(known, 4U);

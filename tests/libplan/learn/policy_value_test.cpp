@@ -51,8 +51,7 @@ TEST(PolicyValue, PathsAndCircles) {
 
 TEST(PolicyValue, AgreesWithRollouts) {
   const Map map = plus();
-  const TabularProduct product =
-      task_on(map, "F (sofa & X F chair) & G !place_1", pose_at(map, 1, 2, 0), slippery);
+  const TabularProduct product = task_on(map, "F (sofa & X F chair) & G !place_1", pose_at(map, 1, 2, 0), slippery);
   const ActionTable policy = optimum(product).policy;
   const PolicyValue value = value_of(product, policy, 0.9);
   EXPECT_GT(value.probability, 0.05);
@@ -82,8 +81,7 @@ TEST(PolicyValue, AgreesWithRollouts) {
 TEST(Optimum, IsTheLeastCostWhereNothingSlips) {
   for (const char* name : {"grid", "jelly", "l"}) {
     const Map map = shipped(name);
-    for (const char* formula :
-         {"F (sofa & X F (chair & X F easel))", "!blue U lamp", "F place_3 & F place_1"}) {
+    for (const char* formula : {"F (sofa & X F (chair & X F easel))", "!blue U lamp", "F place_3 & F place_1"}) {
       const automata::Dfa dfa = dfa_of(formula);
       for (std::uint32_t i = 0; i < map.poses(); i += 29) {
         const auto planned = RoutePlanner(map, dfa).plan(PoseId{i});

@@ -40,8 +40,7 @@ TEST(QLearning, ComesNearTheOptimumOfANoisyModel) {
   const TabularProduct product = task_on(plus(), "F (sofa & X F chair)", PoseId{3}, slippery);
   const PolicyValue best = optimum(product).value;
   for (const auto& [name, method] : variants()) {
-    const QTable table =
-        learn(product, method, {.steps = 60'000, .interval = 60'000, .horizon = 200, .seed = 3});
+    const QTable table = learn(product, method, {.steps = 60'000, .interval = 60'000, .horizon = 200, .seed = 3});
     EXPECT_GT(table.curve.checkpoints.back().value.value, 0.97 * best.value) << name;
     if (method.shaped) continue;  // then the table holds Q − Φ
     const std::uint32_t start = product.starts[0].state;
@@ -55,8 +54,7 @@ TEST(QLearning, ComesNearTheOptimumOfANoisyModel) {
 // [NHR99, Th. 1]: with shaping the table holds Q − Φ, so what is best stays best.
 TEST(QLearning, ShapingMovesValuesByThePotentialAndLeavesTheBestPolicy) {
   const TabularProduct product = task_on(plus(), "F (sofa & X F chair)", PoseId{3});
-  const Training training{
-      .steps = 60'000, .interval = 60'000, .horizon = 50, .explore = 1, .explore_last = 1};
+  const Training training{.steps = 60'000, .interval = 60'000, .horizon = 50, .explore = 1, .explore_last = 1};
   const QTable plain = learn(product, {.counterfactual = true}, training),
                shaped = learn(product, {.counterfactual = true, .shaped = true}, training);
   const std::vector<double> phi = potential(product.task, training.discount);
@@ -66,8 +64,7 @@ TEST(QLearning, ShapingMovesValuesByThePotentialAndLeavesTheBestPolicy) {
     for (std::uint32_t a = 0; a < product.actions; ++a) {
       const std::size_t entry = std::size_t{state} * product.actions + a;
       if (!product.is_offered(product.position_of(state), a)) continue;
-      EXPECT_NEAR(shaped.values[entry] + phi[product.task_of(state)], plain.values[entry], 1e-9)
-          << state << ' ' << a;
+      EXPECT_NEAR(shaped.values[entry] + phi[product.task_of(state)], plain.values[entry], 1e-9) << state << ' ' << a;
       ++compared;
     }
   }
@@ -95,8 +92,7 @@ TEST(QLearning, ThePotentialIsOptimistic) {
 TEST(QLearning, CounterfactualExperienceIsThatOfTheProduct) {
   const Map map = shipped("jelly");
   const TabularProduct product = task_on(map, "F (sofa & X F (chair & X F easel))", PoseId{9});
-  const Training training{
-      .steps = 4'000, .interval = 4'000, .horizon = 4'000, .explore = 1, .explore_last = 1};
+  const Training training{.steps = 4'000, .interval = 4'000, .horizon = 4'000, .explore = 1, .explore_last = 1};
   const QTable table = learn(product, {.counterfactual = true}, training);
   std::size_t open = 0;
   for (const Ending ending : product.task.ending) open += ending == Ending::Open ? 1 : 0;

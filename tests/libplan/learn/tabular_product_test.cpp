@@ -20,8 +20,7 @@ namespace {
 
 TEST(TabularProduct, IsTheBuiltProductWhereThatIsReachable) {
   for (const Map& map : {hallway(3), square(), plus(), shipped("l")})
-    for (const char* formula :
-         {"F (sofa & X F chair)", "!blue U chair", "F sofa & G !turned_left", "X X moved"}) {
+    for (const char* formula : {"F (sofa & X F chair)", "!blue U chair", "F sofa & G !turned_left", "X X moved"}) {
       const automata::Dfa dfa = dfa_of(formula);
       const MapProduct built = compose(map, dfa, PoseId{0});
       const TabularProduct flat = tabulate(map, dfa, PoseId{0});
@@ -54,8 +53,7 @@ TEST(TabularProduct, IsTheProductOfTheSolvers) {
     const Mdp mdp = testing::random_model(random, {.states = 5, .unit_costs = false});
     ltl::Arena arena(testing::vocabulary_ab());
     const ltl::Formula f = ltl::random_formula(random, arena, {.size = 3 + random.below(8), .atoms = 2});
-    const std::string what =
-        ltl::print(f) + ", seed " + std::to_string(seed) + ", model " + std::to_string(i);
+    const std::string what = ltl::print(f) + ", seed " + std::to_string(seed) + ", model " + std::to_string(i);
     const automata::Dfa dfa = automata::ltlf_to_dfa(f);
     const TaskTable task(dfa, mdp.letters());
     const TabularProduct flat = compose(mdp, tabulate(dfa, mdp.letters()));
@@ -135,8 +133,8 @@ TEST(TabularProduct, PropositionsThatTheModelLacksAreNamed) {
 
 TEST(TabularProduct, GridsAreModelsToo) {
   const ltl::Vocabulary vocabulary({"goal"});
-  const GridWorld grid({.width = 3, .height = 1}, vocabulary,
-                       {{}, {.label = ltl::Letter{ltl::Proposition{0}}}}, {0, 0, 1}, 0);
+  const GridWorld grid({.width = 3, .height = 1}, vocabulary, {{}, {.label = ltl::Letter{ltl::Proposition{0}}}},
+                       {0, 0, 1}, 0);
   const TabularProduct product = compose(grid, tabulate(dfa_of("F goal"), grid.letters()));
   EXPECT_EQ(product.names, (std::vector<std::string>{"N", "E", "S", "W"}));
   EXPECT_EQ(product.outcomes_of(0, 1)[0].position, 1U);

@@ -30,15 +30,13 @@ TEST(Generate, PutsLandmarksWithinReachPastNoHazard) {
       const std::string text = written(recipe);
       const PlanningCase made = parse_case(text);
       for (const char* landmark : {"a", "b", "c", "d"}) {
-        const CaseTask task{"", std::string("!x U ") + landmark, CaseTask::Logic::Ltl,
-                            CaseTask::Query::MinCost};
+        const CaseTask task{"", std::string("!x U ") + landmark, CaseTask::Logic::Ltl, CaseTask::Query::MinCost};
         EXPECT_EQ(answer(made, task).status, CaseAnswer::Status::Solved) << landmark << " of\n" << text;
       }
       for (const CaseTask& task : made.tasks) {
         if (kind == GridKind::OneWay && task.id != "seq") continue;  // no way back is promised
-        EXPECT_NE(answer(made, task, {.explain = false}).status, CaseAnswer::Status::Exhausted)
-            << task.id << " of\n"
-            << text;
+        EXPECT_NE(answer(made, task, {.explain = false}).status, CaseAnswer::Status::Exhausted) << task.id << " of\n"
+                                                                                                << text;
       }
     }
 }
@@ -93,8 +91,7 @@ constexpr const char* two_ways =
 
 TEST(Streets, AreChoicesThatCostMetres) {
   const Mdp streets = parse_streets(two_ways, "", "ashleys_co");
-  EXPECT_EQ(streets.letters().vocabulary().names(),
-            (std::vector<std::string>{"blue_room", "ashleys_co", "7_eleven"}));
+  EXPECT_EQ(streets.letters().vocabulary().names(), (std::vector<std::string>{"blue_room", "ashleys_co", "7_eleven"}));
   ASSERT_EQ(streets.initial(), 1U);
   ASSERT_EQ(streets.choices(1), 2U);
   EXPECT_EQ(streets.action(1, 1), "7_eleven");
@@ -103,9 +100,8 @@ TEST(Streets, AreChoicesThatCostMetres) {
   EXPECT_THROW(parse_streets(two_ways, "", "harbour"), ltl::FormatError);
   EXPECT_THROW(parse_streets(R"({"nodes": [{"id": 1, "name": "A"}, {"id": 2, "name": "a"}], "edges": []})"),
                ltl::FormatError);
-  EXPECT_THROW(
-      parse_streets(R"({"nodes": [{"id": 1, "name": "A"}], "edges": [{"a": 1, "b": 2, "metres": 1}]})"),
-      ltl::FormatError);
+  EXPECT_THROW(parse_streets(R"({"nodes": [{"id": 1, "name": "A"}], "edges": [{"a": 1, "b": 2, "metres": 1}]})"),
+               ltl::FormatError);
 }
 
 TEST(Streets, OfTheCitiesCanBeWalked) {

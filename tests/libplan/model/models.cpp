@@ -6,9 +6,7 @@
 namespace waymark::plan::test {
 namespace {
 
-std::uint32_t draw(std::mt19937& random, std::uint32_t below) {
-  return static_cast<std::uint32_t>(random() % below);
-}
+std::uint32_t draw(std::mt19937& random, std::uint32_t below) { return static_cast<std::uint32_t>(random() % below); }
 
 ltl::Letter random_letter(std::mt19937& random) {
   ltl::Letter out;
@@ -64,8 +62,7 @@ GridWorld random_grid(std::mt19937& random) {
                                       {.label = {ltl::Proposition{0}}},
                                       {.label = {ltl::Proposition{1}}}};
   std::vector<std::uint16_t> cells(std::size_t{shape.width} * shape.height);
-  for (std::uint16_t& cell : cells)
-    cell = static_cast<std::uint16_t>(draw(random, 2) == 0 ? 0 : draw(random, 6));
+  for (std::uint16_t& cell : cells) cell = static_cast<std::uint16_t>(draw(random, 2) == 0 ? 0 : draw(random, 6));
   const std::uint32_t start = draw(random, static_cast<std::uint32_t>(cells.size()));
   cells[start] = 0;
   return GridWorld(shape, ltl::Vocabulary({"a", "b"}), palette, cells, start);

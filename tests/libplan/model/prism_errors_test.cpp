@@ -26,11 +26,9 @@ TEST(PrismLanguage, SaysWhatIsWrongAndWhere) {
       {"mdp module m x : [0..1] endmodule", "1:25: expected ';'"},
       {"mdp module m x : [1..0]; endmodule", "1:14: the range of this variable is empty"},
       {"mdp module m x : [0..1] init 2; endmodule", "1:14: the initial value is out of range"},
-      {"mdp module m x : [0..1]; [a] y=1 -> true; endmodule",
-       "1:30: there is no variable, constant or formula 'y'"},
+      {"mdp module m x : [0..1]; [a] y=1 -> true; endmodule", "1:30: there is no variable, constant or formula 'y'"},
       {"mdp module m x : [0..1]; [a] x -> true; endmodule", "1:30: expected a condition"},
-      {"mdp module m x : [0..1]; [a] x=0 -> (x'=x+2); endmodule",
-       "1:41: the variable leaves its range in state 0"},
+      {"mdp module m x : [0..1]; [a] x=0 -> (x'=x+2); endmodule", "1:41: the variable leaves its range in state 0"},
       {"mdp module m x : [0..1]; [a] x=0 -> 0.5:(x'=1); endmodule",
        "1:26: the probabilities do not add up to 1 in state 0"},
       {"mdp module m x : [0..1]; [a] true -> (z'=1); endmodule", "1:39: there is no variable of this name"},
@@ -43,8 +41,7 @@ TEST(PrismLanguage, SaysWhatIsWrongAndWhere) {
       {"mdp module m x : [0..1]; [max] true -> true; endmodule", "1:27: expected the name of an action"},
       {"mdp module m x : [0..mod(1,0)]; endmodule", "1:22: mod by a number that is not positive"},
       {"mdp module m x : [0..1]; y : [0..x]; endmodule", "1:34: a variable where a constant is expected"},
-      {"mdp module m x : [0..1]; [] x=$ -> true; endmodule",
-       "1:31: a character that the language does not have"},
+      {"mdp module m x : [0..1]; [] x=$ -> true; endmodule", "1:31: a character that the language does not have"},
       {"mdp rewards \"r\" true : -1; endrewards module m x : [0..1]; [] true -> true; endmodule",
        "1:60: a reward that is negative or infinite in state 0"},
   };
@@ -55,12 +52,11 @@ TEST(PrismLanguage, ReadsEveryOperator) {
   const struct {
     std::string condition;
     bool holds;  // with x = 3
-  } rows[] = {
-      {"x=3", true},          {"x!=3", false},          {"!x=4", true},         {"x<3|x>=3", true},
-      {"x<=2&true", false},   {"x>3=>false", true},     {"x=3<=>x>2", true},    {"(x=3?1:2)=1", true},
-      {"-x+4=1", true},       {"2*x-1=5", true},        {"x/2=1.5", true},      {"mod(x-5,4)=2", true},
-      {"min(x,7,2)=2", true}, {"max(x,1)=3", true},     {"floor(x/2)=1", true}, {"ceil(x/2)=2", true},
-      {"pow(x,2)=9", true},   {"b & !(b & x=2)", true}, {"x=n+1", true},        {"1e0=1.0E+0", true}};
+  } rows[] = {{"x=3", true},          {"x!=3", false},          {"!x=4", true},         {"x<3|x>=3", true},
+              {"x<=2&true", false},   {"x>3=>false", true},     {"x=3<=>x>2", true},    {"(x=3?1:2)=1", true},
+              {"-x+4=1", true},       {"2*x-1=5", true},        {"x/2=1.5", true},      {"mod(x-5,4)=2", true},
+              {"min(x,7,2)=2", true}, {"max(x,1)=3", true},     {"floor(x/2)=1", true}, {"ceil(x/2)=2", true},
+              {"pow(x,2)=9", true},   {"b & !(b & x=2)", true}, {"x=n+1", true},        {"1e0=1.0E+0", true}};
   for (const auto& row : rows) {
     const Mdp mdp = parse_prism("mdp const int n = 2; module m b : bool init true; x : [0..3] init 3; [go] " +
                                 row.condition + " -> (x'=0) & (b'=false); endmodule");

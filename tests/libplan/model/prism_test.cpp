@@ -40,16 +40,15 @@ std::vector<CaseTask> probing_tasks() {
 }
 
 // The same proved values, up to the tolerance of both.
-void expect_same_values(const PlanningCase& one, const PlanningCase& other,
-                        const std::vector<CaseTask>& tasks, const std::string& model) {
+void expect_same_values(const PlanningCase& one, const PlanningCase& other, const std::vector<CaseTask>& tasks,
+                        const std::string& model) {
   for (const CaseTask& task : tasks) {
     const CaseOptions options{.tolerance = 1e-8, .explain = false};
     const CaseAnswer a = answer(one, task, options), b = answer(other, task, options);
     ASSERT_EQ(a.status, b.status) << task.formula << " on\n" << model;
     if (a.value.lower == b.value.lower) continue;  // infinite costs too
-    EXPECT_NEAR(a.value.middle(), b.value.middle(), 1e-7 * std::max(1.0, a.value.middle()))
-        << task.formula << " on\n"
-        << model;
+    EXPECT_NEAR(a.value.middle(), b.value.middle(), 1e-7 * std::max(1.0, a.value.middle())) << task.formula << " on\n"
+                                                                                            << model;
   }
 }
 
@@ -104,12 +103,10 @@ TEST(Prism, SplitsAStateByTheLetterThatEntersIt) {
   builder.add_outcome(1, a, 0.25);
   builder.add_outcome(1, easel, 0.75);
   builder.add_state();
-  const PrismExplicit written =
-      write_prism_explicit(with_labels_on_states(std::move(builder).build(0, none)));
+  const PrismExplicit written = write_prism_explicit(with_labels_on_states(std::move(builder).build(0, none)));
   EXPECT_EQ(written.transitions, "3 3 4\n0 0 1 0.25 E_\n0 0 2 0.75 E_\n1 0 1 1 stay\n2 0 2 1 stay\n");
   EXPECT_EQ(written.states, "(s,letter)\n0:(0,0)\n1:(1,1)\n2:(1,2)\n");
-  EXPECT_EQ(written.labels,
-            "0=\"init\" 1=\"deadlock\" 2=\"a\" 3=\"the_easel\" 4=\"F_\"\n0: 0\n1: 2\n2: 3 4\n");
+  EXPECT_EQ(written.labels, "0=\"init\" 1=\"deadlock\" 2=\"a\" 3=\"the_easel\" 4=\"F_\"\n0: 0\n1: 2\n2: 3 4\n");
   EXPECT_EQ(written.rewards, "3 1\n0 2\n");
   EXPECT_TRUE(written.rewards_on_states);
 }
@@ -130,8 +127,7 @@ void expect_same_value_on_the_product(const Model& model, const std::string& for
       *automaton);
   const std::string text = write_prism(product);
   const CaseTask task{"", formula, CaseTask::Logic::Ltl, CaseTask::Query::MaxProbability};
-  const CaseTask reach{"", finite ? "F goal" : "G F marked", CaseTask::Logic::Ltl,
-                       CaseTask::Query::MaxProbability};
+  const CaseTask reach{"", finite ? "F goal" : "G F marked", CaseTask::Logic::Ltl, CaseTask::Query::MaxProbability};
   const CaseOptions options{.tolerance = 1e-8, .explain = false};
   EXPECT_NEAR(answer({"", model, {}}, task, options).value.middle(),
               answer({"", parse_prism(text), {}}, reach, options).value.middle(), 1e-7)
@@ -142,8 +138,7 @@ void expect_same_value_on_the_product(const Model& model, const std::string& for
 TEST(Prism, HasTheValueOfTheTaskOnTheProduct) {
   std::mt19937 random(4);
   for (int i = 0; i < 15; ++i)
-    for (const char* formula :
-         {"F (a & X b)", "!a U b", "(G F a) & (G F b)", "F G a", "G !a", "(F G a) | (G F b)"}) {
+    for (const char* formula : {"F (a & X b)", "!a U b", "(G F a) & (G F b)", "F G a", "G !a", "(F G a) | (G F b)"}) {
       expect_same_value_on_the_product(test::random_mdp(random), formula);
       expect_same_value_on_the_product(test::random_grid(random), formula);
     }

@@ -86,8 +86,7 @@ TEST(Explore, FindsMotionsOfDiscsAndCars) {
   const Map map = square();
   const Workspace workspace(map);
   for (const Robot& robot : {Robot(Disc{}), Robot(Disc{0}), Robot(Car{})})
-    for (const char* formula :
-         {"F sofa", "X(moved & X(turned_right & X(sofa & moved)))", "F(sofa & F place_1)"})
+    for (const char* formula : {"F sofa", "X(moved & X(turned_right & X(sofa & moved)))", "F(sofa & F place_1)"})
       EXPECT_TRUE(std::holds_alternative<Motion>(explored(formula, workspace, pose_at(map, 0, 0, 90), robot)))
           << formula << " " << robot.index();
 }
@@ -96,8 +95,7 @@ TEST(Explore, StartsWithEveryHeading) {
   const Map map = square();
   const Workspace workspace(map);
   for (const int heading : {0, 90, 180, 270})
-    EXPECT_TRUE(
-        std::holds_alternative<Motion>(explored("F sofa", workspace, pose_at(map, 0, 0, heading), Disc{})))
+    EXPECT_TRUE(std::holds_alternative<Motion>(explored("F sofa", workspace, pose_at(map, 0, 0, heading), Disc{})))
         << heading;
 }
 
@@ -105,8 +103,7 @@ TEST(Explore, AnUnsolvableTaskIsNoRunAndNoCrash) {
   const Map map = square();
   const Workspace workspace(map);
   for (const char* formula : {"F chair", "F sofa & G !sofa", "X(moved & X(moved))", "!place_1", "false"})
-    EXPECT_TRUE(std::holds_alternative<NoRun>(explored(formula, workspace, pose_at(map, 0, 0, 90), Disc{})))
-        << formula;
+    EXPECT_TRUE(std::holds_alternative<NoRun>(explored(formula, workspace, pose_at(map, 0, 0, 90), Disc{}))) << formula;
 }
 
 TEST(Explore, ReadsTheLetterOfTheStart) {

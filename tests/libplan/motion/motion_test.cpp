@@ -26,8 +26,7 @@ Motion along_centres(const Trajectory& route, const Map& map, double radius) {
 
 std::string route_text(const Motion& motion, const Workspace& workspace) {
   const auto read = route_of(motion, workspace);
-  if (const auto* fault = std::get_if<NoRoute>(&read))
-    return std::to_string(fault->step) + ": " + fault->reason;
+  if (const auto* fault = std::get_if<NoRoute>(&read)) return std::to_string(fault->step) + ": " + fault->reason;
   return show(std::get<Trajectory>(read), workspace.map());
 }
 
@@ -36,8 +35,7 @@ TEST(TurnBetween, TakesTheShortWay) {
     double from, to, turn;
   } table[] = {{0, 90, 90},    {90, 0, -90},  {0, 270, -90}, {270, 0, 90}, {350, 10, 20},
                {10, 350, -20}, {0, 180, 180}, {180, 0, 180}, {45, 45, 0}};
-  for (const auto& row : table)
-    EXPECT_DOUBLE_EQ(turn_between(row.from, row.to), row.turn) << row.from << row.to;
+  for (const auto& row : table) EXPECT_DOUBLE_EQ(turn_between(row.from, row.to), row.turn) << row.from << row.to;
 }
 
 TEST(Motion, ReadsTheRouteOffTheGeometry) {
@@ -57,15 +55,10 @@ TEST(Motion, ReadsTheRouteOffTheGeometry) {
       {"looking aside is no turn", {{0, 0, 0}, {0, 0, 40}, {0, 0, 0}}, "0,0,0"},
       {"turning left past north", {{0, 0, 0}, {0, 0, 270}}, "0,0,0 LEFT"},
       {"nearly half a turn is two", {{0, 0, 0}, {0, 0, 179}}, "0,0,0 RIGHT RIGHT"},
-      {"turning while moving inside the cell",
-       {{0, 0, 180}, {0.1, 0.1, 90}, {1, 0.1, 90}},
-       "0,0,180 LEFT FORWARD"},
-      {"round the corner",
-       {{0, 0, 90}, {1, 0, 90}, {1, 0, 180}, {1, 1, 180}},
-       "0,0,90 FORWARD RIGHT FORWARD"},
+      {"turning while moving inside the cell", {{0, 0, 180}, {0.1, 0.1, 90}, {1, 0.1, 90}}, "0,0,180 LEFT FORWARD"},
+      {"round the corner", {{0, 0, 90}, {1, 0, 90}, {1, 0, 180}, {1, 1, 180}}, "0,0,90 FORWARD RIGHT FORWARD"},
   };
-  for (const auto& row : table)
-    EXPECT_EQ(route_text({row.line, Disc{0.05}}, workspace), row.route) << row.what;
+  for (const auto& row : table) EXPECT_EQ(route_text({row.line, Disc{0.05}}, workspace), row.route) << row.what;
 }
 
 TEST(Motion, NamesWhatIsNoRoute) {
@@ -94,8 +87,7 @@ TEST(Motion, NamesWhatIsNoRoute) {
   for (const auto& row : table) EXPECT_EQ(route_text({row.line, Disc{0.05}}, workspace), row.fault);
 }
 
-void for_each_route(const Map& map, std::size_t most_actions,
-                    const std::function<void(const Trajectory&)>& use) {
+void for_each_route(const Map& map, std::size_t most_actions, const std::function<void(const Trajectory&)>& use) {
   const std::function<void(const Trajectory&)> extend = [&](const Trajectory& route) {
     use(route);
     if (route.actions.size() == most_actions) return;

@@ -25,8 +25,7 @@ TEST(ReadMotion, NamesWhatIsWrongAndWhere) {
       {"{\"motion\":[]}", "the key \"radius\" is missing", 1, 1},
       {"{\"motion\":3,\"radius\":0}", "motion: expected a list", 1, 11},
       {"{\"motion\":[],\n \"radius\":\"0\"}", "radius: expected a number", 2, 11},
-      {"{\"motion\":[[0,0,0],[1,2]],\"radius\":0}", "motion[1]: expected a configuration [x,y,heading]", 1,
-       20},
+      {"{\"motion\":[[0,0,0],[1,2]],\"radius\":0}", "motion[1]: expected a configuration [x,y,heading]", 1, 20},
       {"{\"motion\":[\n[0,null,0]],\"radius\":0}", "motion[0][1]: expected a number", 2, 4},
       {"{\"motion\":[[1e999,0,0]],\"radius\":0}", "a number of the JSON text is out of range", 0, 0},
   };
@@ -34,8 +33,7 @@ TEST(ReadMotion, NamesWhatIsWrongAndWhere) {
       parse_motion(row.text, "m.json");
       ADD_FAILURE() << row.text << " was read";
     } catch (const ltl::FormatError& error) {
-      EXPECT_NE(std::string(error.what()).find(row.message), std::string::npos)
-          << row.text << ": " << error.what();
+      EXPECT_NE(std::string(error.what()).find(row.message), std::string::npos) << row.text << ": " << error.what();
       EXPECT_EQ(error.line(), row.line) << row.text;
       EXPECT_EQ(error.column(), row.column) << row.text;
     }

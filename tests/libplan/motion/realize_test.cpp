@@ -48,8 +48,7 @@ TEST(Realize, RandomRoutesOfTheShippedMaps) {
     const Workspace workspace(map);
     for (double radius : {0.0, 0.05})
       for (std::uint64_t i = 0; i < 5; ++i)
-        realized(random_route(map, 12, random), workspace,
-                 {.iterations = 1'000, .seed = i, .robot = Disc{radius}});
+        realized(random_route(map, 12, random), workspace, {.iterations = 1'000, .seed = i, .robot = Disc{radius}});
   }
 }
 
@@ -64,8 +63,7 @@ TEST(Realize, TurnsAreInPlace) {
   const Map map = hallway(4);
   const Workspace workspace(map);
   const Motion motion = realized(route("0,0,0 R F L L F", map), workspace, {});
-  EXPECT_EQ(motion,
-            (Motion{{{0, 0, 0}, {0, 0, 90}, {1, 0, 90}, {1, 0, 0}, {1, 0, 270}, {0, 0, 270}}, Disc{0.05}}));
+  EXPECT_EQ(motion, (Motion{{{0, 0, 0}, {0, 0, 90}, {1, 0, 90}, {1, 0, 0}, {1, 0, 270}, {0, 0, 270}}, Disc{0.05}}));
 }
 
 TEST(Realize, DrivesRoundFurnitureAlmostAsShortAsCanBe) {

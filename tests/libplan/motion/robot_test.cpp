@@ -61,8 +61,7 @@ TEST(Piece, PassesALineWhereItChangesSides) {
         const double low = 1.0 * k / steps, high = (k + 1.0) / steps;
         if (side(low) == side(high)) continue;
         ++passed;
-        EXPECT_TRUE(
-            std::any_of(at.begin(), at.end(), [&](double t) { return t > low - 1e-9 && t < high + 1e-9; }))
+        EXPECT_TRUE(std::any_of(at.begin(), at.end(), [&](double t) { return t > low - 1e-9 && t < high + 1e-9; }))
             << from.x << " " << from.y << " " << from.heading << " " << piece.way() << " " << piece.turn();
       }
     }
@@ -98,12 +97,10 @@ TEST(Motion, ReadsTheRouteOfACar) {
   const Workspace workspace(map, {.width = 0.4, .furniture = 0});
   const auto route_text = [&](const std::vector<Configuration>& line) {
     const auto read = route_of({line, Car{}}, workspace);
-    if (const auto* fault = std::get_if<NoRoute>(&read))
-      return std::to_string(fault->step) + ": " + fault->reason;
+    if (const auto* fault = std::get_if<NoRoute>(&read)) return std::to_string(fault->step) + ": " + fault->reason;
     return show(std::get<Trajectory>(read), map);
   };
-  EXPECT_EQ(route_text({{0, 0, 90}, {0.9, 0, 90}, {1, 0.1, 180}, {1, 1, 180}}),
-            "0,0,90 FORWARD RIGHT FORWARD");
+  EXPECT_EQ(route_text({{0, 0, 90}, {0.9, 0, 90}, {1, 0.1, 180}, {1, 1, 180}}), "0,0,90 FORWARD RIGHT FORWARD");
   EXPECT_EQ(route_text({{0, 0, 90}, {0.6, 0, 90}, {0.1, 0, 90}}), "0,0,90");  // into the hallway and back
   EXPECT_EQ(route_text({{1, 0, 90}, {0, 0, 90}}), "1: the robot enters a place that is not ahead of it");
   EXPECT_EQ(route_text({{0, 0, 90}, {0, 0, 180}}), "1: a car cannot drive there along one arc");
@@ -130,10 +127,8 @@ TEST(Workspace, ACarIsFreeWhereItsBodyIs) {
           const Point p{box[0].x + v * (box[1].x - box[0].x) + u * (box[3].x - box[0].x),
                         box[0].y + v * (box[1].y - box[0].y) + u * (box[3].y - box[0].y)};
           const auto cell = workspace.cell_at(p);
-          const bool furnished =
-              cell && cell->kind == Cell::Kind::Node && map.nodes()[cell->index].object.has_value();
-          expected =
-              cell && (!furnished || distance(p, workspace.centre(cell->index)) > workspace.furniture());
+          const bool furnished = cell && cell->kind == Cell::Kind::Node && map.nodes()[cell->index].object.has_value();
+          expected = cell && (!furnished || distance(p, workspace.centre(cell->index)) > workspace.furniture());
         }
       const bool admitted = admits(workspace, c, car);
       if (admitted) {
@@ -151,8 +146,7 @@ TEST(Workspace, ACarIsFreeWhereItsBodyIs) {
 // Along arcs: what is admitted is free at every configuration, and what is free with room to spare is admitted.
 TEST(Workspace, AnArcIsFreeWhereAllItsConfigurationsAre) {
   std::mt19937_64 random(4);
-  std::uniform_real_distribution<double> coordinate(-0.2, 1.2), heading(0, 360), way(-0.5, 0.5),
-      turn(-100, 100);
+  std::uniform_real_distribution<double> coordinate(-0.2, 1.2), heading(0, 360), way(-0.5, 0.5), turn(-100, 100);
   const Map map = square();
   const Workspace workspace(map);
   const Car car{.length = 0.14, .width = 0.08, .turning_radius = 0.1}, larger{.length = 0.16, .width = 0.1};

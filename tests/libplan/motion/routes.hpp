@@ -44,8 +44,8 @@ inline Trajectory random_route(const Map& map, std::size_t actions, std::mt19937
 
 // A hallway of two segments with a sofa half way.
 inline Map past_a_sofa() {
-  return Map("past a sofa", {{0, 0, {}, {}}, {1, 0, "sofa", {}}, {2, 0, {}, {}}},
-             {{0, 1, "", ""}, {1, 2, "", ""}}, {"sofa"}, {}, {});
+  return Map("past a sofa", {{0, 0, {}, {}}, {1, 0, "sofa", {}}, {2, 0, {}, {}}}, {{0, 1, "", ""}, {1, 2, "", ""}},
+             {"sofa"}, {}, {});
 }
 
 }  // namespace waymark::plan

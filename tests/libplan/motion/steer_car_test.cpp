@@ -58,8 +58,8 @@ TEST(Drive, TurnsRoundInADeadEndByBackingUp) {
   const Map map = hallway(2);
   const Workspace workspace(map, {.furniture = 0});
   for (const char* turns : {"L L", "R R"}) {
-    const Motion motion = driven(route(std::string("1,0,90 F ") + turns + " F", map), workspace,
-                                 {.robot = Car{.turning_radius = 0.2}});
+    const Motion motion =
+        driven(route(std::string("1,0,90 F ") + turns + " F", map), workspace, {.robot = Car{.turning_radius = 0.2}});
     const auto pieces = pieces_of(motion);
     EXPECT_TRUE(std::any_of(pieces.begin(), pieces.end(), [](const Piece& piece) { return piece.way() < 0; }))
         << show_line(motion);
@@ -69,9 +69,7 @@ TEST(Drive, TurnsRoundInADeadEndByBackingUp) {
 TEST(Drive, PassesAndRoundsFurniture) {
   for (const Map& map : {past_a_sofa(), square(), plus()}) {
     const Workspace workspace(map);
-    const char* text = map.name() == "square" ? "1,0,180 F R F"
-                       : map.name() == "plus" ? "1,0,180 F L F"
-                                              : "0,0,90 F F";
+    const char* text = map.name() == "square" ? "1,0,180 F R F" : map.name() == "plus" ? "1,0,180 F L F" : "0,0,90 F F";
     driven(route(text, map), workspace, {.iterations = 300, .robot = Car{}});
   }
 }
@@ -101,10 +99,8 @@ TEST(Drive, SamplesWithEveryHeading) {
 TEST(Drive, RefusesACarThatFitsNowhere) {
   const Map map = past_a_sofa();
   const Workspace workspace(map);
-  for (const Car& car :
-       {Car{.width = 0.4}, Car{.length = 0}, Car{.turning_radius = -1}, Car{.length = std::nan("")}})
-    EXPECT_THROW(steer_car(route("0,0,90", map), workspace, {.robot = car}), std::invalid_argument)
-        << car.width;
+  for (const Car& car : {Car{.width = 0.4}, Car{.length = 0}, Car{.turning_radius = -1}, Car{.length = std::nan("")}})
+    EXPECT_THROW(steer_car(route("0,0,90", map), workspace, {.robot = car}), std::invalid_argument) << car.width;
   EXPECT_THROW(steer_car(route("1,0,90", map), workspace, {.robot = Car{.length = 1, .width = 0.3}}),
                std::invalid_argument);
 }

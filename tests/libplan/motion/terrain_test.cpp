@@ -55,8 +55,7 @@ TEST(TerrainCells, CutTheFreeSpaceIntoCellsOfOneLetter) {
     const TerrainCells cells(terrain);
     double area = 0;
     for (const TerrainCell& cell : cells.cells()) area += cell.area;
-    std::uniform_real_distribution<double> x(terrain.low().x, terrain.high().x),
-        y(terrain.low().y, terrain.high().y);
+    std::uniform_real_distribution<double> x(terrain.low().x, terrain.high().x), y(terrain.low().y, terrain.high().y);
     std::size_t free = 0;
     constexpr std::size_t samples = 20'000;
     for (std::size_t i = 0; i < samples; ++i) {
@@ -92,8 +91,7 @@ TEST(TerrainCells, WhereOneCanGoAPassageLeads) {
   std::mt19937_64 random(5);
   for (const Terrain& terrain : {two_rooms(), diamonds()}) {
     const TerrainCells cells(terrain);
-    std::uniform_real_distribution<double> x(terrain.low().x, terrain.high().x),
-        y(terrain.low().y, terrain.high().y);
+    std::uniform_real_distribution<double> x(terrain.low().x, terrain.high().x), y(terrain.low().y, terrain.high().y);
     std::size_t crossings = 0;
     for (int i = 0; i < 300; ++i) {
       const Point a{x(random), y(random)}, b{x(random), y(random)};
@@ -104,8 +102,7 @@ TEST(TerrainCells, WhereOneCanGoAPassageLeads) {
         const auto now = cells.at({a.x + t * (b.x - a.x), a.y + t * (b.y - a.y)}).value();
         if (now == last) continue;
         const auto& passages = cells.cells()[last].passages;
-        EXPECT_TRUE(
-            std::any_of(passages.begin(), passages.end(), [&](const Passage& p) { return p.to == now; }))
+        EXPECT_TRUE(std::any_of(passages.begin(), passages.end(), [&](const Passage& p) { return p.to == now; }))
             << terrain.name() << " from {" << a.x << ", " << a.y << "} to {" << b.x << ", " << b.y << "}";
         last = now;
         ++crossings;
@@ -125,13 +122,11 @@ TEST(ReadTerrain, NamesWhatIsWrongAndWhere) {
       {"[]", "expected an object with the key \"boundary\"", 1, 1},
       {"{\"boundary\":[[0,0],[1,0],[1,1]]}", "expected an object with the key \"regions\"", 1, 1},
       {"{\"boundary\":[[0,0],[1,0],\n[1]],\"regions\":[]}", "boundary[2]: expected a point [x,y]", 2, 1},
-      {"{\"boundary\":[[0,0],[1,0]],\"regions\":[]}", "boundary: a polygon has at least three corners", 1,
-       13},
+      {"{\"boundary\":[[0,0],[1,0]],\"regions\":[]}", "boundary: a polygon has at least three corners", 1, 13},
       {"{\"boundary\":[[0,0],[1,0],[1,1]],\"regions\":[{\"name\":\"a\",\n\"polygon\":[[0,0],[1,1],[1,0],[0,1]"
        "]}]}",
        "regions[0].polygon: the polygon meets itself", 2, 11},
-      {"{\"boundary\":[[0,0],[1,0],[1,1]],\"regions\":[{\"name\":3}]}", "regions[0].name: expected a name", 1,
-       52},
+      {"{\"boundary\":[[0,0],[1,0],[1,1]],\"regions\":[{\"name\":3}]}", "regions[0].name: expected a name", 1, 52},
   };
   for (const auto& row : table) try {
       parse_terrain(row.text, "t.json");

@@ -13,8 +13,7 @@ namespace {
 
 std::string word_text(const Motion& motion, const Terrain& terrain) {
   const auto read = word_of(motion, terrain);
-  if (const auto* fault = std::get_if<NoTour>(&read))
-    return std::to_string(fault->step) + ": " + fault->reason;
+  if (const auto* fault = std::get_if<NoTour>(&read)) return std::to_string(fault->step) + ": " + fault->reason;
   return ltl::show(ltl::Trace(std::get<TimedWord>(read).letters), terrain.vocabulary());
 }
 
@@ -87,8 +86,7 @@ TEST(Tour, BothWaysGiveCertifiedToursOrProveThereIsNone) {
       EXPECT_EQ(std::holds_alternative<Motion>(along), task.feasible) << task.formula << " " << robot.index();
       EXPECT_EQ(std::holds_alternative<NoRun>(along), !task.feasible) << task.formula << " " << robot.index();
       const Explored by_tree = explore(dfa, terrain, start, {.seconds = 1, .robot = robot});
-      EXPECT_EQ(std::holds_alternative<NoRun>(by_tree), !task.feasible)
-          << task.formula << " " << robot.index();
+      EXPECT_EQ(std::holds_alternative<NoRun>(by_tree), !task.feasible) << task.formula << " " << robot.index();
       if (const auto* motion = std::get_if<Motion>(&along)) certify(*motion, terrain, phi);
       if (const auto* motion = std::get_if<Motion>(&by_tree)) {
         certify(*motion, terrain, phi);
@@ -130,8 +128,7 @@ TEST(Tour, CertifyRefusesAnotherWord) {
   const Motion motion{{{1, 2, 0}, {8, 2, 0}}, Disc{0.2}};
   EXPECT_NO_THROW(certify(motion, terrain, ltl::parse("F right", arena)));
   EXPECT_THROW(certify(motion, terrain, ltl::parse("F wet", arena)), std::logic_error);
-  EXPECT_THROW(certify({{{1, 1, 0}, {8, 1, 0}}, Disc{0.2}}, terrain, ltl::parse("true", arena)),
-               std::logic_error);
+  EXPECT_THROW(certify({{{1, 1, 0}, {8, 1, 0}}, Disc{0.2}}, terrain, ltl::parse("true", arena)), std::logic_error);
 }
 
 }  // namespace

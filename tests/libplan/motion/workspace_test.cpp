@@ -48,8 +48,7 @@ TEST(Distance, OfPointsAndSegments) {
 TEST(Workspace, RefusesShapesThatAreNoHallways) {
   const Map map = plus();
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  for (const WorkspaceShape& shape :
-       {WorkspaceShape{0, 0}, {1, 0}, {-0.4, 0}, {0.4, 0.2}, {0.4, -0.1}, {nan, 0}})
+  for (const WorkspaceShape& shape : {WorkspaceShape{0, 0}, {1, 0}, {-0.4, 0}, {0.4, 0.2}, {0.4, -0.1}, {nan, 0}})
     EXPECT_THROW(Workspace(map, shape), std::invalid_argument) << shape.width << " " << shape.furniture;
   EXPECT_NO_THROW(Workspace(map, {0.9, 0.4}));
 }
@@ -120,8 +119,7 @@ TEST(Workspace, AMotionIsFreeWhereAllItsPointsAre) {
         const bool admitted = workspace.admits(a, b, radius);
         if (admitted) ++free;
         EXPECT_TRUE(!admitted || expected) << map.name() << " " << show(a) << " " << show(b);
-        EXPECT_TRUE(admitted || !expected || almost || radius == 0)
-            << map.name() << " " << show(a) << " " << show(b);
+        EXPECT_TRUE(admitted || !expected || almost || radius == 0) << map.name() << " " << show(a) << " " << show(b);
         EXPECT_EQ(admitted, workspace.admits(b, a, radius)) << map.name() << " " << show(a) << " " << show(b);
       }
     }

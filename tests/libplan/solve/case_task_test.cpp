@@ -20,8 +20,7 @@ constexpr const char* small_case = R"({"format": "ltlgrid/1", "name": "small", "
   "rows": ["..x.a", "s...b"], "legend": {"x": {"props": ["x"]}, "a": {"props": ["a"]}, "b": {"props": ["b"]}, "s": {}},
   "start": {"x": 0, "y": 1}, "motion": {"forward": 0.8, "left": 0.1, "right": 0.1, "back": 0}})";
 
-CaseAnswer ask(const std::string& formula, CaseTask::Query query,
-               CaseTask::Logic logic = CaseTask::Logic::Ltl) {
+CaseAnswer ask(const std::string& formula, CaseTask::Query query, CaseTask::Logic logic = CaseTask::Logic::Ltl) {
   return answer(parse_case(small_case), {.id = "", .formula = formula, .logic = logic, .query = query});
 }
 
@@ -53,8 +52,7 @@ TEST(CaseTask, WhatCanOnlyBePutOffIsCertain) {
     "rows": ["s............................x"], "legend": {"s": {}, "x": {"props": ["x"]}}, "start": {"x": 0, "y": 0},
     "motion": {"forward": 0.85, "left": 0.05, "right": 0.05, "back": 0.05}})");
   const CaseAnswer least = answer(
-      noisy,
-      {.id = "", .formula = "F x", .logic = CaseTask::Logic::Ltl, .query = CaseTask::Query::MinProbability});
+      noisy, {.id = "", .formula = "F x", .logic = CaseTask::Logic::Ltl, .query = CaseTask::Query::MinProbability});
   EXPECT_EQ(least.status, CaseAnswer::Status::Solved);
   EXPECT_EQ(least.value.lower, 1);
 }
@@ -72,8 +70,7 @@ TEST(CaseTask, SaysWhichConjunctsAreInTheWay) {
 TEST(CaseTask, MethodsAgree) {
   const PlanningCase planning_case = parse_case(small_case);
   for (const char* formula : {"F a", "F a & F b", "!x U b"}) {
-    const CaseTask task{
-        .id = "", .formula = formula, .logic = CaseTask::Logic::Ltl, .query = CaseTask::Query::MinCost};
+    const CaseTask task{.id = "", .formula = formula, .logic = CaseTask::Logic::Ltl, .query = CaseTask::Query::MinCost};
     const CaseAnswer sweeps = answer(planning_case, task, {.method = CaseMethod::ValueIteration});
     const CaseAnswer solves = answer(planning_case, task, {.method = CaseMethod::PolicyIteration});
     EXPECT_EQ(sweeps.status, solves.status) << formula;
@@ -147,10 +144,8 @@ TEST(ReadCase, OneWayCellsAreEnteredAndLeftOneWayOnly) {
     "rows": ["a>b", "..."], "legend": {"a": {"props": ["a"]}, "b": {"props": ["b"]}, ">": {"oneway": "E"}},
     "start": {"x": 2, "y": 0}})");
   const auto cost = [&](const char* formula) {
-    return answer(planning_case, {.id = "",
-                                  .formula = formula,
-                                  .logic = CaseTask::Logic::Ltl,
-                                  .query = CaseTask::Query::MinCost})
+    return answer(planning_case,
+                  {.id = "", .formula = formula, .logic = CaseTask::Logic::Ltl, .query = CaseTask::Query::MinCost})
         .value.lower;
   };
   EXPECT_EQ(cost("F a"), 4);         // round by the lower row

@@ -59,9 +59,8 @@ TEST(Decide, GreatestProbabilitiesOfFormulasAgreeWithTheReferee) {
     const automata::Dpa dpa = automata::ltl_to_dpa(f);
     const automata::MdpSafe ldba = automata::ltl_to_ldba(f);
     for (int j = 0; j < 4; ++j) {
-      const auto world =
-          automata::referee::random_world(random, 2 + static_cast<std::uint32_t>(random.below(4)),
-                                          {ltl::Proposition{0}, ltl::Proposition{1}});
+      const auto world = automata::referee::random_world(random, 2 + static_cast<std::uint32_t>(random.below(4)),
+                                                         {ltl::Proposition{0}, ltl::Proposition{1}});
       const double expected = automata::referee::greatest_probability(world, dpa);
       const Mdp mdp = mdp_of(world);
       const TaskTable task(ldba, mdp.letters());
@@ -104,8 +103,7 @@ TEST(Decide, ProbabilitiesOfFiniteTasksAgreeWithPlainSweeps) {
     const double greatest = Plainly(t.mdp, t.dfa).probability(Plainly::Best::Greatest);
     const double least = Plainly(t.mdp, t.dfa).probability(Plainly::Best::Least);
     for (const IterationOptions& limits : ways) {
-      const auto most = greatest_probability(*t.product, limits),
-                 fewest = least_probability(*t.product, limits);
+      const auto most = greatest_probability(*t.product, limits), fewest = least_probability(*t.product, limits);
       ASSERT_TRUE(most && fewest) << t.show();
       if (!t.product->starts().empty()) {
         expect_bounds(*most, greatest, tolerance, t.show());
@@ -124,8 +122,7 @@ TEST(Decide, LeastCostsAgreeWithPlainSweeps) {
   int proper = 0;
   for (int i = 0; i < (waymark::testing::sanitized ? 30 : 150); ++i) {
     const bool unit = random.below(2) == 0;
-    const FiniteTask t(random,
-                       {.states = 2 + static_cast<std::uint32_t>(random.below(3)), .unit_costs = unit});
+    const FiniteTask t(random, {.states = 2 + static_cast<std::uint32_t>(random.below(3)), .unit_costs = unit});
     if (!unit) {  // costs of zero let plain sweeps from below stop too low where one can go round for nothing
       bool free = false;
       for (std::uint32_t s = 0; s < t.mdp.states(); ++s)

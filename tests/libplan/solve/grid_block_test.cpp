@@ -31,8 +31,7 @@ std::size_t swept_in_place(const GridBlock::Product& product) {
   std::size_t count = 0;
   const auto& blocks = product.blocks();
   for (std::size_t b = 0; b + 1 < blocks.size(); ++b) {
-    const auto order =
-        EndComponentQuotient<GridBlock::Product>(product, unknowns).in_order(blocks[b], blocks[b + 1]);
+    const auto order = EndComponentQuotient<GridBlock::Product>(product, unknowns).in_order(blocks[b], blocks[b + 1]);
     if (order.empty()) continue;
     count += GridBlock::of(product, unknowns, Measure::MinCost, order, values).has_value() ? 1 : 0;
   }
@@ -59,8 +58,7 @@ TEST(GridBlock, AgreesWithLinearSolves) {
       ASSERT_TRUE(qualitative && chance_too) << text << "  round " << round << "  seed " << seed;
       EXPECT_NEAR(qualitative->value.middle(), chance_too->value.middle(), tolerance)
           << text << "  round " << round << "  seed " << seed;
-      unsure +=
-          qualitative->value.middle() > tolerance && qualitative->value.middle() < 1 - tolerance ? 1 : 0;
+      unsure += qualitative->value.middle() > tolerance && qualitative->value.middle() < 1 - tolerance ? 1 : 0;
       const auto cost = least_cost(*product, sweeps), cost_too = least_cost(*product, solves);
       ASSERT_TRUE(cost && cost_too) << text << "  round " << round << "  seed " << seed;
       EXPECT_EQ(std::isinf(cost->value.lower), std::isinf(cost_too->value.lower));
@@ -84,13 +82,10 @@ TEST(GridBlock, AgreesWithEquationsWhereAWindowMovesOn) {
   for (const GridKind kind : all_grid_kinds)
     for (const double noise : {0.02, 0.1, 0.2}) {
       std::ostringstream text;
-      write_case(text, generate_grid({.kind = kind,
-                                      .width = 48,
-                                      .height = 40,
-                                      .landmarks = 2,
-                                      .noise = noise,
-                                      .seed = 9,
-                                      .tasks = true}));
+      write_case(
+          text,
+          generate_grid(
+              {.kind = kind, .width = 48, .height = 40, .landmarks = 2, .noise = noise, .seed = 9, .tasks = true}));
       const PlanningCase read = parse_case(text.str());
       const auto& grid = std::get<GridWorld>(read.model);
       for (const CaseTask& asked : read.tasks) {
@@ -117,8 +112,7 @@ TEST(GridBlock, AgreesWithEquationsWhereAWindowMovesOn) {
         ASSERT_TRUE(qualitative && chance_too) << what;
         EXPECT_LE(qualitative->value.lower, chance_too->value.upper * rounding) << what;
         EXPECT_GE(qualitative->value.upper * rounding, chance_too->value.lower) << what;
-        unsure +=
-            qualitative->value.middle() > tolerance && qualitative->value.middle() < 1 - tolerance ? 1 : 0;
+        unsure += qualitative->value.middle() > tolerance && qualitative->value.middle() < 1 - tolerance ? 1 : 0;
       }
     }
   EXPECT_GT(finite, 9U);

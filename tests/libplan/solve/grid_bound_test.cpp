@@ -22,8 +22,7 @@ constexpr std::uint32_t never = GridBound::never;
 
 // Moves to acceptance from every pair, by state and cell: relaxation until nothing changes.
 std::vector<std::vector<std::uint32_t>> moves_to_go(const GridWorld& grid, const TaskTable& task) {
-  std::vector<std::vector<std::uint32_t>> out(task.states(),
-                                              std::vector<std::uint32_t>(grid.states(), never));
+  std::vector<std::vector<std::uint32_t>> out(task.states(), std::vector<std::uint32_t>(grid.states(), never));
   for (std::uint32_t q = 0; q < task.states(); ++q)
     if (task.is_goal(q)) out[q].assign(grid.states(), 0);
   for (bool better = true; better;) {
@@ -142,8 +141,7 @@ TEST(ProductSearch, LegsMakeTheRouteOfTheWhole) {
     const GridWorld grid = grid_of_landmarks(random);
     const Mdp mdp = written_out(grid);
     ltl::Arena arena(grid.letters().vocabulary());
-    std::vector<ltl::Formula> tasks{
-        ltl::random_formula(random, arena, {.size = 3 + random.below(9), .atoms = 3})};
+    std::vector<ltl::Formula> tasks{ltl::random_formula(random, arena, {.size = 3 + random.below(9), .atoms = 3})};
     for (const char* text : {"F (a & F (b & F c))", "!b U (a & X (!a U (b & X F c)))", "F (a & F (b | c))",
                              "F (a & F (b & X F a))", "F a & F b", "F (a & N F b)"})
       tasks.push_back(ltl::parse(text, arena));
@@ -158,8 +156,7 @@ TEST(ProductSearch, LegsMakeTheRouteOfTheWhole) {
       if (!on_grid->route) continue;
       ++routes;
       ++(on_grid->statistics.met < on_mdp->statistics.met ? cut : uncut);
-      ASSERT_EQ(on_grid->route->places, on_mdp->route->places)
-          << ltl::print(f) << ", seed " << seed << ", grid " << i;
+      ASSERT_EQ(on_grid->route->places, on_mdp->route->places) << ltl::print(f) << ", seed " << seed << ", grid " << i;
       ASSERT_EQ(on_grid->route->choices, on_mdp->route->choices)
           << ltl::print(f) << ", seed " << seed << ", grid " << i;
     }

@@ -150,8 +150,7 @@ TEST(LeastLasso, AgreesWithWalksOfEveryLength) {
       const auto answer = least_lasso(mdp, automaton, order);
       ASSERT_TRUE(answer);
       const Value expected = ByLength(product.graph).least(order);
-      const std::string where =
-          ltl::print(f) + " by " + std::string(name(order)) + " on\n" + testing::show(mdp);
+      const std::string where = ltl::print(f) + " by " + std::string(name(order)) + " on\n" + testing::show(mdp);
       if (!answer->route) {
         EXPECT_TRUE(std::isinf(expected.first)) << where;
         EXPECT_FALSE(some_lasso(mdp, f, 5)) << where;

@@ -28,8 +28,8 @@ struct Found {
 
 // Routes of at most so many choices whose word satisfies f for the first time at its end; choices that lead to one
 // place count once.
-void enumerate(const Mdp& mdp, ltl::Formula f, std::vector<std::uint32_t>& places,
-               std::vector<ltl::Letter>& word, double cost, std::size_t length, std::set<Found>& out) {
+void enumerate(const Mdp& mdp, ltl::Formula f, std::vector<std::uint32_t>& places, std::vector<ltl::Letter>& word,
+               double cost, std::size_t length, std::set<Found>& out) {
   if (ltl::holds(ltl::Trace(word), f)) {
     out.insert({cost, places});
     return;
@@ -75,8 +75,7 @@ TEST(LeastRoutes, AreTheFirstOfAllRoutes) {
   int several = 0;
   for (int i = 0; i < scaled(200); ++i) {
     ltl::Arena arena(testing::vocabulary_ab());
-    const ltl::Formula f =
-        ltl::next(ltl::random_formula(random, arena, {.size = 3 + random.below(7), .atoms = 2}));
+    const ltl::Formula f = ltl::next(ltl::random_formula(random, arena, {.size = 3 + random.below(7), .atoms = 2}));
     const Mdp mdp = labelled_places(random);
     const auto answer = least_routes(Product(mdp, TaskTable(automata::ltlf_to_dfa(f), mdp.letters())), most);
     ASSERT_TRUE(answer);

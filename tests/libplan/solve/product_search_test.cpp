@@ -20,8 +20,8 @@ namespace {
 using waymark::testing::scaled;
 
 // The least cost of a route of at most `length` choices whose word satisfies f by definition.
-double by_enumeration(const Mdp& mdp, ltl::Formula f, std::uint32_t at, std::vector<ltl::Letter>& word,
-                      double cost, std::size_t length) {
+double by_enumeration(const Mdp& mdp, ltl::Formula f, std::uint32_t at, std::vector<ltl::Letter>& word, double cost,
+                      std::size_t length) {
   double best = ltl::holds(ltl::Trace(word), f) ? cost : INFINITY;
   if (length == 0) return best;
   for (std::uint32_t k = 0; k < mdp.choices(at); ++k)
@@ -51,8 +51,7 @@ TEST(ProductSearch, LeastCostsAgreeWithEnumeration) {
       continue;
     }
     ++found;
-    EXPECT_TRUE(ltl::holds(word_of(mdp, *answer->route), f)) << ltl::print(f) << " on\n"
-                                                             << testing::show(mdp);
+    EXPECT_TRUE(ltl::holds(word_of(mdp, *answer->route), f)) << ltl::print(f) << " on\n" << testing::show(mdp);
     if (answer->route->choices.size() <= 8) {
       EXPECT_EQ(answer->route->cost, expected) << ltl::print(f) << " on\n" << testing::show(mdp);
     } else {

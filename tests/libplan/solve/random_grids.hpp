@@ -66,8 +66,7 @@ inline double tour_by_enumeration(const GridWorld& grid, bool closed) {
   std::vector<std::vector<std::uint32_t>> places(3);
   for (std::uint32_t s = 0; s < grid.states(); ++s)
     for (std::uint32_t p = 0; p < 3; ++p)
-      if (grid.letters()[grid.letter(s)].contains(ltl::Proposition{p}) &&
-          (s == grid.initial() || d[0][s] < INFINITY))
+      if (grid.letters()[grid.letter(s)].contains(ltl::Proposition{p}) && (s == grid.initial() || d[0][s] < INFINITY))
         places[p].push_back(s);
   double best = INFINITY;
   std::vector<std::size_t> order{0, 1, 2};
@@ -75,8 +74,7 @@ inline double tour_by_enumeration(const GridWorld& grid, bool closed) {
     for (std::uint32_t x : places[order[0]])
       for (std::uint32_t y : places[order[1]])
         for (std::uint32_t z : places[order[2]])
-          best =
-              std::min(best, closed ? d[x][y] + d[y][z] + d[z][x] : d[grid.initial()][x] + d[x][y] + d[y][z]);
+          best = std::min(best, closed ? d[x][y] + d[y][z] + d[z][x] : d[grid.initial()][x] + d[x][y] + d[y][z]);
   } while (std::next_permutation(order.begin(), order.end()));
   return best;
 }

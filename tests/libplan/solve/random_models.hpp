@@ -40,8 +40,7 @@ inline Mdp random_model(ltl::Random& random, const RandomModel& shape) {
     builder.add_state();
     const std::size_t choices = 1 + random.below(shape.most_choices);
     for (std::size_t k = 0; k < choices; ++k) {
-      builder.add_choice("c" + std::to_string(k),
-                         shape.unit_costs ? 1 : static_cast<double>(random.below(4)));
+      builder.add_choice("c" + std::to_string(k), shape.unit_costs ? 1 : static_cast<double>(random.below(4)));
       const double p = shape.deterministic ? 1 : 0.25 * static_cast<double>(1 + random.below(4));
       builder.add_outcome(static_cast<std::uint32_t>(random.below(shape.states)), letter(), p);
       if (p < 1) builder.add_outcome(static_cast<std::uint32_t>(random.below(shape.states)), letter(), 1 - p);
@@ -53,8 +52,7 @@ inline Mdp random_model(ltl::Random& random, const RandomModel& shape) {
 
 // "0: c0 → 0.25·1{a} …", to find a failing case again.
 inline std::string show(const Mdp& mdp) {
-  std::string out =
-      "starts with " + ltl::show(mdp.letters()[mdp.initial_letter()], mdp.letters().vocabulary()) + "\n";
+  std::string out = "starts with " + ltl::show(mdp.letters()[mdp.initial_letter()], mdp.letters().vocabulary()) + "\n";
   for (std::uint32_t s = 0; s < mdp.states(); ++s)
     for (std::uint32_t k = 0; k < mdp.choices(s); ++k) {
       out += std::to_string(s) + ": cost " + std::to_string(mdp.cost(s, k)) + " →";
@@ -93,8 +91,7 @@ class Plainly {
         for (std::uint32_t q = 0; q < dfa_.states(); ++q)
           if (!dfa_.is_accepting(automata::StateId{q})) x[at(s, q)] = discounted_step(s, q, last, discount);
     }
-    const bool done =
-        dfa_.is_accepting(automata::StateId{static_cast<std::uint32_t>(start() % dfa_.states())});
+    const bool done = dfa_.is_accepting(automata::StateId{static_cast<std::uint32_t>(start() % dfa_.states())});
     return done ? 1 : x[start()];
   }
 
@@ -132,8 +129,7 @@ class Plainly {
     if (dfa_.is_accepting(automata::StateId{q})) return q;  // the task is done
     ltl::Letter theirs;
     for (ltl::Proposition p : dfa_.reads())
-      if (mdp_.letters()[letter].contains(
-              mdp_.letters().vocabulary().find(dfa_.vocabulary().name(p)).value()))
+      if (mdp_.letters()[letter].contains(mdp_.letters().vocabulary().find(dfa_.vocabulary().name(p)).value()))
         theirs.insert(p);
     return dfa_.next(automata::StateId{q}, theirs).index;
   }
@@ -145,15 +141,14 @@ class Plainly {
     double out = best == Best::Greatest ? 0 : 1;
     for (std::uint32_t k = 0; k < mdp_.choices(s); ++k) {
       double sum = 0;
-      mdp_.for_each_outcome(
-          s, k, [&](std::uint32_t t, LetterId letter, double p) { sum += p * x[at(t, next(q, letter))]; });
+      mdp_.for_each_outcome(s, k,
+                            [&](std::uint32_t t, LetterId letter, double p) { sum += p * x[at(t, next(q, letter))]; });
       out = best == Best::Greatest ? std::max(out, sum) : std::min(out, sum);
     }
     return out;
   }
 
-  double discounted_step(std::uint32_t s, std::uint32_t q, const std::vector<double>& x,
-                         double discount) const {
+  double discounted_step(std::uint32_t s, std::uint32_t q, const std::vector<double>& x, double discount) const {
     double best = 0;
     for (std::uint32_t k = 0; k < mdp_.choices(s); ++k) {
       double sum = 0;

@@ -28,8 +28,7 @@ template <Measure measure, class AnyChain>
 Unknowns unknowns_of(const AnyChain& chain) {
   Unknowns out{{}, StateSet(chain.states(), false), {}};
   chain.for_each_state([&](const auto& s) { out.targets[s.index] = chain.is_goal(s); });
-  out.unknown =
-      measure == Measure::MinCost ? almost_surely(chain, out.targets) : can_reach(chain, out.targets);
+  out.unknown = measure == Measure::MinCost ? almost_surely(chain, out.targets) : can_reach(chain, out.targets);
   for (std::uint32_t i = 0; i < chain.states(); ++i)
     if (out.targets[i]) out.unknown[i] = false;
   return out;
@@ -81,9 +80,8 @@ std::size_t compare(const Product& product, const Strategy& strategy, const std:
   const Chain chain(product, strategy);
   const MarkovChain written(product, strategy);
   const Unknowns unknowns = unknowns_of<measure>(chain), same = unknowns_of<measure>(written);
-  const auto found = ValueIteration<Chain, measure>(chain, unknowns,
-                                                    {.tolerance = tolerance, .sweeps = sweeps, .on_grid = 0})
-                         .run();
+  const auto found =
+      ValueIteration<Chain, measure>(chain, unknowns, {.tolerance = tolerance, .sweeps = sweeps, .on_grid = 0}).run();
   const auto solved = ValueIteration<MarkovChain, measure>(
                           written, same, {.tolerance = tolerance, .policy_iteration = true, .sweeps = sweeps})
                           .run();
@@ -159,8 +157,7 @@ TEST(StrategyChain, KeepsTheBoundsOfEntries) {
     const StateSet some = entries(chain, unknowns.unknown, product.starts());
     const IterationOptions limits{.tolerance = tolerance, .sweeps = sweeps, .on_grid = 0};
     const auto all = ValueIteration<Chain, Measure::MaxProbability>(chain, unknowns, limits).run();
-    const auto found =
-        ValueIteration<Chain, Measure::MaxProbability>(chain, unknowns, limits, {.bounds = &some}).run();
+    const auto found = ValueIteration<Chain, Measure::MaxProbability>(chain, unknowns, limits, {.bounds = &some}).run();
     ASSERT_EQ(all.has_value(), found.has_value()) << what;
     if (!all) return;
     for (std::uint32_t i = 0; i < product.states(); ++i) {

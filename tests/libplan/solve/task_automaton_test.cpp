@@ -26,8 +26,7 @@ using Query = CaseTask::Query;
 
 // The formula's automata as files: nondeterministic with any marks, and deterministic parity.
 std::vector<std::string> files_of(ltl::Formula f) {
-  return {automata::write_hoa(automata::ltl_to_tgba(f)),
-          automata::write_hoa(automata::ltl_to_dpa(f).automaton())};
+  return {automata::write_hoa(automata::ltl_to_tgba(f)), automata::write_hoa(automata::ltl_to_dpa(f).automaton())};
 }
 
 void expect_same(const CaseAnswer& one, const CaseAnswer& other, const std::string& where) {
@@ -85,8 +84,7 @@ TEST(GivenAutomaton, FiniteWordsGoTheSameWay) {
     const ltl::Formula f = ltl::random_formula(random, arena, {.size = 3 + random.below(8), .atoms = 2});
     const PlanningCase model{
         "", testing::random_model(random, {.states = 4, .deterministic = random.below(2) == 0}), {}};
-    const CaseTask task{
-        .id = "", .formula = ltl::print(f), .logic = CaseTask::Logic::Ltlf, .query = Query::MinSteps};
+    const CaseTask task{.id = "", .formula = ltl::print(f), .logic = CaseTask::Logic::Ltlf, .query = Query::MinSteps};
     const GivenAutomaton given = read_given_automaton(automata::write_hoa(automata::ltlf_to_dfa(f)));
     expect_same(answer(model, task, CaseOptions{.explain = false}), answer(model, task, given),
                 ltl::print(f) + " on\n" + testing::show(std::get<Mdp>(model.model)));
@@ -99,10 +97,8 @@ TEST(GivenAutomaton, SaysWhatItCannotAnswer) {
   const PlanningCase model{"", testing::random_model(random, {.deterministic = true}), {}};
   const ltl::Formula f = ltl::eventually(arena.atom("a"));
   const GivenAutomaton infinite = automata::ltl_to_tgba(f), finite = automata::ltlf_to_dfa(f);
-  EXPECT_THROW(answer(model, {.id = "", .formula = "", .query = Query::MinSteps}, infinite),
-               std::invalid_argument);
-  EXPECT_THROW(answer(model, {.id = "", .formula = "", .query = Query::LeastLasso}, finite),
-               std::invalid_argument);
+  EXPECT_THROW(answer(model, {.id = "", .formula = "", .query = Query::MinSteps}, infinite), std::invalid_argument);
+  EXPECT_THROW(answer(model, {.id = "", .formula = "", .query = Query::LeastLasso}, finite), std::invalid_argument);
 }
 
 TEST(Discounted, AgreesWithPlainSweeps) {

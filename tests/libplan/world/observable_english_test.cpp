@@ -29,8 +29,7 @@ struct Row {
 
 TEST(ObservableEnglish, FormulasOfInstructionsAreReadBack) {
   const Row table[] = {
-      {"X(turned_left & X(moved & X(moved & F chair)))",
-       "turn left, then go forward 2 times, then go to the chair."},
+      {"X(turned_left & X(moved & X(moved & F chair)))", "turn left, then go forward 2 times, then go to the chair."},
       {"X(moved U (moved & chair & left_fish))",
        "go forward until you are at the chair and the fish painting is to your left."},
       {"F(blue & X((turned_left | turned_right) U ((turned_left | turned_right) & ahead_wall)))",

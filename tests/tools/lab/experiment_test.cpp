@@ -27,8 +27,7 @@ using waymark::testing::sanitized;
 // Some paragraphs of our own on the maps that come with waymark.
 void write_corpus(const fs::path& directory) {
   std::vector<waymark::plan::Map> maps;
-  for (const char* name : {"grid", "jelly", "l"})
-    maps.push_back(waymark::plan::read_map(name, WAYMARK_DATA_FOLDER));
+  for (const char* name : {"grid", "jelly", "l"}) maps.push_back(waymark::plan::read_map(name, WAYMARK_DATA_FOLDER));
   const auto corpus = waymark::parser::generate_corpus(
       maps, {.seed = 3, .paragraphs = sanitized ? 3 : 6, .sentences = sanitized ? 1 : 2});
   std::ofstream out(directory / "instructions.jsonl");
@@ -37,13 +36,9 @@ void write_corpus(const fs::path& directory) {
     for (const auto& sentence : paragraph.sentences) {
       JsonArray tokens, path;
       for (const auto& token : sentence.tokens) tokens.add(token);
-      for (const auto& pose : sentence.absolute)
-        path.add(JsonArray().add(pose.x).add(pose.y).add(pose.heading));
-      sentences.add(JsonObject()
-                        .add("id", sentence.id)
-                        .add("text", sentence.text)
-                        .add("tokens", tokens)
-                        .add("path", path));
+      for (const auto& pose : sentence.absolute) path.add(JsonArray().add(pose.x).add(pose.y).add(pose.heading));
+      sentences.add(
+          JsonObject().add("id", sentence.id).add("text", sentence.text).add("tokens", tokens).add("path", path));
     }
     out << JsonObject()
                .add("id", paragraph.id)
@@ -60,9 +55,8 @@ pid_t start(const fs::path& corpus, const fs::path& checkpoints, const fs::path&
   if (child != 0) return child;
   ::dup2(::open(output.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600), STDOUT_FILENO);
   ::dup2(::open("/dev/null", O_WRONLY), STDERR_FILENO);
-  ::execl(WAYMARK_EXECUTABLE, WAYMARK_EXECUTABLE, "experiment", "table4", "--corpus", corpus.c_str(),
-          "--checkpoints", checkpoints.c_str(), "--ensemble", "2", "--epochs", "1", "--convention",
-          "relative", "--json", nullptr);
+  ::execl(WAYMARK_EXECUTABLE, WAYMARK_EXECUTABLE, "experiment", "table4", "--corpus", corpus.c_str(), "--checkpoints",
+          checkpoints.c_str(), "--ensemble", "2", "--epochs", "1", "--convention", "relative", "--json", nullptr);
   ::_exit(127);
 }
 
@@ -73,9 +67,7 @@ int wait_for(pid_t child) {
 }
 
 std::size_t files_in(const fs::path& directory) {
-  return fs::exists(directory)
-             ? static_cast<std::size_t>(std::distance(fs::directory_iterator(directory), {}))
-             : 0;
+  return fs::exists(directory) ? static_cast<std::size_t>(std::distance(fs::directory_iterator(directory), {})) : 0;
 }
 
 std::string contents(const fs::path& file) {

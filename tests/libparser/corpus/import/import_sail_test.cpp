@@ -73,8 +73,7 @@ TEST_F(ImportSail, ReadsSetTraces) {
   EXPECT_EQ(kinds(corpus), "yard.settrc:11 goal-not-reached\n");
   const Corpus read = read_back(corpus);
   ASSERT_EQ(read.paragraphs.size(), 2U);
-  EXPECT_EQ(read.paragraphs[0].sentences[1].absolute,
-            (std::vector<plan::Pose>{{0, 0, 0}, {0, 0, 90}, {1, 0, 90}}));
+  EXPECT_EQ(read.paragraphs[0].sentences[1].absolute, (std::vector<plan::Pose>{{0, 0, 0}, {0, 0, 90}, {1, 0, 90}}));
   EXPECT_EQ(read.paragraphs[1].sentences[0].tokens, (std::vector<std::string>{"stay"}));
   EXPECT_EQ(read.maps[0].places(), 2);
 }

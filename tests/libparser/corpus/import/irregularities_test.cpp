@@ -8,8 +8,7 @@ namespace {
 
 // One sentence on the map of the fixture, in line 2; its text in line 3 and its path in line 4.
 std::string example(const std::string& text, const std::string& path, const std::string& id = "5-1") {
-  return "<example id=\"" + id +
-         "\" map=\"Yard\">\n<instruction filename=\"Cleaned-AB_Yard0_1_2_Dirs_1.txt\">" + text +
+  return "<example id=\"" + id + "\" map=\"Yard\">\n<instruction filename=\"Cleaned-AB_Yard0_1_2_Dirs_1.txt\">" + text +
          "</instruction>\n<path>" + path + "</path>\n</example>\n";
 }
 std::string examples(const std::string& inside) { return "<examples>\n" + inside + "</examples>\n"; }
@@ -68,8 +67,7 @@ TEST_F(Irregularities, TextsAreUtf8) {
   EXPECT_NE(complaint().find("SingleSentence.xml:3"), std::string::npos) << complaint();
   write("SingleSentence.xml", "<?xml version=\"1.0\" encoding=\"ISO-8859-1\"?>" + latin1);
   EXPECT_EQ(read_back(import_sail(folder_)).paragraphs.at(0).sentences.at(0).text, "café on");
-  for (const std::string fault :
-       {"\xC0\x80", "\xED\xA0\x80", "\xF4\x90\x80\x80", "\xE2\x82", "\x80", "\xFF\xFE"}) {
+  for (const std::string fault : {"\xC0\x80", "\xED\xA0\x80", "\xF4\x90\x80\x80", "\xE2\x82", "\x80", "\xFF\xFE"}) {
     write("SingleSentence.xml", examples(example("go " + fault, open_path)));
     EXPECT_NE(complaint().find("is not UTF-8"), std::string::npos) << complaint();
   }
@@ -118,8 +116,7 @@ TEST_F(Irregularities, OfTraces) {
 TEST_F(Irregularities, PropertiesAreKept) {
   write_traces("map=yard", "confidence=(4.5,0.5)\t\tmap=yard\txalt=(1,0,90)");
   const std::string line = import_sail(folder_).instructions;
-  EXPECT_NE(line.find("\"properties\":{\"confidence\":\"(4.5,0.5)\",\"xalt\":\"(1,0,90)\"}"),
-            std::string::npos)
+  EXPECT_NE(line.find("\"properties\":{\"confidence\":\"(4.5,0.5)\",\"xalt\":\"(1,0,90)\"}"), std::string::npos)
       << line;
   write_traces("x=2", "x=2\tx=1");
   EXPECT_NE(complaint().find("a.settrc:2"), std::string::npos) << complaint();

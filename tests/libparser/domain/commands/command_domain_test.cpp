@@ -31,11 +31,10 @@ class Folder {
 TEST(Commands, AreReadLineByLine) {
   const Folder folder;
   const auto all = read_commands(folder(
-      "c.jsonl",
-      R"({"id":"1","domain":"yard","type":"visit","n":1,"text":"see the oak","formula":"F oak","count":3,)"
-      R"("propositions":["oak"],"landmarks":{"oak":"the oak"}})"
-      "\n\n"
-      R"({"id":"2","domain":"yard","text":"x","formula":"a","suspect":"why","landmarks":{"a":null}})"));
+      "c.jsonl", R"({"id":"1","domain":"yard","type":"visit","n":1,"text":"see the oak","formula":"F oak","count":3,)"
+                 R"("propositions":["oak"],"landmarks":{"oak":"the oak"}})"
+                 "\n\n"
+                 R"({"id":"2","domain":"yard","text":"x","formula":"a","suspect":"why","landmarks":{"a":null}})"));
   ASSERT_EQ(all.size(), 2U);
   EXPECT_EQ(all[0].formula, "F oak");
   EXPECT_EQ(all[0].count, 3U);

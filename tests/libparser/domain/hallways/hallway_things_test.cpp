@@ -16,8 +16,7 @@ struct Hallway {
 
   std::string text(const std::string& said) const {
     std::string out;
-    for (const std::string& token : things.lift(tokenize(said)).text.tokens)
-      out += (out.empty() ? "" : " ") + token;
+    for (const std::string& token : things.lift(tokenize(said)).text.tokens) out += (out.empty() ? "" : " ") + token;
     return out;
   }
   // What a lifted formula denotes, with slots of what is said.
@@ -59,8 +58,7 @@ TEST(HallwayThings, OfAllMapsAreMentionedByTheirNames) {
       const LiftedMentions mentions = things.lift(thing.phrases.front());
       ASSERT_EQ(mentions.things.size(), 1U) << thing.name;
       EXPECT_EQ(things.things()[mentions.things.front()].name, thing.name);
-      EXPECT_TRUE(formula_of(parse_lifted("eventually #1"), things.bindings(arena, mentions.things, {})))
-          << thing.name;
+      EXPECT_TRUE(formula_of(parse_lifted("eventually #1"), things.bindings(arena, mentions.things, {}))) << thing.name;
     }
   }
 }

@@ -17,10 +17,9 @@ namespace {
 
 // Towns of invented names, and texts of a small grammar about routes drawn from the shortest ones.
 StreetCorpus invented(std::uint64_t seed, std::size_t texts) {
-  const std::vector<std::vector<std::string>> names{
-      {"Anvil", "Brook", "Castle", "Dairy", "Elm", "Forge", "Gate"},
-      {"Harbour", "Inn", "Jetty", "Kiln", "Lodge", "Mint", "Nook"},
-      {"Oven", "Pier", "Quarry", "Ruin", "Stable", "Tavern", "Utopia"}};
+  const std::vector<std::vector<std::string>> names{{"Anvil", "Brook", "Castle", "Dairy", "Elm", "Forge", "Gate"},
+                                                    {"Harbour", "Inn", "Jetty", "Kiln", "Lodge", "Mint", "Nook"},
+                                                    {"Oven", "Pier", "Quarry", "Ruin", "Stable", "Tavern", "Utopia"}};
   std::mt19937_64 random(seed);
   StreetCorpus corpus;
   for (const auto& town : names) {
@@ -82,8 +81,7 @@ TEST(Streets, AreReadTheSameByAnyNumberOfThreads) {
              three = evaluate_streets(corpus, corpus, false, 3, {});
   ASSERT_EQ(one.predictions.size(), three.predictions.size());
   for (std::size_t i = 0; i < one.predictions.size(); ++i) {
-    EXPECT_EQ(one.predictions[i].readings[0].route.landmarks,
-              three.predictions[i].readings[0].route.landmarks);
+    EXPECT_EQ(one.predictions[i].readings[0].route.landmarks, three.predictions[i].readings[0].route.landmarks);
     EXPECT_EQ(one.predictions[i].readings[0].probability, three.predictions[i].readings[0].probability);
   }
 }
@@ -159,19 +157,15 @@ TEST(StreetCorpus, LinesSayWhatIsWrongWithThem) {
     }
     return std::string("nothing");
   };
-  EXPECT_EQ(complaint(R"({"id": "1", "map": "town", "start": 0, "text": "to the bakery", "path": [0, 1]})"),
-            "nothing");
-  EXPECT_NE(
-      complaint(R"({"id": "1", "map": "city", "start": 0, "text": "", "path": [0]})").find("called 'city'"),
-      std::string::npos);
+  EXPECT_EQ(complaint(R"({"id": "1", "map": "town", "start": 0, "text": "to the bakery", "path": [0, 1]})"), "nothing");
+  EXPECT_NE(complaint(R"({"id": "1", "map": "city", "start": 0, "text": "", "path": [0]})").find("called 'city'"),
+            std::string::npos);
   EXPECT_NE(complaint(R"({"id": "1", "map": "town", "start": 4, "text": "", "path": [4]})").find("start"),
             std::string::npos);
-  EXPECT_NE(
-      complaint(R"({"id": "1", "map": "town", "start": 0, "text": "", "path": [0, 2]})").find("path[1]"),
-      std::string::npos);
-  EXPECT_NE(
-      complaint(R"({"id": "1", "map": "town", "start": 1, "text": "", "path": [0, 1]})").find("the start"),
-      std::string::npos);
+  EXPECT_NE(complaint(R"({"id": "1", "map": "town", "start": 0, "text": "", "path": [0, 2]})").find("path[1]"),
+            std::string::npos);
+  EXPECT_NE(complaint(R"({"id": "1", "map": "town", "start": 1, "text": "", "path": [0, 1]})").find("the start"),
+            std::string::npos);
   EXPECT_NE(complaint("[").find("town.jsonl:1"), std::string::npos);
 }
 

@@ -15,8 +15,7 @@ std::string show(const std::vector<Mention>& mentions) {
   std::string out;
   for (const Mention& mention : mentions) {
     out += "[";
-    for (const NameFit& fit : mention.fits)
-      out += (out.back() == '[' ? "" : "|") + map.landmarks[fit.landmark].name;
+    for (const NameFit& fit : mention.fits) out += (out.back() == '[' ? "" : "|") + map.landmarks[fit.landmark].name;
     out += "]";
   }
   return out;
@@ -70,8 +69,7 @@ std::vector<StreetRoute> sequences(const std::string& text, LandmarkIndex start)
   const auto tokens = parser::tokenize(text);
   const auto mentions = MentionFinder(map, common).find(tokens);
   std::vector<StreetRoute> out;
-  for (const Interpretation& reading :
-       readings(start, place(mentions, {start}), mention_cues(tokens, mentions)))
+  for (const Interpretation& reading : readings(start, place(mentions, {start}), mention_cues(tokens, mentions)))
     out.push_back(reading.landmarks);
   return out;
 }
@@ -82,9 +80,8 @@ TEST(Readings, FollowWhatIsSaidOfOrder) {
   };
   EXPECT_EQ(sequences("from the church go to the bakery then the well", church),
             (std::vector<StreetRoute>{{church, bakery, well}}));
-  EXPECT_EQ(
-      sequences("start at the bakery then the well", church),
-      (std::vector<StreetRoute>{{church, bakery, well}, {church, well}}));  // or: a neighbour of the start
+  EXPECT_EQ(sequences("start at the bakery then the well", church),
+            (std::vector<StreetRoute>{{church, bakery, well}, {church, well}}));  // or: a neighbour of the start
   const auto via = sequences("from the church go to the museum via the bakery and the old mill .", church);
   EXPECT_TRUE(has(via, {church, bakery, old_mill, museum}));
   EXPECT_TRUE(has(via, {church, museum, bakery, old_mill}));  // as it stands, too

@@ -67,8 +67,7 @@ TEST(StreetRoutes, AreTheShortestSimpleOnesInOrder) {
 TEST(StreetRoutes, AvoidWhatIsToBeAvoided) {
   const StreetMap map = town();
   std::vector<bool> avoided(map.landmarks.size(), false);
-  EXPECT_EQ(shortest_street_route(map, church, museum, avoided),
-            (StreetRoute{church, bakery, old_mill, museum}));
+  EXPECT_EQ(shortest_street_route(map, church, museum, avoided), (StreetRoute{church, bakery, old_mill, museum}));
   avoided[bakery] = true;
   EXPECT_EQ(shortest_street_route(map, church, museum, avoided),
             (StreetRoute{church, cafe, well, new_mill, old_mill, museum}));

@@ -44,8 +44,7 @@ TEST(StreetWalk, SaysWhatEveryMentionIs) {
        0,
        true},
       {{cafe, well, cafe, church, bakery},
-       {MentionRole::GoesOn, MentionRole::GoesOn, MentionRole::Behind, MentionRole::AtStart,
-        MentionRole::GoesOn},
+       {MentionRole::GoesOn, MentionRole::GoesOn, MentionRole::Behind, MentionRole::AtStart, MentionRole::GoesOn},
        0,
        true},
       {{cafe, new_mill, wall, bakery},
@@ -103,10 +102,9 @@ TEST(StreetWalk, CostsLeastOfAll) {
     const auto no_steps = std::count_if(walk.steps.begin(), walk.steps.end(), [](MentionRole s) {
       return s != MentionRole::Stays && s != MentionRole::GoesOn;
     });
-    EXPECT_NEAR(
-        walk.cost,
-        cost_no_step * static_cast<double>(no_steps) + cost_unreached * static_cast<double>(walk.unreached),
-        1e-9)
+    EXPECT_NEAR(walk.cost,
+                cost_no_step * static_cast<double>(no_steps) + cost_unreached * static_cast<double>(walk.unreached),
+                1e-9)
         << "round " << round;
   }
 }
