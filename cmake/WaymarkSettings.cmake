@@ -48,11 +48,16 @@ endfunction()
 option(WAYMARK_UNITY "Compile the sources of a room together, a few at a time" ON)
 
 # Precompiles the standard headers that nearly every file includes, and those in ARGN, once for all targets of a kind
-# (libraries, tools, tests), whose compiler options are the same. The first target of a kind provides them.
+# (libraries, tools, tests), whose compiler options are the same. The first target of a kind provides them. A program of
+# a position-independent build goes without, since -fPIE is another option than the -fPIC of the libraries.
 set(WAYMARK_STANDARD_HEADERS <algorithm> <array> <bit> <charconv> <cmath> <compare> <cstddef> <cstdint> <deque> <functional>
   <iterator> <limits> <map> <memory> <numeric> <optional> <queue> <set> <span> <sstream> <stdexcept> <stop_token> <string>
   <string_view> <tuple> <unordered_map> <unordered_set> <utility> <variant> <vector>)
 function(waymark_precompile kind target)
+  get_target_property(type ${target} TYPE)
+  if(CMAKE_POSITION_INDEPENDENT_CODE AND type STREQUAL EXECUTABLE)
+    return()
+  endif()
   get_property(provider GLOBAL PROPERTY WAYMARK_PRECOMPILED_${kind})
   if(provider)
     target_precompile_headers(${target} REUSE_FROM ${provider})
