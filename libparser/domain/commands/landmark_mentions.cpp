@@ -15,9 +15,10 @@ namespace {
 // What a matched word, a joint and a foreign word inside a phrase are worth, in units of a word that fits one
 // landmark alone.
 constexpr double by_name = 1, by_tag = 0.75, joint = -0.02, foreign = -0.9, each_mention = -0.55, whole_name = 0.9,
-                 in_order = 0.25, comma = -0.3,
+                 shared_name = 0.6, in_order = 0.25, comma = -0.3,
                  adjacent = -2.5,  // to the phrase before, or joined to it by "operated by"
-    misspelled = 0.8;
+    misspelled = 0.8,
+                 also_tag = 0.1;  // a lone word of a name that also says what the landmark is: "the library"
 constexpr std::size_t longest_phrase = 14, most_readings = 4;
 
 template <std::size_t n>
@@ -48,12 +49,27 @@ constexpr std::array<std::string_view, 10> general{"building", "place", "store",
 
 std::string root(std::string word) {
   word = singular(std::move(word));
-  static const std::map<std::string, std::string, std::less<>> same{
-      {"st", "street"}, {"ave", "avenue"},    {"blvd", "boulevard"},  {"dr", "drive"},
-      {"rd", "road"},   {"ctr", "center"},    {"centre", "center"},   {"theatre", "theater"},
-      {"@", "at"},      {"n", "north"},       {"s", "south"},         {"e", "east"},
-      {"w", "west"},    {"bldg", "building"}, {"univ", "university"}, {"eatery", "restaurant"},
-      {"pub", "bar"}};
+  static const std::map<std::string, std::string, std::less<>> same{{"st", "street"},
+                                                                    {"ave", "avenue"},
+                                                                    {"blvd", "boulevard"},
+                                                                    {"dr", "drive"},
+                                                                    {"rd", "road"},
+                                                                    {"ctr", "center"},
+                                                                    {"centre", "center"},
+                                                                    {"theatre", "theater"},
+                                                                    {"@", "at"},
+                                                                    {"&", "and"},
+                                                                    {"n", "north"},
+                                                                    {"s", "south"},
+                                                                    {"e", "east"},
+                                                                    {"w", "west"},
+                                                                    {"bldg", "building"},
+                                                                    {"univ", "university"},
+                                                                    {"eatery", "restaurant"},
+                                                                    {"pub", "bar"},
+                                                                    {"clothing", "clothe"},
+                                                                    {"supermarket", "grocery"},
+                                                                    {"drugstore", "pharmacy"}};
   const auto it = same.find(word);
   return it == same.end() ? word : it->second;
 }
@@ -70,6 +86,7 @@ std::vector<std::string> roots(const std::string& text) {
 struct Known {
   std::vector<std::set<std::string>> names;         // words of each of the names
   std::vector<std::vector<std::string>> sequences;  // the same in their order, with the joints
+  std::size_t own_names = 0;                        // the first of the sequences; the others name its brand or operator
   std::set<std::string> name_words, tag_words;
 };
 
@@ -80,7 +97,10 @@ class City {
       Known k;
       std::vector<std::string> names = l.other_names;
       names.insert(names.begin(), l.name);
-      for (const char* key : {"short_name", "alt_name", "official_name", "old_name", "brand", "name:en", "operator"})
+      for (const char* key : {"short_name", "alt_name", "official_name", "old_name", "name:en"})
+        if (const auto tag = l.tags.find(key); tag != l.tags.end()) names.push_back(tag->second);
+      k.own_names = names.size();
+      for (const char* key : {"brand", "operator"})
         if (const auto tag = l.tags.find(key); tag != l.tags.end()) names.push_back(tag->second);
       for (const std::string& name : names) {
         std::set<std::string> words;
@@ -113,7 +133,7 @@ class City {
   const Known& operator[](std::size_t i) const { return known_[i]; }
   // The word of a name that this one misspells.
   std::optional<std::string> meant(const std::string& word) const {
-    if (word.size() < 5 || holders_.contains(word)) return std::nullopt;
+    if (word.size() < 6 || holders_.contains(word) || is_among(command_words, word)) return std::nullopt;
     for (const auto& [other, _] : holders_)
       if (other.size() >= 5 && is_misspelled(word, other)) return other;
     return std::nullopt;
@@ -142,6 +162,11 @@ class Finder {
       words_.push_back(std::move(word));
       exact_.push_back(!is_misspelled);
     }
+    for (std::size_t i = 0; i + 1 < words_.size(); ++i)  // "tai pan" where a name has "taipan"
+      if (city.is_name_word(words_[i] + words_[i + 1])) {
+        words_[i] += words_[i + 1];
+        words_[i + 1] = words_[i];
+      }
   }
 
   double score(std::size_t begin, std::size_t end, std::size_t landmark) const {
@@ -159,7 +184,8 @@ class Finder {
       said.insert(word);
       const double verb = is_among(command_words, word) ? 0.1 : 1;
       if (in_name && !is_among(joints, word))
-        sum += sure * verb * by_name * (0.35 + 0.65 * city_.told_by(word));
+        sum += sure * verb *
+               (by_name * (0.35 + 0.65 * city_.told_by(word)) + (in_tags && end - begin == 1 ? also_tag : 0));
       else if (in_tags && !is_among(joints, word))
         sum += sure * verb * by_tag * (0.35 + 0.65 * city_.told_by(word));
       else if (word == ",")
@@ -169,10 +195,11 @@ class Finder {
       else
         sum += foreign;
     }
-    for (const auto& name : known.sequences)
-      if (std::equal(words_.begin() + static_cast<std::ptrdiff_t>(begin),
-                     words_.begin() + static_cast<std::ptrdiff_t>(end), name.begin(), name.end()))
-        return sum + whole_name + in_order * static_cast<double>(name.size());
+    const auto from = words_.begin() + static_cast<std::ptrdiff_t>(begin),
+               to = words_.begin() + static_cast<std::ptrdiff_t>(end);
+    for (std::size_t i = 0; i < known.sequences.size(); ++i)
+      if (const auto& name = known.sequences[i]; std::search(from, to, name.begin(), name.end()) != to)
+        return sum + (i < known.own_names ? whole_name : shared_name) + in_order * static_cast<double>(name.size());
     for (const auto& name : known.names)
       if (std::includes(said.begin(), said.end(), name.begin(), name.end())) return sum + whole_name;
     return sum;
