@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <string_view>
 
 #include "libltl/parallel.hpp"
 #include "libltl/structure/random.hpp"
@@ -38,6 +39,28 @@ std::vector<LiftedExample> upright(std::span<const LiftedExample> examples) {
   return out;
 }
 
+bool is_mark(const std::string& token) {
+  return token.size() == 1 && std::string_view(",.;:!?").find(token[0]) != std::string_view::npos;
+}
+
+// The same text without the commas after its slots; if it has none, with one after each slot that a word follows. A
+// comma before another slot separates the places of a list and stays.
+LiftedText with_other_commas(const LiftedText& text) {
+  const auto is_slot = [](const std::string& token) { return token.size() > 1 && token[0] == '#'; };
+  const std::vector<std::string>& tokens = text.tokens;
+  LiftedText without = text, with = text;
+  without.tokens.clear();
+  with.tokens.clear();
+  for (std::size_t i = 0; i < tokens.size(); ++i) {
+    const bool is_between = i > 0 && i + 1 < tokens.size() && is_slot(tokens[i - 1]) && !is_slot(tokens[i + 1]);
+    if (tokens[i] != "," || !is_between) without.tokens.push_back(tokens[i]);
+    with.tokens.push_back(tokens[i]);
+    const bool before_word = i + 1 < tokens.size() && !is_slot(tokens[i + 1]) && !is_mark(tokens[i + 1]);
+    if (is_slot(tokens[i]) && before_word) with.tokens.emplace_back(",");
+  }
+  return without.tokens.size() < tokens.size() ? without : with;
+}
+
 class Learner {
  public:
   Learner(std::vector<LiftedExample> examples, std::shared_ptr<const WordVectors> vectors,
@@ -50,6 +73,7 @@ class Learner {
     double total = 0;
     for (const LiftedExample& example : examples_) {
       sentences_.push_back(network_.sentence(example.text));
+      other_commas_.push_back(network_.sentence(with_other_commas(example.text)));
       total += example.weight;
       up_to_.push_back(total);
     }
@@ -103,7 +127,8 @@ class Learner {
 
   void learn(Shard& shard, std::span<const std::size_t> batch) const {
     std::vector<const LiftedNetwork::Sentence*> sentences;
-    for (const std::size_t i : batch) sentences.push_back(&sentences_[i]);
+    for (const std::size_t i : batch)
+      sentences.push_back(shard.random.chance(options_.other_commas) ? &other_commas_[i] : &sentences_[i]);
     shard.pass.encode(network_, shard.parameters, sentences,
                       {options_.dropout, options_.word_dropout, [&] { return shard.random.unit(); }});
     std::vector<LiftedNetwork::Prefix> prefixes;
@@ -135,7 +160,7 @@ class Learner {
   ltl::Random random_;
   LiftedNetwork network_;
   neural::Adam adam_;
-  std::vector<LiftedNetwork::Sentence> sentences_;
+  std::vector<LiftedNetwork::Sentence> sentences_, other_commas_;
   std::vector<double> up_to_;
   std::vector<Shard> shards_;
 };

@@ -20,6 +20,7 @@ struct LiftedTraining {
   int epochs = 5;
   std::size_t batch = 32;
   double rate = 3e-3, dropout = 0.2, word_dropout = 0.05, clip = 5;
+  double other_commas = 0.15;  // share of examples that are read with the commas after their slots changed
   std::size_t threads = 2;
 };
 
