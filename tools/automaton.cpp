@@ -111,7 +111,10 @@ Runner setup_automaton(Command command) {
   command.add_option("--limit-seconds", options->seconds, "give up on an automaton after so many seconds")
       .type_name("SECONDS")
       .not_negative();
-  return [options](const Session& session) { return run_automaton(*options, session); };
+  return [options](const Session& session) {
+    options->request.source = options->file;
+    return run_automaton(*options, session);
+  };
 }
 
 }  // namespace waymark::tools

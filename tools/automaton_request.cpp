@@ -48,10 +48,13 @@ std::optional<ltl::Lasso> word_left(const automata::Automaton& a, const automata
 }
 
 template <class Word>
-Reply answer(const char* yes, const char* no, const std::optional<Word>& word, const ltl::Vocabulary& vocabulary) {
+Reply answer(const char* yes, const std::string& no, const std::optional<Word>& word,
+             const ltl::Vocabulary& vocabulary) {
   if (!word) return {ExitCode::Done, std::string(yes) + '\n'};
-  return {ExitCode::No, std::string(no) + ltl::show(*word, vocabulary) + '\n'};
+  return {ExitCode::No, no + ltl::show(*word, vocabulary) + '\n'};
 }
+
+std::string only(const std::string& source) { return "only " + source_name(source) + " accepts "; }
 
 constexpr auto conjunction_of = [](bool p, bool q) { return p && q; };
 constexpr auto disjunction_of = [](bool p, bool q) { return p || q; };
@@ -66,11 +69,11 @@ Reply compare(const automata::Dfa& a, const automata::Dfa& b, const AutomatonReq
   if (!request.equivalent.empty()) {
     const auto found = automata::difference(a, b, budget);
     if (!found) return {ExitCode::Done, "equivalent\n"};
-    const char* which = found->first_accepts ? "only the first accepts " : "only the second accepts ";
-    return {ExitCode::No, which + ltl::show(found->word, found->vocabulary) + '\n'};
+    return {ExitCode::No, only(found->first_accepts ? request.source : request.equivalent) +
+                              ltl::show(found->word, found->vocabulary) + '\n'};
   }
   const automata::Dfa rest = automata::product(a, b, difference_of, budget);
-  return answer("included", "only the first accepts ", automata::shortest_word(rest), rest.vocabulary());
+  return answer("included", only(request.source), automata::shortest_word(rest), rest.vocabulary());
 }
 
 Reply compare(const automata::Automaton& a, const automata::Automaton& b, const AutomatonRequest& request,
@@ -78,9 +81,9 @@ Reply compare(const automata::Automaton& a, const automata::Automaton& b, const 
   ltl::Vocabulary vocabulary;
   const auto more = word_left(a, b, budget, vocabulary);
   if (more || request.equivalent.empty())
-    return answer(request.equivalent.empty() ? "included" : "equivalent", "only the first accepts ", more, vocabulary);
+    return answer(request.equivalent.empty() ? "included" : "equivalent", only(request.source), more, vocabulary);
   const auto less = word_left(b, a, budget, vocabulary);
-  return answer("equivalent", "only the second accepts ", less, vocabulary);
+  return answer("equivalent", only(request.equivalent), less, vocabulary);
 }
 
 // By components and simulation where marks are only asked for infinitely often; a deterministic automaton also as one

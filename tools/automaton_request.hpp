@@ -19,6 +19,7 @@ namespace waymark::tools {
 using AnyAutomaton = std::variant<automata::Dfa, automata::Automaton>;
 
 struct AutomatonRequest {
+  std::string source;                           // of the first automaton
   std::string product, either, difference;      // files: the other automaton
   std::string equivalent, included, satisfies;  // files, and a formula
   std::string kind;                             // of automaton to make: tgba, buchi, parity, ldba

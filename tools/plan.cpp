@@ -1,6 +1,9 @@
 // waymark plan: formula or automaton, and a map → a certified route of least cost.
+#include <algorithm>
+#include <cctype>
 #include <iostream>
 #include <memory>
+#include <string_view>
 
 #include "libautomata/hoa/finite.hpp"
 #include "libltl/diagnostic.hpp"
@@ -31,6 +34,24 @@ struct PlanCommandOptions {
 
 bool is_infinite(const PlanCommandOptions& options) { return options.semantics == "infinite"; }
 
+// Does a formula say what holds again and again (G F), or for ever from some time on (F G)? Over finite words, both
+// speak of the end alone.
+bool speaks_of_ever(ltl::Formula formula) {
+  const auto subformulas = ltl::subformulas(formula);
+  return std::any_of(subformulas.begin(), subformulas.end(), [](ltl::Formula f) {
+    return (is_always(f) && is_eventually(f[1])) || (is_eventually(f) && is_always(f[1]));
+  });
+}
+
+// A text of words alone that is no formula: most likely English.
+bool is_english(const std::string& text) {
+  const auto is_word = [](char c) {
+    return std::isalpha(static_cast<unsigned char>(c)) != 0 ||
+           std::string_view(" ',.").find(c) != std::string_view::npos;
+  };
+  return std::count(text.begin(), text.end(), ' ') >= 2 && std::all_of(text.begin(), text.end(), is_word);
+}
+
 class Planning {
  public:
   Planning(const PlanCommandOptions& options, const Session& session)
@@ -41,8 +62,12 @@ class Planning {
   ExitCode of_formula(const Text& text) {
     StopWatch watch;
     ltl::Arena arena(map_.vocabulary());
-    const ltl::Formula formula = parse_formula(text, arena, parse_options(options_.notation, ltl::Unknown::Reject));
+    const ltl::Formula formula = formula_of(text, arena);
     if (is_infinite(options_)) return plan_lasso(task(formula, nullptr), walk_options(), session_);
+    if (speaks_of_ever(formula) && !options_.json)
+      std::cerr
+          << "note: read over finite words, where G F and F G speak of the end of the route; --semantics infinite "
+             "plans for ever\n";
     const automata::Dfa dfa = translate(formula, session_.stop);
     if (options_.planning_case.top > 1)
       return plan_routes(task(formula, nullptr), dfa, walk_options(watch.lap()), session_);
@@ -61,6 +86,14 @@ class Planning {
   }
 
  private:
+  ltl::Formula formula_of(const Text& text, ltl::Arena& arena) const {
+    try {
+      return parse_formula(text, arena, parse_options(options_.notation, ltl::Unknown::Reject));
+    } catch (const ltl::SyntaxError&) {
+      if (is_english(text.text)) std::cerr << "note: waymark run and waymark ground read English\n";
+      throw;
+    }
+  }
   WalkTask task(std::optional<ltl::Formula> formula, const plan::GivenAutomaton* given) const {
     return {map_, starts_, formula, given};
   }
@@ -114,6 +147,8 @@ void check(const PlanCommandOptions& options) {
       throw UsageError("where actions may slip there is no route: a value is asked for by --query");
     return;
   }
+  if (map && !choice.query.empty())
+    throw UsageError("--query asks for a value where actions may fail: give --slip, --case or --model with it");
   if (map && !choice.strategy.empty()) throw UsageError("--strategy goes with --case and --model");
   if (map && choice.top > 1 && (is_infinite(options) || !options.svg.empty() || !options.hoa.empty()))
     throw UsageError("--top is for routes, without --svg, --hoa and --semantics infinite");
@@ -123,6 +158,8 @@ void check(const PlanCommandOptions& options) {
 
 ExitCode run_plan(const PlanCommandOptions& options, const Session& session) {
   check(options);
+  check_writable(options.svg);
+  check_writable(options.hoa);
   CaseChoice choice = options.planning_case;
   choice.json = options.json;
   choice.automaton = options.automaton;

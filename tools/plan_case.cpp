@@ -205,7 +205,8 @@ plan::CaseTask task_of(const Text& text, const CaseChoice& choice) {
   using Logic = plan::CaseTask::Logic;
   plan::CaseTask task{.id = text.source.empty() ? "formula" : "line " + std::to_string(text.line),
                       .formula = text.text};
-  task.query = choice.query == "pmax"         ? Query::MaxProbability
+  task.query = choice.query.empty()           ? Query::MaxProbability
+               : choice.query == "pmax"       ? Query::MaxProbability
                : choice.query == "pmin"       ? Query::MinProbability
                : choice.query == "rmin"       ? Query::MinCost
                : choice.query == "lasso"      ? Query::LeastLasso

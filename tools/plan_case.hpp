@@ -14,9 +14,9 @@ namespace waymark::tools {
 
 struct CaseChoice {
   std::string file, task, method = "best";
-  std::string model, query = "pmax", automaton;  // --model
-  std::string strategy;                          // a file for it; empty: none
-  std::string order = "prefix";                  // of lassos
+  std::string model, query, automaton;  // --model; no query: pmax
+  std::string strategy;                 // a file for it; empty: none
+  std::string order = "prefix";         // of lassos
   std::size_t top = 1;
   double discount = 0.9;
   double tolerance = 1e-6;

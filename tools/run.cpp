@@ -7,6 +7,8 @@
 #include <span>
 
 #include "libautomata/hoa/finite.hpp"
+#include "libltl/diagnostic.hpp"
+#include "libltl/text/parse.hpp"
 #include "libltl/text/print.hpp"
 #include "libparser/grounding/instruction.hpp"
 #include "libparser/grounding/understand.hpp"
@@ -39,6 +41,16 @@ struct RunOptions {
   bool json = false, demo = false;
 };
 
+// A text that is a formula with an operator, over propositions of the map.
+bool is_formula(const std::string& text, const ltl::Vocabulary& vocabulary) {
+  try {
+    ltl::Arena arena(vocabulary);
+    return !ltl::parse(text, arena, {.unknown = ltl::Unknown::Reject}).operands().empty();
+  } catch (const ltl::SyntaxError&) {
+    return false;
+  }
+}
+
 class Running {
  public:
   Running(const RunOptions& options, const Session& session)
@@ -52,6 +64,8 @@ class Running {
     const Place& place = place_of(said.map.value_or(options_.map.map));
     const auto starts = start_poses(said.start.value_or(options_.start), place.map);
     ltl::Arena arena(place.map.vocabulary());
+    if (is_formula(said.text, place.map.vocabulary()))
+      std::cerr << "note: read as English; waymark plan takes formulas\n";
     StopWatch watch;
     parser::Understanding understood = parser::understand(model_, said.text, place.executor, starts, arena,
                                                           {.least = options_.force ? 0 : parser::least_understood});

@@ -214,7 +214,10 @@ Formula instantiate(std::string_view name, std::span<const std::string> argument
     for (const std::string& text : arguments) formulas.push_back(parse(text, arena));
     return property(static_cast<Body>(i / 5), static_cast<Scope>(i % 5), formulas);
   }
-  const auto nearest = names.nearest(name);
+  const std::string unscoped = std::string(name) + "-globally";
+  const auto is_body =
+      std::any_of(properties.begin(), properties.end(), [&](const Pattern& p) { return p.name == unscoped; });
+  const auto nearest = is_body ? std::optional(unscoped) : names.nearest(name);
   throw std::invalid_argument("there is no pattern '" + std::string(name) + "'" +
                               (nearest ? " (did you mean '" + *nearest + "'?)" : ""));
 }
