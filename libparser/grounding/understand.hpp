@@ -20,7 +20,7 @@ struct Understanding {
   std::optional<MissingName> missing;  // of a text that was not understood
 };
 
-inline constexpr double least_understood = 0.62;
+inline constexpr double least_understood = 0.5;  // more likely understood than not
 
 struct UnderstandOptions {
   GroundOptions ground = {.one_an_end = true};

@@ -104,6 +104,12 @@ std::vector<CommandDomain::Lift> CommandDomain::lift(const std::string& text) co
       lifted.text.domain = network_domain_;
       out.push_back(std::move(lifted));
     }
+    const std::size_t named = out.size();  // each is also read as a command of no domain, whose kinds lifted ones lack
+    for (std::size_t i = 0; i < named; ++i) {
+      out[i].probability *= 0.5;
+      out.push_back(out[i]);
+      out.back().text.domain.clear();
+    }
     return out;
   }
   const std::vector<std::string> tokens = tokenize(text);
