@@ -131,6 +131,7 @@ void add_commands_request(Command command, CommandsRequest& request) {
   command.add_option("--command-predictions", request.predictions, "write what was answered, as JSON Lines")
       .type_name("FILE")
       .group(group);
+  command.add_flag("--doubted", request.training.how.doubted, "learn from commands whose labels may be doubted, too");
   command.add_flag("--clean", request.clean, "test no commands whose labels may be doubted");
 }
 
@@ -161,6 +162,7 @@ ExitCode evaluate_commands(const CommandsRequest& request, const Session&) {
       if (split.test.empty()) throw ltl::FormatError(fold, 0, 0, "names no row that could be tested");
       parser::CommandsExperiment how = request.training.how;
       how.network.seed = request.seed;
+      how.synonyms = read_synonyms(request.data);
       how.progress = [&](double done) { bar.show(done, "learning commands"); };
       const parser::LiftedReader reader = parser::train_commands(split, domains, grammar, vectors, how);
       bar.wipe();

@@ -5,6 +5,7 @@
 #include "libparser/corpus/corpus_file.hpp"
 #include "libparser/corpus/corpus_output.hpp"
 #include "libparser/domain/commands/command_examples.hpp"
+#include "libparser/domain/commands/learn_mentions.hpp"
 #include "libparser/language/generate.hpp"
 #include "libparser/model_file.hpp"
 #include "libparser/training/annotations.hpp"
@@ -26,6 +27,7 @@ struct TrainCommandOptions {
   TrainingOptions training;
   CommandTrainingOptions commands;
   std::string base;
+  std::vector<std::string> mentions;  // files of commands
   bool json = false;
 };
 
@@ -99,14 +101,23 @@ void report(const TrainCommandOptions& options, const parser::TrainOptions& trai
 std::shared_ptr<const parser::LiftedReader> learn_commands(const TrainCommandOptions& options, const TrainingData& data,
                                                            const parser::TrainOptions& train) {
   const auto vectors = read_vectors(options.data);
+  const auto synonyms = std::make_shared<const parser::Synonyms>(read_synonyms(options.data));
   std::vector<parser::LiftedExample> examples =
       parser::own_commands(read_grammar(options.data), *vectors, options.commands.how.own);
-  const auto routes = parser::route_instructions(data.corpus, data.maps, *vectors, 0.25);
+  const auto routes = parser::route_instructions(data.corpus, data.maps, *vectors, *synonyms, 0.25);
   examples.insert(examples.end(), routes.begin(), routes.end());
-  for (const std::string& file : options.commands.files) {
-    if (file == "own") continue;
-    parser::CommandDomains domains = domains_of(options.commands, file);
-    const auto labelled = parser::labelled_commands(parser::read_commands(file), domains, 0.3);
+  parser::MentionModel mentions{parser::mention_weights_by_hand(), synonyms};
+  std::vector<std::string> files = options.commands.files;
+  std::erase(files, "own");
+  std::vector<std::string> naming = files;
+  naming.insert(naming.end(), options.mentions.begin(), options.mentions.end());
+  std::optional<parser::CommandDomains> domains;
+  if (!naming.empty()) {
+    domains = domains_of(options.commands, naming.front());
+    mentions.weights = parser::learn_mentions(commands_of(naming, false), *domains, *synonyms).weights;
+  }
+  for (const std::string& file : files) {
+    const auto labelled = parser::labelled_commands(parser::read_commands(file), *domains, mentions, 0.3);
     examples.insert(examples.end(), labelled.examples.begin(), labelled.examples.end());
     if (labelled.left_out > 0)
       std::cerr << file << ": " << labelled.left_out
@@ -121,13 +132,15 @@ std::shared_ptr<const parser::LiftedReader> learn_commands(const TrainCommandOpt
       train.progress((static_cast<double>(i) + done) / static_cast<double>(n), "learning commands");
     }));
   }
-  return std::make_shared<const parser::LiftedReader>(vectors, std::move(networks));
+  return std::make_shared<const parser::LiftedReader>(vectors, std::move(networks), mentions);
 }
 
 ExitCode run_train(const TrainCommandOptions& options, const Session& session) {
   StopWatch watch;
   if (!options.corpus.empty() && !options.supervised.empty())
     throw UsageError("--corpus and --supervised: learning from trajectories, or from formulas?");
+  if (!options.mentions.empty() && options.commands.files.empty())
+    throw UsageError("--mentions needs --commands: the reader of commands is learned from them");
   check_writable(options.out);
   parser::TrainOptions train =
       options.training.settled(options.corpus.empty() ? parser::Dialect::Temporal : parser::Dialect::Plain);
@@ -159,6 +172,11 @@ Runner setup_train(Command command) {
                   "learn from lines 'sentence TAB formula' instead, over the vocabulary of the shipped maps")
       .type_name("FILE");
   add_command_training_options(command, options->commands);
+  command
+      .add_option("--mentions", options->mentions,
+                  "commands that tell which words name which landmark, and whose formulas are not learned")
+      .type_name("FILE")
+      .group("Commands");
   command.add_option("--base", options->base, "keep the reader of programs of this model, learn the commands alone")
       .type_name("FILE")
       .group("Commands");

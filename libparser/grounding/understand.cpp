@@ -129,7 +129,7 @@ Understanding understand(const Grounder& grounder, const std::string& text, cons
     return out;
   }
   const LiftedReader& reader = *grounder.commands;
-  const HallwayThings things(executor.map().vocabulary());
+  const HallwayThings things(executor.map().vocabulary(), reader.mentions().synonyms.get());
   const LiftedMentions lifted = things.lift(tokenize(text), &reader.vectors());
   const Bindings bindings = things.bindings(arena, lifted.things, place_number(executor.map(), starts));
   double route = 0, nothing = 0;

@@ -9,6 +9,7 @@ namespace waymark::parser {
 namespace {
 
 constexpr std::int32_t largest = 1024;  // size of a layer, while reading
+constexpr float largest_mention_weight = 50;
 
 std::array<std::int32_t*, 5> layers_of(LiftedSizes& s) { return {&s.word, &s.vector, &s.width, &s.query, &s.symbol}; }
 
@@ -20,8 +21,8 @@ std::shared_ptr<const WordVectors> LiftedReader::load_vectors(const std::filesys
 }
 
 LiftedReader::LiftedReader(std::shared_ptr<const WordVectors> vectors,
-                           std::vector<std::shared_ptr<const LiftedNetwork>> networks)
-    : vectors_(std::move(vectors)), networks_(std::move(networks)) {}
+                           std::vector<std::shared_ptr<const LiftedNetwork>> networks, MentionModel mentions)
+    : vectors_(std::move(vectors)), networks_(std::move(networks)), mentions_(std::move(mentions)) {}
 
 std::vector<LiftedReading> LiftedReader::read(const LiftedText& text, std::size_t beam) const {
   std::map<Lifted, double> votes;
@@ -56,6 +57,9 @@ void LiftedReader::write(WeightsWriter& out) const {
     for (const float v : values) halves.push_back(Eigen::half_impl::float_to_half_rtne(v).x);
     out.list(halves);
   }
+  out.list(std::vector<float>(mentions_.weights.begin(), mentions_.weights.end()));
+  const auto groups = mentions_.synonyms->groups();
+  out.strings(std::vector<std::string>(groups.begin(), groups.end()));
 }
 
 std::shared_ptr<const LiftedReader> LiftedReader::read_from(WeightsReader& in,
@@ -84,7 +88,14 @@ std::shared_ptr<const LiftedReader> LiftedReader::read_from(WeightsReader& in,
     }
     networks.push_back(std::make_shared<const LiftedNetwork>(std::move(network)));
   }
-  return std::make_shared<const LiftedReader>(std::move(vectors), std::move(networks));
+  const auto weights = in.list<float>();
+  if (weights.size() != mention_features) in.fail("another number of weights of mentions than there are features");
+  MentionModel mentions;
+  std::copy(weights.begin(), weights.end(), mentions.weights.begin());
+  if (!std::all_of(weights.begin(), weights.end(), [](float w) { return std::abs(w) <= largest_mention_weight; }))
+    in.fail("a weight of mentions that cannot be");
+  mentions.synonyms = std::make_shared<const Synonyms>(in.strings());
+  return std::make_shared<const LiftedReader>(std::move(vectors), std::move(networks), std::move(mentions));
 }
 
 }  // namespace waymark::parser

@@ -1,7 +1,7 @@
-// A reader of lifted texts: networks that vote, and the word vectors that they share.
+// A reader of lifted texts: networks that vote, the word vectors that they share, and what finds mentions of landmarks.
 //
-// p(lifted formula | text) is the mean over the networks. In a model file: the bytes of the word vectors once, then the
-// networks in 16-bit floats.
+// p(lifted formula | text) is the mean over the networks. In a model file: the bytes of the word vectors once, the
+// networks in 16-bit floats, the weights of mentions, and the groups of synonyms.
 #pragma once
 #include <memory>
 #include <span>
@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "libparser/lifted/lifted_network.hpp"
+#include "libparser/lifted/mention_weights.hpp"
 #include "libparser/model/weights_bytes.hpp"
 
 namespace waymark::parser {
@@ -18,13 +19,15 @@ class LiftedReader {
   // Throws ltl::FormatError when the file holds no word vectors.
   static std::shared_ptr<const WordVectors> load_vectors(const std::filesystem::path& file);
 
-  LiftedReader(std::shared_ptr<const WordVectors> vectors, std::vector<std::shared_ptr<const LiftedNetwork>> networks);
+  LiftedReader(std::shared_ptr<const WordVectors> vectors, std::vector<std::shared_ptr<const LiftedNetwork>> networks,
+               MentionModel mentions = {});
 
   // The likeliest lifted formulas, best first; probabilities of those found sum to 1 at most.
   std::vector<LiftedReading> read(const LiftedText& text, std::size_t beam = 12) const;
   // Whether a network has learned the word from texts; a word vector alone does not count.
   bool knows(const std::string& word) const;
   const WordVectors& vectors() const { return *vectors_; }
+  const MentionModel& mentions() const { return mentions_; }
   std::span<const std::shared_ptr<const LiftedNetwork>> networks() const { return networks_; }
 
   void write(WeightsWriter& out) const;
@@ -33,6 +36,7 @@ class LiftedReader {
  private:
   std::shared_ptr<const WordVectors> vectors_;
   std::vector<std::shared_ptr<const LiftedNetwork>> networks_;
+  MentionModel mentions_;
 };
 
 }  // namespace waymark::parser

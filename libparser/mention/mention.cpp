@@ -89,7 +89,8 @@ std::vector<Mention> find_mentions(const std::vector<std::string>& tokens, const
   return Finder(tokens, things, words).all();
 }
 
-LiftedMentions lift(const std::vector<std::string>& tokens, const std::vector<Mention>& mentions, Articles articles) {
+LiftedMentions lift(const std::vector<std::string>& tokens, const std::vector<Mention>& mentions, Articles articles,
+                    Names names) {
   LiftedMentions out;
   auto next = mentions.begin();
   for (std::size_t at = 0; at < tokens.size();) {
@@ -104,6 +105,9 @@ LiftedMentions lift(const std::vector<std::string>& tokens, const std::vector<Me
       slot_at = out.things.insert(out.things.end(), next->thing);
     if (slot_at != out.things.end())
       out.text.tokens.push_back(name(slot(static_cast<std::size_t>(slot_at - out.things.begin()) + 1)));
+    if (names == Names::Stay)
+      out.text.tokens.insert(out.text.tokens.end(), tokens.begin() + static_cast<std::ptrdiff_t>(at),
+                             tokens.begin() + static_cast<std::ptrdiff_t>(next->end));
     at = next++->end;
   }
   out.text.scope.slots = out.things.size();

@@ -30,10 +30,11 @@ struct LiftedMentions {
   LiftedText text;
   std::vector<std::size_t> things;  // of slot 1, 2 …
 };
-// Mentions become slots; articles before them go, unless they stay.
+// Mentions become slots; articles before them go, unless they stay. Names that stay follow their slots.
 enum class Articles : std::uint8_t { Go, Stay };
+enum class Names : std::uint8_t { Go, Stay };
 LiftedMentions lift(const std::vector<std::string>& tokens, const std::vector<Mention>& mentions,
-                    Articles articles = Articles::Go);
+                    Articles articles = Articles::Go, Names names = Names::Go);
 
 // One letter wrong, missing or added, or two neighbours exchanged.
 bool is_misspelled(std::string_view word, std::string_view meant);

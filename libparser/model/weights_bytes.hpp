@@ -20,7 +20,7 @@ namespace waymark::parser {
 
 // What a model file says of itself first.
 struct ModelHeader {
-  static constexpr std::uint32_t version = 14;
+  static constexpr std::uint32_t version = 15;
   std::uint16_t kind = 0;  // `file_kind` of the word model
   Dialect dialect = Dialect::Plain;
 };

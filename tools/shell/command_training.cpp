@@ -1,8 +1,10 @@
 #include "tools/shell/command_training.hpp"
 
 #include <filesystem>
+#include <sstream>
 
 #include "tools/shell/data_directory.hpp"
+#include "tools/shell/input.hpp"
 
 namespace waymark::tools {
 
@@ -57,6 +59,13 @@ std::vector<parser::Command> commands_of(const std::vector<std::string>& files, 
 
 std::shared_ptr<const parser::WordVectors> read_vectors(const std::string& data) {
   return parser::LiftedReader::load_vectors(data_directory(data) / "words" / "words.waymark");
+}
+std::vector<std::string> read_synonyms(const std::string& data) {
+  std::istringstream lines(read_file((data_directory(data) / "words" / "synonyms.txt").string()));
+  std::vector<std::string> groups;
+  for (std::string line; std::getline(lines, line);)
+    if (!line.empty()) groups.push_back(line);
+  return groups;
 }
 parser::SynchronousGrammar read_grammar(const std::string& data) {
   return parser::SynchronousGrammar(data_directory(data) / "language" / "commands.grammar");

@@ -20,8 +20,9 @@ parser::CommandDomains domains_of(const CommandTrainingOptions& options, const s
 // Of all files but "own". Throws ltl::FormatError naming the line.
 std::vector<parser::Command> commands_of(const std::vector<std::string>& files, bool clean);
 
-// Word vectors and grammar of the data directory.
+// Word vectors, synonyms and grammar of the data directory.
 std::shared_ptr<const parser::WordVectors> read_vectors(const std::string& data);
+std::vector<std::string> read_synonyms(const std::string& data);  // groups
 parser::SynchronousGrammar read_grammar(const std::string& data);
 
 }  // namespace waymark::tools

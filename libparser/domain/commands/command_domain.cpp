@@ -87,20 +87,26 @@ CommandDomain CommandDomain::small(std::string name, const std::vector<std::stri
   return domain;
 }
 
-CommandDomain CommandDomain::city(std::string name, std::vector<Landmark> landmarks) {
+CommandDomain CommandDomain::city(std::string name, const std::vector<Landmark>& landmarks) {
   CommandDomain domain;
   domain.network_domain_ = "lifted";  // the same commands, with landmarks for letters
   domain.name_ = std::move(name);
-  domain.landmarks_ = std::move(landmarks);
+  for (const Landmark& landmark : landmarks) domain.landmarks_.push_back(landmark.proposition);
+  domain.city_ = std::make_shared<const CityWords>(landmarks);
   return domain;
 }
 
-std::vector<CommandDomain::Lift> CommandDomain::lift(const std::string& text) const {
-  if (!landmarks_.empty()) {
+std::optional<std::size_t> CommandDomain::landmark(const std::string& proposition) const {
+  const auto it = std::find(landmarks_.begin(), landmarks_.end(), proposition);
+  return it == landmarks_.end() ? std::nullopt : std::optional(static_cast<std::size_t>(it - landmarks_.begin()));
+}
+
+std::vector<CommandDomain::Lift> CommandDomain::lift(const std::string& text, const MentionModel& model) const {
+  if (city_) {
     std::vector<Lift> out;
-    for (LandmarkLift& l : lift_landmarks(text, landmarks_)) {
+    for (LandmarkLift& l : lift_landmarks(text, *city_, model)) {
       Lift lifted{std::move(l.text), {}, l.probability};
-      for (const std::size_t landmark : l.slots) lifted.slots.push_back(landmarks_[landmark].proposition);
+      for (const std::size_t landmark : l.slots) lifted.slots.push_back(landmarks_[landmark]);
       lifted.text.domain = network_domain_;
       out.push_back(std::move(lifted));
     }
@@ -131,7 +137,8 @@ std::vector<CommandDomain::Lift> CommandDomain::lift(const std::string& text) co
     out.text = std::move(lifted.text);
     for (const std::size_t t : lifted.things) out.slots.push_back(things[t].name);
   } else {
-    LiftedMentions lifted = parser::lift(tokens, find_mentions(tokens, things_));
+    // A constant may be told by a name that is said: "push the chair into the blue room".
+    LiftedMentions lifted = parser::lift(tokens, find_mentions(tokens, things_), Articles::Go, Names::Stay);
     out.text = std::move(lifted.text);
     for (const std::size_t t : lifted.things) out.slots.push_back(things_[t].name);
   }
@@ -187,8 +194,8 @@ const CommandDomain& CommandDomains::of(const std::string& name) {
   const auto colon = name.find(':');
   if (colon == std::string::npos || name.find('/') != std::string::npos)
     throw ltl::FormatError("", 0, 0, "no domain is called '" + name + "'");
-  auto landmarks = read_landmarks(maps_ / (name.substr(colon + 1) + ".json"));
-  return domains_.emplace(name, CommandDomain::city(name, std::move(landmarks))).first->second;
+  const auto landmarks = read_landmarks(maps_ / (name.substr(colon + 1) + ".json"));
+  return domains_.emplace(name, CommandDomain::city(name, landmarks)).first->second;
 }
 
 }  // namespace waymark::parser

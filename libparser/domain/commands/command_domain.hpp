@@ -12,9 +12,10 @@
 #include <string>
 #include <vector>
 
+#include "libparser/domain/commands/city_words.hpp"
 #include "libparser/domain/commands/command.hpp"
-#include "libparser/domain/commands/landmark.hpp"
 #include "libparser/lifted/lifted_formula.hpp"
+#include "libparser/lifted/mention_weights.hpp"
 #include "libparser/mention/mention.hpp"
 
 namespace waymark::parser {
@@ -26,15 +27,18 @@ class CommandDomain {
   // A text with its propositions in it: `names` are those that may occur; none: any word of one letter, or x1, x2 …
   static CommandDomain with_letters(std::string name, std::vector<std::string> names = {});
   static CommandDomain small(std::string name, const std::vector<std::string>& propositions);
-  static CommandDomain city(std::string name, std::vector<Landmark> landmarks);
+  static CommandDomain city(std::string name, const std::vector<Landmark>& landmarks);
 
   struct Lift {
     LiftedText text;
     std::vector<std::string> slots;  // propositions of slot 1, 2 …
     double probability = 1;          // that the words name just these
   };
-  // The readings of the mentions, likeliest first; one at least.
-  std::vector<Lift> lift(const std::string& text) const;
+  // The readings of the mentions, likeliest first; one at least. `model` finds landmarks.
+  std::vector<Lift> lift(const std::string& text, const MentionModel& model = {}) const;
+
+  const CityWords* city_words() const { return city_.get(); }  // null where no landmarks are
+  std::optional<std::size_t> landmark(const std::string& proposition) const;
 
   const std::string& name() const { return name_; }
   const std::vector<std::string>& constants() const { return constants_; }
@@ -47,7 +51,8 @@ class CommandDomain {
   bool letters_ = false;
   std::vector<std::string> propositions_, constants_;  // of things_; sorted
   std::vector<NamedThing> things_;
-  std::vector<Landmark> landmarks_;
+  std::vector<std::string> landmarks_;  // their propositions
+  std::shared_ptr<const CityWords> city_;
 };
 
 // All domains of a file domains.json, and cities of a directory of maps, read when they are first asked for.

@@ -102,12 +102,13 @@ std::vector<LiftedExample> own_commands(const SynchronousGrammar& grammar, const
   return Speaking(grammar, vectors, options).all();
 }
 
-LabelledCommands labelled_commands(std::span<const Command> commands, CommandDomains& domains, double unnamed) {
+LabelledCommands labelled_commands(std::span<const Command> commands, CommandDomains& domains,
+                                   const MentionModel& mentions, double unnamed, bool doubted) {
   LabelledCommands out;
   for (const Command& command : commands) {
-    if (command.suspect) continue;
+    if (command.suspect && !doubted) continue;
     const CommandDomain& domain = domains.of(command.domain);
-    const auto lift = domain.lift(command.text).front();
+    const auto lift = domain.lift(command.text, mentions).front();
     const auto label = domain.label(lift, command.formula);
     if (!label || !is_spelled_in_scope(*label, lift.text.scope)) {
       ++out.left_out;
@@ -124,10 +125,10 @@ LabelledCommands labelled_commands(std::span<const Command> commands, CommandDom
 }
 
 std::vector<LiftedExample> route_instructions(const Corpus& corpus, std::span<const plan::Map> maps,
-                                              const WordVectors& vectors, double weight) {
+                                              const WordVectors& vectors, const Synonyms& synonyms, double weight) {
   std::vector<LiftedExample> out;
   std::vector<HallwayThings> things;
-  for (const plan::Map& map : maps) things.emplace_back(map.vocabulary());
+  for (const plan::Map& map : maps) things.emplace_back(map.vocabulary(), &synonyms);
   const auto add = [&](std::size_t map, const std::vector<std::string>& tokens) {
     if (tokens.empty() || tokens.size() > 60) return;
     out.push_back({things[map].lift(tokens, &vectors).text, {LiftedSymbol::Route}, weight});

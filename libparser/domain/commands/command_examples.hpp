@@ -24,16 +24,17 @@ struct OwnCommands {
 std::vector<LiftedExample> own_commands(const SynchronousGrammar& grammar, const WordVectors& vectors,
                                         const OwnCommands& options);
 
-// People's commands with their labels, those without doubts. A row is learned from with its domain named and, by
+// People's commands with their labels; those that may be doubted only if `doubted`. A row is learned from with its domain named and, by
 // `unnamed`, as one of no domain. Rows whose label does not go with the text's mentions are left out and counted.
 struct LabelledCommands {
   std::vector<LiftedExample> examples;
   std::size_t left_out = 0;
 };
-LabelledCommands labelled_commands(std::span<const Command> commands, CommandDomains& domains, double unnamed);
+LabelledCommands labelled_commands(std::span<const Command> commands, CommandDomains& domains,
+                                   const MentionModel& mentions, double unnamed, bool doubted = false);
 
 // Sentences and paragraphs of a corpus, as texts that the reader of programs reads.
 std::vector<LiftedExample> route_instructions(const Corpus& corpus, std::span<const plan::Map> maps,
-                                              const WordVectors& vectors, double weight);
+                                              const WordVectors& vectors, const Synonyms& synonyms, double weight);
 
 }  // namespace waymark::parser

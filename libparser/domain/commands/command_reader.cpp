@@ -38,7 +38,7 @@ void sort(std::vector<CommandReading>& all) {
 CommandReadings read_command(const LiftedReader& reader, const CommandDomain& domain, const std::string& text,
                              ltl::Arena& arena, const ReadCommandOptions& options) {
   CommandReadings out;
-  for (CommandDomain::Lift lift : domain.lift(text)) {
+  for (CommandDomain::Lift lift : domain.lift(text, reader.mentions())) {
     if (!options.names_domain) lift.text.domain.clear();
     const Bindings bindings = domain.bindings(arena, lift.slots);
     for (const LiftedReading& r : reader.read(lift.text, options.beam))

@@ -7,6 +7,7 @@
 #include "libltl/parallel.hpp"
 #include "libltl/text/parse.hpp"
 #include "libltl/text/print.hpp"
+#include "libparser/domain/commands/learn_mentions.hpp"
 
 namespace waymark::parser {
 namespace {
@@ -91,7 +92,9 @@ CommandSplit split_commands(std::vector<Command> commands, std::vector<Command> 
 LiftedReader train_commands(const CommandSplit& split, CommandDomains& domains, const SynchronousGrammar& grammar,
                             const std::shared_ptr<const WordVectors>& vectors, const CommandsExperiment& how) {
   std::vector<LiftedExample> examples = own_commands(grammar, *vectors, how.own);
-  const auto labelled = labelled_commands(split.training, domains, split.new_kinds ? 1 : 0);
+  const auto synonyms = std::make_shared<const Synonyms>(how.synonyms);
+  const MentionModel mentions{learn_mentions(split.training, domains, *synonyms).weights, synonyms};
+  const auto labelled = labelled_commands(split.training, domains, mentions, split.new_kinds ? 1 : 0, how.doubted);
   examples.insert(examples.end(), labelled.examples.begin(), labelled.examples.end());
   std::vector<std::shared_ptr<const LiftedNetwork>> networks;
   for (std::size_t i = 0; i < how.networks; ++i) {
@@ -101,7 +104,7 @@ LiftedReader train_commands(const CommandSplit& split, CommandDomains& domains, 
       if (how.progress) how.progress((static_cast<double>(i) + done) / static_cast<double>(how.networks));
     }));
   }
-  return {vectors, std::move(networks)};
+  return {vectors, std::move(networks), mentions};
 }
 
 }  // namespace waymark::parser

@@ -59,6 +59,8 @@ CommandSplit split_commands(std::vector<Command> commands, std::vector<Command> 
                             const std::set<std::string>& fold);
 
 struct CommandsExperiment {
+  std::vector<std::string> synonyms;  // groups
+  bool doubted = false;               // learn from labels that may be doubted too
   OwnCommands own;
   LiftedTraining network;
   std::size_t networks = 3;

@@ -1,12 +1,10 @@
 // Which words of a command name which landmark of a city: by names, parts and misspellings of names, and by tags.
-//
-// A phrase is worth what its words tell: a word that fits few landmarks of the map tells more (inverse frequency).
-// The best set of phrases that do not overlap is found by dynamic programming over the tokens.
 #pragma once
 #include <string>
 #include <vector>
 
-#include "libparser/domain/commands/landmark.hpp"
+#include "libparser/domain/commands/city_words.hpp"
+#include "libparser/lifted/mention_weights.hpp"
 #include "libparser/mention/mention.hpp"
 
 namespace waymark::parser {
@@ -17,7 +15,11 @@ struct LandmarkLift {
   double probability = 1;          // that the words name just these
 };
 
-// The readings of the mentions, likeliest first; one at least.
-std::vector<LandmarkLift> lift_landmarks(const std::string& text, const std::vector<Landmark>& landmarks);
+// The readings of the mentions, likeliest first; one at least. Covers that name the same landmarks in the same order are
+// one reading.
+std::vector<LandmarkLift> lift_landmarks(const std::string& text, const CityWords& city, const MentionModel& model);
+
+// The tokens of a text in which landmarks are looked for: "-" and "/" separate words.
+std::vector<std::string> landmark_tokens(const std::string& text);
 
 }  // namespace waymark::parser

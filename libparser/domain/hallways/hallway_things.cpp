@@ -31,6 +31,12 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 20> more_nam
      {"lamp", "light bulb"},   {"barstool", "bar chair"},   {"barstool", "high stool"}, {"easel", "art stand"},
      {"easel", "paint stand"}, {"easel", "painting stand"}, {"easel", "canvas stand"},  {"chair", "arm chair"}}};
 
+std::string joined(const std::vector<std::string>& words) {
+  std::string out;
+  for (const std::string& word : words) out += (out.empty() ? "" : " ") + word;
+  return out;
+}
+
 NamedThing named(const plan::Observable& observable) {
   NamedThing thing{observable.name, {}};
   if (observable.kind == Kind::PlaceNumber) {
@@ -129,7 +135,7 @@ std::vector<std::string> with_places(std::vector<std::string> tokens) {
 
 }  // namespace
 
-HallwayThings::HallwayThings(const ltl::Vocabulary& vocabulary) {
+HallwayThings::HallwayThings(const ltl::Vocabulary& vocabulary, const Synonyms* synonyms) {
   for (const plan::Observable& observable : plan::observables_of(vocabulary)) {
     if (observable.kind == Kind::Event || observable.name == "open" || observable.name == "corridor") continue;
     const bool known =
@@ -137,6 +143,25 @@ HallwayThings::HallwayThings(const ltl::Vocabulary& vocabulary) {
     if (known) continue;
     things_.push_back(named(observable));
     kinds_.push_back(observable.kind);
+  }
+  if (synonyms) add(*synonyms);
+}
+
+// Names come first: a synonym of one thing that another is called names the other.
+void HallwayThings::add(const Synonyms& synonyms) {
+  const auto is_name = [&](const std::vector<std::string>& phrase) {
+    return std::any_of(things_.begin(), things_.end(), [&](const NamedThing& t) {
+      return std::find(t.phrases.begin(), t.phrases.end(), phrase) != t.phrases.end();
+    });
+  };
+  for (std::size_t t = 0; t < things_.size(); ++t) {
+    if (kinds_[t] != Kind::Object && kinds_[t] != Kind::Floor) continue;
+    const std::string name = joined(things_[t].phrases.front());
+    for (const std::string& other : synonyms.of(name)) {
+      std::vector<std::string> phrase = words_of(other);
+      if (!is_name(phrase) && !(phrase.size() == 1 && is_among(surfaces, phrase.front())))
+        things_[t].phrases.push_back(std::move(phrase));
+    }
   }
 }
 

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "libparser/lexicon/synonyms.hpp"
 #include "libparser/lifted/lifted_formula.hpp"
 #include "libparser/mention/mention.hpp"
 #include "libplan/world/map.hpp"
@@ -14,7 +15,8 @@ namespace waymark::parser {
 
 class HallwayThings {
  public:
-  explicit HallwayThings(const ltl::Vocabulary& vocabulary);
+  // Furniture and floors are also called by their synonyms.
+  explicit HallwayThings(const ltl::Vocabulary& vocabulary, const Synonyms* synonyms = nullptr);
 
   const std::vector<NamedThing>& things() const { return things_; }
   // Slots for what is mentioned; "the hall with the blue floor" is one mention.
@@ -23,6 +25,7 @@ class HallwayThings {
   Bindings bindings(ltl::Arena& arena, std::vector<std::size_t> slots, std::optional<std::size_t> start) const;
 
  private:
+  void add(const Synonyms& synonyms);
   std::optional<ltl::Formula> literal(ltl::Arena& arena, LiftedSymbol direction, std::size_t thing) const;
 
   std::vector<NamedThing> things_;

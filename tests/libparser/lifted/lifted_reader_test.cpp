@@ -195,13 +195,16 @@ TEST(LiftedReaderFile, EveryCutAndEveryFlippedBitIsNoticed) {
 
 // What no writer writes, under a checksum that fits.
 TEST(LiftedReaderFile, NetworksThatCannotBeAreRefused) {
-  const auto message = [](std::uint64_t networks, std::uint64_t layer, std::size_t weights, std::uint16_t weight) {
+  const auto message = [](std::uint64_t networks, std::uint64_t layer, std::size_t weights, std::uint16_t weight,
+                          std::size_t mentions = mention_features, float mention = 1) {
     WeightsWriter out({.kind = LinearModel::file_kind});
     out.list(bytes_of_vectors({"go", "to"}));
     out.number(networks);
     out.strings(WordTable().words());
     for (int i = 0; i < 5; ++i) out.number(layer);
     out.list(std::vector<std::uint16_t>(weights, weight));
+    out.list(std::vector<float>(mentions, mention));
+    out.strings(std::vector<std::string>{});
     const auto file = std::make_shared<const MappedFile>(std::string_view(out.finish()));
     WeightsReader in(file, "a.waymark");
     try {
@@ -219,6 +222,9 @@ TEST(LiftedReaderFile, NetworksThatCannotBeAreRefused) {
   EXPECT_NE(message(1, 0, size, 0).find("no possible size"), std::string::npos);
   EXPECT_NE(message(1, 1025, size, 0).find("no possible size"), std::string::npos);
   EXPECT_NE(message(1, 1, size + 1, 0).find("another size"), std::string::npos);
+  EXPECT_NE(message(1, 1, size, 0, mention_features - 1).find("another number of weights"), std::string::npos);
+  EXPECT_NE(message(1, 1, size, 0, mention_features, 1e9F).find("cannot be"), std::string::npos);
+  EXPECT_NE(message(1, 1, size, 0, mention_features, NAN).find("cannot be"), std::string::npos);
   EXPECT_NE(message(1, 1, size, 0x7C00).find("no finite number"), std::string::npos);
 }
 

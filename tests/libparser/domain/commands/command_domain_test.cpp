@@ -78,6 +78,13 @@ TEST(CommandDomains, AreFoundByNameAndCitiesByTheirMaps) {
   EXPECT_THROW(CommandDomains(folder("d.json", R"({"yard":{}})"), folder.path()), ltl::FormatError);
 }
 
+TEST(CommandDomains, ASlotOfASmallDomainIsFollowedByItsName) {
+  const CommandDomain rooms = CommandDomain::small("rooms", {"blue_room", "green_room", "chair_in_blue_room"});
+  const auto lift = rooms.lift("push the chair into the blue room").front();
+  EXPECT_EQ(lift.text.tokens, (std::vector<std::string>{"push", "the", "chair", "into", "#1", "blue", "room"}));
+  EXPECT_EQ(lift.slots, (std::vector<std::string>{"blue_room"}));
+}
+
 TEST(CommandDomains, LabelsAreSpelledOverTheSlotsOfTheText) {
   const CommandDomain letters = CommandDomain::with_letters("lifted");
   const auto lift = letters.lift("go to b and after that to a").front();

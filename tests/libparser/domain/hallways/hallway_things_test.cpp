@@ -34,6 +34,17 @@ TEST(HallwayThings, AreMentionedByNamesAndKindsOfPlaces) {
   EXPECT_TRUE(hall.things.lift({"chair"}).text.scope.spatial);
 }
 
+TEST(HallwayThings, AreCalledBySynonymsThatNameNothingElse) {
+  const plan::Map map = plan::read_map("grid", WAYMARK_SOURCE_DIR "/data");
+  const Synonyms synonyms({"lamp, torchere", "chair, lamp, seat", "hall, blue"});
+  const HallwayThings things(map.vocabulary(), &synonyms);
+  const auto text = [&](const char* said) { return things.lift(tokenize(said)); };
+  EXPECT_EQ(text("go to the torchere").text.tokens, (std::vector<std::string>{"go", "to", "#1"}));
+  EXPECT_EQ(things.things()[text("go to the lamp").things.front()].name, "lamp");
+  EXPECT_EQ(things.things()[text("go to the chair").things.front()].name, "chair");
+  EXPECT_TRUE(text("follow the hall").things.empty());
+}
+
 TEST(HallwayThings, DenotePropositionsOfTheMap) {
   Hallway hall;
   const auto same = [&](const char* said, const char* lifted, const char* formula) {
