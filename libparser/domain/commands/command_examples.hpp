@@ -24,8 +24,9 @@ struct OwnCommands {
 std::vector<LiftedExample> own_commands(const SynchronousGrammar& grammar, const WordVectors& vectors,
                                         const OwnCommands& options);
 
-// People's commands with their labels; those that may be doubted only if `doubted`. A row is learned from with its domain named and, by
-// `unnamed`, as one of no domain. Rows whose label does not go with the text's mentions are left out and counted.
+// People's commands with their labels; those that may be doubted only if `doubted`. A row is learned from with its
+// domain named and, by `unnamed`, as one of no domain. Rows whose label does not go with the text's mentions are left
+// out and counted.
 struct LabelledCommands {
   std::vector<LiftedExample> examples;
   std::size_t left_out = 0;

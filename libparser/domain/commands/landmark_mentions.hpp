@@ -15,8 +15,8 @@ struct LandmarkLift {
   double probability = 1;          // that the words name just these
 };
 
-// The readings of the mentions, likeliest first; one at least. Covers that name the same landmarks in the same order are
-// one reading.
+// The readings of the mentions, likeliest first; one at least. Covers that name the same landmarks in the same order
+// are one reading.
 std::vector<LandmarkLift> lift_landmarks(const std::string& text, const CityWords& city, const MentionModel& model);
 
 // The tokens of a text in which landmarks are looked for: "-" and "/" separate words.

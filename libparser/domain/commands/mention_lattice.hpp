@@ -1,6 +1,7 @@
 // The phrases of a text that may name landmarks of a city, and the log-linear model over covers: sets of phrases that
 // do not overlap. It is a semi-Markov conditional random field [SC04, Sec. 2]:
-//   p(cover | text) ∝ exp(Σ over its phrases of weights · features), and Adjacent for each phrase beside the one before.
+//   p(cover | text) ∝ exp(Σ over its phrases of weights · features)
+// with the weight Adjacent for each phrase beside the one before.
 #pragma once
 #include <cstddef>
 #include <span>
