@@ -8,11 +8,11 @@
 #include "libltl/diagnostic.hpp"
 #include "libltl/text/print.hpp"
 #include "libparser/decode/explain.hpp"
-#include "libparser/domain/commands/command_reader.hpp"
 #include "libparser/grounding/instruction.hpp"
 #include "libparser/grounding/understand.hpp"
 #include "tools/answer.hpp"
 #include "tools/attention.hpp"
+#include "tools/ground_named.hpp"
 #include "tools/shell/batch.hpp"
 #include "tools/shell/models.hpp"
 #include "tools/shell/options.hpp"
@@ -30,7 +30,7 @@ struct GroundCommandOptions {
   std::string start;
   std::size_t top = 5, beam = 64;
   ParallelOptions parallel;
-  std::string domains, landmark_maps;
+  NamedOptions commands;
   bool json = false, explain = false, force = false;
 };
 
@@ -38,14 +38,15 @@ class Grounding {
  public:
   Grounding(const GroundCommandOptions& options, const Session& session)
       : options_(options), session_(session), model_(read_model(options.model, options.map.data)) {
-    if (!options.domains.empty()) domains_.emplace(options.domains, options.landmark_maps);
+    if (options.commands.any())
+      commands_.emplace(options.commands, model_, options.top, options.json, options.force);
     if (options.explain && network_of(model_) == nullptr)
       throw UsageError("--explain shows what an encoder-decoder attends to; this model is a linear one");
   }
 
   Reply operator()(const Text& line) {
     const parser::Instruction instruction = parser::parse_instruction(line.text, line.source, line.line);
-    if (domains_) return read_command(instruction, line);
+    if (commands_) return (*commands_)(instruction, line);
     const Place& place = place_of(instruction.map.value_or(options_.map.map));
     const plan::Map& map = place.map;
     ltl::Arena arena(map.vocabulary());
@@ -85,30 +86,6 @@ class Grounding {
     return {.code = ExitCode::NotUnderstood,
             .text = options_.json ? not_understood_json(text, map.name(), understood).text() + '\n' : std::string(),
             .problem = not_understood_message(text, understood)};
-  }
-
-  // A command of a domain: its formula over infinite words.
-  Reply read_command(const parser::Instruction& instruction, const Text& line) {
-    if (!instruction.domain)
-      throw ltl::FormatError(line.source, line.line, 0, "with --domains each line is a JSON object with a 'domain'");
-    if (!model_.commands) throw UsageError("the model has no reader of commands");
-    const parser::CommandDomain* domain = nullptr;
-    {
-      const std::lock_guard lock(reading_);
-      domain = &domains_->of(*instruction.domain);
-    }
-    ltl::Arena arena;
-    const auto read = parser::read_command(*model_.commands, *domain, instruction.text, arena);
-    const bool understood = !read.readings.empty();
-    const std::string formula = understood ? ltl::print(read.readings.front().formula) : "";
-    const double probability = understood ? read.readings.front().probability : 0;
-    if (!options_.json) return {.text = fixed(probability, 4) + "  " + formula + '\n'};
-    JsonObject json;
-    if (instruction.id) json.add("id", *instruction.id);
-    json.add("formula", understood ? Json(formula) : Json())
-        .add("english", understood ? Json(in_english(read.readings.front().formula, ltl::Semantics::Infinite)) : Json())
-        .add("probability", probability);
-    return {.text = json.text() + '\n'};
   }
 
   static Json json_of(const std::string& text, const std::vector<parser::Reading>& readings, const plan::Map& map,
@@ -157,7 +134,7 @@ class Grounding {
   const GroundCommandOptions& options_;
   const Session& session_;
   parser::Grounder model_;
-  std::optional<parser::CommandDomains> domains_;
+  std::optional<NamedGrounding> commands_;
   std::mutex reading_;
   std::map<std::string, std::unique_ptr<Place>> places_;  // by the name that was asked for
 };
@@ -190,11 +167,7 @@ Runner setup_ground(Command command) {
       .show_default();
   command.add_flag("--explain", options->explain,
                    "the words that each symbol of a sentence's likeliest program attended to (encoder-decoders)");
-  command
-      .add_option("--domains", options->domains,
-                  "lines are commands {\"id\",\"domain\",\"text\"} of the domains of this file")
-      .type_name("FILE");
-  command.add_option("--maps", options->landmark_maps, "maps of landmarks, for domains \"osm:CITY\"").type_name("DIR");
+  add_named_options(command, options->commands);
   command.add_flag("--force", options->force, "answer what was hardly understood, too");
   command.add_flag("--json", options->json, "one JSON object a line");
   return [options](const Session& session) { return run_ground(*options, session); };

@@ -20,7 +20,7 @@ struct Understanding {
   std::optional<MissingName> missing;  // of a text that was not understood
 };
 
-inline constexpr double least_understood = 0.5;  // more likely understood than not
+inline constexpr double least_understood = 0.65;  // refuses 95 % of texts that are no instructions
 
 struct UnderstandOptions {
   GroundOptions ground = {.one_an_end = true};

@@ -25,13 +25,13 @@ constexpr std::array<std::string_view, 42> command_words{
     "way",    "stop",  "around", "next", "finally", "no",     "now",  "go",   "visit", "then",     "avoid",
     "you",    "must",  "reach",  "move", "until",   "never",  "not",  "once", "twice", "times",    "before",
     "after",  "first", "only",   "or",   "if",      "always", "keep", "end",  "stay"};
-constexpr std::array<std::string_view, 26> told_tags{
+constexpr std::array<std::string_view, 27> told_tags{
     "amenity",      "cuisine",          "shop",     "building",     "leisure",
     "tourism",      "office",           "religion", "addr:street",  "addr:housenumber",
     "denomination", "operator",         "historic", "man_made",     "memorial",
     "power",        "landuse",          "natural",  "waterway",     "railway",
     "highway",      "public_transport", "sport",    "artwork_type", "healthcare",
-    "brand"};
+    "brand",        description_tag};
 constexpr std::array<std::string_view, 10> general{"building", "place", "store", "shop",     "location",
                                                    "site",     "area",  "spot",  "landmark", "establishment"};
 

@@ -96,6 +96,18 @@ CommandDomain CommandDomain::city(std::string name, const std::vector<Landmark>&
   return domain;
 }
 
+std::vector<NamedThing> CommandDomain::named_things() const {
+  if (!city_) return things_;
+  std::vector<NamedThing> out;
+  for (std::size_t i = 0; i < landmarks_.size(); ++i) {
+    NamedThing thing{landmarks_[i], {}};
+    for (const auto& words : city_->names(i).sequences)
+      if (!words.empty()) thing.phrases.push_back(words);
+    out.push_back(std::move(thing));
+  }
+  return out;
+}
+
 std::optional<std::size_t> CommandDomain::landmark(const std::string& proposition) const {
   const auto it = std::find(landmarks_.begin(), landmarks_.end(), proposition);
   return it == landmarks_.end() ? std::nullopt : std::optional(static_cast<std::size_t>(it - landmarks_.begin()));

@@ -37,6 +37,8 @@ class CommandDomain {
   // The readings of the mentions, likeliest first; one at least. `model` finds landmarks.
   std::vector<Lift> lift(const std::string& text, const MentionModel& model = {}) const;
 
+  // What texts may name, for what is said of names that are not there.
+  std::vector<NamedThing> named_things() const;
   const CityWords* city_words() const { return city_.get(); }  // null where no landmarks are
   std::optional<std::size_t> landmark(const std::string& proposition) const;
 

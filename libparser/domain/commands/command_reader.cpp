@@ -38,13 +38,20 @@ void sort(std::vector<CommandReading>& all) {
 CommandReadings read_command(const LiftedReader& reader, const CommandDomain& domain, const std::string& text,
                              ltl::Arena& arena, const ReadCommandOptions& options) {
   CommandReadings out;
+  double heaviest = 0;
   for (CommandDomain::Lift lift : domain.lift(text, reader.mentions())) {
     if (!options.names_domain) lift.text.domain.clear();
     const Bindings bindings = domain.bindings(arena, lift.slots);
+    double command = 0;
     for (const LiftedReading& r : reader.read(lift.text, options.beam))
       if (r.lifted.front() != LiftedSymbol::Route && r.lifted.front() != LiftedSymbol::Nothing)
-        if (const auto formula = formula_of(r.lifted, bindings))
+        if (const auto formula = formula_of(r.lifted, bindings)) {
           vote(out.readings, {*formula, lift.probability * std::exp(r.log_probability)});
+          command += std::exp(r.log_probability);
+        }
+    if (lift.probability * command <= heaviest) continue;
+    heaviest = lift.probability * command;
+    out.understood = command;
   }
   sort(out.readings);
   for (std::size_t i = 1; i < std::min(out.readings.size(), options.compared); ++i)
@@ -55,7 +62,9 @@ CommandReadings read_command(const LiftedReader& reader, const CommandDomain& do
       }
   std::erase_if(out.readings, [](const CommandReading& r) { return r.probability <= 0; });
   sort(out.readings);
-  for (const CommandReading& r : out.readings) out.understood += r.probability;
+  double total = 0;
+  for (const CommandReading& r : out.readings) total += r.probability;
+  for (CommandReading& r : out.readings) r.probability /= total;
   return out;
 }
 

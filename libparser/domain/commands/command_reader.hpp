@@ -18,8 +18,8 @@ struct CommandReading {
 };
 
 struct CommandReadings {
-  std::vector<CommandReading> readings;  // of one arena; probabilities sum to `understood`
-  double understood = 0;
+  std::vector<CommandReading> readings;  // of one arena; probabilities sum to 1
+  double understood = 0;  // probability that the text is a command, with the mentions of the likeliest reading
 };
 
 struct ReadCommandOptions {

@@ -107,6 +107,16 @@ class Absorbing {
   const std::vector<Kind>& kinds_;
 };
 
+// "without crossing the grass" names no crossing.
+bool is_verb(const std::vector<std::string>& tokens, const Mention& mention) {
+  constexpr std::array<std::string_view, 9> before{"without", "avoid", "avoiding", "before", "after",
+                                                   "by",      "not",   "never",    "from"};
+  constexpr std::array<std::string_view, 9> after{"the", "a", "an", "any", "it", "over", "that", "this", "these"};
+  return mention.end == mention.begin + 1 && tokens[mention.begin] == "crossing" && mention.begin > 0 &&
+         is_among(before, tokens[mention.begin - 1]) && mention.end < tokens.size() &&
+         is_among(after, tokens[mention.end]);
+}
+
 // "positions 2 and 6": numbers that continue a list of places name places too. After such a noun, words for numbers
 // become digits.
 std::vector<std::string> with_places(std::vector<std::string> tokens) {
@@ -167,7 +177,9 @@ void HallwayThings::add(const Synonyms& synonyms) {
 
 LiftedMentions HallwayThings::lift(const std::vector<std::string>& tokens, const WordVectors* known) const {
   const std::vector<std::string> words = with_places(tokens);
-  LiftedMentions out = parser::lift(words, Absorbing(words, find_mentions(words, things_, known), kinds_).run());
+  std::vector<Mention> mentions = find_mentions(words, things_, known);
+  std::erase_if(mentions, [&](const Mention& m) { return is_verb(words, m); });
+  LiftedMentions out = parser::lift(words, Absorbing(words, std::move(mentions), kinds_).run());
   out.text.scope.spatial = true;
   return out;
 }

@@ -31,6 +31,8 @@ TEST(HallwayThings, AreMentionedByNamesAndKindsOfPlaces) {
   EXPECT_EQ(hall.text("go to the chair and then to the lamp"), "go to #1 and then to #2");
   EXPECT_EQ(hall.text("follow the hall with the blue floor to the easel"), "follow #1 to #2");
   EXPECT_EQ(hall.text("visit positions 2 and 6"), "visit #1 and #2");
+  EXPECT_EQ(hall.text("go to the chair without crossing the blue hall"), "go to #1 without crossing #2");
+  EXPECT_EQ(hall.text("stop at the crossing"), "stop at #1");
   EXPECT_TRUE(hall.things.lift({"chair"}).text.scope.spatial);
 }
 
