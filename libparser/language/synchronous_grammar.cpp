@@ -159,8 +159,10 @@ std::string SynchronousGrammar::expand(std::string text, ltl::Random& random) co
     if (text.size() > longest_text) throw TooLong();
     if (text[at] == '$') {
       const std::size_t end = word_end(text, at + 1);
-      const auto& all = words_.at(text.substr(at + 1, end - at - 1));
-      text.replace(at, end - at, all[random.below(all.size())]);
+      const auto words = words_.find(text.substr(at + 1, end - at - 1));
+      if (words == words_.end())  // "($a|b)c" may say "$ac"
+        throw ltl::FormatError(source_, 0, 0, "no words are called '" + text.substr(at, end - at) + "'");
+      text.replace(at, end - at, words->second[random.below(words->second.size())]);
     } else if (text[at] == '(') {
       std::size_t level = 1, end = at + 1;
       for (; end < text.size() && level > 0; ++end)

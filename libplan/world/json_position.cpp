@@ -79,6 +79,7 @@ std::size_t offset_of(std::string_view json, std::string_view path) {
     std::optional<std::size_t> next;
     if (path.front() == '[') {
       const std::size_t close = path.find(']');
+      if (close == std::string_view::npos) return at;  // a key that looks like the beginning of an index
       std::size_t index = 0;
       std::from_chars(path.data() + 1, path.data() + close, index);
       next = scanner.element(at, index);

@@ -92,6 +92,12 @@ TEST(SynchronousGrammars, ErrorsNameTheLine) {
   EXPECT_THROW(SynchronousGrammar("/no/such/file"), ltl::FormatError);
 }
 
+TEST(SynchronousGrammars, AWordThatAnAlternativeIsJoinedToIsRefused) {
+  const SynchronousGrammar grammar = Written("$a = x\n@A\n($a|$a)c <N> => eventually 1\n").grammar();
+  ltl::Random random(1);
+  EXPECT_THROW((void)grammar.say("A", random), ltl::FormatError);
+}
+
 // Of the shipped grammar, whatever is said can be read: in its scope, and to be spelled as it is denoted.
 TEST(SynchronousGrammars, WhatTheShippedOneSaysIsAllowed) {
   const SynchronousGrammar grammar(WAYMARK_SOURCE_DIR "/data/language/commands.grammar");

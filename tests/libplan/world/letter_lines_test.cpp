@@ -47,6 +47,7 @@ TEST(LetterLines, SayWhichLineIsWrong) {
       {"a,b\n1,2\n", "not '2'"},
       {"a,,b\n", "a column without a name"},
       {"[\"a\"]\n{\"a\":2}\n", "expected true, false, 1 or 0"},
+      {"[\"a\"]\n{\"[\":2}\n", "expected true, false, 1 or 0"},
       {"[\"a\"]\n7\n", "expected a list of names"},
       {"{a}\n({b})w\n", "not the cycle of a lasso"},
       {"# nothing\n", "there are no letters"},
