@@ -39,22 +39,28 @@ AttentionDecoder::AttentionDecoder(Parameters& parameters, const Sizes& sizes, c
   parameters.value(gate_bias_).setConstant(first_gate);
 }
 
+// What does not depend on what was said.
+void AttentionDecoder::attend(const Parameters& parameters, const Sequences& in, Signals& s) const {
+  s.from_e.resize(sizes_.width, in.e->cols());
+  s.from_e.colwise() = parameters.value(bias_).col(0);
+  add_product(parameters.value(from_e_), *in.e, s.from_e);
+  s.keys.setZero(sizes_.width, in.h->cols());
+  add_product(parameters.value(attend_), *in.h, s.keys);
+}
+
 void AttentionDecoder::forward(const Parameters& parameters, const Sequences& in, const ConstView& x,
                                Signals& s) const {
   const Index n = in.begin.back(), w = sizes_.width;
   assert(x.rows() == sizes_.inputs && static_cast<Index>(in.said.size()) == n && in.h_begin.back() == in.h->cols());
   s.from_x.setZero(w, x.cols());
   add_product(parameters.value(from_x_), x, s.from_x);
-  Matrix said(w, in.e->cols());
-  said.colwise() = parameters.value(bias_).col(0);
-  add_product(parameters.value(from_e_), *in.e, said);
-  s.keys.setZero(w, in.h->cols());
-  add_product(parameters.value(attend_), *in.h, s.keys);
+  if (!in.is_attended) attend(parameters, in, s);
   s.q_and_c.resize(w + sizes_.encoded, n);
   auto q = s.q_and_c.topRows(w);
   for (std::size_t i = 0; i + 1 < in.begin.size(); ++i)
     for (Index j = in.begin[i]; j < in.begin[i + 1]; ++j)
-      q.col(j) = (said.col(static_cast<Index>(i)) + s.from_x.col(in.said[static_cast<std::size_t>(j)])).cwiseMax(0.0F);
+      q.col(j) =
+          (s.from_e.col(static_cast<Index>(i)) + s.from_x.col(in.said[static_cast<std::size_t>(j)])).cwiseMax(0.0F);
   s.weights.resize(in.begin.size() - 1);
   s.q_and_c.bottomRows(sizes_.encoded).setZero();
   for (std::size_t i = 0; i + 1 < in.begin.size(); ++i) {

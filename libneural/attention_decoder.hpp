@@ -29,9 +29,11 @@ class AttentionDecoder {
     const Matrix* marks = nullptr;   // m [symbols × sequences], or none
     std::span<const Index> begin;    // by sequence, and the end: its choices
     std::span<const Index> said;     // by choice: its column of x; many choices share one
+    bool is_attended = false;        // h and e are those of the last `forward` with the same signals
   };
   struct Signals {                // of one pass, and of the pass back through it
     Matrix from_x;                // W_x x
+    Matrix from_e;                // W_e e + b
     Matrix keys;                  // W_a h
     Matrix q_and_c;               // [width + encoded × choices]
     Matrix y;                     // W_s [q; c]
@@ -52,6 +54,8 @@ class AttentionDecoder {
                 View dx) const;
 
  private:
+  void attend(const Parameters& parameters, const Sequences& sequences, Signals& signals) const;
+
   Sizes sizes_;
   Block phi_, from_e_, from_x_, bias_, attend_, say_, symbol_bias_, gate_, gate_bias_;
 };

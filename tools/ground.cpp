@@ -38,8 +38,7 @@ class Grounding {
  public:
   Grounding(const GroundCommandOptions& options, const Session& session)
       : options_(options), session_(session), model_(read_model(options.model, options.map.data)) {
-    if (options.commands.any())
-      commands_.emplace(options.commands, model_, options.top, options.json, options.force);
+    if (options.commands.any()) commands_.emplace(options.commands, model_, options.top, options.json, options.force);
     if (options.explain && network_of(model_) == nullptr)
       throw UsageError("--explain shows what an encoder-decoder attends to; this model is a linear one");
   }

@@ -128,6 +128,7 @@ void LiftedNetwork::Pass::encode(const LiftedNetwork& network, const neural::Par
                                  std::span<const Sentence* const> sentences, const Dropout& dropout) {
   network_ = &network;
   parameters_ = &parameters;
+  is_attended_ = false;
   place(sentences, dropout);
   embed();
   drop(input_, input_mask_, dropout);
@@ -175,6 +176,7 @@ const Matrix& LiftedNetwork::Pass::decode(std::span<const Index> begin, std::spa
       if ((prefix.grammar.slots_used() >> s & 1U) != 0) x_(at + 8 + s, c) = 1;
   }
   network_->decoder_.forward(*parameters_, sequences(), x_, decoder_);
+  is_attended_ = true;
   return decoder_.scores;
 }
 

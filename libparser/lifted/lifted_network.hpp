@@ -77,7 +77,9 @@ class LiftedNetwork {
    private:
     void place(std::span<const Sentence* const> sentences, const Dropout& dropout);
     void embed();
-    neural::AttentionDecoder::Sequences sequences() const { return {&h_, h_begin_, &e_, nullptr, begin_, said_}; }
+    neural::AttentionDecoder::Sequences sequences() const {
+      return {&h_, h_begin_, &e_, nullptr, begin_, said_, is_attended_};
+    }
 
     const LiftedNetwork* network_ = nullptr;
     const neural::Parameters* parameters_ = nullptr;
@@ -90,6 +92,7 @@ class LiftedNetwork {
     neural::Matrix fixed_, input_, input_mask_, dinput_, h_, h_mask_, e_, x_, dx_;
     neural::BidirectionalLstm::Signals lstm_;
     neural::AttentionDecoder::Signals decoder_;
+    bool is_attended_ = false;  // some step of these sentences was decoded
   };
 
  private:

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <utility>
 
 namespace waymark::parser {
 
@@ -61,6 +62,7 @@ void EncoderDecoder::Pass::encode(const EncoderDecoder& network, const neural::P
                                   std::span<const NetworkSentence* const> sentences, const Dropout& dropout) {
   network_ = &network;
   parameters_ = &parameters;
+  is_attended_ = false;
   std::vector<const SentenceEncoder::Words*> words;
   for (const NetworkSentence* sentence : sentences) words.push_back(&sentence->words);
   encoder_.forward(network.encoder_, parameters, words, dropout);
@@ -87,7 +89,9 @@ const Matrix& EncoderDecoder::Pass::decode(std::span<const Index> begin, std::sp
       x_.col(c).segment(k * size, size) =
           phi.col((*histories_[static_cast<std::size_t>(c)])[static_cast<std::size_t>(k)]);
   const neural::Matrix* const marks = network_->options_.lexicon ? &marks_ : nullptr;
-  network_->decoder_.forward(*parameters_, encoder_.sequences(begin_, said_, marks), x_, decoder_);
+  neural::AttentionDecoder::Sequences sequences = encoder_.sequences(begin_, said_, marks);
+  sequences.is_attended = std::exchange(is_attended_, true);
+  network_->decoder_.forward(*parameters_, sequences, x_, decoder_);
   return decoder_.scores;
 }
 

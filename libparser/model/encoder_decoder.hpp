@@ -64,6 +64,7 @@ class EncoderDecoder {
     std::map<History, Index> index_;
     neural::Matrix marks_, x_, dx_;
     neural::AttentionDecoder::Signals decoder_;
+    bool is_attended_ = false;  // some step of these sentences was decoded
   };
 
  private:
