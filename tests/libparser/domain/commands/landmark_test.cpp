@@ -18,7 +18,8 @@ std::filesystem::path written(const std::string& text) {
 TEST(ReadPropositions, APropositionHasANameTagsAndADescription) {
   const auto all = read_propositions(written(R"({"propositions": {
     "charger": {}, "depot": "where parcels are stored",
-    "lab_2": {"name": "wet lab", "other_names": ["chemistry"], "tags": {"floor": "green"}, "description": "smells"}}})"));
+    "lab_2": {"name": "wet lab", "other_names": ["chemistry"],
+              "tags": {"floor": "green"}, "description": "smells"}}})"));
   ASSERT_EQ(all.size(), 3U);
   EXPECT_EQ(all[0].name, "charger");
   EXPECT_TRUE(all[0].tags.empty());
