@@ -42,9 +42,7 @@ struct Line {
     return pose;
   }
 
-  std::vector<plan::Pose> trajectory(const json& object, const std::string& path, const char* key) const {
-    const std::string at = path + "." + key;
-    const json& list = member(object, path, key);
+  std::vector<plan::Pose> trajectory(const json& list, const std::string& at) const {
     if (!list.is_array() || list.empty()) fail(at, "expected a list of poses");
     std::vector<plan::Pose> poses;
     for (std::size_t i = 0; i < list.size(); ++i) poses.push_back(pose(list[i], at + "[" + std::to_string(i) + "]"));
@@ -52,10 +50,10 @@ struct Line {
   }
 
   // A trajectory whose headings are all known and whose steps are single actions.
-  std::vector<plan::Pose> steps(const json& object, const std::string& path, const char* key) const {
-    std::vector<plan::Pose> poses = trajectory(object, path, key);
+  std::vector<plan::Pose> steps(const json& list, const std::string& path) const {
+    std::vector<plan::Pose> poses = trajectory(list, path);
     for (std::size_t i = 0; i < poses.size(); ++i) {
-      const std::string at = path + "." + key + "[" + std::to_string(i) + "]";
+      const std::string at = path + "[" + std::to_string(i) + "]";
       if (poses[i].heading < 0) fail(at, "expected a known heading here");
       if (i == 0) continue;
       const plan::Pose &a = poses[i - 1], &b = poses[i];
@@ -64,6 +62,21 @@ struct Line {
         fail(at, "expected one action after the pose before: a step of length 1 or a quarter turn");
     }
     return poses;
+  }
+
+  std::vector<plan::Pose> steps(const json& object, const std::string& path, const char* key) const {
+    return steps(member(object, path, key), path + "." + key);
+  }
+
+  // None where the key is absent.
+  std::vector<std::vector<plan::Pose>> paths(const json& object, const std::string& path, const char* key) const {
+    std::vector<std::vector<plan::Pose>> out;
+    const auto list = object.find(key);
+    if (list == object.end()) return out;
+    const std::string at = path + "." + key;
+    if (!list->is_array()) fail(at, "expected a list of paths");
+    for (std::size_t i = 0; i < list->size(); ++i) out.push_back(steps((*list)[i], at + "[" + std::to_string(i) + "]"));
+    return out;
   }
 };
 
@@ -78,9 +91,11 @@ Sentence read_sentence(const Line& line, const json& object, const std::string& 
     sentence.tokens = tokenize(sentence.text);
   }
   if (object.contains("formula")) sentence.formula = line.string(object, path, "formula");
-  sentence.heading_unknown = line.trajectory(object, path, "path").front().heading < 0;
+  sentence.heading_unknown = line.trajectory(line.member(object, path, "path"), path + ".path").front().heading < 0;
   sentence.absolute = line.steps(object, path, sentence.heading_unknown ? "path_north" : "path");
   sentence.relative = line.steps(object, path, sentence.heading_unknown ? "path_right90" : "path");
+  sentence.also_good = line.paths(object, path, "also_good");
+  sentence.refused = line.paths(object, path, "refused");
   return sentence;
 }
 

@@ -26,6 +26,7 @@ class Generator {
       : options_(options),
         executors_(maps.begin(), maps.end()),
         grammar_(maps.front().vocabulary(), options.dialect),
+        language_(maps.front().vocabulary(), options.dialect),
         speaker_(maps.front(), options.dialect, options.seed) {}
 
   Paragraph paragraph(std::size_t number) {
@@ -44,6 +45,8 @@ class Generator {
       const auto plan = executor.run(saying.program, here);
       if (!plan || !is_worth_saying(saying, *plan, executor, here)) continue;
       out.sentences.push_back(sentence(saying, *plan, formula, map, here));
+      if (options_.judged.refused + options_.judged.also_good > 0)
+        add_judged(out.sentences.back(), saying.program, {here, plan->end, plan->actions}, number, formula);
       out.sentences.back().id = std::to_string(number + 1) + "-" + std::to_string(out.sentences.size());
       out.text += (out.text.empty() ? "" : " ") + saying.text + ".";
       here = plan->end;
@@ -67,6 +70,29 @@ class Generator {
     return other && other->actions != plan.actions;
   }
 
+  void add_judged(Sentence& sentence, const Program& meant, const GoldRoute& gold, std::size_t number,
+                  ltl::Formula formula) {
+    const std::size_t m = number % executors_.size();
+    const plan::Map& map = executors_[m].map();
+    const Judged judged = judged_trajectories(executors_[m], language_, gold, meant, sentence.tokens, options_.judged);
+    const auto add = [&](const std::vector<plan::Trajectory>& walks, std::vector<std::vector<plan::Pose>>& paths,
+                         bool good) {
+      for (const plan::Trajectory& walk : walks) {
+        if (ltl::holds(plan::word_of(walk, map), formula) != good)
+          throw std::logic_error("a trajectory that is judged otherwise than by its formula");
+        paths.push_back(poses_of(walk, map));
+      }
+    };
+    add(judged.good, sentence.also_good, true);
+    add(judged.refused, sentence.refused, false);
+  }
+
+  static std::vector<plan::Pose> poses_of(const plan::Trajectory& walk, const plan::Map& map) {
+    std::vector<plan::Pose> out;
+    for (const plan::PoseId pose : walk.poses) out.push_back(map.pose(pose));
+    return out;
+  }
+
   static Sentence sentence(const Saying& saying, const Plan& plan, ltl::Formula formula, const plan::Map& map,
                            plan::PoseId from) {
     const auto walked = plan::follow(map, from, plan.actions);
@@ -75,7 +101,7 @@ class Generator {
     Sentence out;
     out.text = saying.text;
     out.tokens = tokenize(saying.text);
-    for (const plan::PoseId pose : walked->poses) out.absolute.push_back(map.pose(pose));
+    out.absolute = poses_of(*walked, map);
     out.relative = out.absolute;
     out.formula = ltl::print(formula);
     return out;
@@ -84,6 +110,7 @@ class Generator {
   const GenerateOptions& options_;
   std::vector<Executor> executors_;
   PostfixGrammar grammar_;
+  ProgramLanguage language_;
   Speaker speaker_;
 };
 

@@ -6,6 +6,7 @@
 #include <span>
 
 #include "libparser/corpus/corpus.hpp"
+#include "libparser/language/judge.hpp"
 #include "libparser/language/route_language.hpp"
 
 namespace waymark::parser {
@@ -20,6 +21,7 @@ struct GenerateOptions {
   Dialect dialect = Dialect::Plain;
   std::size_t least_clauses = 1, most_clauses = 2;  // of a sentence
   Formulas formulas = Formulas::All;
+  JudgedLimits judged = {};  // trajectories beside that of each sentence (judge.hpp)
 };
 
 // Sentences of route_language.hpp that can be carried out where the speaker stands; trajectories are the programs'
@@ -35,6 +37,7 @@ inline constexpr GenerateOptions own_language{.seed = 1,
                                               .dialect = Dialect::Temporal,
                                               .least_clauses = 1,
                                               .most_clauses = 3,
-                                              .formulas = Formulas::Known};
+                                              .formulas = Formulas::Known,
+                                              .judged = {}};
 
 }  // namespace waymark::parser

@@ -14,6 +14,15 @@ std::size_t pending_bits(const Step& step) {
   return step.kind == StepKind::Past ? 2 : step.times();
 }
 
+constexpr std::size_t most_bits = 1024;
+
+std::size_t most_pending(const Program& program) {
+  std::size_t bits = 0;
+  for (const Step& step : program) bits += pending_bits(step);
+  if (bits > most_bits) throw std::length_error("a program with more than 1,024 pending obligations");
+  return bits;
+}
+
 // The automaton of a program. A set bit is an obligation that the next letter is read with.
 template <std::size_t N>
 class Progress {
@@ -218,11 +227,25 @@ std::optional<Plan> Executor::run(const Program& program, plan::PoseId start, Th
     }
     return whole;
   }
-  std::size_t bits = 0;
-  for (const Step& step : program) bits += pending_bits(step);
-  if (bits <= 64) return search<64>(program, start);
-  if (bits <= 1024) return search<1024>(program, start);
-  throw std::length_error("a program with more than 1,024 pending obligations");
+  return most_pending(program) <= 64 ? search<64>(program, start) : search<most_bits>(program, start);
+}
+
+// Every program is co-safe: once nothing need remain, whatever follows is allowed.
+template <std::size_t N>
+bool Executor::progresses(const plan::Trajectory& trajectory, const Program& program) const {
+  const Progress<N> progress(*this, program);
+  std::bitset<N> pending;
+  if (progress.enter(0, Arrival::start(trajectory.poses.front()), pending)) return true;
+  for (std::size_t i = 0; i < trajectory.actions.size() && pending.any(); ++i) {
+    std::bitset<N> rest;
+    if (progress.read(pending, Arrival::of(trajectory.poses[i + 1], trajectory.actions[i]), rest)) return true;
+    pending = rest;
+  }
+  return false;
+}
+
+bool Executor::satisfies(const plan::Trajectory& trajectory, const Program& program) const {
+  return most_pending(program) <= 64 ? progresses<64>(trajectory, program) : progresses<most_bits>(trajectory, program);
 }
 
 std::vector<Executor::Reached> Executor::horizon(StepKind kind, plan::PoseId start, bool oriented) const {

@@ -14,6 +14,7 @@
 
 #include "libparser/programs/program.hpp"
 #include "libplan/world/map.hpp"
+#include "libplan/world/trajectory.hpp"
 
 namespace waymark::parser {
 
@@ -46,6 +47,9 @@ class Executor {
   const plan::Map& map() const { return *map_; }
   std::optional<Plan> run(const Program& program, plan::PoseId start, Then then = Then::WholePlan) const;
 
+  // Does the word of the trajectory satisfy the program's formula? A trajectory of this map; O(letters · steps).
+  bool satisfies(const plan::Trajectory& trajectory, const Program& program) const;
+
   // Arrivals a single step can pass through, in shortlex order of their first word, the start first.
   // oriented: any turns may come before the step; only for Advance.
   struct Reached {
@@ -62,6 +66,8 @@ class Executor {
  private:
   template <std::size_t N>
   std::optional<Plan> search(const Program& program, plan::PoseId start) const;
+  template <std::size_t N>
+  bool progresses(const plan::Trajectory& trajectory, const Program& program) const;
 
   const plan::Map* map_;
   std::vector<std::vector<std::uint64_t>> columns_;      // by proposition: bit set over arrivals

@@ -7,31 +7,37 @@
 
 #include "libltl/parallel.hpp"
 #include "libparser/supervision/constrained_search.hpp"
+#include "libparser/supervision/judged_search.hpp"
 #include "libplan/world/trajectory.hpp"
 
 namespace waymark::parser {
 namespace {
 
-GoldRoute gold_route(const Sentence& sentence, const plan::Map& map, Convention convention) {
+plan::Trajectory trajectory_of(const std::vector<plan::Pose>& path, const Sentence& sentence, const plan::Map& map) {
   const auto fail = [&] {
     throw std::invalid_argument("sentence " + sentence.id + ": its trajectory is impossible on map " + map.name());
   };
-  GoldRoute gold;
-  gold.heading_unknown = sentence.heading_unknown;
-  const std::vector<plan::Pose>& path = sentence.path(convention);
-  for (std::size_t i = 0; i < path.size(); ++i) {
-    const auto pose = map.find(path[i]);
+  plan::Trajectory out;
+  for (const plan::Pose& at : path) {
+    const auto pose = map.find(at);
     if (!pose) fail();
-    if (i == 0) {
-      gold.start = *pose;
-    } else {
-      const auto action = plan::action_between(map, gold.end, *pose);
+    if (!out.poses.empty()) {
+      const auto action = plan::action_between(map, out.poses.back(), *pose);
       if (!action) fail();
-      gold.actions.push_back(*action);
+      out.actions.push_back(*action);
     }
-    gold.end = *pose;
+    out.poses.push_back(*pose);
   }
-  return gold;
+  return out;
+}
+
+// The gold route is judged, too, where others are and its heading is known.
+Judged judged_of(const Sentence& sentence, const plan::Trajectory& gold, const plan::Map& map) {
+  Judged out;
+  for (const auto& path : sentence.also_good) out.good.push_back(trajectory_of(path, sentence, map));
+  for (const auto& path : sentence.refused) out.refused.push_back(trajectory_of(path, sentence, map));
+  if (!out.empty() && !sentence.heading_unknown) out.good.push_back(gold);
+  return out;
 }
 
 }  // namespace
@@ -56,12 +62,17 @@ Examples make_examples(const Corpus& corpus, std::span<const Executor> executors
     for (std::size_t k = 0; k < paragraph.sentences.size(); ++k) {
       const Sentence& sentence = paragraph.sentences[k];
       if (sentence.path(convention).empty()) continue;
-      examples.sentences.push_back({{sentence.tokens, sentence.heading_unknown},
-                                    m,
-                                    gold_route(sentence, executors[m].map(), convention),
-                                    nullptr,
-                                    i,
-                                    k});
+      const plan::Map& map = executors[m].map();
+      plan::Trajectory gold = trajectory_of(sentence.path(convention), sentence, map);
+      Judged judged = judged_of(sentence, gold, map);
+      examples.sentences.push_back(
+          {{sentence.tokens, sentence.heading_unknown},
+           m,
+           {gold.poses.front(), gold.poses.back(), std::move(gold.actions), sentence.heading_unknown},
+           nullptr,
+           i,
+           k,
+           std::move(judged)});
       examples.paragraph.push_back(i);
       examples.ids.push_back(sentence.id);
     }
@@ -91,11 +102,23 @@ void add_said_programs(std::span<Example> examples, std::span<const Executor> ex
   std::vector<std::vector<UnitPlans>> plans(threads, std::vector<UnitPlans>(executors.size()));
   share_out(examples.size(), threads, go_on, [&](std::size_t i, std::size_t thread) {
     Example& example = examples[i];
+    const Executor& executor = executors[example.map];
     std::vector<Consistent> all =
-        said_programs(executors[example.map], language, example.gold, example.input.tokens, plans[thread][example.map]);
-    all.insert(all.end(), example.programs->begin(), example.programs->end());
+        example.judged.empty()
+            ? said_programs(executor, language, example.gold, example.input.tokens, plans[thread][example.map])
+            : judged_programs(executor, language, example.gold, example.input.tokens, example.judged);
+    if (all.empty() || example.judged.empty())
+      all.insert(all.end(), example.programs->begin(), example.programs->end());
     example.programs = std::make_shared<const std::vector<Consistent>>(std::move(all));
   });
+}
+
+// Its programs that no judged trajectory refutes.
+std::shared_ptr<const std::vector<Consistent>> agreeing(const Example& example, const Executor& executor) {
+  std::vector<Consistent> out;
+  for (const Consistent& one : *example.programs)
+    if (agrees(executor, one.program, example.judged)) out.push_back(one);
+  return std::make_shared<const std::vector<Consistent>>(std::move(out));
 }
 
 }  // namespace
@@ -114,6 +137,8 @@ void find_programs(std::span<Example> examples, std::span<const Executor> execut
   share_out(work.size(), most, go_on, [&](std::size_t i, std::size_t) {
     *work[i].second = consistent_programs(executors[work[i].first->first], grammar, work[i].first->second);
   });
+  for (Example& example : examples)
+    if (!example.judged.empty()) example.programs = agreeing(example, executors[example.map]);
   if (grammar.limits().dialect == Dialect::Temporal) add_said_programs(examples, executors, most, go_on);
 }
 

@@ -8,6 +8,7 @@
 
 #include "libparser/corpus/corpus.hpp"
 #include "libparser/model/features.hpp"
+#include "libparser/supervision/judged.hpp"
 #include "libparser/supervision/search.hpp"
 
 namespace waymark::parser {
@@ -18,6 +19,7 @@ struct Example {
   GoldRoute gold;
   std::shared_ptr<const std::vector<Consistent>> programs;  // shared by equal routes on one map
   std::size_t paragraph = 0, position = 0;                  // index in the corpus, and of the sentence in it
+  Judged judged = {};
 };
 
 // Does the second follow the first in its paragraph, from where the first ended?
@@ -42,7 +44,8 @@ struct Stopped {};  // thrown by long work when a stop was requested
 // Throws std::invalid_argument naming the sentence when a gold trajectory is impossible on its map.
 Examples make_examples(const Corpus& corpus, std::span<const Executor> executors, Convention convention);
 
-// Fills `programs`, on so many threads. The result does not depend on their number.
+// Fills `programs`, on so many threads, with those that agree with the judged trajectories. The result does not depend
+// on the number of threads.
 void find_programs(std::span<Example> examples, std::span<const Executor> executors, const PostfixGrammar& grammar,
                    int threads, const std::function<bool(double fraction)>& go_on);
 

@@ -95,7 +95,8 @@ class Learner {
     for (const Candidate& candidate : best_programs(scorer_, options_.explore)) {
       const Program here = instance.mirrored ? mirror(candidate.program, images_) : candidate.program;
       const auto plan = executor.run(here, example.gold.start, options_.then);
-      if (plan && plan->end == example.gold.end) add_program(instance, here, plan->actions == example.gold.actions);
+      if (plan && plan->end == example.gold.end && agrees(executor, here, example.judged))
+        add_program(instance, here, plan->actions == example.gold.actions);
     }
   }
 

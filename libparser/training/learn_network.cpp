@@ -172,6 +172,7 @@ class Learner {
       for (const Candidate& candidate : found[i]) {
         const Program here = instance.mirrored ? mirror(candidate.program, images_) : candidate.program;
         if (how_.search == ProgramSearch::Consistent && shard.feedback.of(here, *instance.example) <= 0) continue;
+        if (!agrees(shard.feedback.executor(*instance.example), here, instance.example->judged)) continue;
         const auto [program, weight] =
             weigh(instance, here, goes_the_gold_route(here, *instance.example, shard), shard.feedback);
         if (weight > 0) instance.trie.add(NetworkPrefixes(network_, shard.masks), program, weight);

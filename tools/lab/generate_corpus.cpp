@@ -89,6 +89,15 @@ void add_recipe(Command command, GenerateCorpusOptions& options) {
       .one_of({"all", "known", "held-out"})
       .show_default();
   command.add_flag("--plain", options.plain, "without past, second, until, without, before, after, if");
+  command
+      .add_option("--refused", options.recipe.judged.refused, "up to so many trajectories that each sentence refuses")
+      .between(0, 1000)
+      .show_default();
+  command
+      .add_option("--also-good", options.recipe.judged.also_good,
+                  "up to so many further trajectories that each sentence allows")
+      .between(0, 1000)
+      .show_default();
   command.add_option("--seed", options.recipe.seed, "the same seed, the same corpus").show_default();
 }
 
