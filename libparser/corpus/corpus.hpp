@@ -24,9 +24,9 @@ struct Sentence {
   bool heading_unknown = false;      // the source left the start heading open
   std::vector<plan::Pose> absolute;  // trajectory under either convention; equal when the heading is known
   std::vector<plan::Pose> relative;
-  std::vector<std::vector<plan::Pose>> also_good;  // further trajectories that it allows; headings known
-  std::vector<std::vector<plan::Pose>> refused;    // trajectories that it does not allow; headings known
   std::string formula;  // what it means, where that is known: for scores and for training with supervision alone
+  std::vector<std::vector<plan::Pose>> also_good = {};  // further trajectories that it allows; headings known
+  std::vector<std::vector<plan::Pose>> refused = {};    // trajectories that it does not allow; headings known
 
   const std::vector<plan::Pose>& path(Convention c) const { return c == Convention::Absolute ? absolute : relative; }
 };

@@ -41,6 +41,50 @@ void each_sentence(const Corpus& corpus, const Visit& visit) {
     for (const Sentence& sentence : paragraph.sentences) visit(paragraph, sentence);
 }
 
+plan::Trajectory trajectory_of(const std::vector<plan::Pose>& path, const plan::Map& map) {
+  plan::Trajectory out;
+  for (const plan::Pose& pose : path) {
+    out.poses.push_back(map.find(pose).value());
+    if (out.poses.size() > 1)
+      out.actions.push_back(plan::action_between(map, out.poses[out.poses.size() - 2], out.poses.back()).value());
+  }
+  return out;
+}
+
+TEST(Generate, JudgedTrajectoriesAreJudgedByTheFormula) {
+  const Corpus corpus = generate_corpus(shipped_maps(), {.seed = 4,
+                                                         .paragraphs = 9,
+                                                         .dialect = Dialect::Temporal,
+                                                         .judged = {.refused = 3, .also_good = 2}});
+  std::size_t good = 0, refused = 0;
+  each_sentence(corpus, [&](const Paragraph& paragraph, const Sentence& sentence) {
+    const auto map = std::find_if(shipped_maps().begin(), shipped_maps().end(),
+                                  [&](const plan::Map& one) { return one.name() == paragraph.map; });
+    ltl::Arena arena(map->vocabulary());
+    const ltl::Formula formula = ltl::parse(sentence.formula, arena);
+    const auto is_allowed = [&](const std::vector<plan::Pose>& path) {
+      return ltl::holds(plan::word_of(trajectory_of(path, *map), *map), formula);
+    };
+    for (const auto& path : sentence.also_good) EXPECT_TRUE(is_allowed(path)) << sentence.text;
+    for (const auto& path : sentence.refused) EXPECT_FALSE(is_allowed(path)) << sentence.text;
+    good += sentence.also_good.size();
+    refused += sentence.refused.size();
+  });
+  EXPECT_EQ(good, 72U);
+  EXPECT_GE(refused, 100U);
+  EXPECT_LE(refused, 108U);
+}
+
+TEST(Generate, JudgedTrajectoriesAreWrittenAndReadAgain) {
+  const Corpus corpus =
+      generate_corpus(shipped_maps(), {.seed = 5, .paragraphs = 3, .judged = {.refused = 2, .also_good = 1}});
+  const std::string lines = json_lines(corpus);
+  const std::vector<Paragraph> again = parse_sail_corpus(lines);
+  EXPECT_EQ(json_lines({again, {}}), lines);
+  EXPECT_EQ(again[1].sentences[0].refused, corpus.paragraphs[1].sentences[0].refused);
+  EXPECT_THROW(parse_sail_corpus(lines.substr(0, lines.find("\"refused\"")) + R"("refused":[[[0,0,7]]]}]})"), ltl::FormatError);
+}
+
 TEST(Generate, EveryTrajectorySatisfiesItsFormulaByDefinition) {
   for (const Dialect dialect : {Dialect::Plain, Dialect::Temporal}) {
     const Corpus corpus = generate_corpus(shipped_maps(), {.seed = 4, .paragraphs = 12, .dialect = dialect});
