@@ -52,10 +52,9 @@ plan::Trajectory trajectory_of(const std::vector<plan::Pose>& path, const plan::
 }
 
 TEST(Generate, JudgedTrajectoriesAreJudgedByTheFormula) {
-  const Corpus corpus = generate_corpus(shipped_maps(), {.seed = 4,
-                                                         .paragraphs = 9,
-                                                         .dialect = Dialect::Temporal,
-                                                         .judged = {.refused = 3, .also_good = 2}});
+  const Corpus corpus = generate_corpus(
+      shipped_maps(),
+      {.seed = 4, .paragraphs = 9, .dialect = Dialect::Temporal, .judged = {.refused = 3, .also_good = 2}});
   std::size_t good = 0, refused = 0;
   each_sentence(corpus, [&](const Paragraph& paragraph, const Sentence& sentence) {
     const auto map = std::find_if(shipped_maps().begin(), shipped_maps().end(),
@@ -82,7 +81,8 @@ TEST(Generate, JudgedTrajectoriesAreWrittenAndReadAgain) {
   const std::vector<Paragraph> again = parse_sail_corpus(lines);
   EXPECT_EQ(json_lines({again, {}}), lines);
   EXPECT_EQ(again[1].sentences[0].refused, corpus.paragraphs[1].sentences[0].refused);
-  EXPECT_THROW(parse_sail_corpus(lines.substr(0, lines.find("\"refused\"")) + R"("refused":[[[0,0,7]]]}]})"), ltl::FormatError);
+  EXPECT_THROW(parse_sail_corpus(lines.substr(0, lines.find("\"refused\"")) + R"("refused":[[[0,0,7]]]}]})"),
+               ltl::FormatError);
 }
 
 TEST(Generate, EveryTrajectorySatisfiesItsFormulaByDefinition) {

@@ -107,11 +107,9 @@ class JudgedTest : public testing::Test {
  protected:
   // How many sentences have their meant formula first among the programs found, of how many.
   std::pair<std::size_t, std::size_t> meant_first(JudgedLimits limits) const {
-    const Corpus corpus = generate_corpus(shipped_maps(), {.seed = 7,
-                                                           .paragraphs = 20,
-                                                           .dialect = Dialect::Temporal,
-                                                           .most_clauses = 2,
-                                                           .judged = limits});
+    const Corpus corpus = generate_corpus(
+        shipped_maps(),
+        {.seed = 7, .paragraphs = 20, .dialect = Dialect::Temporal, .most_clauses = 2, .judged = limits});
     Examples examples = make_examples(corpus, executors, Convention::Absolute);
     find_programs(examples.sentences, executors, language.grammar(), 2, [](double) { return true; });
     std::size_t i = 0, first = 0;
