@@ -31,7 +31,8 @@ plan::Trajectory random_walk(const plan::Map& map, std::size_t actions, std::mt1
 
 GoldRoute route_of(const plan::Trajectory& walk) { return {walk.poses.front(), walk.poses.back(), walk.actions}; }
 
-// visit(executor, grammar, program, walk): random walks, and the plan of the program, whole and without its last action.
+// visit(executor, grammar, program, walk): random walks, and the plan of the program, whole and without its last
+// action.
 template <class Visit>
 void each_random_pair(std::size_t programs, const Visit& visit) {
   std::mt19937_64 random(11);
