@@ -60,14 +60,16 @@ std::optional<std::string> pattern_of(ltl::Formula formula) {
   return std::nullopt;
 }
 
-// The least class that the syntax proves.
+// The least class of the safety–progress hierarchy that the syntax proves. The classes above safety and guarantee are
+// classes of infinite words [MP90].
 std::string hierarchy(ltl::Formula f, ltl::Semantics semantics) {
   const ltl::Fragments in = ltl::fragments(f, semantics);
   if (in.propositional) return "propositional";
   if (in.safety && in.cosafety) return "safety and guarantee";
   if (in.safety) return "safety";
   if (in.cosafety) return "guarantee";
-  if (semantics == ltl::Semantics::Finite) return "neither safety nor guarantee";
+  if (semantics == ltl::Semantics::Finite)
+    return "neither safety nor guarantee; over infinite words, " + hierarchy(f, ltl::Semantics::Infinite);
   if (in.obligation) return "obligation";
   if (in.recurrence) return "recurrence";
   return in.persistence ? "persistence" : "reactivity";

@@ -128,8 +128,7 @@ class Running {
   // A task without end: its lasso.
   ExitCode run_for_ever(const Heard& heard) const {
     const ltl::Formula formula = heard.readings.front().formula;
-    WalkOptions walk{
-        .svg = options_.svg, .json = options_.json, .load = load_, .head = head_of_lasso(heard), .adds_route = true};
+    WalkOptions walk{.svg = options_.svg, .json = options_.json, .load = load_, .head = head_of_lasso(heard)};
     if (!options_.json)
       std::cout << "understood   " << in_english(formula, ltl::Semantics::Infinite, heard.map) << '\n';
     return plan_lasso({heard.map, heard.starts, formula}, walk, session_);
