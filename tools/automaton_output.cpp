@@ -37,7 +37,8 @@ Size measure(const automata::Automaton& automaton, std::size_t most_edges) {
 
 // In one line, without tabs.
 std::string flat(std::string text) {
-  std::replace_if(text.begin(), text.end(), [](char c) { return c == '\t' || c == '\n' || c == '\r'; }, ' ');
+  std::replace_if(
+      text.begin(), text.end(), [](char c) { return c == '\t' || c == '\n' || c == '\r'; }, ' ');
   return text;
 }
 
@@ -179,10 +180,10 @@ Reply shown_omega(const automata::Automaton& automaton, const std::optional<Gues
                   const OutputOptions& options) {
   const std::string& format = options.format;
   const std::size_t most = options.edges;
-  if (format == "stats")
-    return {ExitCode::Done, row(about, measure(automaton, most))};
+  if (format == "stats") return {ExitCode::Done, row(about, measure(automaton, most))};
   if (format == "dot") return show_or_refuse(automaton, dot_of(automaton, about, most), about, options);
-  if (format == "tsv") return show_or_refuse(automaton, with_whose(automata::write_table(automaton, most), about), about, options);
+  if (format == "tsv")
+    return show_or_refuse(automaton, with_whose(automata::write_table(automaton, most), about), about, options);
   if (format == "never" || format == "lbtt" || format == "ba")
     return show_or_refuse(automaton, exchanged(automaton, about, options), about, options);
   automata::OmegaHoaOptions layout{
@@ -204,8 +205,7 @@ Reply shown_omega(const automata::Automaton& automaton, const std::optional<Gues
 template <class Any>
 Reply drawn(Reply reply, const Any& automaton, const Shown& about, const OutputOptions& options) {
   if (options.svg.empty() || reply.code != ExitCode::Done) return reply;
-  const auto dot =
-      automaton.states() > most_drawn_states ? std::nullopt : dot_of(automaton, about, most_drawn_edges);
+  const auto dot = automaton.states() > most_drawn_states ? std::nullopt : dot_of(automaton, about, most_drawn_edges);
   if (dot) {
     draw_graph(*dot, options.svg);
   } else {
@@ -254,11 +254,11 @@ std::string heading(const OutputOptions& options) { return options.format == "st
 namespace {
 
 Reply shown_dfa(const automata::Dfa& dfa, const Shown& about, const OutputOptions& options) {
-  if (options.format == "stats")
-    return {ExitCode::Done, row(about, measure(dfa, options.edges))};
+  if (options.format == "stats") return {ExitCode::Done, row(about, measure(dfa, options.edges))};
   if (options.format == "never" || options.format == "lbtt" || options.format == "ba")
     throw UsageError("--format " + options.format + " is one for infinite words");
-  if (options.format == "tsv") return show_or_refuse(dfa, with_whose(dfa_table(dfa, options.edges), about), about, options);
+  if (options.format == "tsv")
+    return show_or_refuse(dfa, with_whose(dfa_table(dfa, options.edges), about), about, options);
   if (options.format == "dot") return show_or_refuse(dfa, dot_of(dfa, about, options.edges), about, options);
   const std::optional<std::string> hoa = automata::write_hoa_within(
       dfa, options.edges,

@@ -32,7 +32,8 @@ struct Shown {
   std::string certificate = {};  // of JSON, when one was asked for
 };
 
-// The automaton in the format asked for, and drawn where a picture was; past the limit on edges the answer is status limit with the symbolic size.
+// The automaton in the format asked for, and drawn where a picture was; past the limit on edges the answer is status
+// limit with the symbolic size.
 Reply show(const automata::Dfa& dfa, const Shown& about, const OutputOptions& options);
 Reply show(const automata::Automaton& automaton, const Shown& about, const OutputOptions& options);
 // Jumps are branches; HOA and JSON also say which.

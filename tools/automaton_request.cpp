@@ -79,9 +79,7 @@ Reply reply_of(const Verdict& verdict, const AutomatonRequest& request) {
 std::string name_of(const std::string& file, bool is_stream, const AutomatonRequest& request) {
   return source_name(file) + (is_stream ? " (automaton " + std::to_string(request.number) + ")" : "");
 }
-std::string first_name(const AutomatonRequest& request) {
-  return name_of(request.source, request.is_stream, request);
-}
+std::string first_name(const AutomatonRequest& request) { return name_of(request.source, request.is_stream, request); }
 std::string other_name(const std::string& file, const AutomatonRequest& request) {
   return name_of(file, request.others->is_stream(file), request);
 }
@@ -192,8 +190,8 @@ automata::Dfa good_prefixes(const automata::Automaton& a, automata::Budget& budg
   automata::TransitionRelation bad = automata::trim(no.transitions());
   const automata::Automaton trimmed(no.vocabulary(), no.reads(), bad);
   bad.acceptance.condition = automata::Condition::constant(true);
-  const automata::Automaton unsettled = automata::intersection(
-      a, automata::Automaton(no.vocabulary(), no.reads(), std::move(bad)), budget);
+  const automata::Automaton unsettled =
+      automata::intersection(a, automata::Automaton(no.vocabulary(), no.reads(), std::move(bad)), budget);
   if (const auto word = automata::find_lasso(unsettled))
     throw UsageError("--to dfa: no finite prefix settles that this word is accepted: " +
                      ltl::show(*word, unsettled.vocabulary()));
@@ -264,10 +262,8 @@ Reply satisfies(const AnyAutomaton& any, const AutomatonRequest& request, automa
   const ltl::Formula no = ltl::negate(ltl::parse(request.satisfies, arena));
   const automata::TranslationLimits limits{.states = request.states, .stop = std::move(stop)};
   const auto answer_to = [&](const auto& rest, const auto& word) {
-    return reply_of({.question = "satisfied",
-                     .otherwise = "not satisfied by ",
-                     .word = text_of(word, rest.vocabulary())},
-                    request);
+    return reply_of(
+        {.question = "satisfied", .otherwise = "not satisfied by ", .word = text_of(word, rest.vocabulary())}, request);
   };
   const auto automaton_of = [](auto result) {
     if (std::holds_alternative<automata::Exhausted>(result))
@@ -288,9 +284,8 @@ namespace {
 
 Verdict asked_of(const automata::Dfa& dfa, const AutomatonRequest& request, automata::Budget& budget) {
   if (request.empty)
-    return {.question = "empty",
-            .otherwise = "accepts ",
-            .word = text_of(automata::shortest_word(dfa), dfa.vocabulary())};
+    return {
+        .question = "empty", .otherwise = "accepts ", .word = text_of(automata::shortest_word(dfa), dfa.vocabulary())};
   if (request.universal) {
     const automata::Dfa rest = automata::product(all_words(), dfa, difference_of, budget);
     return {.question = "universal",

@@ -185,8 +185,8 @@ Checked read_checked(const CheckOptions& options) {
   }
   plan::Map map = read_map(options.map);
   plan::Walk walk = plan::parse_walk(read_file(options.trajectory), map, source_name(options.trajectory));
-  ltl::AnyWord word = walk.repeated > 0 ? ltl::AnyWord(plan::lasso_of(walk, map))
-                                        : ltl::AnyWord(plan::word_of(walk.trajectory, map));
+  ltl::AnyWord word =
+      walk.repeated > 0 ? ltl::AnyWord(plan::lasso_of(walk, map)) : ltl::AnyWord(plan::word_of(walk.trajectory, map));
   ltl::Vocabulary vocabulary = map.vocabulary();
   return {std::move(word), std::move(vocabulary), ltl::Unknown::Reject, std::move(map), std::move(walk)};
 }
@@ -202,8 +202,7 @@ ExitCode run_check(const CheckOptions& options, const Session& session) {
     throw UsageError("formula and trajectory cannot both come from standard input");
   check_writable(options.svg);
   TextReader texts(options.text, "formula");
-  if (!options.svg.empty() && texts.is_batch())
-    throw UsageError("--svg is for a single formula given as an argument");
+  if (!options.svg.empty() && texts.is_batch()) throw UsageError("--svg is for a single formula given as an argument");
   const Checked checked = read_checked(options);
   if (checked.goes_on() && options.semantics == "finite")
     throw UsageError("a lasso has no end: it is an infinite word");
@@ -218,7 +217,9 @@ Runner setup_check(Command command) {
   add_text_options(command, options->text, "formula");
   add_notation_options(command, options->notation);
   add_map_options(command, options->map);
-  command.add_option("--trajectory", options->trajectory, "poses or actions, or an answer of plan (docs/formats); - is standard input")
+  command
+      .add_option("--trajectory", options->trajectory,
+                  "poses or actions, or an answer of plan (docs/formats); - is standard input")
       .type_name("FILE");
   command.add_option("--trace", options->trace, "a word without a map, letters line by line; - is standard input")
       .type_name("FILE");

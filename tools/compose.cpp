@@ -195,7 +195,8 @@ ExitCode run_compose(const ComposeOptions& options, const Session& session) {
   if (!options.automaton.empty() && gives_formula(options)) throw UsageError("give a formula or --automaton, not both");
   if (!options.output.out.empty() && options.output.format != "prism" && options.output.format != "explicit")
     throw UsageError("--out goes with --format prism and --format explicit");
-  if (!options.output.svg.empty() && options.model_only) throw UsageError("--svg draws a product; --format dot a model");
+  if (!options.output.svg.empty() && options.model_only)
+    throw UsageError("--svg draws a product; --format dot a model");
   check_writable(options.output.svg);
   if (!options.task.empty() && options.file.empty()) throw UsageError("--task goes with --case");
   if (!options.file.empty() || options.model_only || options.output.graph || options.output.format == "prism" ||

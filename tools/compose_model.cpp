@@ -141,9 +141,8 @@ class ProductWriter {
   template <class Model>
   void draw(const plan::ProductMdp<Model>& product) const {
     ProductPicture picture;
-    product.for_each_state([&](const auto& s) {
-      picture.add_state(product.model().name(s.place), s.task, product.is_goal(s), false);
-    });
+    product.for_each_state(
+        [&](const auto& s) { picture.add_state(product.model().name(s.place), s.task, product.is_goal(s), false); });
     for (const std::uint32_t start : product.starts()) picture.add_start(start);
     product.for_each_state([&](const auto& s) {
       for (std::uint32_t k = 0; k < product.choices(s); ++k)

@@ -70,7 +70,8 @@ class Reached {
   bool read(const ltl::Letter& letter) {  // is any left?
     std::vector<std::uint32_t> next;
     for (const std::uint32_t q : states_)
-      for (const automata::Branch& branch : automaton_.next(automata::StateId{q}, letter)) next.push_back(branch.target);
+      for (const automata::Branch& branch : automaton_.next(automata::StateId{q}, letter))
+        next.push_back(branch.target);
     std::sort(next.begin(), next.end());
     next.erase(std::unique(next.begin(), next.end()), next.end());
     states_ = std::move(next);
@@ -97,9 +98,7 @@ Verdicts infinite_verdicts(ltl::Formula f, const std::vector<ltl::Letter>& lette
   std::vector<LetterVerdict> out;
   for (const ltl::Letter& letter : letters) {
     const bool may_hold = for_it.read(letter), may_fail = against_it.read(letter);
-    out.push_back(!may_hold   ? LetterVerdict::Lost
-                  : !may_fail ? LetterVerdict::Satisfied
-                              : LetterVerdict::Open);
+    out.push_back(!may_hold ? LetterVerdict::Lost : !may_fail ? LetterVerdict::Satisfied : LetterVerdict::Open);
   }
   return out;
 }
@@ -138,8 +137,11 @@ JudgedWord judge(ltl::Formula f, const ltl::AnyWord& word, ltl::Semantics semant
   judged.letters = progressed(f, letters, semantics, stop);
   if (finite && ltl::accepts_empty(judged.letters.back().remains) != judged.satisfied)
     throw std::logic_error("progression and definition disagree on " + ltl::print(f));
-  if (verdicts)
-    for (std::size_t i = 0; i < letters.size(); ++i) judged.letters[i].verdict = (*verdicts)[i];
+  if (!verdicts) return judged;
+  for (std::size_t i = 0; i < letters.size(); ++i) {
+    judged.letters[i].verdict = (*verdicts)[i];
+    if ((*verdicts)[i] == LetterVerdict::Lost) judged.letters[i].remains = f.arena().constant(false);
+  }
   return judged;
 }
 

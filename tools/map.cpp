@@ -112,7 +112,8 @@ void print_map(const plan::Map& map, const std::vector<Named>& propositions, boo
       std::cout << "  " << named.written << std::string(width + 2 - ltl::utf8_length(named.written), ' ')
                 << named.meaning << '\n';
   if (hidden > 0)
-    std::cout << "  and " << counted(hidden, "proposition") << " more, of what is ahead, behind, next or at a side: --all\n";
+    std::cout << "  and " << counted(hidden, "proposition")
+              << " more, of what is ahead, behind, next or at a side: --all\n";
 }
 
 ExitCode run_map(const MapCommandOptions& options, const Session& session) {

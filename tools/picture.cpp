@@ -21,7 +21,8 @@ std::string caption(const Picture& picture) {
   text += ", " + counted(walk.actions.size(), "action");
   if (const std::size_t cycle = repeated_actions(*picture.route))
     text += ", the last " + std::to_string(cycle) + " for ever";
-  if (picture.lost) text += ", lost at " + (*picture.lost == 0 ? "the start" : "action " + std::to_string(*picture.lost));
+  if (picture.lost)
+    text += ", lost at " + (*picture.lost == 0 ? "the start" : "action " + std::to_string(*picture.lost));
   return certifier(*picture.route) ? text + ", certified" : text;
 }
 

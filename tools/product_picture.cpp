@@ -58,8 +58,8 @@ std::string ProductPicture::dot_of_states() const {
   std::map<std::pair<std::size_t, std::size_t>, std::vector<std::string>> labels;
   for (const Edge& edge : edges_) labels[{edge.from, edge.to}].push_back(edge.label);
   for (const auto& [ends, all] : labels)
-    out += "  " + std::to_string(ends.first) + " -> " + std::to_string(ends.second) + " [label=" + in_quotes(joined(all)) +
-           "];\n";
+    out += "  " + std::to_string(ends.first) + " -> " + std::to_string(ends.second) +
+           " [label=" + in_quotes(joined(all)) + "];\n";
   return out + "}\n";
 }
 

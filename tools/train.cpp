@@ -34,20 +34,19 @@ struct TrainCommandOptions {
 };
 
 // Lines that are no programs over the names of the map: all of them are learned from, or none.
-void check_refused(const parser::Annotations& annotations, const TrainCommandOptions& options,
-                   const std::string& map) {
+void check_refused(const parser::Annotations& annotations, const TrainCommandOptions& options, const std::string& map) {
   const std::size_t refused = annotations.refused.size(), all = refused + annotations.pairs.size();
   if (refused == 0) return;
   constexpr std::size_t most = 3;
   for (std::size_t i = 0; i < std::min(refused, most); ++i)
     std::cerr << source_name(options.supervised) << ':' << annotations.refused[i].line << ": "
               << annotations.refused[i].reason << '\n';
-  const std::string share = std::to_string(refused) + " of " + counted(all, "line") +
-                            " have a formula that is no program over the names of the map " + map;
+  const std::string share = "no programs over the names of the map " + map + ": the formulas of " +
+                            std::to_string(refused) + " of " + counted(all, "line");
   if (!options.leave_out)
     throw ltl::FormatError(source_name(options.supervised), 0, 0,
                            share + "; --map names another one, --leave-out learns from the other lines");
-  complain("note", share + ", and are left out");
+  complain("note", share + ", which are left out");
 }
 
 // Of a corpus, of pairs, or of our own language when neither is named.

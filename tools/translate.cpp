@@ -81,10 +81,8 @@ Reply translate_one(const Text& text, const TranslateOptions& options, const Tra
   const bool shows_names = options.output.format != "stats" || options.certify || !options.output.svg.empty();
   if (known && shows_names) made = renamed(*made, arena.vocabulary());
   const Translated& result = *made;
-  Shown about{.line = text.line,
-              .text = text.text,
-              .semantics = std::string(translation.semantics),
-              .seconds = watch.lap()};
+  Shown about{
+      .line = text.line, .text = text.text, .semantics = std::string(translation.semantics), .seconds = watch.lap()};
   if (options.certify && !std::holds_alternative<automata::Exhausted>(result))
     about.certificate = certificate(formula, result, translation, limits);
   if (options.output.format != "stats") about.name = ltl::print(formula);

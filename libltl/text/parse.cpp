@@ -56,6 +56,7 @@ class Builder {
 
   Formula atom(const Token& token);
   std::optional<std::string> name_beginning_with(const Token& token) const;
+  std::string known() const;  // the first propositions, for messages
   Formula close(Term&& term);
   Term pop();
   void push(Formula f, std::size_t depth, const Token& token);
@@ -82,6 +83,15 @@ std::optional<std::string> Builder::name_beginning_with(const Token& token) cons
   return alone ? found : std::nullopt;
 }
 
+std::string Builder::known() const {
+  constexpr std::size_t most = 8;
+  const std::vector<std::string>& names = arena_.vocabulary().names();
+  std::string list;
+  for (std::size_t i = 0; i < std::min(most, names.size()); ++i) list += (i == 0 ? "" : ", ") + names[i];
+  if (list.empty()) return "";
+  return " (known: " + list + (names.size() > most ? ", …)" : ")");
+}
+
 Formula Builder::atom(const Token& token) {
   if (unknown_ == Unknown::Add) return arena_.atom(token.name);
   if (const auto p = arena_.vocabulary().find(token.name)) return arena_.atom(*p);
@@ -90,6 +100,8 @@ Formula Builder::atom(const Token& token) {
     message += " (did you mean \"" + *whole + "\", in quotes?)";
   else if (const auto near = arena_.vocabulary().nearest(token.name))
     message += " (did you mean '" + *near + "'?)";
+  else
+    message += known();
   throw SyntaxError(text_, token.where, message);
 }
 

@@ -90,7 +90,11 @@ plan::Map RenamedMap::renamed(const ltl::Vocabulary& trained, const plan::Map& m
     edge.floor = renamed_to(Kind::Floor, edge.floor).value_or("");
     edge.wall = renamed_to(Kind::Painting, edge.wall).value_or("");
   }
-  return {map.name(), nodes, edges, names_of(observables, Kind::Object), names_of(observables, Kind::Floor),
+  return {map.name(),
+          nodes,
+          edges,
+          names_of(observables, Kind::Object),
+          names_of(observables, Kind::Floor),
           names_of(observables, Kind::Painting)};
 }
 

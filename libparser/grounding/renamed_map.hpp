@@ -1,8 +1,9 @@
 // A map in the names that a model was trained on: what a text mentions gets names of the model, of the same kind.
 //
-// Programs of route instructions are over the furniture, floors and paintings of the maps of the training. On a map with
-// other names, "turn left at the desk" is read as "turn left at the chair", on the same hallways with a chair in the
-// place of the desk, and the formula is renamed back. Names for which none is left stand nowhere on the renamed map.
+// Programs of route instructions are over the furniture, floors and paintings of the maps of the training. On a map
+// with other names, "turn left at the desk" is read as "turn left at the chair", on the same hallways with a chair in
+// the place of the desk, and the formula is renamed back. Names for which none is left stand nowhere on the renamed
+// map.
 #pragma once
 #include <cstddef>
 #include <map>
@@ -34,8 +35,7 @@ class RenamedMap {
   struct Names {
     std::map<Key, std::string> trained_for, own_for;  // by own name, and back
   };
-  static Names assigned(const ltl::Vocabulary& trained, const ltl::Vocabulary& own,
-                        const std::vector<Key>& mentioned);
+  static Names assigned(const ltl::Vocabulary& trained, const ltl::Vocabulary& own, const std::vector<Key>& mentioned);
   static plan::Map renamed(const ltl::Vocabulary& trained, const plan::Map& map, const Names& names);
 
   Names names_;

@@ -65,8 +65,7 @@ void draw_mark(Svg& svg, Point at, std::size_t i, const std::string& colour) {
   const std::string style = "stroke=\"" + colour + "\" stroke-width=\"1.6\" fill=\"" + (filled ? colour : "#fff") + '"';
   const auto shape = [&](std::initializer_list<Point> corners) {
     std::string d;
-    for (const Point corner : corners)
-      d += (d.empty() ? "M " : " L ") + render::at({at.x + corner.x, at.y + corner.y});
+    for (const Point corner : corners) d += (d.empty() ? "M " : " L ") + render::at({at.x + corner.x, at.y + corner.y});
     svg.path(d + " Z", style);
   };
   switch (i % 4) {
