@@ -30,8 +30,8 @@ std::string with_answers(const std::string& page, const std::function<std::strin
       command = line.substr(2);
       reads_command = true;
       out += line + '\n';
-    } else if (reads_command && line.starts_with("> ")) {
-      command += '\n' + line.substr(2);
+    } else if (reads_command && (line == ">" || line.starts_with("> "))) {
+      command += '\n' + (line == ">" ? "" : line.substr(2));
       out += line + '\n';
     } else if (line == "```console" || (inside && line == "```")) {
       finish();
