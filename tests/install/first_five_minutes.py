@@ -47,7 +47,7 @@ def rerun(page, folder, environment):
 
 def row_of_table(name, page, seconds):
     commands = [command for block in BLOCK.findall(page) for command in commands_of(block)]
-    typed = sum(map(len, commands))
+    typed = sum(len(command.splitlines()[0]) for command in commands)  # files are pasted
     read = len(BLOCK.sub("", page).split())
     minutes = typed / PER_MINUTE_TYPED + read / PER_MINUTE_READ + seconds / 60
     title = "Python" if name == "python" else name
