@@ -17,7 +17,7 @@ CONTAINER = {"size", "empty", "begin", "end", "data", "clear"}
 CONCEPT = {"value_type", "reference", "pointer", "difference_type", "iterator_category", "vertex_descriptor",
            "edge_descriptor", "directed_category", "edge_parallel_category", "traversal_category", "degree_size_type",
            "vertices_size_type", "out_edge_iterator", "vertex_iterator", "adjacency_iterator", "in_edge_iterator",
-           "edge_iterator", "edges_size_type"}
+           "edge_iterator", "edges_size_type", "Prefix"}
 NAME = re.compile(r"([A-Za-z_~]\w*|operator\s*\S+?)\s*\(")
 
 
@@ -108,6 +108,8 @@ class Filter:
                 return [" Constructs the object."]
             if name[1].startswith("operator"):
                 return [" As the operator of the same kind of values."]
+        if same := re.match(r"using (\w+) = (?:typename )?([\w:]+::\1);", text):
+            return [f" The same as {same[2]}."]
         if (using := re.match(r"using (\w+) =|struct (\w+);", text)) and (using[1] or using[2]) in CONCEPT:
             return [" As a concept of the standard library or of Boost.Graph asks."]
         if re.search(r"=\s*default\s*;$", text):
@@ -150,7 +152,7 @@ class Filter:
             for member in split_top(one_line[2], "," if enum else ";"):
                 self.declare(indent + "  ", [f"{indent}  {member}{',' if enum else ';'}"], comment)
             self.out.append(f"{indent}}};")
-        elif self.scopes and self.scopes[-1] == "class" and (parts := self.declarators(text)):
+        elif self.scopes and self.scopes[-1] != "enum" and (parts := self.declarators(text)):
             for part in parts:
                 self.declare(indent, [indent + part], comment)
         else:

@@ -18,8 +18,8 @@
 namespace waymark::plan {
 
 struct Trajectory {
-  std::vector<PoseId> poses;  // poses.size() = actions.size() + 1
-  std::vector<Action> actions;
+  std::vector<PoseId> poses;    // poses.size() = actions.size() + 1
+  std::vector<Action> actions;  // between the poses
   friend bool operator==(const Trajectory&, const Trajectory&) = default;
 };
 
