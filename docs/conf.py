@@ -8,7 +8,8 @@ root = pathlib.Path(__file__).resolve().parent.parent
 
 project = "waymark"
 author = "the waymark authors"
-release = re.search(r"VERSION ([0-9.]+)", (root / "CMakeLists.txt").read_text()).group(1)
+copyright = "2026 the waymark authors"
+release = re.search(r"project\(waymark VERSION ([0-9.]+)", (root / "CMakeLists.txt").read_text()).group(1)
 extensions = ["myst_parser", "sphinx.ext.graphviz"]
 root_doc = "docs/index"
 include_patterns = ["*.md", "docs/**.md"]
@@ -16,7 +17,7 @@ myst_heading_anchors = 4
 graphviz_output_format = "svg"
 html_theme = "furo"
 html_title = f"waymark {release}"
-html_extra_path = ["site/root", "../build/api"]  # index.html, and the folder api that Doxygen wrote
+html_extra_path = ["site/root", "../build/doxygen/site"]  # index.html, and the folder api that Doxygen wrote
 html_copy_source = False
 html_theme_options = {
     "light_css_variables": {"font-stack": "system-ui, sans-serif"},
@@ -49,19 +50,39 @@ def diagram(direction, flowchart):
     return "\n".join(["```{graphviz}", *lines, "}", "```"])
 
 
+def joined_rows(page):
+    """Tables in which a row of a long table is one line: in the sources, a row with an empty first cell goes on."""
+    out, body = [], False
+    for line in page.split("\n"):
+        cells = re.split(r"(?<!\\)\|", line)
+        if re.fullmatch(r"\|[ :|-]+\|", line) and "---" in line:
+            out.append(line)
+            body = True
+            continue
+        above = re.split(r"(?<!\\)\|", out[-1]) if out else []
+        if body and len(cells) > 2 and not cells[1].strip() and len(cells) == len(above) and "---" not in out[-1]:
+            out[-1] = "|".join(f"{a.rstrip()} {b.strip()} " if b.strip() else a for a, b in zip(above, cells))
+        else:
+            out.append(line)
+            body = body and line.startswith("|")
+    return "\n".join(out)
+
+
 def pages_of_headers():
     """The page of the API of each installed header, by its path."""
-    tags = root / "build/api/waymark.tag"
+    tags = root / "build/doxygen/waymark.tag"
     if not tags.exists():
         return {}
     pages = {}
     for file in ElementTree.parse(tags).getroot().iterfind("compound[@kind='file']"):
-        pages[(file.findtext("path") or "") + file.findtext("name")] = file.findtext("filename")
+        _, _, folder = (file.findtext("path") or "").partition("/headers/")  # of the copies for Doxygen
+        pages[folder + file.findtext("name")] = file.findtext("filename")
     return pages
 
 
 def adapt(app, name, text):
-    page = re.sub(r"```mermaid\nflowchart (\w+)\n(.*?)\n```", lambda match: diagram(*match.groups()), text[0], flags=re.S)
+    page = re.sub(r"```mermaid\nflowchart (\w+)\n(.*?)\n```", lambda match: diagram(*match.groups()), joined_rows(text[0]),
+                  flags=re.S)
     depth = name.count("/")
 
     def link(match):

@@ -106,8 +106,8 @@ class Filter:
                 return [" As of containers of the standard library."]
             if self.classes and name[1] == self.classes[-1]:
                 return [" Constructs the object."]
-            if name[1].startswith("operator"):
-                return [" As the operator of the same kind of values."]
+            if name[1].startswith("operator") and not re.search(r"=\s*(default|delete)\s*;$|operator\s*[=<]", text):
+                return [" The element at that place." if "[]" in name[1] else " What the class is called for."]
         if same := re.match(r"using (\w+) = (?:typename )?([\w:]+::\1);", text):
             return [f" The same as {same[2]}."]
         if (using := re.match(r"using (\w+) =|struct (\w+);", text)) and (using[1] or using[2]) in CONCEPT:
@@ -132,8 +132,6 @@ class Filter:
             comment = self.named[-1][name]
         if not comment and name and name + "_" in self.members:
             comment = self.members[name + "_"]
-        if not comment:
-            comment = self.shared
         declared = re.match(r"(?:template\s*<.*>\s*)?(?:(?:class|struct|concept|using|enum(?: class)?)\s+)?(\w+)", text)
         if not comment and self.noun and self.noun in (name, declared and declared[1]):
             if not re.match(r"(class|struct) \w+;", text):
@@ -141,7 +139,7 @@ class Filter:
         if comment and name:
             self.named[-1].setdefault(name, comment)
         if not comment:
-            comment = self.automatic(text)
+            comment = self.automatic(text) or self.shared
         one_line = re.fullmatch(r"((?:class|struct|enum(?:\s+class)?)\b[^{}()=]*)\{(.*)\};", text)
         if in_enum and not opens:
             for value in split_top(text):

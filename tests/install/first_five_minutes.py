@@ -62,8 +62,11 @@ def main(source, build, scratch, *names):
     subprocess.run(["cmake", "--install", build, "--prefix", str(prefix)], stdout=subprocess.DEVNULL, check=True)
     module = prefix / "lib/python3/dist-packages"
     environment = {key: value for key, value in os.environ.items() if key not in ("WAYMARK_DATA", "PYTHONPATH")}
-    environment |= {"PATH": f"{prefix}/bin:{os.environ['PATH']}", "CMAKE_PREFIX_PATH": str(prefix), "LC_ALL": "C.UTF-8",
-                    "PYTHONPATH": str(module), "PYTHONDONTWRITEBYTECODE": "1"}
+    interpreter = scratch / "interpreter"  # `python3` is the one that runs this script
+    interpreter.mkdir()
+    (interpreter / "python3").symlink_to(sys.executable)
+    environment |= {"PATH": f"{interpreter}:{prefix}/bin:{os.environ['PATH']}", "CMAKE_PREFIX_PATH": str(prefix),
+                    "LC_ALL": "C.UTF-8", "PYTHONPATH": str(module), "PYTHONDONTWRITEBYTECODE": "1"}
     status = 0
     for name in sorted(set(names) - options):
         file = Path(source) / "docs/first-five-minutes" / f"{name}.md"

@@ -31,7 +31,7 @@ struct LabelledCommands {
   std::vector<LiftedExample> examples;  // for the networks
   std::size_t left_out = 0;             // whose formulas are none, or are not lifted
 };
-// People's commands; `unnamed`: the weight of those without mentions.
+// People's commands; `unnamed`: the share of their weight that is learned without the name of the domain.
 LabelledCommands labelled_commands(std::span<const Command> commands, CommandDomains& domains,
                                    const MentionModel& mentions, double unnamed, bool doubted = false);
 
