@@ -1,6 +1,7 @@
-# A software bill of materials, waymark.spdx.json (SPDX 2.3): what waymark is made of, found when the build is configured.
-# The packages are the Debian packages that own the headers and libraries in use, with their versions and the licences of
-# their copyright files. Without dpkg, the libraries are listed by name. tests/install/check_sbom.py reads the file.
+# A software bill of materials, waymark.spdx.json (SPDX 2.3): what waymark is made of, found when the build is
+# configured. The packages are the Debian packages that own the headers and libraries in use, with their versions and
+# the licences of their copyright files. Without dpkg, the libraries are listed by name. tests/install/check_sbom.py
+# reads the file.
 find_program(DPKG_QUERY dpkg-query)
 set(headers boost/graph/adjacency_list.hpp eigen3/Eigen/Core CLI/CLI.hpp nlohmann/json.hpp pugixml.hpp graphviz/gvc.h)
 set(libraries pugixml gvc cgraph)

@@ -81,8 +81,8 @@ def pages_of_headers():
 
 
 def adapt(app, name, text):
-    page = re.sub(r"```mermaid\nflowchart (\w+)\n(.*?)\n```", lambda match: diagram(*match.groups()), joined_rows(text[0]),
-                  flags=re.S)
+    page = re.sub(r"```mermaid\nflowchart (\w+)\n(.*?)\n```", lambda match: diagram(*match.groups()),
+                  joined_rows(text[0]), flags=re.S)
     depth = name.count("/")
 
     def link(match):

@@ -1,18 +1,20 @@
 #!/usr/bin/env python3
 """doxygen_filter.py TARGET FOLDER...: copies of the headers below TARGET, as Doxygen reads them (docs/Doxyfile).
 
-The headers of this house have plain `//` comments: above a declaration, or behind it. This filter writes them as `///` above the
-declaration. A comment above declarations without a blank line between them is a comment on each of them that has none,
-and so is a comment on declarations of one line. The first comment of a header defines its noun: the declaration that has
-the name of the file, else the first type or function. An overload has the comment of its namesake above, a constructor is documented by its class, and
-`x()` that returns the member `x_` by the comment on that member. Names that containers of the standard library and
-graphs of Boost give to things keep their meaning. Bodies of functions pass as they are.
+The headers of this house have plain `//` comments: above a declaration, or behind it. This filter writes them as `///`
+above the declaration. A comment above declarations without a blank line between them is a comment on each of them that
+has none, and so is a comment on declarations of one line. The first comment of a header is about its noun: the
+declaration that has the name of the file, else the first type or function. An overload has the comment of its namesake
+above, a constructor is documented by its class, and `x()` that returns the member `x_` by the comment on that member.
+Names that containers of the standard library and graphs of Boost give to things keep their meaning. Bodies of functions
+pass as they are.
 """
 import pathlib
 import re
 import sys
 
-SCOPE = re.compile(r"(?:template\s*<.*>\s*)?(?:inline\s+)?(?:class|struct|union|namespace|enum(?:\s+class)?)\b[^()=]*\{$")
+SCOPE = re.compile(r"(?:template\s*<.*>\s*)?(?:inline\s+)?"
+                   r"(?:class|struct|union|namespace|enum(?:\s+class)?)\b[^()=]*\{$")
 CONTAINER = {"size", "empty", "begin", "end", "data", "clear"}
 CONCEPT = {"value_type", "reference", "pointer", "difference_type", "iterator_category", "vertex_descriptor",
            "edge_descriptor", "directed_category", "edge_parallel_category", "traversal_category", "degree_size_type",
@@ -237,7 +239,8 @@ class Filter:
                 self.shared = None
                 named = re.match(r"(?:template\s*<.*>\s*)?(?:class|struct|union|enum(?: class)?)\s+(\w+)", text)
                 self.classes.append(named[1] if named else "")
-                self.scopes.append("enum" if re.match(r"enum\b", text) else "class" if "namespace" not in text else "space")
+                kind = "enum" if re.match(r"enum\b", text) else "class" if "namespace" not in text else "space"
+                self.scopes.append(kind)
                 self.named.append({})
             else:
                 name = NAME.search(text)
@@ -254,7 +257,8 @@ class Filter:
 
 def noun_of(stem, lines):
     """The name that the first comment of a header is about."""
-    declared = re.compile(r"(?:template <.*> )?(?:class|struct|concept|enum class) (\w+)(?: final)?(?: :.*)?(?: =.*)?(?: \{|$)"
+    declared = re.compile(r"(?:template <.*> )?(?:class|struct|concept|enum class) (\w+)"
+                          r"(?: final)?(?: :.*)?(?: =.*)?(?: \{|$)"
                           r"|(?!using|namespace|#|//|friend|return)[\w:<>,&* ]*?[\w>&*] (\w+)\(")
     names = [match[1] or match[2] for match in map(declared.match, lines) if match]
     plain = stem.replace("_", "")

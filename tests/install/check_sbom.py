@@ -1,5 +1,5 @@
-"""check_sbom.py FILE BIN: the bill of materials is an SPDX 2.3 document; what dpkg says now agrees with it; and it names
-the package of every shared library that the executables in BIN are linked with."""
+"""check_sbom.py FILE BIN: the bill of materials is an SPDX 2.3 document; what dpkg says now agrees with it; and it
+names the package of every shared library that the executables in BIN are linked with."""
 import json
 import re
 import shutil
@@ -61,7 +61,8 @@ def main(file, folder):
             places = dict(re.findall(r"(\S+) => (\S+)", said("ldd", str(program)))) if needed else {}
             for library in needed:
                 if library in places:
-                    demand(owner(places[library]) in names, f"{name} is linked with {library} of {owner(places[library])}")
+                    package = owner(places[library])
+                    demand(package in names, f"{name} is linked with {library} of {package}")
     else:
         print("SKIPPED: versions and linked libraries, for there is no dpkg-query")
     print("\n".join(faults) if faults else f"{len(packages)} packages")

@@ -2,9 +2,9 @@
 
 first_five_minutes.py SOURCE BUILD SCRATCH NAME... [--write] [--table]
 
-Installs BUILD below SCRATCH. In a block ```console, a line that starts with `$ ` begins a command, `> ` continues it, and
-the other lines are what it prints. --write writes what is printed into the pages, --table writes the measured times into
-the README of the folder. Exit code 1: a page prints something else. Exit code 77: what a page needs was not built.
+Installs BUILD below SCRATCH. In a block ```console, a line that starts with `$ ` begins a command, `> ` continues it,
+and the other lines are what it prints. --write writes what is printed into the pages, --table writes the measured times
+into the README of the folder. Exit code 1: a page prints something else. Exit code 77: what a page needs was not built.
 """
 import difflib
 import os
