@@ -37,8 +37,8 @@ INSTANTIATE_TEST_SUITE_P(Manual, Pages, testing::ValuesIn(pages()), [](const aut
   return name;
 });
 
-// The second column of the tables for users of other tools has our commands. They run in order, in one folder, after the
-// commands of the blocks, which write the files. A command answers yes (0) or no (10).
+// The second column of the tables for users of other tools has our commands. They run in order, in one folder, after
+// the commands of the blocks, which write the files. A command answers yes (0) or no (10).
 TEST(ComingFrom, HasCommandsThatRun) {
   const std::string page = read(manual / "coming-from.md");
   const fs::path scratch = fs::path(testing::TempDir()) / ("waymark-coming-from-" + std::to_string(::getpid()));
