@@ -20,9 +20,10 @@ struct Token {                                                                  
   Kind kind = Kind::End;                                                          // of the token
   Span where;                                                                     // its bytes
   Symbol symbol = Symbol::Not;                                                    // of an Operator
-  std::optional<std::size_t> bound;                                               // k of F<=k, G<=k and U<=k
-  bool value = false;                                                             // of a Constant
-  std::string name;  // of a Name, quotes and escapes removed
+  std::optional<std::size_t> bound;  // k of F<=k, G<=k and U<=k; j of F[i:j]; of F[i:] none
+  std::size_t from = 0;              // i of F[i:j] and F[i:]
+  bool value = false;                // of a Constant
+  std::string name;                  // of a Name, quotes and escapes removed
 };
 
 class Lexer {
@@ -36,6 +37,8 @@ class Lexer {
   Token word();
   Token quoted();
   Token operation(Symbol symbol, std::size_t begin);
+  void bounds(Token& token);
+  std::size_t steps();
   void skip_space();
   bool take(std::string_view expected);
   std::optional<std::size_t> number();
