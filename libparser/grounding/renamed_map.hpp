@@ -25,8 +25,8 @@ class RenamedMap {
   RenamedMap(const ltl::Vocabulary& trained, const plan::Map& map, const std::vector<std::string>& tokens,
              const std::vector<Mention>& mentions, const std::vector<NamedThing>& things);
 
-  const plan::Map& map() const { return map_; }  // over `trained`; places and poses as on the map that was given
-  const std::string& text() const { return text_; }
+  const plan::Map& map() const { return map_; }      // over `trained`; places and poses as on the map that was given
+  const std::string& text() const { return text_; }  // the text in names of the model
   // The formula over the names of the map that was given; what stands nowhere is false.
   ltl::Formula in_own_names(ltl::Formula f, ltl::Arena& arena) const;
 

@@ -20,15 +20,15 @@
 namespace waymark::plan {
 
 struct Trajectory {
-  std::vector<PoseId> poses;  // poses.size() = actions.size() + 1
-  std::vector<Action> actions;
+  std::vector<PoseId> poses;    // poses.size() = actions.size() + 1
+  std::vector<Action> actions;  // between the poses
   friend bool operator==(const Trajectory&, const Trajectory&) = default;
 };
 
 // A walk on a map: a trajectory that ends, or a lasso whose last `repeated` ≥ 1 actions are repeated for ever.
 struct Walk {
-  Trajectory trajectory;
-  std::size_t repeated = 0;
+  Trajectory trajectory;     // the prefix and one round
+  std::size_t repeated = 0;  // 0: the walk ends
 };
 
 // The action that leads from one pose to the other in one step, if there is one.
