@@ -23,7 +23,7 @@
 
 namespace waymark::plan {
 
-struct DqnMethod {
+struct DqnMethod {                 // deep Q-learning with what its network sees
   Dqn dqn;                         // of the learner
   Sight sight = Sight::Landmarks;  // what the network is told of a pose
   bool trees = false;              // else the task is one-hot
