@@ -80,7 +80,7 @@ struct Verdict {                                  // of one run
          to_stay = 0;               // environment steps, infinite where the run never came there
   double updates = 0, seconds = 0;  // checkpoints included
 };
-Verdict judge(const LearningCurve& curve, const PolicyValue& optimum, double seconds);  // What one run came to.
+Verdict judge(const LearningCurve& curve, const PolicyValue& optimum, double seconds);  // what one run came to
 
 struct Summary {                                    // many runs of one method
   Estimate success, score;                          // means
