@@ -13,7 +13,7 @@
 
 namespace waymark::ltl {
 
-class Letter {
+class Letter {  // a set of propositions
  public:
   Letter() = default;
   Letter(std::initializer_list<Proposition> members) {

@@ -4,10 +4,9 @@
 The headers of this house have plain `//` comments: above a declaration, or behind it. This filter writes them as `///`
 above the declaration. A comment above declarations without a blank line between them is a comment on each of them that
 has none, and so is a comment on declarations of one line. The first comment of a header is about its noun: the
-declaration that has the name of the file, else the first type or function. An overload has the comment of its namesake
-above, a constructor is documented by its class, and `x()` that returns the member `x_` by the comment on that member.
-Names that containers of the standard library and graphs of Boost give to things keep their meaning. Bodies of functions
-pass as they are.
+declaration that has the name of the file. An overload has the comment of its namesake above, a constructor is
+documented by its class, and `x()` that returns the member `x_` by the comment on that member. Names that containers of
+the standard library and graphs of Boost give to things keep their meaning. Bodies of functions pass as they are.
 """
 import pathlib
 import re
@@ -265,7 +264,7 @@ def noun_of(stem, lines):
     for name in names:
         if name.lower().replace("_", "") in (plain, plain.rstrip("s")):
             return name
-    return names[0] if names else None
+    return None
 
 
 def filtered(text, stem):

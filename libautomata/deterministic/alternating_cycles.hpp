@@ -28,7 +28,7 @@ class AlternatingCycles {
     Node node;             // none outside of cycles
     std::uint32_t colour;  // min even; `no_colour` when no cycle has the branch
   };
-  static constexpr std::uint32_t no_colour = UINT32_MAX;  // of a branch between components
+  static constexpr std::uint32_t no_colour = UINT32_MAX;  // of a branch that no cycle has
   // From q at a node over one of its branches: up to the node that has the branch, whose depth is the colour, and down
   // again by the child after the one that was left.
   Transition step(std::uint32_t q, Node at, const Branch& branch) const;

@@ -16,7 +16,7 @@
 namespace waymark::automata {
 
 using Brace = std::int32_t;     // number by age, the oldest is 0
-constexpr Brace no_brace = -1;  // the run is in no brace
+constexpr Brace no_brace = -1;  // around a run, or the parent of a brace: none
 
 struct BraceTree {
   std::vector<std::pair<std::uint32_t, Brace>> runs;  // state, innermost brace; by state

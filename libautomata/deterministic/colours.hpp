@@ -7,7 +7,7 @@
 
 namespace waymark::automata {
 
-struct Recoloured {
+struct Recoloured {              // an automaton with fewest colours
   TransitionRelation automaton;  // with the new colours
   bool weak = true;              // every component has one colour
 };

@@ -13,7 +13,7 @@
 
 namespace waymark::automata {
 
-struct Literal {
+struct Literal {                 // a proposition or its negation
   Mtbdd::Variable variable = 0;  // a position in Dfa::reads()
   bool positive = true;          // or negated
 };

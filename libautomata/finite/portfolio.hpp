@@ -18,7 +18,7 @@
 
 namespace waymark::automata {
 
-struct RouteLimits {
+struct RouteLimits {     // of all constructions of a portfolio
   std::size_t states;    // of one construction, before minimisation
   std::stop_token stop;  // polled at least every few milliseconds
 };

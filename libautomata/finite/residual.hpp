@@ -22,7 +22,7 @@
 
 namespace waymark::automata {
 
-class Residuals {
+class Residuals {  // the residuals of one formula
  public:
   using Node = Mtbdd::Node;
   struct Leaf {     // a terminal of a successor

@@ -14,7 +14,7 @@
 
 namespace waymark::automata {
 
-struct Partition {
+struct Partition {                      // states in classes of one language
   std::vector<std::uint32_t> class_of;  // by state
   std::uint32_t classes = 0;            // how many
   Mtbdd diagram;                        // terminals are classes; what the roots do not reach is garbage

@@ -7,7 +7,7 @@
 
 namespace waymark::automata {
 
-struct Components {
+struct Components {                  // the components of a graph
   std::vector<std::uint32_t> of;     // component of a vertex; successors have smaller or equal ones
   std::vector<std::uint32_t> order;  // vertices by component, ascending
   std::uint32_t count = 0;           // of components

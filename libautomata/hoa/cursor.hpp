@@ -10,7 +10,7 @@
 
 namespace waymark::automata {
 
-class HoaCursor {
+class HoaCursor {  // moves over the tokens of one automaton
  public:
   using Kind = HoaToken::Kind;
   HoaCursor(std::vector<HoaToken> tokens, std::string_view source) : source_(source), tokens_(std::move(tokens)) {}

@@ -8,7 +8,7 @@
 
 namespace waymark::automata {
 
-struct DotOptions {
+struct DotOptions {                               // how a DFA is drawn
   enum class Trap : std::uint8_t { Grey, Omit };  // how states without hope are drawn
   Trap trap = Trap::Grey;                         // states without hope, and the edges to them
   std::string name = {};                          // caption under the drawing, none when empty

@@ -12,7 +12,7 @@
 
 namespace waymark::automata {
 
-struct OmegaDotOptions {
+struct OmegaDotOptions {  // how an ω-automaton is drawn
   std::string name = {};  // caption under the drawing, none when empty; the acceptance stands behind it
   std::vector<std::pair<std::uint32_t, std::uint32_t>> jumps = {};  // from, to: dotted arrows without a letter
 };

@@ -15,7 +15,7 @@
 
 namespace waymark::automata {
 
-struct HoaOptions {
+struct HoaOptions {             // how a DFA is written
   std::string name = {};        // the `name:` header, usually the formula
   bool marks_on_edges = false;  // "the word may stop after this letter" in the place of "… in this state"
   HoaLayout layout = {};        // line breaks and aliases

@@ -7,7 +7,7 @@
 
 namespace waymark::automata {
 
-struct HoaToken {
+struct HoaToken {  // a token with its place
   // What a token is.
   enum class Kind : std::uint8_t { Header, Identifier, Alias, String, Integer, Punctuation, Body, End, Abort, Eof };
   Kind kind = Kind::Eof;               // of the token

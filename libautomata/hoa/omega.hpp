@@ -16,7 +16,7 @@
 
 namespace waymark::automata {
 
-struct OmegaHoaOptions {
+struct OmegaHoaOptions {         // how an ω-automaton is written
   std::string name = {};         // the header `name:`; none when empty
   bool marks_on_states = false;  // where all edges of each state carry the same marks; else it stays as it is
   std::vector<std::string> properties = {};  // that are true and not seen on the automaton: more of them

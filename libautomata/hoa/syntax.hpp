@@ -16,7 +16,7 @@
 
 namespace waymark::automata {
 
-struct HoaCondition {
+struct HoaCondition {                                               // an acceptance condition as written
   enum class Op : std::uint8_t { True, False, Inf, Fin, And, Or };  // as in HOA
   Op op = Op::True;                                                 // of this condition
   std::uint64_t set = 0;                                            // of Inf and Fin

@@ -12,7 +12,7 @@
 
 namespace waymark::automata {
 
-struct HoaLayout {
+struct HoaLayout {        // how the text looks
   bool aliases = false;   // labels that occur more than once get a name
   bool one_line = false;  // blanks in the place of line ends, but the last one
 };

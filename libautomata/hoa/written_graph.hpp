@@ -10,7 +10,7 @@
 
 namespace waymark::automata {
 
-class HoaGraph {
+class HoaGraph {  // the graph of an automaton as written
  public:
   struct Component {                        // states that reach each other
     std::vector<std::uint64_t> states;      // by number in the file

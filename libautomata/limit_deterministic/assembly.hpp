@@ -14,7 +14,7 @@
 
 namespace waymark::automata {
 
-struct Jump {
+struct Jump {          // from the initial part to the accepting part
   std::uint32_t from;  // a state of the deterministic automaton
   std::uint32_t to;    // one of the accepting part, L(to) ⊆ L(from)
   bool exact = false;  // known: L(to) = L(from)

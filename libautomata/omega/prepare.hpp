@@ -13,6 +13,7 @@ struct Prepared {
   ltl::Formula separated;  // with eventual and universal parts outside
   ltl::Formula plain;      // before anything was pulled out: its tableau may be the smaller one
 };
+// Rewrites the formula before its translation.
 Prepared prepared_forms(ltl::Formula f, const std::vector<ltl::Proposition>& reads, const std::stop_token& stop);
 // The first of both forms.
 inline ltl::Formula prepared(ltl::Formula f, const std::vector<ltl::Proposition>& reads, const std::stop_token& stop) {

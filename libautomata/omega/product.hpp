@@ -8,7 +8,7 @@
 
 namespace waymark::automata {
 
-struct Pairs {
+struct Pairs {                                                 // a product and what its states are
   TransitionRelation automaton;                                // of both
   std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs;  // by state: those of a and b
 };

@@ -17,6 +17,7 @@ struct Quotient {
   TransitionRelation automaton;       // of the classes
   std::vector<std::uint32_t> number;  // of an old state in the new automaton
 };
+// The quotient with the numbers of its states.
 Quotient bisimulation(const TransitionRelation& automaton, Budget& budget);
 // Without the numbers.
 inline TransitionRelation bisimulation_quotient(const TransitionRelation& automaton, Budget& budget) {

@@ -7,7 +7,7 @@
 
 namespace waymark::automata {
 
-struct Strategy {
+struct Strategy {               // one attempt of a construction
   std::string_view name;        // what is tried
   std::size_t steps, states;    // SIZE_MAX states: as many as the caller allows
   std::string_view settled_on;  // sets of formulas

@@ -12,7 +12,7 @@
 
 namespace waymark::ltl {
 
-struct Described {
+struct Described {           // the words for one proposition
   std::string holds, fails;  // "you are at the chair", "you are not at the chair"
   std::string reach = {};    // "go to the chair": the order to make p hold at some time
   std::string enter = {};    // "step on the blue floor": what "never" forbids

@@ -11,7 +11,7 @@
 
 namespace waymark::ltl {
 
-struct Fragments {
+struct Fragments {             // the fragments that contain one formula
   bool propositional = false;  // no temporal operator
   bool next_free = false;      // no X, no N: stuttering does not matter
   bool safety = false;         // a violation shows in a finite prefix

@@ -3,6 +3,7 @@
 
 namespace waymark::ltl {
 
+// May begin a name.
 constexpr bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; }
 constexpr bool is_digit(char c) { return c >= '0' && c <= '9'; }  // 0 … 9
 

@@ -13,6 +13,7 @@
 
 namespace waymark::parser {
 
+// Learns the baseline that predicts actions without formulas.
 std::shared_ptr<const Follower> learn_actions(std::span<const Example* const> examples,
                                               std::span<const Executor> executors, const TrainOptions& options,
                                               const JobProgress& progress);

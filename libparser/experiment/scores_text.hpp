@@ -6,7 +6,7 @@
 
 namespace waymark::parser {
 
-std::string text_of(const Scores& scores);
+std::string text_of(const Scores& scores);  // a line of counts
 // Throws ltl::FormatError naming the source when it is no such line.
 Scores scores_of(const std::string& line, const std::string& source);
 

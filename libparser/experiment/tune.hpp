@@ -9,7 +9,7 @@
 
 namespace waymark::parser {
 
-struct ValidationPair {
+struct ValidationPair {         // a map that is learned from and one that is tested
   std::size_t learned, tested;  // maps
   Percent sentence;             // under the convention of the options
 };

@@ -20,8 +20,8 @@ struct GenerateOptions {                            // what is drawn
   std::size_t sentences = 4;                        // of each paragraph
   Dialect dialect = Dialect::Plain;                 // of the programs
   std::size_t least_clauses = 1, most_clauses = 2;  // of a sentence
-  Formulas formulas = Formulas::All;
-  JudgedLimits judged = {};  // trajectories beside that of each sentence (judge.hpp)
+  Formulas formulas = Formulas::All;                // which formulas sentences may have
+  JudgedLimits judged = {};                         // trajectories beside that of each sentence (judge.hpp)
 };
 
 // Sentences of route_language.hpp that can be carried out where the speaker stands; trajectories are the programs'

@@ -12,7 +12,7 @@
 
 namespace waymark::parser {
 
-struct JudgedLimits {
+struct JudgedLimits {                      // how many trajectories are drawn
   std::size_t refused = 0, also_good = 0;  // how many of each kind
 };
 

@@ -16,7 +16,7 @@
 
 namespace waymark::parser {
 
-struct Saying {
+struct Saying {             // a sentence with its program
   std::string text;         // the sentence
   Program program;          // that it says
   std::size_t clauses = 0;  // joined in the sentence

@@ -16,9 +16,9 @@ namespace waymark::parser {
 // that they are operators.
 enum class PartKind : std::uint8_t { Mention, Operator, OperatorName, Forward, Direction, Count, Thing };
 struct Part {
-  PartKind kind = PartKind::Mention;
-  std::string name;        // "chair", "left", "reach"; of a count its digits
-  std::size_t number = 0;  // of a count
+  PartKind kind = PartKind::Mention;  // what the part is of
+  std::string name;                   // "chair", "left", "reach"; of a count its digits
+  std::size_t number = 0;             // of a count
   friend auto operator<=>(const Part&, const Part&) = default;
 };
 Part thing(std::string name);    // the part that a name stands for

@@ -10,24 +10,24 @@
 
 namespace waymark::parser {
 
-enum class MentionFeature : std::uint8_t {
-  Mention,         // each phrase
-  NameWord,        // words of names of the landmark
-  NameRarity,      // the same, each by its rarity among the landmarks of the city
-  TagWord,         // words of tags that are in no name of it
-  TagRarity,       // the same, each by its rarity
-  LoneTag,         // a single word of a name that is a tag too: "the library"
-  CommandWord,     // words of names or tags that commands often have
-  Misspelled,      // words of names with a letter wrong
-  Synonym,         // words that stand for a synonym of theirs
-  Joint,           // "on", "operated"
-  GeneralNoun,     // "building"
-  Comma,           // commas inside
-  Foreign,         // words inside that are nothing of these
-  OwnName,         // a whole name of its own, in order
-  SharedName,      // the whole name of its brand or operator, in order
-  NameLength,      // words of that name
-  UnorderedName,   // all words of a name, in another order
+enum class MentionFeature : std::uint8_t {  // what is counted of a phrase
+  Mention,                                  // each phrase
+  NameWord,                                 // words of names of the landmark
+  NameRarity,                               // the same, each by its rarity among the landmarks of the city
+  TagWord,                                  // words of tags that are in no name of it
+  TagRarity,                                // the same, each by its rarity
+  LoneTag,                                  // a single word of a name that is a tag too: "the library"
+  CommandWord,                              // words of names or tags that commands often have
+  Misspelled,                               // words of names with a letter wrong
+  Synonym,                                  // words that stand for a synonym of theirs
+  Joint,                                    // "on", "operated"
+  GeneralNoun,                              // "building"
+  Comma,                                    // commas inside
+  Foreign,                                  // words inside that are nothing of these
+  OwnName,                                  // a whole name of its own, in order
+  SharedName,                               // the whole name of its brand or operator, in order
+  NameLength,                               // words of that name
+  UnorderedName,                            // all words of a name, in another order
   NameCoverage,    // share of the words of a name that are said, of the name for which it is largest
   Adjacent,        // nothing but "on", "at" and the like lies between this phrase and the one before
   NamePrefix,      // more words than one, the first ones of a name: "Blue Heron" for "Blue Heron Books and Tea"

@@ -23,7 +23,7 @@ namespace waymark::parser {
 // The first steps have contexts of their own, later ones share the last; clauses are told apart as far as programs go.
 inline constexpr std::size_t choice_kinds = 3, choice_steps = 3;  // of contexts
 
-struct Choice {
+struct Choice {                     // what the model is told of a prefix
   std::uint8_t kind = 0, step = 0;  // the context of a choice
   Token last = 0, before_last = 0;  // tokens of the prefix that were choices; 0 at its beginning
 };

@@ -18,7 +18,7 @@
 
 namespace waymark::parser {
 
-enum class Then : std::uint8_t { WholePlan, Stepwise };
+enum class Then : std::uint8_t { WholePlan, Stepwise };  // the two meanings of `then` (conventions.md 10)
 
 struct Plan {                         // where a program leads
   plan::PoseId end;                   // the pose after the last action

@@ -28,7 +28,7 @@
 
 namespace waymark::parser {
 
-enum class StepKind : std::uint8_t {
+enum class StepKind : std::uint8_t {  // the kinds of steps above
   Stay,
   Orient,
   Forward,

@@ -15,7 +15,7 @@
 
 namespace waymark::parser {
 
-struct ParagraphOptions {
+struct ParagraphOptions {            // how paragraphs are read
   std::size_t beam_width = 12;       // poses; at least 1
   double trust_in_start_pose = 0.5;  // its weight beside the reranker's probabilities
 };

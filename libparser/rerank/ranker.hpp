@@ -11,9 +11,9 @@
 
 namespace waymark::parser {
 
-struct WeightedFeature {
-  std::uint64_t key;  // a number of the feature
-  float value;        // of the feature
+struct WeightedFeature {  // one feature of a bundle
+  std::uint64_t key;      // a number of the feature
+  float value;            // of the feature
 };
 
 // Features of all candidates of one decision. Features that several candidates share are listed and weighted once, as a

@@ -12,7 +12,7 @@
 
 namespace waymark::parser {
 
-class Wording {
+class Wording {  // computes the penalty for one sentence
  public:
   static constexpr double missing = 1.0;  // the sentence mentions it, the program does not name it
   static constexpr double added = 0.5;    // the program names it, the sentence does not mention it

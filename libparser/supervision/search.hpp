@@ -15,7 +15,7 @@
 
 namespace waymark::parser {
 
-struct Consistent {
+struct Consistent {         // a consistent program
   Program program;          // that is consistent
   bool same_route = false;  // its plan is the gold route, not just one with the same end
 };

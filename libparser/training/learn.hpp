@@ -18,7 +18,7 @@
 
 namespace waymark::parser {
 
-enum class ReaderKind : std::uint8_t { Linear, EncoderDecoder };
+enum class ReaderKind : std::uint8_t { Linear, EncoderDecoder };  // the kinds of word models
 
 struct TrainOptions {                            // how a model is trained
   ReaderKind reader = ReaderKind::Linear;        // which word model

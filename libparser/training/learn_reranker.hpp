@@ -16,7 +16,7 @@
 
 namespace waymark::parser {
 
-struct RankingInstances {
+struct RankingInstances {                           // what the two rankers learn from
   std::vector<RankingInstance> of_ends, of_starts;  // for each question
   void add(RankingInstances&& more);                // behind what is there
 };

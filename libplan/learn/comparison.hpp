@@ -23,7 +23,7 @@
 
 namespace waymark::plan {
 
-struct DqnMethod {
+struct DqnMethod {                 // deep Q-learning with what its network sees
   Dqn dqn;                         // of the learner
   Sight sight = Sight::Landmarks;  // what the network is told of a pose
   bool trees = false;              // else the task is one-hot
@@ -80,7 +80,7 @@ struct Verdict {                                  // of one run
          to_stay = 0;               // environment steps, infinite where the run never came there
   double updates = 0, seconds = 0;  // checkpoints included
 };
-Verdict judge(const LearningCurve& curve, const PolicyValue& optimum, double seconds);  // how soon a run came how far
+Verdict judge(const LearningCurve& curve, const PolicyValue& optimum, double seconds);  // what one run came to
 
 struct Summary {                                    // many runs of one method
   Estimate success, score;                          // means

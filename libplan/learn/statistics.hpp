@@ -10,7 +10,7 @@
 
 namespace waymark::plan {
 
-struct Estimate {
+struct Estimate {                       // a number with its 95 % interval
   double value = 0, low = 0, high = 0;  // the estimate, and its interval
 };
 

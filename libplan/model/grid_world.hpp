@@ -29,7 +29,7 @@ struct SlipChances {                                  // where a move goes; in s
 
 struct GridCell {                       // one square
   bool wall = false;                    // cannot be entered
-  std::optional<Compass> one_way = {};  // can be entered in that direction only
+  std::optional<Compass> one_way = {};  // entered and left in that direction only
   ltl::Letter label = {};               // what holds there
 };
 

@@ -5,7 +5,7 @@
 
 namespace waymark::plan {
 
-struct Point {
+struct Point {          // a point of the plane
   double x = 0, y = 0;  // in the plane
   friend bool operator==(const Point&, const Point&) = default;
 };

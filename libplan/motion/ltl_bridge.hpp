@@ -17,7 +17,7 @@
 
 namespace waymark::plan {
 
-struct SymbolAutomaton {
+struct SymbolAutomaton {           // an automaton over symbols, as OMPL runs it
   struct Transition {              // on a symbol
     std::uint32_t symbol, target;  // what is read, where it leads
   };

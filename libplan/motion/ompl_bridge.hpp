@@ -14,7 +14,7 @@
 
 namespace waymark::plan {
 
-enum class Sampler : std::uint8_t { InformedRrtStar, BitStar };
+enum class Sampler : std::uint8_t { InformedRrtStar, BitStar };  // planners of OMPL
 
 struct SamplingBudget {                        // what may be spent
   Sampler sampler = Sampler::InformedRrtStar;  // which planner

@@ -12,7 +12,7 @@
 
 namespace waymark::plan {
 
-struct Disc {
+struct Disc {            // translates and turns on the spot
   double radius = 0.05;  // 0: a point
   friend bool operator==(const Disc&, const Disc&) = default;
 };

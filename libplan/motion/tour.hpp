@@ -15,7 +15,7 @@
 
 namespace waymark::plan {
 
-struct TimedWord {
+struct TimedWord {                   // a word and when its letters are read
   std::vector<ltl::Letter> letters;  // over the vocabulary of the terrain
   std::vector<double> times;         // when each is first read, as in TimedRoute; the first at 0
 };

@@ -48,7 +48,7 @@ struct MarkedEdge {                // of the product
   double cost = 0;                 // of the action
 };
 
-struct MarkedGraph {                  // a graph in whose cycles marks are met
+struct MarkedGraph {                  // edges by their sources
   std::uint32_t sets = 0;             // an infinite run is accepted when it meets each of so many marks again and again
   std::vector<std::uint32_t> first;   // by vertex, one more for the end
   std::vector<MarkedEdge> edges;      // by source

@@ -48,9 +48,9 @@ class Product {
     if (task_->is_over(s.task)) return 0;
     return model_->choices(s.place) + static_cast<std::uint32_t>(task_->jumps(s.task).size());
   }
-  // a choice of the automaton alone.
+  // A choice of the automaton alone.
   bool is_jump(const ProductState& s, std::uint32_t k) const { return k >= model_->choices(s.place); }
-  // a jump costs nothing.
+  // A jump costs nothing.
   double cost(const ProductState& s, std::uint32_t k) const { return is_jump(s, k) ? 0 : model_->cost(s.place, k); }
   template <class Visit>  // visit(pair): where a run may begin that starts in the place with that letter
   void for_each_start(std::uint32_t place, LetterId letter, Visit&& visit) const {

@@ -14,7 +14,7 @@
 
 namespace waymark::plan {
 
-enum class CaseMethod : std::uint8_t {
+enum class CaseMethod : std::uint8_t {  // how a task is solved
   Best,  // search where the model is deterministic and a cost is asked for, else value iteration
   Search,
   ValueIteration,

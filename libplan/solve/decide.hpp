@@ -14,7 +14,7 @@
 
 namespace waymark::plan {
 
-struct Bounds {
+struct Bounds {                                                                           // bounds of a value
   double lower = 0, upper = 0;                                                            // proved
   double middle() const { return lower == upper ? lower : lower + (upper - lower) / 2; }  // of the bounds
 };

@@ -11,7 +11,7 @@
 
 namespace waymark::plan {
 
-struct Violation {
+struct Violation {                     // why a conjunction cannot be satisfied
   std::vector<ltl::Formula> conflict;  // cannot be met together; any one less can
   std::vector<ltl::Formula>
       dropped;  // fewest conjuncts without which the rest can be met; empty when there are none to keep

@@ -11,7 +11,7 @@
 
 namespace waymark::plan {
 
-enum class Measure : std::uint8_t { MaxProbability, MinProbability, MinCost };
+enum class Measure : std::uint8_t { MaxProbability, MinProbability, MinCost };          // what is optimised
 constexpr bool is_probability(Measure measure) { return measure != Measure::MinCost; }  // else a cost
 
 struct IterationOptions {             // what is proved, and at which price

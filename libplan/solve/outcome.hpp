@@ -16,8 +16,8 @@ struct Policy {  // on the product: what to do in each vertex
   ProductState start;  // the start vertex that the value belongs to
 };
 
-struct Solved {  // a policy and its value
-  Policy policy;
+struct Solved {                 // a policy and its value
+  Policy policy;                // what to do in each state of the product
   double value = 0;             // least cost from policy.start to acceptance
   double lower = 0, upper = 0;  // proved bounds on it; equal for a search
   std::size_t expanded = 0;     // vertices expanded: the count that benchmarks report

@@ -33,7 +33,7 @@ class EndComponentQuotient {
   std::uint32_t component(std::uint32_t i) const {  // of state i, or none
     return unknowns_.merged.count == 0 ? EndComponents::none : unknowns_.merged.of[i];
   }
-  // In ascending order.
+  // The states of a component.
   const std::vector<Compact>& members(std::uint32_t component) const { return members_[component]; }
 
   // The value of a state, and of those merged with it.

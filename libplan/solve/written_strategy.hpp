@@ -10,7 +10,7 @@
 
 namespace waymark::plan {
 
-struct NamedRoute {
+struct NamedRoute {                          // a route in names
   std::vector<std::string> places, actions;  // names
   double cost = 0;                           // the sum
 };

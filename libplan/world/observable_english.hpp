@@ -8,7 +8,7 @@
 
 namespace waymark::plan {
 
-ltl::Described described(const Observable& observable);
+ltl::Described described(const Observable& observable);  // the words for one observable
 
 // Of each proposition of a hallway vocabulary, for ltl::VerbaliseOptions. Throws like observables_of.
 std::function<ltl::Described(ltl::Proposition)> hallway_english(const ltl::Vocabulary& vocabulary);

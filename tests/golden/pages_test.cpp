@@ -8,6 +8,7 @@
 #include <cctype>
 #include <regex>
 #include <sstream>
+#include <system_error>
 
 #include "tests/golden/page.hpp"
 #include "tests/golden/replay.hpp"
@@ -21,7 +22,8 @@ const fs::path manual = fs::path(WAYMARK_SOURCE_DIR) / "docs";
 
 std::vector<fs::path> pages() {
   std::vector<fs::path> found{manual / "tutorial.md", manual / "coming-from.md"};
-  for (const auto& entry : fs::directory_iterator(manual / "tasks")) found.push_back(entry.path());
+  std::error_code missing;  // a copy of the tree without the manual
+  for (const auto& entry : fs::directory_iterator(manual / "tasks", missing)) found.push_back(entry.path());
   std::sort(found.begin(), found.end());
   return found;
 }
@@ -44,7 +46,7 @@ TEST(ComingFrom, HasCommandsThatRun) {
   const fs::path scratch = fs::path(testing::TempDir()) / ("waymark-coming-from-" + std::to_string(::getpid()));
   fs::create_directories(scratch);
   rerun_page(page, scratch);
-  const std::regex row(R"(^\| .*? \| `(waymark [^`]*)` \|.*)");
+  const std::regex row(R"(^\| [^|]* \| `(waymark [^`]*)` \|.*)");
   const std::regex escaped_bar(R"(\\\|)");
   std::istringstream in(page);
   std::size_t commands = 0;

@@ -61,7 +61,8 @@ def main(source, build, scratch, *names):
     shutil.rmtree(scratch, ignore_errors=True)
     subprocess.run(["cmake", "--install", build, "--prefix", str(prefix)], stdout=subprocess.DEVNULL, check=True)
     module = prefix / "lib/python3/dist-packages"
-    environment = {key: value for key, value in os.environ.items() if key not in ("WAYMARK_DATA", "PYTHONPATH")}
+    of_developers = ("WAYMARK_DATA", "PYTHONPATH", "CMAKE_CXX_COMPILER_LAUNCHER")
+    environment = {key: value for key, value in os.environ.items() if key not in of_developers}
     interpreter = scratch / "interpreter"  # `python3` is the one that runs this script
     interpreter.mkdir()
     (interpreter / "python3").symlink_to(sys.executable)

@@ -9,7 +9,7 @@
 
 namespace waymark::parser {
 
-struct FlaggedParagraph {
+struct FlaggedParagraph {           // a line of a corpus
   ReleasedParagraph paragraph;      // of the line
   std::optional<int> start_place;   // of its first sentence
   std::vector<Irregularity> flags;  // that the line itself names

@@ -11,7 +11,7 @@
 
 namespace waymark::parser {
 
-struct Irregularity {
+struct Irregularity {         // what is odd about a release
   std::string file;           // where it is
   std::size_t line = 0;       // from 1
   std::string kind, message;  // one word for the kind, and what is odd

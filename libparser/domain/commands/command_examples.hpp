@@ -14,7 +14,7 @@
 
 namespace waymark::parser {
 
-struct OwnCommands {
+struct OwnCommands {          // how many commands of our own are drawn
   std::size_t texts = 60000;  // of our own language
   std::uint64_t seed = 1;     // of the texts
   double weight = 0.04;       // of one text, compared with one of people's

@@ -12,7 +12,7 @@
 
 namespace waymark::parser {
 
-struct CommandReading {
+struct CommandReading {    // one meaning of a command
   ltl::Formula formula;    // over the propositions of the domain
   double probability = 0;  // of the language of the formula
 };

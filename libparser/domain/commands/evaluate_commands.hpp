@@ -13,7 +13,7 @@
 
 namespace waymark::parser {
 
-struct CommandScore {
+struct CommandScore {                            // counts of commands that were read as labelled
   std::size_t exact = 0, equivalent = 0, n = 0;  // the same formula; the same language over infinite words
   double percent(std::size_t count) const {      // of n
     return n > 0 ? 100.0 * static_cast<double>(count) / static_cast<double>(n) : 0;

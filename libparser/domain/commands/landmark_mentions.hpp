@@ -9,7 +9,7 @@
 
 namespace waymark::parser {
 
-struct LandmarkLift {
+struct LandmarkLift {              // a text whose mentions of landmarks are slots
   LiftedText text;                 // its mentions are slots
   std::vector<std::size_t> slots;  // landmarks of slot 1, 2 …
   double probability = 1;          // that the words name just these

@@ -15,7 +15,7 @@
 
 namespace waymark::streets {
 
-struct TextOnRoute {
+struct TextOnRoute {                       // a text against one route
   const StreetMap& map;                    // of the city
   double unit;                             // mean way of the map
   const std::vector<std::string>& tokens;  // of the text

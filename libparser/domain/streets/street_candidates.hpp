@@ -13,7 +13,7 @@ namespace waymark::streets {
 
 constexpr std::uint32_t off_route = ~std::uint32_t{0};  // of a mention that is no landmark of the route
 
-struct CandidateRoute {
+struct CandidateRoute {    // a route that a text may describe
   StreetRoute landmarks;   // from start to goal
   std::uint32_t rank = 0;  // 0: the shortest way to its goal
   double length = 0;       // of the route

@@ -6,7 +6,7 @@
 
 namespace waymark::streets {
 
-enum class DirectionKind : unsigned char { Compass, Side, Vertical, Clock };
+enum class DirectionKind : unsigned char { Compass, Side, Vertical, Clock };  // what a word of direction is taken from
 
 struct Direction {                              // a word of direction
   DirectionKind kind = DirectionKind::Compass;  // how the word is meant

@@ -12,6 +12,7 @@
 
 namespace waymark::streets {
 
+// What a word says of the order of mentions.
 enum class Cue : std::uint8_t { None, Via, Past, Not, Before, After, First, From, To, End, Back };
 Cue cue_of(std::string_view word);  // None for other words
 

@@ -12,7 +12,7 @@
 
 namespace waymark::streets {
 
-struct RankedRoute {
+struct RankedRoute {      // a simple route with its length
   StreetRoute landmarks;  // from start to goal
   double length = 0;      // the sum of its ways
 };

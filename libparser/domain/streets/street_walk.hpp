@@ -14,6 +14,7 @@
 
 namespace waymark::streets {
 
+// What a mention is on the walk.
 enum class MentionRole : std::uint8_t { Stays, GoesOn, Ahead, Behind, AtStart, OnRival, Unseen };
 // Of a walk that does not reach the goal; of a mention that is no step.
 constexpr double cost_unreached = 1, cost_no_step = 0.4;

@@ -15,7 +15,7 @@
 
 namespace waymark::plan {
 
-struct PrismToken {
+struct PrismToken {                                                      // a token with its place
   enum class Kind : std::uint8_t { Name, Number, String, Symbol, End };  // what a token is
   Kind kind = Kind::End;                                                 // of the token
   std::string_view text;                                                 // of a string: what stands between the quotes

@@ -23,7 +23,7 @@ struct StateLabelled {                // with the labels on states
   Mdp mdp;                            // every outcome carries the letter of its target; 0 is the initial state
   std::vector<LetterId> letter;       // by state
   std::vector<std::uint32_t> origin;  // by state: the state of the model
-  StateValues values;
+  StateValues values;                 // of the variables
 };
 
 // A state without choices gets one of cost 0, "stay", that stays: PRISM knows no ends of runs.
