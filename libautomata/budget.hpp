@@ -11,8 +11,9 @@ namespace waymark::automata {
 
 class Budget {
  public:
-  struct Exceeded {  // thrown
-    enum class Reason { Steps, States, Stopped } reason;
+  struct Exceeded {                                // thrown
+    enum class Reason { Steps, States, Stopped };  // what ran out
+    Reason reason;                                 // of this exception
   };
 
   Budget() = default;  // without limits
@@ -25,11 +26,11 @@ class Budget {
     steps_left_ -= n;
     if (steps_left_ / 4096 != before) poll();
   }
-  void state() {
+  void state() {  // counts a state
     ++states_;
     if (states_left_-- == 0) throw Exceeded{Exceeded::Reason::States};
   }
-  void poll() const {
+  void poll() const {  // throws when a stop was requested
     if (stop_.stop_requested()) throw Exceeded{Exceeded::Reason::Stopped};
   }
   // As much as is left, but no more than so many steps; spending it does not count here.

@@ -18,11 +18,12 @@
 namespace waymark::ltl {
 
 struct Span {  // bytes of the text, half open
+  // The bytes begin … end − 1.
   std::size_t begin = 0;
   std::size_t end = 0;
 };
 
-class SyntaxError : public std::runtime_error {
+class SyntaxError : public std::runtime_error {  // a text that cannot be read, with the span that is wrong
  public:
   // text: the whole input; where: the offending bytes; message: what was expected ("expected a formula after 'U'").
   // source: file name or "" for the command line; first_line: the number of the text's first line in that file.
@@ -41,7 +42,7 @@ class SyntaxError : public std::runtime_error {
   std::size_t line_, column_;
 };
 
-class FormatError : public std::runtime_error {
+class FormatError : public std::runtime_error {  // a file that violates its format
  public:
   // line and column are 1-based; 0 means "the file as a whole".
   FormatError(std::string_view source, std::size_t line, std::size_t column, std::string_view message);

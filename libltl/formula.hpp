@@ -22,16 +22,17 @@ namespace waymark::ltl {
 
 class Arena;
 
+// The operators that are stored.
 enum class Op : std::uint8_t { False, True, Atom, Not, And, Or, Iff, Next, WeakNext, Until, Release };
 
 class Formula {  // a value: copy it, compare it, put it in a map. Valid as long as its arena.
  public:
-  Op op() const;
+  Op op() const;                              // the outermost operator
   std::span<const Formula> operands() const;  // sorted by id and unique under And, Or; sorted under Iff
   Formula operator[](std::size_t i) const;    // operand i, unchecked
   Proposition proposition() const;            // of an Atom
-  Arena& arena() const;
-  std::uint32_t id() const;  // position in the arena: operands have smaller ids
+  Arena& arena() const;                       // where the formula lives
+  std::uint32_t id() const;                   // position in the arena: operands have smaller ids
   friend bool operator==(Formula, Formula) = default;
   friend bool operator<(Formula a, Formula b) { return a.id() < b.id(); }  // creation order, for canonical output
 
@@ -68,10 +69,10 @@ class Arena {
   Arena(const Arena&) = delete;
   Arena& operator=(const Arena&) = delete;
 
-  const Vocabulary& vocabulary() const { return vocabulary_; }
-  Proposition add_proposition(std::string_view name) { return vocabulary_.add(name); }
+  const Vocabulary& vocabulary() const { return vocabulary_; }  // the propositions of the formulas
+  Proposition add_proposition(std::string_view name) { return vocabulary_.add(name); }  // found or added
 
-  Formula constant(bool value);
+  Formula constant(bool value);             // true or false
   Formula atom(Proposition p);              // throws std::out_of_range when p is not of this vocabulary
   Formula atom(std::string_view name);      // adds the proposition when it is new
   std::size_t size() const;                 // formulas made so far

@@ -14,8 +14,8 @@
 
 namespace waymark::ltl {
 
-struct Proposition {
-  std::uint32_t index = 0;
+struct Proposition {        // an atomic proposition
+  std::uint32_t index = 0;  // its position in the vocabulary
   friend auto operator<=>(const Proposition&, const Proposition&) = default;
 };
 
@@ -25,9 +25,9 @@ class Vocabulary {
   explicit Vocabulary(const std::vector<std::string>& names);  // duplicates are kept once
 
   Proposition add(std::string_view name);  // the proposition of that name, new or not; throws on an empty name
-  std::optional<Proposition> find(std::string_view name) const;
-  const std::string& name(Proposition p) const { return names_.at(p.index); }
-  const std::vector<std::string>& names() const { return names_; }
+  std::optional<Proposition> find(std::string_view name) const;                // nothing when the name is unknown
+  const std::string& name(Proposition p) const { return names_.at(p.index); }  // throws std::out_of_range
+  const std::vector<std::string>& names() const { return names_; }             // in the order of the positions
   std::size_t size() const { return names_.size(); }
 
   // The known name with the least edit distance, if it is close enough to be what was meant. O(|AP| · length²).

@@ -20,13 +20,13 @@ class Letter {
     for (Proposition p : members) insert(p);
   }
 
-  bool contains(Proposition p) const {
+  bool contains(Proposition p) const {  // p ∈ this
     const std::size_t block = p.index / 64;
     if (block == 0) return ((first_ >> p.index) & 1U) != 0;
     return block <= rest_.size() && ((rest_[block - 1] >> (p.index % 64)) & 1U) != 0;
   }
-  void insert(Proposition p);
-  void erase(Proposition p);
+  void insert(Proposition p);                // this ∪ {p}
+  void erase(Proposition p);                 // this ∖ {p}
   void insert_all(const Letter& other);      // this ∪ other
   bool includes(const Letter& other) const;  // other ⊆ this
   std::vector<Proposition> members() const;  // ascending
@@ -45,7 +45,7 @@ class Letter {
   std::vector<std::uint64_t> rest_;  // 64 …, no trailing zero blocks
 };
 
-class Trace {
+class Trace {  // a finite word
  public:
   explicit Trace(std::vector<Letter> letters);  // throws std::invalid_argument when empty
   std::size_t size() const { return letters_.size(); }
@@ -58,7 +58,7 @@ class Trace {
   std::vector<Letter> letters_;
 };
 
-class Lasso {
+class Lasso {  // an infinite word u·vʷ
  public:
   Lasso(std::vector<Letter> prefix,
         std::vector<Letter> cycle);                       // throws std::invalid_argument on an empty cycle

@@ -7,8 +7,8 @@
 
 namespace waymark::neural {
 
-struct AdamOptions {
-  double rate = 1e-4, beta1 = 0.9, beta2 = 0.999, epsilon = 1e-8;
+struct AdamOptions {                                               // the constants of the paper
+  double rate = 1e-4, beta1 = 0.9, beta2 = 0.999, epsilon = 1e-8;  // rate, β₁, β₂, ε
 };
 
 class Adam {

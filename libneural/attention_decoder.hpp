@@ -15,7 +15,7 @@ namespace waymark::neural {
 
 class AttentionDecoder {
  public:
-  struct Sizes {
+  struct Sizes {        // of the matrices
     Index encoded = 0;  // of h and e
     Index inputs = 0;   // of x
     Index width = 0;    // of q
@@ -31,23 +31,24 @@ class AttentionDecoder {
     std::span<const Index> said;     // by choice: its column of x; many choices share one
     bool is_attended = false;        // h and e are those of the last `forward` with the same signals
   };
-  struct Signals {                // of one pass, and of the pass back through it
-    Matrix from_x;                // W_x x
-    Matrix from_e;                // W_e e + b
-    Matrix keys;                  // W_a h
-    Matrix q_and_c;               // [width + encoded × choices]
-    Matrix y;                     // W_s [q; c]
-    Matrix gate;                  // [1 × choices]
-    std::vector<Matrix> weights;  // α by sequence: [elements × choices]
-    Matrix scores;                // the output [symbols × choices]
-    Matrix dscores;               // set by the caller
-    Matrix dq_and_c, dy, dkeys, dh, de;
+  struct Signals {                       // of one pass, and of the pass back through it
+    Matrix from_x;                       // W_x x
+    Matrix from_e;                       // W_e e + b
+    Matrix keys;                         // W_a h
+    Matrix q_and_c;                      // [width + encoded × choices]
+    Matrix y;                            // W_s [q; c]
+    Matrix gate;                         // [1 × choices]
+    std::vector<Matrix> weights;         // α by sequence: [elements × choices]
+    Matrix scores;                       // the output [symbols × choices]
+    Matrix dscores;                      // set by the caller
+    Matrix dq_and_c, dy, dkeys, dh, de;  // ∂ of the above
   };
 
   // symbols: φ [symbol × symbols or more], which others may read as well.
   AttentionDecoder(Parameters& parameters, const Sizes& sizes, const Block& symbols, const Uniform& uniform);
   const Sizes& sizes() const { return sizes_; }
 
+  // Writes signals.scores.
   void forward(const Parameters& parameters, const Sequences& sequences, const ConstView& x, Signals& signals) const;
   // After `forward`, with ∂scores: adds to the gradients, writes ∂x, signals.dh and signals.de.
   void backward(Parameters& parameters, const Sequences& sequences, const ConstView& x, Signals& signals,

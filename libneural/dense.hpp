@@ -11,11 +11,13 @@
 namespace waymark::neural {
 
 struct Dense {
-  Block weight, bias;
+  Block weight, bias;  // W, b
 };
 
+// Adds the parameters of a layer, W as for a ReLU and b zero.
 Dense add_dense(Parameters& parameters, Index inputs, Index outputs, const Uniform& uniform);
 
+// y = W x + b.
 void forward(const Parameters& parameters, const Dense& layer, const ConstView& x, View y);
 void backward(Parameters& parameters, const Dense& layer, const ConstView& x, const ConstView& dy);  // no ∂x
 void backward(Parameters& parameters, const Dense& layer, const ConstView& x, const ConstView& dy, View dx);

@@ -11,17 +11,18 @@ namespace waymark::neural {
 
 class Lstm {
  public:
-  struct Signals {  // of one pass, and of the pass back through it
-    Matrix gates;   // [4 width × columns]: i, f, o, g one under the other; going back, ∂ before σ and tanh
-    Matrix cell, tanh_cell;
-    Matrix h;          // the output
-    Matrix dh, dcell;  // dh: set by the caller
+  struct Signals {           // of one pass, and of the pass back through it
+    Matrix gates;            // [4 width × columns]: i, f, o, g one under the other; going back, ∂ before σ and tanh
+    Matrix cell, tanh_cell;  // c, tanh c
+    Matrix h;                // the output
+    Matrix dh, dcell;        // dh: set by the caller
   };
 
   Lstm(Parameters& parameters, Index inputs, Index width, const Uniform& uniform);
-  Index inputs() const { return input_.columns; }
-  Index width() const { return recurrent_.columns; }
+  Index inputs() const { return input_.columns; }     // rows of x
+  Index width() const { return recurrent_.columns; }  // rows of h
 
+  // Writes signals.h.
   void forward(const Parameters& parameters, const Packing& packing, const ConstView& x, Signals& signals) const;
   // After `forward` of the same x, with ∂h in signals.dh, which is used up: adds to the gradients, and writes ∂x.
   void backward(Parameters& parameters, const Packing& packing, const ConstView& x, Signals& signals, View dx) const;
@@ -34,17 +35,19 @@ class Lstm {
 //   h [2 width × columns]: forwards above backwards;  last [2 width × sequences]: what each has read of it all
 class BidirectionalLstm {
  public:
-  struct Signals {
-    Lstm::Signals forwards, backwards;
-    Matrix reversed, dreversed;  // the input, each sequence from its end
-    Matrix h, last;              // the outputs
-    Matrix dh, dlast;            // set by the caller
+  struct Signals {                      // of both directions
+    Lstm::Signals forwards, backwards;  // of each
+    Matrix reversed, dreversed;         // the input, each sequence from its end
+    Matrix h, last;                     // the outputs
+    Matrix dh, dlast;                   // set by the caller
   };
 
   BidirectionalLstm(Parameters& parameters, Index inputs, Index width, const Uniform& uniform);
-  Index width() const { return 2 * forwards_.width(); }
+  Index width() const { return 2 * forwards_.width(); }  // rows of h of one pass over both directions
 
+  // Writes signals.h and signals.last.
   void forward(const Parameters& parameters, const Packing& packing, const ConstView& x, Signals& signals) const;
+  // After `forward`, with ∂ in signals.dh and signals.dlast: adds to the gradients.
   void backward(Parameters& parameters, const Packing& packing, const ConstView& x, Signals& signals, View dx) const;
 
  private:

@@ -8,8 +8,8 @@
 
 namespace waymark::neural {
 
-using ConstView = Eigen::Ref<const Matrix, 0, Eigen::OuterStride<>>;
-using View = Eigen::Ref<Matrix, 0, Eigen::OuterStride<>>;
+using ConstView = Eigen::Ref<const Matrix, 0, Eigen::OuterStride<>>;  // a matrix or a block of columns that is read
+using View = Eigen::Ref<Matrix, 0, Eigen::OuterStride<>>;             // a matrix or a block of columns that is written
 
 // Shapes must fit (asserted); C overlaps neither A nor B.
 void add_product(const ConstView& a, const ConstView& b, View c);             // A B

@@ -23,13 +23,14 @@ class Packing {
     }
   }
 
-  Index sequences() const { return static_cast<Index>(lengths_.size()); }
+  Index sequences() const { return static_cast<Index>(lengths_.size()); }  // how many
+  // Elements of one sequence.
   Index length(Index sequence) const { return lengths_[static_cast<std::size_t>(sequence)]; }
-  Index steps() const { return static_cast<Index>(begins_.size()) - 1; }
-  Index columns() const { return columns_; }
+  Index steps() const { return static_cast<Index>(begins_.size()) - 1; }  // elements of the longest sequence
+  Index columns() const { return columns_; }                              // elements of all sequences
   Index begin(Index t) const { return begins_[static_cast<std::size_t>(t)]; }
   Index running(Index t) const { return begin(t + 1) - begin(t); }  // sequences longer than t
-  Index column(Index sequence, Index t) const {
+  Index column(Index sequence, Index t) const {                     // where element t of the sequence stands
     assert(t < length(sequence));
     return begin(t) + sequence;
   }

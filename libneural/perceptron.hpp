@@ -21,9 +21,9 @@ class Perceptron {
   // sizes: features, hidden layers, outputs; at least two.
   Perceptron(Parameters& parameters, std::span<const Index> sizes, const Uniform& uniform);
 
-  Index inputs() const { return layers_.front().weight.columns; }
-  Index outputs() const { return layers_.back().weight.rows; }
-  Signals signals(Index batch) const;
+  Index inputs() const { return layers_.front().weight.columns; }  // features
+  Index outputs() const { return layers_.back().weight.rows; }     // of the last layer
+  Signals signals(Index batch) const;                              // room for a pass over that many examples
 
   // The outputs, which stay in `signals`. x has at most as many columns as the signals were made for; the columns
   // behind them mean nothing.

@@ -12,13 +12,13 @@
 
 namespace waymark::neural {
 
-struct SymbolNode {
-  struct Child {
+struct SymbolNode {  // a node of the graph, after its children
+  struct Child {     // an edge to an operand
     Index node = 0;  // stands before its parent
-    Index slot = 0;
+    Index slot = 0;  // which operand the child is
   };
-  Index symbol = 0;
-  std::vector<Child> children = {};
+  Index symbol = 0;                  // less than the number of symbols
+  std::vector<Child> children = {};  // the operands
 };
 
 class RecursiveEncoder {

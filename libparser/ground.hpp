@@ -15,16 +15,16 @@
 
 namespace waymark::parser {
 
-struct Reading {
-  ltl::Formula formula;
+struct Reading {           // a formula that the instruction may mean
+  ltl::Formula formula;    // over the vocabulary of the model
   double probability = 0;  // of the readings returned: they sum to 1
-  Program program;
+  Program program;         // that denotes the formula
 };
 
-struct GroundOptions {
-  std::size_t beam = 64;  // candidate programs a sentence
-  std::size_t top = 64;   // readings returned at most
-  Then then = Then::WholePlan;
+struct GroundOptions {          // what grounding may cost
+  std::size_t beam = 64;        // candidate programs a sentence
+  std::size_t top = 64;         // readings returned at most
+  Then then = Then::WholePlan;  // the meaning of `then`
   bool one_an_end =
       false;  // programs that lead to one pose are one reading, the likeliest of them: the first is likeliest
 };

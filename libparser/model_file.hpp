@@ -11,7 +11,7 @@
 
 namespace waymark::parser {
 
-inline constexpr double least_weight = 0.0085;
+inline constexpr double least_weight = 0.0085;  // smaller weights of the linear model are left out
 // Of the reranker and the start-pose model, whose many small weights add up, the threshold is this share of what it is
 // for others.
 inline constexpr double least_of_rerankers = 0.6;

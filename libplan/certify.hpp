@@ -11,8 +11,8 @@ namespace waymark::plan {
 // The only way to get one is certify; whatever prints or draws a route takes this type.
 class CertifiedRoute {
  public:
-  const Route& route() const { return route_; }
-  ltl::Formula formula() const { return formula_; }
+  const Route& route() const { return route_; }      // as it was checked
+  ltl::Formula formula() const { return formula_; }  // that the word of the route satisfies
 
  private:
   friend CertifiedRoute certify(Route route, const Map& map, ltl::Formula f);
@@ -29,13 +29,14 @@ CertifiedRoute certify(Route route, const Map& map, ltl::Formula f);
 // on the word, letter by letter on its own vocabulary. Weaker than certify: the automaton itself is taken at its word.
 class AcceptedRoute {
  public:
-  const Route& route() const { return route_; }
+  const Route& route() const { return route_; }  // as it was checked
 
  private:
   friend AcceptedRoute certify_acceptance(Route route, const Map& map, const automata::Dfa& dfa);
   explicit AcceptedRoute(Route route) : route_(std::move(route)) {}
   Route route_;
 };
+// Throws std::logic_error as certify does.
 AcceptedRoute certify_acceptance(Route route, const Map& map, const automata::Dfa& dfa);
 
 }  // namespace waymark::plan

@@ -11,12 +11,12 @@
 
 namespace waymark::plan {
 
-using Planned = std::variant<CertifiedRoute, Infeasible, Exhausted>;
+using Planned = std::variant<CertifiedRoute, Infeasible, Exhausted>;  // what planning comes to
 
-struct PlanOptions {
+struct PlanOptions {                         // limits of planning
   std::size_t automaton_states = 1'000'000;  // more than that: Exhausted
   bool explain = true;                       // find the reason of an Infeasible: costs more than finding that it is one
-  std::stop_token stop = {};
+  std::stop_token stop = {};                 // ends with Exhausted when it is asked for
 };
 
 // A least-cost route from one of the starts whose word satisfies f, then stop (conventions.md 4). Throws

@@ -4,6 +4,9 @@
 // automaton by automaton.
 #include <iostream>
 #include <memory>
+#include <optional>
+#include <utility>
+#include <vector>
 
 #include "libautomata/limit_deterministic/ltl_to_ldba.hpp"
 #include "libltl/diagnostic.hpp"
@@ -11,6 +14,7 @@
 #include "tools/automaton_request.hpp"
 #include "tools/shell/deadline.hpp"
 #include "tools/shell/input.hpp"
+#include "tools/shell/output.hpp"
 #include "tools/shell/subcommand.hpp"
 
 namespace waymark::tools {
@@ -25,7 +29,7 @@ struct AutomatonOptions {
 
 Reply reply_to(automata::HoaAutomaton file, const std::string& source, std::size_t number,
                const AutomatonOptions& options, automata::Budget& budget, const std::stop_token& stop) {
-  Shown about{.line = number, .name = file.name, .unicode_name = file.name};
+  Shown about{.line = number, .text = file.name, .name = file.name, .unicode_name = file.name};
   AnyAutomaton any = understood(std::move(file), source, budget);
   about.semantics = std::holds_alternative<automata::Dfa>(any) ? "finite" : "infinite";
   const AutomatonRequest& request = options.request;
@@ -51,17 +55,60 @@ Reply limited_reply(automata::HoaAutomaton file, const std::string& source, std:
     const std::string reason = spent.reason == automata::Budget::Exceeded::Reason::Stopped
                                    ? "gave up: the time is over"
                                    : "gave up: too many states or acceptance sets";
-    return {ExitCode::GaveUp, show_none(number, 0, "limit", reason, options.output), reason};
+    return {ExitCode::GaveUp, show_none({.line = number, .status = "limit"}, reason, options.output), reason};
   }
 }
 
-ExitCode run_automaton(const AutomatonOptions& options, const Session& session) {
+// Automata as they stand in the file; a single one as often as the other files want it.
+class Stream {
+ public:
+  Stream(const std::string& text, const std::string& source, std::size_t others)
+      : reader_(text, source), others_(others) {
+    ahead_ = reader_.next();
+    if (others_ > 1 && ahead_) {
+      auto second = reader_.next();
+      if (!second) return;
+      waiting_.push_back(std::move(*second));
+      is_stream_ = true;
+    }
+  }
+
+  bool is_stream() const { return is_stream_; }
+  std::optional<automata::HoaAutomaton> next() {
+    if (others_ > 1 && !is_stream_) return ++given_ <= others_ ? ahead_ : std::nullopt;
+    if (ahead_) return std::exchange(ahead_, std::nullopt);
+    if (!waiting_.empty()) {
+      automata::HoaAutomaton second = std::move(waiting_.back());
+      waiting_.pop_back();
+      return second;
+    }
+    auto next = reader_.next();
+    if (next) is_stream_ = true;
+    return next;
+  }
+
+ private:
+  automata::HoaReader reader_;
+  std::size_t others_, given_ = 0;
+  std::optional<automata::HoaAutomaton> ahead_;
+  std::vector<automata::HoaAutomaton> waiting_;
+  bool is_stream_ = false;
+};
+
+ExitCode run_automaton(AutomatonOptions options, const Session& session) {
+  check_writable(options.output.svg);
   const std::string text = read_file(options.file), source = source_name(options.file);
-  automata::HoaReader reader(text, source);
+  const OtherAutomata others(options.request.files());
+  options.request.others = &others;
+  options.request.json = options.output.format == "json";
+  Stream stream(text, source, others.count());
   ExitCode worst = ExitCode::Done;
   std::size_t number = 0;
-  while (std::optional<automata::HoaAutomaton> file = reader.next()) {
-    ++number;
+  if (!options.request.asks() && options.request.satisfies.empty()) std::cout << heading(options.output);
+  while (std::optional<automata::HoaAutomaton> file = stream.next()) {
+    options.request.number = ++number;
+    options.request.is_stream = stream.is_stream();
+    if (number > 1 && !options.output.svg.empty()) throw UsageError("--svg is for a single automaton");
     if (file->aborted) {
       complain("warning", "automaton " + std::to_string(number) + " was aborted by its writer");
       continue;
@@ -72,6 +119,10 @@ ExitCode run_automaton(const AutomatonOptions& options, const Session& session) 
     worst = worse(worst, reply.code);
   }
   if (number == 0) throw ltl::FormatError(source, 1, 1, "expected 'HOA: v1' at the beginning");
+  if (others.count() > number)
+    throw ltl::FormatError(source, 0, 0,
+                           "holds " + std::to_string(number) + " automata, another file " +
+                               std::to_string(others.count()) + ": one of them must hold one, or both as many");
   return worst;
 }
 
@@ -102,11 +153,13 @@ Runner setup_automaton(Command command) {
       .add_option_function(
           "--to",
           [options](const std::string& what) {
-            const bool is_kind = what == "tgba" || what == "buchi" || what == "parity" || what == "ldba";
+            const bool is_kind = what == "dfa" || what == "tgba" || what == "buchi" || what == "parity" ||
+                                 what == "rabin" || what == "ldba" || what == "generic";
             (is_kind ? options->request.kind : options->output.format) = what;
           },
-          "a kind of automaton on infinite words to make of it; or the same as --format")
-      .one_of({"tgba", "buchi", "parity", "ldba", "hoa", "dot", "stats", "json", "tsv", "never", "lbtt", "ba"});
+          "the kind of automaton to make of it (dfa: of infinite words the good prefixes); or the same as --format")
+      .one_of({"dfa", "tgba", "buchi", "parity", "rabin", "ldba", "generic", "hoa", "dot", "stats", "json", "tsv",
+               "never", "lbtt", "ba"});
   command.add_option("--limit-states", request.states, "give up beyond so many states").type_name("N");
   command.add_option("--limit-seconds", options->seconds, "give up on an automaton after so many seconds")
       .type_name("SECONDS")

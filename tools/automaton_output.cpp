@@ -1,5 +1,6 @@
 #include "tools/automaton_output.hpp"
 
+#include <algorithm>
 #include <optional>
 
 #include "libautomata/finite/guard.hpp"
@@ -11,6 +12,7 @@
 #include "libautomata/omega/edges.hpp"
 #include "libltl/text/print.hpp"
 #include "tools/answer.hpp"
+#include "tools/picture.hpp"
 #include "tools/shell/json.hpp"
 
 namespace waymark::tools {
@@ -33,17 +35,27 @@ Size measure(const automata::Automaton& automaton, std::size_t most_edges) {
           automata::is_deterministic(automaton.transitions())};
 }
 
-// One row, tab-separated: line states edges sets deterministic seconds status symbolic_nodes.
-std::string row(std::size_t line, const std::optional<Size>& size, double seconds, std::string_view status) {
+// In one line, without tabs.
+std::string flat(std::string text) {
+  std::replace_if(
+      text.begin(), text.end(), [](char c) { return c == '\t' || c == '\n' || c == '\r'; }, ' ');
+  return text;
+}
+
+constexpr std::string_view columns =
+    "line\tstates\tedges\tsets\tdeterministic\tseconds\tstatus\tsymbolic_nodes\tformula\n";
+
+// One row, tab-separated.
+std::string row(const Shown& about, const std::optional<Size>& size) {
   const auto number = [](const std::optional<std::size_t>& n) { return n ? std::to_string(*n) : "-"; };
-  std::string out = std::to_string(line) + '\t';
+  std::string out = std::to_string(about.line) + '\t';
   if (size)
     out += std::to_string(size->states) + '\t' + number(size->edges) + '\t' + std::to_string(size->sets) +
            (size->deterministic ? "\t1\t" : "\t0\t");
   else
     out += "-\t-\t-\t-\t";
-  out += fixed(seconds, 6) + '\t' + std::string(status) + '\t';
-  return out + (size ? std::to_string(size->symbolic_nodes) : "-") + '\n';
+  out += fixed(about.seconds, 6) + '\t' + about.status + '\t';
+  return out + (size ? std::to_string(size->symbolic_nodes) : "-") + '\t' + flat(about.text) + '\n';
 }
 
 JsonObject json_size(const Size& size, std::size_t propositions) {
@@ -76,6 +88,11 @@ JsonObject automaton_json(const Any& automaton, const Size& size, const Shown& a
   return out;
 }
 
+std::string none_within(Shown about, const std::string& problem, const OutputOptions& options) {
+  about.status = "limit";
+  return show_none(about, problem, options);
+}
+
 template <class Any>
 Reply too_large(const Any& automaton, const Size& size, const Shown& about, const OutputOptions& options) {
   const std::string problem = "more than " + counted(options.edges, "edge") +
@@ -85,7 +102,7 @@ Reply too_large(const Any& automaton, const Size& size, const Shown& about, cons
   if (options.format == "json")
     reply.text = automaton_json(automaton, size, about, "limit").text() + '\n';
   else
-    reply.text = show_none(about.line, about.seconds, "limit", problem, options);
+    reply.text = none_within(about, problem, options);
   return reply;
 }
 
@@ -94,6 +111,15 @@ Reply show_or_refuse(const Any& automaton, const std::optional<std::string>& tex
                      const OutputOptions& options) {
   if (text) return {ExitCode::Done, *text};
   return too_large(automaton, measure(automaton, options.edges), about, options);
+}
+
+// A comment: whose rows follow.
+std::string whose(const Shown& about) {
+  return "# line " + std::to_string(about.line) + (about.text.empty() ? "" : ": " + flat(about.text)) + '\n';
+}
+
+std::optional<std::string> with_whose(const std::optional<std::string>& table, const Shown& about) {
+  return table ? std::optional(whose(about) + *table) : std::nullopt;
 }
 
 // A heading, then one edge a line; marks: "stop" where the word may stop behind the edge.
@@ -126,21 +152,38 @@ std::optional<std::string> exchanged(const automata::Automaton& automaton, const
   return automata::write_never_claim(states, options.edges, about.name);
 }
 
+// Jumps as dotted arrows, which HOA cannot have.
+std::optional<std::string> dot_of(const automata::MdpSafe& ldba, const Shown& about, std::size_t most_edges) {
+  automata::OmegaDotOptions layout{.name = about.unicode_name};
+  for (std::uint32_t q = 0; q < ldba.states(); ++q)
+    for (const automata::StateId target : ldba.jumps(automata::StateId{q})) layout.jumps.emplace_back(q, target.index);
+  const automata::Automaton steps(ldba.vocabulary(), ldba.reads(), ldba.steps());
+  return automata::write_dot_within(steps, most_edges, layout);
+}
+
+std::optional<std::string> dot_of(const automata::Dfa& dfa, const Shown& about, std::size_t most_edges) {
+  if (!automata::count_edges(dfa, most_edges)) return std::nullopt;
+  return automata::write_dot(dfa, {.name = about.unicode_name});
+}
+
+std::optional<std::string> dot_of(const automata::Automaton& automaton, const Shown& about, std::size_t most_edges) {
+  return automata::write_dot_within(automaton, most_edges, {.name = about.unicode_name});
+}
+
 // Of limit-deterministic automata: what their HOA and JSON say besides.
 struct Guesses {
   std::vector<std::string> properties, headers;
   JsonArray accepting_part, jumps;
 };
 
-Reply show_omega(const automata::Automaton& automaton, const std::optional<Guesses>& guesses, const Shown& about,
-                 const OutputOptions& options) {
+Reply shown_omega(const automata::Automaton& automaton, const std::optional<Guesses>& guesses, const Shown& about,
+                  const OutputOptions& options) {
   const std::string& format = options.format;
   const std::size_t most = options.edges;
-  if (format == "stats")
-    return {ExitCode::Done, row(about.line, measure(automaton, most), about.seconds, about.status)};
-  if (format == "dot")
-    return show_or_refuse(automaton, automata::write_dot_within(automaton, most, {about.unicode_name}), about, options);
-  if (format == "tsv") return show_or_refuse(automaton, automata::write_table(automaton, most), about, options);
+  if (format == "stats") return {ExitCode::Done, row(about, measure(automaton, most))};
+  if (format == "dot") return show_or_refuse(automaton, dot_of(automaton, about, most), about, options);
+  if (format == "tsv")
+    return show_or_refuse(automaton, with_whose(automata::write_table(automaton, most), about), about, options);
   if (format == "never" || format == "lbtt" || format == "ba")
     return show_or_refuse(automaton, exchanged(automaton, about, options), about, options);
   automata::OmegaHoaOptions layout{
@@ -158,13 +201,19 @@ Reply show_omega(const automata::Automaton& automaton, const std::optional<Guess
   return {ExitCode::Done, out.add("hoa", *hoa).text() + '\n'};
 }
 
-// Jumps as dotted arrows, which HOA cannot have.
-Reply show_jumps(const automata::MdpSafe& ldba, const Shown& about, const OutputOptions& options) {
-  automata::OmegaDotOptions layout{.name = about.unicode_name};
-  for (std::uint32_t q = 0; q < ldba.states(); ++q)
-    for (const automata::StateId target : ldba.jumps(automata::StateId{q})) layout.jumps.emplace_back(q, target.index);
-  const automata::Automaton steps(ldba.vocabulary(), ldba.reads(), ldba.steps());
-  return show_or_refuse(ldba.automaton(), automata::write_dot_within(steps, options.edges, layout), about, options);
+// The reply, once the picture is drawn that was asked for.
+template <class Any>
+Reply drawn(Reply reply, const Any& automaton, const Shown& about, const OutputOptions& options) {
+  if (options.svg.empty() || reply.code != ExitCode::Done) return reply;
+  const auto dot = automaton.states() > most_drawn_states ? std::nullopt : dot_of(automaton, about, most_drawn_edges);
+  if (dot) {
+    draw_graph(*dot, options.svg);
+  } else {
+    reply.code = ExitCode::GaveUp;
+    reply.problem = "not drawn: more than " + counted(most_drawn_states, "state") + " or " +
+                    counted(most_drawn_edges, "edge") + "; --format dot gives the graph as text";
+  }
+  return reply;
 }
 
 }  // namespace
@@ -185,31 +234,32 @@ void add_output_options(Command command, OutputOptions& options) {
                   "HOA: marks on states or edges; on states only where all edges of each state agree")
       .one_of({"state", "edge"})
       .show_default();
+  command.add_option("--svg", options.svg, "draw the automaton; for a single one").type_name("FILE");
   command.add_option("--limit-edges", options.edges, "write no automaton with more edges; they are counted before")
       .type_name("N")
       .show_default();
 }
 
-std::string show_none(std::size_t line, double seconds, std::string_view status, const std::string& message,
-                      const OutputOptions& options) {
-  if (options.format == "stats") return row(line, std::nullopt, seconds, status);
+std::string show_none(const Shown& about, const std::string& message, const OutputOptions& options) {
+  if (options.format == "stats") return row(about, std::nullopt);
   if (options.format == "json")
-    return JsonObject().add("line", line).add("status", std::string(status)).add("message", message).text() + '\n';
+    return JsonObject().add("line", about.line).add("status", about.status).add("message", message).text() + '\n';
   if (options.format == "hoa") return automata::aborted_hoa("", {.one_line = options.one_line});
+  if (options.format == "tsv") return whose(about) + "# " + about.status + ": " + flat(message) + '\n';
   return "";
 }
 
-Reply show(const automata::Dfa& dfa, const Shown& about, const OutputOptions& options) {
-  if (options.format == "stats")
-    return {ExitCode::Done, row(about.line, measure(dfa, options.edges), about.seconds, about.status)};
+std::string heading(const OutputOptions& options) { return options.format == "stats" ? std::string(columns) : ""; }
+
+namespace {
+
+Reply shown_dfa(const automata::Dfa& dfa, const Shown& about, const OutputOptions& options) {
+  if (options.format == "stats") return {ExitCode::Done, row(about, measure(dfa, options.edges))};
   if (options.format == "never" || options.format == "lbtt" || options.format == "ba")
     throw UsageError("--format " + options.format + " is one for infinite words");
-  if (options.format == "tsv") return show_or_refuse(dfa, dfa_table(dfa, options.edges), about, options);
-  if (options.format == "dot") {
-    const Size size = measure(dfa, options.edges);
-    if (!size.edges) return too_large(dfa, size, about, options);
-    return {ExitCode::Done, automata::write_dot(dfa, {.name = about.unicode_name})};
-  }
+  if (options.format == "tsv")
+    return show_or_refuse(dfa, with_whose(dfa_table(dfa, options.edges), about), about, options);
+  if (options.format == "dot") return show_or_refuse(dfa, dot_of(dfa, about, options.edges), about, options);
   const std::optional<std::string> hoa = automata::write_hoa_within(
       dfa, options.edges,
       {.name = about.name,
@@ -221,12 +271,9 @@ Reply show(const automata::Dfa& dfa, const Shown& about, const OutputOptions& op
           automaton_json(dfa, measure(dfa, options.edges), about, about.status).add("hoa", *hoa).text() + '\n'};
 }
 
-Reply show(const automata::Automaton& automaton, const Shown& about, const OutputOptions& options) {
-  return show_omega(automaton, {}, about, options);
-}
-
-Reply show(const automata::MdpSafe& automaton, const Shown& about, const OutputOptions& options) {
-  if (options.format == "dot") return show_jumps(automaton, about, options);
+Reply shown_ldba(const automata::MdpSafe& automaton, const Shown& about, const OutputOptions& options) {
+  if (options.format == "dot")
+    return show_or_refuse(automaton.automaton(), dot_of(automaton, about, options.edges), about, options);
   Guesses guesses;
   if (!automaton.is_deterministic()) guesses.properties.push_back("semi-deterministic");
   std::string parts = "waymark-accepting-part:", jumps = "waymark-jumps:";
@@ -241,7 +288,21 @@ Reply show(const automata::MdpSafe& automaton, const Shown& about, const OutputO
     }
   }
   guesses.headers = {parts, jumps};
-  return show_omega(automaton.automaton(), guesses, about, options);
+  return shown_omega(automaton.automaton(), guesses, about, options);
+}
+
+}  // namespace
+
+Reply show(const automata::Dfa& dfa, const Shown& about, const OutputOptions& options) {
+  return drawn(shown_dfa(dfa, about, options), dfa, about, options);
+}
+
+Reply show(const automata::Automaton& automaton, const Shown& about, const OutputOptions& options) {
+  return drawn(shown_omega(automaton, {}, about, options), automaton, about, options);
+}
+
+Reply show(const automata::MdpSafe& automaton, const Shown& about, const OutputOptions& options) {
+  return drawn(shown_ldba(automaton, about, options), automaton, about, options);
 }
 
 }  // namespace waymark::tools

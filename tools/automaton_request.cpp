@@ -10,13 +10,17 @@
 #include "libautomata/finite/run.hpp"
 #include "libautomata/hoa/exchange.hpp"
 #include "libautomata/hoa/omega.hpp"
+#include "libautomata/monitor/monitor.hpp"
 #include "libautomata/omega/lasso.hpp"
 #include "libautomata/omega/operations.hpp"
 #include "libautomata/omega/reduce.hpp"
+#include "libautomata/omega/scc_filter.hpp"
 #include "libautomata/omega/without_fin.hpp"
 #include "libautomata/translation/ltl_to_buchi.hpp"
+#include "libltl/diagnostic.hpp"
 #include "libltl/text/parse.hpp"
 #include "tools/shell/input.hpp"
+#include "tools/shell/json.hpp"
 
 namespace waymark::tools {
 namespace {
@@ -27,9 +31,8 @@ bool is_finite(const automata::HoaAutomaton& file) {
   return false;
 }
 
-AnyAutomaton read_one(const std::string& path, automata::Budget& budget) {
-  const std::string text = read_file(path), source = source_name(path);
-  return understood(automata::parse_hoa(text, source), source, budget);
+AnyAutomaton other_of(const std::string& file, const AutomatonRequest& request, automata::Budget& budget) {
+  return understood(request.others->of(file, request.number), source_name(file), budget);
 }
 
 // All words that are not accepted; nondeterministic automata are determinised first.
@@ -47,14 +50,39 @@ std::optional<ltl::Lasso> word_left(const automata::Automaton& a, const automata
   return automata::find_lasso(rest);
 }
 
+// The answer to a question: yes, or no and a word that shows why, which one of two files alone accepts.
+struct Verdict {
+  std::string question, otherwise = {};  // "equivalent", "accepts "
+  std::optional<std::string> word = {}, accepted_by = {};
+};
+
 template <class Word>
-Reply answer(const char* yes, const std::string& no, const std::optional<Word>& word,
-             const ltl::Vocabulary& vocabulary) {
-  if (!word) return {ExitCode::Done, std::string(yes) + '\n'};
-  return {ExitCode::No, no + ltl::show(*word, vocabulary) + '\n'};
+std::optional<std::string> text_of(const std::optional<Word>& word, const ltl::Vocabulary& vocabulary) {
+  return word ? std::optional(ltl::show(*word, vocabulary)) : std::nullopt;
 }
 
-std::string only(const std::string& source) { return "only " + source_name(source) + " accepts "; }
+Reply reply_of(const Verdict& verdict, const AutomatonRequest& request) {
+  const ExitCode code = verdict.word ? ExitCode::No : ExitCode::Done;
+  if (request.json) {
+    JsonObject json;
+    json.add("line", request.number).add("question", verdict.question).add("answer", !verdict.word);
+    if (verdict.word) json.add("word", *verdict.word);
+    if (verdict.word && verdict.accepted_by) json.add("accepted_by", *verdict.accepted_by);
+    return {code, json.text() + '\n'};
+  }
+  if (!verdict.word) return {code, verdict.question + '\n'};
+  const std::string who = verdict.accepted_by ? "only " + *verdict.accepted_by + " accepts " : verdict.otherwise;
+  return {code, who + *verdict.word + '\n'};
+}
+
+// The file, and the number in it where it holds several.
+std::string name_of(const std::string& file, bool is_stream, const AutomatonRequest& request) {
+  return source_name(file) + (is_stream ? " (automaton " + std::to_string(request.number) + ")" : "");
+}
+std::string first_name(const AutomatonRequest& request) { return name_of(request.source, request.is_stream, request); }
+std::string other_name(const std::string& file, const AutomatonRequest& request) {
+  return name_of(file, request.others->is_stream(file), request);
+}
 
 constexpr auto conjunction_of = [](bool p, bool q) { return p && q; };
 constexpr auto disjunction_of = [](bool p, bool q) { return p || q; };
@@ -64,26 +92,30 @@ automata::Dfa all_words() {
   return automata::read_hoa("HOA: v1 Start: 0 AP: 0 Acceptance: 0 t --BODY-- State: 0 [t] 0 --END--");
 }
 
-Reply compare(const automata::Dfa& a, const automata::Dfa& b, const AutomatonRequest& request,
-              automata::Budget& budget) {
+Verdict compare(const automata::Dfa& a, const automata::Dfa& b, const AutomatonRequest& request,
+                automata::Budget& budget) {
   if (!request.equivalent.empty()) {
     const auto found = automata::difference(a, b, budget);
-    if (!found) return {ExitCode::Done, "equivalent\n"};
-    return {ExitCode::No, only(found->first_accepts ? request.source : request.equivalent) +
-                              ltl::show(found->word, found->vocabulary) + '\n'};
+    if (!found) return {.question = "equivalent"};
+    return {.question = "equivalent",
+            .word = ltl::show(found->word, found->vocabulary),
+            .accepted_by = found->first_accepts ? first_name(request) : other_name(request.equivalent, request)};
   }
   const automata::Dfa rest = automata::product(a, b, difference_of, budget);
-  return answer("included", only(request.source), automata::shortest_word(rest), rest.vocabulary());
+  return {.question = "included",
+          .word = text_of(automata::shortest_word(rest), rest.vocabulary()),
+          .accepted_by = first_name(request)};
 }
 
-Reply compare(const automata::Automaton& a, const automata::Automaton& b, const AutomatonRequest& request,
-              automata::Budget& budget) {
+Verdict compare(const automata::Automaton& a, const automata::Automaton& b, const AutomatonRequest& request,
+                automata::Budget& budget) {
   ltl::Vocabulary vocabulary;
-  const auto more = word_left(a, b, budget, vocabulary);
+  const std::string question = request.equivalent.empty() ? "included" : "equivalent";
+  const auto more = text_of(word_left(a, b, budget, vocabulary), vocabulary);
   if (more || request.equivalent.empty())
-    return answer(request.equivalent.empty() ? "included" : "equivalent", only(request.source), more, vocabulary);
-  const auto less = word_left(b, a, budget, vocabulary);
-  return answer("equivalent", only(request.equivalent), less, vocabulary);
+    return {.question = question, .word = more, .accepted_by = first_name(request)};
+  const auto less = text_of(word_left(b, a, budget, vocabulary), vocabulary);
+  return {.question = question, .word = less, .accepted_by = other_name(request.equivalent, request)};
 }
 
 // By components and simulation where marks are only asked for infinitely often; a deterministic automaton also as one
@@ -104,9 +136,10 @@ automata::Automaton reduced(const automata::Automaton& automaton, automata::Budg
 }
 
 AnyAutomaton changed(automata::Dfa dfa, const AutomatonRequest& request, automata::Budget& budget) {
-  if (!request.kind.empty()) throw UsageError("--to " + request.kind + " is about infinite words");
+  if (!request.kind.empty() && request.kind != "dfa")
+    throw UsageError("--to " + request.kind + " is about infinite words");
   const auto with = [&](const std::string& path, automata::Verdict verdict) {
-    const AnyAutomaton other = read_one(path, budget);
+    const AnyAutomaton other = other_of(path, request, budget);
     if (!std::holds_alternative<automata::Dfa>(other)) mixed();
     dfa = automata::product(dfa, std::get<automata::Dfa>(other), verdict, budget);
   };
@@ -114,12 +147,12 @@ AnyAutomaton changed(automata::Dfa dfa, const AutomatonRequest& request, automat
   if (!request.product.empty()) with(request.product, conjunction_of);
   if (!request.either.empty()) with(request.either, disjunction_of);
   if (!request.difference.empty()) with(request.difference, difference_of);
-  if (request.minimize || request.reduce) dfa = automata::minimize(dfa, budget);
+  if (request.minimize || request.reduce || request.kind == "dfa") dfa = automata::minimize(dfa, budget);
   return dfa;
 }
 
-automata::Automaton other_omega(const std::string& path, automata::Budget& budget) {
-  AnyAutomaton other = read_one(path, budget);
+automata::Automaton other_omega(const std::string& path, const AutomatonRequest& request, automata::Budget& budget) {
+  AnyAutomaton other = other_of(path, request, budget);
   if (!std::holds_alternative<automata::Automaton>(other)) mixed();
   return std::get<automata::Automaton>(std::move(other));
 }
@@ -130,8 +163,19 @@ automata::Automaton united(const automata::Automaton& a, const automata::Automat
   return automata::sum(a, b);
 }
 
+// Deterministic, with the condition that takes fewest states: its own, or a parity condition.
+automata::Automaton smallest_deterministic(const automata::Automaton& a, automata::Budget& budget) {
+  automata::Automaton parity = automata::to_parity(a, budget).automaton();
+  const auto own = automata::Deterministic::checked(a);
+  return own && own->automaton().states() < parity.states() ? own->automaton() : parity;
+}
+
 // The kinds that `waymark translate --to` makes, from an automaton instead of a formula.
 automata::Automaton converted(const automata::Automaton& a, const std::string& kind, automata::Budget& budget) {
+  if (kind == "generic") return smallest_deterministic(a, budget);
+  if (kind == "rabin")
+    return {a.vocabulary(), a.reads(),
+            automata::as_rabin(automata::min_even_parity(automata::to_parity(a, budget).automaton().transitions()))};
   if (kind == "parity" || kind == "ldba") return automata::to_parity(a, budget).automaton();
   const automata::Automaton general = automata::as_automaton(
       automata::reduce(automata::without_fin(a.transitions(), budget), automata::MarksOn::Edges, budget).automaton,
@@ -139,13 +183,32 @@ automata::Automaton converted(const automata::Automaton& a, const std::string& k
   return kind == "buchi" ? *automata::make_state_based(general, budget) : general;
 }
 
+// The finite words after which every continuation is accepted. Throws UsageError when they do not say it all: when a
+// word is accepted although no prefix settles that.
+automata::Dfa good_prefixes(const automata::Automaton& a, automata::Budget& budget) {
+  const automata::Automaton no = complement_of(a, budget);
+  automata::TransitionRelation bad = automata::trim(no.transitions());
+  const automata::Automaton trimmed(no.vocabulary(), no.reads(), bad);
+  bad.acceptance.condition = automata::Condition::constant(true);
+  const automata::Automaton unsettled =
+      automata::intersection(a, automata::Automaton(no.vocabulary(), no.reads(), std::move(bad)), budget);
+  if (const auto word = automata::find_lasso(unsettled))
+    throw UsageError("--to dfa: no finite prefix settles that this word is accepted: " +
+                     ltl::show(*word, unsettled.vocabulary()));
+  return automata::bad_prefixes(trimmed, budget);
+}
+
 AnyAutomaton changed(automata::Automaton a, const AutomatonRequest& request, automata::Budget& budget, Shown& about) {
   if (request.complement) a = complement_of(a, budget);
-  if (!request.product.empty()) a = automata::intersection(a, other_omega(request.product, budget), budget);
-  if (!request.either.empty()) a = united(a, other_omega(request.either, budget), budget);
+  if (!request.product.empty()) a = automata::intersection(a, other_omega(request.product, request, budget), budget);
+  if (!request.either.empty()) a = united(a, other_omega(request.either, request, budget), budget);
   if (!request.difference.empty())
-    a = automata::intersection(a, complement_of(other_omega(request.difference, budget), budget), budget);
+    a = automata::intersection(a, complement_of(other_omega(request.difference, request, budget), budget), budget);
   if (request.minimize || request.reduce) a = reduced(a, budget, about);
+  if (request.kind == "dfa") {
+    about.semantics = "finite";
+    return good_prefixes(a, budget);
+  }
   return request.kind.empty() ? a : converted(a, request.kind, budget);
 }
 
@@ -161,6 +224,37 @@ AnyAutomaton transformed(AnyAutomaton any, const AutomatonRequest& request, auto
   return changed(std::get<automata::Automaton>(std::move(any)), request, budget, about);
 }
 
+OtherAutomata::OtherAutomata(const std::vector<std::string>& files) {
+  std::string longest;
+  for (const std::string& file : files) {
+    const std::string text = read_file(file), source = source_name(file);
+    automata::HoaReader reader(text, source);
+    std::vector<automata::HoaAutomaton>& all = files_[file];
+    while (auto automaton = reader.next())
+      if (!automaton->aborted) all.push_back(std::move(*automaton));
+    if (all.empty()) throw ltl::FormatError(source, 1, 1, "expected 'HOA: v1' at the beginning");
+    if (all.size() > 1 && count_ > 1 && all.size() != count_)
+      throw UsageError(source + " holds " + std::to_string(all.size()) + " automata, " + longest + ' ' +
+                       std::to_string(count_));
+    if (all.size() > count_) count_ = all.size(), longest = source;
+  }
+}
+
+const automata::HoaAutomaton& OtherAutomata::of(const std::string& file, std::size_t number) const {
+  const std::vector<automata::HoaAutomaton>& all = files_.at(file);
+  if (all.size() == 1) return all.front();
+  if (number <= all.size()) return all[number - 1];
+  throw ltl::FormatError(source_name(file), 0, 0,
+                         "there is no automaton " + std::to_string(number) + " to meet the other one of its number");
+}
+
+std::vector<std::string> AutomatonRequest::files() const {
+  std::vector<std::string> named;
+  for (const std::string* file : {&product, &either, &difference, &equivalent, &included})
+    if (!file->empty()) named.push_back(*file);
+  return named;
+}
+
 // Against the automaton of the negation, which always exists.
 Reply satisfies(const AnyAutomaton& any, const AutomatonRequest& request, automata::Budget& budget,
                 std::stop_token stop) {
@@ -168,7 +262,8 @@ Reply satisfies(const AnyAutomaton& any, const AutomatonRequest& request, automa
   const ltl::Formula no = ltl::negate(ltl::parse(request.satisfies, arena));
   const automata::TranslationLimits limits{.states = request.states, .stop = std::move(stop)};
   const auto answer_to = [&](const auto& rest, const auto& word) {
-    return answer("satisfied", "not satisfied by ", word, rest.vocabulary());
+    return reply_of(
+        {.question = "satisfied", .otherwise = "not satisfied by ", .word = text_of(word, rest.vocabulary())}, request);
   };
   const auto automaton_of = [](auto result) {
     if (std::holds_alternative<automata::Exhausted>(result))
@@ -185,25 +280,42 @@ Reply satisfies(const AnyAutomaton& any, const AutomatonRequest& request, automa
   return answer_to(rest, automata::find_lasso(rest));
 }
 
-Reply asked_of(const AnyAutomaton& any, const AutomatonRequest& request, automata::Budget& budget) {
-  if (const auto* dfa = std::get_if<automata::Dfa>(&any)) {
-    if (request.empty) return answer("empty", "accepts ", automata::shortest_word(*dfa), dfa->vocabulary());
-    if (request.universal) {
-      const automata::Dfa rest = automata::product(all_words(), *dfa, difference_of, budget);
-      return answer("universal", "rejects ", automata::shortest_word(rest), rest.vocabulary());
-    }
-    const AnyAutomaton other = read_one(request.equivalent.empty() ? request.included : request.equivalent, budget);
-    if (!std::holds_alternative<automata::Dfa>(other)) mixed();
-    return compare(*dfa, std::get<automata::Dfa>(other), request, budget);
+namespace {
+
+Verdict asked_of(const automata::Dfa& dfa, const AutomatonRequest& request, automata::Budget& budget) {
+  if (request.empty)
+    return {
+        .question = "empty", .otherwise = "accepts ", .word = text_of(automata::shortest_word(dfa), dfa.vocabulary())};
+  if (request.universal) {
+    const automata::Dfa rest = automata::product(all_words(), dfa, difference_of, budget);
+    return {.question = "universal",
+            .otherwise = "rejects ",
+            .word = text_of(automata::shortest_word(rest), rest.vocabulary())};
   }
-  const auto& a = std::get<automata::Automaton>(any);
-  if (request.empty) return answer("empty", "accepts ", automata::find_lasso(a), a.vocabulary());
+  const AnyAutomaton other =
+      other_of(request.equivalent.empty() ? request.included : request.equivalent, request, budget);
+  if (!std::holds_alternative<automata::Dfa>(other)) mixed();
+  return compare(dfa, std::get<automata::Dfa>(other), request, budget);
+}
+
+Verdict asked_of(const automata::Automaton& a, const AutomatonRequest& request, automata::Budget& budget) {
+  if (request.empty)
+    return {.question = "empty", .otherwise = "accepts ", .word = text_of(automata::find_lasso(a), a.vocabulary())};
   if (request.universal) {
     const automata::Automaton rest = complement_of(a, budget);
-    return answer("universal", "rejects ", automata::find_lasso(rest), rest.vocabulary());
+    return {.question = "universal",
+            .otherwise = "rejects ",
+            .word = text_of(automata::find_lasso(rest), rest.vocabulary())};
   }
-  return compare(a, other_omega(request.equivalent.empty() ? request.included : request.equivalent, budget), request,
-                 budget);
+  const std::string& file = request.equivalent.empty() ? request.included : request.equivalent;
+  return compare(a, other_omega(file, request, budget), request, budget);
+}
+
+}  // namespace
+
+Reply asked_of(const AnyAutomaton& any, const AutomatonRequest& request, automata::Budget& budget) {
+  return reply_of(std::visit([&](const auto& automaton) { return asked_of(automaton, request, budget); }, any),
+                  request);
 }
 
 }  // namespace waymark::tools

@@ -3,9 +3,12 @@
 // A question is answered "yes", or "no" with a word that shows why. Two automata must both be about finite words or
 // both about infinite ones.
 #pragma once
+#include <cstddef>
+#include <map>
 #include <stop_token>
 #include <string>
 #include <variant>
+#include <vector>
 
 #include "libautomata/budget.hpp"
 #include "libautomata/finite/dfa.hpp"
@@ -18,15 +21,34 @@ namespace waymark::tools {
 
 using AnyAutomaton = std::variant<automata::Dfa, automata::Automaton>;
 
+// The automata of the files that a request names besides its own: a single one meets every automaton of the stream, of
+// several each meets the one of its number.
+class OtherAutomata {
+ public:
+  // Throws ltl::FormatError for a file that holds none, UsageError for two files of several, not equally many.
+  explicit OtherAutomata(const std::vector<std::string>& files);
+  const automata::HoaAutomaton& of(const std::string& file, std::size_t number) const;  // number: from 1 on
+  bool is_stream(const std::string& file) const { return files_.at(file).size() > 1; }
+  std::size_t count() const { return count_; }  // in the longest file, at least 1
+
+ private:
+  std::map<std::string, std::vector<automata::HoaAutomaton>> files_;
+  std::size_t count_ = 1;
+};
+
 struct AutomatonRequest {
   std::string source;                           // of the first automaton
+  std::size_t number = 1;                       // of this one in its stream
+  bool is_stream = false, json = false;         // is the first file known to hold several? are answers JSON?
+  const OtherAutomata* others = nullptr;        // of the files below
   std::string product, either, difference;      // files: the other automaton
   std::string equivalent, included, satisfies;  // files, and a formula
-  std::string kind;                             // of automaton to make: tgba, buchi, parity, ldba
+  std::string kind;                             // of automaton to make: dfa, tgba, buchi, parity, rabin, ldba, generic
   bool complement = false, empty = false, universal = false, minimize = false, reduce = false;
   std::size_t states = 1'000'000;
 
   bool changes_language() const { return complement || !product.empty() || !either.empty() || !difference.empty(); }
+  std::vector<std::string> files() const;  // that are named
   bool asks() const { return empty || universal || !equivalent.empty() || !included.empty(); }
 };
 

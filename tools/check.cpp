@@ -1,4 +1,5 @@
 // waymark check: does this trajectory, or this word, satisfy this formula? By the definition of ⊨.
+#include <algorithm>
 #include <iostream>
 #include <memory>
 #include <optional>
@@ -6,13 +7,15 @@
 #include <variant>
 #include <vector>
 
-#include "libltl/meaning/progress.hpp"
 #include "libltl/text/print.hpp"
 #include "libltl/text/read_word.hpp"
 #include "libplan/world/letter_lines.hpp"
 #include "tools/answer.hpp"
+#include "tools/judged_word.hpp"
+#include "tools/picture.hpp"
 #include "tools/shell/batch.hpp"
 #include "tools/shell/options.hpp"
+#include "tools/shell/output.hpp"
 #include "tools/shell/subcommand.hpp"
 
 namespace waymark::tools {
@@ -22,73 +25,156 @@ struct CheckOptions {
   TextOptions text;
   NotationOptions notation;
   MapOptions map;
-  std::string trajectory, trace, word, format = "auto";
+  std::string trajectory, trace, word, format = "auto", semantics, svg;
   bool progress = false, json = false;
 };
-
-// What remains of φ after each letter.
-std::vector<ltl::Formula> progressed(ltl::Formula formula, const ltl::Trace& word) {
-  std::vector<ltl::Formula> rest;
-  for (const ltl::Letter& letter : word) {
-    formula = ltl::progress(formula, letter);
-    rest.push_back(formula);
-  }
-  return rest;
-}
 
 // The word that formulas are checked on, and the names that they may use.
 struct Checked {
   ltl::AnyWord word;
   ltl::Vocabulary vocabulary;
   ltl::Unknown unknown = ltl::Unknown::Reject;
-  std::optional<std::string> map = {};
+  std::optional<plan::Map> map = {};
+  plan::Walk walk = {};  // on the map
+
+  std::size_t letters() const {
+    return std::visit([](const auto& some) { return some.size(); }, word);
+  }
+  const ltl::Letter& letter(std::size_t i) const {
+    return std::visit([&](const auto& some) -> const ltl::Letter& { return some[i]; }, word);
+  }
+  bool goes_on() const { return std::holds_alternative<ltl::Lasso>(word); }
+  bool begins_cycle(std::size_t i) const {
+    const auto* lasso = std::get_if<ltl::Lasso>(&word);
+    return lasso != nullptr && lasso->loop_start() == i;
+  }
 };
 
-void print_json(ltl::Formula formula, const std::vector<ltl::Formula>& rest, const Checked& checked, bool satisfied,
+// Letters as far as the formula reads them: a map says twenty things of every pose.
+ltl::Letter read_by(ltl::Formula formula, const ltl::Letter& letter) {
+  ltl::Letter out;
+  for (const ltl::Proposition p : ltl::propositions(formula))
+    if (letter.contains(p)) out.insert(p);
+  return out;
+}
+
+const char* word_for(LetterVerdict verdict) {
+  if (verdict == LetterVerdict::Open) return "open";
+  return verdict == LetterVerdict::Lost ? "lost" : "satisfied";
+}
+
+JsonObject step_json(std::size_t i, const JudgedLetter& judged, const Checked& checked) {
+  JsonObject step;
+  if (checked.map) {
+    const plan::Pose pose = checked.map->pose(checked.walk.trajectory.poses[i]);
+    step.add("pose", JsonArray().add(pose.x).add(pose.y).add(pose.heading))
+        .add("action", i == 0 ? Json() : Json(plan::name(checked.walk.trajectory.actions[i - 1])));
+  }
+  JsonArray letter;
+  for (const ltl::Proposition p : checked.letter(i).members()) letter.add(checked.vocabulary.name(p));
+  step.add("letter", letter).add("remains", ltl::print(judged.remains));
+  return step.add("verdict", judged.verdict ? Json(word_for(*judged.verdict)) : Json());
+}
+
+void print_json(ltl::Formula formula, const JudgedWord& judged, const Checked& checked, ltl::Semantics semantics,
                 const CheckOptions& options) {
   JsonObject json;
   json.add("formula", ltl::print(formula));
-  if (checked.map) json.add("map", *checked.map);
-  json.add("letters", std::visit([](const auto& word) { return word.size(); }, checked.word))
-      .add("satisfied", satisfied);
+  if (checked.map) json.add("map", checked.map->name());
+  json.add("letters", checked.letters()).add("satisfied", judged.satisfied.value_or(false));
+  if (semantics == ltl::Semantics::Infinite)
+    json.add("semantics", "infinite").add("decided", judged.satisfied.has_value());
+  if (judged.knows_loss) json.add("lost_at", judged.lost ? Json(*judged.lost) : Json());
   if (options.progress) {
-    JsonArray formulas;
-    for (const ltl::Formula f : rest) formulas.add(ltl::print(f));
-    json.add("progress", formulas);
+    JsonArray formulas, steps;
+    for (std::size_t i = 0; i < judged.letters.size(); ++i) {
+      formulas.add(ltl::print(judged.letters[i].remains));
+      steps.add(step_json(i, judged.letters[i], checked));
+    }
+    json.add("progress", formulas).add("steps", steps);
   }
   std::cout << json.text() << '\n';
+}
+
+// Columns as wide as their widest cell, two blanks between them.
+void print_table(const std::vector<std::vector<std::string>>& rows) {
+  std::vector<std::size_t> widths(rows.front().size());
+  for (const auto& row : rows)
+    for (std::size_t i = 0; i < row.size(); ++i) widths[i] = std::max(widths[i], ltl::utf8_length(row[i]));
+  for (const auto& row : rows) {
+    for (std::size_t i = 0; i + 1 < row.size(); ++i)
+      std::cout << row[i] << std::string(widths[i] + 2 - ltl::utf8_length(row[i]), ' ');
+    std::cout << row.back() << '\n';
+  }
+}
+
+void print_progress(ltl::Formula formula, const JudgedWord& judged, const Checked& checked, const Session& session) {
+  std::vector<std::vector<std::string>> rows{{"", "letter", "so far", "what remains"}};
+  if (checked.map) rows[0].insert(rows[0].begin() + 1, {"action", "pose"});
+  for (std::size_t i = 0; i < judged.letters.size(); ++i) {
+    const std::string number = checked.map ? std::to_string(i) : std::to_string(i + 1);
+    std::vector<std::string> row{checked.begins_cycle(i) ? number + " for ever:" : number};
+    if (checked.map) {
+      row.push_back(i == 0 ? "start" : std::string(plan::name(checked.walk.trajectory.actions[i - 1])));
+      row.push_back(plan::show(checked.map->pose(checked.walk.trajectory.poses[i])));
+    }
+    row.push_back(ltl::show(read_by(formula, checked.letter(i)), checked.vocabulary));
+    row.emplace_back(judged.letters[i].verdict ? word_for(*judged.letters[i].verdict) : "?");
+    row.push_back(shown(judged.letters[i].remains, session.out));
+    rows.push_back(std::move(row));
+  }
+  print_table(rows);
+}
+
+// "action 3, FORWARD to (1,7,0)", "letter 4, {a}"
+std::string place_of(std::size_t i, ltl::Formula formula, const Checked& checked) {
+  if (!checked.map)
+    return "letter " + std::to_string(i + 1) + ", " +
+           ltl::show(read_by(formula, checked.letter(i)), checked.vocabulary);
+  const std::string pose = plan::show(checked.map->pose(checked.walk.trajectory.poses[i]));
+  if (i == 0) return "the start at " + pose;
+  return "action " + std::to_string(i) + ", " + std::string(plan::name(checked.walk.trajectory.actions[i - 1])) +
+         " to " + pose;
+}
+
+std::string reason(ltl::Formula formula, const JudgedWord& judged, const Checked& checked) {
+  if (judged.lost) return ": after " + place_of(*judged.lost, formula, checked) + " no continuation satisfies it";
+  if (!judged.knows_loss) return "";
+  return checked.goes_on() ? ": no single letter is at fault, the cycle is" : ": it ends too early";
+}
+
+void print_verdict(ltl::Formula formula, const JudgedWord& judged, const Checked& checked, ltl::Semantics semantics,
+                   const Session& session) {
+  const bool foreseen = semantics == ltl::Semantics::Infinite && !checked.goes_on();
+  if (!judged.satisfied)
+    std::cout << "open: some continuations satisfy it, others do not\n";
+  else if (*judged.satisfied)
+    std::cout << session.out.paint(Paint::Green, "satisfied") << (foreseen ? ", however it goes on" : "") << '\n';
+  else
+    std::cout << session.out.paint(Paint::Red, "not satisfied") << reason(formula, judged, checked) << '\n';
 }
 
 ExitCode check_one(const Text& text, const Checked& checked, const CheckOptions& options, const Session& session) {
   ltl::Arena arena(checked.vocabulary);
   const ltl::Formula formula = parse_formula(text, arena, parse_options(options.notation, checked.unknown));
-  const bool satisfied = std::visit([&](const auto& word) { return ltl::holds(word, formula); }, checked.word);
-  std::vector<ltl::Formula> rest;
-  if (options.progress) {
-    const auto& word = std::get<ltl::Trace>(checked.word);
-    rest = progressed(formula, word);
-    if (ltl::accepts_empty(rest.back()) != satisfied)
-      throw std::logic_error("progression and definition disagree on " + ltl::print(formula) + " and " +
-                             ltl::show(word, checked.vocabulary));
-  }
+  const bool infinite = options.semantics.empty() ? checked.goes_on() : options.semantics == "infinite";
+  const auto semantics = infinite ? ltl::Semantics::Infinite : ltl::Semantics::Finite;
+  const JudgedWord judged = judge(formula, checked.word, semantics, options.progress, session.stop);
   if (options.json) {
-    print_json(formula, rest, checked, satisfied, options);
+    print_json(formula, judged, checked, semantics, options);
   } else {
-    for (const ltl::Formula f : rest) std::cout << shown(f, session.out) << '\n';
-    if (!options.progress)
-      std::cout << (satisfied ? session.out.paint(Paint::Green, "satisfied")
-                              : session.out.paint(Paint::Red, "not satisfied"))
-                << '\n';
+    if (options.progress) print_progress(formula, judged, checked, session);
+    print_verdict(formula, judged, checked, semantics, session);
   }
-  return satisfied ? ExitCode::Done : ExitCode::No;
+  if (!options.svg.empty())
+    draw({.map = &*checked.map, .formula = formula, .route = checked.walk, .lost = judged.lost}, options.svg);
+  return judged.satisfied.value_or(false) ? ExitCode::Done : ExitCode::No;
 }
 
 Checked read_checked(const CheckOptions& options) {
   if (!options.word.empty()) {
     ltl::Vocabulary names;
     ltl::AnyWord word = ltl::read_word(options.word, names);
-    if (options.progress && !std::holds_alternative<ltl::Trace>(word))
-      throw UsageError("--progress is about finite words");
     return {std::move(word), std::move(names), ltl::Unknown::Add};
   }
   if (!options.trace.empty()) {
@@ -97,22 +183,29 @@ Checked read_checked(const CheckOptions& options) {
     return {std::move(read.word), std::move(read.vocabulary),
             read.names_all ? ltl::Unknown::Reject : ltl::Unknown::Add};
   }
-  const plan::Map map = read_map(options.map);
-  const plan::Trajectory trajectory =
-      plan::parse_trajectory(read_file(options.trajectory), map, source_name(options.trajectory));
-  return {plan::word_of(trajectory, map), map.vocabulary(), ltl::Unknown::Reject, map.name()};
+  plan::Map map = read_map(options.map);
+  plan::Walk walk = plan::parse_walk(read_file(options.trajectory), map, source_name(options.trajectory));
+  ltl::AnyWord word =
+      walk.repeated > 0 ? ltl::AnyWord(plan::lasso_of(walk, map)) : ltl::AnyWord(plan::word_of(walk.trajectory, map));
+  ltl::Vocabulary vocabulary = map.vocabulary();
+  return {std::move(word), std::move(vocabulary), ltl::Unknown::Reject, std::move(map), std::move(walk)};
 }
 
 ExitCode run_check(const CheckOptions& options, const Session& session) {
   const int given =
       (options.trajectory.empty() ? 0 : 1) + (options.trace.empty() ? 0 : 1) + (options.word.empty() ? 0 : 1);
   if (given != 1) throw UsageError("give one of --trajectory, --trace and --word; see waymark check --help");
+  if (!options.svg.empty() && options.trajectory.empty()) throw UsageError("--svg draws a trajectory on its map");
   const bool formula_from_stdin = options.text.arguments.empty() ? options.text.file.empty() || options.text.file == "-"
                                                                  : options.text.arguments[0] == "-";
   if ((options.trajectory == "-" || options.trace == "-") && formula_from_stdin)
     throw UsageError("formula and trajectory cannot both come from standard input");
+  check_writable(options.svg);
   TextReader texts(options.text, "formula");
+  if (!options.svg.empty() && texts.is_batch()) throw UsageError("--svg is for a single formula given as an argument");
   const Checked checked = read_checked(options);
+  if (checked.goes_on() && options.semantics == "finite")
+    throw UsageError("a lasso has no end: it is an infinite word");
   return answer_each(
       texts, session.stop, [&](const Text& text) { return check_one(text, checked, options, session); }, options.json);
 }
@@ -124,14 +217,21 @@ Runner setup_check(Command command) {
   add_text_options(command, options->text, "formula");
   add_notation_options(command, options->notation);
   add_map_options(command, options->map);
-  command.add_option("--trajectory", options->trajectory, "poses or actions (docs/formats); - is standard input")
+  command
+      .add_option("--trajectory", options->trajectory,
+                  "poses or actions, or an answer of plan (docs/formats); - is standard input")
       .type_name("FILE");
   command.add_option("--trace", options->trace, "a word without a map, letters line by line; - is standard input")
       .type_name("FILE");
   add_letter_format_option(command, options->format);
   command.add_option("--word", options->word, "a word without a map: '{a}; {b}', or a lasso: '{a}; ({b})w'")
       .type_name("WORD");
+  command
+      .add_option("--semantics", options->semantics,
+                  "over what words the formula is read (else infinite for a lasso, finite for a word that ends)")
+      .one_of({"finite", "infinite"});
   command.add_flag("--progress", options->progress, "print what remains of the formula after every letter");
+  command.add_option("--svg", options->svg, "draw the trajectory on its map").type_name("FILE");
   command.add_flag("--json", options->json, "one JSON object a line");
   return [options](const Session& session) { return run_check(*options, session); };
 }

@@ -159,7 +159,10 @@ void Comparison::draw(const ComparedTask& compared) const {
                              ", means with 95 % intervals, optimal cost " + shown_cost(compared.optimum.cost),
                          {}};
   for (const MethodRuns& method : compared.methods) {
-    if (method.curve.empty()) continue;  // exact
+    if (method.curve.empty()) {
+      plot.exact.push_back(method.name);
+      continue;
+    }
     render::Curve curve{method.name, {}};
     for (const plan::CurvePoint& p : method.curve)
       curve.points.push_back({static_cast<double>(p.steps), p.score.value, p.score.low, p.score.high});

@@ -11,8 +11,10 @@
 #include "libplan/product/compose.hpp"
 #include "tools/answer.hpp"
 #include "tools/compose_model.hpp"
+#include "tools/product_picture.hpp"
 #include "tools/shell/batch.hpp"
 #include "tools/shell/options.hpp"
+#include "tools/shell/output.hpp"
 #include "tools/shell/subcommand.hpp"
 
 namespace waymark::tools {
@@ -81,6 +83,17 @@ void print_dot(const plan::MapProduct& product) {
   std::cout << "}\n";
 }
 
+ProductPicture picture_of(const plan::MapProduct& product) {
+  ProductPicture picture;
+  for (const plan::ProductState& v : boost::make_iterator_range(vertices(product)))
+    picture.add_state(product.model().name(v.place), v.task, product.is_accepting(v), product.is_trap(v));
+  for (const plan::ProductState& v : product.starts()) picture.add_start(product.index(v));
+  for (const plan::ProductState& v : boost::make_iterator_range(vertices(product)))
+    for (auto [e, end] = out_edges(v, product); e != end; ++e)
+      picture.add_edge(product.index(v), product.index(e->to), std::string(plan::name(product.action(*e))));
+  return picture;
+}
+
 void answer(const plan::MapProduct& product, std::optional<ltl::Formula> formula, const ComposeOptions& options,
             const Session& session) {
   if (options.output.format == "json")
@@ -89,6 +102,7 @@ void answer(const plan::MapProduct& product, std::optional<ltl::Formula> formula
     print_dot(product);
   else
     print_text(product, formula, session.out);
+  if (!options.output.svg.empty()) draw_product(picture_of(product), options.output.svg);
 }
 
 plan::MapProduct composed(const plan::Map& map, const automata::Dfa& dfa, std::span<const plan::PoseId> starts,
@@ -138,7 +152,8 @@ ExitCode compose_tasks(const plan::PlanningCase& model, const ComposeOptions& op
   if (chosen.empty())
     throw UsageError(options.file + " has no " + (options.task.empty() ? "tasks" : "task '" + options.task + "'") +
                      " with an automaton; give a formula, or --model-only");
-  const bool one = options.output.format == "prism" || options.output.format == "explicit";
+  const bool one =
+      options.output.format == "prism" || options.output.format == "explicit" || !options.output.svg.empty();
   if (one && chosen.size() > 1) throw UsageError("one product at a time in this format: choose by --task");
   for (const plan::CaseTask* task : chosen) compose_task(model, *task, options, session);
   return ExitCode::Done;
@@ -163,6 +178,7 @@ ExitCode compose_any(const ComposeOptions& options, const Session& session) {
   if (!options.file.empty() && !gives_formula(options)) return compose_tasks(model, options, session);
   TextReader texts(options.text, "formula");
   if (texts.is_batch() && !options.output.out.empty()) throw UsageError("--out is for a single formula");
+  if (texts.is_batch() && !options.output.svg.empty()) throw UsageError("--svg is for a single formula");
   return answer_each(
       texts, session.stop,
       [&](const Text& text) {
@@ -179,6 +195,9 @@ ExitCode run_compose(const ComposeOptions& options, const Session& session) {
   if (!options.automaton.empty() && gives_formula(options)) throw UsageError("give a formula or --automaton, not both");
   if (!options.output.out.empty() && options.output.format != "prism" && options.output.format != "explicit")
     throw UsageError("--out goes with --format prism and --format explicit");
+  if (!options.output.svg.empty() && options.model_only)
+    throw UsageError("--svg draws a product; --format dot a model");
+  check_writable(options.output.svg);
   if (!options.task.empty() && options.file.empty()) throw UsageError("--task goes with --case");
   if (!options.file.empty() || options.model_only || options.output.graph || options.output.format == "prism" ||
       options.output.format == "explicit")
@@ -191,6 +210,7 @@ ExitCode run_compose(const ComposeOptions& options, const Session& session) {
     return ExitCode::Done;
   }
   TextReader texts(options.text, "formula");
+  if (texts.is_batch() && !options.output.svg.empty()) throw UsageError("--svg is for a single formula");
   return answer_each(
       texts, session.stop,
       [&](const Text& text) {
@@ -231,6 +251,8 @@ Runner setup_compose(Command command) {
       .add_option("--out", options->output.out,
                   "write PREFIX.nm (prism), or PREFIX.tra, .sta, .lab and .srew or .trew (explicit)")
       .type_name("PREFIX");
+  command.add_option("--svg", options->output.svg, "draw the product: by states of the automaton where it is large")
+      .type_name("FILE");
   command.add_flag_callback(
       "--json", [options] { options->output.format = "json"; }, "the same as --format json");
   return [options](const Session& session) { return run_compose(*options, session); };

@@ -6,6 +6,7 @@
 #include "libplan/model/prism/write_prism.hpp"
 #include "libplan/product/explicit_product.hpp"
 #include "tools/answer.hpp"
+#include "tools/product_picture.hpp"
 #include "tools/shell/exit_code.hpp"
 #include "tools/shell/json.hpp"
 #include "tools/shell/output.hpp"
@@ -106,6 +107,7 @@ class ProductWriter {
     if (!product) throw Interrupted();
     std::size_t goals = 0;
     product->for_each_state([&](const auto& s) { goals += product->is_goal(s) ? 1 : 0; });
+    if (!output_.svg.empty()) draw(*product);
     const bool sizes = output_.format == "text" || (output_.format == "json" && !output_.graph);
     if (output_.format == "text") return print(automaton.states(), *product, goals);
     JsonObject json;
@@ -134,6 +136,23 @@ class ProductWriter {
     std::cout << "automaton  " << counted(automaton_states, "state") << '\n'
               << "product    " << counted(product.states(), "state") << " (" << counted(goals, "goal") << "), "
               << counted(product.edges(), "edge") << ", with " << case_.name << '\n';
+  }
+
+  template <class Model>
+  void draw(const plan::ProductMdp<Model>& product) const {
+    ProductPicture picture;
+    product.for_each_state(
+        [&](const auto& s) { picture.add_state(product.model().name(s.place), s.task, product.is_goal(s), false); });
+    for (const std::uint32_t start : product.starts()) picture.add_start(start);
+    product.for_each_state([&](const auto& s) {
+      for (std::uint32_t k = 0; k < product.choices(s); ++k)
+        product.for_each_outcome(s, k, [&](std::uint32_t target, double, bool) {
+          if (target != plan::ProductMdp<Model>::trap)
+            picture.add_edge(s.index, target,
+                             product.is_jump(s, k) ? "jump" : std::string(product.model().action(s.place, k)));
+        });
+    });
+    draw_product(picture, output_.svg);
   }
 
   const plan::PlanningCase& case_;

@@ -11,6 +11,7 @@ struct GraphOutput {
   std::string format = "text";  // text, json, dot, prism, explicit
   std::string out;              // a prefix of files
   bool graph = false;           // json: not only the sizes
+  std::string svg = {};         // a file for the picture; empty: none
 };
 
 void write_model(const plan::PlanningCase& model, const GraphOutput& output);

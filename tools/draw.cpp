@@ -35,7 +35,7 @@ ExitCode run_draw(const DrawOptions& options, const Session& session) {
   if (!options.formula.empty()) return draw_plan(options, map, session);
   Picture picture{.map = &map};
   if (!options.route.empty())
-    picture.route = plan::parse_trajectory(read_file(options.route), map, source_name(options.route));
+    picture.route = plan::parse_walk(read_file(options.route), map, source_name(options.route));
   draw(picture, options.svg);
   return ExitCode::Done;
 }

@@ -29,6 +29,7 @@ Runner setup_evaluate(Command);
 Runner setup_import(Command);
 Runner setup_corpus(Command);
 Runner setup_move(Command);
+Runner setup_map(Command);
 Runner setup_generate(Command);
 Runner setup_draw(Command);
 Runner setup_patterns(Command);
@@ -89,6 +90,9 @@ constexpr std::array rows{
     Subcommand{"corpus", "how large a corpus is, in texts and trajectories", setup_corpus,
                "corpus DIR\n"
                "corpus DIR --json"},
+    Subcommand{"map", "what a map knows: places, names, and propositions with their meanings", setup_map,
+               "map grid\n"
+               "map jelly --all"},
     Subcommand{"draw", "map, with or without a route → picture", setup_draw,
                "draw --map grid --svg grid.svg\n"
                "draw --map grid --formula 'F sofa' --start 1,9,0 --svg route.svg"},

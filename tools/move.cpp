@@ -27,7 +27,7 @@ struct MoveOptions {
   TextOptions text;
   NotationOptions notation;
   MapOptions map;
-  std::string start, route, workspace, svg;
+  std::string start, route, workspace, clearance = "centre", svg;
   RobotOptions robot;
   SearchOptions search;
   ShapeOptions shape;
@@ -77,7 +77,8 @@ JsonObject motion_json(const Moved& moved, const MoveOptions& options, const pla
         .add("route", json_of(moved.motion->route().route(), map))
         .add("motion", line_of(moved.motion->motion()))
         .add("length", plan::length(moved.motion->motion()))
-        .add("certified", true);
+        .add("certified", true)
+        .add("certified_for", "centre");
   else if (const plan::Route* route = route_of(corridor_run))
     json.add("status", "exhausted").add("route", json_of(*route, map)).add("certified", false);
   else
@@ -132,7 +133,7 @@ void print(const Moved& moved, const MoveOptions& options, const Session& sessio
     std::cout << label << "of " << in_words(robot_of(options.robot)) << ", "
               << counted(moved.motion->motion().configurations.size(), "configuration") << ", length "
               << fixed(plan::length(moved.motion->motion()), 2) << ", " << session.out.paint(Paint::Green, "certified")
-              << " by definition, sampled in " << fixed(1000 * moved.sample, 1) << " ms\n";
+              << " by definition for the centre, sampled in " << fixed(1000 * moved.sample, 1) << " ms\n";
 }
 
 // Fills in the motion along the route, if it is found; the verdict of the helper.
@@ -167,13 +168,16 @@ CorridorRun corridor_run_of(const MoveOptions& options, const plan::Map& map, co
 ExitCode run_move(const MoveOptions& options, const Session& session) {
   TextOptions text = options.text;
   if (text.arguments.empty() && text.file.empty() && !options.route.empty()) text.arguments = {"true"};
+  check_writable(options.svg);
   TextReader texts(text, "formula");
   if (texts.is_batch()) throw UsageError("waymark move takes one formula, as an argument");
   const Text formula_text = texts.next().value();
   if (!options.workspace.empty())
     return run_tour({formula_text, options.notation, options.workspace, options.start, options.robot, options.search,
-                     options.svg, options.json},
+                     options.clearance, options.svg, options.json},
                     session);
+  if (options.clearance == "body")
+    throw UsageError("--clearance body goes with --workspace: on a map, letters are of the poses of the centre");
   StopWatch watch;
   const plan::Map map = read_map(options.map);
   const plan::Workspace workspace = workspace_of(map, options);
@@ -211,6 +215,11 @@ Runner setup_move(Command command) {
       .add_option("--workspace", options->workspace,
                   "move through the polygons of this file, not on a map; --start is then a point of it")
       .type_name("FILE");
+  command
+      .add_option("--clearance", options->clearance,
+                  "with --workspace: what keeps off regions that the formula avoids, the centre or the whole body")
+      .one_of({"centre", "body"})
+      .show_default();
   add_robot_options(command, options->robot);
   add_shape_options(command, options->shape);
   add_search_options(command, options->search);

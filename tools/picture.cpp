@@ -5,6 +5,7 @@
 #include "libltl/text/print.hpp"
 #include "tools/answer.hpp"
 #include "tools/render/page.hpp"
+#include "tools/shell/data_directory.hpp"
 #include "tools/shell/output.hpp"
 
 namespace waymark::tools {
@@ -20,6 +21,8 @@ std::string caption(const Picture& picture) {
   text += ", " + counted(walk.actions.size(), "action");
   if (const std::size_t cycle = repeated_actions(*picture.route))
     text += ", the last " + std::to_string(cycle) + " for ever";
+  if (picture.lost)
+    text += ", lost at " + (*picture.lost == 0 ? "the start" : "action " + std::to_string(*picture.lost));
   return certifier(*picture.route) ? text + ", certified" : text;
 }
 
@@ -27,7 +30,10 @@ std::string caption(const Picture& picture) {
 
 Drawn drawn(const Picture& picture) {
   render::Page page{.map = picture.map, .instruction = picture.instruction, .caption = caption(picture)};
-  if (picture.route) page.route = trajectory_of(*picture.route, *picture.map);
+  if (picture.route) {
+    page.route = trajectory_of(*picture.route, *picture.map);
+    page.repeated = repeated_actions(*picture.route);
+  }
   if (picture.formula) page.formula = ltl::print(*picture.formula, ltl::Style::Unicode);
   if (picture.dfa != nullptr) {
     automata::DotOptions look;
@@ -51,6 +57,12 @@ void draw(const Picture& picture, const std::string& path) {
   if (page.automaton_left_out)
     complain("note", "the automaton is left out of the picture: it is too large, or waymark-layout is not installed");
   write_file(path, page.svg);
+}
+
+void draw_graph(const std::string& dot, const std::string& path) {
+  const auto drawing = render::lay_out(dot, {});
+  if (!drawing) (void)needed_helper("waymark-layout", "lays graphs out");
+  write_file(path, render::alone(*drawing));
 }
 
 }  // namespace waymark::tools

@@ -17,6 +17,7 @@ struct Picture {
   std::string instruction = {};
   std::optional<ltl::Formula> formula = {};
   std::optional<ShownRoute> route = {};
+  std::optional<std::size_t> lost = {};  // after so many actions no continuation satisfies the formula
 };
 
 // The SVG document; says in `automaton_left_out` whether an automaton is missing there.
@@ -27,5 +28,10 @@ struct Drawn {
 Drawn drawn(const Picture& picture);
 // Writes the SVG to `path`. Without the helper waymark-layout the automaton is left out, and standard error says so.
 void draw(const Picture& picture, const std::string& path);
+
+// A graph in DOT, laid out and written to `path` as SVG. Throws UsageError when waymark-layout is not installed.
+void draw_graph(const std::string& dot, const std::string& path);
+// Graphs beyond this size take minutes to be laid out and cannot be read.
+inline constexpr std::size_t most_drawn_states = 100, most_drawn_edges = 400;
 
 }  // namespace waymark::tools

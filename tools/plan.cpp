@@ -49,7 +49,10 @@ bool is_english(const std::string& text) {
     return std::isalpha(static_cast<unsigned char>(c)) != 0 ||
            std::string_view(" ',.").find(c) != std::string_view::npos;
   };
-  return std::count(text.begin(), text.end(), ' ') >= 2 && std::all_of(text.begin(), text.end(), is_word);
+  const bool is_formula =
+      text.size() > 1 && text[1] == ' ' && std::string_view("FGXN").find(text[0]) != std::string_view::npos;
+  return !is_formula && std::count(text.begin(), text.end(), ' ') >= 2 &&
+         std::all_of(text.begin(), text.end(), is_word);
 }
 
 class Planning {
@@ -90,7 +93,8 @@ class Planning {
     try {
       return parse_formula(text, arena, parse_options(options_.notation, ltl::Unknown::Reject));
     } catch (const ltl::SyntaxError&) {
-      if (is_english(text.text)) std::cerr << "note: waymark run and waymark ground read English\n";
+      if (is_english(text.text))
+        std::cerr << "note: waymark run and waymark ground read English; waymark map lists what a map knows\n";
       throw;
     }
   }

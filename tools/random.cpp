@@ -8,6 +8,7 @@
 #include "libautomata/omega/random_automaton.hpp"
 #include "libltl/structure/random.hpp"
 #include "libltl/text/print.hpp"
+#include "tools/shell/json.hpp"
 #include "tools/shell/subcommand.hpp"
 
 namespace waymark::tools {
@@ -17,7 +18,7 @@ struct RandomOptions {
   std::size_t props = 4, count = 1;
   std::string size = "15..30", semantics = "infinite";
   std::uint64_t seed = 1;
-  bool automata = false, deterministic = false;
+  bool automata = false, deterministic = false, json = false;
   std::uint32_t states = 5, sets = 1;
 };
 
@@ -61,7 +62,8 @@ ExitCode run_random_automata(const RandomOptions& options, const Session& sessio
                                     .atoms = options.props,
                                     .sets = options.sets,
                                     .branches = options.deterministic ? std::size_t{1} : std::size_t{2}});
-    std::cout << automata::write_hoa(automaton, {.layout = {.one_line = true}});
+    const std::string hoa = automata::write_hoa(automaton, {.layout = {.one_line = true}});
+    std::cout << (options.json ? JsonObject().add("hoa", hoa).text() + '\n' : hoa);
   }
   return ExitCode::Done;
 }
@@ -90,7 +92,7 @@ ExitCode run_random(const RandomOptions& options, const Session& session) {
       continue;
     }
     in_vain = 0;
-    std::cout << text << '\n';
+    std::cout << (options.json ? JsonObject().add("formula", text).text() : text) << '\n';
   }
   return ExitCode::Done;
 }
@@ -121,6 +123,7 @@ Runner setup_random(Command command) {
       .between(0, 64)
       .show_default();
   command.add_flag("--deterministic", options->deterministic, "automata with at most one edge for each letter");
+  command.add_flag("--json", options->json, "one JSON object a line");
   return [options](const Session& session) {
     return options->automata ? run_random_automata(*options, session) : run_random(*options, session);
   };

@@ -19,7 +19,7 @@ plan::Route route_of(const plan::ChoiceRoute& route, const plan::Map& map) {
 }
 
 plan::Trajectory trajectory_of(const ShownRoute& route, const plan::Map& map) {
-  if (const auto* walk = std::get_if<plan::Trajectory>(&route)) return *walk;
+  if (const auto* walk = std::get_if<plan::Walk>(&route)) return walk->trajectory;
   if (const auto* certified = std::get_if<plan::CertifiedRoute>(&route)) return certified->route();
   if (const auto* accepted = std::get_if<plan::AcceptedRoute>(&route)) return accepted->route();
   const plan::LassoRoute& lasso = std::get<plan::CertifiedLasso>(route).route();
@@ -31,12 +31,13 @@ plan::Trajectory trajectory_of(const ShownRoute& route, const plan::Map& map) {
 }
 
 std::size_t repeated_actions(const ShownRoute& route) {
+  if (const auto* walk = std::get_if<plan::Walk>(&route)) return walk->repeated;
   const auto* lasso = std::get_if<plan::CertifiedLasso>(&route);
   return lasso != nullptr ? lasso->route().cycle.choices.size() : 0;
 }
 
 std::optional<std::string_view> certifier(const ShownRoute& route) {
-  if (std::holds_alternative<plan::Trajectory>(route)) return std::nullopt;
+  if (std::holds_alternative<plan::Walk>(route)) return std::nullopt;
   const auto* lasso = std::get_if<plan::CertifiedLasso>(&route);
   const bool by_definition =
       lasso != nullptr ? lasso->by_definition() : std::holds_alternative<plan::CertifiedRoute>(route);

@@ -14,8 +14,8 @@ namespace waymark::tools {
 
 // What a plan on finite words ends in: a route certified by the formula, or by the automaton where there is no formula.
 using CheckedRoute = std::variant<plan::CertifiedRoute, plan::AcceptedRoute>;
-// What pictures and printers take. A trajectory of the map is certified by nothing.
-using ShownRoute = std::variant<plan::CertifiedRoute, plan::AcceptedRoute, plan::CertifiedLasso, plan::Trajectory>;
+// What pictures and printers take. A walk on the map is certified by nothing.
+using ShownRoute = std::variant<plan::CertifiedRoute, plan::AcceptedRoute, plan::CertifiedLasso, plan::Walk>;
 
 ShownRoute shown(const CheckedRoute& route);
 const plan::Route& route_of(const CheckedRoute& route);
@@ -26,7 +26,7 @@ plan::Route route_of(const plan::ChoiceRoute& route, const plan::Map& map);
 plan::Trajectory trajectory_of(const ShownRoute& route, const plan::Map& map);
 // So many actions at the end of the trajectory are repeated for ever: the cycle of a lasso.
 std::size_t repeated_actions(const ShownRoute& route);
-// What the certificate rests on: "definition" or "automaton"; absent of a trajectory.
+// What the certificate rests on: "definition" or "automaton"; absent of a walk.
 std::optional<std::string_view> certifier(const ShownRoute& route);
 // The keys "certified" and "certified_by".
 void add_certificate(JsonObject& json, const ShownRoute& route);

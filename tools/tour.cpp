@@ -5,6 +5,7 @@
 
 #include "libautomata/hoa/dot_finite.hpp"
 #include "libltl/text/print.hpp"
+#include "libplan/motion/clearance.hpp"
 #include "libplan/motion/read_motion.hpp"
 #include "libplan/motion/read_terrain.hpp"
 #include "libplan/motion/tour.hpp"
@@ -43,7 +44,8 @@ JsonObject tour_json(const TourAnswer& answer, const TourRequest& request, const
         .add("word", word)
         .add("motion", line_of(answer.tour->motion()))
         .add("length", plan::length(answer.tour->motion()))
-        .add("certified", true);
+        .add("certified", true)
+        .add("certified_for", request.clearance);
   } else if (answer.reason.empty()) {
     json.add("status", "exhausted").add("certified", false);
   } else {
@@ -71,7 +73,8 @@ void print(const TourAnswer& answer, const TourRequest& request, const plan::Ter
             << label("motion") << "of " << in_words(robot_of(request.robot)) << ", "
             << counted(answer.tour->motion().configurations.size(), "configuration") << ", length "
             << fixed(plan::length(answer.tour->motion()), 2) << ", " << terminal.paint(Paint::Green, "certified")
-            << " by definition, sampled in " << fixed(1000 * answer.sample, 1) << " ms\n";
+            << " by definition for the " << (request.clearance == "body" ? "whole body" : "centre") << ", sampled in "
+            << fixed(1000 * answer.sample, 1) << " ms\n";
 }
 
 void draw_tour(const TourAnswer& answer, const TourRequest& request, const plan::Terrain& terrain,
@@ -86,8 +89,8 @@ void draw_tour(const TourAnswer& answer, const TourRequest& request, const plan:
   if (answer.tour) {
     page.motion = answer.tour;
     const plan::Motion& motion = answer.tour->motion();
-    page.caption +=
-        ", motion of " + in_words(motion.robot) + ", length " + fixed(plan::length(motion), 2) + ", certified";
+    page.caption += ", motion of " + in_words(motion.robot) + ", length " + fixed(plan::length(motion), 2) +
+                    ", certified for the " + (request.clearance == "body" ? "whole body" : "centre");
     std::vector<render::Visit> visits;
     automata::StateId q = dfa.initial();
     const plan::TimedWord& word = answer.tour->word();
@@ -100,18 +103,48 @@ void draw_tour(const TourAnswer& answer, const TourRequest& request, const plan:
   write_file(request.svg, render::draw_page(page));
 }
 
-Finished sample(const TourRequest& request, ltl::Formula formula) {
+// As terrains are written (docs/formats/terrains.md).
+std::string text_of(const plan::Terrain& terrain) {
+  const auto polygon = [](const plan::Polygon& corners) {
+    JsonArray out;
+    for (const plan::Point& p : corners) out.add(JsonArray().add(p.x).add(p.y));
+    return out;
+  };
+  JsonArray obstacles, regions;
+  for (const plan::Polygon& obstacle : terrain.obstacles()) obstacles.add(polygon(obstacle));
+  for (const plan::NamedRegion& region : terrain.regions())
+    regions.add(JsonObject().add("name", region.name).add("polygon", polygon(region.border)));
+  return JsonObject()
+      .add("name", terrain.name())
+      .add("boundary", polygon(terrain.border()))
+      .add("obstacles", obstacles)
+      .add("regions", regions)
+      .text();
+}
+
+// With a clearance of the body, regions that the formula avoids are wider by the reach of the robot.
+plan::Terrain with_clearance(plan::Terrain terrain, ltl::Formula formula, const TourRequest& request) {
+  if (request.clearance != "body") return terrain;
+  try {
+    std::vector<std::string> names;
+    for (const ltl::Proposition p : plan::avoided(formula)) names.push_back(formula.arena().vocabulary().name(p));
+    return plan::widened(terrain, names, plan::reach(robot_of(request.robot)));
+  } catch (const std::invalid_argument& error) {
+    throw UsageError(std::string("--clearance body: ") + error.what());
+  }
+}
+
+Finished sample(const TourRequest& request, const plan::Terrain& terrain, ltl::Formula formula) {
   const auto program = needed_helper("waymark-motion", "finds motions by OMPL");
   std::vector<std::string> arguments = arguments_of(request.robot, request.search, ShapeOptions{});
-  arguments.insert(arguments.end(),
-                   {"--workspace", request.workspace, "--start", request.start, "--formula", ltl::print(formula)});
-  return run_helper(program, arguments, "");
+  arguments.insert(arguments.end(), {"--workspace", "-", "--start", request.start, "--formula", ltl::print(formula)});
+  return run_helper(program, arguments, text_of(terrain));
 }
 
 // Fills in the tour, if it is found; the verdict of the helper.
 ExitCode find_tour(const TourRequest& request, const plan::Terrain& terrain, TourAnswer& answer) {
   StopWatch watch;
-  const Finished finished = sample(request, answer.formula);
+  const Finished finished = sample(request, terrain, answer.formula);
   answer.sample = watch.lap();
   const auto code = static_cast<ExitCode>(finished.exit_code);
   if (code == ExitCode::Done)
@@ -124,16 +157,17 @@ ExitCode find_tour(const TourRequest& request, const plan::Terrain& terrain, Tou
 
 ExitCode run_tour(const TourRequest& request, const Session& session) {
   StopWatch watch;
-  const plan::Terrain terrain = plan::parse_terrain(read_file(request.workspace), source_name(request.workspace));
+  const plan::Terrain given = plan::parse_terrain(read_file(request.workspace), source_name(request.workspace));
+  ltl::Arena arena(given.vocabulary());
+  const ltl::Formula formula =
+      parse_formula(request.formula, arena, parse_options(request.notation, ltl::Unknown::Reject));
+  const plan::Terrain terrain = with_clearance(given, formula, request);
   const plan::Configuration start = plan::parse_configuration(request.start);
   const plan::TerrainCells cells(terrain);
   const auto first = cells.at(position(start));
   if (!first || !admits(terrain, start, robot_of(request.robot)))
     throw ltl::FormatError("", 0, 0, "the robot does not fit at " + request.start);
   const double load = watch.lap();
-  ltl::Arena arena(terrain.vocabulary());
-  const ltl::Formula formula =
-      parse_formula(request.formula, arena, parse_options(request.notation, ltl::Unknown::Reject));
   const automata::Dfa dfa = translate(formula, session.stop);
   TourAnswer answer{.formula = formula, .load = load};
   answer.translate = watch.lap();
@@ -146,7 +180,7 @@ ExitCode run_tour(const TourRequest& request, const Session& session) {
     std::cout << tour_json(answer, request, terrain).text() << '\n';
   else
     print(answer, request, terrain, session.out);
-  if (!request.svg.empty()) draw_tour(answer, request, terrain, dfa);
+  if (!request.svg.empty()) draw_tour(answer, request, given, dfa);
   return code;
 }
 

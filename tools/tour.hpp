@@ -17,7 +17,8 @@ struct TourRequest {
   std::string start;      // x,y or x,y,heading
   RobotOptions robot;
   SearchOptions search;
-  std::string svg;  // a file; empty: no picture
+  std::string clearance;  // "centre" or "body": what keeps off regions that are avoided
+  std::string svg;        // a file; empty: no picture
   bool json = false;
 };
 ExitCode run_tour(const TourRequest& request, const Session& session);

@@ -1,4 +1,5 @@
 // waymark train: corpus → model, learnt from trajectories alone; or pairs of sentence and formula → model.
+#include <algorithm>
 #include <iostream>
 #include <memory>
 
@@ -10,6 +11,7 @@
 #include "libparser/model_file.hpp"
 #include "libparser/training/annotations.hpp"
 #include "libparser/training/learn.hpp"
+#include "tools/answer.hpp"
 #include "tools/corridor.hpp"
 #include "tools/formula_table.hpp"
 #include "tools/shell/command_training.hpp"
@@ -26,10 +28,26 @@ struct TrainCommandOptions {
   std::string corpus, supervised, out = "model.waymark", data, convention = "absolute";
   TrainingOptions training;
   CommandTrainingOptions commands;
-  std::string base;
+  std::string base, map;
   std::vector<std::string> mentions;  // files of commands
-  bool json = false;
+  bool json = false, leave_out = false;
 };
+
+// Lines that are no programs over the names of the map: all of them are learned from, or none.
+void check_refused(const parser::Annotations& annotations, const TrainCommandOptions& options, const std::string& map) {
+  const std::size_t refused = annotations.refused.size(), all = refused + annotations.pairs.size();
+  if (refused == 0) return;
+  constexpr std::size_t most = 3;
+  for (std::size_t i = 0; i < std::min(refused, most); ++i)
+    std::cerr << source_name(options.supervised) << ':' << annotations.refused[i].line << ": "
+              << annotations.refused[i].reason << '\n';
+  const std::string share = "no programs over the names of the map " + map + ": the formulas of " +
+                            std::to_string(refused) + " of " + counted(all, "line");
+  if (!options.leave_out)
+    throw ltl::FormatError(source_name(options.supervised), 0, 0,
+                           share + "; --map names another one, --leave-out learns from the other lines");
+  complain("note", share + ", which are left out");
+}
 
 // Of a corpus, of pairs, or of our own language when neither is named.
 struct TrainingData {
@@ -44,12 +62,15 @@ TrainingData training_data_of(const TrainCommandOptions& options, parser::Dialec
   TrainingData instances;
   if (!options.supervised.empty()) {
     const std::string text = read_file(options.supervised);
-    instances.maps = shipped_maps(options.data);
+    if (options.map.empty())
+      instances.maps = shipped_maps(options.data);
+    else
+      instances.maps.push_back(read_map({options.map, options.data}));
     if (instances.maps.empty())
       throw ltl::FormatError(options.data, 0, 0, "there are no maps whose vocabulary formulas could be over");
     parser::Annotations annotations =
         parser::parse_annotations(text, instances.maps.front().vocabulary(), dialect, source_name(options.supervised));
-    report_refused(annotations, options.supervised);
+    check_refused(annotations, options, instances.maps.front().name());
     if (annotations.pairs.empty())
       throw ltl::FormatError(source_name(options.supervised), 0, 0, "holds no pair to learn from");
     instances.pairs = std::move(annotations.pairs);
@@ -139,6 +160,8 @@ ExitCode run_train(const TrainCommandOptions& options, const Session& session) {
   StopWatch watch;
   if (!options.corpus.empty() && !options.supervised.empty())
     throw UsageError("--corpus and --supervised: learning from trajectories, or from formulas?");
+  if ((!options.map.empty() || options.leave_out) && options.supervised.empty())
+    throw UsageError("--map and --leave-out go with --supervised");
   if (!options.mentions.empty() && options.commands.files.empty())
     throw UsageError("--mentions needs --commands: the reader of commands is learned from them");
   check_writable(options.out);
@@ -171,6 +194,10 @@ Runner setup_train(Command command) {
       .add_option("--supervised", options->supervised,
                   "learn from lines 'sentence TAB formula' instead, over the vocabulary of the shipped maps")
       .type_name("FILE");
+  command.add_option("--map", options->map, "with --supervised: formulas are over the names of this map (name or file)")
+      .type_name("MAP");
+  command.add_flag("--leave-out", options->leave_out,
+                   "with --supervised: leave out lines whose formula is no program; else they are an error");
   add_command_training_options(command, options->commands);
   command
       .add_option("--mentions", options->mentions,

@@ -1,4 +1,5 @@
 // waymark translate: formula → automaton.
+#include <iostream>
 #include <memory>
 
 #include "libautomata/budget.hpp"
@@ -8,6 +9,7 @@
 #include "tools/automaton_output.hpp"
 #include "tools/certificate.hpp"
 #include "tools/shell/options.hpp"
+#include "tools/shell/output.hpp"
 #include "tools/shell/parallel.hpp"
 #include "tools/shell/subcommand.hpp"
 #include "tools/translations.hpp"
@@ -26,7 +28,8 @@ struct TranslateOptions {
 };
 
 Reply gave_up(const Text& text, double seconds, const TranslateOptions& options, const std::string& reason) {
-  return {ExitCode::GaveUp, show_none(text.line, seconds, "limit", reason, options.output),
+  const Shown about{.line = text.line, .text = text.text, .status = "limit", .seconds = seconds};
+  return {ExitCode::GaveUp, show_none(about, reason, options.output),
           reason + (text.source.empty() ? "" : "\n  " + text.source + ':' + std::to_string(text.line))};
 }
 
@@ -75,14 +78,16 @@ Reply translate_one(const Text& text, const TranslateOptions& options, const Tra
   const automata::TranslationLimits limits{.states = options.states, .stop = deadline.token()};
   const auto run = [&](ltl::Formula f) { return translation.run(f, limits); };
   auto [made, known] = memo(formula, run, worth_keeping);
-  const bool shows_names = options.output.format != "stats" || options.certify;
+  const bool shows_names = options.output.format != "stats" || options.certify || !options.output.svg.empty();
   if (known && shows_names) made = renamed(*made, arena.vocabulary());
   const Translated& result = *made;
-  Shown about{.line = text.line, .semantics = std::string(translation.semantics), .seconds = watch.lap()};
+  Shown about{
+      .line = text.line, .text = text.text, .semantics = std::string(translation.semantics), .seconds = watch.lap()};
   if (options.certify && !std::holds_alternative<automata::Exhausted>(result))
     about.certificate = certificate(formula, result, translation, limits);
   if (options.output.format != "stats") about.name = ltl::print(formula);
-  if (options.output.format == "dot") about.unicode_name = ltl::print(formula, ltl::Style::Unicode);
+  if (options.output.format == "dot" || !options.output.svg.empty())
+    about.unicode_name = ltl::print(formula, ltl::Style::Unicode);
   if (const auto* dfa = std::get_if<automata::Dfa>(&result)) return show(*dfa, about, options.output);
   if (const auto* omega = std::get_if<automata::Translated>(&result)) {
     if (!omega->reduced) about.status = "unreduced";
@@ -102,6 +107,10 @@ Reply translate_one(const Text& text, const TranslateOptions& options, const Tra
 ExitCode run_translate(const TranslateOptions& options, const Session& session) {
   const Translation& translation = find_translation(options.semantics, options.target);
   TextReader texts(options.text, "formula");
+  if (texts.is_batch() && !options.output.svg.empty())
+    throw UsageError("--svg is for a single formula given as an argument");
+  check_writable(options.output.svg);
+  std::cout << heading(options.output);
   Memo memo(texts.is_batch() ? most_shapes : 0);
   return answer_in_parallel(
       texts, session.stop, options.parallel,
@@ -109,7 +118,8 @@ ExitCode run_translate(const TranslateOptions& options, const Session& session) 
         return translate_one(text, options, translation, memo, deadline);
       },
       [&](const Text& text, const std::string& message) {
-        return show_none(text.line, 0, "error", message, options.output);
+        const Shown about{.line = text.line, .text = text.text, .status = "error"};
+        return show_none(about, message, options.output);
       });
 }
 

@@ -12,17 +12,18 @@ class Boolean {
   using Node = Mtbdd::Node;
   explicit Boolean(Mtbdd& diagram) : diagram_(diagram), ite_(diagram.operation()) {}
 
-  static Node constant(bool value) { return Mtbdd::terminal(value ? 1 : 0); }
+  static Node constant(bool value) { return Mtbdd::terminal(value ? 1 : 0); }  // true or false
+  // The function that is v.
   Node variable(Mtbdd::Variable v) { return diagram_.make(v, constant(false), constant(true)); }
-  Node negate(Node f) { return if_then_else(f, constant(false), constant(true)); }
-  Node conjunction(Node f, Node g) {
+  Node negate(Node f) { return if_then_else(f, constant(false), constant(true)); }  // ¬f
+  Node conjunction(Node f, Node g) {                                                // f ∧ g
     return f < g ? if_then_else(f, g, constant(false)) : if_then_else(g, f, constant(false));
   }
-  Node disjunction(Node f, Node g) {
+  Node disjunction(Node f, Node g) {  // f ∨ g
     return f < g ? if_then_else(f, constant(true), g) : if_then_else(g, constant(true), f);
   }
-  Node iff(Node f, Node g) { return if_then_else(f, g, negate(g)); }
-  Node if_then_else(Node f, Node g, Node h) {
+  Node iff(Node f, Node g) { return if_then_else(f, g, negate(g)); }  // f ↔ g
+  Node if_then_else(Node f, Node g, Node h) {                         // (f ∧ g) ∨ (¬f ∧ h)
     const auto decide = [](const std::array<Node, 3>& a) -> std::optional<Node> {
       if (Mtbdd::is_terminal(a[0])) return a[0] == constant(true) ? a[1] : a[2];
       if (a[1] == a[2]) return a[1];
@@ -31,7 +32,7 @@ class Boolean {
     };
     return diagram_.apply(ite_, std::array{f, g, h}, decide);
   }
-  bool implies(Node f, Node g) { return if_then_else(f, g, constant(true)) == constant(true); }
+  bool implies(Node f, Node g) { return if_then_else(f, g, constant(true)) == constant(true); }  // is f → g valid?
 
  private:
   Mtbdd& diagram_;

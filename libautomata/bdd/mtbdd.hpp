@@ -23,25 +23,26 @@ namespace waymark::automata {
 
 class Mtbdd {
  public:
-  using Variable = std::uint32_t;  // smaller variables stand nearer to the root
-  static constexpr Variable no_variable = UINT32_MAX;
-  static constexpr Variable max_variables = 4'096;  // recursion is as deep as a path is long
+  using Variable = std::uint32_t;                      // smaller variables stand nearer to the root
+  static constexpr Variable no_variable = UINT32_MAX;  // of a terminal
+  static constexpr Variable max_variables = 4'096;     // recursion is as deep as a path is long
 
-  struct Node {
-    std::uint32_t id = terminal_bit;
+  struct Node {                       // a handle of this manager
+    std::uint32_t id = terminal_bit;  // its number, or a terminal's payload with the highest bit set
     friend auto operator<=>(const Node&, const Node&) = default;
   };
   // Names a function of N payloads for the cache: results under one tag are remembered from call to call.
   struct Operation {
-    std::uint32_t tag = 0;
+    std::uint32_t tag = 0;  // keys of the cache
   };
 
-  static Node terminal(std::uint32_t payload) {
+  static Node terminal(std::uint32_t payload) {  // the constant function
     assert(payload < terminal_bit);
     return Node{payload | terminal_bit};
   }
-  static bool is_terminal(Node n) { return (n.id & terminal_bit) != 0; }
-  static std::uint32_t payload(Node n) { return n.id & ~terminal_bit; }  // of a terminal
+  static bool is_terminal(Node n) { return (n.id & terminal_bit) != 0; }  // no decision
+  static std::uint32_t payload(Node n) { return n.id & ~terminal_bit; }   // of a terminal
+  // That a node decides, or no_variable.
   Variable variable(Node n) const { return is_terminal(n) ? no_variable : nodes_[n.id].variable; }
   Node low(Node n) const { return nodes_[n.id].low; }          // of a decision node: the variable is false
   Node high(Node n) const { return nodes_[n.id].high; }        // … true
@@ -55,7 +56,7 @@ class Mtbdd {
   Node append(Variable variable, Node low, Node high);
   void reserve(std::size_t nodes) { nodes_.reserve(nodes); }
 
-  Operation operation() { return Operation{++operations_}; }
+  Operation operation() { return Operation{++operations_}; }  // a key that no other operation has
 
   // The function that decide() computes point by point. decide(args) is asked on the way down and answers as soon as
   // the arguments determine the result (always, when all are terminals). O(∏ |args|) calls, fewer by the cache.

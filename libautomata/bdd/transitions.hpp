@@ -17,25 +17,25 @@ namespace waymark::automata {
 struct Transitions {
   Mtbdd diagram;                   // terminals are state indices
   std::vector<Mtbdd::Node> roots;  // δ(q, ·)
-  std::vector<bool> accepting;
-  std::uint32_t initial = 0;
+  std::vector<bool> accepting;     // by state
+  std::uint32_t initial = 0;       // the state where words begin
 };
 
 // Of a TransitionGraph: decision nodes first, children before parents, then states.
 using Vertex = std::uint32_t;
 
-class TransitionGraph {
+class TransitionGraph {  // successors of nodes and states
  public:
   TransitionGraph(const Mtbdd& diagram, std::span<const Mtbdd::Node> roots);  // O(diagram.size() + states)
 
   std::size_t size() const { return targets_.size() - nodes_.size(); }
-  std::size_t nodes() const { return nodes_.size(); }
-  std::size_t states() const { return size() - nodes(); }
-  bool is_state(Vertex v) const { return v >= nodes_.size(); }
-  Mtbdd::Node node(Vertex v) const { return nodes_[v]; }  // of a node vertex
-  std::uint32_t state(Vertex v) const { return v - static_cast<Vertex>(nodes_.size()); }
-  Vertex of_state(std::uint32_t q) const { return static_cast<Vertex>(nodes_.size()) + q; }
-  Vertex root(std::uint32_t q) const { return targets_[2 * nodes_.size() + q]; }
+  std::size_t nodes() const { return nodes_.size(); }                                        // of decision nodes
+  std::size_t states() const { return size() - nodes(); }                                    // of states
+  bool is_state(Vertex v) const { return v >= nodes_.size(); }                               // or a decision node
+  Mtbdd::Node node(Vertex v) const { return nodes_[v]; }                                     // of a node vertex
+  std::uint32_t state(Vertex v) const { return v - static_cast<Vertex>(nodes_.size()); }     // of a state vertex
+  Vertex of_state(std::uint32_t q) const { return static_cast<Vertex>(nodes_.size()) + q; }  // the vertex of a state
+  Vertex root(std::uint32_t q) const { return targets_[2 * nodes_.size() + q]; }  // the vertex to which a state leads
   // {low, high} of a node; {root} of a state.
   std::span<const Vertex> successors(Vertex v) const {
     if (is_state(v)) return {&targets_[2 * nodes_.size() + state(v)], 1};
@@ -51,7 +51,7 @@ class TransitionGraph {
 class ReversedGraph {
  public:
   explicit ReversedGraph(const TransitionGraph& graph);
-  std::span<const Vertex> predecessors(Vertex v) const {
+  std::span<const Vertex> predecessors(Vertex v) const {  // of a vertex
     return {sources_.data() + begin_[v], begin_[v + 1] - begin_[v]};
   }
 

@@ -15,8 +15,8 @@ namespace waymark::automata {
 
 class AlternatingCycles {
  public:
-  using Node = std::uint32_t;
-  static constexpr Node none = UINT32_MAX;
+  using Node = std::uint32_t;               // a number
+  static constexpr Node none = UINT32_MAX;  // no node
 
   // Any condition. One step of budget per edge looked at; more levels than Marks::most count as too many states.
   AlternatingCycles(const TransitionRelation& automaton, Budget& budget);
@@ -28,7 +28,7 @@ class AlternatingCycles {
     Node node;             // none outside of cycles
     std::uint32_t colour;  // min even; `no_colour` when no cycle has the branch
   };
-  static constexpr std::uint32_t no_colour = UINT32_MAX;
+  static constexpr std::uint32_t no_colour = UINT32_MAX;  // of a branch between components
   // From q at a node over one of its branches: up to the node that has the branch, whose depth is the colour, and down
   // again by the child after the one that was left.
   Transition step(std::uint32_t q, Node at, const Branch& branch) const;

@@ -15,8 +15,8 @@
 
 namespace waymark::automata {
 
-using Brace = std::int32_t;  // number by age, the oldest is 0
-constexpr Brace no_brace = -1;
+using Brace = std::int32_t;     // number by age, the oldest is 0
+constexpr Brace no_brace = -1;  // the run is in no brace
 
 struct BraceTree {
   std::vector<std::pair<std::uint32_t, Brace>> runs;  // state, innermost brace; by state
@@ -24,10 +24,10 @@ struct BraceTree {
   friend auto operator<=>(const BraceTree&, const BraceTree&) = default;
 };
 
-struct BraceStep {
-  BraceTree tree;
+struct BraceStep {       // what one letter does to a macro-state
+  BraceTree tree;        // the successor
   std::uint32_t colour;  // min even; `nothing` when no brace of the predecessor accepted or was removed
-  static constexpr std::uint32_t nothing = UINT32_MAX;
+  static constexpr std::uint32_t nothing = UINT32_MAX;  // no colour
 };
 
 // The successor function, with the data that does not change while an automaton is determinised.
@@ -36,7 +36,7 @@ class BraceRules {
   // The automaton is a Büchi automaton with marks on edges. above[q][r]: r simulates q.
   BraceRules(const TransitionRelation& automaton, std::vector<std::vector<bool>> above);
 
-  BraceTree initial() const;
+  BraceTree initial() const;  // of the initial state alone
   // choices[i]: what the letter offers to tree.runs[i].
   BraceStep successor(const BraceTree& tree, std::span<const std::uint32_t> choices) const;
 

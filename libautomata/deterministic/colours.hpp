@@ -8,8 +8,8 @@
 namespace waymark::automata {
 
 struct Recoloured {
-  TransitionRelation automaton;
-  bool weak = true;  // every component has one colour
+  TransitionRelation automaton;  // with the new colours
+  bool weak = true;              // every component has one colour
 };
 // parity(Min, Even, ·) in and out; every state reachable.
 Recoloured with_fewest_colours(const TransitionRelation& automaton);

@@ -13,7 +13,7 @@
 
 namespace waymark::automata {
 
-struct Operand {
+struct Operand {                 // one language of the combination
   TransitionRelation automaton;  // deterministic, any condition
   bool late = false;             // it accepts uv exactly when it accepts v
 };

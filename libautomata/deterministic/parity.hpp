@@ -15,8 +15,9 @@ namespace waymark::automata {
 // at most one mark on a branch. Letters without a branch reject.
 class Dpa {
  public:
+  // Nothing when the automaton is not deterministic, or its condition is no parity.
   static std::optional<Dpa> checked(Automaton automaton);
-  const Automaton& automaton() const { return automaton_; }
+  const Automaton& automaton() const { return automaton_; }  // as it was checked
 
  private:
   explicit Dpa(Automaton automaton) : automaton_(std::move(automaton)) {}

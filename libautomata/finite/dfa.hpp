@@ -15,8 +15,8 @@
 
 namespace waymark::automata {
 
-struct StateId {
-  std::uint32_t index = 0;
+struct StateId {            // a state of an automaton
+  std::uint32_t index = 0;  // its number, from 0
   friend auto operator<=>(const StateId&, const StateId&) = default;
 };
 
@@ -27,11 +27,11 @@ class Dfa {
   Dfa(ltl::Vocabulary vocabulary, std::vector<ltl::Proposition> reads, Mtbdd diagram, std::vector<Mtbdd::Node> roots,
       std::vector<bool> accepting, StateId initial);
 
-  const ltl::Vocabulary& vocabulary() const { return vocabulary_; }      // of the formula (or file)
-  const std::vector<ltl::Proposition>& reads() const { return reads_; }  // only these matter, in BDD order
-  std::size_t states() const { return roots_.size(); }
-  StateId initial() const { return initial_; }
-  bool is_accepting(StateId q) const { return accepting_[q.index]; }
+  const ltl::Vocabulary& vocabulary() const { return vocabulary_; }            // of the formula (or file)
+  const std::vector<ltl::Proposition>& reads() const { return reads_; }        // only these matter, in BDD order
+  std::size_t states() const { return roots_.size(); }                         // with the traps
+  StateId initial() const { return initial_; }                                 // where words begin; never accepting
+  bool is_accepting(StateId q) const { return accepting_[q.index]; }           // may a word end here?
   bool is_trap(StateId q) const { return distance_[q.index] == unreachable; }  // no accepting state reachable
   // Fewest letters from q to an accepting state, 0 when q accepts; `unreachable` for a trap.
   std::uint32_t distance_to_acceptance(StateId q) const { return distance_[q.index]; }
@@ -42,8 +42,8 @@ class Dfa {
   // Other names for the same positions. Throws std::invalid_argument when one that is read has none.
   void rename(ltl::Vocabulary names);
 
-  const Mtbdd& diagram() const { return diagram_; }
-  Mtbdd::Node root(StateId q) const { return roots_[q.index]; }
+  const Mtbdd& diagram() const { return diagram_; }              // where the edges are
+  Mtbdd::Node root(StateId q) const { return roots_[q.index]; }  // δ(q, ·)
 
  private:
   ltl::Vocabulary vocabulary_;
@@ -55,6 +55,7 @@ class Dfa {
   StateId initial_;
 };
 
+// Letters are over the vocabulary of the automaton.
 bool accepts(const Dfa& dfa, const ltl::Trace& word);
 
 }  // namespace waymark::automata

@@ -15,7 +15,7 @@ namespace waymark::automata {
 
 struct Literal {
   Mtbdd::Variable variable = 0;  // a position in Dfa::reads()
-  bool positive = true;
+  bool positive = true;          // or negated
 };
 using Cube = std::vector<Literal>;  // a conjunction, variables ascending; empty is true
 using Guard = std::vector<Cube>;    // a disjunction; empty is false
@@ -26,9 +26,9 @@ Guard irredundant_cover(Mtbdd& diagram, Boolean& logic, Mtbdd::Node f);
 // The same; nullopt when the cover has more than `most_cubes` cubes. The work is bounded by a multiple of `most_cubes`.
 std::optional<Guard> irredundant_cover(Mtbdd& diagram, Boolean& logic, Mtbdd::Node f, std::size_t most_cubes);
 
-struct Edge {
-  StateId source, target;
-  Guard guard;
+struct Edge {              // one arrow of a drawing
+  StateId source, target;  // the ends
+  Guard guard;             // the letters that take the edge
 };
 
 // The edges of one automaton, merged by (source, target), targets in order of first appearance in the diagram.
@@ -37,7 +37,7 @@ class Edges {
   explicit Edges(const Dfa& dfa);  // the DFA must outlive this object
   Edges(const Edges&) = delete;
   Edges& operator=(const Edges&) = delete;
-  std::vector<Edge> from(StateId q);
+  std::vector<Edge> from(StateId q);  // those that leave q
   // The same; nullopt when a guard has more than `most_cubes` cubes.
   std::optional<std::vector<Edge>> from(StateId q, std::size_t most_cubes);
   // The letters that lead from q to r, negated when that is shorter to write: `otherwise` edges stay readable.

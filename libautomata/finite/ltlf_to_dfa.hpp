@@ -9,7 +9,7 @@
 
 namespace waymark::automata {
 
-struct TranslationLimits {
+struct TranslationLimits {         // when a construction gives up
   std::size_t states = 1'000'000;  // states before minimisation, those of intermediate steps included
   std::stop_token stop = {};       // polled at least every few milliseconds
 };

@@ -12,7 +12,7 @@
 
 namespace waymark::automata {
 
-using Verdict = bool (*)(bool first, bool second);
+using Verdict = bool (*)(bool first, bool second);  // of a pair
 
 // A settling state: a state that is never left and whose acceptance fixes the verdict of every pair that contains it.
 // `first` says whether `automaton` is the first or the second automaton of the product.
@@ -36,10 +36,11 @@ inline Dfa product(const Dfa& a, const Dfa& b, Verdict verdict) {
 
 // A shortest word on which the two differ, over the vocabulary of their product; nullopt: they are equivalent.
 struct Difference {
-  ltl::Vocabulary vocabulary;
-  ltl::Trace word;
-  bool first_accepts = false;
+  ltl::Vocabulary vocabulary;  // of both automata together
+  ltl::Trace word;             // one of the shortest
+  bool first_accepts = false;  // and the other rejects
 };
+// A shortest word on which a and b differ; nothing when they are equivalent.
 std::optional<Difference> difference(const Dfa& a, const Dfa& b, Budget& budget);
 inline std::optional<Difference> difference(const Dfa& a, const Dfa& b) {
   Budget unlimited;

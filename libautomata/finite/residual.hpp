@@ -25,7 +25,7 @@ namespace waymark::automata {
 class Residuals {
  public:
   using Node = Mtbdd::Node;
-  struct Leaf {
+  struct Leaf {     // a terminal of a successor
     Node residual;  // of the rest, which is not empty
     bool may_stop;  // the rest may be empty
   };
@@ -33,9 +33,9 @@ class Residuals {
   // reads[v] is the proposition of variable v of the successor diagrams.
   Residuals(ltl::Formula f, const std::vector<ltl::Proposition>& reads, Budget& budget);
 
-  std::uint32_t initial() const { return initial_; }  // the leaf (φ, ✗)
-  std::size_t leaves() const { return leaves_.size(); }
-  const Leaf& leaf(std::uint32_t payload) const { return leaves_[payload]; }
+  std::uint32_t initial() const { return initial_; }                          // the leaf (φ, ✗)
+  std::size_t leaves() const { return leaves_.size(); }                       // how many are known
+  const Leaf& leaf(std::uint32_t payload) const { return leaves_[payload]; }  // by the payload of a terminal
   // δ(residual of the leaf, ·): payloads are leaves. Intermediate diagrams are collected when they are many; what was
   // returned once stays.
   Node successors(std::uint32_t payload);

@@ -16,9 +16,9 @@ namespace waymark::automata {
 
 struct Partition {
   std::vector<std::uint32_t> class_of;  // by state
-  std::uint32_t classes = 0;
-  Mtbdd diagram;                   // terminals are classes; what the roots do not reach is garbage
-  std::vector<Mtbdd::Node> roots;  // by class: δ of its states
+  std::uint32_t classes = 0;            // how many
+  Mtbdd diagram;                        // terminals are classes; what the roots do not reach is garbage
+  std::vector<Mtbdd::Node> roots;       // by class: δ of its states
 };
 
 // nullopt when some component holds two states. O(vertices) expected.

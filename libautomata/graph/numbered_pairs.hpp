@@ -12,7 +12,7 @@ namespace waymark::automata {
 
 class NumberedPairs {
  public:
-  using Pair = std::pair<std::uint32_t, std::uint32_t>;
+  using Pair = std::pair<std::uint32_t, std::uint32_t>;  // what is numbered
 
   // A new pair is one state of budget.
   std::uint32_t number(std::uint32_t x, std::uint32_t y, Budget& budget) {

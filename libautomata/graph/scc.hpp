@@ -10,7 +10,7 @@ namespace waymark::automata {
 struct Components {
   std::vector<std::uint32_t> of;     // component of a vertex; successors have smaller or equal ones
   std::vector<std::uint32_t> order;  // vertices by component, ascending
-  std::uint32_t count = 0;
+  std::uint32_t count = 0;           // of components
 };
 
 template <class Graph>

@@ -9,12 +9,12 @@
 namespace waymark::automata {
 
 struct DotOptions {
-  enum class Trap : std::uint8_t { Grey, Omit };
-  Trap trap = Trap::Grey;        // states without hope, and the edges to them
-  std::string name = {};         // caption under the drawing, none when empty
-  std::size_t label_width = 36;  // characters after which a guard breaks before ∨ or ∧
+  enum class Trap : std::uint8_t { Grey, Omit };  // how states without hope are drawn
+  Trap trap = Trap::Grey;                         // states without hope, and the edges to them
+  std::string name = {};                          // caption under the drawing, none when empty
+  std::size_t label_width = 36;                   // characters after which a guard breaks before ∨ or ∧
 };
 
-std::string write_dot(const Dfa& dfa, const DotOptions& options = {});
+std::string write_dot(const Dfa& dfa, const DotOptions& options = {});  // the text of a graph
 
 }  // namespace waymark::automata

@@ -18,7 +18,7 @@ namespace waymark::automata {
 struct HoaOptions {
   std::string name = {};        // the `name:` header, usually the formula
   bool marks_on_edges = false;  // "the word may stop after this letter" in the place of "… in this state"
-  HoaLayout layout = {};
+  HoaLayout layout = {};        // line breaks and aliases
 };
 
 // States as the automaton numbers them, edges merged by (source, target), labels irredundant: same automaton, same

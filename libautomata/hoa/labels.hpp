@@ -9,12 +9,12 @@
 
 namespace waymark::automata {
 
-class HoaLabels {
+class HoaLabels {  // knows the aliases that were read
  public:
   static constexpr std::size_t deepest = 1000;  // nesting of labels and acceptance conditions
   HoaLabels(HoaCursor& cursor, Mtbdd& diagram) : cursor_(cursor), diagram_(diagram), logic_(diagram) {}
 
-  void set_propositions(std::size_t count) { propositions_ = count; }
+  void set_propositions(std::size_t count) { propositions_ = count; }  // of the header AP
   // The expression at the cursor becomes the meaning of the alias; it may use earlier ones.
   void define(const HoaToken& alias);
   std::optional<Mtbdd::Node> label();  // `[…]`, when one stands at the cursor

@@ -8,11 +8,12 @@
 namespace waymark::automata {
 
 struct HoaToken {
+  // What a token is.
   enum class Kind : std::uint8_t { Header, Identifier, Alias, String, Integer, Punctuation, Body, End, Abort, Eof };
-  Kind kind = Kind::Eof;
-  std::string_view text;    // as written; of a header without the colon
-  std::uint64_t value = 0;  // of an Integer
-  std::uint32_t line = 0, column = 0;
+  Kind kind = Kind::Eof;               // of the token
+  std::string_view text;               // as written; of a header without the colon
+  std::uint64_t value = 0;             // of an Integer
+  std::uint32_t line = 0, column = 0;  // where it begins, from 1
 };
 
 // The tokens of one automaton after the other. Throws ltl::FormatError. Comments may be nested.

@@ -17,11 +17,11 @@
 namespace waymark::automata {
 
 struct OmegaHoaOptions {
-  std::string name = {};
+  std::string name = {};         // the header `name:`; none when empty
   bool marks_on_states = false;  // where all edges of each state carry the same marks; else it stays as it is
   std::vector<std::string> properties = {};  // that are true and not seen on the automaton: more of them
   std::vector<std::string> headers = {};     // whole lines, of names that begin with a small letter
-  HoaLayout layout = {};
+  HoaLayout layout = {};                     // line breaks and aliases
 };
 
 // States as they are numbered, labels irredundant: same automaton, same bytes. nullopt when there are more edges, or a

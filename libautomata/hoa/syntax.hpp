@@ -17,40 +17,40 @@
 namespace waymark::automata {
 
 struct HoaCondition {
-  enum class Op : std::uint8_t { True, False, Inf, Fin, And, Or };
-  Op op = Op::True;
-  std::uint64_t set = 0;      // of Inf and Fin
-  bool complemented = false;  // Inf(!k): infinitely often an edge outside of set k
-  std::vector<HoaCondition> operands;
+  enum class Op : std::uint8_t { True, False, Inf, Fin, And, Or };  // as in HOA
+  Op op = Op::True;                                                 // of this condition
+  std::uint64_t set = 0;                                            // of Inf and Fin
+  bool complemented = false;           // Inf(!k): infinitely often an edge outside of set k
+  std::vector<HoaCondition> operands;  // of And and Or
 };
 
-struct HoaAutomaton {
-  struct Edge {
+struct HoaAutomaton {                    // one automaton of a stream
+  struct Edge {                          // of the body
     Mtbdd::Node label;                   // over labels, variables are positions in propositions
     std::vector<std::uint64_t> targets;  // several: a universal branch
     std::vector<std::uint64_t> marks;    // as written on the edge
-    HoaToken at;
+    HoaToken at;                         // the first token
   };
   enum class Labels : std::uint8_t { None, State, Edge, Implied };  // where the labels of a state are written
-  struct State {
-    std::uint64_t number = 0;
-    std::string name;
-    std::vector<std::uint64_t> marks;  // as written on the state: on all of its edges
-    std::vector<Edge> edges;
-    Labels labels = Labels::None;
-    HoaToken at;
+  struct State {                                                    // of the body
+    std::uint64_t number = 0;                                       // as written
+    std::string name;                                               // in quotes behind the number; may be empty
+    std::vector<std::uint64_t> marks;                               // as written on the state: on all of its edges
+    std::vector<Edge> edges;                                        // that leave it
+    Labels labels = Labels::None;                                   // where they are
+    HoaToken at;                                                    // the first token
   };
 
   std::vector<std::vector<std::uint64_t>> starts;  // several: nondeterminism; several in one: alternation
-  std::vector<std::string> propositions;
-  std::string name;
-  std::uint64_t sets = 0;
-  HoaCondition acceptance;
-  std::vector<HoaToken> properties;
-  HoaToken acceptance_at, second_start_at;  // acceptance_at of an aborted one: the place of --ABORT--
-  Mtbdd labels;
-  std::vector<State> states;  // in file order; others that occur have no edges
-  bool aborted = false;       // --ABORT-- stands in the place of the end: nothing else counts
+  std::vector<std::string> propositions;           // of AP, in order
+  std::string name;                                // of the automaton; may be empty
+  std::uint64_t sets = 0;                          // of the header Acceptance
+  HoaCondition acceptance;                         // of the same header
+  std::vector<HoaToken> properties;                // as written, with their places
+  HoaToken acceptance_at, second_start_at;         // acceptance_at of an aborted one: the place of --ABORT--
+  Mtbdd labels;                                    // of edges and states
+  std::vector<State> states;                       // in file order; others that occur have no edges
+  bool aborted = false;                            // --ABORT-- stands in the place of the end: nothing else counts
 };
 
 // Memory and time are bounded by the text and its labels, not by numbers in it. Tokens point into the text.

@@ -12,7 +12,7 @@ namespace waymark::automata {
 
 class HoaGraph {
  public:
-  struct Component {
+  struct Component {                        // states that reach each other
     std::vector<std::uint64_t> states;      // by number in the file
     std::vector<std::uint32_t> successors;  // other components, all of smaller index; may repeat
     bool cyclic = false;                    // some edge stays inside
@@ -20,8 +20,8 @@ class HoaGraph {
     std::uint64_t marks = 0;                // … these, of the sets 0 … 63
   };
 
-  explicit HoaGraph(const HoaAutomaton& automaton);  // O(|body|)
-  const std::vector<Component>& components() const { return components_; }
+  explicit HoaGraph(const HoaAutomaton& automaton);                         // O(|body|)
+  const std::vector<Component>& components() const { return components_; }  // in topological order, targets first
   // Of a state that occurs in the file.
   std::uint32_t component_of(std::uint64_t number) const { return of_.at(number); }
 

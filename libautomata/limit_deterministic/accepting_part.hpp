@@ -21,10 +21,10 @@ struct AcceptingPart {
 // Every edge that no cycle of unmarked edges goes through is marked: a run that takes it for ever meets marks for ever.
 // Then states with one signature are merged. The second component: by old state, the new one.
 struct MergedAcceptingPart {
-  AcceptingPart accepting_part;
-  std::vector<std::uint32_t> number;
+  AcceptingPart accepting_part;       // with fewer states
+  std::vector<std::uint32_t> number;  // of an old state in the new part
 };
-MergedAcceptingPart merged(const AcceptingPart& accepting_part, Budget& budget);
+MergedAcceptingPart merged(const AcceptingPart& accepting_part, Budget& budget);  // states of one language become one
 
 // Few states that answer requests, each of which may be answered by any of several states. Two greedy choices, the
 // better one stays: request by request, those with a single option first, the option that reaches the fewest states
@@ -32,7 +32,7 @@ MergedAcceptingPart merged(const AcceptingPart& accepting_part, Budget& budget);
 class Choosing {
  public:
   explicit Choosing(const AcceptingPart& accepting_part);
-  using Requests = std::vector<std::vector<std::uint32_t>>;
+  using Requests = std::vector<std::vector<std::uint32_t>>;  // by request, the options
   // Options: not empty, best first among equals. Returns the chosen option of every request.
   std::vector<std::uint32_t> choose(const Requests& requests);
 

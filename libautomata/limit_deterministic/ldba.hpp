@@ -30,19 +30,19 @@ LimitDeterministic canonical(const LimitDeterministic& ldba);
 // Jumps become branches: what a target offers on a letter is offered where the jump starts. Same numbering.
 TransitionRelation without_jumps(const LimitDeterministic& ldba, Budget& budget);
 
-class MdpSafe {
+class MdpSafe {  // made by our own translation only
  public:
-  struct Transition {
-    StateId target;
-    bool accepting;  // the edge is marked
+  struct Transition {  // one step of a run
+    StateId target;    // where it leads
+    bool accepting;    // the edge is marked
   };
 
-  const ltl::Vocabulary& vocabulary() const { return branches_.vocabulary(); }
+  const ltl::Vocabulary& vocabulary() const { return branches_.vocabulary(); }      // of the formula
   const std::vector<ltl::Proposition>& reads() const { return branches_.reads(); }  // only these matter
-  std::size_t states() const { return branches_.states(); }
-  StateId initial() const { return branches_.initial(); }
-  bool in_accepting_part(StateId q) const { return accepting_part_[q.index]; }
-  bool is_deterministic() const;  // nothing to jump
+  std::size_t states() const { return branches_.states(); }                         // of both parts
+  StateId initial() const { return branches_.initial(); }                           // in the initial part
+  bool in_accepting_part(StateId q) const { return accepting_part_[q.index]; }      // after a jump
+  bool is_deterministic() const;                                                    // nothing to jump
 
   // Where a run may go before it reads the next letter, in a fixed order: the index names the jump.
   std::span<const StateId> jumps(StateId q) const { return jumps_[q.index]; }

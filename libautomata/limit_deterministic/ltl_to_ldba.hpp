@@ -9,9 +9,9 @@
 
 namespace waymark::automata {
 
-struct TranslatedForMdps {
-  MdpSafe automaton;
-  bool reduced = true;  // false: some reduction ran out of budget, the automaton may be larger than need be
+struct TranslatedForMdps {  // an automaton, and whether more could be done
+  MdpSafe automaton;        // accepts the words of the formula
+  bool reduced = true;      // false: some reduction ran out of budget, the automaton may be larger than need be
 };
 
 // Canonical numbering: same formula, same bytes.

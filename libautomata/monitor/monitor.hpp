@@ -19,35 +19,36 @@ namespace waymark::automata {
 // Throws what the budget throws.
 Dfa bad_prefixes(const Automaton& trimmed, Budget& budget);
 
-enum class Foresight : std::uint8_t { False, Open, True };
+enum class Foresight : std::uint8_t { False, Open, True };  // what is known of all continuations
 
 class Monitor {
  public:
-  struct State {
-    StateId bad, good;
+  struct State {           // of both automata
+    StateId bad, good;     // in bad() and good()
     bool started = false;  // some letter was read
     friend bool operator==(const State&, const State&) = default;
   };
 
   Monitor(Dfa bad, Dfa good, Foresight at_first) : bad_(std::move(bad)), good_(std::move(good)), at_first_(at_first) {}
 
-  State initial() const { return {bad_.initial(), good_.initial(), false}; }
-  State next(State q, const ltl::Letter& letter) const {  // letters over vocabulary(), O(|reads|)
+  State initial() const { return {bad_.initial(), good_.initial(), false}; }  // before the first letter
+  State next(State q, const ltl::Letter& letter) const {                      // letters over vocabulary(), O(|reads|)
     return {bad_.next(q.bad, letter), good_.next(q.good, letter), true};
   }
-  Foresight verdict(State q) const;
+  Foresight verdict(State q) const;  // of the prefix that was read
   // False where the verdict can no longer change from open: to go on monitoring is of no use.
   bool is_hopeful(State q) const;
 
-  const ltl::Vocabulary& vocabulary() const { return bad_.vocabulary(); }
-  const Dfa& bad() const { return bad_; }  // accepts the bad prefixes
-  const Dfa& good() const { return good_; }
+  const ltl::Vocabulary& vocabulary() const { return bad_.vocabulary(); }  // of the formula
+  const Dfa& bad() const { return bad_; }                                  // accepts the bad prefixes
+  const Dfa& good() const { return good_; }                                // accepts the good prefixes
 
  private:
   Dfa bad_, good_;
   Foresight at_first_;  // the verdict before the first letter
 };
 
+// Gives up at the limits.
 std::variant<Monitor, Exhausted> ltl_to_monitor(ltl::Formula f, const TranslationLimits& limits);
 
 }  // namespace waymark::automata

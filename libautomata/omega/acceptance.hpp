@@ -15,20 +15,20 @@ namespace waymark::automata {
 // A set of acceptance marks.
 class Marks {
  public:
-  static constexpr std::uint32_t most = 64;
+  static constexpr std::uint32_t most = 64;  // marks are 0 … 63
   constexpr Marks() = default;
-  static constexpr Marks of(std::uint32_t mark) { return Marks(std::uint64_t{1} << mark); }
-  static constexpr Marks first(std::uint32_t n) {  // 0 … n − 1
+  static constexpr Marks of(std::uint32_t mark) { return Marks(std::uint64_t{1} << mark); }  // {mark}
+  static constexpr Marks first(std::uint32_t n) {                                            // 0 … n − 1
     return Marks(n >= most ? ~std::uint64_t{0} : (std::uint64_t{1} << n) - 1);
   }
-  static constexpr Marks from_bits(std::uint64_t bits) { return Marks(bits); }
-  constexpr std::uint64_t bits() const { return bits_; }
+  static constexpr Marks from_bits(std::uint64_t bits) { return Marks(bits); }  // bit i is mark i
+  constexpr std::uint64_t bits() const { return bits_; }                        // bit i is mark i
   constexpr bool empty() const { return bits_ == 0; }
-  constexpr std::uint32_t count() const { return static_cast<std::uint32_t>(std::popcount(bits_)); }
-  constexpr bool contains(std::uint32_t mark) const { return ((bits_ >> mark) & 1U) != 0; }
-  constexpr bool includes(Marks other) const { return (other.bits_ & ~bits_) == 0; }
-  constexpr Marks without(Marks other) const { return Marks(bits_ & ~other.bits_); }
-  std::vector<std::uint32_t> members() const;  // ascending
+  constexpr std::uint32_t count() const { return static_cast<std::uint32_t>(std::popcount(bits_)); }  // how many
+  constexpr bool contains(std::uint32_t mark) const { return ((bits_ >> mark) & 1U) != 0; }           // mark ∈ this
+  constexpr bool includes(Marks other) const { return (other.bits_ & ~bits_) == 0; }                  // other ⊆ this
+  constexpr Marks without(Marks other) const { return Marks(bits_ & ~other.bits_); }                  // this ∖ other
+  std::vector<std::uint32_t> members() const;                                                         // ascending
   friend constexpr Marks operator|(Marks a, Marks b) { return Marks(a.bits_ | b.bits_); }
   friend constexpr Marks operator&(Marks a, Marks b) { return Marks(a.bits_ & b.bits_); }
   friend constexpr auto operator<=>(Marks, Marks) = default;
@@ -40,8 +40,9 @@ class Marks {
 
 class Condition {  // a value; operands of ∧ and ∨ stay in the order in which they were given
  public:
-  enum class Op : std::uint8_t { True, False, Inf, Fin, And, Or };
+  enum class Op : std::uint8_t { True, False, Inf, Fin, And, Or };  // the forms of a condition
 
+  // The forms of a condition.
   static Condition constant(bool value);
   static Condition inf(std::uint32_t mark);
   static Condition fin(std::uint32_t mark);
@@ -49,14 +50,14 @@ class Condition {  // a value; operands of ∧ and ∨ stay in the order in whic
   static Condition all_of(std::vector<Condition> operands);
   static Condition any_of(std::vector<Condition> operands);
 
-  Op op() const { return op_; }
-  std::uint32_t mark() const { return mark_; }  // of Inf and Fin
-  const std::vector<Condition>& operands() const { return operands_; }
+  Op op() const { return op_; }                                         // the outermost form
+  std::uint32_t mark() const { return mark_; }                          // of Inf and Fin
+  const std::vector<Condition>& operands() const { return operands_; }  // of And and Or
 
-  bool holds(Marks infinitely_often) const;
-  Marks marks() const;        // that occur
-  Marks fin_marks() const;    // that occur under Fin
-  Condition negated() const;  // Inf and Fin, ∧ and ∨ exchanged
+  bool holds(Marks infinitely_often) const;  // of a run with these marks infinitely often
+  Marks marks() const;                       // that occur
+  Marks fin_marks() const;                   // that occur under Fin
+  Condition negated() const;                 // Inf and Fin, ∧ and ∨ exchanged
   Condition replaced(std::uint32_t mark,
                      bool seen) const;              // where the mark is seen infinitely often, or is not
   Condition without_fin(std::uint32_t mark) const;  // Fin(mark) is false, Inf(mark) stays
@@ -75,8 +76,9 @@ class Condition {  // a value; operands of ∧ and ∨ stay in the order in whic
 
 struct Acceptance {
   std::uint32_t sets = 0;  // marks are 0 … sets − 1, at most Marks::most
-  Condition condition;
+  Condition condition;     // over these marks
 
+  // The named conditions of HOA.
   static Acceptance all() { return {}; }
   static Acceptance none() { return {0, Condition::constant(false)}; }
   static Acceptance buchi() { return generalized_buchi(1); }
@@ -84,8 +86,8 @@ struct Acceptance {
   static Acceptance generalized_buchi(std::uint32_t n);  // Inf(0)&…&Inf(n−1); 0: all
   static Acceptance rabin(std::uint32_t pairs);          // (Fin(0)&Inf(1)) | (Fin(2)&Inf(3)) | …
   static Acceptance streett(std::uint32_t pairs);        // (Fin(0)|Inf(1)) & …
-  enum class Extreme : std::uint8_t { Min, Max };
-  enum class Parity : std::uint8_t { Even, Odd };
+  enum class Extreme : std::uint8_t { Min, Max };        // which colour decides
+  enum class Parity : std::uint8_t { Even, Odd };        // which colours accept
   static Acceptance parity(Extreme extreme, Parity parity, std::uint32_t colours);  // as HOA spells it
 
   // Recognised by shape, as HOA spells them.

@@ -13,10 +13,11 @@
 namespace waymark::automata {
 
 struct AlphabetClasses {
-  std::size_t states = 0, kinds = 0;
+  std::size_t states = 0, kinds = 0;  // of the automaton; of its letters
   std::vector<std::uint32_t> choice;  // [q · kinds + kind], an id of `choices`
-  Choices choices;
+  Choices choices;                    // by id
 
+  // The choices of q by class.
   std::span<const std::uint32_t> row(std::size_t q) const { return {choice.data() + q * kinds, kinds}; }
 };
 

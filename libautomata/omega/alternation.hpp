@@ -16,12 +16,12 @@ namespace waymark::automata {
 
 // Alternating Büchi automaton: a run accepts when each of its branches meets infinitely many marked edges.
 struct AlternatingBuchi {
-  struct Edge {
+  struct Edge {                          // to all of its targets together
     Mtbdd::Node label;                   // over diagram, Boolean
     std::vector<std::uint32_t> targets;  // sorted, unique, not empty
-    bool marked = false;
+    bool marked = false;                 // accepting
   };
-  Mtbdd diagram;
+  Mtbdd diagram;                                   // of the labels
   std::vector<std::vector<Edge>> edges;            // by state
   std::vector<std::vector<std::uint32_t>> starts;  // conjunctions; several: nondeterminism
 };

@@ -21,20 +21,20 @@ class Automaton {
   // carries a mark that the acceptance does not have, or a variable is not read.
   Automaton(ltl::Vocabulary vocabulary, std::vector<ltl::Proposition> reads, TransitionRelation transitions);
 
-  const ltl::Vocabulary& vocabulary() const { return vocabulary_; }
-  const std::vector<ltl::Proposition>& reads() const { return reads_; }  // only these matter, in BDD order
-  std::size_t states() const { return transitions_.states(); }
-  StateId initial() const { return StateId{transitions_.initial}; }
-  const Acceptance& acceptance() const { return transitions_.acceptance; }
+  const ltl::Vocabulary& vocabulary() const { return vocabulary_; }         // of the formula
+  const std::vector<ltl::Proposition>& reads() const { return reads_; }     // only these matter, in BDD order
+  std::size_t states() const { return transitions_.states(); }              // trimmed, as a rule
+  StateId initial() const { return StateId{transitions_.initial}; }         // where words begin
+  const Acceptance& acceptance() const { return transitions_.acceptance; }  // over the marks of the branches
 
   std::span<const Branch> next(StateId q, const ltl::Letter& letter) const;  // δ(q, a), O(|reads|)
 
   // Other names for the same positions. Throws std::invalid_argument when one that is read has none.
   void rename(ltl::Vocabulary names);
 
-  const TransitionRelation& transitions() const { return transitions_; }
-  const Mtbdd& diagram() const { return transitions_.diagram; }
-  Mtbdd::Node root(StateId q) const { return transitions_.roots[q.index]; }
+  const TransitionRelation& transitions() const { return transitions_; }     // the edges and the condition
+  const Mtbdd& diagram() const { return transitions_.diagram; }              // where the edges are
+  Mtbdd::Node root(StateId q) const { return transitions_.roots[q.index]; }  // δ(q, ·)
 
  private:
   ltl::Vocabulary vocabulary_;

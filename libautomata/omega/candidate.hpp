@@ -7,9 +7,9 @@
 namespace waymark::automata {
 
 struct Candidate {
-  TransitionRelation automaton;
-  bool reduced = true;
-  bool weak = false;  // a minimal weak deterministic automaton: marks are on states already
+  TransitionRelation automaton;  // of the formula
+  bool reduced = true;           // false: a reduction ran out of budget
+  bool weak = false;             // a minimal weak deterministic automaton: marks are on states already
 };
 
 // Fewer states, or as many and fewer edges.

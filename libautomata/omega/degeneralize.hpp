@@ -9,7 +9,7 @@
 
 namespace waymark::automata {
 
-struct LevelRule {
+struct LevelRule {           // the order of the sets, and where levels begin
   bool descending = false;   // sets are waited for from the last to the first
   bool look_ahead = false;   // marks that all branches of the target share count on arrival
   bool count_twice = false;  // … and again when they are taken after acceptance

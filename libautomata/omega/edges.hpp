@@ -22,8 +22,8 @@ class BranchLetters {
   BranchLetters(const BranchLetters&) = delete;
   BranchLetters& operator=(const BranchLetters&) = delete;
   Mtbdd::Node letters(std::uint32_t source, const Branch& branch);  // on which q may take it
-  Mtbdd& diagram() { return scratch_; }
-  Boolean& logic() { return logic_; }
+  Mtbdd& diagram() { return scratch_; }                             // of the letters
+  Boolean& logic() { return logic_; }                               // over the same diagram
 
  private:
   const TransitionRelation& automaton_;
@@ -31,9 +31,9 @@ class BranchLetters {
   Boolean logic_;
 };
 
-struct BranchEdge {
-  Branch branch;
-  Guard guard;
+struct BranchEdge {  // an edge of the output
+  Branch branch;     // target and marks
+  Guard guard;       // the letters of the edge
 };
 // By source, then target, then marks. nullopt when there are more than that, or a guard has more cubes.
 std::optional<std::vector<std::vector<BranchEdge>>> edges_by_state(const TransitionRelation& automaton,

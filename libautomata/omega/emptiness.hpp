@@ -18,7 +18,7 @@ class BranchGraph {
  public:
   class Targets {  // of the branches of a state
    public:
-    class Iterator {
+    class Iterator {  // over the targets
      public:
       explicit Iterator(const Branch* at) : at_(at) {}
       std::uint32_t operator*() const { return at_->target; }
@@ -43,7 +43,7 @@ class BranchGraph {
 
   BranchGraph() = default;
   explicit BranchGraph(const TransitionRelation& automaton);
-  void add_state() { ++states_; }
+  void add_state() { ++states_; }  // without branches yet
   // O(1) as long as sources ascend, else O(size). The spans given out before are not valid any more.
   void add(std::uint32_t source, Branch branch);
   std::size_t size() const { return states_; }
@@ -59,14 +59,14 @@ class BranchGraph {
   std::vector<Branch> branches_;
 };
 
-struct LiveComponents {
-  Components components;
+struct LiveComponents {         // which components accept
+  Components components;        // of the graph
   std::vector<bool> accepting;  // by component: some run that stays in it accepts
   std::vector<bool> live;       // by state: some run from it accepts
 };
-LiveComponents live_components(const BranchGraph& graph, const Condition& condition);
+LiveComponents live_components(const BranchGraph& graph, const Condition& condition);  // of all components
 
-bool is_empty(const TransitionRelation& automaton);
+bool is_empty(const TransitionRelation& automaton);                // is no word accepted?
 bool accepts(const Automaton& automaton, const ltl::Lasso& word);  // O(|uv| · branches)
 
 }  // namespace waymark::automata

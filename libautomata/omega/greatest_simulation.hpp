@@ -18,8 +18,8 @@ class StatePairs {  // a relation between the states of one automaton
  public:
   StatePairs(std::size_t states, bool all) : states_(states), holds_(states * states, all ? 1 : 0) {}
   bool operator()(std::uint32_t q, std::uint32_t r) const { return holds_[q * states_ + r] != 0; }
-  void remove(std::uint32_t q, std::uint32_t r) { holds_[q * states_ + r] = 0; }
-  std::size_t states() const { return states_; }
+  void remove(std::uint32_t q, std::uint32_t r) { holds_[q * states_ + r] = 0; }  // q ≤ r is refuted
+  std::size_t states() const { return states_; }                                  // of the automaton
   friend bool operator==(const StatePairs&, const StatePairs&) = default;
 
  private:
@@ -32,6 +32,7 @@ enum class Comparison : std::uint8_t { Cheapest, OfDiagrams };
 
 StatePairs greatest_simulation(const TransitionRelation& automaton, Budget& budget,
                                Comparison how = Comparison::Cheapest);
+// The same for runs that lead to a state.
 StatePairs greatest_reverse_simulation(const TransitionRelation& automaton, Budget& budget,
                                        Comparison how = Comparison::Cheapest);
 

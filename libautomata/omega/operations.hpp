@@ -14,8 +14,8 @@ namespace waymark::automata {
 // An automaton of which every choice was seen to have at most one branch.
 class Deterministic {
  public:
-  static std::optional<Deterministic> checked(Automaton automaton);
-  const Automaton& automaton() const { return automaton_; }
+  static std::optional<Deterministic> checked(Automaton automaton);  // nothing when a letter has two branches somewhere
+  const Automaton& automaton() const { return automaton_; }          // as it was checked
 
  private:
   explicit Deterministic(Automaton automaton) : automaton_(std::move(automaton)) {}

@@ -9,7 +9,7 @@
 namespace waymark::automata {
 
 struct Pairs {
-  TransitionRelation automaton;
+  TransitionRelation automaton;                                // of both
   std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs;  // by state: those of a and b
 };
 

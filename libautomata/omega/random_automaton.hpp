@@ -15,6 +15,7 @@ struct RandomAutomaton {
   bool generic = true;       // a random condition over the sets; else generalised Büchi
 };
 
+// Throws std::invalid_argument when the options allow no automaton.
 Automaton random_automaton(ltl::Random& random, const ltl::Vocabulary& vocabulary, const RandomAutomaton& options = {});
 
 }  // namespace waymark::automata

@@ -26,9 +26,10 @@ std::optional<TransitionRelation> recurring(const Transitions& cosafe, Budget& b
 // On the structure of progression: the weak automaton when φ turns out to be an obligation, else a deterministic Büchi
 // automaton where there is one. yes, no: generalised Büchi automata of φ and ¬φ. Throws what the budget throws.
 struct OnProgression {
-  TransitionRelation automaton;
-  bool weak;
+  TransitionRelation automaton;  // a Büchi automaton
+  bool weak;                     // every component is accepting or rejecting as a whole
 };
+// Nothing when f is no recurrence property; yes and no: automata of f and ¬f.
 std::optional<OnProgression> on_progression(ltl::Formula f, const std::vector<ltl::Proposition>& reads,
                                             const TransitionRelation& yes, const TransitionRelation& no,
                                             Budget& budget);

@@ -7,9 +7,9 @@
 
 namespace waymark::automata {
 
-struct Reduced {
-  TransitionRelation automaton;
-  bool complete = true;  // false: the budget ran out; the automaton is valid, and larger than it could be
+struct Reduced {                 // an automaton, and whether more could be done
+  TransitionRelation automaton;  // of the same language
+  bool complete = true;          // false: the budget ran out; the automaton is valid, and larger than it could be
 };
 
 // Never throws Budget::Exceeded except when stopped: what was reached is returned.

@@ -14,10 +14,11 @@ namespace waymark::automata {
 
 // States with one signature merged: the coarsest partition that letters, marks and classes respect.
 struct Quotient {
-  TransitionRelation automaton;
+  TransitionRelation automaton;       // of the classes
   std::vector<std::uint32_t> number;  // of an old state in the new automaton
 };
 Quotient bisimulation(const TransitionRelation& automaton, Budget& budget);
+// Without the numbers.
 inline TransitionRelation bisimulation_quotient(const TransitionRelation& automaton, Budget& budget) {
   return bisimulation(automaton, budget).automaton;
 }

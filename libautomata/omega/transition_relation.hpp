@@ -14,16 +14,16 @@
 
 namespace waymark::automata {
 
-struct Branch {
-  std::uint32_t target = 0;
-  Marks marks;
+struct Branch {              // one way on
+  std::uint32_t target = 0;  // the next state
+  Marks marks;               // of the edge
   friend auto operator<=>(const Branch&, const Branch&) = default;
 };
 
 // Interned sets of branches. Id 0 is the empty set.
 class Choices {
  public:
-  static constexpr std::uint32_t none = 0;
+  static constexpr std::uint32_t none = 0;  // the empty choice: no run continues
   Choices();
   std::uint32_t intern(std::vector<Branch> branches);           // any order, duplicates allowed
   std::span<const Branch> operator[](std::uint32_t id) const {  // sorted by target, then marks
@@ -41,13 +41,13 @@ class Choices {
 };
 
 struct TransitionRelation {
-  Mtbdd diagram;  // terminals are ids of choices
-  Choices choices;
+  Mtbdd diagram;                   // terminals are ids of choices
+  Choices choices;                 // by id
   std::vector<Mtbdd::Node> roots;  // δ(q, ·)
-  std::uint32_t initial = 0;
-  Acceptance acceptance;
+  std::uint32_t initial = 0;       // the state where words begin
+  Acceptance acceptance;           // over the marks of the branches
 
-  std::size_t states() const { return roots.size(); }
+  std::size_t states() const { return roots.size(); }  // numbered from 0
 };
 
 // The distinct choices below a root, in order of first appearance (false before true), the empty one included; and the
@@ -56,7 +56,7 @@ class ChoiceLists {
  public:
   explicit ChoiceLists(const TransitionRelation& automaton);
   std::span<const std::uint32_t> of(std::uint32_t q);  // valid until the next call
-  std::vector<Branch> branches(std::uint32_t q);
+  std::vector<Branch> branches(std::uint32_t q);       // of all letters together
 
  private:
   const TransitionRelation& automaton_;
@@ -65,6 +65,7 @@ class ChoiceLists {
   std::vector<Mtbdd::Node> stack_;
   std::vector<std::uint32_t> found_;
 };
+// Of all letters together, each once.
 std::vector<std::uint32_t> choices_of(const TransitionRelation& automaton, std::uint32_t q);
 std::vector<Branch> branches_of(const TransitionRelation& automaton, std::uint32_t q);
 // Distinct (source, marks, target): the edges after merging. O(states · diagram).
@@ -80,6 +81,7 @@ class RootCopier {
  public:
   RootCopier(const TransitionRelation& from, TransitionRelation& to)
       : from_(from), to_(to), nodes_(from.diagram.size()), leaves_(from.choices.size()) {}
+  // Terminals become what `leaf` says.
   template <class Leaf>
   Mtbdd::Node copy(Mtbdd::Node root, const Leaf& leaf) {
     ++round_;

@@ -19,9 +19,10 @@ Transitions progression(ltl::Formula f, const std::vector<ltl::Proposition>& rea
 
 // … and what is left to satisfy, by state: formulas of the same arena, in no normal form.
 struct Progression {
-  Transitions structure;
-  std::vector<ltl::Formula> meaning;
+  Transitions structure;              // deterministic; nothing accepts yet
+  std::vector<ltl::Formula> meaning;  // by state, the residual formula
 };
+// The closure of f under progression.
 Progression progression_with_meaning(ltl::Formula f, const std::vector<ltl::Proposition>& reads, Budget& budget);
 
 // Complete; accepting states are those whose loops accept. The language is φ's when φ is an obligation, else any.
@@ -32,9 +33,10 @@ Transitions weak_deterministic(ltl::Formula f, const std::vector<ltl::Propositio
 // The same as Büchi automaton with marks on states; all runs accept where no state rejects. `complement` exchanges
 // accepting and rejecting states; `trim` removes the rejecting sink.
 struct AsBuchi {
-  bool complement = false;
-  bool trim = true;
+  bool complement = false;  // accept what the weak automaton rejects
+  bool trim = true;         // leave out states from which nothing is accepted
 };
+// As a Büchi automaton with marks on edges.
 TransitionRelation as_buchi(const Transitions& weak, const AsBuchi& options);
 
 // G e from the automaton of e, eventual and co-safe: a good prefix of e is read over and over. A branch into the state

@@ -11,8 +11,8 @@
 
 namespace waymark::automata {
 
-struct Clause {
-  Marks finitely, infinitely;
+struct Clause {                // one way to satisfy the condition
+  Marks finitely, infinitely;  // marks that end, marks that recur
 };
 std::vector<Clause> clauses(
     const Condition& condition);  // none is implied by another one; exponential in the worst case

@@ -14,7 +14,7 @@
 
 namespace waymark::automata {
 
-struct Translated {
+struct Translated {     // an automaton, and whether more could be done
   Automaton automaton;  // trimmed: some word is accepted from every state, unless none is from the initial one
   bool reduced = true;  // false: some reduction ran out of budget, the automaton may be larger than need be
 };

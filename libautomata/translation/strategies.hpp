@@ -8,13 +8,14 @@
 namespace waymark::automata {
 
 struct Strategy {
-  std::string_view name;
-  std::size_t steps, states;  // SIZE_MAX states: as many as the caller allows
-  std::string_view settled_on;
+  std::string_view name;        // what is tried
+  std::size_t steps, states;    // SIZE_MAX states: as many as the caller allows
+  std::string_view settled_on;  // sets of formulas
 };
 
 // Of ltl_to_tgba and ltl_to_buchi.
 struct BuchiStrategies {
+  // Each attempt with its steps and states.
   Strategy tableau{"tableau, or minimal weak automaton of an obligation", 400'000'000, SIZE_MAX, "random4, dwyer"};
   // The tableau of ¬φ, the weak automaton of what may be an obligation, G of co-safe formulas, the formula in which
   // nothing was pulled out.
@@ -28,6 +29,7 @@ struct BuchiStrategies {
 
 // Of ltl_to_parity, ltl_to_rabin and ltl_to_generic.
 struct ParityStrategies {
+  // Each attempt with its steps and states.
   Strategy weak{"minimal weak automaton of an obligation", 400'000'000, SIZE_MAX, "random4, dwyer"};
   Strategy windows{"G F of co-safe formulas by the letters that they look back at", 400'000'000, 2'000,
                    "random4, dwyer"};
@@ -42,6 +44,7 @@ struct ParityStrategies {
 
 // Of ltl_to_ldba, from the parity automaton.
 struct LdbaStrategies {
+  // Each attempt with its steps and states.
   Strategy colours{"jumps by colours, languages compared", 50'000'000, SIZE_MAX, "random4, dwyer"};
   Strategy theorem{"jumps by the master theorem", 50'000'000, SIZE_MAX, "random4, dwyer"};
 };

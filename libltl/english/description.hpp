@@ -19,14 +19,14 @@ struct Described {
   std::string act = {};      // "turn left": of an event, the order to make it the next step
 };
 
-Described symbol(std::string_view name);     // "p holds", "p does not hold"
-Described place(const std::string& noun);    // of "the chair"
-Described floor(const std::string& noun);    // of "the blue floor"
-Described event(const std::string& action);  // of "turn left": "you turn left", "you do not turn left"
-Described state(std::string holds, std::string fails);
+Described symbol(std::string_view name);                // "p holds", "p does not hold"
+Described place(const std::string& noun);               // of "the chair"
+Described floor(const std::string& noun);               // of "the blue floor"
+Described event(const std::string& action);             // of "turn left": "you turn left", "you do not turn left"
+Described state(std::string holds, std::string fails);  // clauses only: nothing can be done about p
 
-struct VerbaliseOptions {
-  Semantics semantics = Semantics::Finite;
+struct VerbaliseOptions {                               // how formulas become English
+  Semantics semantics = Semantics::Finite;              // the words that the formula is about
   std::function<Described(Proposition)> describe = {};  // nothing: all propositions are symbols
 };
 

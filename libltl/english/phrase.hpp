@@ -17,13 +17,14 @@
 
 namespace waymark::ltl {
 
+// What may stand for a letter.
 enum class Slot : std::uint8_t { State, LooseState, Literal, Visit, Enter, Act, Closed, Tail };
-Slot slot_of(char letter);
+Slot slot_of(char letter);  // by the table above
 
 // What stands for each letter, and for n.
 struct Bindings {
-  std::array<std::optional<Formula>, 26> parts;
-  std::size_t n = 0;
+  std::array<std::optional<Formula>, 26> parts;  // by letter, a … z; nothing where the letter does not occur
+  std::size_t n = 0;                             // of counted phrases
   std::optional<Formula>& operator[](char letter) { return parts[static_cast<std::size_t>(letter - 'a')]; }
   const std::optional<Formula>& operator[](char letter) const { return parts[static_cast<std::size_t>(letter - 'a')]; }
 };
@@ -32,7 +33,7 @@ struct Phrase {
   std::string_view english;  // "whenever {x}, {t}"
   Formula formula;           // over an arena whose propositions are a … z
 };
-std::span<const Phrase> phrases();
+std::span<const Phrase> phrases();  // the table, special phrases first
 
 // Phrases with a number n: the formula is made, not matched.
 struct CountedPhrase {
@@ -40,6 +41,6 @@ struct CountedPhrase {
   Formula (*formula)(Arena& arena, const Bindings&);  // of n ≥ 1 and the parts
   std::optional<Bindings> (*recognise)(Formula f);    // n and the parts of f
 };
-std::span<const CountedPhrase> counted_phrases();
+std::span<const CountedPhrase> counted_phrases();  // the table of phrases with a number
 
 }  // namespace waymark::ltl

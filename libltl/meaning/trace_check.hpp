@@ -23,11 +23,11 @@ class Columns {  // a finite word turned on its side
   explicit Columns(std::size_t propositions) : propositions_(propositions) {}
   Columns(const Trace& word, std::size_t propositions);
 
-  void append(const Letter& letter);  // O(propositions · length / 64)
-  void clear();                       // back to length 0; keeps its memory
-  std::size_t length() const { return length_; }
+  void append(const Letter& letter);              // O(propositions · length / 64)
+  void clear();                                   // back to length 0; keeps its memory
+  std::size_t length() const { return length_; }  // letters
   std::size_t propositions() const { return propositions_; }
-  std::size_t blocks() const { return (length_ + 63) / 64; }
+  std::size_t blocks() const { return (length_ + 63) / 64; }  // of 64 positions
   // Block b, one word for each proposition. Position i of n is bit (n−1−i) mod 64 of block (n−1−i) / 64.
   std::span<const std::uint64_t> block(std::size_t b) const {
     return {bits_.data() + b * propositions_, propositions_};
@@ -45,8 +45,8 @@ class TraceCheck {
   explicit TraceCheck(Formula f) : TraceCheck(std::span<const Formula>(&f, 1)) {}
   explicit TraceCheck(std::span<const Formula> formulas);  // of one arena, at least one
 
-  std::size_t formulas() const { return roots_.size(); }
-  std::size_t steps() const { return program_.size(); }  // word operations per block of 64 positions
+  std::size_t formulas() const { return roots_.size(); }  // how many are checked
+  std::size_t steps() const { return program_.size(); }   // word operations per block of 64 positions
 
   // word ⊨ φ. Throws std::invalid_argument on length 0 and when a proposition of the formula has no column.
   bool operator()(const Columns& word);

@@ -16,22 +16,22 @@
 
 namespace waymark::ltl {
 
-enum class Body : std::uint8_t {
-  Absence,              // p never holds
-  Existence,            // p holds at some time
-  BoundedExistence,     // p holds for at most two stretches of time
-  Universality,         // p always holds
-  Precedence,           // s precedes p
-  Response,             // s responds to p
-  PrecedenceChain2To1,  // s and then t precede p
-  PrecedenceChain1To2,  // p precedes s and then t
-  ResponseChain2To1,    // p responds to s and then t
-  ResponseChain1To2,    // s and then t respond to p
-  ConstrainedChain,     // s and then t, without z between them, respond to p
+enum class Body : std::uint8_t {  // what is claimed inside a scope
+  Absence,                        // p never holds
+  Existence,                      // p holds at some time
+  BoundedExistence,               // p holds for at most two stretches of time
+  Universality,                   // p always holds
+  Precedence,                     // s precedes p
+  Response,                       // s responds to p
+  PrecedenceChain2To1,            // s and then t precede p
+  PrecedenceChain1To2,            // p precedes s and then t
+  ResponseChain2To1,              // p responds to s and then t
+  ResponseChain1To2,              // s and then t respond to p
+  ConstrainedChain,               // s and then t, without z between them, respond to p
 };
-enum class Scope : std::uint8_t { Globally, Before, After, Between, AfterUntil };
+enum class Scope : std::uint8_t { Globally, Before, After, Between, AfterUntil };  // where a body is claimed
 
-enum class Mission : std::uint8_t {
+enum class Mission : std::uint8_t {  // the mission patterns of robots
   Visit,
   SequencedVisit,
   OrderedVisit,
@@ -71,7 +71,7 @@ Formula mission(Mission mission, std::span<const Formula> places);
 Formula restricted_avoidance(Mission mission, std::size_t times, Formula place);
 
 std::vector<Pattern> property_patterns();  // 55, the order of the catalogue
-std::vector<Pattern> mission_patterns();
+std::vector<Pattern> mission_patterns();   // in the order of the catalogue
 
 // The pattern of that name with these arguments, formulas of the arena; a number stands first where the parameters
 // begin with n. Throws SyntaxError in an argument, std::invalid_argument (name unknown, nearest one named; wrong

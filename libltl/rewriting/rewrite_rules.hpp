@@ -13,9 +13,9 @@
 namespace waymark::ltl {
 
 struct RewriteRule {
-  std::string_view name;
+  std::string_view name;                                             // of the function
   std::optional<Formula> (*apply)(Formula f, Implication& implies);  // nothing when f does not match
-  bool finite, infinite;
+  bool finite, infinite;                                             // over which words both sides agree
 };
 
 // In the order in which they are tried.

@@ -9,10 +9,10 @@
 
 namespace waymark::ltl {
 
-struct Purity {
-  bool eventual = false;   // v ⊨ φ implies uv ⊨ φ
-  bool universal = false;  // uv ⊨ φ implies v ⊨ φ
-  bool both() const { return eventual && universal; }
+struct Purity {                                        // of one formula
+  bool eventual = false;                               // v ⊨ φ implies uv ⊨ φ
+  bool universal = false;                              // uv ⊨ φ implies v ⊨ φ
+  bool both() const { return eventual && universal; }  // depends on the far future only
 };
 Purity purity(Formula f);  // read off the syntax: "yes" is proved. O(DAG)
 

@@ -14,10 +14,10 @@
 
 namespace waymark::ltl {
 
-enum class Over : std::uint8_t {
-  Finite,    // finite words, never empty: what a user states
-  Rest,      // finite words and the empty one: what progression leaves; accepts_empty is kept
-  Infinite,  // infinite words; N becomes X
+enum class Over : std::uint8_t {  // the words on which the meaning is kept
+  Finite,                         // finite words, never empty: what a user states
+  Rest,                           // finite words and the empty one: what progression leaves; accepts_empty is kept
+  Infinite,                       // infinite words; N becomes X
 };
 
 // Idempotent; the tree never grows beyond that of nnf_keeping_iff(f). Passes over the DAG until nothing changes.
@@ -25,7 +25,7 @@ Formula simplify(Formula f, Over over);
 // The rules may also ask whether one formula implies another one, over the same words.
 Formula simplify(Formula f, Over over, Implication::Oracle implies);
 
-inline Formula simplify(Formula f, Semantics semantics) {
+inline Formula simplify(Formula f, Semantics semantics) {  // with the words of a user
   return simplify(f, semantics == Semantics::Finite ? Over::Finite : Over::Infinite);
 }
 

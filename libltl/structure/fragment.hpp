@@ -14,11 +14,11 @@ namespace waymark::ltl {
 struct Fragments {
   bool propositional = false;  // no temporal operator
   bool next_free = false;      // no X, no N: stuttering does not matter
-  bool safety = false;
-  bool cosafety = false;
-  bool obligation = false;  // this and the next two: infinite words only, false under Semantics::Finite
-  bool recurrence = false;
-  bool persistence = false;
+  bool safety = false;         // a violation shows in a finite prefix
+  bool cosafety = false;       // satisfaction shows in a finite prefix
+  bool obligation = false;     // this and the next two: infinite words only, false under Semantics::Finite
+  bool recurrence = false;     // a deterministic Büchi automaton exists
+  bool persistence = false;    // the dual of recurrence
   friend bool operator==(const Fragments&, const Fragments&) = default;
 };
 

@@ -11,13 +11,13 @@
 
 namespace waymark::ltl {
 
-struct Level {  // the least i for each: f ∈ Σ_sigma, f ∈ Π_pi, f ∈ Δ_delta
-  std::uint32_t sigma = 0, pi = 0, delta = 0;
+struct Level {                                 // the least i for each: f ∈ Σ_sigma, f ∈ Π_pi, f ∈ Δ_delta
+  std::uint32_t sigma = 0, pi = 0, delta = 0;  // the three indices
   friend bool operator==(const Level&, const Level&) = default;
 };
 // N counts as X; an equivalence as both of its operands, as they are and negated. O(DAG)
 Level level(Formula f);
 
-inline bool is_delta2(Formula f) { return level(f).delta <= 2; }
+inline bool is_delta2(Formula f) { return level(f).delta <= 2; }  // in Δ₂: a Boolean combination of formulas in Σ₂
 
 }  // namespace waymark::ltl

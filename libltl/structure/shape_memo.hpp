@@ -18,9 +18,9 @@ class ShapeMemo {
  public:
   explicit ShapeMemo(std::size_t most) : most_(most) {}
 
-  struct Entry {
-    std::shared_ptr<const Result> result;
-    bool known = false;  // computed for another formula: over that one's names
+  struct Entry {                           // what is known of a shape
+    std::shared_ptr<const Result> result;  // of compute(f); never null
+    bool known = false;                    // computed for another formula: over that one's names
   };
   // compute(f), unless it is known for f's shape. worth_keeping(result): whether it is what any other formula of that
   // shape would get, and small enough. Two threads may compute the same at the same time.

@@ -103,25 +103,45 @@ std::optional<std::size_t> Lexer::number() {
   return value;
 }
 
-// An operator was read; what may follow it directly: [!] or [w] after a next, a bound after F, G and U.
+std::size_t Lexer::steps() {
+  skip_space();
+  const auto value = number();
+  if (!value) fail({at_, at_}, "expected a number of steps");
+  skip_space();
+  return *value;
+}
+
+// <=k, [<=k], [i:j], [i,j] and [i:], or nothing.
+void Lexer::bounds(Token& token) {
+  const std::size_t end = at_;
+  skip_space();
+  if (take("[<=") || take("[≤")) {
+    token.bound = steps();
+    if (!take("]")) fail({at_, at_}, "expected ']' after the number of steps");
+  } else if (text_.substr(at_, 3) != "<=>" && (take("<=") || take("≤"))) {
+    token.bound = steps();
+  } else if (at_ + 1 < text_.size() && text_[at_] == '[' && (is_digit(text_[at_ + 1]) || text_[at_ + 1] == ' ')) {
+    const std::size_t begin = at_++;
+    token.from = steps();
+    if (!take(":") && !take(",") && !take("..")) fail({at_, at_}, "expected ':' and a second number of steps");
+    skip_space();
+    if (!take("]")) {
+      token.bound = steps();
+      if (!take("]")) fail({at_, at_}, "expected ']' after the number of steps");
+      if (*token.bound < token.from) fail({begin, at_}, "the first number of steps is the smaller one");
+    }
+  } else {
+    at_ = end;
+  }
+}
+
+// An operator was read; what may follow it directly: [!] or [w] after a next, bounds after F, G and U.
 Token Lexer::operation(Symbol symbol, std::size_t begin) {
   Token token{.kind = Token::Kind::Operator, .where = {begin, at_}, .symbol = symbol, .bound = {}, .name = {}};
   if (symbol == Symbol::Next) {
     if (take("[w]") || (!take("[!]") && dialect_ == Dialect::Spot)) token.symbol = Symbol::WeakNext;
   } else if (symbol == Symbol::Eventually || symbol == Symbol::Always || symbol == Symbol::Until) {
-    const std::size_t end = at_;
-    skip_space();
-    const bool bracket = take("[<=") || take("[≤") || take("[0:");
-    const bool bare = !bracket && text_.substr(at_, 3) != "<=>" && (take("<=") || take("≤"));
-    if (!bracket && !bare) {
-      at_ = end;
-    } else {
-      skip_space();
-      token.bound = number();
-      if (!token.bound) fail({at_, at_}, "expected a number of steps");
-      skip_space();
-      if (bracket && !take("]")) fail({at_, at_}, "expected ']' after the number of steps");
-    }
+    bounds(token);
   }
   token.where.end = at_;
   return token;
@@ -175,6 +195,8 @@ void Lexer::fail_on_character() const {
   const Span where{at_, end};
   const std::string shown(text_.substr(at_, end - at_));
   if (is_digit(text_[at_])) fail(where, "expected a formula; numbers other than 0 and 1 must follow F<=, G<= or U<=");
+  if (text_[at_] == '[')
+    fail(where, "'[' starts no part of a formula; bounds stand right behind F, G or U: F[0:3], G<=3, U[1:3], F[2:]");
   fail(where, "'" + shown + "' starts no part of a formula (names with such characters go in double quotes)");
 }
 

@@ -15,12 +15,13 @@
 
 namespace waymark::ltl {
 
-struct Token {
-  enum class Kind : std::uint8_t { End, Open, Close, Constant, Name, Operator };
-  Kind kind = Kind::End;
-  Span where;
-  Symbol symbol = Symbol::Not;       // of an Operator
-  std::optional<std::size_t> bound;  // k of F<=k, G<=k and U<=k
+struct Token {                                                                    // one token with its place
+  enum class Kind : std::uint8_t { End, Open, Close, Constant, Name, Operator };  // what a token is
+  Kind kind = Kind::End;                                                          // of the token
+  Span where;                                                                     // its bytes
+  Symbol symbol = Symbol::Not;                                                    // of an Operator
+  std::optional<std::size_t> bound;  // k of F<=k, G<=k and U<=k; j of F[i:j]; of F[i:] none
+  std::size_t from = 0;              // i of F[i:j] and F[i:]
   bool value = false;                // of a Constant
   std::string name;                  // of a Name, quotes and escapes removed
 };
@@ -30,12 +31,14 @@ class Lexer {
   Lexer(std::string_view text, Dialect dialect, Notation notation)
       : text_(text), dialect_(dialect), notation_(notation) {}
   Token next();  // throws SyntaxError on a character that starts no token; End at the end, again and again
-  std::string_view text() const { return text_; }
+  std::string_view text() const { return text_; }  // all of it
 
  private:
   Token word();
   Token quoted();
   Token operation(Symbol symbol, std::size_t begin);
+  void bounds(Token& token);
+  std::size_t steps();
   void skip_space();
   bool take(std::string_view expected);
   std::optional<std::size_t> number();

@@ -16,6 +16,18 @@
 namespace waymark::ltl {
 namespace {
 
+// The operator without its lower bound: what must hold after so many steps.
+Formula from_step(std::size_t i, Formula f, Formula (*one_step)(Formula)) {
+  while (i-- > 0) f = one_step(f);
+  return f;
+}
+
+// φ U[i:j] ψ = φ ∧ X(φ U[i−1:j−1] ψ), i strong nexts.
+Formula until_from(std::size_t i, Formula left, Formula until) {
+  while (i-- > 0) until = conjunction(left, next(until));
+  return until;
+}
+
 // φ U<=k ψ = ψ ∨ (φ ∧ X(ψ ∨ (φ ∧ X …))), k strong nexts.
 Formula until_within(std::size_t k, Formula left, Formula right) {
   Formula out = right;
@@ -43,6 +55,8 @@ class Builder {
   };
 
   Formula atom(const Token& token);
+  std::optional<std::string> name_beginning_with(const Token& token) const;
+  std::string known() const;  // the first propositions, for messages
   Formula close(Term&& term);
   Term pop();
   void push(Formula f, std::size_t depth, const Token& token);
@@ -56,11 +70,38 @@ class Builder {
   std::vector<Term> stack_;
 };
 
+// Of several words, the first of which is this one: a name that stands here without its quotes, or the only one.
+std::optional<std::string> Builder::name_beginning_with(const Token& token) const {
+  std::optional<std::string> found;
+  bool alone = true;
+  for (const std::string& name : arena_.vocabulary().names()) {
+    if (!name.starts_with(token.name + ' ')) continue;
+    if (text_.substr(token.where.begin).starts_with(name)) return name;
+    alone = !found;
+    found = name;
+  }
+  return alone ? found : std::nullopt;
+}
+
+std::string Builder::known() const {
+  constexpr std::size_t most = 8;
+  const std::vector<std::string>& names = arena_.vocabulary().names();
+  std::string list;
+  for (std::size_t i = 0; i < std::min(most, names.size()); ++i) list += (i == 0 ? "" : ", ") + names[i];
+  if (list.empty()) return "";
+  return " (known: " + list + (names.size() > most ? ", …)" : ")");
+}
+
 Formula Builder::atom(const Token& token) {
   if (unknown_ == Unknown::Add) return arena_.atom(token.name);
   if (const auto p = arena_.vocabulary().find(token.name)) return arena_.atom(*p);
   std::string message = "unknown proposition '" + token.name + "'";
-  if (const auto near = arena_.vocabulary().nearest(token.name)) message += " (did you mean '" + *near + "'?)";
+  if (const auto whole = name_beginning_with(token))
+    message += " (did you mean \"" + *whole + "\", in quotes?)";
+  else if (const auto near = arena_.vocabulary().nearest(token.name))
+    message += " (did you mean '" + *near + "'?)";
+  else
+    message += known();
   throw SyntaxError(text_, token.where, message);
 }
 
@@ -101,16 +142,18 @@ void Builder::join(Op op, Term left, Term right, const Token& token) {
 }
 
 void Builder::apply_unary(const Token& token) {
-  const std::size_t k = token.bound.value_or(0);
-  const std::size_t depth = stack_.back().depth + (token.bound ? 2 * k : 1);
+  const std::size_t k = token.bound.value_or(token.from) - token.from;
+  const std::size_t depth = stack_.back().depth + (token.bound ? 2 * k : 1) + token.from;
   check(depth, token);
   const Formula f = close(pop());
   switch (token.symbol) {
     case Symbol::Not: return push(negate(f), depth, token);
     case Symbol::Next: return push(next(f), depth, token);
     case Symbol::WeakNext: return push(weak_next(f), depth, token);
-    case Symbol::Eventually: return push(token.bound ? eventually_within(k, f) : eventually(f), depth, token);
-    case Symbol::Always: return push(token.bound ? always_within(k, f) : always(f), depth, token);
+    case Symbol::Eventually:
+      return push(from_step(token.from, token.bound ? eventually_within(k, f) : eventually(f), next), depth, token);
+    case Symbol::Always:
+      return push(from_step(token.from, token.bound ? always_within(k, f) : always(f), weak_next), depth, token);
     case Symbol::And:
     case Symbol::Or:
     case Symbol::ExclusiveOr:
@@ -132,13 +175,15 @@ void Builder::apply(const Token& token) {
     const std::size_t depth = left.depth + 1;
     return join(Op::Or, {{negate(close(std::move(left)))}, Op::Atom, depth}, std::move(right), token);
   }
-  const std::size_t depth = std::max(left.depth, right.depth) + (token.bound ? 3 * *token.bound : 1);
+  const std::size_t k = token.bound.value_or(token.from) - token.from;
+  const std::size_t depth = std::max(left.depth, right.depth) + (token.bound ? 3 * k : 1) + 2 * token.from;
   check(depth, token);
   const Formula a = close(std::move(left)), b = close(std::move(right));
   switch (token.symbol) {
     case Symbol::ExclusiveOr: return push(exclusive_or(a, b), depth, token);
     case Symbol::Iff: return push(iff(a, b), depth, token);
-    case Symbol::Until: return push(token.bound ? until_within(*token.bound, a, b) : until(a, b), depth, token);
+    case Symbol::Until:
+      return push(until_from(token.from, a, token.bound ? until_within(k, a, b) : until(a, b)), depth, token);
     case Symbol::Release: return push(release(a, b), depth, token);
     case Symbol::WeakUntil: return push(weak_until(a, b), depth + 1, token);
     case Symbol::StrongRelease: return push(strong_release(a, b), depth + 1, token);

@@ -12,15 +12,15 @@
 
 namespace waymark::ltl {
 
-enum class Unknown : std::uint8_t {
-  Add,     // a name that the arena's vocabulary lacks is added to it
-  Reject,  // … is a SyntaxError with the nearest known name as a hint
+enum class Unknown : std::uint8_t {  // what happens to unknown names
+  Add,                               // a name that the arena's vocabulary lacks is added to it
+  Reject,                            // … is a SyntaxError with the nearest known name as a hint
 };
 
-struct ParseOptions {
-  Dialect dialect = Dialect::Waymark;
-  Notation notation = Notation::Infix;
-  Unknown unknown = Unknown::Add;
+struct ParseOptions {                   // how a text is read
+  Dialect dialect = Dialect::Waymark;   // what X means
+  Notation notation = Notation::Infix;  // infix, prefix or postfix
+  Unknown unknown = Unknown::Add;       // names that are new
 };
 
 inline constexpr std::size_t most_levels = 10'000;  // of nesting in a formula that was read

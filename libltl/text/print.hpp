@@ -12,6 +12,7 @@
 
 namespace waymark::ltl {
 
+// How operators are spelled, and where they stand.
 enum class Style : std::uint8_t { Ascii, Unicode, Latex, Lbt, Postfix };
 
 std::string print(Formula f, Style style = Style::Ascii);

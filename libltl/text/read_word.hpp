@@ -13,7 +13,7 @@
 
 namespace waymark::ltl {
 
-using AnyWord = std::variant<Trace, Lasso>;
+using AnyWord = std::variant<Trace, Lasso>;  // finite or infinite
 
 // New names are added to the vocabulary. Throw SyntaxError. O(|text|).
 AnyWord read_word(std::string_view text, Vocabulary& vocabulary);

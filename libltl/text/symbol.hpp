@@ -24,13 +24,13 @@ enum class Symbol : std::uint8_t {
   StrongRelease,  // binary
 };
 
-enum class Dialect : std::uint8_t {
-  Waymark,  // X is the strong next, N (WX, X[w]) the weak one
-  Spot,     // X is the weak next over finite words (TLSF, Syft, Lydia, Spot); X[!] the strong one
+enum class Dialect : std::uint8_t {  // what X means at the end of a finite word
+  Waymark,                           // X is the strong next, N (WX, X[w]) the weak one
+  Spot,  // X is the weak next over finite words (TLSF, Syft, Lydia, Spot); X[!] the strong one
 };
-enum class Notation : std::uint8_t { Infix, Lbt, Postfix };
+enum class Notation : std::uint8_t { Infix, Lbt, Postfix };  // where operators stand
 
-constexpr bool is_unary(Symbol s) { return s <= Symbol::Always; }
+constexpr bool is_unary(Symbol s) { return s <= Symbol::Always; }  // with one operand
 
 // Binds tighter when larger: <-> 1, -> 2, ^ 3, | 4, & 5, U R W M 6, unary 7.
 constexpr int precedence(Symbol s) {

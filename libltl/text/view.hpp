@@ -18,12 +18,12 @@ struct ViewOperand {           // a formula, or the junction of several
 };
 
 struct View {
-  Symbol symbol = Symbol::Not;
-  std::vector<ViewOperand> operands;
-  std::optional<std::size_t> bound;  // F<=k and G<=k, k ≥ 2
+  Symbol symbol = Symbol::Not;        // the outermost operator
+  std::vector<ViewOperand> operands;  // in the order of the text
+  std::optional<std::size_t> bound;   // F<=k and G<=k, k ≥ 2
 };
 
-struct ViewOptions {
+struct ViewOptions {   // which definitions are recognised
   bool bounds = true;  // recognise F<=k and G<=k
 };
 

@@ -10,7 +10,7 @@ namespace waymark::parser {
 
 std::string read_corpus_file(const std::filesystem::path& file);                    // throws ltl::FormatError
 std::vector<std::filesystem::path> map_files(const std::filesystem::path& corpus);  // maps/*.json, by name
-std::uint64_t fnv1a(std::string_view bytes);
+std::uint64_t fnv1a(std::string_view bytes);                                        // the checksum FNV-1a, 64 bits
 
 // visit(line, number) for every line that is not blank; numbers count from 1.
 template <typename Visit>

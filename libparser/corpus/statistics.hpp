@@ -10,12 +10,13 @@
 
 namespace waymark::parser {
 
-class CorpusStatistics {
+class CorpusStatistics {  // adds up what it is told
  public:
-  void add_sequence(std::size_t sentences);
+  void add_sequence(std::size_t sentences);  // a paragraph with so many sentences
   void add_sentence(const std::vector<std::string>& tokens,
                     std::size_t trajectory);  // its poses, or landmarks
 
+  // Counts and means, as `waymark corpus` prints them.
   std::size_t sequences() const { return sequences_; }
   std::size_t unsegmented() const { return unsegmented_; }  // sequences without sentences
   std::size_t sentences() const { return sentences_; }
@@ -33,9 +34,9 @@ class CorpusStatistics {
   std::set<std::string> words_;
 };
 
-struct StatisticsByMap {
-  std::map<std::string, CorpusStatistics> by_map;
-  CorpusStatistics all;
+struct StatisticsByMap {                           // for each map, and for all
+  std::map<std::string, CorpusStatistics> by_map;  // names of maps
+  CorpusStatistics all;                            // maps together
 };
 
 // Trajectories as found: an unknown heading counts as the one pose that it is.

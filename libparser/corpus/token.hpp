@@ -20,9 +20,9 @@ std::vector<std::string> split_sentences(std::string_view text);
 // The clauses of a sentence, [begin, end) in its tokens: cut at "and", "then" and the marks , ; : . — the cuts are in
 // none, and each has a word at least; the whole sentence when there is no other word.
 struct Clause {
-  std::size_t begin, end;
+  std::size_t begin, end;  // tokens [begin, end)
 };
-std::vector<Clause> clauses_of(const std::vector<std::string>& tokens);
+std::vector<Clause> clauses_of(const std::vector<std::string>& tokens);  // the parts between joints
 
 // The side that a word names: `left`, `lefts`, `left-hand`, `lefthand` and their like of the right.
 enum class Side : std::uint8_t { Left, Right };

@@ -13,9 +13,9 @@
 
 namespace waymark::parser {
 
-struct Candidate {
-  Program program;
-  double log_probability = 0;
+struct Candidate {             // a complete program
+  Program program;             // of the model
+  double log_probability = 0;  // given the sentence
 };
 
 template <WordScorer Scores>
@@ -26,6 +26,7 @@ class BestFirst {
     open_.push({0.0F, 0});
   }
 
+  // At most beam programs; stops after so many expansions.
   std::vector<Candidate> run(std::size_t beam, std::size_t expansions) {
     while (!open_.empty() && found_.size() < beam) {
       const std::vector<std::size_t> batch = next_batch(beam);

@@ -7,8 +7,8 @@
 
 namespace waymark::parser {
 
-struct ExplainedSymbol {
-  std::string symbol;
+struct ExplainedSymbol {        // one row of attention
+  std::string symbol;           // its name
   double probability = 0;       // of this symbol here; 1 where the grammar leaves no choice
   std::vector<double> weights;  // of the words of the sentence; they sum to less than 1: the rest lies on what stands
                                 // before the first word. Empty where there was no choice

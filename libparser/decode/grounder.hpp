@@ -12,7 +12,7 @@
 namespace waymark::parser {
 
 struct Grounder {
-  WordModel word_model;
+  WordModel word_model;                                    // that reads programs
   std::shared_ptr<const RankingModel> ranking;             // and the language that both speak
   std::shared_ptr<const LiftedReader> commands = nullptr;  // reads temporal words and named places; may be absent
 };

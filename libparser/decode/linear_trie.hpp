@@ -10,13 +10,13 @@
 
 namespace waymark::parser {
 
-using LinearTrie = ProgramTrie<LinearPrefix>;
+using LinearTrie = ProgramTrie<LinearPrefix>;  // with the prefixes of the linear model
 
 // Room for one pass; keep it to save allocations.
 struct TrieScratch {
-  std::vector<float> log_p;  // [nodes × tokens]
-  std::vector<float> value, mass, delta;
-  std::vector<Scorer::GroupIds> groups;
+  std::vector<float> log_p;               // [nodes × tokens]
+  std::vector<float> value, mass, delta;  // by node
+  std::vector<Scorer::GroupIds> groups;   // by node: its rows of weights
 };
 
 // log Σ_z weight(z) p(z | x); its gradient goes to the scorer, which must have begun this sentence.

@@ -11,11 +11,11 @@
 
 namespace waymark::parser {
 
-using NetworkTrie = ProgramTrie<NetworkPrefix>;
+using NetworkTrie = ProgramTrie<NetworkPrefix>;  // with the prefixes of an encoder-decoder
 
 void append_histories(const NetworkTrie& trie, std::vector<History>& out);  // of all nodes, in order
 
-struct Likelihoods {
+struct Likelihoods {           // what the programs of a trie are worth
   std::vector<float> log_p;    // by program
   std::vector<float> symbols;  // by node and symbol
 };

@@ -18,19 +18,19 @@ namespace waymark::parser {
 template <class Prefix>
 class ProgramTrie {
  public:
-  struct Child {
-    Token token;
-    std::int32_t to;  // a node, or ~program
-    bool is_program() const { return to < 0; }
-    std::size_t node() const { return static_cast<std::size_t>(to); }
-    std::size_t program() const {
+  struct Child {                                                       // of a node
+    Token token;                                                       // that leads there
+    std::int32_t to;                                                   // a node, or ~program
+    bool is_program() const { return to < 0; }                         // else a node
+    std::size_t node() const { return static_cast<std::size_t>(to); }  // of a node
+    std::size_t program() const {                                      // of a program
       const std::int32_t number = ~to;
       return static_cast<std::size_t>(number);
     }
   };
-  struct Node {
-    Prefix prefix;
-    std::vector<Child> children;
+  struct Node {                   // a prefix with a choice
+    Prefix prefix;                // of the model
+    std::vector<Child> children;  // by token
   };
 
   // Weights multiply probabilities: 1 counts fully. A program that is in already keeps its first weight.
@@ -65,7 +65,7 @@ class ProgramTrie {
     return true;
   }
 
-  std::size_t programs() const { return log_weights_.size(); }
+  std::size_t programs() const { return log_weights_.size(); }            // in the trie
   const std::vector<float>& log_weights() const { return log_weights_; }  // by program
   std::span<const Node> nodes() const { return nodes_; }                  // parents before children
 

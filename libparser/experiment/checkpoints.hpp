@@ -16,8 +16,8 @@ class Checkpoints {
   // cannot be used.
   Checkpoints(std::filesystem::path directory, const std::string& settings);
 
-  bool has(const std::string& name) const;
-  std::optional<std::string> find(const std::string& name) const;
+  bool has(const std::string& name) const;                         // is the part finished?
+  std::optional<std::string> find(const std::string& name) const;  // its bytes; nothing when it is not finished
   // From several threads at once, of different names. Throws ltl::FormatError when the file cannot be written.
   void keep(const std::string& name, const std::string& bytes) const;
 

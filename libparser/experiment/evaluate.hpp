@@ -27,19 +27,19 @@
 
 namespace waymark::parser {
 
-struct ConventionScores {
-  Percent absolute, relative;
+struct ConventionScores {      // under both conventions
+  Percent absolute, relative;  // shares
 };
 
 // Sets of nodes walked over, the start node left out.
 struct PathScores {
-  Percent precision, recall, accuracy;
+  Percent precision, recall, accuracy;  // of places on paths
   PathScores& operator+=(const PathScores& other);
 };
 
-struct Scores {
-  ConventionScores sentence, paragraph, unheard;
-  PathScores path, paragraph_path;     // under the absolute convention
+struct Scores {                                   // of one map or more
+  ConventionScores sentence, paragraph, unheard;  // as above; sentences that no training map has
+  PathScores path, paragraph_path;                // under the absolute convention
   Percent satisfiable;                 // sentences with a formula that can be satisfied on the map from their start
   std::size_t skipped_paragraphs = 0;  // unsegmented
   Scores& operator+=(const Scores& other);
@@ -51,19 +51,19 @@ using HeardSentences = std::set<std::vector<std::string>>;
 // One sentence that was tested: by itself, from its gold start, or in its paragraph, from where the one before it had
 // ended.
 struct Prediction {
-  std::string id, map;
-  Convention convention;
-  plan::PoseId start, gold_end;
-  Response answer;
+  std::string id, map;                        // of the sentence
+  Convention convention;                      // of its trajectory
+  plan::PoseId start, gold_end;               // poses
+  Response answer;                            // of the follower
   std::optional<std::string> paragraph = {};  // its id; nothing: by itself
 };
 
 struct Evaluation : ScoresByMap<Scores, Prediction> {  // without predictions of folds whose scores had been kept
   std::vector<Scores> singles;                         // of an ensemble: all folds of each member
-  double seconds = 0;
+  double seconds = 0;                                  // of training and testing
 };
 
-struct EvaluateOptions {
+struct EvaluateOptions {                  // what is compared
   TrainOptions train = {};                // its convention is ignored: both are trained and reported
   bool absolute = true, relative = true;  // which conventions to run
   bool actions = false;                   // the baseline without formulas instead of what `train` says

@@ -12,8 +12,9 @@
 
 namespace waymark::parser {
 
-struct Percent {  // a share of counted things
-  std::size_t hits = 0, total = 0;
+struct Percent {                    // a share of counted things
+  std::size_t hits = 0, total = 0;  // how many of how many
+  // Per cent; 0 of nothing.
   double value() const { return total == 0 ? 0 : 100.0 * static_cast<double>(hits) / static_cast<double>(total); }
   Percent& operator+=(Percent other) {
     hits += other.hits;
@@ -25,18 +26,19 @@ struct Percent {  // a share of counted things
 // Scores are sums of counts: they have +=, and {} is nothing counted.
 template <class Scores, class Prediction>
 struct Fold {
-  std::string map;  // tested on
-  Scores scores = {};
-  std::vector<Prediction> predictions = {};
+  std::string map;                           // tested on
+  Scores scores = {};                        // on that map
+  std::vector<Prediction> predictions = {};  // on that map
 };
 
+// Sums over folds.
 template <class Scores, class Prediction>
 struct ScoresByMap {
   std::map<std::string, Scores> folds;  // by the name of the map tested on
   Scores all;                           // weighted by counts
   std::vector<Prediction> predictions;  // in the order of the folds
 
-  void add(Fold<Scores, Prediction>&& fold) {
+  void add(Fold<Scores, Prediction>&& fold) {  // takes the predictions
     folds[fold.map] += fold.scores;
     all += fold.scores;
     predictions.insert(predictions.end(), std::make_move_iterator(fold.predictions.begin()),

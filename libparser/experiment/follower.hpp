@@ -8,8 +8,8 @@
 
 namespace waymark::parser {
 
-struct Response {
-  plan::PoseId end;
+struct Response {                     // where a route leads
+  plan::PoseId end;                   // of the route
   std::vector<plan::Action> actions;  // empty: stays where it is
   Program program;                    // what was read; empty when nothing was
   double probability = 0;             // that this is the end that is meant

@@ -12,17 +12,17 @@
 
 namespace waymark::parser {
 
-struct FormulaShare {
-  Percent same, equivalent;
+struct FormulaShare {        // hits among sentences
+  Percent same, equivalent;  // of sentences
 };
 
 struct FormulaScores {
-  FormulaShare all;
+  FormulaShare all;                                  // sentences together
   std::map<std::string, FormulaShare> by_construct;  // sequencing, avoidance, until, conditional, counting, single
-  std::map<std::size_t, FormulaShare> by_length;
+  std::map<std::size_t, FormulaShare> by_length;     // units of the gold program
 };
 
-class FormulaJudge {
+class FormulaJudge {  // compares with gold formulas
  public:
   FormulaJudge(const ltl::Vocabulary& vocabulary, Dialect dialect);
   ~FormulaJudge();

@@ -9,9 +9,9 @@
 
 namespace waymark::parser {
 
-struct Following {
-  Deciding deciding = {};
-  ParagraphOptions paragraph = {};
+struct Following {                  // how readings become routes
+  Deciding deciding = {};           // of one sentence
+  ParagraphOptions paragraph = {};  // of a paragraph
 };
 
 class GroundingFollower : public Follower {
@@ -26,11 +26,12 @@ class GroundingFollower : public Follower {
   // What a sentence comes to from one start: answers, of which the most probable first; probabilities sum to 1, or
   // there is none.
   struct Verdict {
-    std::vector<Response> answers;
-    double evidence = 0;  // of the start, up to one constant for each sentence
+    std::vector<Response> answers;  // best first
+    double evidence = 0;            // of the start, up to one constant for each sentence
   };
   using Readings = std::vector<std::vector<Weighed>>;  // by grounder
-  Readings read(const SentenceInput& input) const;
+  Readings read(const SentenceInput& input) const;     // of every grounder
+  // Of one start.
   Verdict judge(const Executor& executor, const SentenceInput& input, const Readings& readings,
                 plan::PoseId start) const;
 

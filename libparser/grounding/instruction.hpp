@@ -11,7 +11,7 @@
 namespace waymark::parser {
 
 struct Instruction {
-  std::string text;
+  std::string text;                       // the sentence
   std::optional<std::string> map;         // a name
   std::optional<std::string> start;       // "x,y,heading"
   std::optional<std::string> id, domain;  // of commands: a name of theirs; "cleanup", "osm:boston" …

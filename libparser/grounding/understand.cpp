@@ -13,6 +13,7 @@
 #include "libparser/domain/commands/command_reader.hpp"
 #include "libparser/domain/hallways/hallway_things.hpp"
 #include "libparser/grounding/direct_turns.hpp"
+#include "libparser/grounding/renamed_map.hpp"
 #include "libplan/plan_of.hpp"
 #include "libplan/world/observable_english.hpp"
 
@@ -119,6 +120,25 @@ void add(std::vector<Found>& all, Found found) {
     same->reading.probability += found.reading.probability;
 }
 
+// Programs are over the names that the model was trained on: on other maps, the text is read in those.
+std::vector<Reading> route_readings(const Grounder& grounder, const std::string& text, const Executor& executor,
+                                    std::span<const plan::PoseId> starts, ltl::Arena& arena,
+                                    const GroundOptions& options) {
+  const plan::Map& map = executor.map();
+  const ltl::Vocabulary& trained = grounder.ranking->language.vocabulary();
+  if (trained == map.vocabulary()) return ground(grounder, text, executor, starts, arena, options);
+  const LiftedReader& reader = *grounder.commands;
+  const HallwayThings things(map.vocabulary(), reader.mentions().synonyms.get());
+  const std::vector<std::string> tokens = tokenize(text);
+  const RenamedMap renamed(trained, map, tokens, find_mentions(tokens, things.things(), &reader.vectors()),
+                           things.things());
+  ltl::Arena in_trained_names(trained);
+  std::vector<Reading> readings =
+      ground(grounder, renamed.text(), Executor(renamed.map()), starts, in_trained_names, options);
+  for (Reading& r : readings) r.formula = renamed.in_own_names(r.formula, arena);
+  return readings;
+}
+
 }  // namespace
 
 Understanding understand(const Grounder& grounder, const std::string& text, const Executor& executor,
@@ -166,7 +186,7 @@ Understanding understand(const Grounder& grounder, const std::string& text, cons
   std::stable_sort(found.begin(), found.end(), likelier);
   std::vector<Found> programs;
   if (route > 0.05 * understood || found.empty())
-    for (Reading& r : ground(grounder, text, executor, starts, arena, options.ground)) {
+    for (Reading& r : route_readings(grounder, text, executor, starts, arena, options.ground)) {
       r.probability *= route;
       const ltl::Formula direct = with_direct_turns(r.formula);
       if (programs.size() < planned && direct != r.formula && !has_no_route(executor.map(), direct, starts))

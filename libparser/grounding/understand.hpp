@@ -12,19 +12,19 @@
 
 namespace waymark::parser {
 
-struct Understanding {
+struct Understanding {            // readings, or what was missing
   std::vector<Reading> readings;  // best first; empty: not understood
   double probability = 1;         // that the text was understood at all
   bool ongoing = false;           // the first reading speaks of what goes on for ever: read over infinite words
-  std::vector<std::string> words_not_understood;
-  std::optional<MissingName> missing;  // of a text that was not understood
+  std::vector<std::string> words_not_understood;  // of the text
+  std::optional<MissingName> missing;             // of a text that was not understood
 };
 
 inline constexpr double least_understood = 0.65;  // refuses 95 % of texts that are no instructions
 
-struct UnderstandOptions {
-  GroundOptions ground = {.one_an_end = true};
-  double least = least_understood;  // probability of having understood below which there is no reading
+struct UnderstandOptions {                      // how texts are read
+  GroundOptions ground = {.one_an_end = true};  // of route instructions
+  double least = least_understood;              // probability of having understood below which there is no reading
 };
 
 Understanding understand(const Grounder& grounder, const std::string& text, const Executor& executor,

@@ -14,11 +14,11 @@ namespace waymark::parser {
 // Which formulas: all, or one side of a split that is the same for every seed. One formula in five is held out.
 enum class Formulas : std::uint8_t { All, Known, HeldOut };
 
-struct GenerateOptions {
-  std::uint64_t seed = 1;
-  std::size_t paragraphs = 100;  // spread over the maps
-  std::size_t sentences = 4;     // of each paragraph
-  Dialect dialect = Dialect::Plain;
+struct GenerateOptions {                            // what is drawn
+  std::uint64_t seed = 1;                           // of all that is drawn
+  std::size_t paragraphs = 100;                     // spread over the maps
+  std::size_t sentences = 4;                        // of each paragraph
+  Dialect dialect = Dialect::Plain;                 // of the programs
   std::size_t least_clauses = 1, most_clauses = 2;  // of a sentence
   Formulas formulas = Formulas::All;
   JudgedLimits judged = {};  // trajectories beside that of each sentence (judge.hpp)

@@ -13,7 +13,7 @@
 namespace waymark::parser {
 
 struct JudgedLimits {
-  std::size_t refused = 0, also_good = 0;
+  std::size_t refused = 0, also_good = 0;  // how many of each kind
 };
 
 // Of a sentence whose meant program has the plan `gold` on the executor's map. Fewer where there are no more walks.

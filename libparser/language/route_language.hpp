@@ -17,16 +17,16 @@
 namespace waymark::parser {
 
 struct Saying {
-  std::string text;
-  Program program;
-  std::size_t clauses = 0;
+  std::string text;         // the sentence
+  Program program;          // that it says
+  std::size_t clauses = 0;  // joined in the sentence
 };
 
-class Speaker {
+class Speaker {  // draws sentences
  public:
   Speaker(const plan::Map& map, Dialect dialect, std::uint64_t seed);
-  Saying say(std::size_t clauses);
-  std::size_t below(std::size_t n) { return random_.below(n); }
+  Saying say(std::size_t clauses);                               // a sentence of so many clauses
+  std::size_t below(std::size_t n) { return random_.below(n); }  // uniform in 0 … n − 1
 
  private:
   Saying clause();

@@ -27,10 +27,10 @@ class SynchronousGrammar {
   // not there.
   explicit SynchronousGrammar(const std::filesystem::path& file);
 
-  struct Said {
+  struct Said {                       // a text with its formula
     std::vector<std::string> tokens;  // slots as "#1", "#2" …, by first mention
-    Lifted lifted;
-    std::size_t slots = 0;
+    Lifted lifted;                    // over the slots
+    std::size_t slots = 0;            // how many
   };
   // A text of a category. Texts of more than `most_tokens` tokens are drawn anew. Throws ltl::FormatError when there is
   // no such category, when it has no short texts, or when what was drawn has no complete formula.

@@ -21,8 +21,8 @@ struct Part {
   std::size_t number = 0;  // of a count
   friend auto operator<=>(const Part&, const Part&) = default;
 };
-Part thing(std::string name);
-Part count(std::size_t number);
+Part thing(std::string name);    // the part that a name stands for
+Part count(std::size_t number);  // the part that a number stands for
 
 // Things and counts, sorted and unique. A number is both: it counts, or names a place.
 std::vector<Part> mentions(const std::vector<std::string>& tokens);

@@ -13,7 +13,7 @@ namespace waymark::parser {
 
 class WordVectors {
  public:
-  static constexpr std::size_t dimensions = 100;
+  static constexpr std::size_t dimensions = 100;  // of each vector
 
   // The bytes must outlive the vectors. Throws ltl::FormatError when they are no vectors, or cut short.
   explicit WordVectors(std::string_view bytes, std::string_view source = "");
@@ -21,10 +21,10 @@ class WordVectors {
   static std::shared_ptr<const WordVectors> shared(std::shared_ptr<const void> owner, std::string_view bytes,
                                                    std::string_view source = "");
 
-  std::string_view bytes() const { return bytes_; }
+  std::string_view bytes() const { return bytes_; }  // the whole file
   std::size_t size() const { return ends_.size(); }
   std::optional<std::size_t> find(std::string_view word) const;  // its row, in O(log size)
-  std::string_view word(std::size_t row) const;
+  std::string_view word(std::size_t row) const;                  // row < size()
   // entries of the vector of a row: scale(row) * entries(row)[i]
   float scale(std::size_t row) const { return scales_[row]; }
   std::span<const std::int8_t> entries(std::size_t row) const { return entries_.subspan(row * dimensions, dimensions); }

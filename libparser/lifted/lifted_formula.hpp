@@ -22,7 +22,8 @@ namespace waymark::parser {
 // The propositions behind a lifted formula. `literal` is asked for a thing by itself (direction End) or with a
 // direction, and for events. None: nothing of the kind exists, and the formula has no meaning here.
 struct Bindings {
-  ltl::Arena* arena = nullptr;
+  ltl::Arena* arena = nullptr;  // of the formulas
+  // Nothing: the map has no such literal.
   std::function<std::optional<ltl::Formula>(LiftedSymbol direction, LiftedSymbol thing)> literal;
 };
 

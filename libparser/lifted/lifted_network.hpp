@@ -23,9 +23,9 @@ namespace waymark::parser {
 
 // A text whose mentions are slots: tokens "#1", "#2" …, numbered by first mention.
 struct LiftedText {
-  std::vector<std::string> tokens;
-  LiftedScope scope;
-  std::string domain;  // "" is unknown
+  std::vector<std::string> tokens;  // with slots as "#1", "#2" …
+  LiftedScope scope;                // what the formula may use
+  std::string domain;               // "" is unknown
 };
 
 // Left and right exchanged.
@@ -34,8 +34,8 @@ LiftedText mirrored(LiftedText text);
 // of the two only, and what it learns of one side holds for the other.
 bool is_read_in_mirror(const LiftedText& text);
 
-struct LiftedSizes {
-  std::int32_t word = 48, vector = 64, width = 96, query = 96, symbol = 32;
+struct LiftedSizes {                                                         // of the layers
+  std::int32_t word = 48, vector = 64, width = 96, query = 96, symbol = 32;  // widths
   friend bool operator==(const LiftedSizes&, const LiftedSizes&) = default;
 };
 
@@ -48,26 +48,27 @@ class LiftedNetwork {
   LiftedNetwork(WordTable words, std::shared_ptr<const WordVectors> vectors, const LiftedSizes& sizes,
                 const neural::Uniform& uniform);
 
-  struct Sentence {
-    std::vector<WordId> words;
+  struct Sentence {                      // a text as numbers
+    std::vector<WordId> words;           // of the table
     std::vector<std::uint32_t> vectors;  // rows of the vectors; vectors.size(): none
   };
-  Sentence sentence(const LiftedText& text) const;
+  Sentence sentence(const LiftedText& text) const;  // unknown words have number 0
 
   // What the decoder sees of a prefix.
   struct Prefix {
-    LiftedPrefix grammar;
+    LiftedPrefix grammar;                         // what may follow
     std::array<LiftedSymbol, remembered> last{};  // the latest first; End where there is none
-    Prefix after(LiftedSymbol s) const;
+    Prefix after(LiftedSymbol s) const;           // one symbol longer
   };
 
   const WordTable& words() const { return words_; }
-  const LiftedSizes& sizes() const { return sizes_; }
-  neural::Parameters& parameters() { return parameters_; }
-  const neural::Parameters& parameters() const { return parameters_; }
+  const LiftedSizes& sizes() const { return sizes_; }                   // of the layers
+  neural::Parameters& parameters() { return parameters_; }              // values and gradients
+  const neural::Parameters& parameters() const { return parameters_; }  // of the network
 
-  class Pass {
+  class Pass {  // of a batch through the network
    public:
+    // Of every sentence, once.
     void encode(const LiftedNetwork& network, const neural::Parameters& parameters,
                 std::span<const Sentence* const> sentences, const Dropout& dropout = {});
     // Prefixes of sentence s: [begin[s], begin[s + 1]). Scores: [symbols × prefixes].
@@ -112,9 +113,9 @@ class LiftedNetwork {
 void log_softmax(const neural::ConstView& scores, neural::Index column, const LiftedPrefix& prefix,
                  const LiftedScope& scope, std::span<float> log_p);
 
-struct LiftedReading {
-  Lifted lifted;
-  double log_probability = 0;
+struct LiftedReading {         // a formula that the text may mean
+  Lifted lifted;               // complete
+  double log_probability = 0;  // given the text
 };
 // The likeliest lifted formulas by a beam of that width, best first.
 std::vector<LiftedReading> read_lifted(const LiftedNetwork& network, const LiftedText& text, std::size_t beam);

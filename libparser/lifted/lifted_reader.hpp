@@ -30,7 +30,8 @@ class LiftedReader {
   const MentionModel& mentions() const { return mentions_; }
   std::span<const std::shared_ptr<const LiftedNetwork>> networks() const { return networks_; }
 
-  void write(WeightsWriter& out) const;
+  void write(WeightsWriter& out) const;  // the part of a model file
+  // Throws ltl::FormatError.
   static std::shared_ptr<const LiftedReader> read_from(WeightsReader& in, const std::shared_ptr<const void>& owner);
 
  private:

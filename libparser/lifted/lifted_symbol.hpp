@@ -82,14 +82,16 @@ enum class LiftedSymbol : std::uint8_t {
   Constant1,
   Constant16 = Constant1 + 15,
 };
-inline constexpr std::size_t lifted_symbols = static_cast<std::size_t>(LiftedSymbol::Constant16) + 1;
+inline constexpr std::size_t lifted_symbols = static_cast<std::size_t>(LiftedSymbol::Constant16) + 1;  // how many
 
 using Lifted = std::vector<LiftedSymbol>;  // a sequence in prefix form
 
+// Kinds of symbols.
 constexpr bool is_number(LiftedSymbol s) { return s >= LiftedSymbol::Number1 && s <= LiftedSymbol::Number9; }
 constexpr bool is_slot(LiftedSymbol s) { return s >= LiftedSymbol::Slot1 && s <= LiftedSymbol::Slot12; }
 constexpr bool is_constant(LiftedSymbol s) { return s >= LiftedSymbol::Constant1; }
 constexpr bool is_thing(LiftedSymbol s) { return s >= LiftedSymbol::Slot1; }  // a slot or a constant
+// Kinds of symbols.
 constexpr bool is_direction(LiftedSymbol s) { return s >= LiftedSymbol::Ahead && s <= LiftedSymbol::Along; }
 constexpr bool is_event(LiftedSymbol s) { return s >= LiftedSymbol::TurnedLeft && s <= LiftedSymbol::OpenRight; }
 constexpr bool is_action(LiftedSymbol s) { return s >= LiftedSymbol::TurnLeft && s <= LiftedSymbol::Nth; }
@@ -103,8 +105,8 @@ inline constexpr std::size_t any_number = 255;
 std::size_t operands_of(LiftedSymbol s);
 
 std::string name(LiftedSymbol s);  // "visit", "3" for Number3, "#3" for Slot3, "@3" for Constant3
-std::optional<LiftedSymbol> lifted_symbol(std::string_view name);
-std::string print(std::span<const LiftedSymbol> lifted);
+std::optional<LiftedSymbol> lifted_symbol(std::string_view name);  // nothing when there is none
+std::string print(std::span<const LiftedSymbol> lifted);           // names with blanks between them
 // Throws ltl::FormatError naming the word that is no symbol.
 Lifted parse_lifted(std::string_view text);
 
@@ -117,25 +119,25 @@ Lifted mirrored(Lifted lifted);
 
 // What may be said: how many slots and constants there are, and whether the domain is one where one turns and sees.
 struct LiftedScope {
-  std::size_t slots = 0, constants = 0;
-  bool spatial = false;
+  std::size_t slots = 0, constants = 0;  // how many of each
+  bool spatial = false;                  // directions may be used
 };
 
 // A prefix of a lifted formula while it is spelled: which operators wait for how many operands.
 class LiftedPrefix {
  public:
-  struct Frame {
-    LiftedSymbol symbol = LiftedSymbol::End;
-    std::uint8_t operands = 0;  // so far
+  struct Frame {                              // an operator that is open
+    LiftedSymbol symbol = LiftedSymbol::End;  // the operator
+    std::uint8_t operands = 0;                // so far
   };
-  static constexpr std::size_t most_levels = 12, most_symbols = 48;
+  static constexpr std::size_t most_levels = 12, most_symbols = 48;  // of one formula
 
-  bool allows(LiftedSymbol s, const LiftedScope& scope) const;
-  void append(LiftedSymbol s);  // an allowed one
-  bool ended() const { return length_ > 0 && frames_.empty(); }
-  std::span<const Frame> open() const { return frames_; }  // the outermost first
-  std::size_t length() const { return length_; }
-  std::uint32_t slots_used() const { return slots_used_; }  // bit n − 1: slot n
+  bool allows(LiftedSymbol s, const LiftedScope& scope) const;   // may the symbol stand here?
+  void append(LiftedSymbol s);                                   // an allowed one
+  bool ended() const { return length_ > 0 && frames_.empty(); }  // is the formula complete?
+  std::span<const Frame> open() const { return frames_; }        // the outermost first
+  std::size_t length() const { return length_; }                 // symbols so far
+  std::uint32_t slots_used() const { return slots_used_; }       // bit n − 1: slot n
 
  private:
   void close();  // an operand is complete: what has all its operands is complete too

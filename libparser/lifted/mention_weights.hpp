@@ -36,9 +36,10 @@ enum class MentionFeature : std::uint8_t {
   FollowsLink,     // "to", "visit" and the like stands before, or the text begins
   PrecedesLink,    // "and", "then" and the like, a mark, or the end of the text follows
 };
-inline constexpr std::size_t mention_features = static_cast<std::size_t>(MentionFeature::PrecedesLink) + 1;
+inline constexpr std::size_t mention_features = static_cast<std::size_t>(MentionFeature::PrecedesLink) + 1;  // how many
 
-using MentionVector = std::array<double, mention_features>;
+using MentionVector = std::array<double, mention_features>;  // a number for each feature
+// By feature.
 inline double& at(MentionVector& v, MentionFeature f) { return v[static_cast<std::size_t>(f)]; }
 inline double at(const MentionVector& v, MentionFeature f) { return v[static_cast<std::size_t>(f)]; }
 
@@ -66,8 +67,8 @@ constexpr MentionVector mention_weights_by_hand() {
   return w;
 }
 
-struct MentionModel {
-  MentionVector weights = mention_weights_by_hand();
+struct MentionModel {                                                             // what finds mentions
+  MentionVector weights = mention_weights_by_hand();                              // of the features
   std::shared_ptr<const Synonyms> synonyms = std::make_shared<const Synonyms>();  // never null
 };
 

@@ -17,7 +17,7 @@ struct NamedThing {
 
 struct Mention {
   std::size_t begin = 0, end = 0;  // in the tokens
-  std::size_t thing = 0;
+  std::size_t thing = 0;           // that is named
 };
 
 // The longest phrases from left to right; ties: the thing that stands first. A word of five letters or more also
@@ -26,8 +26,8 @@ struct Mention {
 std::vector<Mention> find_mentions(const std::vector<std::string>& tokens, const std::vector<NamedThing>& things,
                                    const WordVectors* words = nullptr);
 
-struct LiftedMentions {
-  LiftedText text;
+struct LiftedMentions {             // a text and its mentions
+  LiftedText text;                  // its mentions are slots
   std::vector<std::size_t> things;  // of slot 1, 2 …
 };
 // Mentions become slots; articles before them go, unless they stay. Names that stay follow their slots.

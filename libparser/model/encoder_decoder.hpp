@@ -34,19 +34,20 @@ class EncoderDecoder {
   // Words of the table are known, others are read as unknown. Draws the first weights.
   EncoderDecoder(TypedPostfix symbols, WordTable words, const NetworkOptions& options, const neural::Uniform& uniform);
 
-  const TypedPostfix& symbols() const { return symbols_; }
-  const NetworkOptions& options() const { return options_; }
-  const WordTable& words() const { return words_; }
-  neural::Parameters& parameters() { return parameters_; }
-  const neural::Parameters& parameters() const { return parameters_; }
+  const TypedPostfix& symbols() const { return symbols_; }              // that it writes
+  const NetworkOptions& options() const { return options_; }            // sizes of the layers
+  const WordTable& words() const { return words_; }                     // that it knows
+  neural::Parameters& parameters() { return parameters_; }              // values and gradients
+  const neural::Parameters& parameters() const { return parameters_; }  // of the network
 
-  NetworkSentence sentence(const SentenceInput& input) const;
-  History first_history() const;
-  static void remember(History& history, Symbol symbol);
+  NetworkSentence sentence(const SentenceInput& input) const;  // as numbers
+  History first_history() const;                               // before any symbol
+  static void remember(History& history, Symbol symbol);       // the symbol becomes the latest one
 
   // One pass over a batch, forwards and back. Memory is kept from pass to pass.
   class Pass {
    public:
+    // Of every sentence, once.
     void encode(const EncoderDecoder& network, const neural::Parameters& parameters,
                 std::span<const NetworkSentence* const> sentences, const Dropout& dropout = {});
     // Choices of sentence s: [begin[s], begin[s + 1]); one column of scores for each. After encode; may be repeated.

@@ -21,18 +21,18 @@ namespace waymark::parser {
 
 // Which kind of choice: a step begins, or the goal has one literal, or more.
 // The first steps have contexts of their own, later ones share the last; clauses are told apart as far as programs go.
-inline constexpr std::size_t choice_kinds = 3, choice_steps = 3;
+inline constexpr std::size_t choice_kinds = 3, choice_steps = 3;  // of contexts
 
 struct Choice {
-  std::uint8_t kind = 0, step = 0;
+  std::uint8_t kind = 0, step = 0;  // the context of a choice
   Token last = 0, before_last = 0;  // tokens of the prefix that were choices; 0 at its beginning
 };
-Choice first_choice();
-Choice choice_after(const PrefixState& state, const Choice& choice, Token taken);
+Choice first_choice();                                                             // at the beginning of a program
+Choice choice_after(const PrefixState& state, const Choice& choice, Token taken);  // when that token has been taken
 
-struct SentenceInput {
-  std::vector<std::string> tokens;
-  bool heading_unknown = false;
+struct SentenceInput {              // what a model is told of a sentence
+  std::vector<std::string> tokens;  // of the sentence
+  bool heading_unknown = false;     // of the start
 };
 
 // Keys of the features of a sentence, by (kind, step): everything but what depends on the last tokens.
@@ -47,6 +47,7 @@ SentenceFeatures sentence_features(const SentenceInput& input, WordTable& words,
 SentenceFeatures sentence_features(const SentenceInput& input, const WordTable& words,
                                    std::size_t steps = choice_steps);
 
+// Numbers of features.
 std::uint64_t last_token_feature(const Choice& choice);
 std::uint64_t last_two_tokens_feature(const Choice& choice);
 // Active for those tokens alone whose thing is mentioned: it weighs their direction and mentioning as such.

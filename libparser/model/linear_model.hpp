@@ -19,7 +19,7 @@ class WeightsReader;
 class WeightsWriter;
 
 struct LinearModel {
-  static constexpr std::uint16_t file_kind = 1;
+  static constexpr std::uint16_t file_kind = 1;  // in the header of a model file
   explicit LinearModel(const ProgramLanguage& programs) : language(programs), weights(language.columns().size()) {}
   explicit LinearModel(const ltl::Vocabulary& vocabulary, Dialect dialect = Dialect::Plain)
       : LinearModel(ProgramLanguage(vocabulary, dialect)) {}
@@ -27,9 +27,9 @@ struct LinearModel {
   static std::shared_ptr<const LinearModel> read(WeightsReader& in, const RankingModel& ranking);
   void write(WeightsWriter& out, double threshold) const;
 
-  ProgramLanguage language;
-  WordTable words;
-  WeightTable weights;  // (sentence, prefix) → a score for every token
+  ProgramLanguage language;  // of its programs
+  WordTable words;           // that it knows
+  WeightTable weights;       // (sentence, prefix) → a score for every token
 };
 
 }  // namespace waymark::parser

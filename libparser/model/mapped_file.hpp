@@ -19,7 +19,7 @@ class MappedFile {
   MappedFile(const MappedFile&) = delete;
   MappedFile& operator=(const MappedFile&) = delete;
 
-  std::string_view bytes() const { return bytes_; }
+  std::string_view bytes() const { return bytes_; }  // valid as long as the object
 
  private:
   void copy(std::string_view bytes);

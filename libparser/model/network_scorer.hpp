@@ -13,7 +13,7 @@ namespace waymark::parser {
 
 // What may follow a prefix.
 struct ChoiceMask {
-  std::vector<Symbol> allowed;
+  std::vector<Symbol> allowed;   // ascending
   std::optional<Symbol> forced;  // the only one, when there is just one
 };
 
@@ -21,8 +21,8 @@ struct ChoiceMask {
 class ChoiceMasks {
  public:
   explicit ChoiceMasks(const TypedPostfix& symbols) : symbols_(&symbols) {}
-  const TypedPostfix& symbols() const { return *symbols_; }
-  const ChoiceMask& of(const TypedState& state);
+  const TypedPostfix& symbols() const { return *symbols_; }  // of the network
+  const ChoiceMask& of(const TypedState& state);             // of a state of the grammar; made when first asked for
   std::size_t size() const { return made_.size(); }
 
  private:
@@ -36,10 +36,10 @@ void log_softmax(const neural::ConstView& scores, neural::Index column, const Ch
 
 // A prefix of a program, as the network sees it.
 struct NetworkPrefix {
-  TypedState state;
-  History history;
-  const ChoiceMask* mask;
-  bool ended() const { return state.prefix.ended; }
+  TypedState state;                                  // of the grammar
+  History history;                                   // the last symbols
+  const ChoiceMask* mask;                            // of the symbols that may follow
+  bool ended() const { return state.prefix.ended; }  // is the program complete?
 };
 
 // Prefixes of the network: what follows them of necessity is taken with each symbol. Network and masks must outlive it.
@@ -47,7 +47,7 @@ class NetworkPrefixes {
  public:
   using Prefix = NetworkPrefix;
   NetworkPrefixes(const EncoderDecoder& network, ChoiceMasks& masks) : network_(&network), masks_(&masks) {}
-  Prefix first() const { return {{}, network_->first_history(), &masks_->of({})}; }
+  Prefix first() const { return {{}, network_->first_history(), &masks_->of({})}; }  // the empty one
   // Appends the symbols that were taken.
   Prefix after(const Prefix& prefix, Symbol symbol, std::vector<Symbol>& taken) const;
   std::vector<Symbol> tokens_of(const Program& program) const { return masks_->symbols().symbols_of(program); }
@@ -66,7 +66,7 @@ class NetworkScorer {
   // Network, sentence and masks must outlive it. Masks that are there already make no difference but for time.
   NetworkScorer(const EncoderDecoder& network, const NetworkSentence& sentence, ChoiceMasks& masks);
 
-  NetworkPrefixes prefixes() const { return {*network_, *masks_}; }
+  NetworkPrefixes prefixes() const { return {*network_, *masks_}; }  // with the masks of this scorer
   // visit(i, symbol, log p(symbol | batch[i], sentence)) for every symbol that may follow.
   template <class Visit>
   void log_p(std::span<const Prefix* const> batch, const Visit& visit) {

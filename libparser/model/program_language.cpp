@@ -55,7 +55,8 @@ ProgramLanguage::ProgramLanguage(const ltl::Vocabulary& vocabulary, PostfixGramm
 
 void ProgramLanguage::check_vocabulary(const ltl::Vocabulary& vocabulary, std::string_view whose) const {
   if (vocabulary == vocabulary_) return;
-  std::string message = "the model was trained on another vocabulary than that of " + std::string(whose) + ": ";
+  const std::string message = "the model was trained on other names than those of " + std::string(whose) +
+                              " (waymark train makes one for these): ";
   for (const std::string& name : vocabulary_.names()) {
     if (vocabulary.find(name)) continue;
     throw ltl::FormatError("", 0, 0, message + "'" + name + "' is missing there");

@@ -15,12 +15,12 @@ namespace waymark::parser {
 // Columns of a matrix of weights: tokens, then their parts. The literal ahead_chair has the parts `ahead`, `chair`.
 struct Columns {
   Columns(const PostfixGrammar& grammar, const std::vector<plan::Observable>& observables);
-  std::size_t tokens = 0;
+  std::size_t tokens = 0;                       // how many
   std::uint16_t mention = 0;                    // the column that weighs being mentioned
   std::vector<std::uint16_t> direction, thing;  // of each token: columns ≥ tokens
   std::vector<Part> parts;                      // the columns from `tokens` on
   std::size_t size() const { return tokens + parts.size(); }
-  const Part& part(std::uint16_t column) const { return parts[column - tokens]; }
+  const Part& part(std::uint16_t column) const { return parts[column - tokens]; }  // of a column behind the tokens
 };
 
 class ProgramLanguage {
@@ -30,11 +30,11 @@ class ProgramLanguage {
   explicit ProgramLanguage(const ltl::Vocabulary& vocabulary, Dialect dialect = Dialect::Plain)
       : ProgramLanguage(vocabulary, PostfixGrammar::limits_of(dialect)) {}
 
-  const ltl::Vocabulary& vocabulary() const { return vocabulary_; }
+  const ltl::Vocabulary& vocabulary() const { return vocabulary_; }                  // of the propositions
   const std::vector<plan::Observable>& observables() const { return observables_; }  // by proposition
-  const PostfixGrammar& grammar() const { return grammar_; }
-  const Columns& columns() const { return columns_; }
-  Dialect dialect() const { return grammar_.limits().dialect; }
+  const PostfixGrammar& grammar() const { return grammar_; }                         // of the programs
+  const Columns& columns() const { return columns_; }                                // of the weights
+  Dialect dialect() const { return grammar_.limits().dialect; }                      // of the programs
   // How many steps a program has at most.
   std::size_t steps() const { return static_cast<std::size_t>(grammar_.limits().steps); }
 

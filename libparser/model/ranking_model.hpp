@@ -10,8 +10,8 @@ struct RankingModel {
   explicit RankingModel(const ltl::Vocabulary& vocabulary, Dialect dialect = Dialect::Plain)
       : language(vocabulary, dialect) {}
 
-  ProgramLanguage language;
-  WordTable words;
+  ProgramLanguage language;         // of the word model
+  WordTable words;                  // that features may name
   WeightTable reranker{1};          // (sentence, route) → one score; empty: ends are chosen by probability alone
   WeightTable start_pose_model{1};  // the same, of where a sentence is said; empty: anywhere
 };

@@ -18,9 +18,9 @@ namespace waymark::parser {
 
 // A prefix of a program, as the linear model sees it.
 struct LinearPrefix {
-  PrefixState state;
-  Choice choice;
-  bool ended() const { return state.ended; }
+  PrefixState state;                          // of the grammar
+  Choice choice;                              // the context of the next token
+  bool ended() const { return state.ended; }  // is the program complete?
 };
 
 // Prefixes of the linear model: what follows them of necessity is taken with each token. The grammar must outlive it.
@@ -28,7 +28,7 @@ class LinearPrefixes {
  public:
   using Prefix = LinearPrefix;
   explicit LinearPrefixes(const PostfixGrammar& grammar) : grammar_(&grammar) {}
-  Prefix first() const { return {{}, first_choice()}; }
+  Prefix first() const { return {{}, first_choice()}; }  // the empty one
   // Appends the tokens that were taken.
   Prefix after(const Prefix& prefix, Token token, std::vector<Token>& taken) const;
   TokenRanges choices(const Prefix& prefix) const { return grammar_->choices(prefix.state); }
@@ -42,8 +42,8 @@ class LinearPrefixes {
 class Scorer {
  public:
   using Prefix = LinearPrefix;
-  static constexpr std::size_t at_once = 1;  // prefixes that the search gives to log_p together
-  using GroupIds = std::array<std::uint32_t, 4>;
+  static constexpr std::size_t at_once = 1;       // prefixes that the search gives to log_p together
+  using GroupIds = std::array<std::uint32_t, 4>;  // rows of weights that choices share
 
   // The model must outlive the scorer.
   explicit Scorer(const LinearModel& model);
@@ -51,8 +51,8 @@ class Scorer {
   // For another sentence. The features must outlive their use here.
   void begin(const SentenceFeatures& features);
 
-  std::size_t tokens() const { return model_->language.columns().tokens; }
-  LinearPrefixes prefixes() const { return LinearPrefixes(model_->language.grammar()); }
+  std::size_t tokens() const { return model_->language.columns().tokens; }                // of the language
+  LinearPrefixes prefixes() const { return LinearPrefixes(model_->language.grammar()); }  // of the language
   // visit(i, token, log p(token | batch[i], sentence)) for every token that may follow.
   template <class Visit>
   void log_p(std::span<const Prefix* const> batch, const Visit& visit) {
@@ -101,6 +101,7 @@ class Scorer {
   std::vector<float> buffer_;  // [columns]
 };
 
+// Calls use(scorer).
 template <class Use>
 auto with_scorer(const LinearModel& model, const SentenceInput& input, const Use& use) {
   const SentenceFeatures features = sentence_features(input, model.words, model.language.steps());

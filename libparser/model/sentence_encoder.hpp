@@ -12,7 +12,7 @@ namespace waymark::parser {
 // What a pass in training leaves out at random; nothing otherwise.
 struct Dropout {
   double signals = 0, words = 0;  // of embeddings and h; of words but the first, read as unknown
-  neural::Uniform uniform = {};
+  neural::Uniform uniform = {};   // draws what is dropped
 };
 
 class SentenceEncoder {
@@ -27,6 +27,7 @@ class SentenceEncoder {
   // One pass over a batch, forwards and back. Memory is kept from pass to pass.
   class Pass {
    public:
+    // Of a batch; fills h and e.
     void forward(const SentenceEncoder& encoder, const neural::Parameters& parameters,
                  std::span<const Words* const> sentences, const Dropout& dropout);
     // After `forward`: adds to the gradients.

@@ -16,12 +16,12 @@
 
 namespace waymark::parser {
 
-using Symbol = std::uint16_t;
+using Symbol = std::uint16_t;  // a number of the language
 
-struct TypedState {
-  static constexpr Symbol nothing = UINT16_MAX;
-  PrefixState prefix;
-  Symbol thing = nothing;  // waits for its direction
+struct TypedState {                              // of a prefix
+  static constexpr Symbol nothing = UINT16_MAX;  // no thing waits
+  PrefixState prefix;                            // of the program
+  Symbol thing = nothing;                        // waits for its direction
   friend bool operator==(const TypedState&, const TypedState&) = default;
 };
 
@@ -29,8 +29,8 @@ class TypedPostfix {
  public:
   explicit TypedPostfix(const ProgramLanguage& language);  // copies what it needs
 
-  std::size_t symbols() const { return names_.size(); }
-  const std::string& name(Symbol symbol) const { return names_[symbol]; }
+  std::size_t symbols() const { return names_.size(); }                    // how many
+  const std::string& name(Symbol symbol) const { return names_[symbol]; }  // as shown by explanations
   Symbol find(const Part& part) const;  // of a thing or direction; symbols() when there is none
 
   std::vector<bool> allowed(const TypedState& state) const;  // by symbol
@@ -43,7 +43,7 @@ class TypedPostfix {
 
   std::vector<Symbol> symbols_of(const Program& program) const;  // throws as PostfixGrammar::tokens_of
   Program program_of(std::span<const Symbol> symbols) const;     // of a complete sequence
-  const PostfixGrammar& grammar() const { return grammar_; }
+  const PostfixGrammar& grammar() const { return grammar_; }     // of the programs
 
  private:
   Token literal(Symbol thing, Symbol direction) const;  // PostfixGrammar::end when there is none

@@ -25,22 +25,22 @@ inline std::uint64_t take_leb128(const char*& at) {
 }
 
 std::uint16_t half_of(float value);  // binary16, rounded to nearest; magnitudes beyond 65,504 saturate
-float float_of(std::uint16_t half);
+float float_of(std::uint16_t half);  // exact
 
 // Rows by ascending feature, in blocks of sixteen; layout: docs/formats/corpus-and-models.md. Looked up where they lie.
 // What it is given must have been checked (WeightsReader::table).
 struct StoredRows {
-  static constexpr std::size_t block = 16;
-  std::shared_ptr<const MappedFile> file;
-  std::size_t rows = 0;
-  std::span<const std::uint64_t> last;  // of each block: its last feature
-  std::span<const std::uint32_t> end;   // of each block: where its bytes end
-  std::string_view bytes;
+  static constexpr std::size_t block = 16;  // rows of a block
+  std::shared_ptr<const MappedFile> file;   // that holds the rows
+  std::size_t rows = 0;                     // how many
+  std::span<const std::uint64_t> last;      // of each block: its last feature
+  std::span<const std::uint32_t> end;       // of each block: where its bytes end
+  std::string_view bytes;                   // of the rows
 };
 
 // A row of one table: its number while the table is learned, else where its weights begin among the bytes.
 struct WeightRow {
-  std::uint32_t index = 0;
+  std::uint32_t index = 0;  // in the table
   friend bool operator==(WeightRow, WeightRow) = default;
 };
 
@@ -50,17 +50,17 @@ class WeightTable {
   explicit WeightTable(std::size_t columns) : columns_(columns) {}
   WeightTable(std::size_t columns, StoredRows stored) : columns_(columns), stored_(std::move(stored)) {}
 
-  std::size_t columns() const { return columns_; }
-  std::size_t rows() const { return is_stored() ? stored_.rows : keys_.size(); }
-  std::optional<WeightRow> find(std::uint64_t feature) const;  // O(log rows) when stored
+  std::size_t columns() const { return columns_; }                                // weights of a row
+  std::size_t rows() const { return is_stored() ? stored_.rows : keys_.size(); }  // how many
+  std::optional<WeightRow> find(std::uint64_t feature) const;                     // O(log rows) when stored
   // The same. `near` is where the last search ended, at first 0: features in ascending order are found sooner.
   std::optional<WeightRow> find(std::uint64_t feature, std::size_t& near) const;
   WeightRow add(std::uint64_t feature);  // learned tables alone; a new row is zero
   // columns() floats of a learned table, whose rows are numbered in the order of their first use.
   float* row(WeightRow r) { return weights_.data() + r.index * columns_; }
 
-  float weight(WeightRow r, std::size_t column) const;
-  void add_to(WeightRow r, float* sums) const;  // sums: [columns()]
+  float weight(WeightRow r, std::size_t column) const;  // as it is stored
+  void add_to(WeightRow r, float* sums) const;          // sums: [columns()]
   // visit(feature, column, weight) for every weight that is not zero.
   template <class Visit>
   void each(const Visit& visit) const {

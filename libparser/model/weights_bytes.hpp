@@ -20,16 +20,16 @@ namespace waymark::parser {
 
 // What a model file says of itself first.
 struct ModelHeader {
-  static constexpr std::uint32_t version = 15;
-  std::uint16_t kind = 0;  // `file_kind` of the word model
-  Dialect dialect = Dialect::Plain;
+  static constexpr std::uint32_t version = 15;  // others are refused
+  std::uint16_t kind = 0;                       // `file_kind` of the word model
+  Dialect dialect = Dialect::Plain;             // of the programs
 };
 
-class WeightsWriter {
+class WeightsWriter {  // of one model file
  public:
   explicit WeightsWriter(const ModelHeader& header);  // begins the file
 
-  void number(std::uint64_t value);
+  void number(std::uint64_t value);  // eight bytes
   // The number of elements, the elements, and zeros up to a multiple of eight bytes.
   template <class T>
   void list(const T& elements) {
@@ -53,8 +53,8 @@ class WeightsReader {
   // Checks what stands around: that it is a model file, of this version, whole and unaltered.
   WeightsReader(std::shared_ptr<const MappedFile> file, std::string_view source);
 
-  const ModelHeader& header() const { return header_; }
-  std::uint64_t number();
+  const ModelHeader& header() const { return header_; }  // of the file
+  std::uint64_t number();                                // eight bytes
   template <class T>
   std::span<const T> list() {  // where it lies
     const std::uint64_t n = number();
@@ -63,14 +63,14 @@ class WeightsReader {
     at_ += (n * sizeof(T) + 7) / 8 * 8;
     return {static_cast<const T*>(first), n};
   }
-  std::vector<std::string> strings();
-  ltl::Vocabulary vocabulary();
-  WordTable words();
-  WeightTable table(std::size_t columns);  // of rows that stay where they lie
-  void floats(std::span<float> values);    // as many as there are, all of them finite
-  std::size_t left() const { return bytes_.size() - at_; }
-  void end() const;  // nothing may follow
-  [[noreturn]] void fail(const std::string& message) const;
+  std::vector<std::string> strings();                        // a list of texts
+  ltl::Vocabulary vocabulary();                              // a list of names
+  WordTable words();                                         // a list of words
+  WeightTable table(std::size_t columns);                    // of rows that stay where they lie
+  void floats(std::span<float> values);                      // as many as there are, all of them finite
+  std::size_t left() const { return bytes_.size() - at_; }   // bytes to read
+  void end() const;                                          // nothing may follow
+  [[noreturn]] void fail(const std::string& message) const;  // throws ltl::FormatError
 
  private:
   void check_rows(const StoredRows& stored, std::size_t columns) const;

@@ -51,8 +51,9 @@ concept ReadsSentences = requires(const M& model, const SentenceInput& input, We
   { with_scorer(model, input, AnyUse()) } -> std::same_as<bool>;
 };
 
+// One of these models, shared.
 template <ReadsSentences... Models>
 using OneOf = std::variant<std::shared_ptr<const Models>...>;
-using WordModel = OneOf<LinearModel, NetworkModel>;
+using WordModel = OneOf<LinearModel, NetworkModel>;  // every word model
 
 }  // namespace waymark::parser

@@ -9,8 +9,8 @@
 
 namespace waymark::parser {
 
-struct WordId {
-  std::uint32_t index = 0;
+struct WordId {             // a word of one table
+  std::uint32_t index = 0;  // its number
   friend auto operator<=>(const WordId&, const WordId&) = default;
 };
 
@@ -18,9 +18,9 @@ class WordTable {
  public:
   static constexpr WordId unknown{0}, begin{1}, end{2};  // of a sentence; ordinary words from 3 on
   WordTable();
-  WordId find(std::string_view word) const;  // `unknown` when it is not in the table
-  WordId add(std::string_view word);
-  const std::vector<std::string>& words() const { return words_; }
+  WordId find(std::string_view word) const;                         // `unknown` when it is not in the table
+  WordId add(std::string_view word);                                // its number, new or not
+  const std::vector<std::string>& words() const { return words_; }  // by number
 
  private:
   std::vector<std::string> words_;

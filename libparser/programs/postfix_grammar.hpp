@@ -24,9 +24,9 @@
 
 namespace waymark::parser {
 
-using Token = std::uint16_t;
+using Token = std::uint16_t;  // a number of the grammar
 
-enum class Dialect : std::uint8_t { Plain, Temporal };
+enum class Dialect : std::uint8_t { Plain, Temporal };  // which operators there are
 
 // A prefix, as far as the grammar can tell: its stack and what canonical order still allows.
 struct PrefixState {
@@ -40,16 +40,17 @@ struct PrefixState {
   bool turns = false;              // the open goal names an event of turning
   bool oriented = false;           // the last step is `orient`
   bool stayed = false;             // the first step is `stay`
-  bool ended = false;
+  bool ended = false;              // the program is complete
   friend bool operator==(const PrefixState&, const PrefixState&) = default;
 };
 
 // Tokens that may follow a prefix, as up to three ranges of token numbers; empty ranges at the end.
 struct TokenRanges {
-  struct Range {
-    Token begin = 0, end = 0;
+  struct Range {               // tokens of one kind
+    Token begin = 0, end = 0;  // tokens [begin, end)
   };
-  std::array<Range, 3> ranges{};
+  std::array<Range, 3> ranges{};  // some may be empty
+  // Visits every token.
   template <class Visit>
   void each(Visit&& visit) const {
     for (const Range& r : ranges)
@@ -59,31 +60,35 @@ struct TokenRanges {
 
 class PostfixGrammar {
  public:
+  // The tokens that every grammar has.
   static constexpr Token end = 0, then = 1, both = 2, stay = 3, orient = 4, reach = 5, advance = 6, next = 7, face = 8;
-  static constexpr Token first_forward = 9;  // forward_1
-  static constexpr int max_forward = 8;
-  static constexpr Token first_literal = first_forward + max_forward;
+  static constexpr Token first_forward = 9;                            // forward_1
+  static constexpr int max_forward = 8;                                // moves of one token
+  static constexpr Token first_literal = first_forward + max_forward;  // literals follow the other tokens
 
   static constexpr int max_advance = 3;  // advance_k
 
-  struct Limits {
-    int steps = 3;  // besides `orient`
-    int goals = 2;  // literals of one goal, ≤ Step::max_goals
-    Dialect dialect = Dialect::Plain;
+  struct Limits {                      // of programs
+    int steps = 3;                     // besides `orient`
+    int goals = 2;                     // literals of one goal, ≤ Step::max_goals
+    Dialect dialect = Dialect::Plain;  // of programs
   };
+  // That models are trained with.
   static constexpr Limits limits_of(Dialect dialect) { return {dialect == Dialect::Plain ? 3 : 12, 2, dialect}; }
 
   explicit PostfixGrammar(const ltl::Vocabulary& vocabulary, Dialect dialect = Dialect::Plain);
   PostfixGrammar(const ltl::Vocabulary& vocabulary, Limits limits);
-  const Limits& limits() const { return limits_; }
+  const Limits& limits() const { return limits_; }  // of programs
 
-  std::size_t tokens() const { return names_.size(); }
+  std::size_t tokens() const { return names_.size(); }  // how many
+  // Is the token a literal?
   bool is_literal(Token token) const { return token >= first_literal && token < end_of_literals_; }
-  Token end_of_literals() const { return end_of_literals_; }  // operators of the temporal dialect follow
-  const std::string& name(Token token) const { return names_[token]; }
+  Token end_of_literals() const { return end_of_literals_; }            // operators of the temporal dialect follow
+  const std::string& name(Token token) const { return names_[token]; }  // as shown by explanations
+  // The token of the proposition.
   static Token literal(std::uint16_t proposition) { return static_cast<Token>(first_literal + proposition); }
 
-  bool allowed(const PrefixState& state, Token token) const;
+  bool allowed(const PrefixState& state, Token token) const;  // may the token stand here?
   // The same for all tokens of a choice: a superset that differs only in literals that are not usable.
   TokenRanges choices(const PrefixState& state) const;
   PrefixState after(const PrefixState& state, Token token) const;  // of an allowed token
@@ -92,7 +97,7 @@ class PostfixGrammar {
   // Of a step whose literals stand before it. The last token there is, plus one, when this dialect has none.
   Token token_of(const Step& step) const;
 
-  bool contains(const Program& program) const;
+  bool contains(const Program& program) const;                 // can the grammar write the program?
   std::vector<Token> tokens_of(const Program& program) const;  // ends in `end`; throws std::invalid_argument
                                                                // when the program is not in the language
   Program program_of(std::span<const Token> tokens) const;     // of a complete sequence

@@ -43,19 +43,19 @@ enum class StepKind : std::uint8_t {
   Whether
 };
 
-struct Step {
-  static constexpr std::size_t max_goals = 3;
-  StepKind kind = StepKind::Stay;
+struct Step {                                   // one step
+  static constexpr std::size_t max_goals = 3;   // literals of one goal
+  StepKind kind = StepKind::Stay;               // of the step
   std::uint8_t count = 0;                       // moves of Forward; k of advance_k, k ≥ 2; otherwise 0
   std::uint8_t goals = 0;                       // literals of g, at least one for Reach … Past, one for functions
   std::array<std::uint16_t, max_goals> goal{};  // proposition indices, ascending; unused ones 0
 
-  std::span<const std::uint16_t> literals() const { return {goal.data(), goals}; }
-  std::size_t times() const { return count > 1 ? count : 1; }  // of Advance
+  std::span<const std::uint16_t> literals() const { return {goal.data(), goals}; }  // of the goal
+  std::size_t times() const { return count > 1 ? count : 1; }                       // of Advance
   friend auto operator<=>(const Step&, const Step&) = default;
 };
 
-using Program = std::vector<Step>;
+using Program = std::vector<Step>;  // steps joined by `then`
 
 // How many steps a function applies to; 0 for every other step.
 constexpr std::size_t operands(StepKind kind) {

@@ -22,8 +22,8 @@ struct ParagraphOptions {
 
 // What a sentence comes to from one start: ends, probabilities that sum to 1, the most probable first; none: it stays.
 struct TransitionDistribution {
-  std::vector<std::pair<plan::PoseId, double>> ends;
-  double evidence = 0;  // log p(start | sentence) up to one constant for each sentence
+  std::vector<std::pair<plan::PoseId, double>> ends;  // likeliest first
+  double evidence = 0;                                // log p(start | sentence) up to one constant for each sentence
 };
 
 // The poses of the result after each sentence. first: the distribution after sentence 0, not empty. later(k, start):

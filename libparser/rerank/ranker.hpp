@@ -12,14 +12,14 @@
 namespace waymark::parser {
 
 struct WeightedFeature {
-  std::uint64_t key;
-  float value;
+  std::uint64_t key;  // a number of the feature
+  float value;        // of the feature
 };
 
 // Features of all candidates of one decision. Features that several candidates share are listed and weighted once, as a
 // bundle.
 struct CandidateFeatures {
-  std::vector<std::vector<WeightedFeature>> bundles;
+  std::vector<std::vector<WeightedFeature>> bundles;   // features that candidates share
   std::vector<std::vector<std::uint32_t>> candidates;  // bundles of each; one may count twice
 };
 

@@ -14,12 +14,12 @@
 namespace waymark::parser {
 
 struct Example {
-  SentenceInput input;
-  std::size_t map = 0;  // index of its map
-  GoldRoute gold;
+  SentenceInput input;                                      // what a model is told
+  std::size_t map = 0;                                      // index of its map
+  GoldRoute gold;                                           // that people took
   std::shared_ptr<const std::vector<Consistent>> programs;  // shared by equal routes on one map
   std::size_t paragraph = 0, position = 0;                  // index in the corpus, and of the sentence in it
-  Judged judged = {};
+  Judged judged = {};                                       // trajectories with a verdict
 };
 
 // Does the second follow the first in its paragraph, from where the first ended?
@@ -28,8 +28,8 @@ inline bool goes_on(const Example& first, const Example& second) {
          first.gold.end == second.gold.start;
 }
 
-struct Examples {
-  std::vector<Example> sentences;
+struct Examples {                      // a corpus that is ready
+  std::vector<Example> sentences;      // in the order of the corpus
   std::vector<std::size_t> paragraph;  // of each sentence: index in the corpus
   std::vector<std::string> ids;        // of each sentence
 };

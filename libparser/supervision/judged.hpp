@@ -10,7 +10,7 @@
 namespace waymark::parser {
 
 struct Judged {
-  std::vector<plan::Trajectory> good, refused;
+  std::vector<plan::Trajectory> good, refused;  // with their starts
   bool empty() const { return good.empty() && refused.empty(); }
 };
 

@@ -15,9 +15,10 @@ class RoutePositions {
   static constexpr std::size_t most = 63;  // actions of a route; must not be more
   RoutePositions(const Executor& executor, const GoldRoute& route);
 
-  static Positions first() { return 1; }
+  static Positions first() { return 1; }  // the start alone
+  // Is the end of the route among them?
   bool ends(Positions at) const { return (at >> (letters_.size() - 1) & 1U) != 0; }
-  Positions where(Positions at, std::uint16_t proposition) const;
+  Positions where(Positions at, std::uint16_t proposition) const;  // those at which the proposition holds
   // Of a step (not a function) that is owed at one of these positions; guard: `without` or `keep`, of `reach`.
   Positions after(Positions at, const Step& step, const Step* guard = nullptr) const;
 

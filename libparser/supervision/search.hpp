@@ -16,17 +16,18 @@
 namespace waymark::parser {
 
 struct Consistent {
-  Program program;
+  Program program;          // that is consistent
   bool same_route = false;  // its plan is the gold route, not just one with the same end
 };
 
-struct GoldRoute {
-  plan::PoseId start, end;
-  std::vector<plan::Action> actions;
-  bool heading_unknown = false;
+struct GoldRoute {                    // the trajectory of a sentence
+  plan::PoseId start, end;            // poses
+  std::vector<plan::Action> actions;  // between them
+  bool heading_unknown = false;       // of the start
   friend auto operator<=>(const GoldRoute&, const GoldRoute&) = default;
 };
 
+// Each program once.
 std::vector<Consistent> consistent_programs(const Executor& executor, const PostfixGrammar& grammar,
                                             const GoldRoute& gold);
 

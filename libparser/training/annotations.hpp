@@ -12,17 +12,17 @@
 namespace waymark::parser {
 
 struct Annotation {
-  std::string text;
-  Program program;
+  std::string text;      // the sentence
+  Program program;       // that denotes the formula
   std::string formula;   // as it stands in the file
   std::size_t line = 0;  // counts from 1
 };
 
-struct Annotations {
-  std::vector<Annotation> pairs;
-  struct Refused {
-    std::size_t line;
-    std::string reason;
+struct Annotations {              // the lines of a file
+  std::vector<Annotation> pairs;  // that are learned from
+  struct Refused {                // a line that is left out
+    std::size_t line;             // from 1
+    std::string reason;           // in words
   };
   std::vector<Refused> refused;  // lines whose formula is none, or no program of the dialect
 };

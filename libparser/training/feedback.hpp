@@ -22,8 +22,8 @@ class Feedback {
   Feedback(std::span<const Executor> executors, FeedbackKind kind, Then then, std::uint64_t seed)
       : executors_(executors), kind_(kind), then_(then), seed_(seed) {}
 
-  double of(const Program& program, const Example& example);
-  const Executor& executor(const Example& example) const { return executors_[example.map]; }
+  double of(const Program& program, const Example& example);  // of the program for this sentence
+  const Executor& executor(const Example& example) const { return executors_[example.map]; }  // of the sentence's map
 
  private:
   struct Words {

@@ -20,28 +20,28 @@ namespace waymark::parser {
 
 enum class ReaderKind : std::uint8_t { Linear, EncoderDecoder };
 
-struct TrainOptions {
-  ReaderKind reader = ReaderKind::Linear;
-  Dialect dialect = Dialect::Plain;  // of the programs
-  NetworkTraining network = {};      // of the encoder-decoder
-  std::uint64_t seed = 1;
-  int epochs = 6;
-  int threads = 2;
-  Convention convention = Convention::Absolute;
-  Then then = Then::WholePlan;  // the meaning of `then` while training and deciding
-  double learning_rate = 0.03;  // Adagrad
-  double decay = 1e-2;          // L2, per update of a row
-  double mention = 4.0;         // first weight of naming what the sentence mentions
-  double other_route = 0.3;     // weight of a consistent program whose route is not the gold one
+struct TrainOptions {                            // how a model is trained
+  ReaderKind reader = ReaderKind::Linear;        // which word model
+  Dialect dialect = Dialect::Plain;              // of the programs
+  NetworkTraining network = {};                  // of the encoder-decoder
+  std::uint64_t seed = 1;                        // of all randomness
+  int epochs = 6;                                // of the linear model
+  int threads = 2;                               // no influence on the result
+  Convention convention = Convention::Absolute;  // of unknown headings
+  Then then = Then::WholePlan;                   // the meaning of `then` while training and deciding
+  double learning_rate = 0.03;                   // Adagrad
+  double decay = 1e-2;                           // L2, per update of a row
+  double mention = 4.0;                          // first weight of naming what the sentence mentions
+  double other_route = 0.3;                      // weight of a consistent program whose route is not the gold one
   double wording = 2.0;         // … by e^−wording per unit of lexical-overlap penalty (lexical_overlap.hpp)
   int explore_from = 2;         // from this epoch on, every second one searches the own beam for consistent programs
   std::size_t explore = 32;     // how many programs of it
   bool mirrored = true;         // every sentence also as its mirror image
   bool reranker = true;         // also learn to choose between ends on the map
-  int reranker_epochs = 6;
+  int reranker_epochs = 6;      // over all decisions
   double reranker_rate = 0.03;  // AdaGrad
   double reranker_decay = 0.2;  // L2
-  std::size_t beam = 64;
+  std::size_t beam = 64;        // programs a sentence
   double trust = 1;             // in wording when deciding: 0 takes the reader's word for everything
   bool clauses = true;          // when deciding, sentences of several are also read clause by clause
   std::size_t beam_width = 12;  // poses kept along a paragraph; 1: each sentence is settled before the next is heard

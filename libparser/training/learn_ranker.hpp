@@ -19,9 +19,9 @@
 
 namespace waymark::parser {
 
-struct RankerOptions {
-  std::uint64_t seed = 1;  // the order of the decisions
-  int epochs = 6;
+struct RankerOptions {              // how a ranker is trained
+  std::uint64_t seed = 1;           // the order of the decisions
+  int epochs = 6;                   // over all decisions
   double rate = 0.03, decay = 0.2;  // AdaGrad's learning rate and L2, for every step of a row
   double first_squares = 1e-6;      // what AdaGrad's sums of squared gradients begin with
   double least_error = 0;           // a bundle whose error is smaller teaches nothing
@@ -35,15 +35,15 @@ struct RankerOptions {
 
 // A decision whose right candidates are known, its features as rows of the table that is learned.
 struct LabelledDecision {
-  struct Row {
-    WeightRow row;
-    float value;
+  struct Row {      // a feature of the table
+    WeightRow row;  // of the feature
+    float value;    // of the feature
   };
-  std::size_t map = 0;
-  std::vector<std::vector<Row>> bundles;
-  std::vector<std::vector<std::uint32_t>> candidates;
-  std::vector<std::size_t> right;    // at least one
-  std::optional<std::size_t> rival;  // of the first right candidate
+  std::size_t map = 0;                                 // on which the decision was made
+  std::vector<std::vector<Row>> bundles;               // features that candidates share
+  std::vector<std::vector<std::uint32_t>> candidates;  // by bundles
+  std::vector<std::size_t> right;                      // at least one
+  std::optional<std::size_t> rival;                    // of the first right candidate
 };
 
 // The decision without its labels, its features numbered by the table, which gets a row for each new one.

@@ -17,8 +17,8 @@
 namespace waymark::parser {
 
 struct RankingInstances {
-  std::vector<RankingInstance> of_ends, of_starts;
-  void add(RankingInstances&& more);
+  std::vector<RankingInstance> of_ends, of_starts;  // for each question
+  void add(RankingInstances&& more);                // behind what is there
 };
 
 // Examples in the order of their paragraphs; the instances point at them. Added to what is there.

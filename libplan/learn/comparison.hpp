@@ -24,23 +24,23 @@
 namespace waymark::plan {
 
 struct DqnMethod {
-  Dqn dqn;
-  Sight sight = Sight::Landmarks;
-  bool trees = false;  // else the task is one-hot
+  Dqn dqn;                         // of the learner
+  Sight sight = Sight::Landmarks;  // what the network is told of a pose
+  bool trees = false;              // else the task is one-hot
 };
 
-struct Method {
-  std::string name, summary;
-  std::variant<QLearning, DqnMethod> how;
-  bool by_default = true;
+struct Method {                            // a learner with its name
+  std::string name, summary;               // for the command line
+  std::variant<QLearning, DqnMethod> how;  // the learner
+  bool by_default = true;                  // in comparisons that name no methods
 };
 
 // The table of learners: the one list of them.
 std::vector<Method> learning_methods();
 
-struct LearningTaskOptions {
-  MapNoise noise = {};
-  double discount = 0.9;
+struct LearningTaskOptions {  // what is learned in
+  MapNoise noise = {};        // of the map's actions
+  double discount = 0.9;      // γ
 };
 
 // One task on one map or model, made once and only read by the runs: any number of threads.
@@ -54,9 +54,9 @@ class LearningTask {
   LearningTask(const Model& model, const automata::Dfa& dfa, std::optional<ltl::Formula> formula,
                const LearningTaskOptions& options = {});
 
-  const TabularProduct& product() const { return product_; }
-  const Optimum& optimum() const { return optimum_; }
-  double seconds_of_optimum() const { return seconds_; }
+  const TabularProduct& product() const { return product_; }  // the environment
+  const Optimum& optimum() const { return optimum_; }         // the reference
+  double seconds_of_optimum() const { return seconds_; }      // that the reference took
   // Sights other than Landmarks are for maps.
   bool allows(const Method& method) const;
   LearningCurve run(const Method& method, const Training& training) const;
@@ -71,8 +71,8 @@ class LearningTask {
   std::optional<TaskTrees> trees_;
 };
 
-double success(const PolicyValue& value, const PolicyValue& optimum);
-double score(const PolicyValue& value, const PolicyValue& optimum);
+double success(const PolicyValue& value, const PolicyValue& optimum);  // in parts of the greatest probability
+double score(const PolicyValue& value, const PolicyValue& optimum);    // in parts of the greatest value
 
 struct Verdict {                                  // of one run
   double success = 0, score = 0, cost_ratio = 0;  // of the last checkpoint; cost / cost of the optimum
@@ -80,21 +80,21 @@ struct Verdict {                                  // of one run
          to_stay = 0;               // environment steps, infinite where the run never came there
   double updates = 0, seconds = 0;  // checkpoints included
 };
-Verdict judge(const LearningCurve& curve, const PolicyValue& optimum, double seconds);
+Verdict judge(const LearningCurve& curve, const PolicyValue& optimum, double seconds);  // how soon a run came how far
 
-struct Summary {
+struct Summary {                                    // many runs of one method
   Estimate success, score;                          // means
   Estimate cost_ratio, to_90, to_optimum, to_stay;  // medians, infinite where too few runs came there
   Estimate optimal;                                 // rate of the runs that came to the optimum
   double updates = 0, seconds = 0;                  // medians
-  std::size_t runs = 0;
+  std::size_t runs = 0;                             // how many
 };
 Summary summarise(std::span<const Verdict> verdicts);  // at least one
 
-struct CurvePoint {
-  std::size_t steps = 0;
-  Estimate score;  // mean over the runs
+struct CurvePoint {       // one point of a mean curve
+  std::size_t steps = 0;  // taken so far
+  Estimate score;         // mean over the runs
 };
-std::vector<CurvePoint> mean_curve(std::span<const LearningCurve> curves, const PolicyValue& optimum);
+std::vector<CurvePoint> mean_curve(std::span<const LearningCurve> curves, const PolicyValue& optimum);  // by checkpoint
 
 }  // namespace waymark::plan

@@ -20,11 +20,12 @@
 namespace waymark::plan {
 
 struct Dqn {
-  std::vector<neural::Index> hidden{64, 64};
-  double rate = 1e-4;
+  std::vector<neural::Index> hidden{64, 64};  // widths of the hidden layers
+  double rate = 1e-4;                         // of Adam
+  // Experiences of an update; experiences that are kept; steps between copies of the target network.
   std::size_t batch = 32, memory = 25'000, copy = 100;
-  bool double_q = false;
-  bool prioritised = false;
+  bool double_q = false;     // actions by one network, their values by the other
+  bool prioritised = false;  // experiences are drawn by their errors
   double priority_exponent = 0.6,
          weight_exponent = 0.4;   // the latter rises to 1 in the course of the training
   neural::Index task_width = 16;  // of the encoder's vectors

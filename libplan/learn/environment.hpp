@@ -10,12 +10,12 @@ namespace waymark::plan {
 
 class Environment {  // product and generator must outlive it
  public:
-  struct Transition {
-    std::uint32_t position = 0, letter = 0;  // of the outcome
-    std::uint32_t state = 0;
-    Ending ending = Ending::Open;
-    bool cut = false;
-    bool is_last() const { return cut || ending != Ending::Open; }
+  struct Transition {                                               // what a step has done
+    std::uint32_t position = 0, letter = 0;                         // of the outcome
+    std::uint32_t state = 0;                                        // of the product, after it
+    Ending ending = Ending::Open;                                   // of the task
+    bool cut = false;                                               // by the horizon
+    bool is_last() const { return cut || ending != Ending::Open; }  // the next step begins an episode
   };
 
   // The product is not over at every start.
@@ -24,8 +24,8 @@ class Environment {  // product and generator must outlive it
     reset();
   }
 
-  std::uint32_t state() const { return state_; }
-  void reset() {
+  std::uint32_t state() const { return state_; }  // of the product, now
+  void reset() {                                  // begins an episode in a start, drawn
     do state_ = draw_start();
     while (product_->ending(state_) != Ending::Open);
     age_ = 0;

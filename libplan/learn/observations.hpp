@@ -19,14 +19,14 @@
 
 namespace waymark::plan {
 
-enum class Sight : std::uint8_t { Objects, Landmarks, Literal };
+enum class Sight : std::uint8_t { Objects, Landmarks, Literal };  // what the network is told
 
 struct Observations {
   std::vector<std::string> names;  // by row: the proposition that the distance leads to
   neural::Matrix by_position;      // [rows × poses]
 };
 
-Observations observe(const Map& map, Sight sight);
+Observations observe(const Map& map, Sight sight);  // one column for each pose
 
 // Of any model: for each proposition that its letters carry, the fewest actions, if all goes well, to a state in which
 // the proposition has just been read.

@@ -9,17 +9,18 @@
 namespace waymark::plan {
 
 struct Optimum {
-  ActionTable policy;  // the first best action of each state; no_action where nothing is to be gained
-  PolicyValue value;   // of that policy, from the linear systems
-  std::size_t sweeps = 0;
+  ActionTable policy;      // the first best action of each state; no_action where nothing is to be gained
+  PolicyValue value;       // of that policy, from the linear systems
+  std::size_t sweeps = 0;  // until the values were within the tolerance
 };
 
-struct OptimumOptions {
-  double discount = 0.9;
-  double tolerance = 1e-12;
+struct OptimumOptions {            // of the reference
+  double discount = 0.9;           // γ
+  double tolerance = 1e-12;        // of values
   std::size_t sweeps = 1'000'000;  // a limit, for a discount of 1
 };
 
+// Sweeps until no value changes by more than the tolerance, or the limit is met.
 Optimum optimum(const TabularProduct& product, const OptimumOptions& options = {});
 
 }  // namespace waymark::plan

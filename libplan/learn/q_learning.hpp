@@ -25,17 +25,18 @@
 namespace waymark::plan {
 
 struct QLearning {
+  // The variants above.
   bool counterfactual = false, shaped = false, curriculum = false;
-  std::size_t replays = 0;
-  std::size_t memory = 25'000;
-  std::size_t passes = 2;
+  std::size_t replays = 0;           // past experiences updated again after every step
+  std::size_t memory = 25'000;       // how many experiences replays draw from
+  std::size_t passes = 2;            // of the curriculum: successes in a row that solve a sub-task
   std::optional<double> decay = {};  // unset: 0 on a deterministic model, else 0.77
   bool optimistic = true;            // else tables begin at 0, or −Φ
 };
 
 struct QTable {                // what was learnt
   std::vector<double> values;  // by state · actions + action; −∞ where the action is not offered
-  LearningCurve curve;
+  LearningCurve curve;         // of the run
 };
 
 // Throws std::invalid_argument when the product is over at every start.

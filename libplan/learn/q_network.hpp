@@ -18,27 +18,29 @@ struct DqnInput {                               // made once and shared by all s
   const TaskTrees* trees = nullptr;             // none: one-hot
 };
 
-struct QWeights {
-  neural::Parameters parameters;
-  neural::Matrix tasks;    // [task features × tasks], as of the last read_tasks
-  neural::Matrix vectors;  // [width × nodes of the trees]; empty without an encoder
+struct QWeights {                 // what is learned
+  neural::Parameters parameters;  // of both networks
+  neural::Matrix tasks;           // [task features × tasks], as of the last read_tasks
+  neural::Matrix vectors;         // [width × nodes of the trees]; empty without an encoder
 };
 
 class QNetwork {
  public:
-  struct Shape {
-    std::vector<neural::Index> hidden;
-    neural::Index task_width = 16, tasks = 0, actions = 0;
+  struct Shape {                                            // sizes of layers
+    std::vector<neural::Index> hidden;                      // widths
+    neural::Index task_width = 16, tasks = 0, actions = 0;  // columns of a task; how many tasks; outputs
   };
   // Initialises the weights. The input must outlive the network.
   QNetwork(const DqnInput& input, const Shape& shape, ltl::Random& random, QWeights& weights);
 
-  neural::Index inputs() const { return perceptron_->inputs(); }
+  neural::Index inputs() const { return perceptron_->inputs(); }  // rows of x
+  // Room for a pass over so many columns.
   neural::Perceptron::Signals signals(neural::Index batch) const { return perceptron_->signals(batch); }
 
   void read_tasks(QWeights& weights) const;  // after the parameters have changed
   void show(const QWeights& weights, std::uint32_t position, std::uint32_t task,
             neural::View x) const;  // a column
+  // Q by action, one column for each of x.
   const neural::Matrix& forward(const QWeights& weights, const neural::ConstView& x,
                                 neural::Perceptron::Signals& signals) const {
     return perceptron_->forward(weights.parameters, x, signals);

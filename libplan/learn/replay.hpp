@@ -12,7 +12,7 @@
 
 namespace waymark::plan {
 
-struct Experience {
+struct Experience {                                  // one step, as it is kept
   std::uint32_t position = 0, task = 0, action = 0;  // where, owing what, what was done
   std::uint32_t next = 0, letter = 0;                // the position it led to, and the letter read on the way
 };
@@ -24,7 +24,7 @@ class Replay {  // a ring
   std::size_t size() const { return experiences_.size(); }
   std::size_t add(const Experience& experience);  // its place; the oldest gives way
   const Experience& operator[](std::size_t place) const { return experiences_[place]; }
-  const Experience& draw(ltl::Random& random) const { return experiences_[random.below(size())]; }
+  const Experience& draw(ltl::Random& random) const { return experiences_[random.below(size())]; }  // evenly
 
  private:
   std::vector<Experience> experiences_;
@@ -35,11 +35,11 @@ class Replay {  // a ring
 class Priorities {
  public:
   explicit Priorities(std::size_t capacity);
-  void set(std::size_t place, double priority);  // at least 0
-  double of(std::size_t place) const { return sums_[leaves_ + place]; }
-  double greatest() const { return greatest_; }  // ever set, at least 1
-  double sum() const { return sums_[1]; }
-  std::size_t draw(ltl::Random& random) const;  // with probability of(place) / sum()
+  void set(std::size_t place, double priority);                          // at least 0
+  double of(std::size_t place) const { return sums_[leaves_ + place]; }  // as it was set
+  double greatest() const { return greatest_; }                          // ever set, at least 1
+  double sum() const { return sums_[1]; }                                // of all
+  std::size_t draw(ltl::Random& random) const;                           // with probability of(place) / sum()
 
  private:
   std::size_t leaves_ = 1;

@@ -11,12 +11,13 @@
 namespace waymark::plan {
 
 struct Estimate {
-  double value = 0, low = 0, high = 0;
+  double value = 0, low = 0, high = 0;  // the estimate, and its interval
 };
 
-double median(std::vector<double> values);  // the mean of the two in the middle; not empty
-double mean(const std::vector<double>& values);
+double median(std::vector<double> values);       // the mean of the two in the middle; not empty
+double mean(const std::vector<double>& values);  // not empty
 
+// Estimates with their intervals.
 Estimate rate(std::size_t successes, std::size_t tries);
 Estimate bootstrap_median(const std::vector<double>& values);
 Estimate bootstrap_mean(const std::vector<double>& values);

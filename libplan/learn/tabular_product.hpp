@@ -20,34 +20,35 @@
 namespace waymark::plan {
 
 struct TabularProduct {
-  static constexpr std::size_t max_states = std::size_t{1} << 28U;
-  struct Outcome {
-    std::uint32_t position = 0, letter = 0;
+  static constexpr std::size_t max_states = std::size_t{1} << 28U;  // more are refused
+  struct Outcome {                                                  // of a choice
+    std::uint32_t position = 0, letter = 0;                         // the next one, and what is read there
     double up_to = 1;  // the probability of this outcome and of those before it; 1 for the last
   };
-  struct Start {
-    std::uint32_t state = 0;
-    double probability = 1;
+  struct Start {              // of an episode
+    std::uint32_t state = 0;  // after the first letter
+    double probability = 1;   // of beginning here
   };
 
-  TaskRows task;
-  std::uint32_t positions = 0, actions = 0;
-  std::vector<std::string> names;    // by action, in the order that breaks ties
+  TaskRows task;                             // all steps of the task
+  std::uint32_t positions = 0, actions = 0;  // of the model
+  std::vector<std::string> names;            // by action, in the order that breaks ties
   std::vector<std::uint32_t> first;  // by choice: where its outcomes begin; equal to the next where it is not offered
-  std::vector<Outcome> outcomes;
-  std::vector<double> cost;   // by choice
-  std::vector<Start> starts;  // in sum 1
+  std::vector<Outcome> outcomes;     // by choice, one choice after the other
+  std::vector<double> cost;          // by choice
+  std::vector<Start> starts;         // in sum 1
 
+  // Numbers of states, positions and tasks.
   std::size_t states() const { return std::size_t{positions} * task.tasks; }
   std::uint32_t position_of(std::uint32_t state) const { return state / task.tasks; }
   std::uint32_t task_of(std::uint32_t state) const { return state % task.tasks; }
   std::uint32_t state(std::uint32_t position, std::uint32_t q) const { return position * task.tasks + q; }
   Ending ending(std::uint32_t state) const { return task.ending[task_of(state)]; }
-  bool is_offered(std::uint32_t position, std::uint32_t action) const {
+  bool is_offered(std::uint32_t position, std::uint32_t action) const {  // can the action be taken there?
     const std::size_t choice = std::size_t{position} * actions + action;
     return first[choice] != first[choice + 1];
   }
-  std::span<const Outcome> outcomes_of(std::uint32_t position, std::uint32_t action) const {
+  std::span<const Outcome> outcomes_of(std::uint32_t position, std::uint32_t action) const {  // in a fixed order
     const std::size_t choice = std::size_t{position} * actions + action;
     return {outcomes.data() + first[choice], outcomes.data() + first[choice + 1]};
   }

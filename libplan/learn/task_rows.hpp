@@ -11,10 +11,10 @@
 
 namespace waymark::plan {
 
-enum class Ending : std::uint8_t { Open, Accepting, Trap };
+enum class Ending : std::uint8_t { Open, Accepting, Trap };  // of an episode
 
 struct TaskRows {
-  static constexpr std::uint32_t unreachable = UINT32_MAX;
+  static constexpr std::uint32_t unreachable = UINT32_MAX;  // no state
 
   AlphabetClasses classes;               // the letters of the task, over the automaton's vocabulary
   std::uint32_t tasks = 0, letters = 0;  // states; classes
@@ -23,6 +23,7 @@ struct TaskRows {
   std::vector<Ending> ending;            // by task
   std::vector<std::uint32_t> distance;   // by task: fewest letters to acceptance, or unreachable
 
+  // The next state of the task.
   std::uint32_t after(std::uint32_t task, std::uint32_t letter) const { return next[task * letters + letter]; }
 };
 

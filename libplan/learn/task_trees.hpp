@@ -21,6 +21,6 @@ struct TaskTrees {
 // By task: its formula; nullopt where no word leads. The table is that of φ's automaton.
 std::vector<std::optional<ltl::Formula>> formulas_of(const TaskRows& table, ltl::Formula phi);
 
-TaskTrees trees_of(const TaskRows& table, ltl::Formula phi);
+TaskTrees trees_of(const TaskRows& table, ltl::Formula phi);  // nodes are shared between states
 
 }  // namespace waymark::plan

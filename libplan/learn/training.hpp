@@ -15,16 +15,16 @@
 namespace waymark::plan {
 
 struct Training {
-  std::size_t steps = 20'000;
-  std::size_t interval = 100;
-  std::size_t horizon = 500;  // steps of an episode before it is cut
-  double discount = 0.9;
-  double explore = 0.1, explore_last = 0.1;
-  std::size_t explore_steps = 0;
-  std::uint64_t seed = 1;
-  std::stop_token stop = {};  // looked at in every interval; the curve then ends early
+  std::size_t steps = 20'000;                // of the environment
+  std::size_t interval = 100;                // steps between checkpoints
+  std::size_t horizon = 500;                 // steps of an episode before it is cut
+  double discount = 0.9;                     // γ
+  double explore = 0.1, explore_last = 0.1;  // ε at first and at last
+  std::size_t explore_steps = 0;             // until ε has its last value
+  std::uint64_t seed = 1;                    // of all randomness
+  std::stop_token stop = {};                 // looked at in every interval; the curve then ends early
 
-  double epsilon(std::size_t step) const {
+  double epsilon(std::size_t step) const {  // linear from the first value to the last
     if (step >= explore_steps) return explore_last;
     return explore + (explore_last - explore) * static_cast<double>(step) / static_cast<double>(explore_steps);
   }
@@ -44,16 +44,16 @@ void take_steps(const Training& training, Act&& act, Judge&& checkpoint) {
   checkpoint(step);
 }
 
-struct Checkpoint {
-  std::size_t steps = 0;
-  PolicyValue value;
+struct Checkpoint {       // a policy on the way
+  std::size_t steps = 0;  // taken so far
+  PolicyValue value;      // exact
 };
 
-struct LearningCurve {
+struct LearningCurve {                  // what a run returns
   std::vector<Checkpoint> checkpoints;  // the first before the first step, the last after the last one
   std::size_t updates = 0;              // of single values, or of the network
-  std::size_t episodes = 0;
-  ActionTable policy;  // of DQN: what the network would do in the end, by state
+  std::size_t episodes = 0;             // begun
+  ActionTable policy;                   // of DQN: what the network would do in the end, by state
 };
 
 }  // namespace waymark::plan

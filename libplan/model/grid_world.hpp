@@ -17,28 +17,29 @@
 
 namespace waymark::plan {
 
-enum class Compass : std::uint8_t { North, East, South, West };
+enum class Compass : std::uint8_t { North, East, South, West };  // directions of moves
+// In the order of the choices.
 inline constexpr std::array<Compass, 4> all_compass{Compass::North, Compass::East, Compass::South, Compass::West};
 std::string_view name(Compass direction);  // "N", "E", "S", "W"
 
-struct SlipChances {  // where a move goes; in sum 1
-  double forward = 1, left = 0, right = 0, back = 0;
+struct SlipChances {                                  // where a move goes; in sum 1
+  double forward = 1, left = 0, right = 0, back = 0;  // of what was meant
   friend bool operator==(const SlipChances&, const SlipChances&) = default;
 };
 
-struct GridCell {
-  bool wall = false;
-  std::optional<Compass> one_way = {};
-  ltl::Letter label = {};
+struct GridCell {                       // one square
+  bool wall = false;                    // cannot be entered
+  std::optional<Compass> one_way = {};  // can be entered in that direction only
+  ltl::Letter label = {};               // what holds there
 };
 
 class GridWorld {
  public:
-  static constexpr std::size_t max_cells = std::size_t{1} << 28U;
-  static constexpr std::size_t max_letters = 1U << 16U;
+  static constexpr std::size_t max_cells = std::size_t{1} << 28U;  // cells of the largest grid
+  static constexpr std::size_t max_letters = 1U << 16U;            // different labels of the largest grid
 
-  struct Shape {
-    std::uint32_t width = 0, height = 0;
+  struct Shape {                                // of a grid
+    std::uint32_t width = 0, height = 0;        // in cells
     std::array<SlipChances, 4> motion = {};     // by the direction that was meant
     std::array<double, 4> cost = {1, 1, 1, 1};  // of a move
   };
@@ -47,12 +48,13 @@ class GridWorld {
   GridWorld(const Shape& shape, const ltl::Vocabulary& vocabulary, const std::vector<GridCell>& palette,
             const std::vector<std::uint16_t>& cells, std::uint32_t start);
 
-  std::uint32_t width() const { return shape_.width; }
-  std::uint32_t height() const { return shape_.height; }
-  const Shape& shape() const { return shape_; }
-  bool is_deterministic() const { return deterministic_; }
-  bool is_wall(std::uint32_t cell) const { return wall_[kind_[cell]]; }
+  std::uint32_t width() const { return shape_.width; }                   // in cells
+  std::uint32_t height() const { return shape_.height; }                 // in cells
+  const Shape& shape() const { return shape_; }                          // as it was given
+  bool is_deterministic() const { return deterministic_; }               // no move slips
+  bool is_wall(std::uint32_t cell) const { return wall_[kind_[cell]]; }  // or free
 
+  // What the concept of a model (model.hpp) asks.
   std::size_t states() const { return open_.size(); }
   std::uint32_t initial() const { return start_; }
   LetterId initial_letter() const { return letter(start_); }
@@ -63,12 +65,13 @@ class GridWorld {
   std::string name(std::uint32_t s) const {
     return std::to_string(s % shape_.width) + ',' + std::to_string(s / shape_.width);
   }
-  LetterId letter(std::uint32_t cell) const { return kind_letter_[kind_[cell]]; }
+  LetterId letter(std::uint32_t cell) const { return kind_letter_[kind_[cell]]; }  // that is read on entering
   // Where a move in that direction ends when it does not slip: the cell itself when it is barred.
   std::uint32_t move(std::uint32_t cell, std::uint32_t direction) const {
     return ((open_[cell] >> direction) & 1U) != 0 ? cell + step_[direction] : cell;
   }
 
+  // What the concept of a model asks of outcomes.
   std::uint32_t outcome_count(std::uint32_t, std::uint32_t k) const { return turn_count_[k]; }
   ModelOutcome outcome(std::uint32_t s, std::uint32_t k, std::uint32_t i) const {
     const std::uint32_t turn = turns_[k][i], target = move(s, (k + turn) % 4);

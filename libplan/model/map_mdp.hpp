@@ -17,6 +17,7 @@ class MapMdp {  // every action does what is meant; a view, the map must outlive
  public:
   explicit MapMdp(const Map& map, PoseId start = {}) : map_(&map), start_(start) {}
 
+  // What the concept of a model (model.hpp) asks, and the map and the move of a choice.
   const Map& map() const { return *map_; }
   std::size_t states() const { return map_->poses(); }
   std::uint32_t initial() const { return start_.index; }
@@ -58,12 +59,12 @@ struct TurnChances {  // what a turn may do instead; the rest is as meant
   double beyond = 0;  // goes on to the opposite heading
   friend bool operator==(const TurnChances&, const TurnChances&) = default;
 };
-struct MapNoise {
+struct MapNoise {                               // chances of both kinds of actions
   MapNoise(const SlipChances& of_forward = {},  // NOLINT(google-explicit-constructor): most noise is that alone
            const TurnChances& of_turns = {})
       : forward(of_forward), turn(of_turns) {}
-  SlipChances forward;
-  TurnChances turn;
+  SlipChances forward;  // of FORWARD
+  TurnChances turn;     // of LEFT and RIGHT
   friend bool operator==(const MapNoise&, const MapNoise&) = default;
 };
 

@@ -22,9 +22,9 @@ namespace waymark::plan {
 
 class Mdp {
  public:
-  std::size_t states() const { return first_choice_.size() - 1; }
-  std::size_t choices() const { return choices_.size() - 1; }  // of all states
-  std::size_t outcomes() const { return outcomes_.size(); }
+  std::size_t states() const { return first_choice_.size() - 1; }    // at least one
+  std::size_t choices() const { return choices_.size() - 1; }        // of all states
+  std::size_t outcomes() const { return outcomes_.size(); }          // of all choices
   bool is_deterministic() const { return outcomes() == choices(); }  // one outcome for every choice
 
   // What every model answers (model.hpp).
@@ -48,7 +48,7 @@ class Mdp {
     for (std::uint32_t i = first_predecessor_[s]; i < first_predecessor_[s + 1]; ++i) visit(predecessors_[i]);
   }
 
-  std::span<const ModelOutcome> outcomes(std::uint32_t s, std::uint32_t k) const {
+  std::span<const ModelOutcome> outcomes(std::uint32_t s, std::uint32_t k) const {  // of choice k of s
     const std::size_t c = first_choice_[s] + k;
     return {outcomes_.data() + choices_[c].first_outcome, outcomes_.data() + choices_[c + 1].first_outcome};
   }
@@ -80,11 +80,11 @@ static_assert(Model<Mdp>);
 class MdpBuilder {
  public:
   explicit MdpBuilder(ltl::Vocabulary vocabulary);
-  LetterId letter(const ltl::Letter& letter) { return mdp_.letters_.intern(letter); }
+  LetterId letter(const ltl::Letter& letter) { return mdp_.letters_.intern(letter); }  // of the process that is built
 
-  std::uint32_t add_state(std::string_view name = {});  // the choices added from now on are its own
-  void add_choice(std::string_view action, double cost = 1);
-  void add_outcome(std::uint32_t target, LetterId letter, double probability = 1);
+  std::uint32_t add_state(std::string_view name = {});        // the choices added from now on are its own
+  void add_choice(std::string_view action, double cost = 1);  // of the state that was added last
+  void add_outcome(std::uint32_t target, LetterId letter, double probability = 1);  // of the choice that was added last
 
   // Throws std::invalid_argument naming the state: a target that does not exist, a probability outside (0, 1], outcomes
   // that do not add up to 1 (up to 1e-9), a negative or infinite cost, a choice without outcomes.

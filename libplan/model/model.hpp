@@ -13,16 +13,16 @@
 
 namespace waymark::plan {
 
-struct ModelOutcome {
-  std::uint32_t target = 0;
-  LetterId letter;
-  double probability = 1;
+struct ModelOutcome {        // one way that a choice may go
+  std::uint32_t target = 0;  // the next state
+  LetterId letter;           // that is appended
+  double probability = 1;    // of this outcome
 };
 
 struct OutcomeVisitor {  // any callable that takes these
   void operator()(std::uint32_t target, LetterId letter, double probability) const;
 };
-struct StateVisitor {
+struct StateVisitor {  // stands for any function of a state
   void operator()(std::uint32_t state) const;
 };
 

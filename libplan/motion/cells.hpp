@@ -13,25 +13,26 @@
 
 namespace waymark::plan {
 
-struct Passage {
-  std::uint32_t to = 0;
-  Point a, b;  // the common border
+struct Passage {         // from a cell into a neighbour
+  std::uint32_t to = 0;  // the neighbour
+  Point a, b;            // the common border
 };
 
-struct TerrainCell {
-  std::array<Point, 4> corners;  // one after the other; two may coincide
-  Point centre;                  // inside
-  double area = 0;
-  std::uint32_t letter = 0;  // in TerrainCells::letters
-  std::vector<Passage> passages;
+struct TerrainCell {              // a trapezoid
+  std::array<Point, 4> corners;   // one after the other; two may coincide
+  Point centre;                   // inside
+  double area = 0;                // of the trapezoid
+  std::uint32_t letter = 0;       // in TerrainCells::letters
+  std::vector<Passage> passages;  // to its neighbours
 };
 
-class TerrainCells {
+class TerrainCells {  // the whole decomposition
  public:
   explicit TerrainCells(const Terrain& terrain);  // O((edges + crossings) · edges · regions)
   const std::vector<TerrainCell>& cells() const { return cells_; }
   const std::vector<ltl::Letter>& letters() const { return letters_; }  // that some cell has, each once
   std::optional<std::uint32_t> at(Point p) const;                       // nullopt: not free
+  // The regions that contain the cell.
   const ltl::Letter& letter_of(std::uint32_t cell) const { return letters_[cells_[cell].letter]; }
 
  private:

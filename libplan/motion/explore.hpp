@@ -16,17 +16,17 @@
 
 namespace waymark::plan {
 
-struct Exploration {
-  double seconds = 30;  // of the clock: equal seeds need not give equal motions
-  std::uint64_t seed = 1;
-  Robot robot = Disc{};
+struct Exploration {       // what is searched with
+  double seconds = 30;     // of the clock: equal seeds need not give equal motions
+  std::uint64_t seed = 1;  // of the sampling
+  Robot robot = Disc{};    // that moves
 };
 
 struct NoRun {};       // proved: no run of the product accepts
 struct OutOfTime {     // nothing proved
   double seconds = 0;  // 0: no way looks wide enough for the robot, and none was tried
 };
-using Explored = std::variant<Motion, NoRun, OutOfTime>;
+using Explored = std::variant<Motion, NoRun, OutOfTime>;  // a motion, or why there is none
 
 // A motion from the cell of that pose whose word the automaton accepts. Throws std::invalid_argument when the robot
 // does not fit where it starts.

@@ -27,7 +27,7 @@ class FreeSpace {
   virtual double clearance(const Box& box, double most) const = 0;
 };
 
-bool admits(const FreeSpace& space, const Configuration& c, const Robot& robot);
-bool admits(const FreeSpace& space, const Piece& piece, const Robot& robot);  // all along it
+bool admits(const FreeSpace& space, const Configuration& c, const Robot& robot);  // does the body touch no wall there?
+bool admits(const FreeSpace& space, const Piece& piece, const Robot& robot);      // all along it
 
 }  // namespace waymark::plan

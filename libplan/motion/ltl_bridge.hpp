@@ -18,29 +18,29 @@
 namespace waymark::plan {
 
 struct SymbolAutomaton {
-  struct Transition {
-    std::uint32_t symbol, target;
+  struct Transition {              // on a symbol
+    std::uint32_t symbol, target;  // what is read, where it leads
   };
   std::vector<std::vector<Transition>> transitions;  // by state; at most one for each symbol
   std::vector<bool> accepting;                       // the task is done on the way into such a state
   std::uint32_t start = 0;                           // not accepting
 };
 
-struct Region {
-  std::uint32_t symbol = 0;
-  double volume = 1;
-  std::vector<int> neighbours;
+struct Region {                 // of the workspace, with one symbol
+  std::uint32_t symbol = 0;     // that is read inside
+  double volume = 1;            // for the choice of regions
+  std::vector<int> neighbours;  // regions
 };
 
-struct ExplorationProblem {
-  SymbolAutomaton task;
-  std::vector<Region> regions;
-  std::function<std::optional<std::uint32_t>(const Configuration&)> region_of;
-  std::function<bool(const Configuration&, const Configuration&)> is_free;  // one piece of motion
-  Point low, high;                                                          // all positions lie between
-  double step = 0.04;                                                       // of propagation: its length, at most
-  Robot robot;
-  Configuration start;
+struct ExplorationProblem {                                                     // what OMPL is to solve
+  SymbolAutomaton task;                                                         // over symbols
+  std::vector<Region> regions;                                                  // of the whole workspace
+  std::function<std::optional<std::uint32_t>(const Configuration&)> region_of;  // nothing: not free
+  std::function<bool(const Configuration&, const Configuration&)> is_free;      // one piece of motion
+  Point low, high;                                                              // all positions lie between
+  double step = 0.04;                                                           // of propagation: its length, at most
+  Robot robot;                                                                  // that moves
+  Configuration start;                                                          // where it stands
 };
 
 // Whether some run of the automaton goes from region to neighbouring region to acceptance: where none does, no motion

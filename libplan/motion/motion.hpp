@@ -20,8 +20,8 @@
 namespace waymark::plan {
 
 struct Motion {
-  std::vector<Configuration> configurations;
-  Robot robot;
+  std::vector<Configuration> configurations;  // at least one
+  Robot robot;                                // whose body moves
   friend bool operator==(const Motion&, const Motion&) = default;
 };
 double length(const Motion& motion);            // of the line that the centre draws, in units of the map
@@ -33,10 +33,10 @@ std::vector<Piece> pieces_of(const Motion& motion);
 
 struct NoRoute {         // the motion is no motion along any route
   std::size_t step = 0;  // the fault lies on the way to this configuration
-  std::string reason;
+  std::string reason;    // what is wrong there
 };
-struct TimedRoute {
-  Trajectory route;
+struct TimedRoute {  // a route and when it happens
+  Trajectory route;  // of the motion
   // By action: when it happens. Between the configurations i and i + 1 the time runs from i to i + 1.
   std::vector<double> times;
 };
@@ -48,7 +48,7 @@ std::variant<Trajectory, NoRoute> route_of(const Motion& motion, const Workspace
 // The only way to get one is certify; whatever prints or draws a motion takes this type.
 class CertifiedMotion {
  public:
-  const Motion& motion() const { return motion_; }
+  const Motion& motion() const { return motion_; }             // as it was checked
   const CertifiedRoute& route() const { return route_; }       // read off the motion, not the one it was made from
   const std::vector<double>& times() const { return times_; }  // of the actions, as in TimedRoute
 

@@ -17,7 +17,7 @@ namespace waymark::plan {
 struct NotFound {            // nothing proved
   std::size_t attempts = 0;  // runs through the cells
 };
-using TourOutcome = std::variant<Motion, NoRun, NotFound>;
+using TourOutcome = std::variant<Motion, NoRun, NotFound>;  // a motion, a proof that there is none, or neither
 
 // Both throw std::invalid_argument when the robot does not fit where it starts. The automaton must be of the vocabulary
 // of the terrain.

@@ -13,18 +13,18 @@
 namespace waymark::plan {
 
 struct Disc {
-  double radius = 0.05;
+  double radius = 0.05;  // 0: a point
   friend bool operator==(const Disc&, const Disc&) = default;
 };
-struct Car {
-  double length = 0.14, width = 0.08, turning_radius = 0.1;
+struct Car {                                                 // a rectangle that drives
+  double length = 0.14, width = 0.08, turning_radius = 0.1;  // the turning radius of its rear axle
   friend bool operator==(const Car&, const Car&) = default;
 };
-using Robot = std::variant<Disc, Car>;
+using Robot = std::variant<Disc, Car>;  // of one of these shapes
 
-bool is_possible(const Robot& robot);  // no negative radius; lengths of a car are positive; all are finite
-Box body(const Car& car, const Configuration& c);
-double reach(const Car& car);  // from the position to the farthest corner of the body
+bool is_possible(const Robot& robot);              // no negative radius; lengths of a car are positive; all are finite
+Box body(const Car& car, const Configuration& c);  // the corners of the car there
+double reach(const Car& car);                      // from the position to the farthest corner of the body
 
 // How the robot gets from one to the other; nullopt where it cannot in one piece: half a turn is meant either way, and
 // a car neither slips sideways, nor turns in place, nor tighter than its turning radius.

@@ -13,9 +13,9 @@
 
 namespace waymark::plan {
 
-struct NamedRegion {
-  std::string name;
-  Polygon border;
+struct NamedRegion {  // a part of the plane
+  std::string name;   // the proposition
+  Polygon border;     // of the region
 };
 
 class Terrain : public FreeSpace {
@@ -23,16 +23,17 @@ class Terrain : public FreeSpace {
   // Throws std::invalid_argument naming the polygon that has fewer than three corners, meets itself, or has no area.
   Terrain(std::string name, Polygon border, std::vector<Polygon> obstacles, std::vector<NamedRegion> regions);
 
+  // As the file has them.
   const std::string& name() const { return name_; }
   const Polygon& border() const { return border_; }
   const std::vector<Polygon>& obstacles() const { return obstacles_; }
   const std::vector<NamedRegion>& regions() const { return regions_; }
   const ltl::Vocabulary& vocabulary() const { return vocabulary_; }  // the names of the regions
   Point low() const { return low_; }                                 // opposite corners of the least rectangle
-  Point high() const { return high_; }
+  Point high() const { return high_; }                               // the other corner
 
-  struct Edge {
-    Point a, b;
+  struct Edge {  // of a polygon
+    Point a, b;  // its ends
   };
   const std::vector<Edge>& walls() const { return walls_; }              // of the border and the obstacles
   const std::vector<Edge>& region_edges() const { return edges_; }       // where letters may change

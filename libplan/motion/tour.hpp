@@ -19,17 +19,17 @@ struct TimedWord {
   std::vector<ltl::Letter> letters;  // over the vocabulary of the terrain
   std::vector<double> times;         // when each is first read, as in TimedRoute; the first at 0
 };
-struct NoTour {
+struct NoTour {          // the motion is no tour
   std::size_t step = 0;  // the fault lies on the way to this configuration
-  std::string reason;
+  std::string reason;    // what is wrong there
 };
-std::variant<TimedWord, NoTour> word_of(const Motion& motion, const Terrain& terrain);
+std::variant<TimedWord, NoTour> word_of(const Motion& motion, const Terrain& terrain);  // read off the geometry
 
 // A motion that was checked: it keeps off walls, and its word ⊨ φ. The only way to get one is certify.
 class CertifiedTour {
  public:
-  const Motion& motion() const { return motion_; }
-  const TimedWord& word() const { return word_; }
+  const Motion& motion() const { return motion_; }  // as it was checked
+  const TimedWord& word() const { return word_; }   // that satisfies the formula
 
  private:
   friend CertifiedTour certify(Motion motion, const Terrain& terrain, ltl::Formula f);
@@ -42,12 +42,12 @@ class CertifiedTour {
 // be of an arena over the vocabulary of the terrain.
 CertifiedTour certify(Motion motion, const Terrain& terrain, ltl::Formula f);
 
-struct CellStep {
-  std::uint32_t cell = 0;
+struct CellStep {               // of a run through the cells
+  std::uint32_t cell = 0;       // that is entered
   const Passage* by = nullptr;  // into the cell; nullptr: the start
 };
-struct PassageId {
-  std::uint32_t from = 0, to = 0;
+struct PassageId {                 // from a cell into a neighbour
+  std::uint32_t from = 0, to = 0;  // the cells
   friend auto operator<=>(const PassageId&, const PassageId&) = default;
 };
 // The run of 𝒜_φ through the cells that is shortest from the centre of a passage to that of the next, without going

@@ -15,15 +15,15 @@
 
 namespace waymark::plan {
 
-struct WorkspaceShape {
+struct WorkspaceShape {     // sizes
   double width = 0.4;       // of hallways, 0 < width < 1
   double furniture = 0.07;  // radius of every piece, 0 ≤ furniture < width / 2; 0: none
 };
 
-struct Cell {  // of the free space
-  enum class Kind : std::uint8_t { Node, Edge };
-  Kind kind = Kind::Node;
-  std::uint32_t index = 0;  // of the node or edge in the map
+struct Cell {                                     // of the free space
+  enum class Kind : std::uint8_t { Node, Edge };  // what a cell stands for
+  Kind kind = Kind::Node;                         // of the cell
+  std::uint32_t index = 0;                        // of the node or edge in the map
   friend bool operator==(const Cell&, const Cell&) = default;
 };
 
@@ -35,13 +35,13 @@ class Workspace : public FreeSpace {
   double width() const { return shape_.width; }
   double furniture() const { return shape_.furniture; }
 
-  Point centre(std::uint32_t node) const;
+  Point centre(std::uint32_t node) const;  // of a place
   // The cell that p lies in; on the border of two, the node's. nullopt: a wall. Furniture stands in its cell.
   // O(log nodes).
   std::optional<Cell> cell_at(Point p) const;
 
-  bool admits(Point p, double radius) const { return admits(p, p, radius); }
-  bool admits(Point a, Point b, double radius) const override;  // O(distance of a and b · log nodes)
+  bool admits(Point p, double radius) const { return admits(p, p, radius); }  // may a disc of that radius stand there?
+  bool admits(Point a, Point b, double radius) const override;                // O(distance of a and b · log nodes)
   bool contains(Point p) const override { return cell_at(p).has_value(); }
   double clearance(const Box& box, double most) const override;  // O(1), most < 1
 

@@ -12,7 +12,7 @@
 
 namespace waymark::plan {
 
-enum class UnknownProposition : std::uint8_t { Refuse, NeverHolds };
+enum class UnknownProposition : std::uint8_t { Refuse, NeverHolds };  // what follows when the model lacks it
 
 class AlphabetClasses {
  public:
@@ -22,7 +22,7 @@ class AlphabetClasses {
                   UnknownProposition unknown, const std::string& owner = "the model");
 
   std::size_t size() const { return representatives_.size(); }
-  std::uint32_t of(LetterId letter) const { return class_[letter.index]; }
+  std::uint32_t of(LetterId letter) const { return class_[letter.index]; }  // the class of a letter
   // By class, in order of first occurrence: the letter over the automaton's vocabulary.
   const std::vector<ltl::Letter>& representatives() const { return representatives_; }
 

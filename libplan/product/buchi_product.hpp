@@ -25,6 +25,7 @@ class BuchiTask {  // any generalised Büchi automaton; it must outlive the obje
       : automaton_(&automaton),
         classes_(letters, automaton.vocabulary(), automaton.reads(), UnknownProposition::NeverHolds) {}
 
+  // What the concept of a task (task.hpp) asks.
   std::size_t states() const { return automaton_->states(); }
   std::array<std::uint32_t, 1> initial_states() const { return {automaton_->initial().index}; }
   static bool is_goal(std::uint32_t) { return false; }
@@ -40,28 +41,28 @@ class BuchiTask {  // any generalised Büchi automaton; it must outlive the obje
 };
 static_assert(Task<BuchiTask>);
 
-struct MarkedEdge {
-  std::uint32_t from = 0, to = 0;
-  std::uint32_t choice = 0;  // of the model
-  automata::Marks marks;
-  double cost = 0;
+struct MarkedEdge {                // of the product
+  std::uint32_t from = 0, to = 0;  // vertices
+  std::uint32_t choice = 0;        // of the model
+  automata::Marks marks;           // of the automaton
+  double cost = 0;                 // of the action
 };
 
-struct MarkedGraph {
+struct MarkedGraph {                  // a graph in whose cycles marks are met
   std::uint32_t sets = 0;             // an infinite run is accepted when it meets each of so many marks again and again
   std::vector<std::uint32_t> first;   // by vertex, one more for the end
   std::vector<MarkedEdge> edges;      // by source
   std::vector<std::uint32_t> starts;  // where a run may begin
 
-  std::uint32_t vertices() const { return static_cast<std::uint32_t>(first.size()) - 1; }
-  std::span<const MarkedEdge> out(std::uint32_t v) const {
+  std::uint32_t vertices() const { return static_cast<std::uint32_t>(first.size()) - 1; }  // numbered from 0
+  std::span<const MarkedEdge> out(std::uint32_t v) const {                                 // the edges that leave v
     return {edges.data() + first[v], edges.data() + first[v + 1]};
   }
-  automata::Marks all() const { return automata::Marks::first(sets); }
+  automata::Marks all() const { return automata::Marks::first(sets); }  // every mark
 };
 
 struct BuchiProduct {
-  MarkedGraph graph;
+  MarkedGraph graph;                 // of the pairs
   std::vector<ProductState> states;  // by vertex
 };
 

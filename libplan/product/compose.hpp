@@ -15,9 +15,9 @@
 
 namespace waymark::plan {
 
-struct CompositionLimits {
-  std::size_t vertices = SIZE_MAX;
-  std::stop_token stop = {};  // polled every few hundred vertices
+struct CompositionLimits {          // when composing gives up
+  std::size_t vertices = SIZE_MAX;  // pairs that are kept
+  std::stop_token stop = {};        // polled every few hundred vertices
 };
 
 // The product that routes are searched on, with its reachable pairs numbered breadth first; Boost.Graph's
@@ -30,21 +30,23 @@ class MapProduct : public Product<MapMdp, TaskSteps> {
   static std::optional<MapProduct> explore(const Map& map, const automata::Dfa& dfa, std::span<const PoseId> starts,
                                            const CompositionLimits& limits);
 
-  const Map& map() const { return task().map(); }
-  const automata::Dfa& dfa() const { return task().dfa(); }
-  const std::vector<ProductState>& starts() const { return starts_; }  // one for every start pose, in that order
-  bool is_accepting(const ProductState& v) const { return is_goal(v); }
-  bool is_trap(const ProductState& v) const { return task().is_over(v.task); }
-  Action action(const ProductEdge& e) const { return model().move(e.from.place, e.choice); }
+  const Map& map() const { return task().map(); }                        // of the model
+  const automata::Dfa& dfa() const { return task().dfa(); }              // of the task
+  const std::vector<ProductState>& starts() const { return starts_; }    // one for every start pose, in that order
+  bool is_accepting(const ProductState& v) const { return is_goal(v); }  // may the route stop here?
+  bool is_trap(const ProductState& v) const { return task().is_over(v.task); }  // is no accepting pair reachable?
+  Action action(const ProductEdge& e) const { return model().move(e.from.place, e.choice); }  // of the edge
   std::uint32_t index(const ProductState& v) const { return order_.number(v); }  // in the order of vertices()
 
   using traversal_category = ListedProduct;
   using vertices_size_type = std::size_t;
   using vertex_iterator = std::vector<ProductState>::const_iterator;
+  // What Boost.Graph asks of a graph with a list of vertices.
   friend std::pair<vertex_iterator, vertex_iterator> vertices(const MapProduct& g) {
     return {g.order_.states().begin(), g.order_.states().end()};
   }
   friend vertices_size_type num_vertices(const MapProduct& g) { return g.order_.states().size(); }
+  // Of the reachable part.
   friend std::size_t num_edges(const MapProduct& g) {
     std::size_t edges = 0;
     for (const ProductState& v : g.order_.states()) edges += out_degree(v, g);

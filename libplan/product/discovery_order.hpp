@@ -22,8 +22,10 @@ class DiscoveryOrder {
     states_.push_back(s);
     return {row[s.place], true};
   }
+  // Was the pair met?
   bool contains(const ProductState& s) const { return !rows_[s.task].empty() && number(s) != none; }
-  std::uint32_t number(const ProductState& s) const { return rows_[s.task][s.place]; }
+  std::uint32_t number(const ProductState& s) const { return rows_[s.task][s.place]; }  // none when it was not met
+  // In the order in which they were met.
   const std::vector<ProductState>& states() const& { return states_; }
   std::vector<ProductState> states() && { return std::move(states_); }
 

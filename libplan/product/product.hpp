@@ -21,14 +21,14 @@
 
 namespace waymark::plan {
 
-struct ProductState {
-  std::uint32_t place = 0, task = 0;
+struct ProductState {                 // a vertex
+  std::uint32_t place = 0, task = 0;  // states of the model and of the automaton
   friend auto operator<=>(const ProductState&, const ProductState&) = default;
 };
 
-struct ProductEdge {
-  ProductState from, to;
-  std::uint32_t choice = 0, outcome = 0, step = 0;
+struct ProductEdge {                                // an edge
+  ProductState from, to;                            // its ends
+  std::uint32_t choice = 0, outcome = 0, step = 0;  // of the model; of the choice; of the task
   friend bool operator==(const ProductEdge&, const ProductEdge&) = default;
 };
 
@@ -40,14 +40,17 @@ class Product {
  public:
   Product(const M& model, const T& task) : model_(&model), task_(&task) {}  // both must outlive the product
 
+  // The factors.
   const M& model() const { return *model_; }
   const T& task() const { return *task_; }
-  bool is_goal(const ProductState& s) const { return task_->is_goal(s.task); }
-  std::uint32_t choices(const ProductState& s) const {
+  bool is_goal(const ProductState& s) const { return task_->is_goal(s.task); }  // may the run stop here?
+  std::uint32_t choices(const ProductState& s) const {                          // of the model, then the jumps
     if (task_->is_over(s.task)) return 0;
     return model_->choices(s.place) + static_cast<std::uint32_t>(task_->jumps(s.task).size());
   }
+  // a choice of the automaton alone.
   bool is_jump(const ProductState& s, std::uint32_t k) const { return k >= model_->choices(s.place); }
+  // a jump costs nothing.
   double cost(const ProductState& s, std::uint32_t k) const { return is_jump(s, k) ? 0 : model_->cost(s.place, k); }
   template <class Visit>  // visit(pair): where a run may begin that starts in the place with that letter
   void for_each_start(std::uint32_t place, LetterId letter, Visit&& visit) const {
@@ -75,6 +78,7 @@ class Product {
   using traversal_category = boost::incidence_graph_tag;
   using degree_size_type = std::size_t;
 
+  // Over the outcomes of all choices.
   class out_edge_iterator
       : public boost::iterator_facade<out_edge_iterator, const ProductEdge, boost::single_pass_traversal_tag> {
    public:
@@ -108,6 +112,7 @@ class Product {
     ProductEdge edge_;
   };
 
+  // What Boost.Graph asks of a graph.
   friend std::pair<out_edge_iterator, out_edge_iterator> out_edges(const ProductState& v, const Product& g) {
     return {out_edge_iterator(g, v, 0), out_edge_iterator(g, v, g.choices(v))};
   }
@@ -117,8 +122,8 @@ class Product {
   }
   friend ProductState source(const ProductEdge& e, const Product&) { return e.from; }
   friend ProductState target(const ProductEdge& e, const Product&) { return e.to; }
-  double cost(const ProductEdge& e) const { return cost(e.from, e.choice); }
-  auto step(const ProductEdge& e) const {  // of the task; the edge is no jump
+  double cost(const ProductEdge& e) const { return cost(e.from, e.choice); }  // of the choice
+  auto step(const ProductEdge& e) const {                                     // of the task; the edge is no jump
     return task_->steps(e.from.task, model_->outcome(e.from.place, e.choice, e.outcome).letter)[e.step];
   }
 

@@ -24,9 +24,9 @@ class ProductMdp : public Product<M, TaskTable> {
   using Base = Product<M, TaskTable>;
 
  public:
-  struct State {
-    std::uint32_t index;  // among the reachable pairs
-    std::uint32_t place, task;
+  struct State {                                             // a pair with its number
+    std::uint32_t index;                                     // among the reachable pairs
+    std::uint32_t place, task;                               // the pair
     operator ProductState() const { return {place, task}; }  // NOLINT(google-explicit-constructor): its pair
   };
 
@@ -34,8 +34,8 @@ class ProductMdp : public Product<M, TaskTable> {
   static std::optional<ProductMdp> explore(const M& model, const TaskTable& task, std::size_t limit = SIZE_MAX,
                                            const std::stop_token& stop = {});
 
-  std::uint32_t states() const { return states_; }
-  std::uint64_t edges() const { return edges_; }  // outcomes of all choices, those into the trap left out
+  std::uint32_t states() const { return states_; }  // reachable pairs
+  std::uint64_t edges() const { return edges_; }    // outcomes of all choices, those into the trap left out
   // Where a run may begin: the first letter is read, after a jump or none. Empty: the task cannot be met from the
   // start.
   const std::vector<std::uint32_t>& starts() const { return starts_; }
@@ -102,6 +102,7 @@ class ProductMdp : public Product<M, TaskTable> {
     const ProductMdp* product_ = nullptr;
     std::uint32_t index_ = 0;
   };
+  // What Boost.Graph asks of a graph with a list of vertices.
   friend std::pair<vertex_iterator, vertex_iterator> vertices(const ProductMdp& g) {
     return {vertex_iterator(g, 0), vertex_iterator(g, g.states())};
   }

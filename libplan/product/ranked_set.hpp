@@ -10,15 +10,15 @@ namespace waymark::plan {
 class RankedSet {
  public:
   explicit RankedSet(std::uint64_t size) : words_(size / 64 + 1) {}
-  bool contains(std::uint64_t i) const { return ((words_[i / 64].bits >> (i % 64)) & 1U) != 0; }
-  bool insert(std::uint64_t i) {  // false: it was there
+  bool contains(std::uint64_t i) const { return ((words_[i / 64].bits >> (i % 64)) & 1U) != 0; }  // i ∈ this
+  bool insert(std::uint64_t i) {                                                                  // false: it was there
     const std::uint64_t bit = std::uint64_t{1} << (i % 64);
     if ((words_[i / 64].bits & bit) != 0) return false;
     words_[i / 64].bits |= bit;
     return true;
   }
-  void rank();  // after the last insert
-  std::uint32_t rank(std::uint64_t i) const {
+  void rank();                                 // after the last insert
+  std::uint32_t rank(std::uint64_t i) const {  // members before i
     const Word& word = words_[i / 64];
     return word.before + static_cast<std::uint32_t>(std::popcount(word.bits & ((std::uint64_t{1} << (i % 64)) - 1)));
   }
@@ -30,7 +30,7 @@ class RankedSet {
       for (std::uint64_t bits = words_[w].bits & skip; bits != 0; bits &= bits - 1)
         if (!visit(64 * w + static_cast<std::uint64_t>(std::countr_zero(bits)))) return;
   }
-  std::size_t bytes() const { return words_.size() * sizeof(Word); }
+  std::size_t bytes() const { return words_.size() * sizeof(Word); }  // of memory
 
  private:
   struct Word {

@@ -24,9 +24,9 @@ concept Task = requires(const T& task, std::uint32_t q, LetterId letter) {
 };
 
 template <class Successor>
-struct AtMostOne {  // the steps of a deterministic automaton
-  Successor step;
-  bool some = true;
+struct AtMostOne {   // the steps of a deterministic automaton
+  Successor step;    // the step
+  bool some = true;  // is there one?
   std::size_t size() const { return some ? 1 : 0; }
   const Successor& operator[](std::size_t) const { return step; }
   const Successor* begin() const { return &step; }

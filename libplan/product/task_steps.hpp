@@ -18,8 +18,8 @@ namespace waymark::plan {
 
 class TaskSteps {  // not for two threads at once, though const: rows are kept
  public:
-  struct Successor {
-    std::uint32_t target;
+  struct Successor {       // where a letter leads
+    std::uint32_t target;  // a state of the automaton
   };
   // Whether a step into a trap is one: products that are shown have traps, as states without choices.
   enum class Traps : std::uint8_t { Kept, LeftOut };
@@ -27,15 +27,16 @@ class TaskSteps {  // not for two threads at once, though const: rows are kept
   // Throws ltl::FormatError naming a proposition that the map lacks. Map and automaton must outlive the object.
   TaskSteps(const Map& map, const automata::Dfa& dfa, Traps traps = Traps::Kept);
 
-  const Map& map() const { return *map_; }
-  const automata::Dfa& dfa() const { return *dfa_; }
-  std::size_t classes() const { return classes_.size(); }
+  const Map& map() const { return *map_; }                 // whose letters are read
+  const automata::Dfa& dfa() const { return *dfa_; }       // whose steps they are
+  std::size_t classes() const { return classes_.size(); }  // of letters
 
   automata::StateId next(automata::StateId q, LetterId letter) const {  // O(1) but for the first visit of q
     if (rows_[q.index] == not_visited) visit(q);
     return targets_[rows_[q.index] + classes_.of(letter)];
   }
 
+  // What the concept of a task (task.hpp) asks.
   std::size_t states() const { return rows_.size(); }
   std::array<std::uint32_t, 1> initial_states() const { return {dfa_->initial().index}; }
   bool is_goal(std::uint32_t q) const { return dfa_->is_accepting(automata::StateId{q}); }

@@ -18,10 +18,10 @@ namespace waymark::plan {
 
 class TaskTable {
  public:
-  static constexpr std::uint32_t trap = UINT32_MAX >> 1U;
-  struct Successor {
-    std::uint32_t target;  // or trap
-    bool marked;           // an accepting edge of a Büchi automaton
+  static constexpr std::uint32_t trap = UINT32_MAX >> 1U;  // no state is accepting from there on
+  struct Successor {                                       // where a letter leads
+    std::uint32_t target;                                  // or trap
+    bool marked;                                           // an accepting edge of a Büchi automaton
   };
 
   // A finite task: states that accept are goals, nothing is asked after them. O(states · classes · |reads|).
@@ -29,18 +29,20 @@ class TaskTable {
   // An infinite task: edges are marked, and a run may jump.
   TaskTable(const automata::MdpSafe& automaton, const Letters& letters);
 
+  // In this numbering, the trap left out.
   std::uint32_t states() const { return static_cast<std::uint32_t>(goal_.size()); }
-  bool is_goal(std::uint32_t q) const { return goal_[q]; }
+  bool is_goal(std::uint32_t q) const { return goal_[q]; }            // may the word end here?
   std::uint32_t origin(std::uint32_t q) const { return origin_[q]; }  // as the automaton numbers it
-  Successor next(std::uint32_t q, LetterId letter) const {
+  Successor next(std::uint32_t q, LetterId letter) const {            // of the deterministic part
     const std::uint32_t step = steps_[std::size_t{q} * row_ + classes_.of(letter)];
     return {step & trap, (step & marked) != 0};
   }
-  AtMostOne<Successor> steps(std::uint32_t q, LetterId letter) const {
+  AtMostOne<Successor> steps(std::uint32_t q, LetterId letter) const {  // none into the trap
     const Successor step = next(q, letter);
     return {step, step.target != trap};
   }
   const std::vector<std::uint32_t>& initial_states() const { return initial_states_; }
+  // What the concept of a task (task.hpp) asks.
   bool is_over(std::uint32_t q) const { return goal_[q]; }
   std::span<const std::uint32_t> jumps(std::uint32_t q) const { return list(jumps_, q); }
   // States with a step into q; states with a jump to q.

@@ -15,10 +15,12 @@
 namespace waymark::plan {
 
 struct KnownValues {  // both must outlive it
+  // What is asked, and what is known.
   const Unknowns& unknowns;
   const KeptBounds& bounds;
   double target_value;  // 1 (probability) or 0 (cost)
 
+  // Bounds of what is known.
   double lower(std::uint32_t i) const {
     return unknowns.unknown[i] ? bounds.lower(i) : unknowns.targets[i] ? target_value : 0;
   }

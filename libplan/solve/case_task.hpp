@@ -22,41 +22,43 @@ enum class CaseMethod : std::uint8_t {
 };
 std::string_view name(CaseMethod method);  // "search", "vi", "pi"
 
-struct CaseOptions {
-  CaseMethod method = CaseMethod::Best;
-  double tolerance = 1e-6;
+struct CaseOptions {                      // how a task is solved
+  CaseMethod method = CaseMethod::Best;   // of solving
+  double tolerance = 1e-6;                // of the bounds
   std::size_t states = 1'000'000'000;     // of the product; of the automaton a thousandth
   bool explain = true;                    // find the reason of what is infeasible
   double discount = 0.9;                  // of query discounted
   LassoOrder order = LassoOrder::Prefix;  // of query lasso
   std::size_t top = 1;                    // routes of a search
   bool strategy = false;                  // write it down
-  std::stop_token stop = {};
+  std::stop_token stop = {};              // ends with Exhausted when it is asked for
 };
 
-struct CaseAnswer {
-  enum class Status : std::uint8_t { Solved, Infeasible, Exhausted };
-  Status status = Status::Exhausted;
-  Bounds value;
-  CaseMethod method = CaseMethod::Search;
+struct CaseAnswer {                                                    // what solving comes to
+  enum class Status : std::uint8_t { Solved, Infeasible, Exhausted };  // of a task
+  Status status = Status::Exhausted;                                   // of this task
+  Bounds value;                                                        // between proved bounds
+  CaseMethod method = CaseMethod::Search;                              // that was used
+  // Sizes, as `waymark plan --case` prints them.
   std::size_t automaton_states = 0, product_states = 0, product_edges = 0;
-  struct Seconds {
-    double automaton = 0, product = 0, solve = 0;
-  } seconds;
+  struct Seconds {                                 // by stage
+    double automaton = 0, product = 0, solve = 0;  // stages
+  };
+  Seconds seconds;                   // wall clock
   std::string reason;                // of Infeasible and Exhausted
   std::vector<std::string> dropped;  // infeasible conjunctions: the fewest conjuncts without which the rest can be met
   std::vector<NamedRoute> routes;    // of a search when several were asked for, cheapest first
-  struct Lasso {
-    NamedRoute prefix, cycle;  // the cycle begins and ends where the prefix ends
-    std::uint64_t rounds = 1;
+  struct Lasso {                     // of a deterministic model
+    NamedRoute prefix, cycle;        // the cycle begins and ends where the prefix ends
+    std::uint64_t rounds = 1;        // that a walk of the cycle completes
   };
-  std::optional<Lasso> lasso;  // certified
-  struct Written {
-    TaskAutomaton automaton;
-    std::vector<Decision> decisions;
+  std::optional<Lasso> lasso;         // certified
+  struct Written {                    // a strategy for files
+    TaskAutomaton automaton;          // whose states decisions name
+    std::vector<Decision> decisions;  // by pair
     Bounds re_evaluated;  // as a Markov chain; for pmin of an infinite task of the negation's probability, taken from 1
   };
-  std::optional<Written> strategy;
+  std::optional<Written> strategy;  // when it was asked for
 };
 
 // The value of a lasso is what its order puts first. Throws ltl::SyntaxError for a formula that cannot be read,

@@ -15,15 +15,15 @@
 namespace waymark::plan {
 
 struct Bounds {
-  double lower = 0, upper = 0;
-  double middle() const { return lower == upper ? lower : lower + (upper - lower) / 2; }
+  double lower = 0, upper = 0;                                                            // proved
+  double middle() const { return lower == upper ? lower : lower + (upper - lower) / 2; }  // of the bounds
 };
 
-struct Decided {
-  Bounds value;
-  Strategy strategy;    // attains the value up to the tolerance
-  Bounds re_evaluated;  // of the strategy, by the Markov chain that it makes of the product
-  std::uint64_t sweeps = 0;
+struct Decided {             // the answer
+  Bounds value;              // of the start
+  Strategy strategy;         // attains the value up to the tolerance
+  Bounds re_evaluated;       // of the strategy, by the Markov chain that it makes of the product
+  std::uint64_t sweeps = 0;  // of value iteration
   // With keep_values, by state what a choice attains; of costs, 0 where no cost is finite. Not of least
   // probabilities.
   std::vector<double> values = {};

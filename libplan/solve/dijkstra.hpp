@@ -15,16 +15,16 @@
 
 namespace waymark::plan {
 
-struct ChoiceRoute {  // places and the choices between them
-  std::vector<std::uint32_t> places, choices;
-  double cost = 0;
+struct ChoiceRoute {                           // places and the choices between them
+  std::vector<std::uint32_t> places, choices;  // one place more than choices
+  double cost = 0;                             // the sum
 };
-struct SearchStatistics {
+struct SearchStatistics {            // what a search has looked at
   std::uint64_t met = 0, edges = 0;  // pairs of place and task; edges looked at
 };
-struct SearchAnswer {
+struct SearchAnswer {                // a route, and what it took
   std::optional<ChoiceRoute> route;  // nullopt: proved that there is none
-  SearchStatistics statistics;
+  SearchStatistics statistics;       // of the search
 };
 
 // From one pair to the nearest goal. nullopt: stopped, or more pairs met than the limit.

@@ -47,9 +47,9 @@ class DiscountedSweeps {
     return true;
   }
 
-  struct Best {
-    std::uint32_t choice = Strategy::none;
-    double value = 0;
+  struct Best {                             // of a state
+    std::uint32_t choice = Strategy::none;  // none of a goal
+    double value = 0;                       // of that choice
   };
   // The first best choice, up to a relative `slack`; none where nothing is to be gained.
   template <class State>

@@ -12,9 +12,9 @@
 namespace waymark::plan {
 
 struct EndComponents {
-  static constexpr std::uint32_t none = UINT32_MAX;
-  std::vector<std::uint32_t> of;  // by state
-  std::uint32_t count = 0;
+  static constexpr std::uint32_t none = UINT32_MAX;  // in no end component
+  std::vector<std::uint32_t> of;                     // by state
+  std::uint32_t count = 0;                           // how many
 };
 
 // Does the choice stay in the component of its state, whatever comes of it?

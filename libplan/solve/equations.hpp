@@ -29,9 +29,10 @@ class Equations {
   // cost: what the choice costs by itself, part of the constants; least_known: the least value of what is known among
   // its outcomes, ∞ when there is nothing.
   struct Constants {
+    // Below, above: with the lower and the upper bounds of what is known.
     double below = 0, above = 0, cost = 0, least_known = 0;
   };
-  void end_choice(const Constants& constants) {
+  void end_choice(const Constants& constants) {  // of the row that was begun
     constant_[0].push_back(constants.below);
     constant_[1].push_back(constants.above);
     if (measure_ != Measure::MinCost) return;
@@ -39,9 +40,9 @@ class Equations {
     least_known_.push_back(constants.least_known);
   }
 
-  struct Solution {
+  struct Solution {                    // bounds of the unknowns
     std::vector<double> lower, upper;  // by row
-    std::uint64_t sweeps = 0;
+    std::uint64_t sweeps = 0;          // until they were proved
   };
   // Optimistic value iteration [HK20, Alg. 2]; what is slow to settle, and everything when limits.policy_iteration say
   // so, by policy iteration with sparse linear solves [BT91, Prop. 2], the upper bound proved as before. nullopt:

@@ -29,7 +29,7 @@ namespace waymark::plan {
 
 class GridBlock {
  public:
-  using Product = ProductMdp<GridWorld>;
+  using Product = ProductMdp<GridWorld>;        // that is swept
   using Order = std::vector<Product::Compact>;  // in which the unknowns of the block are swept
 
   // `known` holds the bounds of other blocks' entries. With a strategy: of its choices only. nullopt: a

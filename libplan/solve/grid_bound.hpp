@@ -24,8 +24,8 @@ namespace waymark::plan {
 
 class GridBound {
  public:
-  static constexpr std::uint32_t never = UINT32_MAX;  // proved: nothing accepting is within reach
-  static constexpr std::size_t most_terms = std::size_t{1} << 22U;
+  static constexpr std::uint32_t never = UINT32_MAX;                // proved: nothing accepting is within reach
+  static constexpr std::size_t most_terms = std::size_t{1} << 22U;  // of a task; larger tasks have no bound
 
   // nullopt: more than `most_terms` letters² · states to look at.
   static std::optional<GridBound> of(const GridWorld& grid, const TaskTable& task);

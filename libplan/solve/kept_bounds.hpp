@@ -23,10 +23,11 @@ class KeptBounds {
     upper_.assign(count, 0);
   }
 
+  // Are bounds of the state remembered?
   bool keeps(std::uint32_t state) const { return !kept_ || kept_->contains(state); }
   double lower(std::uint32_t state) const { return lower_[place(state)]; }  // of states that are kept
-  double upper(std::uint32_t state) const { return upper_[place(state)]; }
-  void set(std::uint32_t state, double lower, double upper) {  // of others nothing is remembered
+  double upper(std::uint32_t state) const { return upper_[place(state)]; }  // of states that are kept
+  void set(std::uint32_t state, double lower, double upper) {               // of others nothing is remembered
     if (!keeps(state)) return;
     lower_[place(state)] = lower;
     upper_[place(state)] = upper;

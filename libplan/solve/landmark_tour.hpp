@@ -18,13 +18,13 @@
 namespace waymark::plan {
 
 struct LandmarkTour {
-  double cost = 0;
+  double cost = 0;                   // of the whole walk
   std::vector<std::uint32_t> stops;  // places, in order; of a closed walk the last is the first again
 };
 struct NoLandmarkTour {  // proved
-  std::string reason;
+  std::string reason;    // which landmark cannot be visited
 };
-constexpr std::size_t most_landmarks = 20;
+constexpr std::size_t most_landmarks = 20;  // of one tour
 
 // Closed: through all landmarks and back, anywhere within reach of the start; the way to it costs nothing. Open: from
 // the start, whose own letter counts, until all have been visited. nullopt: stopped. Throws std::invalid_argument for a

@@ -15,7 +15,8 @@ namespace waymark::plan {
 class AcceptingPart {
  public:
   explicit AcceptingPart(const MarkedGraph& graph);
-  bool contains(std::uint32_t v) const { return accepting_[component_[v]]; }
+  bool contains(std::uint32_t v) const { return accepting_[component_[v]]; }  // on some accepting cycle?
+  // On some accepting cycle?
   bool keeps(const MarkedEdge& e) const { return component_[e.from] == component_[e.to] && contains(e.from); }
 
  private:
@@ -23,14 +24,14 @@ class AcceptingPart {
   std::vector<bool> accepting_;  // by component
 };
 
-struct Cycle {
+struct Cycle {  // a closed walk
   std::vector<std::uint32_t>
-      edges;  // of the graph, each beginning where the one before ends, and the first where the last ends
-  double cost = 0;
+      edges;        // of the graph, each beginning where the one before ends, and the first where the last ends
+  double cost = 0;  // the sum
 };
-double cost_of(const MarkedGraph& graph, const std::vector<std::uint32_t>& edges);
+double cost_of(const MarkedGraph& graph, const std::vector<std::uint32_t>& edges);  // of a walk
 
-class LeastCycles {
+class LeastCycles {  // searches that share their memory
  public:
   // Throws what the budget throws: a state for every (vertex, set of marks).
   LeastCycles(const MarkedGraph& graph, const AcceptingPart& part, automata::Budget& budget);

@@ -26,12 +26,12 @@ enum class LassoOrder : std::uint8_t {
 };
 std::string_view name(LassoOrder order);  // "prefix", "cycle", "mean"
 
-struct LassoRoute {
+struct LassoRoute {           // a route for ever
   ChoiceRoute prefix, cycle;  // the cycle begins and ends in the last place of the prefix
   std::uint64_t rounds = 1;   // that walking the cycle again and again completes each time; 1 but for Mean
-  double mean() const { return cycle.cost / static_cast<double>(rounds); }
+  double mean() const { return cycle.cost / static_cast<double>(rounds); }  // of a round
 };
-struct LassoAnswer {
+struct LassoAnswer {                // a lasso, or a proof that there is none
   std::optional<LassoRoute> route;  // nullopt: proved that there is none
   SearchStatistics statistics;      // vertices and edges of the product
 };
@@ -42,6 +42,7 @@ template <class Model>
 std::optional<LassoAnswer> least_lasso(const Model& model, const automata::Automaton& automaton, LassoOrder order,
                                        std::size_t limit = 100'000'000, const std::stop_token& stop = {});
 
+// The letters of the prefix and of the cycle.
 template <class Model>
 ltl::Lasso word_of(const Model& model, const LassoRoute& route);
 
@@ -50,8 +51,8 @@ ltl::Lasso word_of(const Model& model, const LassoRoute& route);
 // takes this type.
 class CertifiedLasso {
  public:
-  const LassoRoute& route() const { return route_; }
-  bool by_definition() const { return by_definition_; }
+  const LassoRoute& route() const { return route_; }     // as it was checked
+  bool by_definition() const { return by_definition_; }  // else by the automaton
 
  private:
   template <class Model>

@@ -15,7 +15,7 @@
 
 namespace waymark::plan {
 
-struct RoutesAnswer {
+struct RoutesAnswer {               // several routes
   std::vector<ChoiceRoute> routes;  // fewer than asked for: proved that there are no more
   SearchStatistics statistics;      // walks settled, edges looked at
 };

@@ -10,11 +10,11 @@ namespace waymark::plan {
 
 class MarkovChain {
  public:
-  struct State {
-    std::uint32_t index;
+  struct State {          // of the chain
+    std::uint32_t index;  // from 0
   };
-  using Compact = State;
-  static constexpr std::uint32_t trap = UINT32_MAX;
+  using Compact = State;                             // as of ProductMdp
+  static constexpr std::uint32_t trap = UINT32_MAX;  // no state
 
   // The states that the strategy meets from its start; the product has one. Where it makes no choice the chain stays,
   // at no cost.
@@ -46,8 +46,9 @@ class MarkovChain {
     finish();
   }
 
-  std::uint32_t states() const { return static_cast<std::uint32_t>(origin_.size()); }
-  std::uint32_t origin(std::uint32_t i) const { return origin_[i]; }  // in the product; 0 is the start
+  std::uint32_t states() const { return static_cast<std::uint32_t>(origin_.size()); }  // those that the strategy meets
+  std::uint32_t origin(std::uint32_t i) const { return origin_[i]; }                   // in the product; 0 is the start
+  // What the interface of ProductMdp asks.
   State state(std::uint32_t i) const { return {i}; }
   State state(State s) const { return s; }
   State compact(State s) const { return s; }

@@ -17,9 +17,9 @@ namespace waymark::plan {
 std::uint64_t rounds_of(const MarkedGraph& graph, const std::vector<std::uint32_t>& edges);
 
 struct MeanCycle {
-  Cycle cycle;
+  Cycle cycle;               // the walk
   std::uint64_t rounds = 1;  // that walking the cycle again and again completes each time
-  double mean() const { return cycle.cost / static_cast<double>(rounds); }
+  double mean() const { return cycle.cost / static_cast<double>(rounds); }  // of a round
 };
 
 // `known`: some closed walk that meets every mark. Of all closed walks of least ratio one that begins at the vertex

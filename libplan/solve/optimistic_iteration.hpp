@@ -12,16 +12,16 @@
 namespace waymark::plan {
 
 enum class Measure : std::uint8_t { MaxProbability, MinProbability, MinCost };
-constexpr bool is_probability(Measure measure) { return measure != Measure::MinCost; }
+constexpr bool is_probability(Measure measure) { return measure != Measure::MinCost; }  // else a cost
 
-struct IterationOptions {
+struct IterationOptions {             // what is proved, and at which price
   double tolerance = 1e-6;            // upper − lower, proved: absolute for probabilities, relative for costs
   bool policy_iteration = false;      // linear solves from the start, not only where sweeps are slow
   std::uint64_t sweeps = UINT64_MAX;  // of each block
   std::size_t written_out = std::size_t{1} << 20U;  // unknowns of a block up to which its equations are written out
   std::size_t on_grid = 20'000;  // unknowns of a block of a grid from which it is swept in place, where its kind allows
   bool keep_values = false;      // of all states, in the answer
-  std::stop_token stop = {};
+  std::stop_token stop = {};     // polled between sweeps
 };
 
 // Does a sweep that turns `before` into `after` raise it, by more than the rounding of a sum?
@@ -35,7 +35,7 @@ concept OptimisticBackend = requires(B& backend, double number, std::uint64_t sw
   { backend.prove(sweeps, options) } -> std::same_as<bool>;   // after so many sweeps of refinement
 };
 
-enum class IterationEnd : std::uint8_t { Proved, NotProved, OutOfLimits };
+enum class IterationEnd : std::uint8_t { Proved, NotProved, OutOfLimits };  // of a block
 
 // change: what a sweep may still change at the first guess. NotProved: the bounds do not meet in doubles.
 template <OptimisticBackend Backend>

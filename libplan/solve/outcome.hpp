@@ -16,18 +16,18 @@ struct Policy {  // on the product: what to do in each vertex
   ProductState start;  // the start vertex that the value belongs to
 };
 
-struct Solved {
+struct Solved {  // a policy and its value
   Policy policy;
   double value = 0;             // least cost from policy.start to acceptance
   double lower = 0, upper = 0;  // proved bounds on it; equal for a search
   std::size_t expanded = 0;     // vertices expanded: the count that benchmarks report
 };
-struct Infeasible {  // proved: no run of the product is accepting
-  std::string reason;
+struct Infeasible {    // proved: no run of the product is accepting
+  std::string reason;  // in words
 };
-struct Exhausted {  // nothing proved
-  std::size_t expanded = 0;
+struct Exhausted {           // nothing proved
+  std::size_t expanded = 0;  // pairs that were met
 };
-using Outcome = std::variant<Solved, Infeasible, Exhausted>;
+using Outcome = std::variant<Solved, Infeasible, Exhausted>;  // of a solver
 
 }  // namespace waymark::plan

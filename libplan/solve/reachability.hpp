@@ -12,7 +12,7 @@
 
 namespace waymark::plan {
 
-using StateSet = std::vector<bool>;
+using StateSet = std::vector<bool>;  // by state
 
 // The states from which `targets` are reached when only choices count that `usable(state, choice, reached)` says yes
 // to.
@@ -39,6 +39,7 @@ StateSet backward(const Product& product, const StateSet& targets, const Usable&
   return reached;
 }
 
+// Does the choice lead into the set with some chance?
 template <class Product>
 bool some_outcome_in(const Product& product, const typename Product::State& s, std::uint32_t k, const StateSet& set) {
   bool some = false;
@@ -46,6 +47,7 @@ bool some_outcome_in(const Product& product, const typename Product::State& s, s
   return some;
 }
 
+// Does the choice lead into the set whatever happens?
 template <class Product>
 bool all_outcomes_in(const Product& product, const typename Product::State& s, std::uint32_t k, const StateSet& set) {
   bool all = true;

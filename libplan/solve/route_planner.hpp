@@ -29,7 +29,7 @@ namespace waymark::plan {
 // Map and automaton must outlive it; one thread at a time.
 class RoutePlanner {
  public:
-  using Result = std::variant<Route, Infeasible, Exhausted>;
+  using Result = std::variant<Route, Infeasible, Exhausted>;  // of one search
 
   // Throws ltl::FormatError on a proposition that the map lacks.
   RoutePlanner(const Map& map, const automata::Dfa& dfa);

@@ -18,6 +18,6 @@ struct ShortestRoute {
   std::stop_token stop = {};  // polled every few hundred vertices; then Exhausted
 };
 
-Outcome solve(const MapProduct& product, const ShortestRoute& method = {});
+Outcome solve(const MapProduct& product, const ShortestRoute& method = {});  // Infeasible when no start has a route
 
 }  // namespace waymark::plan

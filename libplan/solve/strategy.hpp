@@ -9,7 +9,7 @@ namespace waymark::plan {
 // A choice for every state, or none. One byte a state while choices are few, four from the first that is not.
 class Choices {
  public:
-  static constexpr std::uint32_t none = UINT32_MAX;
+  static constexpr std::uint32_t none = UINT32_MAX;  // no choice
   Choices() = default;
   explicit Choices(std::size_t states) : narrow_(states, no_byte) {}
 
@@ -18,7 +18,7 @@ class Choices {
     if (!wide_.empty()) return wide_[state];
     return narrow_[state] == no_byte ? none : narrow_[state];
   }
-  void set(std::size_t state, std::uint32_t choice) {
+  void set(std::size_t state, std::uint32_t choice) {  // of one state
     if (wide_.empty() && choice >= no_byte && choice != none) widen();
     if (wide_.empty())
       narrow_[state] = choice == none ? no_byte : static_cast<std::uint8_t>(choice);
@@ -40,8 +40,8 @@ class Choices {
 
 struct Strategy {
   static constexpr std::uint32_t none = Choices::none;  // a goal, or a state that the strategy never meets
-  Choices choice;
-  std::uint32_t start = 0;  // in which of the product's starts it begins
+  Choices choice;                                       // by state
+  std::uint32_t start = 0;                              // in which of the product's starts it begins
 };
 
 }  // namespace waymark::plan

@@ -17,7 +17,7 @@ class StrategyChain {
  public:
   using State = typename Product::State;
   using Compact = typename Product::Compact;
-  static constexpr std::uint32_t trap = Product::trap;
+  static constexpr std::uint32_t trap = Product::trap;  // no state
 
   StrategyChain(const Product& product, const Strategy& strategy)
       : product_(product), strategy_(strategy), met_(product.states(), false) {
@@ -34,11 +34,12 @@ class StrategyChain {
     }
   }
 
-  const Product& product() const { return product_; }
-  const Strategy& strategy() const { return strategy_; }
-  bool meets(std::uint32_t i) const { return met_[i]; }
+  const Product& product() const { return product_; }     // in which the strategy chooses
+  const Strategy& strategy() const { return strategy_; }  // that was given
+  bool meets(std::uint32_t i) const { return met_[i]; }   // is the state of the product met?
 
   std::uint32_t states() const { return product_.states(); }  // those never met among them
+  // What the interface of ProductMdp asks.
   State state(std::uint32_t i) const { return product_.state(i); }
   State state(Compact c) const { return product_.state(c); }
   Compact compact(const State& s) const { return product_.compact(s); }
@@ -55,6 +56,7 @@ class StrategyChain {
       if (met_[s.index]) visit(s);
     });
   }
+  // Visits the states that the strategy meets.
   template <class Visit>
   void for_each_state(Visit&& visit) const {
     for_each_state(0, states(), visit);
@@ -67,6 +69,7 @@ class StrategyChain {
     else
       product_.for_each_outcome(s, k, visit);
   }
+  // Visits the states from which the strategy leads here.
   template <class Visit>
   void for_each_predecessor(const State& s, Visit&& visit) const {
     product_.for_each_predecessor(s, [&](const State& source) {

@@ -28,8 +28,8 @@ class SweptBlock {  // all of them must outlive it
     lower_[state] = lower;
     upper_[state] = upper;
   }
-  double lower(std::uint32_t state) const { return lower_[state]; }
-  double upper(std::uint32_t state) const { return upper_[state]; }
+  double lower(std::uint32_t state) const { return lower_[state]; }  // bound
+  double upper(std::uint32_t state) const { return upper_[state]; }  // bound
 
   // How many sweeps it took; nullopt: stopped, out of sweeps, or the bounds do not meet in doubles.
   std::optional<std::uint64_t> solve(const std::vector<Compact>& order, const IterationOptions& options) {

@@ -17,7 +17,7 @@
 
 namespace waymark::plan {
 
-using TaskAutomaton = std::variant<automata::Dfa, automata::MdpSafe>;
+using TaskAutomaton = std::variant<automata::Dfa, automata::MdpSafe>;  // for finite tasks, for infinite ones
 
 // Is the formula about finite words, or decided by a finite prefix of infinite ones where it holds?
 bool is_finite_task(ltl::Formula f, CaseTask::Logic logic);

@@ -11,8 +11,8 @@ namespace waymark::plan {
 // only choices that never leave `unknown` ∪ `targets` count. Nothing is merged for least probabilities: there staying
 // for ever is worth 0.
 struct Unknowns {
-  StateSet unknown, targets;
-  EndComponents merged;  // among the unknown ones
+  StateSet unknown, targets;  // without a known value; whose value is 1, or cost 0
+  EndComponents merged;       // among the unknown ones
 };
 
 // The merged ones together.
@@ -30,9 +30,10 @@ class EndComponentQuotient {
     });
   }
 
-  std::uint32_t component(std::uint32_t i) const {
+  std::uint32_t component(std::uint32_t i) const {  // of state i, or none
     return unknowns_.merged.count == 0 ? EndComponents::none : unknowns_.merged.of[i];
   }
+  // In ascending order.
   const std::vector<Compact>& members(std::uint32_t component) const { return members_[component]; }
 
   // The value of a state, and of those merged with it.

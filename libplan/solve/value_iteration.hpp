@@ -24,16 +24,16 @@
 
 namespace waymark::plan {
 
-struct Values {
+struct Values {                  // the answer
   KeptBounds bounds;             // of targets 1 (probability) or 0 (cost)
   std::vector<double> attained;  // by state: the bound that a choice attains, the lower one of probabilities
-  std::uint64_t sweeps = 0;
+  std::uint64_t sweeps = 0;      // over all blocks
 };
 
 // What is remembered of states whose block has been solved.
 struct Keep {
   const StateSet* bounds = nullptr;  // of these states, which include those that other blocks lead into; none: of all
-  bool attained = false;
+  bool attained = false;             // also the attained values
 };
 
 template <class Product, Measure measure>

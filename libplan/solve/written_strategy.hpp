@@ -11,9 +11,10 @@
 namespace waymark::plan {
 
 struct NamedRoute {
-  std::vector<std::string> places, actions;
-  double cost = 0;
+  std::vector<std::string> places, actions;  // names
+  double cost = 0;                           // the sum
 };
+// With the names of the model.
 template <class Model>
 NamedRoute named(const Model& model, const ChoiceRoute& route) {
   NamedRoute out{{}, {}, route.cost};
@@ -23,12 +24,12 @@ NamedRoute named(const Model& model, const ChoiceRoute& route) {
   return out;
 }
 
-struct Decision {
-  static constexpr std::uint32_t no_jump = UINT32_MAX;
-  std::string place;
-  std::uint32_t task = 0;        // the automaton's state, as the automaton numbers it
-  std::string action;            // empty: a jump of the automaton, which takes no time
-  std::uint32_t jump = no_jump;  // where to
+struct Decision {                                       // in one pair of place and task
+  static constexpr std::uint32_t no_jump = UINT32_MAX;  // no jump is made
+  std::string place;                                    // its name
+  std::uint32_t task = 0;                               // the automaton's state, as the automaton numbers it
+  std::string action;                                   // empty: a jump of the automaton, which takes no time
+  std::uint32_t jump = no_jump;                         // where to
 };
 
 // Of every state that the strategy meets and chooses in, in the order in which it meets them; the first is the start.

@@ -7,10 +7,10 @@
 
 namespace waymark::plan {
 
-struct HallwayRecipe {
+struct HallwayRecipe {                  // what is drawn
   std::uint32_t width = 8, height = 6;  // places
   std::uint32_t objects = 6;            // pieces of furniture, each in a place of its own
-  std::uint64_t seed = 1;
+  std::uint64_t seed = 1;               // of all that is drawn
 };
 
 // The JSON text. Throws std::invalid_argument: fewer than two or more than 10,000 places, more objects than places.

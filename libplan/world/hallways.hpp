@@ -15,14 +15,14 @@
 
 namespace waymark::plan {
 
-struct Pose {
+struct Pose {                     // where one stands, and where one looks
   int x = 0, y = 0, heading = 0;  // heading ∈ {0, 90, 180, 270}
   friend auto operator<=>(const Pose&, const Pose&) = default;
 };
 std::string show(const Pose& pose);  // "(1,9,270)"
 
-struct Node {
-  int x = 0, y = 0;
+struct Node {                         // a place
+  int x = 0, y = 0;                   // of the place
   std::optional<std::string> object;  // furniture standing here
   std::optional<int> place;           // numbered position
 };
@@ -42,6 +42,7 @@ class Hallways {
   void add_node(Node node);
   void add_edge(Edge edge);
 
+  // In the order of the file.
   const std::vector<Node>& nodes() const { return nodes_; }
   const std::vector<Edge>& edges() const { return edges_; }
   std::optional<std::uint32_t> node_at(int x, int y) const;  // O(log nodes)

@@ -49,10 +49,10 @@ class LetterLines {
   std::vector<ltl::Proposition> header_;  // of CSV, by column
 };
 
-struct NamedTrace {
-  ltl::Trace word;
-  ltl::Vocabulary vocabulary;
-  bool names_all = false;  // of a table: other propositions are not merely false, they are unknown
+struct NamedTrace {            // a word with its names
+  ltl::Trace word;             // not empty
+  ltl::Vocabulary vocabulary;  // of the word
+  bool names_all = false;      // of a table: other propositions are not merely false, they are unknown
 };
 // All letters of a text. Throws as above, and ltl::FormatError when there is none.
 NamedTrace read_letters(std::string_view text, LetterFormat format, const std::string& source);

@@ -14,8 +14,8 @@
 
 namespace waymark::plan {
 
-struct LetterId {
-  std::uint32_t index = 0;
+struct LetterId {           // of one model
+  std::uint32_t index = 0;  // from 0
   friend auto operator<=>(const LetterId&, const LetterId&) = default;
 };
 

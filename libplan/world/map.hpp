@@ -23,11 +23,11 @@
 
 namespace waymark::plan {
 
-enum class Action : std::uint8_t { Forward, Left, Right };
+enum class Action : std::uint8_t { Forward, Left, Right };                                         // what one can do
 inline constexpr std::array<Action, 3> all_actions{Action::Forward, Action::Left, Action::Right};  // the tie order
 std::string_view name(Action action);  // "FORWARD", "LEFT", "RIGHT"
 
-struct PoseId {
+struct PoseId {             // of one map
   std::uint32_t index = 0;  // 4 · node + heading / 90
   friend auto operator<=>(const PoseId&, const PoseId&) = default;
 };
@@ -43,23 +43,26 @@ class Map {
   Map(std::string name, const std::vector<Node>& nodes, const std::vector<Edge>& edges,
       std::vector<std::string> objects, std::vector<std::string> floors, std::vector<std::string> walls);
 
+  // As the file has them.
   const std::string& name() const { return name_; }
   const Hallways& hallways() const { return hallways_; }
   const std::vector<Node>& nodes() const { return hallways_.nodes(); }
   const std::vector<Edge>& edges() const { return hallways_.edges(); }
+  // The names of what can be observed, and the greatest place number.
   const std::vector<std::string>& objects() const { return observables_.objects; }
   const std::vector<std::string>& floors() const { return observables_.floors; }
   const std::vector<std::string>& walls() const { return observables_.walls; }
   int places() const { return observables_.places; }
 
-  const ltl::Vocabulary& vocabulary() const { return letters_.vocabulary(); }
-  std::size_t poses() const { return 4 * nodes().size(); }
-  Pose pose(PoseId p) const;
-  std::optional<PoseId> find(const Pose& pose) const;
-  std::uint32_t node_of(PoseId p) const { return p.index / 4; }
+  const ltl::Vocabulary& vocabulary() const { return letters_.vocabulary(); }  // the propositions of the map
+  std::size_t poses() const { return 4 * nodes().size(); }                     // four for each node
+  Pose pose(PoseId p) const;                                                   // of a number
+  std::optional<PoseId> find(const Pose& pose) const;                          // nothing when there is no such place
+  std::uint32_t node_of(PoseId p) const { return p.index / 4; }                // where the pose is
   std::optional<std::uint32_t> neighbour(std::uint32_t node, int heading) const {  // along a hallway
     return hallways_.neighbour(node, heading);
   }
+  // Null where there is a wall.
   const Edge* hallway(std::uint32_t node, int heading) const { return hallways_.hallway(node, heading); }
 
   std::optional<PoseId> successor(PoseId p, Action action) const {  // nullopt: FORWARD into a wall
@@ -72,10 +75,11 @@ class Map {
 
   const ltl::Letter& label(PoseId p) const { return letter(label_id(p)); }  // L(p), without events
   const ltl::Letter& letter(PoseId after, Action by) const { return letter(letter_id(after, by)); }  // with events
-  LetterId label_id(PoseId p) const { return letter_ids_[p.index][3]; }
+  LetterId label_id(PoseId p) const { return letter_ids_[p.index][3]; }  // of L(p), without an event
+  // Of L(after) with the event of the action.
   LetterId letter_id(PoseId after, Action by) const { return letter_ids_[after.index][static_cast<std::size_t>(by)]; }
   const ltl::Letter& letter(LetterId id) const { return letters_[id]; }
-  const Letters& letters() const { return letters_; }
+  const Letters& letters() const { return letters_; }  // the distinct letters
 
  private:
   static constexpr std::uint32_t wall_ahead = UINT32_MAX;

@@ -16,23 +16,23 @@ namespace waymark::plan {
 using LandmarkIndex = std::uint32_t;             // position in StreetMap::landmarks
 using StreetRoute = std::vector<LandmarkIndex>;  // start first
 
-struct Landmark {
-  int id = 0;  // as the file has it; may have gaps
-  std::string name;
+struct Landmark {            // a place with a name
+  int id = 0;                // as the file has it; may have gaps
+  std::string name;          // may occur twice
   double right = 0, up = 0;  // in the picture people saw; 0 when it is not read
 };
 
-struct Way {
-  LandmarkIndex to = 0;
-  double length = 0;
+struct Way {             // to a neighbour
+  LandmarkIndex to = 0;  // the neighbour
+  double length = 0;     // as the file has it
 };
 
 struct StreetMap {
-  std::string name;
-  std::vector<Landmark> landmarks;
+  std::string name;                    // of the city
+  std::vector<Landmark> landmarks;     // in the order of the file
   std::vector<std::vector<Way>> ways;  // by landmark, both directions, in the order of the file
 
-  std::optional<LandmarkIndex> find(int id) const;
+  std::optional<LandmarkIndex> find(int id) const;  // by the number in the file
   std::optional<double> length(LandmarkIndex a,
                                LandmarkIndex b) const;      // of the way between them; O(ways of a)
   double distance(LandmarkIndex a, LandmarkIndex b) const;  // as the crow flies, in the picture

@@ -38,6 +38,10 @@ std::string impossible_step(const Map& map, PoseId from, PoseId to) {
   return out;
 }
 
+std::string not_closed(const Map& map, PoseId begin) {
+  return "the cycle must lead back to " + show(map.pose(begin)) + ", where it begins, by one action or more";
+}
+
 std::optional<int> parse_int(std::string_view text) {
   int value = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
@@ -62,35 +66,64 @@ class JsonForm {
  public:
   JsonForm(std::string_view text, const Map& map, std::string_view source) : in_(text, source), map_(map) {}
 
-  Trajectory read() const {
+  Walk read() const {
     const Value document = in_.parse();
+    Walk walk;
+    if (document.is_object() && document.contains("cycle") && !document.contains("route")) {
+      append_all(document, "prefix", walk.trajectory);
+      const std::size_t prefix = walk.trajectory.actions.size();
+      const PoseId begin = walk.trajectory.poses.back();
+      append_all(document, "cycle", walk.trajectory);
+      walk.repeated = walk.trajectory.actions.size() - prefix;
+      if (walk.repeated == 0 || walk.trajectory.poses.back() != begin) in_.fail("cycle", not_closed(map_, begin));
+      return walk;
+    }
     std::string path;
     for (const char* key : {"route", "poses"})
       if (path.empty() && document.is_object() && document.contains(key)) path = key;
-    const Value& list = path.empty() ? document : document[path];
-    if (!list.is_array()) in_.fail(path, "expected a list of poses [x,y,heading]");
-    if (list.empty()) in_.fail(path, "a trajectory needs at least one pose");
-    Trajectory trajectory;
-    for (std::size_t i = 0; i < list.size(); ++i) append(list[i], path + "[" + std::to_string(i) + "]", trajectory);
-    return trajectory;
+    append_all(document, path, walk.trajectory);
+    return walk;
   }
 
  private:
   using Value = JsonReader::Value;
 
-  void append(const Value& value, const std::string& path, Trajectory& trajectory) const {
+  // The list under this key, or the document itself; the first pose of a list that goes on is the last one so far.
+  void append_all(const Value& document, const std::string& path, Trajectory& trajectory) const {
+    static const Value absent;
+    const Value& list = path.empty() ? document : document.contains(path) ? document[path] : absent;
+    if (!list.is_array()) in_.fail(path, "expected a list of poses [x,y,heading]");
+    if (list.empty()) in_.fail(path, "a trajectory needs at least one pose");
+    const bool goes_on = !trajectory.poses.empty();
+    const PoseId last = goes_on ? trajectory.poses.back() : PoseId{};
+    for (std::size_t i = 0; i < list.size(); ++i) {
+      const std::string place = path + "[" + std::to_string(i) + "]";
+      if (i > 0 || !goes_on) {
+        append(list[i], place, trajectory);
+      } else if (pose_of(list[i], place) != last) {
+        in_.fail(place, "expected " + show(map_.pose(last)) + ", where the prefix ends");
+      }
+    }
+  }
+
+  PoseId pose_of(const Value& value, const std::string& path) const {
     if (!value.is_array() || value.size() != 3) in_.fail(path, "expected a pose [x,y,heading]");
     std::array<int, 3> numbers{};
     for (std::size_t i = 0; i < 3; ++i) numbers[i] = in_.integer(value[i], path + "[" + std::to_string(i) + "]");
     const Pose pose{numbers[0], numbers[1], numbers[2]};
     const auto id = map_.find(pose);
     if (!id) in_.fail(path, no_such_pose(map_, pose));
+    return *id;
+  }
+
+  void append(const Value& value, const std::string& path, Trajectory& trajectory) const {
+    const PoseId id = pose_of(value, path);
     if (!trajectory.poses.empty()) {
-      const auto action = action_between(map_, trajectory.poses.back(), *id);
-      if (!action) in_.fail(path, impossible_step(map_, trajectory.poses.back(), *id));
+      const auto action = action_between(map_, trajectory.poses.back(), id);
+      if (!action) in_.fail(path, impossible_step(map_, trajectory.poses.back(), id));
       trajectory.actions.push_back(*action);
     }
-    trajectory.poses.push_back(*id);
+    trajectory.poses.push_back(id);
   }
 
   const JsonReader in_;
@@ -118,32 +151,86 @@ std::vector<Token> tokens(std::string_view text, std::string_view separators) {
   return out;
 }
 
-Trajectory parse_actions(std::string_view text, const Map& map, std::string_view source) {
-  const std::vector<Token> pieces = tokens(text, " \t\r\n");
-  const auto fail = [&](const Token& token, const std::string& message) {
-    throw format_error_at(source, text, token.offset, message);
-  };
-  if (pieces.empty()) throw format_error_at(source, text, 0, "expected a start pose x,y,heading and actions");
-  Trajectory trajectory;
-  const auto numbers = parse_numbers(pieces[0].text);
-  if (!numbers || numbers->size() != 3)
-    fail(pieces[0], "expected a start pose x,y,heading, found '" + std::string(pieces[0].text) + "'");
-  const Pose start{(*numbers)[0], (*numbers)[1], (*numbers)[2]};
-  const auto id = map.find(start);
-  if (!id) fail(pieces[0], no_such_pose(map, start));
-  trajectory.poses.push_back(*id);
-  const std::size_t begin = pieces[0].offset + pieces[0].text.size();
-  for (Token token : tokens(text.substr(begin), " \t\r\n,")) {
-    token.offset += begin;
+// "(", ")w" and their likes stand apart from the actions, or touch them.
+std::vector<Token> with_brackets_apart(const std::vector<Token>& pieces) {
+  std::vector<Token> out;
+  for (const Token& piece : pieces) {
+    for (std::size_t at = 0; at < piece.text.size();) {
+      const bool opens = piece.text[at] == '(', closes = piece.text[at] == ')';
+      const std::size_t end = opens    ? at + 1
+                              : closes ? piece.text.size()
+                                       : std::min(piece.text.find_first_of("()", at), piece.text.size());
+      out.push_back({piece.text.substr(at, end - at), piece.offset + at});
+      at = end;
+    }
+  }
+  return out;
+}
+
+class TextForm {
+ public:
+  TextForm(std::string_view text, const Map& map, std::string_view source) : text_(text), map_(map), source_(source) {}
+
+  Walk read() {
+    const std::vector<Token> pieces = tokens(text_, " \t\r\n");
+    if (pieces.empty()) throw format_error_at(source_, text_, 0, "expected a start pose x,y,heading and actions");
+    read_start(pieces[0]);
+    const std::size_t begin = pieces[0].offset + pieces[0].text.size();
+    for (Token& token : with_brackets_apart(tokens(text_.substr(begin), " \t\r\n,"))) {
+      token.offset += begin;
+      if (walk_.repeated > 0) fail(token, "nothing follows what is repeated for ever");
+      if (token.text == "(") {
+        if (cycle_) fail(token, "a walk has one cycle");
+        cycle_ = walk_.trajectory.actions.size();
+      } else if (token.text.starts_with(')')) {
+        close(token);
+      } else {
+        read_action(token);
+      }
+    }
+    if (cycle_ && walk_.repeated == 0) throw format_error_at(source_, text_, text_.size(), "expected ')w'");
+    return std::move(walk_);
+  }
+
+ private:
+  [[noreturn]] void fail(const Token& token, const std::string& message) const {
+    throw format_error_at(source_, text_, token.offset, message);
+  }
+
+  void read_start(const Token& piece) {
+    const auto numbers = parse_numbers(piece.text);
+    if (!numbers || numbers->size() != 3)
+      fail(piece, "expected a start pose x,y,heading, found '" + std::string(piece.text) + "'");
+    const Pose start{(*numbers)[0], (*numbers)[1], (*numbers)[2]};
+    const auto id = map_.find(start);
+    if (!id) fail(piece, no_such_pose(map_, start));
+    walk_.trajectory.poses.push_back(*id);
+  }
+
+  void read_action(const Token& token) {
+    Trajectory& trajectory = walk_.trajectory;
     const auto action = parse_action(token.text);
     if (!action) fail(token, "expected FORWARD, LEFT or RIGHT, found '" + std::string(token.text) + "'");
-    const auto next = map.successor(trajectory.poses.back(), *action);
-    if (!next) fail(token, "FORWARD meets a wall at " + show(map.pose(trajectory.poses.back())));
+    const auto next = map_.successor(trajectory.poses.back(), *action);
+    if (!next) fail(token, "FORWARD meets a wall at " + show(map_.pose(trajectory.poses.back())));
     trajectory.actions.push_back(*action);
     trajectory.poses.push_back(*next);
   }
-  return trajectory;
-}
+
+  void close(const Token& token) {
+    if (!cycle_) fail(token, "')' without '('");
+    if (token.text != ")w" && token.text != ")^w" && token.text != ")ʷ") fail(token, "expected ')w'");
+    const PoseId begin = walk_.trajectory.poses[*cycle_];
+    walk_.repeated = walk_.trajectory.actions.size() - *cycle_;
+    if (walk_.repeated == 0 || walk_.trajectory.poses.back() != begin) fail(token, not_closed(map_, begin));
+  }
+
+  std::string_view text_;
+  const Map& map_;
+  std::string_view source_;
+  Walk walk_;
+  std::optional<std::size_t> cycle_;  // actions before it
+};
 
 }  // namespace
 
@@ -172,6 +259,12 @@ ltl::Trace word_of(const Trajectory& trajectory, const Map& map) {
   return ltl::Trace(std::move(letters));
 }
 
+ltl::Lasso lasso_of(const Walk& walk, const Map& map) {
+  const ltl::Trace word = word_of(walk.trajectory, map);
+  const auto cycle = word.end() - static_cast<std::ptrdiff_t>(walk.repeated);
+  return {{word.begin(), cycle}, {cycle, word.end()}};
+}
+
 ltl::FormatError unknown_proposition(const Map& map, const std::string& name) {
   return unknown_proposition("the map " + map.name(), map.vocabulary(), name);
 }
@@ -194,10 +287,14 @@ ltl::Trace word_for(ltl::Formula f, const Trajectory& trajectory, const Map& map
   return ltl::Trace(std::move(letters));
 }
 
-Trajectory parse_trajectory(std::string_view text, const Map& map, std::string_view source) {
+Walk parse_walk(std::string_view text, const Map& map, std::string_view source) {
   const std::size_t first = text.find_first_not_of(" \t\r\n");
   const bool is_json = first != text.npos && (text[first] == '[' || text[first] == '{');
-  return is_json ? JsonForm(text, map, source).read() : parse_actions(text, map, source);
+  return is_json ? JsonForm(text, map, source).read() : TextForm(text, map, source).read();
+}
+
+Trajectory parse_trajectory(std::string_view text, const Map& map, std::string_view source) {
+  return parse_walk(text, map, source).trajectory;
 }
 
 std::vector<PoseId> parse_start(std::string_view text, const Map& map) {

@@ -33,8 +33,12 @@ std::vector<fs::path> transcripts() {
 std::string rerun(const std::string& transcript) {
   std::istringstream in(transcript);
   std::string out;
+  bool in_answer = false;
   for (std::string line; std::getline(in, line);) {
+    if (line.starts_with("[exit ")) in_answer = false;
+    if (in_answer) continue;
     if (line.starts_with("$ ")) {
+      in_answer = true;
       const CommandResult answer = run(line.substr(2), transcript_folder);
       out += line + '\n' + answer.output + "[exit " + std::to_string(answer.exit) + "]\n";
     } else if (line.starts_with("# ")) {

@@ -16,6 +16,10 @@ run(${SCRATCH}/build/consumer ${prefix}/share/waymark)
 if(NOT said STREQUAL "certified: LEFT LEFT FORWARD LEFT FORWARD\n")
   message(FATAL_ERROR "the consumer printed '${said}'")
 endif()
+execute_process(COMMAND ${SCRATCH}/build/consumer ${prefix}/share/waymark "F chiar" ERROR_VARIABLE said RESULT_VARIABLE code)
+if(NOT code EQUAL 1 OR NOT said MATCHES "did you mean 'chair'")
+  message(FATAL_ERROR "the consumer said of an unknown proposition: '${said}', exit ${code}")
+endif()
 
 # The same by components: formulas and automata need neither Boost nor Eigen, and a component that is not there is named.
 set(find_ltl "cmake_minimum_required(VERSION 3.25)\nproject(parts LANGUAGES CXX)\n")

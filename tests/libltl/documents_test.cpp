@@ -95,7 +95,7 @@ void expect_read_alike(const std::string& heading, std::size_t rows, Notation le
 }
 
 TEST(Documents, FormulasAreReadAsTheTablesSay) {
-  expect_read_alike("| written | read as |", 12, Notation::Infix);
+  expect_read_alike("| written | read as |", 16, Notation::Infix);
   expect_read_alike("| prefix | infix |", 2, Notation::Lbt);
   expect_read_alike("| postfix | infix |", 2, Notation::Postfix);
 }

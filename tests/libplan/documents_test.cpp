@@ -65,7 +65,11 @@ TEST(Documents, TheExampleTrajectoriesAreOne) {
   const Map map = annex();
   std::vector<std::string> texts = blocks("json trajectory");
   for (const std::string& text : blocks("text trajectory")) texts.push_back(text);
-  ASSERT_EQ(texts.size(), 3U);
+  ASSERT_EQ(texts.size(), 4U);
+  const Walk endless = parse_walk(texts.back(), map);
+  EXPECT_EQ(show(endless.trajectory, map), "0,0,90 FORWARD RIGHT FORWARD RIGHT RIGHT FORWARD RIGHT");
+  EXPECT_EQ(endless.repeated, 6U);
+  texts.pop_back();
   for (const std::string& text : texts)
     EXPECT_EQ(show(parse_trajectory(text, map), map), "0,0,0 RIGHT FORWARD FORWARD") << text;
 }

@@ -1,43 +1,14 @@
 // The answers of the API obey the JSON schemas that are installed with waymark, and the schemas refuse other objects.
 #include <gtest/gtest.h>
 
-#include <fstream>
-#include <nlohmann/json.hpp>
-#include <valijson/adapters/nlohmann_json_adapter.hpp>
-#include <valijson/schema.hpp>
-#include <valijson/schema_parser.hpp>
-#include <valijson/validation_results.hpp>
-#include <valijson/validator.hpp>
-
 #include "libparser/model_file.hpp"
+#include "tests/studio/schemas.hpp"
 #include "tools/studio/api.hpp"
 
 namespace waymark::studio {
 namespace {
 
 using nlohmann::json;
-using Adapter = valijson::adapters::NlohmannJsonAdapter;
-
-json read(const std::string& path) {
-  std::ifstream in(path);
-  EXPECT_TRUE(in) << path;
-  return json::parse(in);
-}
-
-// What is wrong with a document, "" when nothing is.
-std::string fault(const std::string& name, const json& document) {
-  const json text = read(WAYMARK_DATA_FOLDER "/schemas/" + name + ".schema.json");
-  valijson::Schema schema;
-  valijson::SchemaParser(valijson::SchemaParser::kDraft7).populateSchema(Adapter(text), schema);
-  valijson::ValidationResults results;
-  if (valijson::Validator().validate(schema, Adapter(document), &results)) return "";
-  std::string all;
-  for (valijson::ValidationResults::Error error; results.popError(error);) {
-    for (const std::string& part : error.context) all += part;
-    all += ": " + error.description + '\n';
-  }
-  return all.empty() ? "invalid" : all;
-}
 
 ApiAnswer ask(const std::string& method, const std::string& path, const std::string& body) {
   static Api one(parser::load_grounder(WAYMARK_DATA_FOLDER "/models/encoder-decoder.waymark"), WAYMARK_DATA_FOLDER);

@@ -72,14 +72,15 @@ TEST(Picture, GathersTheNumbersOfActionsInOnePlace) {
 }
 
 TEST(Picture, ShowsMapsWithOtherThingsInThem) {
-  const std::vector<plan::Node> nodes{{0, 0, "piano", 12}, {1, 0, std::nullopt, std::nullopt}};
+  const std::vector<plan::Node> nodes{{0, 0, "piano", 12}, {1, 0, "extraordinarily", std::nullopt}};
   const std::vector<plan::Edge> edges{{0, 1, "marble", "Ümit"}};
-  const plan::Map map("hall", nodes, edges, {"piano"}, {"marble"}, {"Ümit"});
+  const plan::Map map("hall", nodes, edges, {"piano", "extraordinarily"}, {"marble"}, {"Ümit"});
   const std::string svg = draw_page(page_of(map));
   EXPECT_EQ(first_fault(svg), "");
-  EXPECT_NE(svg.find(">pi</text>"), std::string::npos);
+  EXPECT_NE(svg.find(">piano</text>"), std::string::npos);
+  EXPECT_NE(svg.find(">ex</text>"), std::string::npos);  // too long to be written out
   EXPECT_NE(svg.find(">Üm</text>"), std::string::npos);
-  EXPECT_NE(svg.find(">12</text>"), std::string::npos);
+  EXPECT_NE(svg.find(">#12</text>"), std::string::npos);
 }
 
 TEST(Picture, EmbedsAnAutomatonThatGraphvizDrew) {

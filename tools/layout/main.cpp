@@ -37,7 +37,13 @@ void pad_labels(Agraph_t* graph) {
       const char* text = agget(edge, name.data());
       if (text == nullptr || *text == '\0') continue;
       std::string padded = ' ' + std::string(text) + ' ';
-      agset(edge, name.data(), padded.data());
+      if (aghtmlstr(const_cast<char*>(text)) == 0) {
+        agset(edge, name.data(), padded.data());
+      } else {  // agset takes any text for plain, unless the graph already knows it as markup
+        char* markup = agstrdup_html(graph, padded.data());
+        agset(edge, name.data(), markup);
+        agstrfree(graph, markup);
+      }
     }
 }
 

@@ -40,13 +40,23 @@ Drawing drawing_of(std::string_view svg) {
   return {values[2], values[3], std::string(svg.substr(root_end + 1, close - root_end - 1))};
 }
 
-std::optional<Drawing> lay_out(const std::string& dot) {
+std::optional<Drawing> lay_out(const std::string& dot, const std::vector<std::string>& attributes) {
   const auto program = tools::helper("waymark-layout");
   if (program.empty()) return std::nullopt;
-  const auto finished = tools::run_helper(program, {"rankdir=TB", "nodesep=0.5", "ranksep=0.6"}, dot);
+  const auto finished = tools::run_helper(program, attributes, dot);
   if (finished.exit_code != 0)
     throw std::runtime_error("waymark-layout ended with exit code " + std::to_string(finished.exit_code));
   return drawing_of(finished.output);
+}
+
+std::string alone(const Drawing& drawing) {
+  constexpr double border = 16;
+  Svg svg;
+  svg.raw("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n");
+  svg.open_picture(drawing.width + 2 * border, drawing.height + 2 * border);
+  embed(svg, drawing, {border, border}, drawing.width, drawing.height);
+  svg.close("svg");
+  return svg.str();
 }
 
 void embed(Svg& svg, const Drawing& drawing, Point corner, double width, double height) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <initializer_list>
 
 #include "tools/render/svg.hpp"
 
@@ -58,15 +59,53 @@ std::string band_of(const Curve& curve, const Axes& axes) {
   return d + " Z";
 }
 
-void draw_curve(Svg& svg, const Curve& curve, std::size_t i, const Axes& axes) {
+// Circle, square, triangle, diamond; filled, then hollow.
+void draw_mark(Svg& svg, Point at, std::size_t i, const std::string& colour) {
+  const bool filled = i % 8 < 4;
+  const std::string style = "stroke=\"" + colour + "\" stroke-width=\"1.6\" fill=\"" + (filled ? colour : "#fff") + '"';
+  const auto shape = [&](std::initializer_list<Point> corners) {
+    std::string d;
+    for (const Point corner : corners) d += (d.empty() ? "M " : " L ") + render::at({at.x + corner.x, at.y + corner.y});
+    svg.path(d + " Z", style);
+  };
+  switch (i % 4) {
+    case 0: svg.circle(at, 4, style); break;
+    case 1: shape({{-3.6, -3.6}, {3.6, -3.6}, {3.6, 3.6}, {-3.6, 3.6}}); break;
+    case 2: shape({{0, -4.6}, {4.4, 3.4}, {-4.4, 3.4}}); break;
+    default: shape({{0, -5}, {5, 0}, {0, 5}, {-5, 0}}); break;
+  }
+}
+
+double legend_y(std::size_t row) { return top + 10 + 22 * static_cast<double>(row); }
+
+void draw_legend_name(Svg& svg, std::size_t row, const std::string& name) {
+  svg.text({width - right + 50, legend_y(row) + 4}, 13, name, R"(fill="#20242b")");
+}
+
+void draw_curve(Svg& svg, const Curve& curve, std::size_t i, std::size_t curves, std::size_t row, const Axes& axes) {
   const std::string colour(colours[i % colours.size()]);
   const std::string stroke = R"(fill="none" stroke-width="2" stroke=")" + colour + '"' +
                              (i < colours.size() ? "" : R"( stroke-dasharray="6 4")");
   svg.path(band_of(curve, axes), R"(fill-opacity="0.15" stroke="none" fill=")" + colour + '"');
   svg.path(line_of(curve, axes), stroke);
-  const double y = top + 10 + 22 * static_cast<double>(i);
+  constexpr std::size_t marks = 8;  // on each curve, about
+  const std::size_t stride = std::max<std::size_t>(1, curve.points.size() / marks);
+  for (std::size_t k = stride * i / std::max<std::size_t>(1, curves); k < curve.points.size(); k += stride)
+    draw_mark(svg, {axes.x(curve.points[k].steps), Axes::y(curve.points[k].value)}, i, colour);
+  const double y = legend_y(row);
   svg.path("M " + at({width - right + 16, y}) + " L " + at({width - right + 42, y}), stroke);
-  svg.text({width - right + 50, y + 4}, 13, curve.name, R"(fill="#20242b")");
+  draw_mark(svg, {width - right + 29, y}, i, colour);
+  draw_legend_name(svg, row, curve.name);
+}
+
+void draw_exact(Svg& svg, const std::vector<std::string>& names, const Axes& axes) {
+  constexpr std::string_view stroke = R"(stroke="#20242b" stroke-width="2" stroke-dasharray="2 4" fill="none")";
+  svg.path("M " + at({axes.x(0), Axes::y(1)}) + " L " + at({axes.x(axes.most_steps), Axes::y(1)}), stroke);
+  for (std::size_t row = 0; row < names.size(); ++row) {
+    const double y = legend_y(row);
+    svg.path("M " + at({width - right + 16, y}) + " L " + at({width - right + 42, y}), stroke);
+    draw_legend_name(svg, row, names[row] + " (exact)");
+  }
 }
 
 }  // namespace
@@ -80,7 +119,9 @@ std::string draw_curves(const CurvePlot& plot) {
   svg.text({16, 24}, 16, plot.title, R"(fill="#1c3f7c")");
   svg.text({16, 44}, 13, plot.caption, R"(fill="#5c5c5c")");
   draw_axes(svg, axes);
-  for (std::size_t i = 0; i < plot.curves.size(); ++i) draw_curve(svg, plot.curves[i], i, axes);
+  const std::size_t exact = plot.exact.size(), learners = plot.curves.size();
+  for (std::size_t i = 0; i < learners; ++i) draw_curve(svg, plot.curves[i], i, learners, exact + i, axes);
+  if (exact > 0) draw_exact(svg, plot.exact, axes);
   svg.close("svg");
   return svg.str();
 }

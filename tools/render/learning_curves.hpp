@@ -1,4 +1,6 @@
-// Learning curves: environment steps against the score of the policy, one line for each method with its 95 % band.
+// Learning curves: environment steps against the score of the policy, one line for each learner with its 95 % band.
+// Curves that cover one another are told apart by their marks, which stand at steps of their own. What is exact is a
+// dashed line at 1.
 #pragma once
 #include <string>
 #include <vector>
@@ -17,6 +19,7 @@ struct CurvePlot {
   std::string title;    // the formula
   std::string caption;  // one line of facts
   std::vector<Curve> curves;
+  std::vector<std::string> exact = {};  // names of exact methods: always an optimal route
 };
 
 // A complete SVG document.

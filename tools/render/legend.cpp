@@ -47,13 +47,16 @@ Section floors_of(const plan::Map& map) {
   return section;
 }
 
+// Names that are written out on the map explain themselves.
 Section objects_of(const plan::Map& map) {
   Section section{"Furniture", {}};
   for (const std::string& object : occurring(map.objects(), [&](const std::string& name) {
-         return std::any_of(map.nodes().begin(), map.nodes().end(),
-                            [&](const plan::Node& n) { return n.object == name; });
-       }))
+         return !is_written_out(name) && std::any_of(map.nodes().begin(), map.nodes().end(),
+                                                     [&](const plan::Node& n) { return n.object == name; });
+       })) {
+    if (!has_drawing(object)) section.title = "Objects";
     section.entries.push_back({object, [object](Svg& svg, Point centre) { draw_object(svg, object, centre, 20); }});
+  }
   return section;
 }
 
@@ -67,11 +70,14 @@ Section paintings_of(const plan::Map& map) {
   return section;
 }
 
-Section marks_of(const plan::Map& map, bool with_route) {
+Section marks_of(const plan::Map& map, RouteMarks marks) {
   Section section{"Marks", {}};
-  if (with_route) {
+  if (marks != RouteMarks::None) {
     section.entries.push_back({"start", [](Svg& svg, Point centre) { draw_start_mark(svg, centre, 90); }});
-    section.entries.push_back({"end", [](Svg& svg, Point centre) { draw_end_mark(svg, centre, 90); }});
+    if (marks == RouteMarks::Route)
+      section.entries.push_back({"end", [](Svg& svg, Point centre) { draw_end_mark(svg, centre, 90); }});
+    else
+      section.entries.push_back({"for ever from here", [](Svg& svg, Point centre) { draw_cycle_mark(svg, centre); }});
     section.entries.push_back({"n-th action", [](Svg& svg, Point centre) { draw_step_number(svg, centre, "n"); }});
   }
   if (std::any_of(map.nodes().begin(), map.nodes().end(), [](const plan::Node& n) { return n.place.has_value(); }))
@@ -79,8 +85,8 @@ Section marks_of(const plan::Map& map, bool with_route) {
   return section;
 }
 
-std::vector<Section> sections_of(const plan::Map& map, bool with_route) {
-  std::vector<Section> sections{floors_of(map), paintings_of(map), objects_of(map), marks_of(map, with_route)};
+std::vector<Section> sections_of(const plan::Map& map, RouteMarks marks) {
+  std::vector<Section> sections{floors_of(map), paintings_of(map), objects_of(map), marks_of(map, marks)};
   sections.erase(std::remove_if(sections.begin(), sections.end(), [](const Section& s) { return s.entries.empty(); }),
                  sections.end());
   return sections;
@@ -99,16 +105,16 @@ std::size_t rows(const Section& section, std::size_t columns) {
 
 }  // namespace
 
-double legend_height(const plan::Map& map, double width, bool with_route) {
-  const auto sections = sections_of(map, with_route);
+double legend_height(const plan::Map& map, double width, RouteMarks marks) {
+  const auto sections = sections_of(map, marks);
   double height = 0;
   for (const Section& section : sections)
     height += heading_height + row_height * static_cast<double>(rows(section, columns(sections, width))) + section_gap;
   return height;
 }
 
-void draw_legend(Svg& svg, const plan::Map& map, Point corner, double width, bool with_route) {
-  const auto sections = sections_of(map, with_route);
+void draw_legend(Svg& svg, const plan::Map& map, Point corner, double width, RouteMarks marks) {
+  const auto sections = sections_of(map, marks);
   const std::size_t across = columns(sections, width);
   double y = corner.y;
   for (const Section& section : sections) {

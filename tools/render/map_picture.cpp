@@ -65,9 +65,11 @@ void draw_map(Svg& svg, const PlanView& view) {
 }
 
 void draw_place_badge(Svg& svg, Point centre, int place) {
-  svg.circle(centre, 9, R"(fill="#20242b")");
-  svg.text({centre.x, centre.y + 4.2}, place < 10 ? 12 : 9, std::to_string(place),
-           R"(fill="#fff" text-anchor="middle" font-weight="bold")");
+  constexpr double size = 10;
+  const std::string text = '#' + std::to_string(place);
+  const double width = text_width(text) * size + 6;
+  svg.rectangle({centre.x - width / 2, centre.y - 7}, width, 14, R"(fill="#20242b")");
+  svg.text({centre.x, centre.y + 3.6}, size, text, R"(fill="#fff" text-anchor="middle" font-weight="bold")");
 }
 
 void draw_place_numbers(Svg& svg, PlanView& view) {

@@ -55,10 +55,15 @@ struct Panel {  // automaton above legend
 
 constexpr double automaton_heading = 40;  // its heading above and a gap below
 
+RouteMarks marks_of(const Page& page) {
+  if (!page.route) return RouteMarks::None;
+  return page.repeated > 0 ? RouteMarks::Lasso : RouteMarks::Route;
+}
+
 Panel panel_of(const Page& page, double map_height) {
   Panel panel{least_panel, 0, 0};
   if (page.automaton) panel.width = std::clamp(page.automaton->width, least_panel, greatest_panel);
-  panel.legend_height = legend_height(*page.map, panel.width, page.route.has_value()) + 64;  // the compass
+  panel.legend_height = legend_height(*page.map, panel.width, marks_of(page)) + 64;  // the compass
   if (page.automaton) {
     const double natural = page.automaton->height * std::min(1.0, panel.width / page.automaton->width);
     const double room = std::max(320.0, map_height - panel.legend_height - automaton_heading);
@@ -75,7 +80,7 @@ void draw_panel(Svg& svg, const Page& page, const Panel& panel, Point corner) {
     embed(svg, *page.automaton, {corner.x, corner.y + 24}, panel.width, panel.automaton_height - automaton_heading);
     below.y += panel.automaton_height;
   }
-  draw_legend(svg, *page.map, below, panel.width, page.route.has_value());
+  draw_legend(svg, *page.map, below, panel.width, marks_of(page));
   draw_compass(svg, {below.x + 14, below.y + panel.legend_height - 26});
 }
 
@@ -110,7 +115,7 @@ std::string draw_page(const Page& page) {
   draw_title(svg, lines);
   svg.open("g", translated({border, top}));
   draw_map(svg, view);
-  if (page.route) draw_route(svg, view, *page.route);
+  if (page.route) draw_route(svg, view, *page.route, page.repeated);
   if (page.motion) draw_motion(svg, {view.centre(0.0, 0.0), PlanView::cell}, page.motion->motion());
   draw_place_numbers(svg, view);
   svg.close("g");

@@ -15,6 +15,7 @@ struct Page {
   std::string formula = {};      // in Unicode notation; may be empty
   std::string caption = {};      // one line of facts; may be empty
   std::optional<plan::Trajectory> route = {};
+  std::size_t repeated = 0;  // so many actions at the end of the route are walked for ever
   std::optional<plan::CertifiedMotion> motion = {};
   std::optional<Drawing> automaton = {};
   std::string automaton_caption = {};  // "5 states, 11 edges"

@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace waymark::render {
 namespace {
@@ -65,9 +68,40 @@ std::string first_letters(std::string_view name, std::size_t count) {
   return std::string(name.substr(0, end));
 }
 
+struct WrittenOut {
+  double size;  // of the letters
+  std::vector<std::string> lines;
+};
+
+// The largest letters that fit; nullopt when the smallest do not.
+std::optional<WrittenOut> written_out(std::string_view name) {
+  constexpr double widest = 60;
+  for (const double size : {12.0, 11.0, 10.0, 9.0}) {
+    std::vector<std::string> lines = wrapped(name, widest / size);
+    const bool fits = std::all_of(lines.begin(), lines.end(),
+                                  [&](const std::string& line) { return text_width(line) * size <= widest; });
+    if (fits && lines.size() <= 3) return WrittenOut{size, std::move(lines)};
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
+bool has_drawing(std::string_view object) { return find(objects, object) != nullptr; }
+
+bool is_written_out(std::string_view object) { return !has_drawing(object) && written_out(object).has_value(); }
+
 void draw_object(Svg& svg, std::string_view object, Point centre, double size) {
+  if (const auto name = has_drawing(object) ? std::nullopt : written_out(object)) {
+    double y = centre.y - name->size * (static_cast<double>(name->lines.size()) / 2 - 0.85) * 1.05;
+    for (const std::string& line : name->lines) {
+      svg.text({centre.x, y}, name->size, line,
+               R"(text-anchor="middle" font-weight="bold" fill="#20242b" stroke="#fbfaf7" stroke-width="3" )"
+               R"(paint-order="stroke")");
+      y += name->size * 1.05;
+    }
+    return;
+  }
   svg.open("g", translated({centre.x - size / 2, centre.y - size / 2}, size / 24) +
                     " fill=\"#20242b\" stroke=\"#20242b\" stroke-width=\"2\" stroke-linecap=\"round\" "
                     "stroke-linejoin=\"round\"");

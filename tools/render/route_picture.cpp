@@ -80,38 +80,41 @@ Way way_of(const PlanView& view, const plan::Trajectory& route) {
 // Numbers of actions, gathered by where they are written, so that a place passed twice shows "3, 9".
 class StepNumbers {
  public:
-  StepNumbers(PlanView& view, const plan::Trajectory& route) {
+  StepNumbers(PlanView& view, const plan::Trajectory& route, std::size_t repeated) {
     for (std::size_t i = 0; i < route.actions.size(); ++i) {
+      const auto colour = i + repeated < route.actions.size() ? route_colour : cycle_colour;
       const plan::PoseId from = route.poses[i];
       const std::uint32_t node = view.map().node_of(from);
       if (is_turn(route.actions[i])) {
         const Corner corner = turn_corner(view.map().pose(from).heading, route.actions[i]);
         view.take(node, corner);
-        add(view.corner(node, corner), i + 1);
+        add(view.corner(node, corner), i + 1, colour);
       } else {
-        add(0.5 * (lane_point(view, from) + lane_point(view, route.poses[i + 1])), i + 1);
+        add(0.5 * (lane_point(view, from) + lane_point(view, route.poses[i + 1])), i + 1, colour);
       }
     }
   }
   void draw(Svg& svg) const {
-    for (const auto& [key, label] : labels_) draw_step_number(svg, label.where, label.text);
+    for (const auto& [key, label] : labels_) draw_step_number(svg, label.where, label.text, label.colour);
   }
 
  private:
   struct Label {
     Point where;
     std::string text;
+    std::string_view colour;
   };
-  void add(Point where, std::size_t step) {
+  void add(Point where, std::size_t step, std::string_view colour) {
     Label& label = labels_[{std::lround(where.x), std::lround(where.y)}];
     label.where = where;
+    label.colour = colour;
     label.text += (label.text.empty() ? "" : ", ") + std::to_string(step);
   }
   std::map<std::pair<long, long>, Label> labels_;
 };
 
 // A small arrow head after the number of each move.
-void draw_arrow_heads(Svg& svg, const PlanView& view, const plan::Trajectory& route) {
+void draw_arrow_heads(Svg& svg, const PlanView& view, const plan::Trajectory& route, std::string_view colour) {
   std::set<std::pair<std::uint32_t, std::uint32_t>> drawn;
   for (std::size_t i = 0; i < route.actions.size(); ++i) {
     if (is_turn(route.actions[i]) || !drawn.emplace(route.poses[i].index, route.poses[i + 1].index).second) continue;
@@ -120,8 +123,24 @@ void draw_arrow_heads(Svg& svg, const PlanView& view, const plan::Trajectory& ro
     const Point tip = from + 0.72 * (to - from), back = tip - 9 * direction(heading);
     const Point side = 5.5 * right_of(heading);
     svg.path("M" + at(tip) + " L" + at(back + side) + " L" + at(back - side) + " Z",
-             "fill=\"" + std::string(route_colour) + R"(" stroke="#fff" stroke-width="1.2" stroke-linejoin="round")");
+             "fill=\"" + std::string(colour) + R"(" stroke="#fff" stroke-width="1.2" stroke-linejoin="round")");
   }
+}
+
+void draw_line(Svg& svg, const PlanView& view, const plan::Trajectory& walk, std::string_view colour,
+               const std::string& dashes) {
+  if (walk.actions.empty()) return;
+  const std::string d = way_of(view, walk).path(lane);
+  const std::string common = R"(fill="none" stroke-linecap="round" stroke-linejoin="round" stroke=)";
+  svg.path(d, common + R"("#fff" stroke-width="7" stroke-opacity="0.9")");
+  svg.path(d, common + '"' + std::string(colour) + "\" stroke-width=\"3.6\"" + dashes);
+}
+
+// The actions from `begin` to before `end`.
+plan::Trajectory part(const plan::Trajectory& route, std::size_t begin, std::size_t end) {
+  const auto at = [](std::size_t i) { return static_cast<std::ptrdiff_t>(i); };
+  return {{route.poses.begin() + at(begin), route.poses.begin() + at(end) + 1},
+          {route.actions.begin() + at(begin), route.actions.begin() + at(end)}};
 }
 
 }  // namespace
@@ -133,11 +152,11 @@ void draw_start_mark(Svg& svg, Point where, int heading) {
   svg.path("M" + at(tip) + " L" + at(back + side) + " L" + at(back - side) + " Z", R"(fill="#fff")");
 }
 
-void draw_step_number(Svg& svg, Point centre, std::string_view text) {
+void draw_step_number(Svg& svg, Point centre, std::string_view text, std::string_view colour) {
   constexpr double size = 11;
   const double width = std::max(15.0, text_width(text) * size + 7);
   svg.rectangle({centre.x - width / 2, centre.y - 7.5}, width, 15,
-                R"(rx="7.5" fill="#fff" stroke="#b0002a" stroke-width="1.3")");
+                R"(rx="7.5" fill="#fff" stroke-width="1.3" stroke=")" + std::string(colour) + '"');
   svg.text({centre.x, centre.y + 3.9}, size, text, R"(text-anchor="middle" fill="#20242b")");
 }
 
@@ -149,17 +168,27 @@ void draw_end_mark(Svg& svg, Point where, int heading) {
   svg.path("M" + at(tip) + " L" + at(back + side) + " L" + at(back - side) + " Z", "fill=\"" + colour + '"');
 }
 
-void draw_route(Svg& svg, PlanView& view, const plan::Trajectory& route) {
-  const std::string d = way_of(view, route).path(lane);
-  const std::string common = R"(fill="none" stroke-linecap="round" stroke-linejoin="round" stroke=)";
-  svg.path(d, common + R"("#fff" stroke-width="7" stroke-opacity="0.9")");
-  svg.path(d, common + '"' + std::string(route_colour) + "\" stroke-width=\"3.6\"");
-  draw_arrow_heads(svg, view, route);
-  const StepNumbers numbers(view, route);
+void draw_cycle_mark(Svg& svg, Point where) {
+  svg.circle(where, 11.5, R"(fill="none" stroke="#fff" stroke-width="5")");
+  svg.circle(where, 11.5, "fill=\"none\" stroke=\"" + std::string(cycle_colour) + R"(" stroke-width="2.8")");
+}
+
+void draw_route(Svg& svg, PlanView& view, const plan::Trajectory& route, std::size_t repeated) {
+  const std::size_t actions = route.actions.size(), split = actions - repeated;
+  const plan::Trajectory prefix = part(route, 0, split), cycle = part(route, split, actions);
+  draw_line(svg, view, prefix, route_colour, repeated == 0 ? "" : R"( stroke-dasharray="7 6")");
+  draw_line(svg, view, cycle, cycle_colour, "");
+  draw_arrow_heads(svg, view, prefix, route_colour);
+  draw_arrow_heads(svg, view, cycle, cycle_colour);
+  const StepNumbers numbers(view, route, repeated);
   numbers.draw(svg);
+  const auto heading = [&](plan::PoseId pose) { return view.map().pose(pose).heading; };
   const plan::PoseId first = route.poses.front(), last = route.poses.back();
-  draw_end_mark(svg, lane_point(view, last), view.map().pose(last).heading);
-  if (first != last) draw_start_mark(svg, lane_point(view, first), view.map().pose(first).heading);
+  if (repeated == 0)
+    draw_end_mark(svg, lane_point(view, last), heading(last));
+  else
+    draw_cycle_mark(svg, lane_point(view, route.poses[split]));
+  if (first != last || repeated > 0) draw_start_mark(svg, lane_point(view, first), heading(first));
 }
 
 }  // namespace waymark::render

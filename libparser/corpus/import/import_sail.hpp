@@ -14,12 +14,12 @@
 
 namespace waymark::parser {
 
-struct ImportedCorpus {
-  std::string format;                       // "xml", "settrc" or "jsonl"
-  std::string instructions;                 // JSON Lines
-  std::map<std::string, std::string> maps;  // JSON by name
-  std::size_t paragraphs = 0, sentences = 0;
-  std::vector<Irregularity> irregularities;  // in the order of the files
+struct ImportedCorpus {                       // a release in our formats
+  std::string format;                         // "xml", "settrc" or "jsonl"
+  std::string instructions;                   // JSON Lines
+  std::map<std::string, std::string> maps;    // JSON by name
+  std::size_t paragraphs = 0, sentences = 0;  // how many
+  std::vector<Irregularity> irregularities;   // in the order of the files
 };
 
 // Throws ltl::FormatError when there is nothing to read, or a file does not have the shape of its format.

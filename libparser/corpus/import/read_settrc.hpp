@@ -9,8 +9,8 @@ namespace waymark::parser {
 
 // Places x (goal) and y (start) are put into `goal_place` and `start_place`. Comments (//) may stand anywhere.
 struct SettrcParagraph {
-  ReleasedParagraph paragraph;
-  int start_place = 0, goal_place = 0;
+  ReleasedParagraph paragraph;          // of the block
+  int start_place = 0, goal_place = 0;  // as the block names them
 };
 std::vector<SettrcParagraph> parse_settrc(std::string_view text,
                                           std::string_view file);  // throws ltl::FormatError

@@ -10,12 +10,12 @@ namespace waymark::parser {
 // Nodes and edges at any depth: both releases read alike. Throws ltl::FormatError.
 ReleasedMap parse_xml_map(std::string_view xml, std::string_view file);
 
-struct XmlExample {  // of SingleSentence.xml or Paragraph.xml
-  std::string id, map, file_name, text;
+struct XmlExample {                      // of SingleSentence.xml or Paragraph.xml
+  std::string id, map, file_name, text;  // attributes and text
   std::optional<plan::Pose> start, end;  // of paragraphs
-  std::vector<plan::Pose> path;
-  std::size_t line = 0;
+  std::vector<plan::Pose> path;          // of the example
+  std::size_t line = 0;                  // where the element begins
 };
-std::vector<XmlExample> parse_xml_examples(std::string_view xml, std::string_view file);
+std::vector<XmlExample> parse_xml_examples(std::string_view xml, std::string_view file);  // throws ltl::FormatError
 
 }  // namespace waymark::parser

@@ -21,7 +21,7 @@ bool is_word_of_commands(std::string_view word);  // "avoid", "then": rarely a p
 
 class CityWords {
  public:
-  struct Names {
+  struct Names {                                      // of one landmark
     std::vector<std::set<std::string>> words;         // of each name, without joints
     std::vector<std::vector<std::string>> sequences;  // the same in their order, with the joints
     std::size_t own = 0;                              // the first sequences; the others name its brand or operator
@@ -30,8 +30,8 @@ class CityWords {
 
   explicit CityWords(const std::vector<Landmark>& landmarks);
 
-  std::size_t landmarks() const { return names_.size(); }
-  const Names& names(std::size_t landmark) const { return names_[landmark]; }
+  std::size_t landmarks() const { return names_.size(); }                      // of the city
+  const Names& names(std::size_t landmark) const { return names_[landmark]; }  // of one landmark
   // 1 for a word of one landmark alone, falling to 0 for a word of all (inverse frequency).
   double rarity(const std::string& word) const;
   bool knows(const std::string& word) const { return holders_.contains(word); }

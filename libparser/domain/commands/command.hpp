@@ -10,15 +10,15 @@ namespace waymark::parser {
 
 struct Command {
   std::string id, from, source,
-      domain;           // `from`: the row it was made of; "lifted", "cleanup", "osm:boston" …
-  std::string type;     // the template; "free" without one
-  std::size_t n = 0;    // its size, 0 without one
-  bool lifted = false;  // propositions stand in the text as they are
-  std::string text, formula;
-  std::vector<std::string> propositions;                        // of the formula
+      domain;                             // `from`: the row it was made of; "lifted", "cleanup", "osm:boston" …
+  std::string type;                       // the template; "free" without one
+  std::size_t n = 0;                      // its size, 0 without one
+  bool lifted = false;                    // propositions stand in the text as they are
+  std::string text, formula;              // as the file has them
+  std::vector<std::string> propositions;  // of the formula
   std::map<std::string, std::optional<std::string>> landmarks;  // proposition → its words in the text, if verbatim
-  std::size_t count = 1;
-  bool suspect = false;  // there are reasons to doubt the label
+  std::size_t count = 1;                                        // of times that the file has it
+  bool suspect = false;                                         // there are reasons to doubt the label
 };
 
 // Throws ltl::FormatError naming the line.

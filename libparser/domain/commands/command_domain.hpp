@@ -22,15 +22,15 @@ namespace waymark::parser {
 
 class CommandDomain {
  public:
-  static constexpr std::size_t most_constants = 16;
+  static constexpr std::size_t most_constants = 16;  // propositions without phrases that a domain may have
 
   // A text with its propositions in it: `names` are those that may occur; none: any word of one letter, or x1, x2 …
   static CommandDomain with_letters(std::string name, std::vector<std::string> names = {});
   static CommandDomain small(std::string name, const std::vector<std::string>& propositions);
   static CommandDomain city(std::string name, const std::vector<Landmark>& landmarks);
 
-  struct Lift {
-    LiftedText text;
+  struct Lift {                      // a text with slots
+    LiftedText text;                 // its mentions are slots
     std::vector<std::string> slots;  // propositions of slot 1, 2 …
     double probability = 1;          // that the words name just these
   };
@@ -42,9 +42,9 @@ class CommandDomain {
   const CityWords* city_words() const { return city_.get(); }  // null where no landmarks are
   std::optional<std::size_t> landmark(const std::string& proposition) const;
 
-  const std::string& name() const { return name_; }
+  const std::string& name() const { return name_; }  // of the domain
   const std::vector<std::string>& constants() const { return constants_; }
-  Bindings bindings(ltl::Arena& arena, std::vector<std::string> slots) const;
+  Bindings bindings(ltl::Arena& arena, std::vector<std::string> slots) const;  // what slots and constants denote
   // The lifted formula of a label, where a text names its propositions or constants do. [spell]
   std::optional<Lifted> label(const Lift& lift, const std::string& formula) const;
 

@@ -15,10 +15,10 @@
 namespace waymark::parser {
 
 struct OwnCommands {
-  std::size_t texts = 60000;
-  std::uint64_t seed = 1;
-  double weight = 0.04;   // of one text, compared with one of people's
-  double nothing = 0.16;  // share of texts that say nothing, on top
+  std::size_t texts = 60000;  // of our own language
+  std::uint64_t seed = 1;     // of the texts
+  double weight = 0.04;       // of one text, compared with one of people's
+  double nothing = 0.16;      // share of texts that say nothing, on top
 };
 // Texts of the grammar; those that say nothing name a thing that is not there, or are chatter or random words.
 std::vector<LiftedExample> own_commands(const SynchronousGrammar& grammar, const WordVectors& vectors,
@@ -28,9 +28,10 @@ std::vector<LiftedExample> own_commands(const SynchronousGrammar& grammar, const
 // domain named and, by `unnamed`, as one of no domain. Rows whose label does not go with the text's mentions are left
 // out and counted.
 struct LabelledCommands {
-  std::vector<LiftedExample> examples;
-  std::size_t left_out = 0;
+  std::vector<LiftedExample> examples;  // for the networks
+  std::size_t left_out = 0;             // whose formulas are none, or are not lifted
 };
+// People's commands; `unnamed`: the share of their weight that is learned without the name of the domain.
 LabelledCommands labelled_commands(std::span<const Command> commands, CommandDomains& domains,
                                    const MentionModel& mentions, double unnamed, bool doubted = false);
 

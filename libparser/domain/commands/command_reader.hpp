@@ -13,21 +13,22 @@
 namespace waymark::parser {
 
 struct CommandReading {
-  ltl::Formula formula;
-  double probability = 0;
+  ltl::Formula formula;    // over the propositions of the domain
+  double probability = 0;  // of the language of the formula
 };
 
-struct CommandReadings {
+struct CommandReadings {                 // all readings of a text
   std::vector<CommandReading> readings;  // of one arena; probabilities sum to 1
   double understood = 0;  // probability that the text is a command, with the mentions of the likeliest reading
 };
 
-struct ReadCommandOptions {
-  std::size_t beam = 12;
+struct ReadCommandOptions {  // what reading may cost
+  std::size_t beam = 12;     // lifted formulas of each text
   std::size_t compared = 5;  // the likeliest formulas whose languages are compared
   bool names_domain = true;  // the reader is told which domain it is
 };
 
+// No readings when no lifted formula of the beam denotes a formula of the domain.
 CommandReadings read_command(const LiftedReader& reader, const CommandDomain& domain, const std::string& text,
                              ltl::Arena& arena, const ReadCommandOptions& options = {});
 

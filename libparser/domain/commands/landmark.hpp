@@ -9,9 +9,9 @@
 namespace waymark::parser {
 
 struct Landmark {
-  std::string proposition, name;
-  std::vector<std::string> other_names;
-  std::map<std::string, std::string> tags;
+  std::string proposition, name;            // as the file has them
+  std::vector<std::string> other_names;     // by which people call it
+  std::map<std::string, std::string> tags;  // of OpenStreetMap
 };
 
 // Throws ltl::FormatError naming what is wrong with the file.

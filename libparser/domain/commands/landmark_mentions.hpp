@@ -10,7 +10,7 @@
 namespace waymark::parser {
 
 struct LandmarkLift {
-  LiftedText text;
+  LiftedText text;                 // its mentions are slots
   std::vector<std::size_t> slots;  // landmarks of slot 1, 2 …
   double probability = 1;          // that the words name just these
 };

@@ -13,14 +13,14 @@
 
 namespace waymark::parser {
 
-struct MentionTraining {
-  std::uint64_t seed = 1;
-  int epochs = 30;
-  double rate = 0.3, penalty = 0.005;
+struct MentionTraining {               // by gradient ascent
+  std::uint64_t seed = 1;              // of the order of the commands
+  int epochs = 30;                     // over all commands
+  double rate = 0.3, penalty = 0.005;  // of a step; of large weights
 };
 
-struct LearnedMentions {
-  MentionVector weights = mention_weights_by_hand();
+struct LearnedMentions {                              // what was learned
+  MentionVector weights = mention_weights_by_hand();  // of the features
   std::size_t commands = 0;     // that were learned from; without any the weights are those set by hand
   std::size_t unexplained = 0;  // of cities, without doubts, and no cover names just their landmarks
 };

@@ -13,12 +13,12 @@
 
 namespace waymark::parser {
 
-struct MentionPhrase {
+struct MentionPhrase {                           // words that may name a landmark
   std::size_t begin = 0, end = 0, landmark = 0;  // tokens [begin, end)
   MentionVector features{};                      // all but Adjacent
 };
 
-struct Cover {
+struct Cover {                       // one way to find mentions
   std::vector<std::size_t> phrases;  // of the lattice, from left to right
   double score = 0;                  // log of its weight
 };

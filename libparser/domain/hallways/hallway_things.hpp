@@ -18,7 +18,7 @@ class HallwayThings {
   // Furniture and floors are also called by their synonyms.
   explicit HallwayThings(const ltl::Vocabulary& vocabulary, const Synonyms* synonyms = nullptr);
 
-  const std::vector<NamedThing>& things() const { return things_; }
+  const std::vector<NamedThing>& things() const { return things_; }  // in a fixed order
   // Slots for what is mentioned; "the hall with the blue floor" is one mention.
   LiftedMentions lift(const std::vector<std::string>& tokens, const WordVectors* words = nullptr) const;
   // `slots`: things of slot 1, 2 … start: where it is said, for "come back here"; none: not known.

@@ -12,15 +12,15 @@
 
 namespace waymark::streets {
 
-struct StreetScores {
-  parser::Percent exact_path, goal, floor, supply;
+struct StreetScores {                               // of one city or more
+  parser::Percent exact_path, goal, floor, supply;  // shares, as above
   StreetScores& operator+=(const StreetScores& other);
 };
 
-struct StreetPrediction {  // of one instruction
-  const StreetInstruction* instruction = nullptr;
-  std::vector<Mention> mentions;
-  std::vector<StreetReading> readings;  // best first
+struct StreetPrediction {                          // of one instruction
+  const StreetInstruction* instruction = nullptr;  // that was read
+  std::vector<Mention> mentions;                   // that were found in its text
+  std::vector<StreetReading> readings;             // best first
 };
 
 struct StreetEvaluation : parser::ScoresByMap<StreetScores, StreetPrediction> {  // predictions: readings cut to 3

@@ -14,7 +14,7 @@ constexpr std::uint32_t feature_bits = 20;  // of a key
 
 using RouteFeatures = std::vector<parser::WeightedFeature>;  // in no order; one may stand more than once
 
-enum class FeatureKind : std::uint8_t {
+enum class FeatureKind : std::uint8_t {  // the first part of a name
   Move,
   MoveWord,
   MoveGap,

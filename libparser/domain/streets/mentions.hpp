@@ -16,14 +16,14 @@
 
 namespace waymark::streets {
 
-using CommonWords = std::unordered_set<std::string>;
+using CommonWords = std::unordered_set<std::string>;  // words that are no part of a name
 // Words of instruction texts that are frequent in two cities without being part of a name there.
 CommonWords common_words(std::span<const StreetInstruction* const> instructions, const std::vector<StreetMap>& maps);
 
-struct NameFit {  // how a stretch of words fits a name
-  LandmarkIndex landmark = 0;
-  float letters = 0;   // matched, less two for every slip
-  float complete = 0;  // of the name, in [0, 1]
+struct NameFit {               // how a stretch of words fits a name
+  LandmarkIndex landmark = 0;  // whose name it is
+  float letters = 0;           // matched, less two for every slip
+  float complete = 0;          // of the name, in [0, 1]
 };
 
 struct Mention {
@@ -31,7 +31,7 @@ struct Mention {
   std::vector<NameFit> fits;       // best first, at least one
 };
 
-class MentionFinder {
+class MentionFinder {  // of one map
  public:
   MentionFinder(const StreetMap& map, const CommonWords& common);
   // In the order of the text, disjoint. Keeps what it has compared, for texts repeat themselves.

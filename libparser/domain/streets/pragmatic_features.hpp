@@ -16,19 +16,20 @@
 namespace waymark::streets {
 
 struct TextOnRoute {
-  const StreetMap& map;
-  double unit;  // mean way of the map
-  const std::vector<std::string>& tokens;
-  const std::vector<Mention>& mentions;
-  const std::vector<MentionCue>& cues;
-  const CandidateRoute& route;
-  std::vector<PlacedMention> placed;  // place(mentions, route.landmarks)
+  const StreetMap& map;                    // of the city
+  double unit;                             // mean way of the map
+  const std::vector<std::string>& tokens;  // of the text
+  const std::vector<Mention>& mentions;    // in the text
+  const std::vector<MentionCue>& cues;     // of the mentions
+  const CandidateRoute& route;             // against which the text is read
+  std::vector<PlacedMention> placed;       // place(mentions, route.landmarks)
 };
 
 // How near two landmarks stand in the picture, of which each axis was stretched to fit: 0 where they coincide, 1 across
 // the picture; names are written along the horizontal axis, so one above the other counts four times.
 double closeness(const StreetMap& map, LandmarkIndex a, LandmarkIndex b);
 
+// Adds the features of one kind.
 void add_sight(FeatureList& out, const TextOnRoute& text);
 void add_walk(FeatureList& out, const TextOnRoute& text);
 

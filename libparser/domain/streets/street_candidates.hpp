@@ -11,18 +11,18 @@
 
 namespace waymark::streets {
 
-constexpr std::uint32_t off_route = ~std::uint32_t{0};
+constexpr std::uint32_t off_route = ~std::uint32_t{0};  // of a mention that is no landmark of the route
 
 struct CandidateRoute {
-  StreetRoute landmarks;
+  StreetRoute landmarks;   // from start to goal
   std::uint32_t rank = 0;  // 0: the shortest way to its goal
-  double length = 0;
-  double shortest = 0;  // length of the shortest way to its goal
+  double length = 0;       // of the route
+  double shortest = 0;     // length of the shortest way to its goal
   // What the map says one would mistake it for: the next longer route to the same goal; empty when there is none.
   StreetRoute rival;
 };
 
-struct PlacedMention {
+struct PlacedMention {                 // where a mention falls
   LandmarkIndex landmark = 0;          // as this candidate has it read
   std::uint32_t position = off_route;  // on the route
   float letters = 0, complete = 0;     // of the name that was fitted
@@ -31,7 +31,7 @@ struct PlacedMention {
 // Each mention as the landmark that fits best, the route's own landmarks preferred.
 std::vector<PlacedMention> place(const std::vector<Mention>& mentions, const StreetRoute& route);
 
-struct CandidateLimits {
+struct CandidateLimits {        // how many routes are candidates
   std::size_t ranks = 40;       // routes to each goal
   std::size_t candidates = 80;  // kept for a text
 };

@@ -10,18 +10,18 @@
 
 namespace waymark::streets {
 
-struct StreetInstruction {
-  std::string id, text;
-  std::vector<std::string> tokens;
-  std::size_t map = 0;  // position in StreetCorpus::maps
-  LandmarkIndex start = 0;
-  StreetRoute path;  // the route described: the only supervision
+struct StreetInstruction {          // a text with its route
+  std::string id, text;             // as the file has them
+  std::vector<std::string> tokens;  // of the text
+  std::size_t map = 0;              // position in StreetCorpus::maps
+  LandmarkIndex start = 0;          // of the route
+  StreetRoute path;                 // the route described: the only supervision
 };
 
 struct StreetCorpus {
-  std::vector<StreetMap> maps;  // by name
-  std::vector<StreetInstruction> instructions;
-  std::uint64_t checksum = 0;  // FNV-1a of the instruction file as read
+  std::vector<StreetMap> maps;                  // by name
+  std::vector<StreetInstruction> instructions;  // in the order of the file
+  std::uint64_t checksum = 0;                   // FNV-1a of the instruction file as read
 };
 
 // Is this a corpus of streets? Its first instruction has a route over landmarks where others have sentences.

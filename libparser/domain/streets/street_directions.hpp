@@ -8,9 +8,9 @@ namespace waymark::streets {
 
 enum class DirectionKind : unsigned char { Compass, Side, Vertical, Clock };
 
-struct Direction {
-  DirectionKind kind = DirectionKind::Compass;
-  double angle = 0;  // degrees counterclockwise from the right of the picture
+struct Direction {                              // a word of direction
+  DirectionKind kind = DirectionKind::Compass;  // how the word is meant
+  double angle = 0;                             // degrees counterclockwise from the right of the picture
 };
 
 // The last direction said in tokens[begin, end): "north east", "2 o'clock", "up and to the left".

@@ -13,16 +13,18 @@
 namespace waymark::streets {
 
 enum class Cue : std::uint8_t { None, Via, Past, Not, Before, After, First, From, To, End, Back };
-Cue cue_of(std::string_view word);
+Cue cue_of(std::string_view word);  // None for other words
 
 // How a mention is brought in: by the last cue before it; "via a and b", "past a, b" hand theirs on.
 struct MentionCue {
-  Cue cue = Cue::None;
+  Cue cue = Cue::None;   // before the mention
   bool onwards = false;  // something is reached right after it, in the same sentence
 };
+// By mention.
 std::vector<MentionCue> mention_cues(const std::vector<std::string>& tokens, const std::vector<Mention>& mentions);
 
-struct Interpretation {
+struct Interpretation {  // the mentions as a route
+  // What was done to the order of the mentions.
   static constexpr unsigned reordered = 1, passed_by = 2, another_start = 4;
   unsigned followed = 0;  // of the three
   StreetRoute landmarks;  // start first, none twice

@@ -13,8 +13,8 @@
 namespace waymark::streets {
 
 struct RankedRoute {
-  StreetRoute landmarks;
-  double length = 0;
+  StreetRoute landmarks;  // from start to goal
+  double length = 0;      // the sum of its ways
 };
 
 // In the order of length, then of landmarks; fewer than k when there are no more. O(k · landmarks · ways).
@@ -32,6 +32,7 @@ double distance_from(const StreetMap& map, const StreetRoute& route, LandmarkInd
 class RouteTable {
  public:
   RouteTable(const StreetMap& map, std::size_t k) : map_(&map), k_(k) {}  // the map must outlive it
+  // The shortest first; computed when first asked for.
   const std::vector<RankedRoute>& routes(LandmarkIndex start, LandmarkIndex goal);
 
  private:

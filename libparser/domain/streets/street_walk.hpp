@@ -15,18 +15,19 @@
 namespace waymark::streets {
 
 enum class MentionRole : std::uint8_t { Stays, GoesOn, Ahead, Behind, AtStart, OnRival, Unseen };
+// Of a walk that does not reach the goal; of a mention that is no step.
 constexpr double cost_unreached = 1, cost_no_step = 0.4;
 
-struct Walk {
+struct Walk {                      // an alignment
   std::vector<MentionRole> steps;  // by mention
   std::size_t unreached = 0;       // landmarks of the route that no mention steps on; the start counts as reached
   bool reaches_goal = false;       // by its last step
-  double cost = 0;
+  double cost = 0;                 // of the alignment
 };
 
 // Of several walks of least cost, the one that goes on where it can late. O(mentions · landmarks²), nothing else.
 Walk walk_along(const CandidateRoute& route, const std::vector<PlacedMention>& mentions);
 
-bool stands_on(const StreetRoute& route, LandmarkIndex landmark);
+bool stands_on(const StreetRoute& route, LandmarkIndex landmark);  // is the landmark on the route?
 
 }  // namespace waymark::streets

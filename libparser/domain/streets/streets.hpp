@@ -11,8 +11,8 @@
 
 namespace waymark::streets {
 
-struct StreetCandidates {
-  std::vector<Mention> mentions;
+struct StreetCandidates {              // what a text may mean
+  std::vector<Mention> mentions;       // that were found in it
   std::vector<CandidateRoute> routes;  // best first by the rough count
 
   std::size_t size() const { return routes.size(); }
@@ -22,6 +22,7 @@ struct StreetCandidates {
 // Not for two threads at once, for it remembers what it has computed of each city.
 class Streets {
  public:
+  // What the concept of a domain (libparser/domain/domain.hpp) asks.
   using Map = StreetMap;
   using Text = const StreetInstruction*;
   using Candidates = StreetCandidates;
@@ -32,6 +33,7 @@ class Streets {
       : maps_(maps), common_(common), limits_(limits), cities_(maps.size()) {}
 
   static ltl::Vocabulary vocabulary(const StreetMap& map);  // names in snake_case
+  // What the concept of a domain asks of functions.
   static std::size_t map_of(Text text) { return text->map; }
   StreetCandidates candidates(Text text);
   parser::CandidateFeatures features(Text text, const StreetCandidates& candidates);
@@ -58,13 +60,14 @@ class Streets {
 };
 static_assert(parser::DomainWithRivals<Streets>);
 
-struct StreetModel {
-  CommonWords common;
-  parser::WeightTable weights{1};
-  CandidateLimits limits;
+struct StreetModel {               // what is learned
+  CommonWords common;              // of all cities
+  parser::WeightTable weights{1};  // of the ranker
+  CandidateLimits limits;          // of reading
 };
 
-struct StreetOptions {
+struct StreetOptions {  // how it is learned
+  // Of the ranker; features of fewer maps are left out.
   parser::RankerOptions ranker{.epochs = 8,
                                .rate = 0.05,
                                .decay = 4e-2,
@@ -73,15 +76,15 @@ struct StreetOptions {
                                .against_rival = 0.5,
                                .decay_again = true,
                                .least_maps = 3};
-  CandidateLimits limits;
+  CandidateLimits limits;  // of reading
 };
 
 // Throws Stopped (supervision/examples.hpp) when a stop was requested.
 StreetModel learn_streets(std::span<const Streets::Text> texts, const std::vector<StreetMap>& maps,
                           const StreetOptions& options);
 
-struct StreetReading {
-  CandidateRoute route;
+struct StreetReading {     // one reading
+  CandidateRoute route;    // that the text may describe
   double probability = 0;  // among the candidates
 };
 

@@ -13,10 +13,10 @@
 
 namespace waymark::parser {
 
-struct LearnedExecution {
+struct LearnedExecution {     // how a task is learned
   std::size_t steps = 5'000;  // in the environment, for each task; ε falls from 1 to 0.1 over the first half
   std::size_t horizon = 60;   // of an episode, and of the walk in the end
-  std::uint64_t seed = 1;
+  std::uint64_t seed = 1;     // of the learner
 };
 
 class LearnedFollower : public Follower {

@@ -14,15 +14,16 @@
 
 namespace waymark::plan {
 
-enum class GridKind : std::uint8_t { Rooms, Maze, Scatter, Bridge, OneWay };
+enum class GridKind : std::uint8_t { Rooms, Maze, Scatter, Bridge, OneWay };  // the worlds above
+// In the order of the names.
 inline constexpr std::array<GridKind, 5> all_grid_kinds{GridKind::Rooms, GridKind::Maze, GridKind::Scatter,
                                                         GridKind::Bridge, GridKind::OneWay};
 std::string_view name(GridKind kind);  // "rooms", "maze", "scatter", "bridge", "oneway"
 
-struct GridRecipe {
-  static constexpr std::uint32_t most_landmarks = 20;
-  GridKind kind = GridKind::Rooms;
-  std::uint32_t width = 50, height = 50, landmarks = 3;
+struct GridRecipe {                                      // what is drawn
+  static constexpr std::uint32_t most_landmarks = 20;    // a … t
+  GridKind kind = GridKind::Rooms;                       // of world
+  std::uint32_t width = 50, height = 50, landmarks = 3;  // cells, and places to go to
   // The chance to slip to each side, and to go back where there are hazards (bridge, scatter): noise to the sides
   // only lets one push against a side for ever and pass any of them.
   double noise = 0;
@@ -30,13 +31,13 @@ struct GridRecipe {
   bool tasks = false;
 };
 
-struct GridText {  // a grid as ltlgrid/1 writes it
-  std::string name;
-  std::vector<std::string> rows;
-  std::uint32_t x = 0, y = 0;  // the start
-  SlipChances motion;
-  std::vector<std::string> landmarks;
-  std::vector<CaseTask> tasks;
+struct GridText {                      // a grid as ltlgrid/1 writes it
+  std::string name;                    // of the kind, the sizes and the seed
+  std::vector<std::string> rows;       // characters of the legend
+  std::uint32_t x = 0, y = 0;          // the start
+  SlipChances motion;                  // of every move
+  std::vector<std::string> landmarks;  // their names
+  std::vector<CaseTask> tasks;         // for the landmarks
 };
 
 // Throws std::invalid_argument: sizes under 3 or more cells than a grid may have, too many landmarks, chances over 1,

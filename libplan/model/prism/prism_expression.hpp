@@ -16,10 +16,10 @@
 namespace waymark::plan {
 
 struct PrismToken {
-  enum class Kind : std::uint8_t { Name, Number, String, Symbol, End };
-  Kind kind = Kind::End;
-  std::string_view text;  // of a string: what stands between the quotes
-  ltl::Span where;
+  enum class Kind : std::uint8_t { Name, Number, String, Symbol, End };  // what a token is
+  Kind kind = Kind::End;                                                 // of the token
+  std::string_view text;                                                 // of a string: what stands between the quotes
+  ltl::Span where;                                                       // its bytes
 };
 
 // The tokens of a text, comments left out, the end last. Throws ltl::SyntaxError.
@@ -30,13 +30,15 @@ class PrismTokens {  // a place in a text that is being read
   PrismTokens(std::string_view text, std::string_view source)
       : text_(text), source_(source), tokens_(prism_tokens(text, source)) {}
 
+  // The last token is End, again and again.
   const PrismToken& peek(std::size_t ahead = 0) const { return tokens_[std::min(at_ + ahead, tokens_.size() - 1)]; }
-  const PrismToken& next() { return tokens_[at_ + 1 < tokens_.size() ? at_++ : at_]; }
-  bool is(std::string_view word, std::size_t ahead = 0) const;  // a symbol or a word of the language
-  bool accept(std::string_view word);
-  const PrismToken& expect(std::string_view word);
-  const PrismToken& expect_name(std::string_view what);
-  [[noreturn]] void fail(ltl::Span where, const std::string& message) const;
+  const PrismToken& next() { return tokens_[at_ + 1 < tokens_.size() ? at_++ : at_]; }  // reads it
+  bool is(std::string_view word, std::size_t ahead = 0) const;                // a symbol or a word of the language
+  bool accept(std::string_view word);                                         // reads the word if it stands here
+  const PrismToken& expect(std::string_view word);                            // reads the word, or throws
+  const PrismToken& expect_name(std::string_view what);                       // reads a name, or throws
+  [[noreturn]] void fail(ltl::Span where, const std::string& message) const;  // throws SyntaxError
+  // Throws SyntaxError at the next token.
   [[noreturn]] void fail(const std::string& message) const { fail(peek().where, message); }
 
  private:
@@ -47,14 +49,14 @@ class PrismTokens {  // a place in a text that is being read
 
 using PrismValues = std::vector<double>;  // by variable; true is 1
 
-class PrismExpressions {
+class PrismExpressions {  // all expressions of a file
  public:
-  using Id = std::uint32_t;
-  enum class Type : std::uint8_t { Bool, Int, Double };
+  using Id = std::uint32_t;                              // of an expression
+  enum class Type : std::uint8_t { Bool, Int, Double };  // of a value
 
   explicit PrismExpressions(const PrismTokens& tokens) : tokens_(&tokens) {}
-  Id parse(PrismTokens& in);  // the longest expression that stands here
-  ltl::Span where(Id e) const { return nodes_[e].where; }
+  Id parse(PrismTokens& in);                               // the longest expression that stands here
+  ltl::Span where(Id e) const { return nodes_[e].where; }  // its bytes
 
   // Names must be known before types and values are asked for; one name has one meaning.
   void define_variable(const PrismToken& name, std::uint32_t index, Type type);

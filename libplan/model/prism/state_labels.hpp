@@ -15,11 +15,11 @@ namespace waymark::plan {
 
 // What a state is called elsewhere: the values of a few integer variables, different for different states.
 struct StateValues {
-  std::vector<std::string> variables;
-  std::vector<std::int32_t> values;  // state after state, as many as there are variables
+  std::vector<std::string> variables;  // names
+  std::vector<std::int32_t> values;    // state after state, as many as there are variables
 };
 
-struct StateLabelled {
+struct StateLabelled {                // with the labels on states
   Mdp mdp;                            // every outcome carries the letter of its target; 0 is the initial state
   std::vector<LetterId> letter;       // by state
   std::vector<std::uint32_t> origin;  // by state: the state of the model

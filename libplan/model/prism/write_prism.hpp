@@ -11,14 +11,14 @@
 
 namespace waymark::plan {
 
-struct PrismExplicit {      // the contents of the files
-  std::string transitions;  // .tra
-  std::string states;       // .sta
-  std::string labels;       // .lab; those of PRISM first: 0="init" 1="deadlock"
-  std::string rewards;      // .srew when all choices of a state cost the same, else .trew
-  bool rewards_on_states = true;
+struct PrismExplicit {            // the contents of the files
+  std::string transitions;        // .tra
+  std::string states;             // .sta
+  std::string labels;             // .lab; those of PRISM first: 0="init" 1="deadlock"
+  std::string rewards;            // .srew when all choices of a state cost the same, else .trew
+  bool rewards_on_states = true;  // .srew or .trew
 };
-PrismExplicit write_prism_explicit(const StateLabelled& model);
+PrismExplicit write_prism_explicit(const StateLabelled& model);  // as PRISM exports them
 
 // One module over the variables of the model, one command for each choice.
 std::string write_prism(const StateLabelled& model);

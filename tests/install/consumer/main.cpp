@@ -1,6 +1,7 @@
 #include <iostream>
 
 #include "libautomata/finite/ltlf_to_dfa.hpp"
+#include "libltl/diagnostic.hpp"
 #include "libltl/text/parse.hpp"
 #include "libparser/ground.hpp"
 #include "libplan/certify.hpp"
@@ -9,10 +10,12 @@
 
 using namespace waymark;
 
-int main(int, char** argv) {
+// The directory of the maps, then a formula.
+int main(int argc, char** argv) try {
   const plan::Map map = plan::read_map("grid", std::string(argv[1]));
   ltl::Arena arena(map.vocabulary());
-  const ltl::Formula phi = ltl::parse("F (chair & X moved)", arena);
+  const ltl::Formula phi =
+      ltl::parse(argc > 2 ? argv[2] : "F (chair & X moved)", arena, {.unknown = ltl::Unknown::Reject});
   const automata::Dfa dfa = automata::ltlf_to_dfa(phi);
   const plan::MapProduct product = plan::compose(map, dfa, map.find({1, 9, 0}).value());
   const auto solved = std::get<plan::Solved>(plan::solve(product, plan::ShortestRoute{}));
@@ -20,4 +23,8 @@ int main(int, char** argv) {
   std::cout << "certified:";
   for (plan::Action action : certified.route().actions) std::cout << ' ' << plan::name(action);
   std::cout << '\n';
+} catch (
+    const ltl::SyntaxError& error) {  // of a formula: "unknown proposition 'chiar' (did you mean 'chair'?)", a caret
+  std::cerr << error.what() << '\n';
+  return 1;
 }

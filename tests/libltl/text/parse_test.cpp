@@ -99,6 +99,14 @@ TEST(Parse, BoundedOperatorsAreSpelledOut) {
       {"a U[0:1] b U<=0 c", "a U<=1 c"},
       {"a U<=1 b & c", "(b | a & X b) & c"},
       {"G<=2 a", "a & N(a & N a)"},
+      {"F[1:2] a", "X(a | X a)"},
+      {"F[2,2] a", "X X a"},
+      {"G[1, 2] a", "N(a & N a)"},
+      {"F[2:] a", "X X F a"},
+      {"G[1:] a", "N G a"},
+      {"a U[1:2] b", "a & X(b | a & X b)"},
+      {"a U[2:] b", "a & X(a & X(a U b))"},
+      {"a U[0..1] b", "a U<=1 b"},
   };
   for (const Pair& pair : table) expect_equal(pair);
 }
@@ -158,6 +166,11 @@ TEST(Parse, ErrorsNameWhatWasExpectedAndWhere) {
       {"a & é", "'é' starts no part of a formula (names with such characters go in double quotes)", 5},
       {"a & 12", "expected a formula; numbers other than 0 and 1 must follow F<=, G<= or U<=", 5},
       {"F<= a", "expected a number of steps", 5},
+      {"F[2:1] a", "the first number of steps is the smaller one", 2},
+      {"F[3] a", "expected ':' and a second number of steps", 4},
+      {"F[1:2 a", "expected ']' after the number of steps", 7},
+      {"a R[1:2] b",
+       "'[' starts no part of a formula; bounds stand right behind F, G or U: F[0:3], G<=3, U[1:3], F[2:]", 4},
       {"F[0:3 a", "expected ']' after the number of steps", 7},
       {"F \"sofa", "expected a closing '\"' for this one", 3},
       {"F \"\"", "expected a name between the quotes", 3},

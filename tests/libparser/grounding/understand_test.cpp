@@ -8,6 +8,7 @@
 
 #include "libltl/meaning/semantics.hpp"
 #include "libltl/text/parse.hpp"
+#include "libltl/text/print.hpp"
 #include "libparser/grounding/direct_turns.hpp"
 #include "libparser/language/synchronous_grammar.hpp"
 #include "libparser/model_file.hpp"
@@ -46,6 +47,24 @@ TEST(Understand, RefusesWhatIsNoInstruction) {
   }
   EXPECT_EQ(texts, 200U);
   EXPECT_GE(refused, 190U);
+}
+
+// A map whose names no text of the training said.
+TEST(Understand, ReadsRouteInstructionsOnOtherMaps) {
+  const plan::Map map("home", {{0, 0, "kitchen", {}}, {1, 0, "meeting room", {}}, {2, 0, "desk", {}}, {1, 1, {}, {}}},
+                      {{0, 1, "tiles", ""}, {1, 2, "carpet", ""}, {1, 3, "carpet", ""}},
+                      {"kitchen", "meeting room", "desk"}, {"tiles", "carpet"}, {});
+  const Executor executor(map);
+  const auto first = [&](const std::string& text) {
+    ltl::Arena arena(map.vocabulary());
+    const Understanding answer = understand(shipped(), text, executor, std::vector{plan::PoseId{1}}, arena);
+    return answer.readings.empty() ? std::string("nothing") : ltl::print(answer.readings.front().formula);
+  };
+  EXPECT_EQ(first("turn left"), "X turned_left");
+  EXPECT_EQ(first("walk to the desk"), "F desk");
+  EXPECT_EQ(first("never step on the carpet"), "G !carpet");
+  EXPECT_EQ(first("go to the kitchen, then to the meeting room"), "F(kitchen & F \"meeting room\")");
+  EXPECT_EQ(first("turn right and walk to the kitchen"), "X(turned_right & F kitchen)");
 }
 
 TEST(Understand, SaysWhichNameIsMissing) {
