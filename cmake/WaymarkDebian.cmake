@@ -1,4 +1,5 @@
-# cpack -G DEB: the packages waymark (the command line), libwaymark-dev (libraries and headers) and python3-waymark.
+# cpack -G DEB: the packages waymark (the command line), libwaymark-dev (headers, and static libraries), python3-waymark;
+# and with shared libraries libwaymark0.1, named by their ABI.
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME waymark)
 set(WAYMARK_MAINTAINER "The waymark authors <packages@waymark.invalid>" CACHE STRING "Maintainer of Debian packages")
@@ -11,9 +12,14 @@ set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "route instructions in temporal logic, and
 set(CPACK_STRIP_FILES ON)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_CONTROL_STRICT_PERMISSION ON)
-set(CPACK_COMPONENTS_ALL tools dev)
+set(CPACK_COMPONENTS_ALL dev)
+set(packages "dev=libwaymark-dev")
 set(about "Grounds route instructions in linear temporal logic, plans certified routes.")
 
+if(TARGET waymark)
+  list(APPEND CPACK_COMPONENTS_ALL tools)
+  list(APPEND packages "tools=waymark")
+endif()
 set(CPACK_DEBIAN_TOOLS_PACKAGE_NAME waymark)
 set(CPACK_DEBIAN_TOOLS_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_TOOLS_PACKAGE_SHLIBDEPS ON)
@@ -23,12 +29,34 @@ This package has the command line, its maps and its model.")
 
 set(CPACK_DEBIAN_DEV_PACKAGE_NAME libwaymark-dev)
 set(CPACK_DEBIAN_DEV_PACKAGE_SECTION libdevel)
-set(CPACK_DEBIAN_DEV_PACKAGE_DEPENDS "libboost-graph-dev, libeigen3-dev, libpugixml-dev")
+set(needed "")
+if(plan IN_LIST WAYMARK_LIBRARIES)
+  set(needed "libboost-graph-dev, libeigen3-dev, libpugixml-dev")
+endif()
+set(kind "static libraries, headers,")
+if(BUILD_SHARED_LIBS)
+  set(abi ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
+  set(kind "headers,")
+  list(APPEND CPACK_COMPONENTS_ALL libraries)
+  list(APPEND packages "libraries=libwaymark${abi}")
+  list(APPEND needed "libwaymark${abi} (= ${PROJECT_VERSION})")
+  set(CPACK_DEBIAN_LIBRARIES_PACKAGE_NAME libwaymark${abi})
+  set(CPACK_DEBIAN_LIBRARIES_PACKAGE_SECTION libs)
+  set(CPACK_DEBIAN_LIBRARIES_PACKAGE_SHLIBDEPS ON)
+  set(CPACK_DEBIAN_PACKAGE_GENERATE_SHLIBS ON)
+  set(CPACK_DEBIAN_TOOLS_PACKAGE_DEPENDS "libwaymark${abi} (= ${PROJECT_VERSION})")
+  foreach(library ${WAYMARK_LIBRARIES})
+    list(APPEND CPACK_DEBIAN_PACKAGE_SHLIBDEPS_PRIVATE_DIRS ${PROJECT_BINARY_DIR}/lib${library})
+  endforeach()
+  set(CPACK_COMPONENT_LIBRARIES_DESCRIPTION "shared libraries of waymark
+${about}
+This package has the shared libraries.")
+endif()
+list(JOIN needed ", " CPACK_DEBIAN_DEV_PACKAGE_DEPENDS)
 set(CPACK_COMPONENT_DEV_DESCRIPTION "libraries of waymark for development
 ${about}
-This package has static libraries, headers, and files for CMake and pkg-config.")
+This package has ${kind} and files for CMake and pkg-config.")
 
-set(packages "tools=waymark" "dev=libwaymark-dev")
 if(WAYMARK_PYTHON)
   list(APPEND CPACK_COMPONENTS_ALL python)
   list(APPEND packages "python=python3-waymark")
