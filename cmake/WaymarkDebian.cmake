@@ -55,6 +55,9 @@ ${about}
 This package has the shared libraries.")
 endif()
 list(JOIN needed ", " CPACK_DEBIAN_DEV_PACKAGE_DEPENDS)
+if(TARGET waymark_motion)
+  set(CPACK_DEBIAN_DEV_PACKAGE_SUGGESTS libompl-dev)
+endif()
 set(CPACK_COMPONENT_DEV_DESCRIPTION "libraries of waymark for development
 ${about}
 This package has ${kind} and files for CMake and pkg-config.")
