@@ -1,35 +1,19 @@
-# cmake --install: the libraries with their headers, the command line with its helpers, the data it looks up, and a
-# package for find_package(waymark). tests/install builds a project against the installed tree.
+# cmake --install: the libraries with their headers, the command line, and a package for find_package(waymark).
+# tests/install builds a project against the installed tree.
 include(CMakePackageConfigHelpers)
 
 get_property(libraries GLOBAL PROPERTY WAYMARK_LIBRARIES)
-install(TARGETS ${libraries} EXPORT waymark ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT dev)
+install(TARGETS ${libraries} EXPORT waymark
+  ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT dev
+  LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT libraries NAMELINK_COMPONENT dev)
 get_property(folders GLOBAL PROPERTY WAYMARK_FOLDERS)
 list(REMOVE_DUPLICATES folders)
 install(DIRECTORY ${folders} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/waymark COMPONENT dev FILES_MATCHING PATTERN "*.hpp"
   PATTERN "json_reader.hpp" EXCLUDE)  # of readers only: it brings the JSON library along
 
-# What shells and manuals know of the command line is written by the command line itself.
-set(shell ${PROJECT_BINARY_DIR}/shell)
-add_custom_command(OUTPUT ${shell}/man1/waymark.1.gz
-  COMMAND waymark --write-shell-files ${shell}
-  COMMAND sh -c "rm -f man1/*.gz && gzip -9n man1/*.1"
-  DEPENDS waymark WORKING_DIRECTORY ${shell} VERBATIM)
-file(MAKE_DIRECTORY ${shell})
-add_custom_target(waymark_shell_files ALL DEPENDS ${shell}/man1/waymark.1.gz)
-install(DIRECTORY ${shell}/man1 DESTINATION ${CMAKE_INSTALL_MANDIR} COMPONENT tools)
-install(FILES ${shell}/bash/waymark DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions COMPONENT tools)
-install(FILES ${shell}/zsh/_waymark DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/vendor-completions COMPONENT tools)
-install(FILES ${shell}/fish/waymark.fish DESTINATION ${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d
-  COMPONENT tools)
-
-install(TARGETS waymark RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT tools)
-install(TARGETS waymark-layout waymark-lab RUNTIME DESTINATION ${CMAKE_INSTALL_LIBEXECDIR}/waymark COMPONENT tools)
-if(TARGET waymark-serve)
-  install(TARGETS waymark-serve RUNTIME DESTINATION ${CMAKE_INSTALL_LIBEXECDIR}/waymark COMPONENT tools)
+if(TARGET waymark)
+  include(WaymarkInstallTools)
 endif()
-install(DIRECTORY data/maps data/models data/words data/language data/schemas data/workspaces
-  DESTINATION ${CMAKE_INSTALL_DATADIR}/waymark COMPONENT tools PATTERN fetch EXCLUDE)
 
 set(package ${CMAKE_INSTALL_LIBDIR}/cmake/waymark)
 install(EXPORT waymark NAMESPACE waymark:: DESTINATION ${package} FILE waymarkTargets.cmake
@@ -43,7 +27,7 @@ install(FILES ${PROJECT_BINARY_DIR}/waymarkConfig.cmake ${PROJECT_BINARY_DIR}/wa
 # From lib/pkgconfig, or lib/x86_64-linux-gnu/pkgconfig, up to the prefix.
 string(REGEX REPLACE "[^/]+" ".." WAYMARK_PC_UP ${CMAKE_INSTALL_LIBDIR})
 # A pkg-config file for each library, waymark-ltl.pc and so on: what a library is linked with, public or not, is
-# required, for the libraries are static.
+# required, for the libraries may be static.
 foreach(library IN LISTS libraries)
   string(REPLACE "waymark_" "" area ${library})
   get_target_property(links ${library} INTERFACE_LINK_LIBRARIES)

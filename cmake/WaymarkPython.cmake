@@ -1,5 +1,9 @@
 # Is there what the Python module needs? Then WAYMARK_PYTHON is true, and the libraries are compiled so that a shared
 # object may hold them. Otherwise a message names what is missing, and everything else is built.
+# The module holds the libraries: they are static.
+if(BUILD_SHARED_LIBS)
+  message(FATAL_ERROR "WAYMARK_WITH_PYTHON goes with static libraries: -DBUILD_SHARED_LIBS=OFF")
+endif()
 # -DPython_EXECUTABLE=… names an interpreter. Without it, Debian's is preferred, which packages.debian.txt equips.
 if(NOT DEFINED Python_EXECUTABLE AND EXISTS /usr/bin/python3)
   set(Python_EXECUTABLE /usr/bin/python3)

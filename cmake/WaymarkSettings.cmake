@@ -98,17 +98,31 @@ function(waymark_expand list)
   set(${list} ${sources} PARENT_SCOPE)
 endfunction()
 
+# A shared library has the symbols of namespace waymark and no others. Before version 1, every minor version has an ABI
+# of its own.
+function(waymark_share target)
+  set(script ${PROJECT_SOURCE_DIR}/cmake/waymark.map)
+  set_target_properties(${target} PROPERTIES DEFINE_SYMBOL "" LINK_DEPENDS ${script} INSTALL_RPATH "\$ORIGIN"
+    VERSION ${PROJECT_VERSION} SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
+  target_link_options(${target} PRIVATE LINKER:--version-script=${script} LINKER:--no-undefined)
+  target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-fno-semantic-interposition>)
+endfunction()
+
 # waymark_library(<area> SOURCES <file>... DEPENDS <target>... PRIVATE_DEPENDS <target>...
 #   APART <file>...)
-# One static library lib<area>, known to others as waymark::<area>, included as "lib<area>/name.hpp".
+# One library lib<area>, static unless BUILD_SHARED_LIBS is on, known to others as waymark::<area>, included as
+# "lib<area>/name.hpp".
 # SOURCES stand in dependency order: a file may include only files of the same library that stand before it. `room/*.cpp`
 # names all sources of a room, which do not include each other in a circle.
 function(waymark_library area)
   cmake_parse_arguments(ARG "" "" "SOURCES;DEPENDS;PRIVATE_DEPENDS;APART" ${ARGN})
   set(target waymark_${area})
   waymark_expand(ARG_SOURCES)
-  add_library(${target} STATIC ${ARG_SOURCES})
+  add_library(${target} ${ARG_SOURCES})
   add_library(waymark::${area} ALIAS ${target})
+  if(BUILD_SHARED_LIBS)
+    waymark_share(${target})
+  endif()
   set_target_properties(${target} PROPERTIES EXPORT_NAME ${area})
   set_property(GLOBAL APPEND PROPERTY WAYMARK_LIBRARIES ${target})  # what cmake --install exports,
   set_property(GLOBAL APPEND PROPERTY WAYMARK_FOLDERS ${CMAKE_CURRENT_SOURCE_DIR})  # and where the headers are

@@ -3,6 +3,7 @@
 
 #include "tools/corridor.hpp"
 #include "tools/picture.hpp"
+#include "tools/picture_files.hpp"
 #include "tools/shell/options.hpp"
 #include "tools/shell/subcommand.hpp"
 
@@ -12,7 +13,8 @@ namespace {
 struct DrawOptions {
   MapOptions map;
   NotationOptions notation;
-  std::string route, formula, start, svg;
+  std::string route, formula, start;
+  PictureFiles files;
 };
 
 // The plan of the formula on its map, as `waymark plan` would give it.
@@ -23,7 +25,7 @@ ExitCode draw_plan(const DrawOptions& options, const plan::Map& map, const Sessi
   const automata::Dfa dfa = translate(formula, session.stop);
   const CorridorRun corridor_run = run_corridor(map, dfa, formula, start_poses(options.start, map), session.stop);
   const std::optional<ShownRoute> route = shown(corridor_run);
-  draw({.map = &map, .dfa = &dfa, .formula = formula, .route = route}, options.svg);
+  write_picture(drawn_whole({.map = &map, .dfa = &dfa, .formula = formula, .route = route}), options.files);
   if (route) return ExitCode::Done;
   complain("note", "the picture has no route: " + std::get<plan::Infeasible>(corridor_run.destination).reason);
   return ExitCode::No;
@@ -31,12 +33,13 @@ ExitCode draw_plan(const DrawOptions& options, const plan::Map& map, const Sessi
 
 ExitCode run_draw(const DrawOptions& options, const Session& session) {
   if (!options.route.empty() && !options.formula.empty()) throw UsageError("give --route or --formula, not both");
+  check_picture_files(options.files);
   const plan::Map map = read_map(options.map);
   if (!options.formula.empty()) return draw_plan(options, map, session);
   Picture picture{.map = &map};
   if (!options.route.empty())
     picture.route = plan::parse_walk(read_file(options.route), map, source_name(options.route));
-  draw(picture, options.svg);
+  write_picture(drawn_whole(picture), options.files);
   return ExitCode::Done;
 }
 
@@ -51,7 +54,7 @@ Runner setup_draw(Command command) {
       .type_name("TEXT");
   add_notation_options(command, options->notation);
   add_start_option(command, options->start);
-  command.add_option("--svg", options->svg, "the picture; - is standard output").type_name("FILE").required();
+  add_picture_options(command, options->files);
   return [options](const Session& session) { return run_draw(*options, session); };
 }
 

@@ -52,12 +52,14 @@ Drawn drawn(const Picture& picture) {
   return {render::draw_page(page), left_out};
 }
 
-void draw(const Picture& picture, const std::string& path) {
-  const Drawn page = drawn(picture);
+std::string drawn_whole(const Picture& picture) {
+  Drawn page = drawn(picture);
   if (page.automaton_left_out)
     complain("note", "the automaton is left out of the picture: it is too large, or waymark-layout is not installed");
-  write_file(path, page.svg);
+  return std::move(page.svg);
 }
+
+void draw(const Picture& picture, const std::string& path) { write_file(path, drawn_whole(picture)); }
 
 void draw_graph(const std::string& dot, const std::string& path) {
   const auto drawing = render::lay_out(dot, {});

@@ -26,7 +26,9 @@ struct Drawn {
   bool automaton_left_out = false;
 };
 Drawn drawn(const Picture& picture);
-// Writes the SVG to `path`. Without the helper waymark-layout the automaton is left out, and standard error says so.
+// The SVG document. Without the helper waymark-layout the automaton is left out, and standard error says so.
+std::string drawn_whole(const Picture& picture);
+// Writes it to `path`.
 void draw(const Picture& picture, const std::string& path);
 
 // A graph in DOT, laid out and written to `path` as SVG. Throws UsageError when waymark-layout is not installed.

@@ -7,8 +7,8 @@ file(CREATE_LINK ${SOURCE_DIR}/cmake ${SCRATCH}/source/cmake SYMBOLIC)
 file(CREATE_LINK ${CMAKE_CURRENT_LIST_DIR}/alone.cmake ${SCRATCH}/source/alone.cmake SYMBOLIC)
 
 # The libraries needed, lowest first: the root lists them in dependency order.
-file(STRINGS ${SOURCE_DIR}/CMakeLists.txt order REGEX "^add_subdirectory\\(lib")
-list(TRANSFORM order REPLACE "^add_subdirectory\\((lib[a-z]+)\\).*" "\\1")
+file(STRINGS ${SOURCE_DIR}/CMakeLists.txt order REGEX "^ *add_subdirectory\\(lib")
+list(TRANSFORM order REPLACE "^ *add_subdirectory\\((lib[a-z]+)\\).*" "\\1")
 set(needed ${LIBRARY})
 list(REVERSE order)
 foreach(library IN LISTS order)

@@ -47,7 +47,7 @@ fs::path needed_helper(std::string_view name, std::string_view what_it_does) {
   fs::path program = helper(name);
   if (program.empty())
     throw UsageError(std::string(name) + ", which " + std::string(what_it_does) +
-                     ", is not built; to build it: ./dev setup motion studio tests && ./dev build release");
+                     ", is not built; to build it: ./dev setup motion pictures studio tests && ./dev build release");
   return program;
 }
 
