@@ -23,7 +23,7 @@ This package has the command line, its maps and its model.")
 
 set(CPACK_DEBIAN_DEV_PACKAGE_NAME libwaymark-dev)
 set(CPACK_DEBIAN_DEV_PACKAGE_SECTION libdevel)
-set(CPACK_DEBIAN_DEV_PACKAGE_DEPENDS "libboost-graph-dev, libeigen3-dev, libpugixml-dev")
+set(CPACK_DEBIAN_DEV_PACKAGE_DEPENDS "libboost-graph-dev, libeigen3-dev, libpugixml-dev, libyaml-cpp-dev")
 set(CPACK_COMPONENT_DEV_DESCRIPTION "libraries of waymark for development
 ${about}
 This package has static libraries, headers, and files for CMake and pkg-config.")
