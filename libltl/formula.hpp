@@ -8,8 +8,7 @@
 // Thirteen operators are stored. The others are replaced by definitions that the printer recognises:
 //   F φ = true U φ    G φ = false R φ    φ W ψ = ψ R (φ ∨ ψ)    φ M ψ = ψ U (φ ∧ ψ)    φ → ψ = ¬φ ∨ ψ
 //   O φ = true S φ    H φ = ¬O ¬φ        Z φ = ¬Y ¬φ            φ T ψ = ¬(¬φ S ¬ψ)
-// Grammar and both semantics (finite, infinite): docs/conventions.md. Source: [BK08, Def. 5.1], [DV13, Sec. 2], past:
-// [LPZ85, Sec. 2].
+// Grammar, both semantics: docs/conventions.md. Sources: [BK08, Def. 5.1], [DV13, Sec. 2], past: [LPZ85, Sec. 2].
 #pragma once
 #include <cstddef>
 #include <cstdint>
@@ -135,8 +134,7 @@ Formula transfer(Formula f, Arena& to);
 
 // Every distinct subformula once, operands before operators, f last. O(DAG).
 std::vector<Formula> subformulas(Formula f);
-// Does a past operator occur? O(DAG).
-bool has_past(Formula f);
+bool has_past(Formula f);  // does a past operator occur? O(DAG)
 // The propositions that occur, ascending. O(DAG).
 std::vector<Proposition> propositions(Formula f);
 // Nodes of the syntax tree (not of the DAG), saturating at SIZE_MAX. O(DAG).

@@ -12,7 +12,6 @@
 #include "libautomata/omega/fewest_marks.hpp"
 #include "libautomata/omega/prepare.hpp"
 #include "libautomata/omega/product.hpp"
-#include "libautomata/omega/projection.hpp"
 #include "libautomata/omega/recurrence.hpp"
 #include "libautomata/omega/reduce.hpp"
 #include "libautomata/omega/simulation.hpp"
@@ -361,27 +360,12 @@ class Construction {
   std::size_t& states_;                      // made by the tableau that made most
 };
 
-std::variant<Translated, Exhausted> translate(Formula f, const TranslationLimits& limits, bool buchi);
-
-// Of a formula with past operators: translated with histories, which are forgotten.
-std::variant<Translated, Exhausted> with_histories(Formula f, const TranslationLimits& limits, bool buchi) {
-  ltl::Arena extended(f.arena().vocabulary());
-  auto found = translate(ltl::without_past(f, extended).formula, limits, buchi);
-  const Translated* made = std::get_if<Translated>(&found);
-  if (made == nullptr) return found;
-  const Automaton short_of = projected(made->automaton, f.arena().vocabulary());
-  Budget budget(strategies.simulation.steps, SIZE_MAX, limits.stop);
-  try {
-    Reduced out = reduce(short_of.transitions(), buchi ? MarksOn::States : MarksOn::Edges, budget);
-    const TransitionRelation result = buchi ? with_one_set(std::move(out.automaton)) : std::move(out.automaton);
-    return Translated{as_automaton(result, f.arena().vocabulary(), short_of.reads()), made->reduced && out.complete};
-  } catch (const Budget::Exceeded&) {  // stopped
-    return Exhausted{short_of.states()};
-  }
-}
-
 std::variant<Translated, Exhausted> translate(Formula f, const TranslationLimits& limits, bool buchi) {
-  if (ltl::has_past(f)) return with_histories(f, limits, buchi);
+  if (ltl::has_past(f)) {
+    ltl::Arena extended(f.arena().vocabulary());
+    auto found = translate(ltl::without_past(f, extended).formula, limits, buchi);
+    return forget_histories(std::move(found), f.arena().vocabulary(), buchi, limits);
+  }
   std::size_t states = 0;
   if (ltl::propositions(f).size() > Mtbdd::max_variables) return Exhausted{};
   try {
