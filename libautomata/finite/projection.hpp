@@ -9,8 +9,8 @@
 
 namespace waymark::automata {
 
-// Forgets the propositions that `names`, a beginning of the vocabulary, lacks. Minimal. Throws what the budget throws: a
-// state for every set.
+// Forgets the propositions that `names`, a beginning of the vocabulary, lacks. Minimal. Throws what the budget throws:
+// a state for every set.
 Dfa projected(const Dfa& dfa, const ltl::Vocabulary& names, Budget& budget);
 
 }  // namespace waymark::automata

@@ -24,9 +24,9 @@ std::vector<Formula> read_now(Formula f, bool past) {
   return out;
 }
 
-// What a formula becomes when a letter is read: `now`, what must hold of the rest for the formula to hold at the letter;
-// `later`, what holds at a position of the rest exactly where the formula does at that position of the whole word. A
-// formula without past operators is its own `later`.
+// What a formula becomes when a letter is read: `now`, what must hold of the rest for the formula to hold at the
+// letter; `later`, what holds at a position of the rest exactly where the formula does at that position of the whole
+// word. A formula without past operators is its own `later`.
 struct Images {
   Formula now, later;
 };

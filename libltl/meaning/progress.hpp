@@ -6,7 +6,8 @@
 // Finite words keep the two next operators apart: prog(X φ) = φ ∧ F true, prog(N φ) = φ ∨ G false.
 // Past operators stay in the formula, which then remembers the letter: Y φ becomes Y φ' ∨ (first ∧ prog(φ, a)), where
 // first = ¬Y true and φ' is φ treated likewise; S by its expansion. Without future operators below past ones, finitely
-// many formulas arise up to propositional identities. Source: [BK00, Table 1] for infinite words, [DV13] for finite ones; the end-of-word test is ours (docs/conventions.md 2).
+// many formulas arise up to propositional identities. Source: [BK00, Table 1] for infinite words, [DV13] for finite
+// ones; the end-of-word test and the past are ours (docs/conventions.md 2).
 #pragma once
 #include "libltl/formula.hpp"
 #include "libltl/meaning/semantics.hpp"

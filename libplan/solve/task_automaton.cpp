@@ -89,7 +89,7 @@ automata::Dfa good_prefixes(const Automaton& automaton, Budget& budget) {
 
 bool is_finite_task(ltl::Formula f, CaseTask::Logic logic) {
   if (logic != CaseTask::Logic::Ltl) return true;
-  // The nexts below a negated past operator are no literals of the normal form in which with_strong_nexts replaces them.
+  // The normal form in which with_strong_nexts replaces nexts keeps those below a negated past operator as they are.
   const ltl::Fragments of = ltl::fragments(f, ltl::Semantics::Infinite);
   return of.cosafety && (of.next_free || !ltl::has_past(f));
 }
