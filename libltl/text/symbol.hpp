@@ -32,7 +32,7 @@ enum class Symbol : std::uint8_t {
 
 enum class Dialect : std::uint8_t {
   Waymark,  // X is the strong next, N (WX, X[w]) the weak one; Y Z O H S T speak of the past
-  Spot,  // X is the weak next over finite words (TLSF, Syft, Lydia, Spot); X[!] the strong one; no past
+  Spot,     // X is the weak next over finite words (TLSF, Syft, Lydia, Spot); X[!] the strong one; no past
 };
 enum class Notation : std::uint8_t { Infix, Lbt, Postfix };
 

@@ -65,10 +65,12 @@ properties: trans-acc
 properties: no-univ-branch
 --BODY--
 State: 0 "G((a) & (b))"
-[(0 & !1)] 0 {0 2}
+[(0 & !1)] 0 {
+  0 2}
 [(1)] 1 {0}
 State: 1 "true"
-[t] 1 {1}
+[t] 1 {
+  1}
 --END--
 )"},
     {"Owl", "G F p0", R"(HOA: v1
@@ -164,7 +166,8 @@ AP: 2 "a" "b"
 properties: univ-branch very-weak trans-labels explicit-labels trans-acc
 --BODY--
 State: 0 "F(a)"
-[!0] 0 {0}
+[!0] 0 {
+  0}
 [0] 2
 State: 1
 [1] 1&2
