@@ -82,7 +82,9 @@ Formula negate(Formula f) {
     case Op::Next:
     case Op::WeakNext:
     case Op::Until:
-    case Op::Release: break;
+    case Op::Release:
+    case Op::Yesterday:
+    case Op::Since: break;
   }
   return f.arena().make(Op::Not, {&f, 1});
 }
@@ -176,5 +178,18 @@ Formula always_within(std::size_t k, Formula f) {
   for (std::size_t i = 0; i < k; ++i) out = conjunction(f, weak_next(out));
   return out;
 }
+
+Formula yesterday(Formula f) { return f.op() == Op::False ? f : f.arena().make(Op::Yesterday, {&f, 1}); }
+
+Formula since(Formula left, Formula right) {
+  if (left.op() == Op::False || right.op() == Op::False || right.op() == Op::True) return right;
+  const Formula sides[] = {left, right};
+  return left.arena().make(Op::Since, sides);
+}
+
+Formula weak_yesterday(Formula f) { return negate(yesterday(negate(f))); }
+Formula once(Formula f) { return since(f.arena().constant(true), f); }
+Formula historically(Formula f) { return negate(once(negate(f))); }
+Formula triggered(Formula left, Formula right) { return negate(since(negate(left), negate(right))); }
 
 }  // namespace waymark::ltl

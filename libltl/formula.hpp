@@ -5,9 +5,10 @@
 // false, ¬¬φ = φ, units, flattening). These hold on finite and infinite words and for both next operators. simplify.hpp
 // rewrites temporal operators under a given semantics.
 //
-// Eleven operators are stored. The others are replaced by definitions that the printer recognises:
+// Thirteen operators are stored. The others are replaced by definitions that the printer recognises:
 //   F φ = true U φ    G φ = false R φ    φ W ψ = ψ R (φ ∨ ψ)    φ M ψ = ψ U (φ ∧ ψ)    φ → ψ = ¬φ ∨ ψ
-// Grammar and both semantics (finite, infinite): docs/conventions.md. Source: [BK08, Def. 5.1], [DV13, Sec. 2].
+//   O φ = true S φ    H φ = ¬O ¬φ        Z φ = ¬Y ¬φ            φ T ψ = ¬(¬φ S ¬ψ)
+// Grammar, both semantics: docs/conventions.md. Sources: [BK08, Def. 5.1], [DV13, Sec. 2], past: [LPZ85, Sec. 2].
 #pragma once
 #include <cstddef>
 #include <cstdint>
@@ -23,7 +24,7 @@ namespace waymark::ltl {
 class Arena;
 
 // The operators that are stored.
-enum class Op : std::uint8_t { False, True, Atom, Not, And, Or, Iff, Next, WeakNext, Until, Release };
+enum class Op : std::uint8_t { False, True, Atom, Not, And, Or, Iff, Next, WeakNext, Until, Release, Yesterday, Since };
 
 class Formula {  // a value: copy it, compare it, put it in a map. Valid as long as its arena.
  public:
@@ -87,6 +88,8 @@ class Arena {
   friend Formula weak_next(Formula);
   friend Formula until(Formula, Formula);
   friend Formula release(Formula, Formula);
+  friend Formula yesterday(Formula);
+  friend Formula since(Formula, Formula);
   Formula make(Op op, std::span<const Formula> operands, Proposition p = {});
   Formula junction(Op op, std::span<const Formula> operands);
   void grow();
@@ -118,12 +121,21 @@ Formula weak_until(Formula left, Formula right);      // φ W ψ  is stored as  
 Formula strong_release(Formula left, Formula right);  // φ M ψ  is stored as  ψ U (φ ∧ ψ)
 Formula eventually_within(std::size_t k, Formula f);  // F<=k φ = φ ∨ X(φ ∨ X(…)), k strong nexts
 Formula always_within(std::size_t k, Formula f);      // G<=k φ = φ ∧ N(φ ∧ N(…)), k weak nexts
+// Past, which is finite and begins at the first letter: Y false, φ S false and Z true fold, as do false S φ, φ S true.
+Formula yesterday(Formula f);                    // Y φ: there is a letter before, and φ holds there
+Formula since(Formula left, Formula right);      // φ S ψ: ψ held, now or before, and φ ever after that
+Formula weak_yesterday(Formula f);               // Z φ: if there is a letter before, φ holds there
+Formula once(Formula f);                         // O φ: φ holds now or held before
+Formula historically(Formula f);                 // H φ: φ holds now and always held before
+Formula triggered(Formula left, Formula right);  // φ T ψ, the dual of S
+inline bool is_past(Op op) { return op == Op::Yesterday || op == Op::Since; }
 
 // The same formula in another arena, whose vocabulary gains the names it lacks. O(DAG).
 Formula transfer(Formula f, Arena& to);
 
 // Every distinct subformula once, operands before operators, f last. O(DAG).
 std::vector<Formula> subformulas(Formula f);
+bool has_past(Formula f);  // does a past operator occur? O(DAG)
 // The propositions that occur, ascending. O(DAG).
 std::vector<Proposition> propositions(Formula f);
 // Nodes of the syntax tree (not of the DAG), saturating at SIZE_MAX. O(DAG).

@@ -4,6 +4,7 @@
 
 #include "libltl/english/verbalise.hpp"
 #include "libltl/meaning/progress.hpp"
+#include "libltl/meaning/semantics.hpp"
 #include "libltl/meaning/trace_check.hpp"
 #include "libltl/rewriting/simplify.hpp"
 #include "libltl/structure/random.hpp"
@@ -55,6 +56,8 @@ const char* operator_of(const FormulaHandle& f) {
     case ltl::Op::Next: return "next";
     case ltl::Op::WeakNext: return "weak_next";
     case ltl::Op::Until: return "until";
+    case ltl::Op::Yesterday: return "yesterday";
+    case ltl::Op::Since: return "since";
     case ltl::Op::Release: break;
   }
   return "release";
@@ -85,6 +88,12 @@ py::array_t<bool> truth(const FormulaHandle& f, const py::object& word) {
   const auto read = word_of(word, py::none(), f.arena->vocabulary());
   const auto* trace = std::get_if<ltl::Trace>(&read);
   if (trace == nullptr) throw py::value_error("truth is asked of a finite word");
+  if (ltl::has_past(f.formula)) {
+    const std::vector<bool> row = ltl::truth(*trace, f.formula);
+    py::array_t<bool> out(static_cast<py::ssize_t>(row.size()));
+    std::copy(row.begin(), row.end(), out.mutable_data());
+    return out;
+  }
   const ltl::Columns columns(*trace, f.arena->vocabulary().size());
   std::vector<std::uint64_t> bits(columns.blocks());
   ltl::TraceCheck(f.formula).at_every_position(columns, 0, bits);

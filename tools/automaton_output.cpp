@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "libautomata/deterministic/parity_game.hpp"
 #include "libautomata/finite/guard.hpp"
 #include "libautomata/hoa/dot_finite.hpp"
 #include "libautomata/hoa/dot_omega.hpp"
@@ -170,6 +171,23 @@ std::optional<std::string> dot_of(const automata::Automaton& automaton, const Sh
   return automata::write_dot_within(automaton, most_edges, {.name = about.unicode_name});
 }
 
+// The parity game of the automaton, some propositions being those of the system.
+std::string game_text(const automata::Automaton& automaton, const OutputOptions& options) {
+  const auto parity = automata::Dpa::checked(automaton);
+  if (!parity) throw UsageError("--format pgsolver takes deterministic parity automata: add --to parity");
+  std::vector<ltl::Proposition> outputs;
+  std::string_view rest = options.outputs;
+  while (!rest.empty()) {
+    const std::string_view name = rest.substr(0, rest.find(','));
+    rest.remove_prefix(std::min(rest.size(), name.size() + 1));
+    const auto output = automaton.vocabulary().find(name);
+    if (!output) throw UsageError("--outputs: the formula has no proposition '" + std::string(name) + "'");
+    outputs.push_back(*output);
+  }
+  automata::Budget budget(SIZE_MAX, options.edges, {});
+  return automata::write_pgsolver(automata::parity_game(*parity, outputs, budget));
+}
+
 // Of limit-deterministic automata: what their HOA and JSON say besides.
 struct Guesses {
   std::vector<std::string> properties, headers;
@@ -184,6 +202,7 @@ Reply shown_omega(const automata::Automaton& automaton, const std::optional<Gues
   if (format == "dot") return show_or_refuse(automaton, dot_of(automaton, about, most), about, options);
   if (format == "tsv")
     return show_or_refuse(automaton, with_whose(automata::write_table(automaton, most), about), about, options);
+  if (format == "pgsolver") return {ExitCode::Done, game_text(automaton, options)};
   if (format == "never" || format == "lbtt" || format == "ba")
     return show_or_refuse(automaton, exchanged(automaton, about, options), about, options);
   automata::OmegaHoaOptions layout{
@@ -222,11 +241,13 @@ void add_output_options(Command command, OutputOptions& options) {
   command
       .add_option("--format", options.format,
                   "HOA, Graphviz DOT, one row of counts, JSON, a table; of infinite words also: never claim, "
-                  "LBTT, BA")
-      .one_of({"hoa", "dot", "stats", "json", "tsv", "never", "lbtt", "ba"})
+                  "LBTT, BA, a parity game")
+      .one_of({"hoa", "dot", "stats", "json", "tsv", "never", "lbtt", "ba", "pgsolver"})
       .show_default();
   command.add_flag_callback(
       "--json", [&options] { options.format = "json"; }, "the same as --format json");
+  command.add_option("--outputs", options.outputs, "with --format pgsolver: the propositions that the system chooses")
+      .type_name("a,b");
   command.add_flag("--one-line", options.one_line, "HOA: each automaton on one line");
   command.add_flag("--aliases", options.aliases, "HOA: labels that occur more than once get a name");
   command
@@ -255,7 +276,7 @@ namespace {
 
 Reply shown_dfa(const automata::Dfa& dfa, const Shown& about, const OutputOptions& options) {
   if (options.format == "stats") return {ExitCode::Done, row(about, measure(dfa, options.edges))};
-  if (options.format == "never" || options.format == "lbtt" || options.format == "ba")
+  if (options.format == "never" || options.format == "lbtt" || options.format == "ba" || options.format == "pgsolver")
     throw UsageError("--format " + options.format + " is one for infinite words");
   if (options.format == "tsv")
     return show_or_refuse(dfa, with_whose(dfa_table(dfa, options.edges), about), about, options);

@@ -152,8 +152,7 @@ ExitCode compose_tasks(const plan::PlanningCase& model, const ComposeOptions& op
   if (chosen.empty())
     throw UsageError(options.file + " has no " + (options.task.empty() ? "tasks" : "task '" + options.task + "'") +
                      " with an automaton; give a formula, or --model-only");
-  const bool one =
-      options.output.format == "prism" || options.output.format == "explicit" || !options.output.svg.empty();
+  const bool one = options.output.writes_model() || !options.output.svg.empty();
   if (one && chosen.size() > 1) throw UsageError("one product at a time in this format: choose by --task");
   for (const plan::CaseTask* task : chosen) compose_task(model, *task, options, session);
   return ExitCode::Done;
@@ -193,14 +192,13 @@ ExitCode compose_any(const ComposeOptions& options, const Session& session) {
 
 ExitCode run_compose(const ComposeOptions& options, const Session& session) {
   if (!options.automaton.empty() && gives_formula(options)) throw UsageError("give a formula or --automaton, not both");
-  if (!options.output.out.empty() && options.output.format != "prism" && options.output.format != "explicit")
-    throw UsageError("--out goes with --format prism and --format explicit");
+  if (!options.output.out.empty() && !options.output.writes_model())
+    throw UsageError("--out goes with --format prism, explicit and jani");
   if (!options.output.svg.empty() && options.model_only)
     throw UsageError("--svg draws a product; --format dot a model");
   check_writable(options.output.svg);
   if (!options.task.empty() && options.file.empty()) throw UsageError("--task goes with --case");
-  if (!options.file.empty() || options.model_only || options.output.graph || options.output.format == "prism" ||
-      options.output.format == "explicit")
+  if (!options.file.empty() || options.model_only || options.output.graph || options.output.writes_model())
     return compose_any(options, session);
   const plan::Map map = read_map(options.map);
   const auto starts = start_poses(options.start, map);
@@ -236,20 +234,20 @@ Runner setup_compose(Command command) {
   command
       .add_option("--case,--model", options->file,
                   "another model instead of a map: a planning case with its tasks, a street graph (JSON), or "
-                  "PRISM's FILE.nm or FILE.tra")
+                  "PRISM's FILE.nm or FILE.tra, a transition system (YAML)")
       .type_name("FILE");
   command.add_option("--task", options->task, "with --case: this task only").type_name("ID");
   command.add_flag("--model-only", options->model_only, "the map or model itself, without a task");
   command
       .add_option("--format", options->output.format,
                   "sizes for people, sizes as JSON, or the graph: for Graphviz, in PRISM's language, as PRISM's "
-                  "explicit files")
-      .one_of({"text", "json", "dot", "prism", "explicit"})
+                  "explicit files, as JANI")
+      .one_of({"text", "json", "dot", "prism", "explicit", "jani"})
       .show_default();
   command.add_flag("--graph", options->output.graph, "with --format json: states and choices as well");
   command
       .add_option("--out", options->output.out,
-                  "write PREFIX.nm (prism), or PREFIX.tra, .sta, .lab and .srew or .trew (explicit)")
+                  "write PREFIX.nm (prism), PREFIX.jani, or PREFIX.tra, .sta, .lab and .srew or .trew (explicit)")
       .type_name("PREFIX");
   command.add_option("--svg", options->output.svg, "draw the product: by states of the automaton where it is large")
       .type_name("FILE");

@@ -3,6 +3,7 @@
 #include <iostream>
 #include <variant>
 
+#include "libplan/model/formats/write_jani.hpp"
 #include "libplan/model/prism/write_prism.hpp"
 #include "libplan/product/explicit_product.hpp"
 #include "tools/answer.hpp"
@@ -81,10 +82,12 @@ void write_language(const std::string& text, const std::string& prefix) {
 }
 
 // Everything but text and JSON, which differ between models and products.
-void write_graph(const StateLabelled& model, const GraphOutput& output) {
+void write_graph(const StateLabelled& model, const std::string& name, const GraphOutput& output) {
   if (output.format == "dot") print_dot(model);
   if (output.format == "explicit") write_explicit(model, output.out);
   if (output.format == "prism") write_language(plan::write_prism(model), output.out);
+  if (output.format == "jani")
+    write_file(output.out.empty() ? "-" : output.out + ".jani", plan::write_jani(model, name));
 }
 
 JsonObject sizes_of(const StateLabelled& model) {
@@ -122,7 +125,7 @@ class ProductWriter {
                             .add("goals", goals));
     if (!sizes) {
       const StateLabelled labelled = plan::explicit_product(*product);
-      if (output_.format != "json") return write_graph(labelled, output_);
+      if (output_.format != "json") return write_graph(labelled, case_.name, output_);
       json.add("graph", graph_of(labelled));
     }
     std::cout << json.text() << '\n';
@@ -177,7 +180,7 @@ void write_model(const plan::PlanningCase& model, const GraphOutput& output) {
               << counted(labelled.mdp.choices(), "choice") << ", " << counted(labelled.mdp.outcomes(), "outcome")
               << ": " << model.name << '\n';
   } else {
-    write_graph(labelled, output);
+    write_graph(labelled, model.name, output);
   }
 }
 

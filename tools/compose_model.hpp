@@ -8,10 +8,12 @@
 namespace waymark::tools {
 
 struct GraphOutput {
-  std::string format = "text";  // text, json, dot, prism, explicit
+  std::string format = "text";  // text, json, dot, prism, explicit, jani
   std::string out;              // a prefix of files
   bool graph = false;           // json: not only the sizes
   std::string svg = {};         // a file for the picture; empty: none
+  // The whole model for another tool, one product at a time.
+  bool writes_model() const { return format == "prism" || format == "explicit" || format == "jani"; }
 };
 
 void write_model(const plan::PlanningCase& model, const GraphOutput& output);

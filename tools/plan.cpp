@@ -8,6 +8,7 @@
 #include "libautomata/hoa/finite.hpp"
 #include "libltl/diagnostic.hpp"
 #include "libltl/text/print.hpp"
+#include "libplan/behavior_tree.hpp"
 #include "libplan/model/formats/read_model.hpp"
 #include "tools/answer.hpp"
 #include "tools/picture.hpp"
@@ -26,7 +27,7 @@ struct PlanCommandOptions {
   TextOptions text;
   NotationOptions notation;
   MapOptions map;
-  std::string start, automaton, svg, hoa, semantics = "finite";
+  std::string start, automaton, svg, hoa, tree, semantics = "finite";
   bool json = false;
   CaseChoice planning_case;
   NoiseOptions noise;
@@ -102,7 +103,15 @@ class Planning {
     return {map_, starts_, formula, given};
   }
   WalkOptions walk_options(double translating = 0) const {
-    return {options_.planning_case.order, options_.svg, options_.planning_case.top, options_.json, load_, translating};
+    return {options_.planning_case.order,
+            options_.svg,
+            options_.planning_case.top,
+            options_.json,
+            load_,
+            translating,
+            {},
+            false,
+            options_.tree};
   }
   ExitCode answer(const automata::Dfa& dfa, std::optional<ltl::Formula> formula, double translating) {
     Answer answer{.formula = formula, .corridor_run = run_corridor(map_, dfa, formula, starts_, session_.stop)};
@@ -115,6 +124,9 @@ class Planning {
     if (!options_.hoa.empty())
       write_file(options_.hoa, automata::write_hoa(dfa, {.name = formula ? ltl::print(*formula) : ""}));
     const std::optional<ShownRoute> route = shown(answer.corridor_run);
+    if (route && !options_.tree.empty())
+      write_file(options_.tree, plan::write_behavior_tree(trajectory_of(*route, map_), map_,
+                                                          formula ? ltl::print(*formula) : "automaton"));
     if (!options_.svg.empty()) draw({.map = &map_, .dfa = &dfa, .formula = formula, .route = route}, options_.svg);
     return route ? ExitCode::Done : ExitCode::No;
   }
@@ -145,15 +157,17 @@ void check(const PlanCommandOptions& options) {
   const bool map = choice.file.empty() && choice.model.empty();
   if (!map && (is_infinite(options) || !options.svg.empty() || !options.hoa.empty()))
     throw UsageError("--semantics, --svg and --hoa are for plans on a map");
+  if (!map && !options.tree.empty()) throw UsageError("--behavior-tree is for plans on a map");
   if (!map && options.noise.given()) throw UsageError("--slip and --slip-turn are for maps");
   if (map && options.noise.given()) {
-    if (is_infinite(options) || choice.top > 1 || !options.svg.empty() || !options.hoa.empty())
+    if (is_infinite(options) || choice.top > 1 || !options.svg.empty() || !options.hoa.empty() || !options.tree.empty())
       throw UsageError("where actions may slip there is no route: a value is asked for by --query");
     return;
   }
   if (map && !choice.query.empty())
     throw UsageError("--query asks for a value where actions may fail: give --slip, --case or --model with it");
   if (map && !choice.strategy.empty()) throw UsageError("--strategy goes with --case and --model");
+  if (!options.tree.empty() && choice.top > 1) throw UsageError("--behavior-tree is for one plan");
   if (map && choice.top > 1 && (is_infinite(options) || !options.svg.empty() || !options.hoa.empty()))
     throw UsageError("--top is for routes, without --svg, --hoa and --semantics infinite");
   if (is_infinite(options) && !options.hoa.empty())
@@ -164,6 +178,7 @@ ExitCode run_plan(const PlanCommandOptions& options, const Session& session) {
   check(options);
   check_writable(options.svg);
   check_writable(options.hoa);
+  check_writable(options.tree);
   CaseChoice choice = options.planning_case;
   choice.json = options.json;
   choice.automaton = options.automaton;
@@ -177,8 +192,8 @@ ExitCode run_plan(const PlanCommandOptions& options, const Session& session) {
   if (options.noise.given()) return plan_model(noisy_map(options), choice, options.text, session);
   if (!options.automaton.empty()) return Planning(options, session).of_automaton(options.automaton);
   TextReader texts(options.text, "formula");
-  if (texts.is_batch() && (!options.svg.empty() || !options.hoa.empty()))
-    throw UsageError("--svg and --hoa are for a single formula given as an argument");
+  if (texts.is_batch() && (!options.svg.empty() || !options.hoa.empty() || !options.tree.empty()))
+    throw UsageError("--svg, --hoa and --behavior-tree are for a single formula given as an argument");
   Planning planning(options, session);
   return answer_each(
       texts, session.stop, [&](const Text& text) { return planning.of_formula(text); }, options.json);
@@ -197,6 +212,7 @@ Runner setup_plan(Command command) {
   command.add_flag("--json", options->json, "one JSON object a line");
   command.add_option("--svg", options->svg, "draw map, route and automaton").type_name("FILE");
   command.add_option("--hoa", options->hoa, "write the automaton").type_name("FILE");
+  command.add_option("--behavior-tree", options->tree, "write the plan for BehaviorTree.CPP 4").type_name("FILE");
   command
       .add_option("--semantics", options->semantics,
                   "on a map: a route to where the formula holds, or a lasso, a route without end that it holds on")

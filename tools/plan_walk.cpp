@@ -4,6 +4,7 @@
 #include <iostream>
 
 #include "libltl/text/print.hpp"
+#include "libplan/behavior_tree.hpp"
 #include "libplan/certify.hpp"
 #include "libplan/model/map_mdp.hpp"
 #include "libplan/solve/least_lasso.hpp"
@@ -11,6 +12,7 @@
 #include "tools/answer.hpp"
 #include "tools/picture.hpp"
 #include "tools/plan_case.hpp"
+#include "tools/shell/output.hpp"
 
 namespace waymark::tools {
 namespace {
@@ -60,6 +62,7 @@ class LassoPlanning {
     else
       print(terminal);
     if (!options_.svg.empty()) draw_lasso();
+    if (!options_.tree.empty() && found_.lasso) write_tree();
     return found_.lasso ? ExitCode::Done : ExitCode::No;
   }
 
@@ -158,6 +161,13 @@ class LassoPlanning {
     Picture picture{.map = &task_.map, .omega = &automaton_, .formula = task_.formula};
     if (found_.lasso) picture.route = *found_.lasso;
     draw(picture, options_.svg);
+  }
+
+  void write_tree() const {
+    const ShownRoute lasso = *found_.lasso;
+    write_file(options_.tree, plan::write_behavior_tree(trajectory_of(lasso, task_.map), task_.map,
+                                                        task_.formula ? ltl::print(*task_.formula) : "automaton",
+                                                        repeated_actions(lasso)));
   }
 
   const WalkTask& task_;

@@ -25,6 +25,7 @@ struct WalkOptions {
   double load = 0, translate = 0;  // seconds that reading the map took, and the translation of a DFA
   JsonObject head = {};            // what comes first in the JSON
   bool adds_route = false;         // … and prefix and one round of the cycle as a route, with its cost
+  std::string tree = {};           // a file: the lasso as a behaviour tree
 };
 
 // The task on the map: the formula, or the automaton where there is none.

@@ -6,12 +6,33 @@
 #include "libautomata/budget.hpp"
 #include "libautomata/finite/minimize.hpp"
 #include "libautomata/finite/portfolio.hpp"
+#include "libautomata/finite/projection.hpp"
+#include "libltl/rewriting/without_past.hpp"
 
 namespace waymark::automata {
 
 using ltl::Formula;
 
+namespace {
+
+// Of a formula with past operators: translated with histories, which are forgotten.
+std::variant<Dfa, Exhausted> with_histories(Formula f, const TranslationLimits& limits) {
+  ltl::Arena extended(f.arena().vocabulary());
+  auto found = ltlf_to_dfa(ltl::without_past(f, extended).formula, limits);
+  const Dfa* dfa = std::get_if<Dfa>(&found);
+  if (dfa == nullptr) return found;
+  Budget budget(SIZE_MAX, limits.states, limits.stop);
+  try {
+    return projected(*dfa, f.arena().vocabulary(), budget);
+  } catch (const Budget::Exceeded&) {
+    return Exhausted{budget.states()};
+  }
+}
+
+}  // namespace
+
 std::variant<Dfa, Exhausted> ltlf_to_dfa(Formula f, const TranslationLimits& limits) {
+  if (ltl::has_past(f)) return with_histories(f, limits);
   const std::vector<ltl::Proposition> reads = ltl::propositions(f);
   if (reads.size() > Mtbdd::max_variables) return Exhausted{};
   Exhausted spent;

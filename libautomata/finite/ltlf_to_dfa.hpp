@@ -1,4 +1,5 @@
-// LTLf → minimal DFA: a formula is closed under progression symbolically, and the result is minimised.
+// LTLf → minimal DFA: a formula is closed under progression symbolically, and the result is minimised. Past operators
+// become propositions, which the DFA then forgets (without_past.hpp, projection.hpp).
 #pragma once
 #include <cstddef>
 #include <stop_token>

@@ -116,6 +116,8 @@ Residuals::Node Residuals::residual_of(ltl::Formula f, const std::vector<ltl::Pr
         return split(g, [&](Formula h) {
           return logic_.negate(until(logic_.negate(image.at(g[0])), logic_.negate(image.at(h))));
         });
+      case Op::Yesterday:
+      case Op::Since: break;  // without_past comes first
     }
     throw std::logic_error("operator without a residual");
   };

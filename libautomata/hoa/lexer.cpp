@@ -9,7 +9,7 @@ namespace {
 using Kind = HoaToken::Kind;
 
 using ltl::is_digit, ltl::is_letter;
-bool is_name(char c) { return is_letter(c) || is_digit(c) || c == '-'; }
+bool is_name(char c) { return is_letter(c) || is_digit(c) || c == '-' || c == '.'; }  // dots: version 1.1
 
 }  // namespace
 

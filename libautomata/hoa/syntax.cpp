@@ -32,7 +32,8 @@ class Parser {
       cursor_.expected("'HOA: v1' at the beginning");
     cursor_.take();
     const HoaToken version = cursor_.demand(Kind::Identifier, "the version v1");
-    if (version.text != "v1") cursor_.fail(version, "HOA version v1 is read, not " + described(version));
+    if (version.text != "v1" && version.text != "v1.1")
+      cursor_.fail(version, "HOA versions v1 and v1.1 are read, not " + described(version));
     while (cursor_.peek().kind == Kind::Header) header();
     if (cursor_.peek().kind != Kind::Body) cursor_.expected("a header or --BODY--");
     if (!seen_.contains("Acceptance")) cursor_.fail(cursor_.peek(), "the header 'Acceptance:' is missing");
@@ -67,7 +68,7 @@ class Parser {
     } else if (text == "acc-name") {
       acceptance_name();  // what it says stands under `Acceptance:` too
     } else if (text == "properties") {
-      while (cursor_.peek().kind == Kind::Identifier) out_.properties.push_back(cursor_.take());
+      properties();
     } else if (text[0] >= 'A' && text[0] <= 'Z') {
       cursor_.fail(header, "unknown header " + described(header) + "; its capital says that it changes the meaning");
     } else {
@@ -75,6 +76,15 @@ class Parser {
     }
     if (cursor_.peek().kind != Kind::Header && cursor_.peek().kind != Kind::Body)
       cursor_.expected("a header or --BODY--");
+  }
+
+  // A property that is denied, `!complete` of version 1.1, claims nothing that the reader uses.
+  void properties() {
+    while (cursor_.peek().kind == Kind::Identifier || cursor_.punctuation('!')) {
+      const bool denied = cursor_.accept('!');
+      const HoaToken property = cursor_.demand(Kind::Identifier, "the name of a property");
+      if (!denied) out_.properties.push_back(property);
+    }
   }
 
   static bool is_value(const HoaToken& token) {

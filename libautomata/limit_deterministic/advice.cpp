@@ -47,6 +47,8 @@ class AdviceEvaluation {
       case Op::Until: return until(f, as);
       case Op::Release: return release(f, as);
       case Op::WeakNext:
+      case Op::Yesterday:
+      case Op::Since:
       case Op::Iff: break;
     }
     throw std::logic_error("advice is for negation normal forms over infinite words");

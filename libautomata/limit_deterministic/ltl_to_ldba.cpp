@@ -121,7 +121,7 @@ std::variant<TranslatedForMdps, Exhausted> ltl_to_ldba(ltl::Formula f, const Tra
     const Automaton& from = parity.automaton;
     const TransitionRelation transitions = renamed(from.transitions(), from.reads(), reads);
     Construction construction(min_even_parity(transitions), limits);
-    construction.try_the_theorem(simple, reads);
+    if (!ltl::has_past(simple)) construction.try_the_theorem(simple, reads);
     Candidate best = std::move(construction).best();
     return TranslatedForMdps{ProvedConstructions::made(std::move(best.ldba), f.arena().vocabulary(), reads),
                              best.reduced && parity.reduced};

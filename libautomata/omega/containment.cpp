@@ -1,5 +1,7 @@
 #include "libautomata/omega/containment.hpp"
 
+#include <stdexcept>
+
 #include "libltl/rewriting/nnf.hpp"
 #include "libltl/structure/random.hpp"
 
@@ -66,6 +68,8 @@ std::uint64_t Containment::compute(Formula f) {
     return unit;
   };
   switch (f.op()) {
+    case Op::Yesterday:
+    case Op::Since: throw std::logic_error("a suffix of a word has no past");
     case Op::False: return 0;
     case Op::True: return ~std::uint64_t{0};
     case Op::Atom: return atoms_.at(f.proposition().index);

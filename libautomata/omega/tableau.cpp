@@ -185,6 +185,8 @@ class Construction {
       case Op::WeakNext: return one(f[0], {});
       case Op::Until: return either(successors(f[1]), both(successors(f[0]), one(f, promise(f))));
       case Op::Release: return both(successors(f[1]), either(successors(f[0]), one(f, {})));
+      case Op::Yesterday:
+      case Op::Since:  // without_past comes first
       case Op::Iff: break;
     }
     throw std::logic_error("a tableau needs negation normal form");

@@ -22,6 +22,7 @@
 #include "libautomata/translation/strategies.hpp"
 #include "libltl/rewriting/nnf.hpp"
 #include "libltl/rewriting/separate.hpp"
+#include "libltl/rewriting/without_past.hpp"
 #include "libltl/structure/fragment.hpp"
 
 namespace waymark::automata {
@@ -360,6 +361,11 @@ class Construction {
 };
 
 std::variant<Translated, Exhausted> translate(Formula f, const TranslationLimits& limits, bool buchi) {
+  if (ltl::has_past(f)) {
+    ltl::Arena extended(f.arena().vocabulary());
+    auto found = translate(ltl::without_past(f, extended).formula, limits, buchi);
+    return forget_histories(std::move(found), f.arena().vocabulary(), buchi, limits);
+  }
   std::size_t states = 0;
   if (ltl::propositions(f).size() > Mtbdd::max_variables) return Exhausted{};
   try {

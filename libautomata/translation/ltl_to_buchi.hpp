@@ -23,6 +23,12 @@ struct Translated {     // an automaton, and whether more could be done
 std::variant<Translated, Exhausted> ltl_to_tgba(ltl::Formula f, const TranslationLimits& limits);
 std::variant<Translated, Exhausted> ltl_to_buchi(ltl::Formula f, const TranslationLimits& limits);
 
+// Of a formula with past operators, from that of the formula in which these are propositions (without_past.hpp): the
+// propositions that `names` lacks are forgotten, and the automaton is reduced. In forget_histories.cpp.
+std::variant<Translated, Exhausted> forget_histories(std::variant<Translated, Exhausted> found,
+                                                     const ltl::Vocabulary& names, bool buchi,
+                                                     const TranslationLimits& limits);
+
 // Without limits; std::length_error when a formula is too large for one automaton.
 Automaton ltl_to_tgba(ltl::Formula f);
 Automaton ltl_to_buchi(ltl::Formula f);

@@ -13,9 +13,11 @@
 #include "libautomata/deterministic/determinize.hpp"
 #include "libautomata/deterministic/paritise.hpp"
 #include "libautomata/deterministic/split.hpp"
+#include "libautomata/deterministic/to_parity.hpp"
 #include "libautomata/omega/operations.hpp"
 #include "libautomata/omega/prepare.hpp"
 #include "libautomata/omega/product.hpp"
+#include "libautomata/omega/projection.hpp"
 #include "libautomata/omega/recurrence.hpp"
 #include "libautomata/omega/scc_filter.hpp"
 #include "libautomata/omega/simulation.hpp"
@@ -25,6 +27,7 @@
 #include "libltl/rewriting/nnf.hpp"
 #include "libltl/rewriting/separate.hpp"
 #include "libltl/rewriting/simplify.hpp"
+#include "libltl/rewriting/without_past.hpp"
 #include "libltl/structure/hierarchy.hpp"
 
 namespace waymark::automata {
@@ -316,6 +319,33 @@ class Construction {
   std::optional<Candidate> normalised_;
 };
 
+// Of a formula with past operators, parity(Min, Even, ·): translated with histories, which are forgotten. Where the
+// letters read determine the histories, the automaton stays deterministic; else a Büchi automaton is determinised.
+std::variant<Translated, Exhausted> with_histories(Formula f, const TranslationLimits& limits) {
+  const ltl::Vocabulary& names = f.arena().vocabulary();
+  ltl::Arena extended(names);
+  const ltl::WithoutPast without = ltl::without_past(f, extended);
+  auto found = without.determined ? ltl_to_parity(without.formula, limits) : ltl_to_tgba(without.formula, limits);
+  const Translated* made = std::get_if<Translated>(&found);
+  if (made == nullptr) return found;
+  Budget budget(strategies.determinising.steps, limits.states, limits.stop);
+  try {
+    return Translated{to_parity(projected(made->automaton, names), budget).automaton(), made->reduced};
+  } catch (const Budget::Exceeded&) {
+    return Exhausted{budget.states()};
+  }
+}
+
+// Deterministic, with another condition; `change` gets and gives transitions.
+template <class Change>
+std::variant<Translated, Exhausted> changed(std::variant<Translated, Exhausted> found, const Change& change) {
+  Translated* made = std::get_if<Translated>(&found);
+  if (made == nullptr) return found;
+  const Automaton& from = made->automaton;
+  return Translated{as_automaton(change(min_even_parity(from.transitions())), from.vocabulary(), from.reads()),
+                    made->reduced};
+}
+
 template <class Make>
 std::variant<Translated, Exhausted> translate(Formula f, const TranslationLimits& limits, const Make& make) {
   if (ltl::propositions(f).size() > Mtbdd::max_variables) return Exhausted{};
@@ -331,6 +361,7 @@ std::variant<Translated, Exhausted> translate(Formula f, const TranslationLimits
 }  // namespace
 
 std::variant<Translated, Exhausted> ltl_to_parity(Formula f, const TranslationLimits& limits) {
+  if (ltl::has_past(f)) return changed(with_histories(f, limits), plain_parity);
   return translate(f, limits, [](Construction& construction) {
     std::optional<Candidate> found = construction.parity();
     if (found) found->automaton = plain_parity(found->automaton);
@@ -339,6 +370,7 @@ std::variant<Translated, Exhausted> ltl_to_parity(Formula f, const TranslationLi
 }
 
 std::variant<Translated, Exhausted> ltl_to_rabin(Formula f, const TranslationLimits& limits) {
+  if (ltl::has_past(f)) return changed(with_histories(f, limits), as_rabin);
   return translate(f, limits, [](Construction& construction) {
     std::optional<Candidate> found = construction.parity();
     if (found) found->automaton = as_rabin(found->automaton);
@@ -347,6 +379,7 @@ std::variant<Translated, Exhausted> ltl_to_rabin(Formula f, const TranslationLim
 }
 
 std::variant<Translated, Exhausted> ltl_to_generic(Formula f, const TranslationLimits& limits) {
+  if (ltl::has_past(f)) return ltl_to_parity(f, limits);
   return translate(f, limits, [](Construction& construction) { return construction.generic(); });
 }
 

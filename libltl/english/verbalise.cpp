@@ -41,6 +41,8 @@ Formula normal(Formula f, Arena& to, Semantics semantics) {
       case Op::WeakNext: copy = semantics == Semantics::Infinite ? next(parts[0]) : weak_next(parts[0]); break;
       case Op::Until: copy = until(parts[0], parts[1]); break;
       case Op::Release: copy = release(parts[0], parts[1]); break;
+      case Op::Yesterday: copy = yesterday(parts[0]); break;
+      case Op::Since: copy = since(parts[0], parts[1]); break;
     }
     image.emplace(g, copy);
   }

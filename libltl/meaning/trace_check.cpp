@@ -107,6 +107,8 @@ std::uint32_t TraceCheck::compile(Formula f, std::span<const std::uint32_t> oper
     return out;
   };
   switch (f.op()) {
+    case Op::Yesterday:
+    case Op::Since: throw std::invalid_argument("a trace check has no past operators, such as Y and S: see holds");
     case Op::False: return emit(Code::False);
     case Op::True: return emit(Code::True);
     case Op::Atom:

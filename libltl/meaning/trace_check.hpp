@@ -43,7 +43,7 @@ class Columns {  // a finite word turned on its side
 class TraceCheck {
  public:
   explicit TraceCheck(Formula f) : TraceCheck(std::span<const Formula>(&f, 1)) {}
-  explicit TraceCheck(std::span<const Formula> formulas);  // of one arena, at least one
+  explicit TraceCheck(std::span<const Formula> formulas);  // of one arena, at least one; none with past operators
 
   std::size_t formulas() const { return roots_.size(); }  // how many are checked
   std::size_t steps() const { return program_.size(); }   // word operations per block of 64 positions

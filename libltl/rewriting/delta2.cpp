@@ -47,7 +47,9 @@ Formula rebuilt(Formula f, const Image& image) {
       case Op::True:
       case Op::Atom:
       case Op::Not:
-      case Op::Iff: break;  // no equivalence is left, and ¬ stands before atoms
+      case Op::Yesterday:
+      case Op::Since:
+      case Op::Iff: break;  // no equivalence is left, and ¬ stands before atoms and past operators
     }
     return g;
   };

@@ -28,6 +28,9 @@ Both of_junction(Formula f, const std::vector<Both>& operands) {
   return {disjunction(arena, yes), conjunction(arena, no)};
 }
 
+// A negation before a past operator stays there, as before a proposition.
+Both with_negation(Formula f) { return {f, negate(f)}; }
+
 Both normal_forms(Formula f, const std::vector<Both>& operands, bool expand) {
   switch (f.op()) {
     case Op::False:
@@ -41,6 +44,8 @@ Both normal_forms(Formula f, const std::vector<Both>& operands, bool expand) {
     case Op::WeakNext: return {weak_next(operands[0].yes), next(operands[0].no)};
     case Op::Until: return {until(operands[0].yes, operands[1].yes), release(operands[0].no, operands[1].no)};
     case Op::Release: return {release(operands[0].yes, operands[1].yes), until(operands[0].no, operands[1].no)};
+    case Op::Yesterday: return with_negation(yesterday(operands[0].yes));
+    case Op::Since: return with_negation(since(operands[0].yes, operands[1].yes));
   }
   return {f, negate(f)};  // unreachable: -Werror=switch
 }

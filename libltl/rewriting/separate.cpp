@@ -50,6 +50,8 @@ class Separation {
       case Op::True: return {true, true};
       case Op::Atom:
       case Op::Not:
+      case Op::Yesterday:
+      case Op::Since:
       case Op::Iff: return {};
       case Op::And:
       case Op::Or:
@@ -85,6 +87,8 @@ class Separation {
       case Op::True:
       case Op::Atom:
       case Op::Not:
+      case Op::Yesterday:
+      case Op::Since:
       case Op::Iff: return f;
       case Op::And: return junction(Op::And, conjunction(arena_, operands));
       case Op::Or: return junction(Op::Or, disjunction(arena_, operands));

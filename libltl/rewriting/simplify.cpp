@@ -28,6 +28,8 @@ Formula rebuild(Formula f, const std::vector<Formula>& operands) {
     case Op::WeakNext: return weak_next(operands[0]);
     case Op::Until: return until(operands[0], operands[1]);
     case Op::Release: return release(operands[0], operands[1]);
+    case Op::Yesterday: return yesterday(operands[0]);
+    case Op::Since: return since(operands[0], operands[1]);
   }
   return f;  // unreachable: -Werror=switch
 }

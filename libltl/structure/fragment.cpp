@@ -72,6 +72,14 @@ class Classifier {
     return out;
   }
 
+  // At every position a finite positive combination of the operands at earlier positions, so every class is kept.
+  Fragments of_past(Formula f) const {
+    Fragments out = all({f.operands().begin(), f.operands().end()});
+    out.propositional = false;
+    out.next_free = out.next_free && f.op() == Op::Since;
+    return out;
+  }
+
   // φ R ψ is ¬(¬φ U ¬ψ). The weak until (and, negated, the strong release) is looked at as it was written.
   Fragments of_binary(Formula f) const {
     const bool until = f.op() == Op::Until;
@@ -102,6 +110,8 @@ class Classifier {
       case Op::WeakNext: return of_next(f);
       case Op::Until:
       case Op::Release: return of_binary(f);
+      case Op::Yesterday:
+      case Op::Since: return of_past(f);
     }
     return {};  // unreachable: -Werror=switch
   }

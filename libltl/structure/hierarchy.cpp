@@ -27,7 +27,9 @@ Level level(Formula f) {
       case Op::True:
       case Op::Atom:
       case Op::And:
-      case Op::Or: return all;
+      case Op::Or:
+      case Op::Yesterday:
+      case Op::Since: return all;
       case Op::Not: return {all.pi, all.sigma, all.delta};
       case Op::Iff: return {std::max(all.sigma, all.pi), std::max(all.sigma, all.pi), all.delta};
       case Op::Next:

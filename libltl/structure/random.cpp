@@ -24,6 +24,15 @@ Formula unary(Random& random, Formula f, bool weak) {
   }
 }
 
+Formula past_unary(Random& random, Formula f) {
+  switch (random.below(4)) {
+    case 0: return yesterday(f);
+    case 1: return weak_yesterday(f);
+    case 2: return once(f);
+    default: return historically(f);
+  }
+}
+
 Formula binary(Random& random, Formula a, Formula b) {
   switch (random.below(7)) {
     case 0: return conjunction(a, b);
@@ -39,11 +48,15 @@ Formula binary(Random& random, Formula a, Formula b) {
 Formula of_size(Random& random, Arena& arena, const RandomFormula& options, std::size_t size) {
   if (size <= 1) return leaf(random, arena, options);
   // size 2 leaves no room for two operands
-  if (size == 2 || random.below(2) == 0)
-    return unary(random, of_size(random, arena, options, size - 1), options.weak_next);
+  const bool past = options.past && random.below(3) == 0;
+  if (size == 2 || random.below(2) == 0) {
+    const Formula f = of_size(random, arena, options, size - 1);
+    return past ? past_unary(random, f) : unary(random, f, options.weak_next);
+  }
   const std::size_t left = 1 + random.below(size - 2);
   const Formula a = of_size(random, arena, options, left);
   const Formula b = of_size(random, arena, options, size - 1 - left);
+  if (past) return random.below(2) == 0 ? since(a, b) : triggered(a, b);
   return binary(random, a, b);
 }
 

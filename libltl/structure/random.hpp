@@ -29,6 +29,7 @@ struct RandomFormula {    // what random formulas look like
   std::size_t atoms = 3;  // the first propositions of the arena's vocabulary
   bool constants = true;  // may true and false occur
   bool weak_next = true;  // may N occur
+  bool past = false;      // may Y, Z, O, H, S and T occur
 };
 // Throws std::invalid_argument when the vocabulary has fewer propositions or no leaf is allowed.
 Formula random_formula(Random& random, Arena& arena, const RandomFormula& options = {});

@@ -14,6 +14,11 @@ std::vector<Formula> subformulas(Formula f) {
   return out;
 }
 
+bool has_past(Formula f) {
+  const std::vector<Formula> below = subformulas(f);
+  return std::any_of(below.begin(), below.end(), [](Formula g) { return is_past(g.op()); });
+}
+
 std::vector<Proposition> propositions(Formula f) {
   std::vector<Proposition> out;
   for (Formula g : subformulas(f))

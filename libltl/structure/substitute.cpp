@@ -18,6 +18,8 @@ Formula with_operands(Formula g, Arena& to, std::span<const Formula> operands) {
     case Op::WeakNext: return weak_next(operands[0]);
     case Op::Until: return until(operands[0], operands[1]);
     case Op::Release: return release(operands[0], operands[1]);
+    case Op::Yesterday: return yesterday(operands[0]);
+    case Op::Since: return since(operands[0], operands[1]);
   }
   return to.constant(false);  // unreachable: -Werror=switch
 }

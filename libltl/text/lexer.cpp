@@ -15,18 +15,20 @@ struct Spelling {
 
 // Operators that are no words; longer spellings before their own prefixes.
 constexpr Spelling spellings[] = {
-    {"<->", Symbol::Iff},       {"<=>", Symbol::Iff},         {"<>", Symbol::Eventually}, {"->", Symbol::Implies},
-    {"=>", Symbol::Implies},    {"&&", Symbol::And},          {"||", Symbol::Or},         {"/\\", Symbol::And},
-    {"\\/", Symbol::Or},        {"[]", Symbol::Always},       {"()", Symbol::Next},       {"&", Symbol::And},
-    {"|", Symbol::Or},          {"!", Symbol::Not},           {"~", Symbol::Not},         {"^", Symbol::ExclusiveOr},
-    {"¬", Symbol::Not},         {"∧", Symbol::And},           {"∨", Symbol::Or},          {"⊕", Symbol::ExclusiveOr},
-    {"⊻", Symbol::ExclusiveOr}, {"→", Symbol::Implies},       {"⇒", Symbol::Implies},     {"⟶", Symbol::Implies},
-    {"⟹", Symbol::Implies},     {"↔", Symbol::Iff},           {"⇔", Symbol::Iff},         {"⟷", Symbol::Iff},
-    {"⟺", Symbol::Iff},         {"≡", Symbol::Iff},           {"◇", Symbol::Eventually},  {"⋄", Symbol::Eventually},
-    {"♢", Symbol::Eventually},  {"⬦", Symbol::Eventually},    {"⟡", Symbol::Eventually},  {"□", Symbol::Always},
-    {"◻", Symbol::Always},      {"⬜", Symbol::Always},        {"○", Symbol::Next},        {"◯", Symbol::Next},
-    {"●", Symbol::WeakNext},    {"⬤", Symbol::WeakNext},      {"𝒰", Symbol::Until},       {"ℛ", Symbol::Release},
-    {"𝒲", Symbol::WeakUntil},   {"ℳ", Symbol::StrongRelease},
+    {"<->", Symbol::Iff},        {"<=>", Symbol::Iff},         {"<>", Symbol::Eventually}, {"->", Symbol::Implies},
+    {"=>", Symbol::Implies},     {"&&", Symbol::And},          {"||", Symbol::Or},         {"/\\", Symbol::And},
+    {"\\/", Symbol::Or},         {"[]", Symbol::Always},       {"()", Symbol::Next},       {"&", Symbol::And},
+    {"|", Symbol::Or},           {"!", Symbol::Not},           {"~", Symbol::Not},         {"^", Symbol::ExclusiveOr},
+    {"¬", Symbol::Not},          {"∧", Symbol::And},           {"∨", Symbol::Or},          {"⊕", Symbol::ExclusiveOr},
+    {"⊻", Symbol::ExclusiveOr},  {"→", Symbol::Implies},       {"⇒", Symbol::Implies},     {"⟶", Symbol::Implies},
+    {"⟹", Symbol::Implies},      {"↔", Symbol::Iff},           {"⇔", Symbol::Iff},         {"⟷", Symbol::Iff},
+    {"⟺", Symbol::Iff},          {"≡", Symbol::Iff},           {"◇", Symbol::Eventually},  {"⋄", Symbol::Eventually},
+    {"♢", Symbol::Eventually},   {"⬦", Symbol::Eventually},    {"⟡", Symbol::Eventually},  {"□", Symbol::Always},
+    {"◻", Symbol::Always},       {"⬜", Symbol::Always},        {"○", Symbol::Next},        {"◯", Symbol::Next},
+    {"●", Symbol::WeakNext},     {"⬤", Symbol::WeakNext},      {"𝒰", Symbol::Until},       {"ℛ", Symbol::Release},
+    {"𝒲", Symbol::WeakUntil},    {"ℳ", Symbol::StrongRelease}, {"⊖", Symbol::Yesterday},   {"⊝", Symbol::WeakYesterday},
+    {"◆", Symbol::Once},         {"⧫", Symbol::Once},          {"⟐", Symbol::Once},        {"■", Symbol::Historically},
+    {"⊟", Symbol::Historically}, {"𝒮", Symbol::Since},         {"𝒯", Symbol::Triggered},
 };
 
 constexpr bool is_space(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; }
@@ -57,12 +59,27 @@ std::optional<Symbol> binary_letter(char c) {
   }
 }
 
-std::optional<Symbol> operator_word(std::string_view word, Notation notation) {
+// Alone, not in a run: XY and GO stay names.
+std::optional<Symbol> past_letter(char c) {
+  switch (c) {
+    case 'Y': return Symbol::Yesterday;
+    case 'Z': return Symbol::WeakYesterday;
+    case 'O': return Symbol::Once;
+    case 'H': return Symbol::Historically;
+    case 'S': return Symbol::Since;
+    case 'T': return Symbol::Triggered;
+    default: return std::nullopt;  // any other character
+  }
+}
+
+std::optional<Symbol> operator_word(std::string_view word, Notation notation, Dialect dialect) {
   if (word == "xor") return Symbol::ExclusiveOr;
   if (word == "WX") return Symbol::WeakNext;
   if (word.size() != 1) return std::nullopt;
   if (notation == Notation::Lbt && word == "i") return Symbol::Implies;
   if (notation == Notation::Lbt && word == "e") return Symbol::Iff;
+  if (dialect == Dialect::Waymark)
+    if (const auto past = past_letter(word[0])) return past;
   return binary_letter(word[0]);
 }
 
@@ -79,7 +96,8 @@ bool is_unary_run(std::string_view word) {
 }  // namespace
 
 bool is_bare_name(std::string_view name, Notation notation) {
-  return is_identifier(name) && !is_unary_run(name) && !operator_word(name, notation) && !constant_word(name, notation);
+  return is_identifier(name) && !is_unary_run(name) && !operator_word(name, notation, Dialect::Waymark) &&
+         !constant_word(name, notation);
 }
 
 void Lexer::fail(Span where, std::string_view message) const { throw SyntaxError(text_, where, message); }
@@ -158,7 +176,7 @@ Token Lexer::word() {
   }
   at_ = end;
   Token token{.kind = Token::Kind::Name, .where = {begin, end}, .bound = {}, .name = std::string(word)};
-  if (const auto symbol = operator_word(word, notation_)) {
+  if (const auto symbol = operator_word(word, notation_, dialect_)) {
     if (*symbol == Symbol::Until) return operation(*symbol, begin);
     token.kind = Token::Kind::Operator;
     token.symbol = *symbol;

@@ -1,7 +1,8 @@
 // Text → tokens of formulas, in any of the three notations.
 //
 // An operator has several spellings (`&`, `&&`, `/\`, `∧`) and one symbol after the lexer. A word of the letters X N F
-// G only is that sequence of unary operators (GF is G F). A single U R W M V is a binary operator. Every other
+// G only is that sequence of unary operators (GF is G F). A single U R W M V is a binary operator. In waymark's dialect
+// so are S and T, and a single Y Z O H is a unary one; in Spot's they are names. Every other
 // [A-Za-z_][A-Za-z0-9_]* is a proposition, and so is any text in double quotes (with \" \\ and \n inside).
 #pragma once
 #include <cstddef>

@@ -154,6 +154,10 @@ void Builder::apply_unary(const Token& token) {
       return push(from_step(token.from, token.bound ? eventually_within(k, f) : eventually(f), next), depth, token);
     case Symbol::Always:
       return push(from_step(token.from, token.bound ? always_within(k, f) : always(f), weak_next), depth, token);
+    case Symbol::Yesterday: return push(yesterday(f), depth, token);
+    case Symbol::WeakYesterday: return push(weak_yesterday(f), depth + 2, token);
+    case Symbol::Once: return push(once(f), depth, token);
+    case Symbol::Historically: return push(historically(f), depth + 2, token);
     case Symbol::And:
     case Symbol::Or:
     case Symbol::ExclusiveOr:
@@ -162,7 +166,9 @@ void Builder::apply_unary(const Token& token) {
     case Symbol::Until:
     case Symbol::Release:
     case Symbol::WeakUntil:
-    case Symbol::StrongRelease: break;  // binary: see apply
+    case Symbol::StrongRelease:
+    case Symbol::Since:
+    case Symbol::Triggered: break;  // binary: see apply
   }
 }
 
@@ -187,6 +193,8 @@ void Builder::apply(const Token& token) {
     case Symbol::Release: return push(release(a, b), depth, token);
     case Symbol::WeakUntil: return push(weak_until(a, b), depth + 1, token);
     case Symbol::StrongRelease: return push(strong_release(a, b), depth + 1, token);
+    case Symbol::Since: return push(since(a, b), depth, token);
+    case Symbol::Triggered: return push(triggered(a, b), depth + 2, token);
     case Symbol::And:
     case Symbol::Or:
     case Symbol::Implies:
@@ -194,7 +202,11 @@ void Builder::apply(const Token& token) {
     case Symbol::Next:
     case Symbol::WeakNext:
     case Symbol::Eventually:
-    case Symbol::Always: break;  // done above
+    case Symbol::Always:
+    case Symbol::Yesterday:
+    case Symbol::WeakYesterday:
+    case Symbol::Once:
+    case Symbol::Historically: break;  // done above
   }
 }
 

@@ -1,6 +1,6 @@
 // Text → formula. A stack machine: the infix form by operator precedence, the prefix and postfix forms directly.
 //
-// Infix, loosest first:  <->   ->   ^   |   &   U R W M (and U<=k)   ! X N F G (and X[!] X[w] WX F<=k G<=k)
+// Infix, loosest first:  <->   ->   ^   |   &   U R W M S T (and U<=k)   ! X N F G Y Z O H (and X[!] X[w] WX F<=k G<=k)
 // `->` and the binary temporal operators associate to the right. Grammar in full: docs/formats/formulas.md.
 #pragma once
 #include <cstddef>

@@ -22,6 +22,10 @@ constexpr Row rows[] = {
     {Symbol::WeakNext, "N", "●", "\\mathsf{N}\\,", "N"},
     {Symbol::Eventually, "F", "◇", "\\mathsf{F}", "F"},
     {Symbol::Always, "G", "□", "\\mathsf{G}", "G"},
+    {Symbol::Yesterday, "Y", "⊖", "\\mathsf{Y}\\,", "Y"},
+    {Symbol::WeakYesterday, "Z", "⊝", "\\mathsf{Z}\\,", "Z"},
+    {Symbol::Once, "O", "◆", "\\mathsf{O}\\,", "O"},
+    {Symbol::Historically, "H", "■", "\\mathsf{H}\\,", "H"},
     {Symbol::And, "&", "∧", "\\land", "&"},
     {Symbol::Or, "|", "∨", "\\lor", "|"},
     {Symbol::ExclusiveOr, "^", "⊕", "\\oplus", "^"},
@@ -31,6 +35,8 @@ constexpr Row rows[] = {
     {Symbol::Release, "R", "ℛ", "\\mathbin{\\mathsf{R}}", "V"},
     {Symbol::WeakUntil, "W", "𝒲", "\\mathbin{\\mathsf{W}}", "W"},
     {Symbol::StrongRelease, "M", "ℳ", "\\mathbin{\\mathsf{M}}", "M"},
+    {Symbol::Since, "S", "𝒮", "\\mathbin{\\mathsf{S}}", "S"},
+    {Symbol::Triggered, "T", "𝒯", "\\mathbin{\\mathsf{T}}", "T"},
 };
 
 std::string_view spell(Symbol symbol, Style style) {

@@ -1,7 +1,7 @@
 // The symbols of the concrete syntax, their arity and precedence.
 //
-// There are more symbols than stored operators (formula.hpp): the constructors replace F, G, W, M, -> and ^ by their
-// definitions, and the printer recognises these. Grammar in full: docs/formats/formulas.md.
+// There are more symbols than stored operators (formula.hpp): the constructors replace F, G, W, M, O, H, Z, T, -> and ^
+// by their definitions, and the printer recognises these. Grammar in full: docs/formats/formulas.md.
 #pragma once
 #include <cstdint>
 
@@ -12,7 +12,11 @@ enum class Symbol : std::uint8_t {
   Next,
   WeakNext,
   Eventually,
-  Always,  // unary
+  Always,
+  Yesterday,
+  WeakYesterday,
+  Once,
+  Historically,  // unary
   And,
   Or,
   ExclusiveOr,
@@ -21,18 +25,20 @@ enum class Symbol : std::uint8_t {
   Until,
   Release,
   WeakUntil,
-  StrongRelease,  // binary
+  StrongRelease,
+  Since,
+  Triggered,  // binary
 };
 
 enum class Dialect : std::uint8_t {  // what X means at the end of a finite word
-  Waymark,                           // X is the strong next, N (WX, X[w]) the weak one
-  Spot,  // X is the weak next over finite words (TLSF, Syft, Lydia, Spot); X[!] the strong one
+  Waymark,  // X is the strong next, N (WX, X[w]) the weak one; Y Z O H S T speak of the past
+  Spot,     // X is the weak next over finite words (TLSF, Syft, Lydia, Spot); X[!] the strong one; no past
 };
 enum class Notation : std::uint8_t { Infix, Lbt, Postfix };  // where operators stand
 
-constexpr bool is_unary(Symbol s) { return s <= Symbol::Always; }  // with one operand
+constexpr bool is_unary(Symbol s) { return s <= Symbol::Historically; }  // with one operand
 
-// Binds tighter when larger: <-> 1, -> 2, ^ 3, | 4, & 5, U R W M 6, unary 7.
+// Binds tighter when larger: <-> 1, -> 2, ^ 3, | 4, & 5, U R W M S T 6, unary 7.
 constexpr int precedence(Symbol s) {
   switch (s) {
     case Symbol::Iff: return 1;
@@ -43,12 +49,18 @@ constexpr int precedence(Symbol s) {
     case Symbol::Until:
     case Symbol::Release:
     case Symbol::WeakUntil:
-    case Symbol::StrongRelease: return 6;
+    case Symbol::StrongRelease:
+    case Symbol::Since:
+    case Symbol::Triggered: return 6;
     case Symbol::Not:
     case Symbol::Next:
     case Symbol::WeakNext:
     case Symbol::Eventually:
-    case Symbol::Always: return 7;
+    case Symbol::Always:
+    case Symbol::Yesterday:
+    case Symbol::WeakYesterday:
+    case Symbol::Once:
+    case Symbol::Historically: return 7;
   }
   return 0;  // unreachable: -Werror=switch
 }

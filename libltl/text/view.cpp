@@ -94,7 +94,23 @@ View of_release(Formula f) {
   return binary(Symbol::Release, {{f[0]}}, {{f[1]}});
 }
 
+// ¬(true S ¬φ) is H φ, ¬(¬φ S ¬ψ) is φ T ψ. Other negations of S stay: ¬φ may be no stored formula.
+View of_not_since(Formula f) {
+  const auto is_not = [](Formula g) { return g.op() == Op::Not; };
+  if (!is_not(f[0][1])) return unary(Symbol::Not, f[0]);
+  if (f[0][0].op() == Op::True) return unary(Symbol::Historically, f[0][1][0]);
+  if (is_not(f[0][0])) return binary(Symbol::Triggered, {{f[0][0][0]}}, {{f[0][1][0]}});
+  return unary(Symbol::Not, f[0]);
+}
+
+View of_since(Formula f) {
+  if (f[0].op() == Op::True) return unary(Symbol::Once, f[1]);
+  return binary(Symbol::Since, {{f[0]}}, {{f[1]}});
+}
+
 View of_not(Formula f) {
+  if (f[0].op() == Op::Since) return of_not_since(f);
+  if (f[0].op() == Op::Yesterday && f[0][0].op() == Op::Not) return unary(Symbol::WeakYesterday, f[0][0][0]);
   if (f[0].op() != Op::Iff) return unary(Symbol::Not, f[0]);
   return binary(Symbol::ExclusiveOr, {{f[0][0]}}, {{f[0][1]}});
 }
@@ -111,6 +127,8 @@ View view(Formula f, const ViewOptions& options) {
     case Op::WeakNext: return unary(Symbol::WeakNext, f[0]);
     case Op::Until: return of_until(f);
     case Op::Release: return of_release(f);
+    case Op::Yesterday: return unary(Symbol::Yesterday, f[0]);
+    case Op::Since: return of_since(f);
     case Op::False:
     case Op::True:
     case Op::Atom: break;  // excluded by the contract

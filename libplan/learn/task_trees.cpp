@@ -12,7 +12,7 @@ namespace {
 using neural::Index;
 
 // Symbols: one for each operator, in the order of Op, then one for each proposition of the task.
-constexpr Index operators = static_cast<Index>(ltl::Op::Release) + 1;
+constexpr Index operators = static_cast<Index>(ltl::Op::Since) + 1;
 
 // The number of operand positions that the network distinguishes: 2 where the order of operands matters, 1 where all
 // operands play the same part.
@@ -26,8 +26,10 @@ Index operands_told_apart(ltl::Op op) {
     case ltl::Op::Or:
     case ltl::Op::Iff:
     case ltl::Op::Next:
-    case ltl::Op::WeakNext: return 1;
+    case ltl::Op::WeakNext:
+    case ltl::Op::Yesterday: return 1;
     case ltl::Op::Until:
+    case ltl::Op::Since:
     case ltl::Op::Release: return 2;
   }
   return 0;  // unreachable: -Werror=switch

@@ -198,8 +198,11 @@ class TaskSolver {
     }
     const bool finite =
         is_finite(*f) && (task_.logic != Logic::Ltl || ltl::fragments(*f, ltl::Semantics::Infinite).next_free);
-    const bool holds = finite ? ltl::TraceCheck(*f)(ltl::Columns(word, arena_.vocabulary().size()))
-                              : ltl::holds(ltl::Lasso(letters, {letters.back()}), *f);
+    const auto holds_of_word = [&] {
+      if (ltl::has_past(*f)) return ltl::holds(word, *f);
+      return ltl::TraceCheck(*f)(ltl::Columns(word, arena_.vocabulary().size()));
+    };
+    const bool holds = finite ? holds_of_word() : ltl::holds(ltl::Lasso(letters, {letters.back()}), *f);
     if (!holds) throw std::logic_error("a route whose word does not satisfy " + ltl::print(*f));
   }
 

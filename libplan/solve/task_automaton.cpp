@@ -45,6 +45,8 @@ ltl::Formula with_strong_nexts(ltl::Formula f) {
         case Op::WeakNext: return ltl::next(parts[0]);
         case Op::Until: return ltl::until(parts[0], parts[1]);
         case Op::Release: return ltl::release(parts[0], parts[1]);
+        case Op::Yesterday: return ltl::yesterday(parts[0]);
+        case Op::Since: return ltl::since(parts[0], parts[1]);
         case Op::False:
         case Op::True:
         case Op::Atom:
@@ -86,7 +88,10 @@ automata::Dfa good_prefixes(const Automaton& automaton, Budget& budget) {
 }  // namespace
 
 bool is_finite_task(ltl::Formula f, CaseTask::Logic logic) {
-  return logic != CaseTask::Logic::Ltl || ltl::fragments(f, ltl::Semantics::Infinite).cosafety;
+  if (logic != CaseTask::Logic::Ltl) return true;
+  // The normal form in which with_strong_nexts replaces nexts keeps those below a negated past operator as they are.
+  const ltl::Fragments of = ltl::fragments(f, ltl::Semantics::Infinite);
+  return of.cosafety && (of.next_free || !ltl::has_past(f));
 }
 
 std::optional<TaskAutomaton> task_automaton(ltl::Formula f, CaseTask::Logic logic, CaseTask::Query query,

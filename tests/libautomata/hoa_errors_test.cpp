@@ -21,7 +21,7 @@ TEST(ReadHoa, PointsAtWhatIsWrong) {
     const char* message;
   } table[] = {
       {"", 1, 1, "expected 'HOA: v1' at the beginning, not the end of the file"},
-      {"HOA: v2\n", 1, 6, "HOA version v1 is read"},
+      {"HOA: v2\n", 1, 6, "HOA versions v1 and v1.1 are read"},
       {"HOA: v1\n--BODY--\n--END--\n", 2, 1, "'Acceptance:' is missing"},
       {"HOA: v1\nStates: 1\nStates: 1\n", 3, 1, "a second header 'States:'"},
       {"HOA: v1\nColour: 3\n", 2, 1, "unknown header 'Colour:'"},

@@ -41,7 +41,7 @@ std::vector<std::vector<Letter>> sequences(std::size_t length, std::size_t atoms
 // Formulas in the order in which they were found, by the number of constructors it took.
 class Enumeration {
  public:
-  explicit Enumeration(std::size_t size) : by_size_(size + 1) {}
+  Enumeration(std::size_t size, bool past) : past_(past), by_size_(size + 1) {}
 
   void add(std::size_t size, Formula f) {
     if (seen_.insert(f).second) by_size_[size].push_back(f);
@@ -51,6 +51,7 @@ class Enumeration {
       add(size, negate(f));
       add(size, next(f));
       add(size, weak_next(f));
+      if (past_) add(size, yesterday(f));
     }
     for (std::size_t left = 1; left + 1 < size; ++left)
       for (Formula f : by_size_[left])
@@ -71,7 +72,9 @@ class Enumeration {
     }
     add(size, until(f, g));
     add(size, release(f, g));
+    if (past_) add(size, since(f, g));
   }
+  bool past_;
   std::vector<std::vector<Formula>> by_size_;
   std::unordered_set<Formula> seen_;
 };
@@ -87,7 +90,7 @@ ltl::Vocabulary letters_vocabulary(std::size_t atoms) {
 std::vector<Formula> all_formulas(ltl::Arena& arena, const FormulaSpace& space) {
   const ltl::Vocabulary names = letters_vocabulary(space.atoms);
   for (std::size_t i = arena.vocabulary().size(); i < space.atoms; ++i) arena.add_proposition(names.names()[i]);
-  Enumeration formulas(space.size);
+  Enumeration formulas(space.size, space.past);
   formulas.add(1, arena.constant(false));
   formulas.add(1, arena.constant(true));
   for (std::uint32_t p = 0; p < space.atoms; ++p) formulas.add(1, arena.atom(ltl::Proposition{p}));

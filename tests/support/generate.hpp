@@ -17,6 +17,7 @@ namespace waymark::testing {
 struct FormulaSpace {
   std::size_t size = 4;   // nodes of the syntax tree, at most, as stored (F a counts 3: true U a)
   std::size_t atoms = 2;  // a, b, c, …
+  bool past = false;      // Y and S too
 };
 struct WordSpace {
   std::size_t length = 3;  // letters, at most; of a lasso |u| + |v|

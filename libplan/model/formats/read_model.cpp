@@ -5,6 +5,7 @@
 
 #include "libltl/diagnostic.hpp"
 #include "libplan/model/formats/read_streets.hpp"
+#include "libplan/model/formats/read_transition_system.hpp"
 #include "libplan/model/prism/read_prism.hpp"
 #include "libplan/model/prism/read_prism_explicit.hpp"
 #include "libplan/world/json_reader.hpp"
@@ -37,6 +38,8 @@ PlanningCase read_model(const std::filesystem::path& file, std::string_view star
   const std::string text = contents(file);
   if (file.extension() == ".json" && !is_case(text, source)) return {name, parse_streets(text, source, start), {}};
   no_start();
+  if (file.extension() == ".yaml" || file.extension() == ".yml")
+    return {name, parse_transition_system(text, source), {}};
   if (file.extension() == ".json") return parse_case(text, source);
   return {name, parse_prism(text, source), {}};
 }
