@@ -238,6 +238,7 @@ Reply drawn(Reply reply, const Any& automaton, const Shown& about, const OutputO
 }  // namespace
 
 void add_output_options(Command command, OutputOptions& options) {
+  command = command.in("Output");
   command
       .add_option("--format", options.format,
                   "HOA, Graphviz DOT, one row of counts, JSON, a table; of infinite words also: never claim, "

@@ -253,8 +253,8 @@ Runner setup_compare(Command command) {
       .add_option("--threads", options->choice.threads,
                   "runs at a time (else one for each core); no influence on what they learn")
       .between(1, 1024);
-  command.add_flag("--json", options->choice.json, "one JSON object a line");
-  command.add_option("--svg", options->choice.svg, "draw the learning curves").type_name("FILE");
+  command.in("Output").add_flag("--json", options->choice.json, "one JSON object a line");
+  command.in("Output").add_option("--svg", options->choice.svg, "draw the learning curves").type_name("FILE");
   return [options](const Session& session) { return run_compare(*options, session); };
 }
 

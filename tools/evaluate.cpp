@@ -214,7 +214,7 @@ Runner setup_evaluate(Command command) {
       .add_option("--paragraph-predictions", options->paragraph_predictions,
                   "the same of sentences in their paragraphs, each from where the one before it had ended")
       .type_name("FILE");
-  command.add_flag("--json", options->json, "one JSON object");
+  command.in("Output").add_flag("--json", options->json, "one JSON object");
   add_commands_request(command, options->commands);
   return [options](const Session& session) {
     if (options->commands.training.files.empty() && options->commands.tests.empty())

@@ -168,7 +168,7 @@ Runner setup_ground(Command command) {
                    "the words that each symbol of a sentence's likeliest program attended to (encoder-decoders)");
   add_named_options(command, options->commands);
   command.add_flag("--force", options->force, "answer what was hardly understood, too");
-  command.add_flag("--json", options->json, "one JSON object a line");
+  command.in("Output").add_flag("--json", options->json, "one JSON object a line");
   return [options](const Session& session) { return run_ground(*options, session); };
 }
 

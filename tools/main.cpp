@@ -1,13 +1,16 @@
 // waymark: from an English route instruction to a certified route, one subcommand per stage.
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <cstddef>
 #include <span>
+#include <string>
 #include <string_view>
 #include <system_error>
 
+#include "tools/help/topics.hpp"
 #include "tools/shell/data_directory.hpp"
 #include "tools/shell/program.hpp"
 
@@ -34,6 +37,7 @@ Runner setup_generate(Command);
 Runner setup_draw(Command);
 Runner setup_patterns(Command);
 Runner setup_random(Command);
+Runner setup_help(Command);
 Runner setup_version(Command);
 
 namespace {
@@ -106,6 +110,9 @@ constexpr std::array rows{
     Subcommand{"random", "random formulas", setup_random,
                "random --count 3 --seed 1\n"
                "random --props 2 --size 5..8 --semantics finite --count 3"},
+    Subcommand{"help", "pages of the manual: formulas, maps, automata in HOA, conventions, …", setup_help,
+               "help\n"
+               "help maps"},
     Subcommand{"version", "version, build, and what it was built with", setup_version,
                "version\n"
                "--version"},
@@ -117,6 +124,11 @@ bool is_for_the_lab(std::span<char* const> arguments) {
   const std::string_view command = arguments[1];
   return command == "experiment" || command == "tune" ||
          (command == "generate" && arguments.size() > 2 && std::string_view(arguments[2]) == "corpus");
+}
+
+// `waymark help plan` is `waymark plan --help`.
+bool is_subcommand(std::string_view name) {
+  return std::any_of(rows.begin(), rows.end(), [&](const Subcommand& row) { return row.name == name; });
 }
 
 // The helper takes the place of this process: its streams, its signals and its exit code are those of the command.
@@ -136,6 +148,12 @@ int main(int argc, char** argv) {
     if (is_for_the_lab({argv, static_cast<std::size_t>(argc)})) become("waymark-lab", "runs experiments", argv);
     if (argc > 1 && std::string_view(argv[1]) == "serve")
       become("waymark-serve", "serves the studio (it needs libcpp-httplib-dev)", argv);
+    if (argc == 3 && std::string_view(argv[1]) == "help" && find_topic(argv[2]) == nullptr && is_subcommand(argv[2])) {
+      std::string flag = "--help";
+      std::array<char*, 4> asked{argv[0], argv[2], flag.data(), nullptr};
+      if (is_for_the_lab({asked.data(), 3})) become("waymark-lab", "runs experiments", asked.data());
+      return run_subcommand(rows, 3, asked.data());
+    }
     return run_subcommand(rows, argc, argv);
   }));
 }

@@ -223,8 +223,8 @@ Runner setup_move(Command command) {
   add_robot_options(command, options->robot);
   add_shape_options(command, options->shape);
   add_search_options(command, options->search);
-  command.add_flag("--json", options->json, "one JSON object");
-  command.add_option("--svg", options->svg, "draw the motion on the map").type_name("FILE");
+  command.in("Output").add_flag("--json", options->json, "one JSON object");
+  command.in("Output").add_option("--svg", options->svg, "draw the motion on the map").type_name("FILE");
   return [options](const Session& session) { return run_move(*options, session); };
 }
 

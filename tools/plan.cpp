@@ -209,10 +209,12 @@ Runner setup_plan(Command command) {
   add_notation_options(command, options->notation);
   add_map_options(command, options->map);
   add_start_option(command, options->start);
-  command.add_flag("--json", options->json, "one JSON object a line");
-  command.add_option("--svg", options->svg, "draw map, route and automaton").type_name("FILE");
-  command.add_option("--hoa", options->hoa, "write the automaton").type_name("FILE");
-  command.add_option("--behavior-tree", options->tree, "write the plan for BehaviorTree.CPP 4").type_name("FILE");
+  command.in("Output").add_flag("--json", options->json, "one JSON object a line");
+  command.in("Output").add_option("--svg", options->svg, "draw map, route and automaton").type_name("FILE");
+  command.in("Output").add_option("--hoa", options->hoa, "write the automaton").type_name("FILE");
+  command.in("Output")
+      .add_option("--behavior-tree", options->tree, "write the plan for BehaviorTree.CPP 4")
+      .type_name("FILE");
   command
       .add_option("--semantics", options->semantics,
                   "on a map: a route to where the formula holds, or a lasso, a route without end that it holds on")

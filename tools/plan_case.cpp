@@ -243,6 +243,7 @@ plan::LassoOrder order_of(const std::string& name) {
 }
 
 void add_case_options(Command command, CaseChoice& choice) {
+  command = command.in("Other models than a map, and what may fail");
   command.add_option("--case", choice.file, "a planning case (ltlgrid/1 or ltlmap/1) instead of a formula and a map")
       .type_name("FILE");
   command

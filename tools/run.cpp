@@ -203,9 +203,9 @@ Runner setup_run(Command command) {
   command.add_flag("--ask", options->ask,
                    "where two readings are close, ask which is meant (the answer: standard input)");
   command.add_flag("--force", options->force, "answer what was hardly understood, too");
-  command.add_flag("--json", options->json, "one JSON object a line");
-  command.add_option("--svg", options->svg, "draw map, route and automaton").type_name("FILE");
-  command.add_option("--hoa", options->hoa, "write the automaton").type_name("FILE");
+  command.in("Output").add_flag("--json", options->json, "one JSON object a line");
+  command.in("Output").add_option("--svg", options->svg, "draw map, route and automaton").type_name("FILE");
+  command.in("Output").add_option("--hoa", options->hoa, "write the automaton").type_name("FILE");
   command.add_flag("--demo", options->demo,
                    "an instruction, map and start of our own; so does waymark run at a terminal");
   return [options](const Session& session) { return run_all(*options, session); };

@@ -213,7 +213,7 @@ Runner setup_train(Command command) {
       .show_default();
   add_training_options(command, options->training, {"linear", "encoder-decoder"});
   add_convention_option(command, options->convention, {"absolute", "relative"});
-  command.add_flag("--json", options->json, "one JSON object");
+  command.in("Output").add_flag("--json", options->json, "one JSON object");
   return [options](const Session& session) { return run_train(*options, session); };
 }
 

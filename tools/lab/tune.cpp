@@ -193,7 +193,7 @@ Runner setup_tune(Command command) {
   add_convention_option(command, options->convention, {"absolute", "relative"});
   add_data_option(command, options->data);
   add_training_options(command, options->training, {"linear", "encoder-decoder"});
-  command.add_flag("--json", options->json, "one JSON object a line, a line each setting");
+  command.in("Output").add_flag("--json", options->json, "one JSON object a line, a line each setting");
   return [options](const Session& session) { return run_tune(*options, session); };
 }
 

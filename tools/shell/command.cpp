@@ -27,13 +27,36 @@ OptionText option_text(const CLI::Option& option) {
     const std::string type = option.get_type_name();
     out.choices = choices_in(type);
     out.value = type.substr(0, type.find(':'));
+    if (out.value == "TEXT" && !out.choices.empty()) out.value = "KIND";
+    if (out.value == "INT" || out.value == "UINT") out.value = "N";
+    if (out.value == "FLOAT") out.value = "X";
+    out.fallback = option.get_default_str();
   }
-  const std::string& help = option.get_description();
-  out.help = help.substr(0, help.find('\n'));
+  out.help = option.get_description();
+  out.group = option.get_group();
+  out.required = option.get_required();
   return out;
 }
 
+CLI::Option* grouped(CLI::Option* option, const std::string& group) {
+  if (!group.empty()) option->group(group);
+  return option;
+}
+
 }  // namespace
+
+std::vector<OptionText> options_of(const CLI::App& app, bool with_commands) {
+  std::vector<OptionText> out;
+  for (const CLI::Option* option : app.get_options())
+    if (option != app.get_help_ptr() && option != app.get_help_all_ptr()) out.push_back(option_text(*option));
+  if (!with_commands) return out;
+  for (const CLI::App* below : app.get_subcommands([](const CLI::App*) { return true; })) {
+    out.push_back({{}, below->get_name(), "", below->get_description(), {}});
+    const std::vector<OptionText> more = options_of(*below, true);
+    out.insert(out.end(), more.begin(), more.end());
+  }
+  return out;
+}
 
 Option Option::type_name(const std::string& name) {
   option_->type_name(name);
@@ -78,7 +101,7 @@ Option Option::separated_by(char separator) {
 
 template <class Value>
 Option Command::add_option(const std::string& names, Value& value, const std::string& help) {
-  return Option(app_->add_option(names, value, help));
+  return Option(grouped(app_->add_option(names, value, help), group_));
 }
 template Option Command::add_option(const std::string&, std::string&, const std::string&);
 template Option Command::add_option(const std::string&, std::vector<std::string>&, const std::string&);
@@ -89,29 +112,21 @@ template Option Command::add_option(const std::string&, unsigned long&, const st
 
 Option Command::add_option_function(const std::string& names, const std::function<void(const std::string&)>& take,
                                     const std::string& help) {
-  return Option(app_->add_option_function(names, take, help));
+  return Option(grouped(app_->add_option_function(names, take, help), group_));
 }
 void Command::add_flag(const std::string& names, bool& value, const std::string& help) {
-  app_->add_flag(names, value, help);
+  grouped(app_->add_flag(names, value, help), group_);
 }
 void Command::add_flag_callback(const std::string& names, const std::function<void()>& call, const std::string& help) {
-  app_->add_flag_callback(names, call, help);
+  grouped(app_->add_flag_callback(names, call, help), group_);
 }
 Command Command::add_subcommand(const std::string& name, const std::string& help) {
   app_->require_subcommand(1);
   return Command(*app_->add_subcommand(name, help));
 }
 void Command::alias(const std::string& name) const { app_->alias(name); }
-std::vector<OptionText> Command::options() const {
-  std::vector<OptionText> out;
-  for (const CLI::Option* option : app_->get_options()) out.push_back(option_text(*option));
-  for (const CLI::App* below : app_->get_subcommands([](const CLI::App*) { return true; })) {
-    out.push_back({{}, below->get_name(), "", below->get_description(), {}});
-    for (const CLI::Option* option : below->get_options())
-      if (option != below->get_help_ptr()) out.push_back(option_text(*option));
-  }
-  return out;
-}
+Command Command::in(const std::string& group) const { return {app_, group}; }
+std::vector<OptionText> Command::options() const { return options_of(*app_, true); }
 bool Command::parsed() const { return app_->parsed(); }
 
 }  // namespace waymark::tools

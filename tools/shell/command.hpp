@@ -5,6 +5,7 @@
 #pragma once
 #include <functional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace CLI {
@@ -19,6 +20,8 @@ struct OptionText {
   std::vector<std::string> names;  // "-m", "--map"; none: an argument by position, or a command, called `place`
   std::string place, value, help;  // the kind of value: "FILE"; empty: a flag
   std::vector<std::string> choices;
+  std::string group = {}, fallback = {};  // the default; empty: none that is shown
+  bool required = false;
 };
 
 class Option {
@@ -48,6 +51,9 @@ class Command {
  public:
   explicit Command(CLI::App& app) : app_(&app) {}
 
+  // The same command, whose options are added to this group of its help.
+  Command in(const std::string& group) const;
+
   // `names` as CLI11 has them: "-m,--map", or "file" for an argument by position. What is parsed is put into `value`,
   // which must live until then. Values are std::string, std::vector<std::string>, int, double, and the unsigned
   // integers: others do not link.
@@ -66,7 +72,12 @@ class Command {
   bool parsed() const;                        // was this the command that was given?
 
  private:
+  Command(CLI::App* app, std::string group) : app_(app), group_(std::move(group)) {}
   CLI::App* app_;
+  std::string group_ = {};  // empty: "Options"
 };
+
+// The options of a command, then its commands with theirs; without --help and --help-all.
+std::vector<OptionText> options_of(const CLI::App& app, bool with_commands);
 
 }  // namespace waymark::tools

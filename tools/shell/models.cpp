@@ -76,6 +76,7 @@ void add_network_options(Command command, parser::NetworkTraining& network) {
 std::string told_or_hidden(bool tell_place_numbers) { return tell_place_numbers ? "told" : "hidden"; }
 
 void add_training_options(Command command, TrainingOptions& options, const std::vector<std::string>& models) {
+  command = command.in("Training");
   parser::TrainOptions& train = options.train;
   command.add_option("--model", options.model, "what is learned").type_name("KIND").one_of(models).show_default();
   command.add_option("--seed", train.seed, "same seed, same machine, same bytes").type_name("N").show_default();

@@ -33,6 +33,7 @@ std::vector<double> chances(const std::string& text, const Shape& shape) {
 }  // namespace
 
 void add_noise_options(Command command, NoiseOptions& options) {
+  command = command.in("Other models than a map, and what may fail");
   command.add_option("--slip", options.forward, "chances that FORWARD goes left, right, back instead")
       .type_name("L,R[,B]");
   command

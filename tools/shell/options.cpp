@@ -12,6 +12,7 @@ void add_data_option(Command command, std::string& data) {
 }
 
 void add_map_options(Command command, MapOptions& options) {
+  command = command.in("Map");
   command.add_option("-m,--map", options.map, "a map that comes with waymark (grid, jelly, l) or a file")
       .type_name("MAP")
       .show_default();
@@ -21,6 +22,7 @@ void add_map_options(Command command, MapOptions& options) {
 plan::Map read_map(const MapOptions& options) { return plan::read_map(options.map, data_directory(options.data)); }
 
 void add_start_option(Command command, std::string& start) {
+  command = command.in("Map");
   command.add_option("--start", start, "start pose; x,y alone: any heading (else the first place, facing north)")
       .type_name("X,Y,HEADING");
 }
@@ -42,6 +44,7 @@ void add_text_options(Command command, TextOptions& options, const std::string& 
 }
 
 void add_notation_options(Command command, NotationOptions& options) {
+  command = command.in("Formulas");
   command.add_option("--dialect", options.dialect, "what X means at the end of a finite word: strong or (spot) weak")
       .one_of({"waymark", "spot"})
       .show_default();

@@ -7,6 +7,7 @@
 #include <CLI/Formatter.hpp>
 #include <exception>
 #include <iostream>
+#include <memory>
 #include <new>
 #include <sstream>
 #include <string>
@@ -15,6 +16,7 @@
 
 #include "libltl/diagnostic.hpp"
 #include "libltl/vocabulary.hpp"
+#include "tools/shell/help_page.hpp"
 #include "tools/shell/interrupt.hpp"
 #include "tools/shell/shell_files.hpp"
 
@@ -35,12 +37,35 @@ std::string examples_of(const Subcommand& row) {
   return text;
 }
 
+// Help as help_page.hpp sets it, in the place of CLI11's.
+class HelpFormatter : public CLI::FormatterBase {
+ public:
+  std::string make_help(const CLI::App* app, std::string, CLI::AppFormatMode mode) const override {
+    HelpText text{.usage = "waymark", .summary = app->get_description(), .options = options_of(*app, false)};
+    std::string path;
+    for (const CLI::App* at = app; at->get_parent() != nullptr; at = at->get_parent())
+      path = ' ' + at->get_name() + path;
+    text.usage += path;
+    if (app->get_parent() == nullptr) text.options.clear();  // --version alone, which the usage names
+    for (const CLI::App* below : app->get_subcommands([](const CLI::App*) { return true; }))
+      text.commands.emplace_back(below->get_name(), below->get_description());
+    text.usage += text.commands.empty() ? " [OPTIONS]" : " SUBCOMMAND [OPTIONS]";
+    for (const OptionText& option : text.options)
+      if (option.names.empty()) text.usage += " [" + option.place + ']';
+    if (app->get_parent() == nullptr) text.usage += ", waymark help [TOPIC], waymark --version";
+    text.examples = app->get_footer();
+    return help_page(text, mode == CLI::AppFormatMode::All);
+  }
+};
+
 Called add_subcommands(CLI::App& app, std::span<const Subcommand> rows, std::string_view called) {
   Called found;
   for (const Subcommand& row : rows) {
     CLI::App* command = app.add_subcommand(row.name, row.summary);
     if (row.examples != nullptr) command->footer(examples_of(row));
-    if (called == row.name && row.setup != nullptr) found = {command, row.setup(Command(*command))};
+    if (called != row.name || row.setup == nullptr) continue;
+    command->set_help_all_flag("--help-all", "help with every option");
+    found = {command, row.setup(Command(*command))};
   }
   return found;
 }
@@ -80,7 +105,7 @@ ExitCode run_subcommand(std::span<const Subcommand> rows, int argc, char** argv)
   }
   CLI::App app{"waymark: English route instructions → LTL → automata → certified routes"};
   app.require_subcommand(1);
-  app.get_formatter()->column_width(34);
+  app.formatter(std::make_shared<HelpFormatter>());
   app.set_version_flag("--version", "waymark " WAYMARK_VERSION);
   const Called called = add_subcommands(app, rows, argv[1]);
   try {

@@ -5,6 +5,7 @@
 namespace waymark::tools {
 
 void add_robot_options(Command command, RobotOptions& options) {
+  command = command.in("Robot");
   command.add_option("--robot", options.robot, "what moves").one_of({"point", "disc", "car"}).show_default();
   command.add_option("--radius", options.radius, "of the disc, where neighbouring places are 1 apart")
       .not_negative()
@@ -22,6 +23,7 @@ plan::Robot robot_of(const RobotOptions& options) {
 }
 
 void add_search_options(Command command, SearchOptions& options) {
+  command = command.in("Planner");
   command
       .add_option("--planner", options.planner,
                   "route: the discrete route first, then a motion along it; ltl: OMPL's LTLPlanner on the automaton")
@@ -39,6 +41,7 @@ void add_search_options(Command command, SearchOptions& options) {
 }
 
 void add_shape_options(Command command, ShapeOptions& options) {
+  command = command.in("Map");
   command.add_option("--width", options.width, "of hallways").show_default();
   command.add_option("--furniture", options.furniture, "radius of every piece; 0: none").show_default();
 }

@@ -19,7 +19,7 @@ std::string joined(const std::vector<std::string>& parts, const std::string& bet
 }
 
 std::vector<std::string> flags_of(const CommandText& command) {
-  std::vector<std::string> out;
+  std::vector<std::string> out{"--help", "--help-all"};
   for (const OptionText& option : command.options) out.insert(out.end(), option.names.begin(), option.names.end());
   return out;
 }
@@ -65,6 +65,8 @@ std::string zsh_text(const std::string& text) {
   return out;
 }
 
+std::string first_line(const std::string& text) { return text.substr(0, text.find('\n')); }
+
 std::string zsh(std::span<const CommandText> commands) {
   std::string out =
       "#compdef waymark\n# zsh completion of waymark; made by the build\n"
@@ -77,7 +79,7 @@ std::string zsh(std::span<const CommandText> commands) {
     out += "    " + command.name + ") _arguments";
     for (const OptionText& option : command.options)
       for (const std::string& name : option.names) {
-        out += " \\\n      '" + name + "[" + zsh_text(option.help) + "]";
+        out += " \\\n      '" + name + "[" + zsh_text(first_line(option.help)) + "]";
         if (!option.choices.empty())
           out += ":value:(" + joined(option.choices, " ") + ")";
         else if (!option.value.empty())
@@ -112,7 +114,7 @@ std::string fish(std::span<const CommandText> commands) {
         out += " -x -a '" + joined(option.choices, " ") + "'";
       else if (!option.value.empty())
         out += takes_file(option) ? " -r" : " -x";
-      out += " -d '" + fish_text(option.help) + "'\n";
+      out += " -d '" + fish_text(first_line(option.help)) + "'\n";
     }
   }
   return out;
@@ -137,11 +139,14 @@ std::string manual_page(const CommandText& command) {
   const std::string page = "waymark-" + command.name;
   std::string out = heading(page) + troff(page) + " \\- " + troff(command.summary) + "\n.SH SYNOPSIS\n.B waymark " +
                     troff(command.name) + "\n[options] [arguments]\n.SH OPTIONS\n";
+  std::string group = "Options";
   for (const OptionText& option : command.options) {
+    if (option.group != group && !option.names.empty()) out += ".SS " + troff(group = option.group) + "\n";
     out += ".TP\n.B " + troff(option.names.empty() ? option.place : joined(option.names, ", "));
     if (!option.value.empty()) out += " \\fI" + troff(option.value) + "\\fR";
     out += "\n" + troff(option.help.empty() ? "\u2014" : option.help);
     if (!option.choices.empty()) out += "\none of: " + troff(joined(option.choices, ", "));
+    if (!option.fallback.empty()) out += "\ndefault: " + troff(option.fallback);
     out += "\n";
   }
   if (!command.examples.empty()) out += ".SH EXAMPLES\n";
