@@ -12,7 +12,7 @@ using ltl::Formula;
 using ltl::Op;
 using enum LiftedSymbol;
 
-struct NoSymbol {};  // thrown where a proposition has no symbol, caught in spell alone
+struct NoSymbol {};  // thrown where a proposition or an operator has no symbol, caught in spell alone
 
 constexpr std::size_t most_places = 5, most_visits = 5;
 
@@ -164,6 +164,12 @@ class Speller {
       case ltl::Symbol::WeakNext:  // N φ = !X !φ
         out = {Not, Next, Not};
         break;
+      case ltl::Symbol::Yesterday:
+      case ltl::Symbol::WeakYesterday:
+      case ltl::Symbol::Once:
+      case ltl::Symbol::Historically:
+      case ltl::Symbol::Since:
+      case ltl::Symbol::Triggered: throw NoSymbol{};  // commands do not speak of the past
       case ltl::Symbol::And:
       case ltl::Symbol::Or: break;  // above
     }
