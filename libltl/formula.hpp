@@ -22,7 +22,6 @@
 namespace waymark::ltl {
 
 class Arena;
-
 // The operators that are stored.
 enum class Op : std::uint8_t { False, True, Atom, Not, And, Or, Iff, Next, WeakNext, Until, Release, Yesterday, Since };
 

@@ -15,9 +15,9 @@
 namespace waymark::automata {
 
 struct ParityGame {
-  enum class Player : std::uint8_t { System = 0, Environment = 1 };
-  struct Vertex {
-    Player owner;
+  enum class Player : std::uint8_t { System = 0, Environment = 1 };  // who chooses a successor
+  struct Vertex {                                                    // a position of the game
+    Player owner;                                                    // that chooses
     std::uint32_t priority;                 // the greatest that occurs infinitely often decides; even: the system wins
     std::vector<std::uint32_t> successors;  // at least one
     std::string name;                       // of a vertex of the environment: the state, and the colour behind a slash

@@ -31,8 +31,8 @@ enum class Symbol : std::uint8_t {
 };
 
 enum class Dialect : std::uint8_t {  // what X means at the end of a finite word
-  Waymark,  // X is the strong next, N (WX, X[w]) the weak one; Y Z O H S T speak of the past
-  Spot,     // X is the weak next over finite words (TLSF, Syft, Lydia, Spot); X[!] the strong one; no past
+  Waymark,                           // X is the strong next, N (WX, X[w]) the weak one; Y Z O H S T speak of the past
+  Spot,  // X is the weak next over finite words (TLSF, Syft, Lydia, Spot); X[!] the strong one; no past
 };
 enum class Notation : std::uint8_t { Infix, Lbt, Postfix };  // where operators stand
 
