@@ -17,7 +17,8 @@ struct Sample {
 };
 
 constexpr Sample samples[] = {
-    {"Spot", "G F a", R"(HOA: v1
+    {"Spot", "G F a",
+     R"HOA(HOA: v1
 name: "GFa"
 States: 1
 Start: 0
@@ -32,8 +33,9 @@ State: 0
 [0] 0 {0}
 [!0] 0
 --END--
-)"},
-    {"Spot", "F G a", R"(HOA: v1.1
+)HOA"},
+    {"Spot", "F G a",
+     R"HOA(HOA: v1.1
 name: "FGa"
 States: 2
 Start: 0
@@ -49,8 +51,9 @@ State: 0
 State: 1 {0}
 [0] 1
 --END--
-)"},
-    {"Rabinizer", "a U b", R"(HOA: v1
+)HOA"},
+    {"Rabinizer", "a U b",
+     R"HOA(HOA: v1
 tool: "Rabinizer" "infty"
 name: "Automaton for a U b"
 owner: "jan"
@@ -65,15 +68,14 @@ properties: trans-acc
 properties: no-univ-branch
 --BODY--
 State: 0 "G((a) & (b))"
-[(0 & !1)] 0 {
-  0 2}
+[(0 & !1)] 0 {0 2}
 [(1)] 1 {0}
 State: 1 "true"
-[t] 1 {
-  1}
+[t] 1 {1}
 --END--
-)"},
-    {"Owl", "G F p0", R"(HOA: v1
+)HOA"},
+    {"Owl", "G F p0",
+     R"HOA(HOA: v1
 tool: "ltl2dpa" "21.0"
 owlArgs: "ltl2dpa"
 Start: 0
@@ -88,8 +90,9 @@ State: 0 "{F(p0) :: 0}"
 [0] 0 {1}
 [!0] 0 {2}
 --END--
-)"},
-    {"ltl3ba", "G (req -> F ack)", R"(HOA: v1
+)HOA"},
+    {"ltl3ba", "G (req -> F ack)",
+     R"HOA(HOA: v1
 tool: "ltl3ba" "1.1.3"
 name: "BA for G(req -> F ack)"
 States: 2
@@ -106,8 +109,9 @@ State: 1 "T0_S1"
   [(1)] 0
   [(!1)] 1
 --END--
-)"},
-    {"hand, state labels and aliases; implicit labels", "!a & G F a", R"(HOA: v1
+)HOA"},
+    {"hand", "!a & G F a",
+     R"HOA(HOA: v1
 States: 3
 Acceptance: 1 Inf(0)
 acc-name: Buchi
@@ -124,8 +128,9 @@ State: [@na] 1
 State: [t] 2
 2 0 1
 --END--
-)"},
-    {"hand, state labels and aliases; implicit labels", "true", R"(HOA: v1
+)HOA"},
+    {"hand", "true",
+     R"HOA(HOA: v1
 AP: 2 "a" "b"
 Start: 0
 States: 2
@@ -135,8 +140,9 @@ Acceptance: 0 t
 State: 0 0 1 0 1
 State: 1 1 1 1 0
 --END--
-)"},
-    {"ltl2dstar", "G F !p0", R"(HOA: v1
+)HOA"},
+    {"ltl2dstar", "G F !p0",
+     R"HOA(HOA: v1
 name: "ltl2dstar"
 tool: "ltl2dstar" "0.5.3"
 States: 2
@@ -154,8 +160,9 @@ State: 1 {1}
 1
 0
 --END--
-)"},
-    {"LTL3HOA", "F a & G b", R"(HOA: v1
+)HOA"},
+    {"LTL3HOA", "F a & G b",
+     R"HOA(HOA: v1
 tool: "LTL3HOA" "1.0.0"
 name: "VWAA for F a & G b"
 States: 3
@@ -166,15 +173,14 @@ AP: 2 "a" "b"
 properties: univ-branch very-weak trans-labels explicit-labels trans-acc
 --BODY--
 State: 0 "F(a)"
-[!0] 0 {
-  0}
+[!0] 0 {0}
 [0] 2
 State: 1
 [1] 1&2
 State: 2 "true"
 [t] 2
 --END--
-)"},
+)HOA"},
 };
 
 TEST(OtherTools, PrintWhatTheFormulaMeans) {

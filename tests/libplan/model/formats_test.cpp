@@ -14,8 +14,10 @@
 #include "libplan/solve/task_automaton.hpp"
 #include "tests/libplan/model/models.hpp"
 
-namespace waymark::plan::test {
+namespace waymark::plan {
 namespace {
+
+using test::difference;
 
 constexpr const char* two_models = R"(state_dim: [region, load]
 state_models:
@@ -152,9 +154,9 @@ Mdp model_of(const nlohmann::json& jani) {
 TEST(Jani, DescribesTheModel) {
   std::mt19937 random(3);
   for (int i = 0; i < 200; ++i) {
-    const StateLabelled model = with_labels_on_states(random_mdp(random));
+    const StateLabelled model = with_labels_on_states(test::random_mdp(random));
     ASSERT_EQ(difference(model_of(nlohmann::json::parse(write_jani(model, "random"))), model.mdp), "") << i;
-    const StateLabelled grid = with_labels_on_states(random_grid(random));
+    const StateLabelled grid = with_labels_on_states(test::random_grid(random));
     ASSERT_EQ(difference(model_of(nlohmann::json::parse(write_jani(grid, "grid"))), grid.mdp), "") << i;
   }
 }
@@ -174,4 +176,4 @@ TEST(Jani, AsksForTheTaskOfAProduct) {
 }
 
 }  // namespace
-}  // namespace waymark::plan::test
+}  // namespace waymark::plan
