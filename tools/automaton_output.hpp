@@ -18,7 +18,7 @@ struct OutputOptions {
   std::string acceptance = "state";  // of HOA for DFAs: where the marks stand
   std::size_t edges = 1'000'000;     // explicit edges, at most
   std::string svg = {};              // a file for the picture; empty: none
-  std::string outputs;               // of pgsolver: propositions of the system, with commas
+  std::string outputs = {};          // of pgsolver: propositions of the system, with commas
 };
 void add_output_options(Command command, OutputOptions& options);
 

@@ -33,6 +33,8 @@ Shape shape_of(ltl::Formula f) {
     case ltl::Op::WeakNext: return with("N");
     case ltl::Op::Until: return with("U");
     case ltl::Op::Release: return with("R");
+    case ltl::Op::Yesterday: return with("Y");
+    case ltl::Op::Since: return with("S");
   }
   return {};
 }
