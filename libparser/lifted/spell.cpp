@@ -164,6 +164,12 @@ class Speller {
       case ltl::Symbol::WeakNext:  // N φ = !X !φ
         out = {Not, Next, Not};
         break;
+      case ltl::Symbol::Yesterday:  // lifted formulas have no past
+      case ltl::Symbol::WeakYesterday:
+      case ltl::Symbol::Once:
+      case ltl::Symbol::Historically:
+      case ltl::Symbol::Since:
+      case ltl::Symbol::Triggered: throw NoSymbol();
       case ltl::Symbol::And:
       case ltl::Symbol::Or: break;  // above
     }
