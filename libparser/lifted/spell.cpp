@@ -12,7 +12,7 @@ using ltl::Formula;
 using ltl::Op;
 using enum LiftedSymbol;
 
-struct NoSymbol {};  // thrown where a proposition has no symbol, caught in spell alone
+struct NoSymbol {};  // thrown where a proposition or an operator has no symbol, caught in spell alone
 
 constexpr std::size_t most_places = 5, most_visits = 5;
 
