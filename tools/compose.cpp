@@ -83,17 +83,6 @@ void print_dot(const plan::MapProduct& product) {
   std::cout << "}\n";
 }
 
-ProductPicture picture_of(const plan::MapProduct& product) {
-  ProductPicture picture;
-  for (const plan::ProductState& v : boost::make_iterator_range(vertices(product)))
-    picture.add_state(product.model().name(v.place), v.task, product.is_accepting(v), product.is_trap(v));
-  for (const plan::ProductState& v : product.starts()) picture.add_start(product.index(v));
-  for (const plan::ProductState& v : boost::make_iterator_range(vertices(product)))
-    for (auto [e, end] = out_edges(v, product); e != end; ++e)
-      picture.add_edge(product.index(v), product.index(e->to), std::string(plan::name(product.action(*e))));
-  return picture;
-}
-
 void answer(const plan::MapProduct& product, std::optional<ltl::Formula> formula, const ComposeOptions& options,
             const Session& session) {
   if (options.output.format == "json")

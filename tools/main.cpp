@@ -97,9 +97,9 @@ constexpr std::array rows{
     Subcommand{"map", "what a map knows: places, names, and propositions with their meanings", setup_map,
                "map grid\n"
                "map jelly --all"},
-    Subcommand{"draw", "map, with or without a route → picture", setup_draw,
-               "draw --map grid --svg grid.svg\n"
-               "draw --map grid --formula 'F sofa' --start 1,9,0 --svg route.svg"},
+    Subcommand{"draw", "formula, automaton, map, product, route, lasso, policy or values → picture", setup_draw,
+               "draw formula --formula 'G(a -> F b)' --svg tree.svg\n"
+               "draw route --map grid --formula 'F sofa' --start 1,9,0 --terminal"},
     Subcommand{"serve", serve_summary, nullptr, serve_examples},
     Subcommand{"generate", generate_summary, setup_generate,
                "generate map --kind maze --width 20 --height 20 --seed 3\n"

@@ -61,10 +61,12 @@ std::string drawn_whole(const Picture& picture) {
 
 void draw(const Picture& picture, const std::string& path) { write_file(path, drawn_whole(picture)); }
 
-void draw_graph(const std::string& dot, const std::string& path) {
+std::string graph_picture(const std::string& dot) {
   const auto drawing = render::lay_out(dot, {});
   if (!drawing) (void)needed_helper("waymark-layout", "lays graphs out");
-  write_file(path, render::alone(*drawing));
+  return render::alone(*drawing);
 }
+
+void draw_graph(const std::string& dot, const std::string& path) { write_file(path, graph_picture(dot)); }
 
 }  // namespace waymark::tools

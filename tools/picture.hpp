@@ -31,7 +31,9 @@ std::string drawn_whole(const Picture& picture);
 // Writes it to `path`.
 void draw(const Picture& picture, const std::string& path);
 
-// A graph in DOT, laid out and written to `path` as SVG. Throws UsageError when waymark-layout is not installed.
+// A graph in DOT, laid out, as an SVG document. Throws UsageError when waymark-layout is not installed.
+std::string graph_picture(const std::string& dot);
+// The same, written to `path`.
 void draw_graph(const std::string& dot, const std::string& path);
 // Graphs beyond this size take minutes to be laid out and cannot be read.
 inline constexpr std::size_t most_drawn_states = 100, most_drawn_edges = 400;

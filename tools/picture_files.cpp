@@ -45,8 +45,7 @@ void add_picture_options(Command command, PictureFiles& files) {
 }
 
 void check_picture_files(const PictureFiles& files) {
-  if (files.svg.empty() && files.png.empty() && files.pdf.empty())
-    throw UsageError("give a file for the picture: --svg, --png or --pdf");
+  if (!files.given()) throw UsageError("give a file for the picture: --svg, --png or --pdf");
   if (!files.png.empty() || !files.pdf.empty()) (void)converter();
   for (const std::string& file : {files.svg, files.png, files.pdf}) check_writable(file);
 }

@@ -8,7 +8,8 @@ namespace waymark::tools {
 
 struct PictureFiles {
   std::string svg = {}, png = {}, pdf = {};  // empty: none; "-": standard output
-  double scale = 2;                          // pixels of PNG for each unit of the picture, which is 1/96 inch
+  bool given() const { return !svg.empty() || !png.empty() || !pdf.empty(); }
+  double scale = 2;  // pixels of PNG for each unit of the picture, which is 1/96 inch
 };
 void add_picture_options(Command command, PictureFiles& files);
 

@@ -1,11 +1,14 @@
 #include "tools/product_picture.hpp"
 
 #include <algorithm>
+#include <boost/graph/graph_traits.hpp>
+#include <boost/range/iterator_range.hpp>
 
 #include "tools/answer.hpp"
 #include "tools/picture.hpp"
 #include "tools/shell/exit_code.hpp"
 #include "tools/shell/json.hpp"
+#include "tools/shell/output.hpp"
 
 namespace waymark::tools {
 namespace {
@@ -91,11 +94,24 @@ std::string ProductPicture::dot_of_tasks() const {
   return out + "}\n";
 }
 
-void draw_product(const ProductPicture& picture, const std::string& path) {
+ProductPicture picture_of(const plan::MapProduct& product) {
+  ProductPicture picture;
+  for (const plan::ProductState& v : boost::make_iterator_range(vertices(product)))
+    picture.add_state(product.model().name(v.place), v.task, product.is_accepting(v), product.is_trap(v));
+  for (const plan::ProductState& v : product.starts()) picture.add_start(product.index(v));
+  for (const plan::ProductState& v : boost::make_iterator_range(vertices(product)))
+    for (auto [e, end] = out_edges(v, product); e != end; ++e)
+      picture.add_edge(product.index(v), product.index(e->to), std::string(plan::name(product.action(*e))));
+  return picture;
+}
+
+std::string product_svg(const ProductPicture& picture) {
   if (picture.drawn_nodes() > most_drawn_states)
     throw GaveUp("not drawn: the automaton has more than " + counted(most_drawn_states, "state") +
                  "; --format dot gives the graph as text");
-  draw_graph(picture.dot(), path);
+  return graph_picture(picture.dot());
 }
+
+void draw_product(const ProductPicture& picture, const std::string& path) { write_file(path, product_svg(picture)); }
 
 }  // namespace waymark::tools

@@ -7,6 +7,8 @@
 #include <utility>
 #include <vector>
 
+#include "libplan/product/compose.hpp"
+
 namespace waymark::tools {
 
 // States in the order of their numbers; of a pair (place, task) the name is that of the place.
@@ -42,7 +44,11 @@ class ProductPicture {
   std::map<std::uint32_t, std::vector<std::size_t>> tasks_;  // the states of each
 };
 
-// Lays it out and writes the SVG. Throws GaveUp when there are too many nodes even by task.
+// Of a map and the automaton of a task.
+ProductPicture picture_of(const plan::MapProduct& product);
+
+// Lays it out, as an SVG document; the second writes it to `path`. Throws GaveUp when there are too many nodes even by task.
+std::string product_svg(const ProductPicture& picture);
 void draw_product(const ProductPicture& picture, const std::string& path);
 
 }  // namespace waymark::tools
