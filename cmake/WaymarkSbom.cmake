@@ -3,8 +3,9 @@
 # the licences of their copyright files. Without dpkg, the libraries are listed by name. tests/install/check_sbom.py
 # reads the file.
 find_program(DPKG_QUERY dpkg-query)
-set(headers boost/graph/adjacency_list.hpp eigen3/Eigen/Core CLI/CLI.hpp nlohmann/json.hpp pugixml.hpp)
-set(libraries pugixml)
+set(headers boost/graph/adjacency_list.hpp eigen3/Eigen/Core CLI/CLI.hpp nlohmann/json.hpp pugixml.hpp
+  yaml-cpp/yaml.h)
+set(libraries pugixml yaml-cpp)
 if(TARGET waymark-layout)
   list(APPEND headers graphviz/gvc.h)
   list(APPEND libraries gvc cgraph)

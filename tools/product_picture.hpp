@@ -47,7 +47,8 @@ class ProductPicture {
 // Of a map and the automaton of a task.
 ProductPicture picture_of(const plan::MapProduct& product);
 
-// Lays it out, as an SVG document; the second writes it to `path`. Throws GaveUp when there are too many nodes even by task.
+// Lays it out, as an SVG document; the second writes it to `path`. Throws GaveUp when there are too many nodes even by
+// task.
 std::string product_svg(const ProductPicture& picture);
 void draw_product(const ProductPicture& picture, const std::string& path);
 
