@@ -70,7 +70,9 @@ std::string ProductPicture::dot_of_tasks() const {
   std::string out = "digraph product {\n" + std::string(look) +
                     "  labelloc=b; label=\"one node for each state of the automaton, with the places that go with "
                     "it\";\n";
-  for (const auto& [task, members] : tasks_) {
+  for (const auto& entry : tasks_) {
+    const std::uint32_t task = entry.first;
+    const std::vector<std::size_t>& members = entry.second;
     const auto count = [&](bool State::*which) {
       return static_cast<std::size_t>(
           std::count_if(members.begin(), members.end(), [&](std::size_t s) { return states_[s].*which; }));

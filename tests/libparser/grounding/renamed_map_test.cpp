@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "libltl/meaning/semantics.hpp"
+#include "libltl/structure/random.hpp"
 #include "libltl/text/print.hpp"
 #include "libparser/corpus/token.hpp"
 #include "libparser/domain/hallways/hallway_things.hpp"
