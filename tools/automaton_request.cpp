@@ -227,9 +227,11 @@ AnyAutomaton transformed(AnyAutomaton any, const AutomatonRequest& request, auto
 OtherAutomata::OtherAutomata(const std::vector<std::string>& files) {
   std::string longest;
   for (const std::string& file : files) {
-    const std::string text = read_file(file), source = source_name(file);
+    if (files_.contains(file)) continue;
+    const std::string source = source_name(file);
+    auto& [text, all] = files_[file];
+    text = read_file(file);
     automata::HoaReader reader(text, source);
-    std::vector<automata::HoaAutomaton>& all = files_[file];
     while (auto automaton = reader.next())
       if (!automaton->aborted) all.push_back(std::move(*automaton));
     if (all.empty()) throw ltl::FormatError(source, 1, 1, "expected 'HOA: v1' at the beginning");
@@ -241,7 +243,7 @@ OtherAutomata::OtherAutomata(const std::vector<std::string>& files) {
 }
 
 const automata::HoaAutomaton& OtherAutomata::of(const std::string& file, std::size_t number) const {
-  const std::vector<automata::HoaAutomaton>& all = files_.at(file);
+  const std::vector<automata::HoaAutomaton>& all = files_.at(file).automata;
   if (all.size() == 1) return all.front();
   if (number <= all.size()) return all[number - 1];
   throw ltl::FormatError(source_name(file), 0, 0,

@@ -28,11 +28,15 @@ class OtherAutomata {
   // Throws ltl::FormatError for a file that holds none, UsageError for two files of several, not equally many.
   explicit OtherAutomata(const std::vector<std::string>& files);
   const automata::HoaAutomaton& of(const std::string& file, std::size_t number) const;  // number: from 1 on
-  bool is_stream(const std::string& file) const { return files_.at(file).size() > 1; }
+  bool is_stream(const std::string& file) const { return files_.at(file).automata.size() > 1; }
   std::size_t count() const { return count_; }  // in the longest file, at least 1
 
  private:
-  std::map<std::string, std::vector<automata::HoaAutomaton>> files_;
+  struct File {
+    std::string text;  // which the automata look into
+    std::vector<automata::HoaAutomaton> automata;
+  };
+  std::map<std::string, File> files_;  // whose nodes stay where they are
   std::size_t count_ = 1;
 };
 

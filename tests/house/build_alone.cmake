@@ -31,8 +31,9 @@ foreach(library IN LISTS order)
 endforeach()
 file(WRITE ${SCRATCH}/source/CMakeLists.txt "${text}")
 
+# An archive does not wait for those below it, which are compiled when it is their turn.
 foreach(step IN ITEMS
-    "-S;${SCRATCH}/source;-B;${SCRATCH}/build;-G;${GENERATOR};-DCMAKE_CXX_COMPILER=${COMPILER};-DCMAKE_BUILD_TYPE=Debug;-DCMAKE_CXX_FLAGS_DEBUG=-O0;-DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON;-DWAYMARK_UNITY=OFF;-DWAYMARK_WITH_OMPL=ON"
+    "-S;${SCRATCH}/source;-B;${SCRATCH}/build;-G;${GENERATOR};-DCMAKE_CXX_COMPILER=${COMPILER};-DCMAKE_BUILD_TYPE=Debug;-DCMAKE_CXX_FLAGS_DEBUG=-O0;-DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON;-DWAYMARK_UNITY=OFF;-DWAYMARK_WITH_OMPL=ON;-DCMAKE_OPTIMIZE_DEPENDENCIES=ON"
     "--build;${SCRATCH}/build;--target;${LIBRARY}/all")
   execute_process(COMMAND ${CMAKE_COMMAND} ${step} COMMAND_ERROR_IS_FATAL ANY)
 endforeach()
