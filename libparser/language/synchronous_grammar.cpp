@@ -67,6 +67,7 @@ SynchronousGrammar::SynchronousGrammar(const std::filesystem::path& file) : sour
       const auto equals = line.find('=');
       if (equals == std::string::npos) fail("words need a '='");
       check_text(line.substr(equals + 1), file.string(), number);
+      if (line.find_first_of("<>") != std::string::npos) fail("words name no category: only a rule does");
       for (std::string& a : alternatives(std::string_view(line).substr(equals + 1)))
         words_[trim(line.substr(1, equals - 1))].push_back(std::move(a));
       continue;

@@ -20,6 +20,7 @@
 #include "libltl/text/parse.hpp"
 #include "libltl/text/print.hpp"
 #include "tests/support/generate.hpp"
+#include "tests/support/sanitizers.hpp"
 
 namespace waymark::automata {
 namespace {
@@ -105,18 +106,18 @@ TEST(Engines, AgreeOnAllSmallFormulasAndWords) {
   ltl::Arena arena;
   const std::vector<Trace> words = testing::all_traces({.length = 3, .atoms = 2});
   std::size_t formulas = 0;
-  testing::for_each_formula(arena, {.size = 5, .atoms = 2}, [&](Formula f) {
+  testing::for_each_formula(arena, {.size = testing::sanitized ? 4 : 5, .atoms = 2}, [&](Formula f) {
     Engines all(f);
     for (const Trace& word : words) ASSERT_TRUE(all_agree(all, f, word));
     ++formulas;
   });
-  EXPECT_GT(formulas, 1000U);
+  EXPECT_GT(formulas, testing::sanitized ? 100U : 1000U);
 }
 
 TEST(Engines, AgreeOnLongerFormulasOfOneProposition) {
   ltl::Arena arena;
   const std::vector<Trace> words = testing::all_traces({.length = 6, .atoms = 1});
-  testing::for_each_formula(arena, {.size = 5, .atoms = 1}, [&](Formula f) {
+  testing::for_each_formula(arena, {.size = testing::sanitized ? 4 : 5, .atoms = 1}, [&](Formula f) {
     Engines all(f);
     for (const Trace& word : words) ASSERT_TRUE(all_agree(all, f, word));
   });
@@ -125,7 +126,7 @@ TEST(Engines, AgreeOnLongerFormulasOfOneProposition) {
 TEST(Engines, AgreeOnRandomFormulasAndWords) {
   constexpr std::uint64_t seed = 20260701;
   ltl::Random random(seed);
-  for (int i = 0; i < 1500; ++i) {
+  for (int i = 0; i < testing::scaled(1500); ++i) {
     ltl::Arena arena(testing::letters_vocabulary(4));
     const Formula f = ltl::random_formula(random, arena, {.size = 8 + random.below(18), .atoms = 4});
     Engines all(f);

@@ -8,6 +8,7 @@
 #include "libautomata/omega/random_automaton.hpp"
 #include "tests/libautomata/omega/referee.hpp"
 #include "tests/support/generate.hpp"
+#include "tests/support/sanitizers.hpp"
 
 namespace waymark::automata {
 namespace {
@@ -29,7 +30,7 @@ RandomAutomaton shape(int i, std::size_t branches) {
 
 TEST(OmegaOperations, AreTheBooleanOnesOfTheLanguages) {
   ltl::Random random(11);
-  for (int i = 0; i < 60; ++i) {
+  for (int i = 0; i < testing::scaled(60); ++i) {
     const Automaton a = random_automaton(random, ab, shape(i, 2)), b = random_automaton(random, ab, shape(i + 1, 2));
     Budget budget;
     const Automaton both = intersection(a, b, budget), any = sum(a, b);

@@ -12,6 +12,7 @@
 #include "libltl/text/parse.hpp"
 #include "libltl/text/print.hpp"
 #include "tests/support/generate.hpp"
+#include "tests/support/sanitizers.hpp"
 
 namespace waymark::ltl {
 namespace {
@@ -109,7 +110,7 @@ TEST(ReadEnglish, ReadsBackRandomFormulas) {
   for (const VerbaliseOptions& options : descriptions()) {
     Random random(14);
     Arena arena(letters_vocabulary(2));
-    for (int i = 0; i < 5'000; ++i)
+    for (int i = 0; i < testing::scaled(5'000); ++i)
       ASSERT_NO_FATAL_FAILURE(
           expect_read_back(random_formula(random, arena, {.size = 1 + random.below(9), .atoms = 2}), options));
   }

@@ -10,6 +10,7 @@
 #include "libparser/experiment/scores_text.hpp"
 #include "libparser/language/generate.hpp"
 #include "tests/libparser/maps.hpp"
+#include "tests/support/sanitizers.hpp"
 
 namespace waymark::parser {
 namespace {
@@ -63,12 +64,12 @@ TEST(ScoresText, ReadsBackWhatItWrites) {
 
 // Whatever is missing is made again, and all scores are the same: after every kind of part is taken away in turn.
 TEST_F(CheckpointDirectory, AnExperimentGoesOnToTheSameScores) {
-  const Corpus corpus = generate_corpus(shipped_maps(), {.seed = 7, .paragraphs = 12, .sentences = 3});
+  const Corpus corpus = generate_corpus(shipped_maps(), {.seed = 7, .paragraphs = testing::sanitized ? 6 : 12, .sentences = 3});
   const Checkpoints checkpoints(directory, "");
   EvaluateOptions options;
   options.relative = false;
   options.ensemble = 2;
-  options.train.epochs = 2;
+  options.train.epochs = testing::sanitized ? 1 : 2;
   options.checkpoints = &checkpoints;
   options.system = "linear";
   const auto run = [&] {

@@ -102,7 +102,7 @@ class World {
 TEST(GroundingFollower, ParagraphsEndAtTheLikeliestPlaceOverAllWays) {
   World world;
   std::size_t not_greedy = 0;
-  for (int i = 0; i < 45; ++i) {
+  for (int i = 0; i < (testing::sanitized ? 15 : 45); ++i) {
     world.draw();
     const GroundingFollower whole = world.follower(100'000);
     std::map<std::uint32_t, double> places;
@@ -157,7 +157,7 @@ TEST(GroundingFollower, AnswersGoOnWhereTheLastOneEnded) {
 
 TEST(GroundingFollower, WithOnePoseAliveSentencesAreSettledOneByOne) {
   World world;
-  for (int i = 0; i < 20; ++i) {
+  for (int i = 0; i < testing::scaled(20); ++i) {
     world.draw();
     const GroundingFollower follower = world.follower(1);
     plan::PoseId pose = world.start;
@@ -174,7 +174,7 @@ TEST(GroundingFollower, WithOnePoseAliveSentencesAreSettledOneByOne) {
 TEST(GroundingFollower, VotersAreAveraged) {
   World world;
   std::size_t compared = 0;
-  for (int i = 0; i < 20; ++i) {
+  for (int i = 0; i < testing::scaled(20); ++i) {
     world.draw();
     const SentenceInput& input = world.paragraph.front();
     const Grounder one = world.grounder();

@@ -79,6 +79,7 @@ TEST(SynchronousGrammars, ErrorsNameTheLine) {
   refused("$go walk\n", "1", "'='");
   refused("@A\n$go <N> => eventually 1\n", "2", "$go");
   refused("$a = x $b\n$b = y\n", "1", "$b");
+  refused("$a = x <#1>\n@A\n$a <N> => eventually 1\n", "1", "no category");
   refused("@A\n<B> => 1\n", "2", "'B'");
   refused("@A\n<N => eventually #1\n", "2", "''");
   refused("@A\n<N> => eventually 2\n", "2", "'2' refers");

@@ -12,6 +12,7 @@
 #include "libparser/supervision/route_positions.hpp"
 #include "libplan/world/trajectory.hpp"
 #include "tests/libparser/maps.hpp"
+#include "tests/support/sanitizers.hpp"
 
 namespace waymark::parser {
 namespace {
@@ -107,10 +108,10 @@ TEST(RoutePositions, ALongRouteIsRefused) {
 class JudgedTest : public testing::Test {
  protected:
   // How many sentences have their meant formula first among the programs found, of how many.
-  std::pair<std::size_t, std::size_t> meant_first(JudgedLimits limits) const {
+  std::pair<std::size_t, std::size_t> meant_first(std::size_t paragraphs, JudgedLimits limits) const {
     const Corpus corpus = generate_corpus(
         shipped_maps(),
-        {.seed = 7, .paragraphs = 20, .dialect = Dialect::Temporal, .most_clauses = 2, .judged = limits});
+        {.seed = 7, .paragraphs = paragraphs, .dialect = Dialect::Temporal, .most_clauses = 2, .judged = limits});
     Examples examples = make_examples(corpus, executors, Convention::Absolute);
     find_programs(examples.sentences, executors, language.grammar(), 2, [](double) { return true; });
     std::size_t i = 0, first = 0;
@@ -143,12 +144,13 @@ TEST_F(JudgedTest, AProgramAgreesWhenItAllowsTheGoodOnesAndNoRefusedOne) {
 }
 
 TEST_F(JudgedTest, RefusedTrajectoriesTellWhatWasMeant) {
-  const auto [without, n] = meant_first({});
-  const auto [with, m] = meant_first({.refused = 4, .also_good = 2});
-  EXPECT_EQ(n, 80U);
+  const std::size_t paragraphs = testing::sanitized ? 4 : 20;
+  const auto [without, n] = meant_first(paragraphs, {});
+  const auto [with, m] = meant_first(paragraphs, {.refused = 4, .also_good = 2});
+  EXPECT_EQ(n, 4 * paragraphs);
   EXPECT_EQ(m, n);
-  EXPECT_GE(with, 60U);
-  EXPECT_GT(with, without + 15);
+  EXPECT_GE(with, 3 * paragraphs);
+  EXPECT_GT(with, without + 3 * paragraphs / 4);
 }
 
 }  // namespace

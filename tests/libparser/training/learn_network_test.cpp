@@ -7,12 +7,13 @@
 #include "libparser/model_file.hpp"
 #include "libplan/world/trajectory.hpp"
 #include "tests/libparser/training/instances.hpp"
+#include "tests/support/sanitizers.hpp"
 
 namespace waymark::parser {
 namespace {
 
 const Corpus& small_corpus() {
-  static const Corpus corpus = training_corpus(10);
+  static const Corpus corpus = training_corpus(testing::sanitized ? 4 : 10);
   return corpus;
 }
 

@@ -11,7 +11,7 @@ namespace waymark::parser {
 namespace {
 
 const Corpus& own_corpus() {
-  static const Corpus corpus = generate_corpus(shipped_maps(), {.seed = 1, .paragraphs = 30, .sentences = 4});
+  static const Corpus corpus = generate_corpus(shipped_maps(), {.seed = 1, .paragraphs = testing::sanitized ? 10 : 30, .sentences = 4});
   return corpus;
 }
 

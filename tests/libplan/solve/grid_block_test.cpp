@@ -13,6 +13,7 @@
 #include "libplan/solve/decide.hpp"
 #include "libplan/solve/reachability.hpp"
 #include "tests/libplan/solve/random_grids.hpp"
+#include "tests/support/sanitizers.hpp"
 
 namespace waymark::plan {
 namespace {
@@ -82,10 +83,13 @@ TEST(GridBlock, AgreesWithEquationsWhereAWindowMovesOn) {
   for (const GridKind kind : all_grid_kinds)
     for (const double noise : {0.02, 0.1, 0.2}) {
       std::ostringstream text;
-      write_case(
-          text,
-          generate_grid(
-              {.kind = kind, .width = 48, .height = 40, .landmarks = 2, .noise = noise, .seed = 9, .tasks = true}));
+      write_case(text, generate_grid({.kind = kind,
+                                      .width = ::waymark::testing::sanitized ? 24U : 48U,
+                                      .height = ::waymark::testing::sanitized ? 20U : 40U,
+                                      .landmarks = 2,
+                                      .noise = noise,
+                                      .seed = 9,
+                                      .tasks = true}));
       const PlanningCase read = parse_case(text.str());
       const auto& grid = std::get<GridWorld>(read.model);
       for (const CaseTask& asked : read.tasks) {
