@@ -48,7 +48,7 @@ std::string rerun(const std::string& transcript) {
   return out;
 }
 
-class Transcript : public testing::TestWithParam<fs::path> {};
+class Transcript : public ::testing::TestWithParam<fs::path> {};
 
 TEST_P(Transcript, IsWhatTheCommandLinePrints) {
   const std::string expected = read(GetParam());
@@ -56,7 +56,7 @@ TEST_P(Transcript, IsWhatTheCommandLinePrints) {
   compare(GetParam(), expected, rerun(expected));
 }
 
-INSTANTIATE_TEST_SUITE_P(Golden, Transcript, testing::ValuesIn(transcripts()), [](const auto& parameter) {
+INSTANTIATE_TEST_SUITE_P(Golden, Transcript, ::testing::ValuesIn(transcripts()), [](const auto& parameter) {
   std::string name = parameter.param.stem().string();
   std::replace(name.begin(), name.end(), '-', '_');
   return name;

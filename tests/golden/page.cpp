@@ -65,7 +65,7 @@ void expect_page_is_true(const fs::path& page) {
   const std::string expected = read(page);
   ASSERT_FALSE(commands_of(expected).empty()) << page << " shows no command";
   const fs::path scratch =
-      fs::path(testing::TempDir()) / ("waymark-" + page.stem().string() + "-" + std::to_string(::getpid()));
+      fs::path(::testing::TempDir()) / ("waymark-" + page.stem().string() + "-" + std::to_string(::getpid()));
   fs::create_directories(scratch);
   compare(page, expected, rerun_page(expected, scratch));
   fs::remove_all(scratch);

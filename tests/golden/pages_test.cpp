@@ -28,11 +28,11 @@ std::vector<fs::path> pages() {
   return found;
 }
 
-class Pages : public testing::TestWithParam<fs::path> {};
+class Pages : public ::testing::TestWithParam<fs::path> {};
 
 TEST_P(Pages, ShowWhatTheirCommandsPrint) { expect_page_is_true(GetParam()); }
 
-INSTANTIATE_TEST_SUITE_P(Manual, Pages, testing::ValuesIn(pages()), [](const auto& page) {
+INSTANTIATE_TEST_SUITE_P(Manual, Pages, ::testing::ValuesIn(pages()), [](const auto& page) {
   std::string name = page.param.stem().string();
   std::replace_if(
       name.begin(), name.end(), [](unsigned char c) { return std::isalnum(c) == 0; }, '_');
@@ -43,7 +43,7 @@ INSTANTIATE_TEST_SUITE_P(Manual, Pages, testing::ValuesIn(pages()), [](const aut
 // the commands of the blocks, which write the files. A command answers yes (0) or no (10).
 TEST(ComingFrom, HasCommandsThatRun) {
   const std::string page = read(manual / "coming-from.md");
-  const fs::path scratch = fs::path(testing::TempDir()) / ("waymark-coming-from-" + std::to_string(::getpid()));
+  const fs::path scratch = fs::path(::testing::TempDir()) / ("waymark-coming-from-" + std::to_string(::getpid()));
   fs::create_directories(scratch);
   rerun_page(page, scratch);
   const std::regex row(R"(^\| [^|]* \| `(waymark [^`]*)` \|.*)");
@@ -65,7 +65,7 @@ TEST(ComingFrom, HasCommandsThatRun) {
 TEST(Page, ContinuesCommandsAndForgetsOldAnswers) {
   const std::string page = "prose\n```console\n$ echo a \\\n> b\nold\nolder\n$ true\n```\n$ prose\n> prose\n";
   EXPECT_EQ(commands_of(page), (std::vector<std::string>{"echo a \\\nb", "true"}));
-  EXPECT_EQ(rerun_page(page, testing::TempDir()),
+  EXPECT_EQ(rerun_page(page, ::testing::TempDir()),
             "prose\n```console\n$ echo a \\\n> b\na b\n$ true\n```\n$ prose\n> prose\n");
 }
 

@@ -13,7 +13,7 @@ namespace {
 using nlohmann::json;
 
 // `waymark serve --port 0`, ended with the test.
-class Serving : public testing::Test {
+class Serving : public ::testing::Test {
  protected:
   void SetUp() override {
     int ends[2];

@@ -13,7 +13,7 @@
 namespace waymark::tools {
 namespace {
 
-class Input : public testing::Test {
+class Input : public ::testing::Test {
  protected:
   Input() : file_(std::filesystem::temp_directory_path() / ("waymark-input-" + std::to_string(::getpid()))) {}
   ~Input() override { std::filesystem::remove(file_); }

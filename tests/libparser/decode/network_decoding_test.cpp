@@ -124,7 +124,7 @@ TEST(NetworkDecoding, AnExplanationMultipliesToTheProbability) {
   }
 }
 
-class Trie : public testing::Test {
+class Trie : public ::testing::Test {
  protected:
   Trie() {
     for (const auto& [program, log_p] : small.all()) programs.push_back(program);

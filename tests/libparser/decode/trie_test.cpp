@@ -15,7 +15,7 @@ namespace {
 
 const ltl::Vocabulary few_propositions({"chair", "ahead_wall", "place_1", "turned_left"});
 
-class Decoding : public testing::Test {
+class Decoding : public ::testing::Test {
  protected:
   Decoding() : features(sentence_features({tokenize("walk to the chair and turn left"), false}, model.words)) {
     std::mt19937_64 random(5);

@@ -7,7 +7,7 @@
 namespace waymark::parser {
 namespace {
 
-class TypedPostfixTest : public testing::Test {
+class TypedPostfixTest : public ::testing::Test {
  protected:
   const ProgramLanguage language{shipped_maps().front().vocabulary()};
   const PostfixGrammar& grammar = language.grammar();

@@ -27,7 +27,7 @@ void expect_same_plan(const Executor& executor, const PostfixGrammar& grammar, c
   EXPECT_EQ(plan->end, route->route().poses.back()) << where;
 }
 
-class ExecuteIn : public testing::TestWithParam<PostfixGrammar::Limits> {};
+class ExecuteIn : public ::testing::TestWithParam<PostfixGrammar::Limits> {};
 
 TEST_P(ExecuteIn, PlansRandomProgramsAsTheSolverDoes) {
   std::mt19937_64 random(7);
@@ -44,7 +44,7 @@ TEST_P(ExecuteIn, PlansRandomProgramsAsTheSolverDoes) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Dialects, ExecuteIn,
-                         testing::Values(PostfixGrammar::limits_of(Dialect::Plain),
+                         ::testing::Values(PostfixGrammar::limits_of(Dialect::Plain),
                                          PostfixGrammar::Limits{3, 2, Dialect::Temporal}),
                          [](const auto& parameter) {
                            return parameter.param.dialect == Dialect::Plain ? "Plain" : "Temporal";

@@ -34,10 +34,10 @@ void for_each_prefix(const PostfixGrammar& grammar, std::size_t length, const Vi
   extend(extend, PrefixState{});
 }
 
-class PostfixGrammarIn : public testing::TestWithParam<PostfixGrammar::Limits> {};
+class PostfixGrammarIn : public ::testing::TestWithParam<PostfixGrammar::Limits> {};
 
 INSTANTIATE_TEST_SUITE_P(Dialects, PostfixGrammarIn,
-                         testing::Values(PostfixGrammar::limits_of(Dialect::Plain),
+                         ::testing::Values(PostfixGrammar::limits_of(Dialect::Plain),
                                          PostfixGrammar::Limits{3, 2, Dialect::Temporal}),
                          [](const auto& parameter) {
                            return parameter.param.dialect == Dialect::Plain ? "Plain" : "Temporal";

@@ -9,7 +9,7 @@
 namespace waymark::parser {
 namespace {
 
-class Programs : public testing::Test {
+class Programs : public ::testing::Test {
  protected:
   Step step(StepKind kind, std::vector<std::string> literals) const {
     Step s{kind, 0, static_cast<std::uint8_t>(literals.size()), {}};

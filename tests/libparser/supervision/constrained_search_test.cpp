@@ -12,7 +12,7 @@
 namespace waymark::parser {
 namespace {
 
-class SaidSearchTest : public testing::Test {
+class SaidSearchTest : public ::testing::Test {
  protected:
   std::vector<Consistent> search(const Example& example) {
     return said_programs(executors[example.map], language, example.gold, example.input.tokens, plans[example.map]);

@@ -105,7 +105,7 @@ TEST(RoutePositions, ALongRouteIsRefused) {
                std::length_error);
 }
 
-class JudgedTest : public testing::Test {
+class JudgedTest : public ::testing::Test {
  protected:
   // How many sentences have their meant formula first among the programs found, of how many.
   std::pair<std::size_t, std::size_t> meant_first(std::size_t paragraphs, JudgedLimits limits) const {

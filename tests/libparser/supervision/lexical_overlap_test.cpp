@@ -9,7 +9,7 @@
 namespace waymark::parser {
 namespace {
 
-class WordingTest : public testing::Test {
+class WordingTest : public ::testing::Test {
  protected:
   double lexical_overlap_penalty(const std::string& text, const Program& program) const {
     return Wording(model, mentions(tokenize(text))).lexical_overlap_penalty(program);

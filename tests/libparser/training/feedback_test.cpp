@@ -9,7 +9,7 @@
 namespace waymark::parser {
 namespace {
 
-class FeedbackTest : public testing::Test {
+class FeedbackTest : public ::testing::Test {
  protected:
   FeedbackTest() {
     const Corpus corpus = generate_corpus(shipped_maps(), {.seed = 2, .paragraphs = 12, .sentences = 3});

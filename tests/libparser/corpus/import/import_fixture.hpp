@@ -13,11 +13,11 @@ namespace waymark::parser {
 
 namespace fs = std::filesystem;
 
-class ImportSail : public testing::Test {
+class ImportSail : public ::testing::Test {
  protected:
   void SetUp() override {
-    const auto* test = testing::UnitTest::GetInstance()->current_test_info();
-    folder_ = fs::path(testing::TempDir()) / (std::string("waymark-import-") + test->name());
+    const auto* test = ::testing::UnitTest::GetInstance()->current_test_info();
+    folder_ = fs::path(::testing::TempDir()) / (std::string("waymark-import-") + test->name());
     fs::remove_all(folder_);
     fs::create_directories(folder_);
   }

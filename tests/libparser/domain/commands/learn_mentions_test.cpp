@@ -9,7 +9,7 @@ namespace waymark::parser {
 namespace {
 
 CommandDomains towns() {
-  const std::filesystem::path folder = std::filesystem::path(testing::TempDir()) / "waymark-learn-mentions";
+  const std::filesystem::path folder = std::filesystem::path(::testing::TempDir()) / "waymark-learn-mentions";
   std::filesystem::create_directories(folder / "maps");
   std::ofstream(folder / "domains.json") << R"({"yard":{"propositions":{"pond":""}}})";
   std::ofstream(folder / "maps" / "town.json") << R"({"landmarks":[
