@@ -19,7 +19,7 @@ std::string without_seconds(std::string text) {
       {std::regex(R"("seconds":[0-9.e+-]+)"), R"("seconds":SECONDS)"},
       {std::regex(R"((\n|^)time  .*)"), "$1time SECONDS"},
       {std::regex(R"(\t([01]|-)\t[0-9]+\.[0-9]+\t)"), "\t$1\tSECONDS\t"},
-      {std::regex(R"(bytes, [0-9.]+ s:)"), "bytes, SECONDS:"},
+      {std::regex(R"([0-9]+ bytes, [0-9.]+ s:)"), "SIZE bytes, SECONDS:"},
       {std::regex(R"(sampled in .*)"), "sampled in SECONDS"},
   }};
   for (const auto& [pattern, word] : rules) text = std::regex_replace(text, pattern, word);

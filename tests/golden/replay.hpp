@@ -6,7 +6,7 @@
 namespace waymark::golden {
 
 struct CommandResult {
-  std::string output;  // both streams, ending in a line break if there is any; what differs from run to run is SECONDS
+  std::string output;  // both streams, ending in a line break if there is any; times are SECONDS, model sizes SIZE
   int exit = -1;       // −1: killed by a signal
 };
 

@@ -28,7 +28,7 @@ def printed_by(command, folder, environment):
     result = subprocess.run(["bash", "-c", command], cwd=folder, env=environment, stdin=subprocess.DEVNULL,
                             stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, check=False)
     text = result.stdout if result.stdout.endswith("\n") or not result.stdout else result.stdout + "\n"
-    for pattern, word in ((r"^time  .*", "time SECONDS"), (r"bytes, [0-9.]+ s:", "bytes, SECONDS:"),
+    for pattern, word in ((r"^time  .*", "time SECONDS"), (r"[0-9]+ bytes, [0-9.]+ s:", "SIZE bytes, SECONDS:"),
                           (r"\t([01]|-)\t[0-9]+\.[0-9]+\t", r"\t\1\tSECONDS\t")):
         text = re.sub(pattern, word, text, flags=re.M)
     return text

@@ -64,7 +64,8 @@ TEST(ScoresText, ReadsBackWhatItWrites) {
 
 // Whatever is missing is made again, and all scores are the same: after every kind of part is taken away in turn.
 TEST_F(CheckpointDirectory, AnExperimentGoesOnToTheSameScores) {
-  const Corpus corpus = generate_corpus(shipped_maps(), {.seed = 7, .paragraphs = testing::sanitized ? 6 : 12, .sentences = 3});
+  const std::size_t paragraphs = testing::sanitized ? 6 : 12;
+  const Corpus corpus = generate_corpus(shipped_maps(), {.seed = 7, .paragraphs = paragraphs, .sentences = 3});
   const Checkpoints checkpoints(directory, "");
   EvaluateOptions options;
   options.relative = false;

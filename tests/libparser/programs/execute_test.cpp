@@ -45,7 +45,7 @@ TEST_P(ExecuteIn, PlansRandomProgramsAsTheSolverDoes) {
 
 INSTANTIATE_TEST_SUITE_P(Dialects, ExecuteIn,
                          ::testing::Values(PostfixGrammar::limits_of(Dialect::Plain),
-                                         PostfixGrammar::Limits{3, 2, Dialect::Temporal}),
+                                           PostfixGrammar::Limits{3, 2, Dialect::Temporal}),
                          [](const auto& parameter) {
                            return parameter.param.dialect == Dialect::Plain ? "Plain" : "Temporal";
                          });

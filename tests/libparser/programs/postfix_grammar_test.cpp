@@ -38,7 +38,7 @@ class PostfixGrammarIn : public ::testing::TestWithParam<PostfixGrammar::Limits>
 
 INSTANTIATE_TEST_SUITE_P(Dialects, PostfixGrammarIn,
                          ::testing::Values(PostfixGrammar::limits_of(Dialect::Plain),
-                                         PostfixGrammar::Limits{3, 2, Dialect::Temporal}),
+                                           PostfixGrammar::Limits{3, 2, Dialect::Temporal}),
                          [](const auto& parameter) {
                            return parameter.param.dialect == Dialect::Plain ? "Plain" : "Temporal";
                          });

@@ -10,14 +10,17 @@
 namespace waymark::parser {
 namespace {
 
+constexpr std::size_t own_paragraphs = testing::sanitized ? 10 : 30;
+
 const Corpus& own_corpus() {
-  static const Corpus corpus = generate_corpus(shipped_maps(), {.seed = 1, .paragraphs = testing::sanitized ? 10 : 30, .sentences = 4});
+  static const Corpus corpus =
+      generate_corpus(shipped_maps(), {.seed = 1, .paragraphs = own_paragraphs, .sentences = 4});
   return corpus;
 }
 
 TEST(Generate, TrajectoriesAreLegalAndSeedsDecide) {
   const std::vector<Executor> executors(shipped_maps().begin(), shipped_maps().end());
-  EXPECT_EQ(make_examples(own_corpus(), executors, Convention::Absolute).sentences.size(), 120U);
+  EXPECT_EQ(make_examples(own_corpus(), executors, Convention::Absolute).sentences.size(), 4 * own_paragraphs);
   const auto text = [](std::uint64_t seed) {
     return generate_corpus(shipped_maps(), {.seed = seed, .paragraphs = 2, .sentences = 4}).paragraphs[1].text;
   };
