@@ -1,6 +1,5 @@
-# Is there what the Python module needs? Then WAYMARK_PYTHON is true, and the libraries are compiled so that a shared
-# object may hold them. Otherwise a message names what is missing, and everything else is built.
-# The module holds the libraries: they are static.
+# Is there what the Python module needs? Then WAYMARK_PYTHON is true. Otherwise a message names what is missing, and
+# everything else is built. The module holds the libraries: they are static.
 if(BUILD_SHARED_LIBS)
   message(FATAL_ERROR "WAYMARK_WITH_PYTHON goes with static libraries: -DBUILD_SHARED_LIBS=OFF")
 endif()
@@ -25,5 +24,3 @@ if(missing)
   return()
 endif()
 set(WAYMARK_PYTHON TRUE)
-set(CMAKE_POSITION_INDEPENDENT_CODE ON)
-add_compile_options($<$<CXX_COMPILER_ID:GNU>:-fno-semantic-interposition>)  # calls inside a library stay direct

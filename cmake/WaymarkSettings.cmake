@@ -32,6 +32,12 @@ if(WAYMARK_SANITIZE)
   add_link_options(-fsanitize=${WAYMARK_SANITIZE})
 endif()
 
+# One kind of code for programs and for the Python module, which is a shared object: nothing is compiled twice, and all
+# share precompiled headers. Calls inside a library stay direct.
+if(NOT WAYMARK_SANITIZE)
+  add_compile_options(-fPIC $<$<CXX_COMPILER_ID:GNU>:-fno-semantic-interposition>)
+endif()
+
 # What is not measured need not be fast, and is compiled in little more than half the time: for tests, and for tools under
 # sanitizers. The libraries are what is run most there.
 function(waymark_compile_quickly)
@@ -105,7 +111,6 @@ function(waymark_share target)
   set_target_properties(${target} PROPERTIES DEFINE_SYMBOL "" LINK_DEPENDS ${script} INSTALL_RPATH "\$ORIGIN"
     VERSION ${PROJECT_VERSION} SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
   target_link_options(${target} PRIVATE LINKER:--version-script=${script} LINKER:--no-undefined)
-  target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-fno-semantic-interposition>)
 endfunction()
 
 # waymark_library(<area> SOURCES <file>... DEPENDS <target>... PRIVATE_DEPENDS <target>...
