@@ -100,7 +100,8 @@ TEST(Execute, HorizonsListArrivalsInTheOrderOfTheirPlans) {
   for (StepKind kind : {StepKind::Reach, StepKind::Next, StepKind::Advance, StepKind::Face}) {
     for (std::uint32_t s = 0; s < map.poses(); s += 7) {
       const auto horizon = executor.horizon(kind, {s});
-      for (std::uint16_t p = 0; p < executor.propositions(); ++p) {
+      for (std::size_t i = 0; i < executor.propositions(); ++i) {
+        const auto p = static_cast<std::uint16_t>(i);
         const auto first = std::find_if(horizon.begin(), horizon.end(), [&](const auto& r) {
           return r.goal && executor.holds(p, r.arrival) && !r.arrival.is_start();
         });
