@@ -71,6 +71,7 @@ set(spdx_of_X11 X11)
 set(spdx_of_BSL-1.0 BSL-1.0)
 set(spdx_of_BSD-3-clause BSD-3-Clause)
 set(spdx_of_BSD-3-Clause BSD-3-Clause)
+set(spdx_of_BSD-3-Clause+CLA BSD-3-Clause)  # of pybind11: with a clause on contributions
 set(spdx_of_EPL-1.0 EPL-1.0)
 set(spdx_of_LGPL-2+ LGPL-2.0-or-later)
 function(waymark_licence package result)

@@ -92,7 +92,7 @@ class Planning {
  private:
   ltl::Formula formula_of(const Text& text, ltl::Arena& arena) const {
     try {
-      return parse_formula(text, arena, parse_options(options_.notation, ltl::Unknown::Reject));
+      return parse_on_map(text, arena, options_.notation, options_.map.map);
     } catch (const ltl::SyntaxError&) {
       if (is_english(text.text))
         std::cerr << "note: waymark run and waymark ground read English; waymark map lists what a map knows\n";
@@ -167,6 +167,8 @@ void check(const PlanCommandOptions& options) {
   if (map && !choice.query.empty())
     throw UsageError("--query asks for a value where actions may fail: give --slip, --case or --model with it");
   if (map && !choice.strategy.empty()) throw UsageError("--strategy goes with --case and --model");
+  if (choice.model.empty() && (choice.strategy_format != "waymark" || !choice.scheduler.empty()))
+    throw UsageError("--strategy-format prism and storm, and --scheduler, go with --model");
   if (!options.tree.empty() && choice.top > 1) throw UsageError("--behavior-tree is for one plan");
   if (map && choice.top > 1 && (is_infinite(options) || !options.svg.empty() || !options.hoa.empty()))
     throw UsageError("--top is for routes, without --svg, --hoa and --semantics infinite");

@@ -4,9 +4,13 @@
 
 #include <iomanip>
 #include <iostream>
+#include <sstream>
 #include <stdexcept>
+#include <utility>
+#include <variant>
 
 #include "libltl/diagnostic.hpp"
+#include "libplan/model/formats/scheduler.hpp"
 #include "libplan/solve/case_task.hpp"
 #include "tools/automaton_output.hpp"
 #include "tools/shell/batch.hpp"
@@ -95,8 +99,34 @@ JsonObject case_json(const plan::PlanningCase& planning_case, const plan::CaseTa
   return out;
 }
 
+std::string in_words(plan::CaseTask::Query query) {
+  using Query = plan::CaseTask::Query;
+  switch (query) {
+    case Query::MaxProbability: return "greatest probability";
+    case Query::MinProbability: return "least probability";
+    case Query::MinCost: return "least expected cost";
+    case Query::MinSteps: return "least cost";
+    case Query::MinCycle: return "least cycle";
+    case Query::LeastLasso: return "least lasso";
+    case Query::Discounted: return "greatest discounted reward";
+  }
+  return {};
+}
+
+constexpr const char* the_formula = "formula";  // the id of one that was given as an argument
+
+// Tasks of a case and lines of a file head the rows of a table; a formula that was typed is answered in words.
+std::string heading(const plan::CaseTask& task) {
+  std::ostringstream out;
+  if (task.id == the_formula)
+    out << in_words(task.query) << "  ";
+  else
+    out << std::left << std::setw(24) << task.id << ' ' << std::setw(6) << plan::name(task.query) << ' ';
+  return out.str();
+}
+
 void print(const plan::CaseTask& task, const CaseAnswer& answer) {
-  std::cout << std::left << std::setw(24) << task.id << ' ' << std::setw(6) << plan::name(task.query) << ' ';
+  std::cout << heading(task);
   if (answer.status == Status::Exhausted)
     std::cout << "gave up: " << answer.reason;
   else
@@ -152,6 +182,33 @@ std::string written(const plan::PlanningCase& planning_case, const plan::CaseTas
   return out;
 }
 
+// The strategy as a scheduler on the states of the model, which needs no memory where every state has one decision.
+std::string scheduler_text(const plan::PlanningCase& planning_case, const CaseAnswer& answer,
+                           const std::string& format) {
+  const auto* const model = std::get_if<plan::Mdp>(&planning_case.model);
+  if (model == nullptr) throw UsageError("--strategy-format " + format + " is for --model: a grid numbers no choices");
+  plan::Scheduler scheduler;
+  scheduler.choices.resize(model->states());
+  for (const plan::Decision& decision : answer.strategy->decisions) {
+    auto& chosen = scheduler.choices[decision.state];
+    if (decision.jump != plan::Decision::no_jump || (!chosen.empty() && chosen.front().choice != decision.choice))
+      throw UsageError("the best strategy needs memory at " + decision.place +
+                       ": compose the product (--format explicit) and plan on it, with a scheduler of its states");
+    if (chosen.empty()) chosen.push_back({decision.choice, 1});
+  }
+  return plan::write_scheduler(scheduler,
+                               format == "prism" ? plan::SchedulerFormat::Prism : plan::SchedulerFormat::Storm, *model);
+}
+
+// The Markov chain that the scheduler in the file makes of the model; without a file, the model.
+plan::PlanningCase scheduled(plan::PlanningCase planning_case, const std::string& file) {
+  if (file.empty()) return planning_case;
+  const auto* const model = std::get_if<plan::Mdp>(&planning_case.model);
+  if (model == nullptr) throw UsageError("--scheduler is for a model whose states have numbers, not for a grid");
+  return {
+      planning_case.name, plan::induced(*model, plan::parse_scheduler(read_file(file), source_name(file), *model)), {}};
+}
+
 class TaskAnswers {
  public:
   TaskAnswers(const plan::PlanningCase& planning_case, const CaseChoice& choice, const Session& session)
@@ -173,7 +230,9 @@ class TaskAnswers {
       std::cout << case_json(case_, task, answer).text() << '\n';
     else
       print(task, answer);
-    if (answer.strategy) strategies_ += written(case_, task, answer);
+    if (answer.strategy)
+      strategies_ += choice_.strategy_format == "waymark" ? written(case_, task, answer)
+                                                          : scheduler_text(case_, answer, choice_.strategy_format);
     return exit_code(answer.status);
   }
 
@@ -203,7 +262,7 @@ class TaskAnswers {
 plan::CaseTask task_of(const Text& text, const CaseChoice& choice) {
   using Query = plan::CaseTask::Query;
   using Logic = plan::CaseTask::Logic;
-  plan::CaseTask task{.id = text.source.empty() ? "formula" : "line " + std::to_string(text.line),
+  plan::CaseTask task{.id = text.source.empty() ? the_formula : "line " + std::to_string(text.line),
                       .formula = text.text};
   task.query = choice.query.empty()           ? Query::MaxProbability
                : choice.query == "pmax"       ? Query::MaxProbability
@@ -233,6 +292,15 @@ void add_answer_options(Command command, CaseChoice& choice) {
                   "with --case and --model: write what to do in every state that is met, JSON lines; - is "
                   "standard output")
       .type_name("FILE");
+  command
+      .add_option("--strategy-format", choice.strategy_format,
+                  "with --strategy and --model: as PRISM's -exportstrat or Storm's --exportscheduler writes it")
+      .one_of({"waymark", "prism", "storm"})
+      .show_default();
+  command
+      .add_option("--scheduler", choice.scheduler,
+                  "with --model: the value of this scheduler of PRISM or Storm, as a Markov chain")
+      .type_name("FILE");
 }
 
 }  // namespace
@@ -248,8 +316,8 @@ void add_case_options(Command command, CaseChoice& choice) {
       .type_name("FILE");
   command
       .add_option("--model", choice.model,
-                  "a formula's value on another model than a map: PRISM's FILE.nm or FILE.tra, a street graph or "
-                  "planning case (JSON)")
+                  "a formula's value on another model than a map: PRISM's FILE.nm or FILE.tra, roads (FILE.osm, "
+                  "FILE.geojson, FILE.graphml), a street graph or planning case (JSON), a transition system (YAML)")
       .type_name("FILE");
   command
       .add_option("--query", choice.query,
@@ -291,8 +359,9 @@ ExitCode plan_case(const CaseChoice& choice, const Session& session) {
   return worst;
 }
 
-ExitCode plan_model(const plan::PlanningCase& model, const CaseChoice& choice, const TextOptions& formulas,
+ExitCode plan_model(plan::PlanningCase free, const CaseChoice& choice, const TextOptions& formulas,
                     const Session& session) {
+  const plan::PlanningCase model = scheduled(std::move(free), choice.scheduler);
   TaskAnswers answers(model, choice, session);
   const auto answered = [&](const plan::CaseTask& task, const plan::GivenAutomaton* given) {
     try {

@@ -16,7 +16,9 @@ struct CaseChoice {
   std::string file, task, method = "best";
   std::string model, query, automaton;  // --model; no query: pmax
   std::string strategy;                 // a file for it; empty: none
-  std::string order = "prefix";         // of lassos
+  std::string strategy_format = "waymark";
+  std::string scheduler;         // a file to read: the model's choices; empty: they are free
+  std::string order = "prefix";  // of lassos
   std::size_t top = 1;
   double discount = 0.9;
   double tolerance = 1e-6;
@@ -27,7 +29,7 @@ plan::LassoOrder order_of(const std::string& name);  // `order` of a choice
 void add_case_options(Command command, CaseChoice& choice);
 ExitCode plan_case(const CaseChoice& choice, const Session& session);
 // Formulas, or the automaton that was chosen, on a model of any kind.
-ExitCode plan_model(const plan::PlanningCase& model, const CaseChoice& choice, const TextOptions& formulas,
+ExitCode plan_model(plan::PlanningCase model, const CaseChoice& choice, const TextOptions& formulas,
                     const Session& session);
 
 }  // namespace waymark::tools

@@ -40,10 +40,10 @@ std::uint32_t MdpBuilder::add_state(std::string_view name) {
 }
 
 void MdpBuilder::add_choice(std::string_view action, double cost) {
-  auto at = std::find(mdp_.actions_.begin(), mdp_.actions_.end(), action);
-  if (at == mdp_.actions_.end()) at = mdp_.actions_.emplace(at, action);
-  mdp_.choices_.push_back({static_cast<std::uint32_t>(mdp_.outcomes_.size()),
-                           static_cast<std::uint32_t>(at - mdp_.actions_.begin()), cost});
+  const auto [at, fresh] =
+      action_numbers_.try_emplace(std::string(action), static_cast<std::uint32_t>(mdp_.actions_.size()));
+  if (fresh) mdp_.actions_.emplace_back(action);
+  mdp_.choices_.push_back({static_cast<std::uint32_t>(mdp_.outcomes_.size()), at->second, cost});
 }
 
 void MdpBuilder::add_outcome(std::uint32_t target, LetterId letter, double probability) {

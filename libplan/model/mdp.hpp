@@ -12,6 +12,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <unordered_map>
 #include <vector>
 
 #include "libltl/vocabulary.hpp"
@@ -93,6 +94,7 @@ class MdpBuilder {
  private:
   void check_choice(std::uint32_t state, std::uint32_t k) const;
   Mdp mdp_;
+  std::unordered_map<std::string, std::uint32_t> action_numbers_;  // in mdp_.actions_
 };
 
 }  // namespace waymark::plan

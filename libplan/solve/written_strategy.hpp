@@ -30,6 +30,7 @@ struct Decision {                                       // in one pair of place 
   std::uint32_t task = 0;                               // the automaton's state, as the automaton numbers it
   std::string action;                                   // empty: a jump of the automaton, which takes no time
   std::uint32_t jump = no_jump;                         // where to
+  std::uint32_t state = 0, choice = 0;                  // of the model: the place, and which of its choices
 };
 
 // Of every state that the strategy meets and chooses in, in the order in which it meets them; the first is the start.
@@ -41,7 +42,7 @@ std::vector<Decision> decisions(const ProductMdp<Model>& product, const Strategy
     const auto s = product.state(chain.origin(i));
     const std::uint32_t k = strategy.choice[s.index];
     if (k == Strategy::none) continue;
-    Decision decision{product.model().name(s.place), product.task().origin(s.task), {}, Decision::no_jump};
+    Decision decision{product.model().name(s.place), product.task().origin(s.task), {}, Decision::no_jump, s.place, k};
     if (product.is_jump(s, k))
       decision.jump = product.task().origin(product.task().jumps(s.task)[k - product.model().choices(s.place)]);
     else
@@ -58,7 +59,8 @@ std::vector<Decision> decisions(const Model& model, const TaskTable& task, const
   std::uint32_t q = task.next(task.initial_states().front(), model.initial_letter()).target;
   for (std::size_t i = 0; i < route.choices.size(); ++i) {
     const std::uint32_t place = route.places[i], k = route.choices[i];
-    out.push_back({model.name(place), task.origin(q), std::string(model.action(place, k)), Decision::no_jump});
+    out.push_back(
+        {model.name(place), task.origin(q), std::string(model.action(place, k)), Decision::no_jump, place, k});
     model.for_each_outcome(place, k, [&](std::uint32_t, LetterId letter, double) { q = task.next(q, letter).target; });
   }
   return out;

@@ -4,6 +4,9 @@
 #include <iterator>
 
 #include "libltl/diagnostic.hpp"
+#include "libplan/model/formats/read_geojson.hpp"
+#include "libplan/model/formats/read_graphml.hpp"
+#include "libplan/model/formats/read_osm.hpp"
 #include "libplan/model/formats/read_streets.hpp"
 #include "libplan/model/formats/read_transition_system.hpp"
 #include "libplan/model/prism/read_prism.hpp"
@@ -36,6 +39,9 @@ PlanningCase read_model(const std::filesystem::path& file, std::string_view star
     return {name, read_prism_explicit(file), {}};
   }
   const std::string text = contents(file);
+  if (file.extension() == ".osm") return {name, parse_osm(text, source, start), {}};
+  if (file.extension() == ".geojson") return {name, parse_geojson(text, source, start), {}};
+  if (file.extension() == ".graphml") return {name, parse_graphml(text, source, start), {}};
   if (file.extension() == ".json" && !is_case(text, source)) return {name, parse_streets(text, source, start), {}};
   no_start();
   if (file.extension() == ".yaml" || file.extension() == ".yml")

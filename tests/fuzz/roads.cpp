@@ -1,0 +1,30 @@
+// Roads with landmarks in GeoJSON, OSM XML and GraphML: refused with a FormatError, or a model whose moves stay in it
+// and cost a finite number of metres.
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <string_view>
+
+#include "libltl/diagnostic.hpp"
+#include "libplan/model/formats/read_geojson.hpp"
+#include "libplan/model/formats/read_graphml.hpp"
+#include "libplan/model/formats/read_osm.hpp"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  using namespace waymark;
+  if (size > 4'096) return 0;
+  const std::string_view text(reinterpret_cast<const char*>(data), size);
+  try {
+    const plan::Mdp model = text.substr(0, 1) == "{"                          ? plan::parse_geojson(text)
+                            : text.find("<graphml") != std::string_view::npos ? plan::parse_graphml(text)
+                                                                              : plan::parse_osm(text);
+    for (std::uint32_t s = 0; s < model.states(); ++s)
+      for (std::uint32_t k = 0; k < model.choices(s); ++k)
+        if (model.outcome_count(s, k) != 1 || model.outcome(s, k, 0).target >= model.states() ||
+            !std::isfinite(model.cost(s, k)) || model.cost(s, k) < 0)
+          std::abort();
+  } catch (const ltl::FormatError&) {
+  }
+  return 0;
+}
