@@ -104,7 +104,7 @@ ExitCode run_automaton(AutomatonOptions options, const Session& session) {
   Stream stream(text, source, others.count());
   ExitCode worst = ExitCode::Done;
   std::size_t number = 0;
-  if (!options.request.asks() && options.request.satisfies.empty()) std::cout << heading(options.output);
+  std::string headed = options.request.asks() || !options.request.satisfies.empty() ? "" : heading(options.output);
   while (std::optional<automata::HoaAutomaton> file = stream.next()) {
     options.request.number = ++number;
     options.request.is_stream = stream.is_stream();
@@ -115,6 +115,7 @@ ExitCode run_automaton(AutomatonOptions options, const Session& session) {
     }
     const Reply reply = limited_reply(*std::move(file), source, number, options, session);
     if (!reply.problem.empty()) complain("error", reply.problem);
+    if (!reply.text.empty()) std::cout << std::exchange(headed, "");
     std::cout << reply.text << std::flush;
     worst = worse(worst, reply.code);
   }

@@ -137,7 +137,9 @@ automata::Automaton reduced(const automata::Automaton& automaton, automata::Budg
 
 AnyAutomaton changed(automata::Dfa dfa, const AutomatonRequest& request, automata::Budget& budget) {
   if (!request.kind.empty() && request.kind != "dfa")
-    throw UsageError("--to " + request.kind + " is about infinite words");
+    throw UsageError(
+        "--to " + request.kind +
+        " is about infinite words, and this automaton about finite ones: --to dfa, or translate its formula");
   const auto with = [&](const std::string& path, automata::Verdict verdict) {
     const AnyAutomaton other = other_of(path, request, budget);
     if (!std::holds_alternative<automata::Dfa>(other)) mixed();

@@ -57,7 +57,7 @@ class OnMap {
 
   ExitCode compare(const Text& text, bool is_single) {
     ltl::Arena arena(map_.vocabulary());
-    const ltl::Formula formula = parse_formula(text, arena, parse_options(options_.notation, ltl::Unknown::Reject));
+    const ltl::Formula formula = parse_on_map(text, arena, options_.notation, options_.map.map);
     return compare(translate(formula, session_.stop), {.formula = formula}, is_single);
   }
 

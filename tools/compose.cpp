@@ -202,7 +202,7 @@ ExitCode run_compose(const ComposeOptions& options, const Session& session) {
       texts, session.stop,
       [&](const Text& text) {
         ltl::Arena arena(map.vocabulary());
-        const ltl::Formula formula = parse_formula(text, arena, parse_options(options.notation, ltl::Unknown::Reject));
+        const ltl::Formula formula = parse_on_map(text, arena, options.notation, options.map.map);
         const automata::Dfa dfa = translate(formula, session.stop);
         answer(composed(map, dfa, starts, session), formula, options, session);
         return ExitCode::Done;

@@ -14,6 +14,7 @@
 #include "libplan/solve/decide.hpp"
 #include "libplan/solve/task_automaton.hpp"
 #include "tools/corridor.hpp"
+#include "tools/draw_data.hpp"
 #include "tools/formula_tree.hpp"
 #include "tools/picture.hpp"
 #include "tools/picture_files.hpp"
@@ -34,7 +35,7 @@ struct DrawOptions {
   MapOptions map;
   NotationOptions notation;
   NoiseOptions noise;
-  std::string route, formula, automaton, start, query = "cost";
+  std::string route, formula, automaton, start, query = "cost", data_file;
   PictureFiles files;
   bool terminal = false, json = false;
 };
@@ -58,7 +59,7 @@ class Drawing {
     if (options_.kind == "formula") return tree();
     if (options_.kind == "automaton") return automaton();
     if (options_.kind == "product") return product();
-    if (options_.kind == "lasso") return lasso();
+    if (options_.kind == "lasso" && options_.route.empty()) return lasso();
     if (options_.kind == "policy" || options_.kind == "values") return values();
     if (!options_.formula.empty()) return planned();
     Picture picture{.map = &map_};
@@ -73,7 +74,9 @@ class Drawing {
   // Of the map's names; of any names where no map is needed.
   ltl::Formula formula(ltl::Arena& arena, ltl::Unknown unknown) const {
     if (options_.formula.empty()) throw UsageError("draw " + options_.kind + " needs --formula");
-    return parse_formula({.text = options_.formula, .source = ""}, arena, parse_options(options_.notation, unknown));
+    const Text text{.text = options_.formula, .source = ""};
+    if (unknown == ltl::Unknown::Reject) return parse_on_map(text, arena, options_.notation, options_.map.map);
+    return parse_formula(text, arena, parse_options(options_.notation, unknown));
   }
   ltl::Formula formula() { return formula(arena_, ltl::Unknown::Reject); }
 
@@ -197,10 +200,19 @@ class Drawing {
   ltl::Arena arena_;
 };
 
+Sketch sketch_of(const DrawOptions& options, const Session& session) {
+  const bool curve = options.kind == "curve", data = curve || options.kind == "table";
+  if (data == options.data_file.empty())
+    throw UsageError("draw curve and draw table need --from FILE, and nothing else does");
+  if (!data) return Drawing(options, session).sketch();
+  const std::string text = read_file(options.data_file), source = source_name(options.data_file);
+  return {curve ? curves_picture(text, source) : table_picture(text, source)};
+}
+
 ExitCode run_draw(const DrawOptions& options, const Session& session) {
   if (!options.route.empty() && !options.formula.empty()) throw UsageError("give --route or --formula, not both");
   if (!options.terminal || options.files.given()) check_picture_files(options.files);
-  const Sketch sketch = Drawing(options, session).sketch();
+  const Sketch sketch = sketch_of(options, session);
   if (options.terminal && sketch.characters.empty())
     throw UsageError("--terminal draws map, route and lasso; " + options.kind + " needs --svg, --png or --pdf");
   if (options.files.given()) write_picture(sketch.svg, options.files);
@@ -222,7 +234,7 @@ Runner setup_draw(Command command) {
   const auto options = std::make_shared<DrawOptions>();
   command
       .add_option("kind", options->kind, "what is drawn; formula: its syntax tree; a map with --formula has its route")
-      .one_of({"map", "route", "lasso", "formula", "automaton", "product", "policy", "values"})
+      .one_of({"map", "route", "lasso", "formula", "automaton", "product", "policy", "values", "curve", "table"})
       .type_name("KIND")
       .show_default();
   command.add_option("--formula", options->formula, "the task: planned on the map, translated, or drawn itself")
@@ -230,6 +242,10 @@ Runner setup_draw(Command command) {
   command.add_option("--route", options->route, "a route or trajectory file (docs/formats); - is standard input")
       .type_name("FILE");
   command.add_option("--automaton", options->automaton, "an automaton in HOA; - is standard input").type_name("FILE");
+  command
+      .add_option("--from", options->data_file,
+                  "of curve: an answer of compare --json; of table: CSV, TSV or JSON lines; - is standard input")
+      .type_name("FILE");
   command.add_option("--query", options->query, "of policy and values: least cost, or greatest probability")
       .one_of({"cost", "probability"})
       .show_default();

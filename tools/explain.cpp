@@ -39,8 +39,8 @@ void print_explained(const Explanation& e) {
 ExitCode explain_one(const Text& text, const std::optional<plan::Map>& map, const ExplainOptions& options,
                      const Session& session) {
   ltl::Arena arena(map ? map->vocabulary() : ltl::Vocabulary());
-  const auto unknown = map ? ltl::Unknown::Reject : ltl::Unknown::Add;
-  const ltl::Formula f = parse_formula(text, arena, parse_options(options.notation, unknown));
+  const ltl::Formula f = map ? parse_on_map(text, arena, options.notation, options.map)
+                             : parse_formula(text, arena, parse_options(options.notation, ltl::Unknown::Add));
   const automata::TranslationLimits limits{.states = options.states, .stop = session.stop};
   try {
     const Explanation e = explain(f, semantics_of(options), map.has_value(), limits);

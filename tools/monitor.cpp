@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <tuple>
 #include <unordered_map>
 #include <utility>
 #include <variant>
@@ -14,6 +15,7 @@
 #include "libautomata/finite/ltlf_to_dfa.hpp"
 #include "libautomata/monitor/monitor.hpp"
 #include "libltl/diagnostic.hpp"
+#include "libltl/english/verbalise.hpp"
 #include "libltl/meaning/progress.hpp"
 #include "libltl/rewriting/simplify.hpp"
 #include "libltl/text/print.hpp"
@@ -91,7 +93,21 @@ class Watched {
     steps_.insert_or_assign(step, rest_);
     return rest_;
   }
-  void forget() { steps_.clear(); }
+  void forget() {
+    steps_.clear();
+    lines_.clear();
+  }
+
+  // What is printed behind the number of letters. Remembered until `forget`: few rests come again and again.
+  template <class Line>
+  const std::string& line(std::optional<ltl::Formula> rest, Line&& of) {
+    const std::tuple key(rest ? std::optional(rest->id()) : std::nullopt, last.foresight, last.now);
+    const auto known = lines_.find(key);
+    return known != lines_.end() ? known->second : lines_.emplace(key, of()).first->second;
+  }
+  ltl::Semantics semantics() const {
+    return std::holds_alternative<InfiniteMonitor>(engine_) ? ltl::Semantics::Infinite : ltl::Semantics::Finite;
+  }
 
   void move_to(ltl::Arena& arena) {
     forget();
@@ -103,10 +119,8 @@ class Watched {
 
  private:
   ltl::Formula simplified(const ltl::Letter& letter) const {
-    const bool infinite = std::holds_alternative<InfiniteMonitor>(engine_);
-    const ltl::Formula rest =
-        ltl::progress(rest_, letter, infinite ? ltl::Semantics::Infinite : ltl::Semantics::Finite);
-    return ltl::simplify(rest, infinite ? ltl::Over::Infinite : ltl::Over::Rest);
+    const bool infinite = semantics() == ltl::Semantics::Infinite;
+    return ltl::simplify(ltl::progress(rest_, letter, semantics()), infinite ? ltl::Over::Infinite : ltl::Over::Rest);
   }
 
   using Engine = std::variant<InfiniteMonitor, FiniteMonitor>;
@@ -120,6 +134,7 @@ class Watched {
   ltl::Formula formula_, rest_;
   Engine engine_;
   std::map<std::pair<std::uint32_t, const ltl::Letter*>, ltl::Formula> steps_;
+  std::map<std::tuple<std::optional<std::uint32_t>, automata::Foresight, std::optional<bool>>, std::string> lines_;
 };
 
 class Monitoring {
@@ -189,30 +204,40 @@ class Monitoring {
     }
   }
 
-  void show_all() const {
-    for (const Watched& watched : watched_)
+  void show_all() {
+    for (Watched& watched : watched_)
       if (watched.last.foresight == automata::Foresight::Open) show(watched, std::nullopt);
   }
 
-  void show(const Watched& watched, const std::optional<ltl::Formula>& rest) const {
+  void show(Watched& watched, std::optional<ltl::Formula> rest) const {
+    const std::string& line =
+        watched.line(rest, [&] { return options_.json ? json(watched, rest) : text(watched, rest); });
+    std::cout << (options_.json ? "{\"letters\":" : "") << position_ << line;
+  }
+
+  static std::string english(const Watched& watched, ltl::Formula rest) {
+    if (rest.op() == ltl::Op::True) return "nothing more is asked";
+    if (rest.op() == ltl::Op::False) return "nothing can satisfy it any more";
+    return ltl::verbalise(rest, {watched.semantics()});
+  }
+
+  // Without the beginning of the object, which has the number of letters.
+  static std::string json(const Watched& watched, std::optional<ltl::Formula> rest) {
+    JsonObject json;
+    json.add("formula", ltl::print(watched.formula())).add("verdict", word_for(watched.last.foresight));
+    if (watched.last.now) json.add("now", *watched.last.now);
+    if (rest) json.add("remains", ltl::print(*rest)).add("english", english(watched, *rest));
+    return ',' + json.text().substr(1) + '\n';
+  }
+
+  std::string text(const Watched& watched, std::optional<ltl::Formula> rest) const {
     const Verdict& verdict = watched.last;
-    if (options_.json) {
-      JsonObject json;
-      json.add("letters", position_)
-          .add("formula", ltl::print(watched.formula()))
-          .add("verdict", word_for(verdict.foresight));
-      if (verdict.now) json.add("now", *verdict.now);
-      if (rest) json.add("remains", ltl::print(*rest));
-      std::cout << json.text() << '\n';
-      return;
-    }
-    std::string text = word_for(verdict.foresight);
+    std::string out = std::string("\t") + word_for(verdict.foresight);
     if (verdict.foresight == automata::Foresight::Open && verdict.now)
-      text += *verdict.now ? ", holds now" : ", fails now";
-    std::cout << position_ << '\t' << text;
-    if (watched_.size() > 1) std::cout << '\t' << shown(watched.formula(), session_.out);
-    if (rest) std::cout << '\t' << shown(*rest, session_.out);
-    std::cout << '\n';
+      out += *verdict.now ? ", holds now" : ", fails now";
+    if (watched_.size() > 1) out += '\t' + shown(watched.formula(), session_.out);
+    if (rest) out += '\t' + shown(*rest, session_.out) + '\t' + english(watched, *rest);
+    return out + '\n';
   }
 
   // As of check: 10 when a formula is violated; over finite words when one does not hold at the end.

@@ -209,15 +209,21 @@ Formula instantiate(std::string_view name, std::span<const std::string> argument
   const std::vector<Pattern> properties = property_patterns();
   for (std::size_t i = 0; i < properties.size(); ++i) {
     names.add(properties[i].name);
+    if (properties[i].name.ends_with("-globally"))
+      names.add(properties[i].name.substr(0, properties[i].name.size() - std::string_view("-globally").size()));
     if (properties[i].name != name) continue;
     std::vector<Formula> formulas;
     for (const std::string& text : arguments) formulas.push_back(parse(text, arena));
     return property(static_cast<Body>(i / 5), static_cast<Scope>(i % 5), formulas);
   }
   const std::string unscoped = std::string(name) + "-globally";
-  const auto is_body =
-      std::any_of(properties.begin(), properties.end(), [&](const Pattern& p) { return p.name == unscoped; });
-  const auto nearest = is_body ? std::optional(unscoped) : names.nearest(name);
+  const auto known = [&](const std::string& pattern) {
+    return std::any_of(mission_rows.begin(), mission_rows.end(),
+                       [&](const auto& row) { return row.name == pattern; }) ||
+           std::any_of(properties.begin(), properties.end(), [&](const Pattern& p) { return p.name == pattern; });
+  };
+  auto nearest = known(unscoped) ? std::optional(unscoped) : names.nearest(name);
+  if (nearest && !known(*nearest)) *nearest += "-globally";  // a slip in the name of the body
   throw std::invalid_argument("there is no pattern '" + std::string(name) + "'" +
                               (nearest ? " (did you mean '" + *nearest + "'?)" : ""));
 }

@@ -99,7 +99,8 @@ Formula Builder::atom(const Token& token) {
   if (const auto whole = name_beginning_with(token))
     message += " (did you mean \"" + *whole + "\", in quotes?)";
   else if (const auto near = arena_.vocabulary().nearest(token.name))
-    message += " (did you mean '" + *near + "'?)";
+    message += !is_bare_name(*near, Notation::Infix) ? " (did you mean \"" + *near + "\", in quotes?)"
+                                                     : " (did you mean '" + *near + "'?)";
   else
     message += known();
   throw SyntaxError(text_, token.where, message);

@@ -79,7 +79,7 @@ class JsonForm {
       return walk;
     }
     std::string path;
-    for (const char* key : {"route", "poses"})
+    for (const char* key : {"route", "poses", "steps"})
       if (path.empty() && document.is_object() && document.contains(key)) path = key;
     append_all(document, path, walk.trajectory);
     return walk;
@@ -97,10 +97,12 @@ class JsonForm {
     const bool goes_on = !trajectory.poses.empty();
     const PoseId last = goes_on ? trajectory.poses.back() : PoseId{};
     for (std::size_t i = 0; i < list.size(); ++i) {
-      const std::string place = path + "[" + std::to_string(i) + "]";
+      const bool step = list[i].is_object() && list[i].contains("pose");  // of waymark check --progress
+      const Value& pose = step ? list[i]["pose"] : list[i];
+      const std::string place = path + "[" + std::to_string(i) + (step ? "].pose" : "]");
       if (i > 0 || !goes_on) {
-        append(list[i], place, trajectory);
-      } else if (pose_of(list[i], place) != last) {
+        append(pose, place, trajectory);
+      } else if (pose_of(pose, place) != last) {
         in_.fail(place, "expected " + show(map_.pose(last)) + ", where the prefix ends");
       }
     }

@@ -65,7 +65,8 @@ TextReader::~TextReader() = default;
 std::optional<Text> TextReader::next() {
   if (stream_ == nullptr) {
     if (argument_ == arguments_.size()) return std::nullopt;
-    return Text{arguments_[argument_++], "", 1};
+    const std::size_t number = ++argument_;
+    return Text{arguments_[number - 1], "", number};
   }
   std::string line;
   while (std::getline(*stream_, line)) {

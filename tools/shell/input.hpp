@@ -17,7 +17,7 @@ struct TextOptions {
 struct Text {
   std::string text;
   std::string source;    // for messages: the file, "standard input", or "" for the command line
-  std::size_t line = 1;  // in that source, counted from 1
+  std::size_t line = 1;  // in that source, counted from 1; of arguments, which of them
 };
 
 // Reads texts one at a time, so that a pipe is answered line by line. Of files and standard input, blank lines and

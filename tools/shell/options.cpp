@@ -70,6 +70,16 @@ ltl::Formula parse_formula(const Text& text, ltl::Arena& arena, const ltl::Parse
   }
 }
 
+ltl::Formula parse_on_map(const Text& text, ltl::Arena& arena, const NotationOptions& options, const std::string& map) {
+  try {
+    return parse_formula(text, arena, parse_options(options, ltl::Unknown::Reject));
+  } catch (const ltl::SyntaxError& error) {
+    if (!error.message().starts_with("unknown proposition")) throw;
+    throw ltl::SyntaxError(text.text, error.where(), error.message() + "; waymark map " + map + " lists all",
+                           text.source, text.source.empty() ? 1 : text.line);
+  }
+}
+
 void add_letter_format_option(Command command, std::string& format) {
   command.add_option("--letter-format", format, "how letters are written: text, JSON lines, CSV with a header")
       .one_of({"auto", "text", "json", "csv"})

@@ -35,6 +35,8 @@ ltl::ParseOptions parse_options(const NotationOptions& options, ltl::Unknown unk
 
 // The formula of one text; errors name the file and line that it came from.
 ltl::Formula parse_formula(const Text& text, ltl::Arena& arena, const ltl::ParseOptions& options);
+// Over the names of a map; the error of another name says where they are listed. `map`: as --map has it.
+ltl::Formula parse_on_map(const Text& text, ltl::Arena& arena, const NotationOptions& options, const std::string& map);
 
 // --letter-format, and what its value means.
 void add_letter_format_option(Command command, std::string& format);
