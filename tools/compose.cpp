@@ -124,6 +124,11 @@ void compose_task(const plan::PlanningCase& model, const plan::CaseTask& task, c
                   const Session& session) {
   ltl::Arena arena = arena_of(model);
   ltl::Formula f = ltl::parse(task.formula, arena);
+  if (options.output.is_game()) {
+    if (task.logic != plan::CaseTask::Logic::Ltl)
+      throw UsageError("a game is about infinite words: task " + task.id + " is not");
+    return write_game(model, f, options.output, session.stop);
+  }
   if (task.logic == plan::CaseTask::Logic::Ltl) f = ltl::simplify(f, ltl::Semantics::Infinite);
   if (task.query == plan::CaseTask::Query::MinProbability && !plan::is_finite_task(f, task.logic))
     f = ltl::simplify(ltl::negate(f), ltl::Semantics::Infinite);
@@ -152,10 +157,12 @@ ExitCode compose_any(const ComposeOptions& options, const Session& session) {
   if (options.model_only) {
     if (gives_formula(options) || !options.automaton.empty())
       throw UsageError("--model-only goes without a formula or automaton");
+    if (options.output.is_game()) throw UsageError("--format pgsolver is about a formula: a game has a winner");
     write_model(model, options.output);
     return ExitCode::Done;
   }
   if (!options.automaton.empty()) {
+    if (options.output.is_game()) throw UsageError("--format pgsolver takes a formula");
     const plan::GivenAutomaton given =
         plan::read_given_automaton(read_file(options.automaton), source_name(options.automaton));
     const auto automaton = plan::task_automaton(given, plan::CaseTask::Query::MaxProbability, {.stop = session.stop});
@@ -172,6 +179,10 @@ ExitCode compose_any(const ComposeOptions& options, const Session& session) {
       [&](const Text& text) {
         ltl::Arena arena = arena_of(model);
         const ltl::Formula formula = parse_formula(text, arena, parse_options(options.notation, ltl::Unknown::Reject));
+        if (options.output.is_game()) {
+          write_game(model, formula, options.output, session.stop);
+          return ExitCode::Done;
+        }
         const plan::TaskAutomaton dfa = translate(formula, session.stop);
         write_product(model, dfa, {"", ltl::print(formula)}, options.output, session.stop);
         return ExitCode::Done;
@@ -182,7 +193,7 @@ ExitCode compose_any(const ComposeOptions& options, const Session& session) {
 ExitCode run_compose(const ComposeOptions& options, const Session& session) {
   if (!options.automaton.empty() && gives_formula(options)) throw UsageError("give a formula or --automaton, not both");
   if (!options.output.out.empty() && !options.output.writes_model())
-    throw UsageError("--out goes with --format prism, explicit and jani");
+    throw UsageError("--out goes with --format prism, explicit, jani and pgsolver");
   if (!options.output.svg.empty() && options.model_only)
     throw UsageError("--svg draws a product; --format dot a model");
   check_writable(options.output.svg);
@@ -222,21 +233,22 @@ Runner setup_compose(Command command) {
   add_start_option(command, options->start);
   command
       .add_option("--case,--model", options->file,
-                  "another model instead of a map: a planning case with its tasks, a street graph (JSON), or "
-                  "PRISM's FILE.nm or FILE.tra, a transition system (YAML)")
+                  "another model instead of a map: a planning case with its tasks, roads (FILE.osm, FILE.geojson, "
+                  "FILE.graphml), a street graph (JSON), PRISM's FILE.nm or FILE.tra, a transition system (YAML)")
       .type_name("FILE");
   command.add_option("--task", options->task, "with --case: this task only").type_name("ID");
   command.add_flag("--model-only", options->model_only, "the map or model itself, without a task");
   command
       .add_option("--format", options->output.format,
                   "sizes for people, sizes as JSON, or the graph: for Graphviz, in PRISM's language, as PRISM's "
-                  "explicit files, as JANI")
-      .one_of({"text", "json", "dot", "prism", "explicit", "jani"})
+                  "explicit files, as JANI; as the parity game of infinite words")
+      .one_of({"text", "json", "dot", "prism", "explicit", "jani", "pgsolver"})
       .show_default();
   command.add_flag("--graph", options->output.graph, "with --format json: states and choices as well");
   command
-      .add_option("--out", options->output.out,
-                  "write PREFIX.nm (prism), PREFIX.jani, or PREFIX.tra, .sta, .lab and .srew or .trew (explicit)")
+      .add_option(
+          "--out", options->output.out,
+          "write PREFIX.nm (prism), PREFIX.jani, PREFIX.pg, or PREFIX.tra, .sta, .lab and .srew or .trew (explicit)")
       .type_name("PREFIX");
   command.add_option("--svg", options->output.svg, "draw the product: by states of the automaton where it is large")
       .type_name("FILE");

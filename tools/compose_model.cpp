@@ -3,9 +3,12 @@
 #include <iostream>
 #include <variant>
 
+#include "libautomata/translation/ltl_to_parity.hpp"
+#include "libltl/rewriting/simplify.hpp"
 #include "libplan/model/formats/write_jani.hpp"
 #include "libplan/model/prism/write_prism.hpp"
 #include "libplan/product/explicit_product.hpp"
+#include "libplan/product/product_game.hpp"
 #include "tools/answer.hpp"
 #include "tools/product_picture.hpp"
 #include "tools/shell/exit_code.hpp"
@@ -181,6 +184,23 @@ void write_model(const plan::PlanningCase& model, const GraphOutput& output) {
               << ": " << model.name << '\n';
   } else {
     write_graph(labelled, model.name, output);
+  }
+}
+
+void write_game(const plan::PlanningCase& model, ltl::Formula f, const GraphOutput& output,
+                const std::stop_token& stop) {
+  auto made = automata::ltl_to_parity(ltl::simplify(f, ltl::Semantics::Infinite), {.stop = stop});
+  if (stop.stop_requested()) throw Interrupted();
+  auto* const translated = std::get_if<automata::Translated>(&made);
+  if (translated == nullptr) throw GaveUp("no deterministic parity automaton within the limits");
+  const auto parity = automata::Dpa::checked(std::move(translated->automaton)).value();
+  automata::Budget budget(SIZE_MAX, SIZE_MAX, stop);
+  try {
+    const automata::ParityGame game =
+        std::visit([&](const auto& m) { return plan::ProductGame(m, parity, budget).build(); }, model.model);
+    write_file(output.out.empty() ? "-" : output.out + ".pg", automata::write_pgsolver(game));
+  } catch (const automata::Budget::Exceeded&) {
+    throw Interrupted();
   }
 }
 

@@ -8,12 +8,13 @@
 namespace waymark::tools {
 
 struct GraphOutput {
-  std::string format = "text";  // text, json, dot, prism, explicit, jani
+  std::string format = "text";  // text, json, dot, prism, explicit, jani, pgsolver
   std::string out;              // a prefix of files
   bool graph = false;           // json: not only the sizes
   std::string svg = {};         // a file for the picture; empty: none
   // The whole model for another tool, one product at a time.
-  bool writes_model() const { return format == "prism" || format == "explicit" || format == "jani"; }
+  bool writes_model() const { return format == "prism" || format == "explicit" || format == "jani" || is_game(); }
+  bool is_game() const { return format == "pgsolver"; }
 };
 
 void write_model(const plan::PlanningCase& model, const GraphOutput& output);
@@ -24,5 +25,9 @@ struct ProductTitle {
 };
 void write_product(const plan::PlanningCase& model, const plan::TaskAutomaton& automaton, const ProductTitle& title,
                    const GraphOutput& output, const std::stop_token& stop);
+
+// The parity game of the formula, over infinite words, on the model. Throws Interrupted; GaveUp without an automaton.
+void write_game(const plan::PlanningCase& model, ltl::Formula f, const GraphOutput& output,
+                const std::stop_token& stop);
 
 }  // namespace waymark::tools

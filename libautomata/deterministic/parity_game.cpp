@@ -150,7 +150,12 @@ std::string write_pgsolver(const ParityGame& game) {
            std::to_string(static_cast<unsigned>(vertex.owner));
     for (std::size_t i = 0; i < vertex.successors.size(); ++i)
       out += (i == 0 ? ' ' : ',') + std::to_string(vertex.successors[i]);
-    if (!vertex.name.empty()) out += " \"" + vertex.name + '"';
+    if (!vertex.name.empty()) {  // the format has no escapes
+      std::string name = vertex.name;
+      std::replace_if(
+          name.begin(), name.end(), [](char c) { return c == '"' || c == '\n'; }, '\'');
+      out += " \"" + name + '"';
+    }
     out += ";\n";
   }
   return out;

@@ -11,12 +11,13 @@
 #include "libltl/structure/random.hpp"
 #include "libltl/text/parse.hpp"
 #include "tests/support/generate.hpp"
+#include "tests/support/zielonka.hpp"
 
 namespace waymark::automata {
 namespace {
 
 using Player = ParityGame::Player;
-using Set = std::set<std::uint32_t>;
+using test::won_by_system;
 
 // A game read from its text, by the grammar of the format.
 ParityGame read_pgsolver(const std::string& text) {
@@ -45,53 +46,10 @@ ParityGame read_pgsolver(const std::string& text) {
   return out;
 }
 
-// Within `area`: from where `player` forces a visit to `target`.
-Set attractor(const ParityGame& game, const Set& area, Set target, Player player) {
-  for (bool grew = true; grew;) {
-    grew = false;
-    for (std::uint32_t v : area) {
-      if (target.contains(v)) continue;
-      bool any = false, all = true;
-      for (std::uint32_t w : game.vertices[v].successors) {
-        if (!area.contains(w)) continue;
-        (target.contains(w) ? any : all) = target.contains(w);
-      }
-      if (game.vertices[v].owner == player ? any : all && any) grew = target.insert(v).second;
-    }
-  }
-  return target;
-}
-
-Set without(const Set& all, const Set& taken) {
-  Set out;
-  std::set_difference(all.begin(), all.end(), taken.begin(), taken.end(), std::inserter(out, out.end()));
-  return out;
-}
-
-// Zielonka's algorithm: where the system wins.
-Set won_by_system(const ParityGame& game, const Set& area) {
-  if (area.empty()) return {};
-  std::uint32_t top = 0;
-  for (std::uint32_t v : area) top = std::max(top, game.vertices[v].priority);
-  const Player better = top % 2 == 0 ? Player::System : Player::Environment;
-  const Player worse = better == Player::System ? Player::Environment : Player::System;
-  Set highest;
-  for (std::uint32_t v : area)
-    if (game.vertices[v].priority == top) highest.insert(v);
-  const Set rest = without(area, attractor(game, area, highest, better));
-  const Set system = won_by_system(game, rest);
-  const Set lost = worse == Player::System ? system : without(rest, system);
-  if (lost.empty()) return better == Player::System ? area : Set{};
-  const Set forced = attractor(game, area, lost, worse);
-  Set inner = won_by_system(game, without(area, forced));
-  if (worse == Player::System) inner.insert(forced.begin(), forced.end());
-  return inner;
-}
-
 bool system_wins(ltl::Formula f, const std::vector<ltl::Proposition>& outputs) {
   Budget budget;
   const ParityGame game = read_pgsolver(write_pgsolver(parity_game(ltl_to_dpa(f), outputs, budget)));
-  Set all;
+  test::Vertices all;
   for (std::uint32_t v = 0; v < game.vertices.size(); ++v) {
     all.insert(v);
     EXPECT_FALSE(game.vertices[v].successors.empty());
