@@ -108,6 +108,7 @@ class OnModel {
 
   // Throws std::invalid_argument for a task that learners cannot be given.
   ExitCode compare(const plan::CaseTask& task, bool is_single) {
+    if (!task.fault.empty()) throw std::invalid_argument(task.fault);
     if (task.logic == plan::CaseTask::Logic::Derived) throw std::invalid_argument("a tour is no task for learners");
     if (given_) return compare(task, given_->dfa, {.automaton = given_->name}, is_single);
     ltl::Arena arena(model_.letters().vocabulary());

@@ -122,6 +122,7 @@ ltl::Arena arena_of(const plan::PlanningCase& model) {
 
 void compose_task(const plan::PlanningCase& model, const plan::CaseTask& task, const ComposeOptions& options,
                   const Session& session) {
+  if (!task.fault.empty()) throw UsageError("task " + task.id + ": " + task.fault);
   ltl::Arena arena = arena_of(model);
   ltl::Formula f = ltl::parse(task.formula, arena);
   if (options.output.is_game()) {

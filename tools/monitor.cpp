@@ -19,6 +19,7 @@
 #include "libltl/meaning/progress.hpp"
 #include "libltl/rewriting/simplify.hpp"
 #include "libltl/text/print.hpp"
+#include "libltl/text/read_text.hpp"
 #include "libplan/world/letter_lines.hpp"
 #include "tools/answer.hpp"
 #include "tools/shell/input.hpp"
@@ -156,7 +157,8 @@ class Monitoring {
     }
     std::istream& in = options_.letters == "-" ? std::cin : file;
     plan::LetterLines lines(arena_->vocabulary(), letter_format(options_.format), source_name(options_.letters));
-    for (std::string line; std::getline(in, line);) {
+    ltl::LineReader texts(in, source_name(options_.letters));
+    for (std::string line; texts.next(line);) {
       if (session_.stop.stop_requested()) throw Interrupted();
       for (const ltl::Letter& letter : letters_of(line, lines)) read(letter);
       if (in.rdbuf()->in_avail() <= 0) std::cout.flush();  // nothing more is there yet

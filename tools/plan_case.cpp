@@ -335,7 +335,7 @@ void add_case_options(Command command, CaseChoice& choice) {
   command
       .add_option("--tolerance", choice.tolerance,
                   "with --case: proved error of values, absolute for probabilities, relative for costs")
-      .positive()
+      .between(1e-12, 1.0)  // doubles carry no less
       .show_default();
   command.add_option("--limit-seconds", choice.limit_seconds, "with --case: time for each task").positive();
 }

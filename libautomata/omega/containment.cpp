@@ -3,25 +3,30 @@
 #include <stdexcept>
 
 #include "libltl/rewriting/nnf.hpp"
-#include "libltl/structure/random.hpp"
 
 namespace waymark::automata {
 
 using ltl::Formula;
 using ltl::Op;
+namespace {
+
+// On which letters of the lassos a proposition holds: each time the same, for the same formula has the same automaton.
+// One step of SplitMix64 [SLF14].
+std::uint64_t letters_with(ltl::Proposition p) {
+  std::uint64_t bits = (std::uint64_t{p.index} + 1) * 0x9E3779B97F4A7C15U;
+  bits = (bits ^ (bits >> 30U)) * 0xBF58476D1CE4E5B9U;
+  bits = (bits ^ (bits >> 27U)) * 0x94D049BB133111EBU;
+  return bits ^ (bits >> 31U);
+}
+
+}  // namespace
 
 Containment::Containment(const std::vector<ltl::Proposition>& reads, Budget& budget) : reads_(reads), budget_(budget) {
-  ltl::Random random(1);  // fixed: same formula, same automaton
+  static_assert(lassos * letters == 64, "a bit for each letter");
   for (std::size_t i = 0; i < lassos; ++i) {
     const std::size_t start = i % letters;
     for (std::size_t j = 0; j < letters; ++j)
       successor_[letters * i + j] = static_cast<std::uint8_t>(letters * i + (j + 1 < letters ? j + 1 : start));
-  }
-  for (ltl::Proposition p : reads) {
-    std::uint64_t bits = 0;
-    for (std::size_t i = 0; i < lassos * letters; ++i)
-      if (random.chance(0.5)) bits |= std::uint64_t{1} << i;
-    atoms_.emplace(p.index, bits);
   }
 }
 
@@ -72,7 +77,7 @@ std::uint64_t Containment::compute(Formula f) {
     case Op::Since: throw std::logic_error("a suffix of a word has no past");
     case Op::False: return 0;
     case Op::True: return ~std::uint64_t{0};
-    case Op::Atom: return atoms_.at(f.proposition().index);
+    case Op::Atom: return letters_with(f.proposition());
     case Op::Not: return ~at(0);
     case Op::And: return all(~std::uint64_t{0}, true);
     case Op::Or: return all(0, false);

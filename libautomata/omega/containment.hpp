@@ -32,7 +32,6 @@ class Containment {
   const std::vector<ltl::Proposition>& reads_;
   Budget& budget_;
   std::array<std::uint8_t, lassos * letters> successor_{};  // of every position
-  std::unordered_map<std::uint32_t, std::uint64_t> atoms_;  // by proposition
   std::unordered_map<ltl::Formula, std::uint64_t> verdicts_;
   std::unordered_map<std::uint64_t, bool> known_;  // by both ids
   std::optional<Satisfiability> satisfiable_;

@@ -2,19 +2,14 @@
 
 #include <algorithm>
 
-#include "libltl/rewriting/nnf.hpp"
-
 namespace waymark::ltl {
-
-Formula Implication::opposite(Formula f) {
-  if (const auto known = opposite_.find(f); known != opposite_.end()) return known->second;
-  return opposite_.emplace(f, nnf_keeping_iff(negate(f))).first->second;
-}
 
 bool Implication::follows(Formula from, Formula to, std::size_t depth) {
   if (from == to || from.op() == Op::False || to.op() == Op::True) return true;
-  if (depth == 0) return false;
+  if (depth == 0 || (is_literal(from) && is_literal(to))) return false;
   if (const bool* known = known_.find(from.id(), to.id())) return *known;
+  if (steps_ >= most_steps) return false;
+  ++steps_;
   const bool answer =
       by_junctions(from, to, depth - 1) || by_temporal(from, to, depth - 1) || by_expansion(from, to, depth - 1);
   known_.store(from.id(), to.id(), answer);

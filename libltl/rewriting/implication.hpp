@@ -5,10 +5,10 @@
 #pragma once
 #include <cstddef>
 #include <functional>
-#include <unordered_map>
 #include <utility>
 
 #include "libltl/formula.hpp"
+#include "libltl/rewriting/nnf.hpp"
 #include "libltl/rewriting/pair_memo.hpp"
 
 namespace waymark::ltl {
@@ -20,19 +20,26 @@ class Implication {
   explicit Implication(Oracle oracle = {}) : oracle_(std::move(oracle)) {}
 
   // Does φ ⇒ ψ follow by the rules? Answers are remembered; formulas nested deeper than `most_depth` in the course
-  // of an answer are not looked into ("no").
-  bool operator()(Formula from, Formula to) { return follows(from, to, most_depth) || (oracle_ && oracle_(from, to)); }
-  static constexpr std::size_t most_depth = 24;
-  Formula opposite(Formula f);  // ¬φ with negations pushed inwards, so that it can be looked into. Remembered.
+  // of an answer are not looked into ("no"), and after `most_steps` new pairs nothing is: formulas of many thousand
+  // operators are simplified less, not for ever.
+  bool operator()(Formula from, Formula to) {
+    if (is_literal(from) && is_literal(to)) return from == to;  // also of thousands of them, pair by pair
+    return follows(from, to, most_depth) || (oracle_ && oracle_(from, to));
+  }
+  static constexpr std::size_t most_depth = 24, most_steps = 1'000'000;
+  // ¬φ with negations pushed inwards, so that it can be looked into. Remembered.
+  Formula opposite(Formula f) { return opposites_.of(f); }
 
  private:
+  static bool is_literal(Formula f) { return f.op() == Op::Atom || (f.op() == Op::Not && f[0].op() == Op::Atom); }
   bool follows(Formula from, Formula to, std::size_t depth);
   bool by_junctions(Formula from, Formula to, std::size_t depth);
   bool by_temporal(Formula from, Formula to, std::size_t depth);
   bool by_expansion(Formula from, Formula to, std::size_t depth);
 
+  std::size_t steps_ = 0;
   PairMemo<bool> known_;  // by both ids
-  std::unordered_map<Formula, Formula> opposite_;
+  Opposites opposites_;
   Oracle oracle_;
 };
 

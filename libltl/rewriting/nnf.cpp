@@ -62,6 +62,29 @@ Formula transform(Formula f, bool expand) {
 
 }  // namespace
 
+Formula Opposites::of(Formula f) {
+  std::vector<Formula> open{f};
+  std::vector<Both> operands;
+  while (!open.empty()) {
+    const Formula g = open.back();
+    const std::size_t before = open.size();
+    if (!known_.contains(g))
+      for (Formula operand : g.operands())
+        if (!known_.contains(operand)) open.push_back(operand);
+    if (open.size() > before) continue;
+    open.pop_back();
+    if (known_.contains(g)) continue;
+    operands.clear();
+    for (Formula operand : g.operands()) {
+      const auto& [yes, no] = known_.at(operand);
+      operands.push_back({yes, no});
+    }
+    const Both both = normal_forms(g, operands, false);
+    known_.emplace(g, std::pair(both.yes, both.no));
+  }
+  return known_.at(f).second;
+}
+
 Formula nnf(Formula f) { return transform(f, true); }
 Formula nnf_keeping_iff(Formula f) { return transform(f, false); }
 

@@ -176,9 +176,11 @@ Result absorbed(Formula f, Implication& implies) {
 // result: false, true
 Result contradiction(Formula f, Implication& implies) {
   if (!is(f, Op::And) && !is(f, Op::Or)) return {};
-  for (Formula g : f.operands())
-    for (Formula h : f.operands())
-      if (g != h && (is(f, Op::And) ? implies(g, implies.opposite(h)) : implies(implies.opposite(g), h)))
+  std::vector<Formula> opposites;
+  for (Formula g : f.operands()) opposites.push_back(implies.opposite(g));
+  for (std::size_t i = 0; i < opposites.size(); ++i)
+    for (std::size_t j = 0; j < opposites.size(); ++j)
+      if (i != j && (is(f, Op::And) ? implies(f[i], opposites[j]) : implies(opposites[i], f[j])))
         return constant(f, is(f, Op::Or));
   return {};
 }

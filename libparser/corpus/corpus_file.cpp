@@ -1,19 +1,13 @@
 #include "libparser/corpus/corpus_file.hpp"
 
 #include <algorithm>
-#include <fstream>
-#include <sstream>
 
-#include "libltl/diagnostic.hpp"
+#include "libltl/text/read_text.hpp"
 
 namespace waymark::parser {
 
 std::string read_corpus_file(const std::filesystem::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  std::ostringstream bytes;
-  if (in && in.peek() != std::ifstream::traits_type::eof()) bytes << in.rdbuf();  // of an empty file, << fails
-  if (!in || !bytes) throw ltl::FormatError(file.string(), 0, 0, "cannot be read");
-  return std::move(bytes).str();
+  return ltl::read_text(file);
 }
 
 std::vector<std::filesystem::path> map_files(const std::filesystem::path& corpus) {

@@ -2,13 +2,13 @@
 
 #include <algorithm>
 #include <cctype>
-#include <fstream>
 #include <optional>
 #include <sstream>
 #include <stdexcept>
 #include <utility>
 
 #include "libltl/diagnostic.hpp"
+#include "libltl/text/read_text.hpp"
 #include "libparser/corpus/token.hpp"
 
 namespace waymark::parser {
@@ -47,8 +47,7 @@ std::size_t word_end(std::string_view text, std::size_t begin) {
 }  // namespace
 
 SynchronousGrammar::SynchronousGrammar(const std::filesystem::path& file) : source_(file.string()) {
-  std::ifstream in(file);
-  if (!in) throw ltl::FormatError(file.string(), 0, 0, "cannot be read");
+  std::istringstream in(ltl::read_text(file));
   std::string category;
   std::size_t number = 0;
   const auto fail = [&](const std::string& message) { throw ltl::FormatError(file.string(), number, 0, message); };

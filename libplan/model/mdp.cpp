@@ -61,7 +61,7 @@ void MdpBuilder::check_choice(std::uint32_t state, std::uint32_t k) const {
     sum += o.probability;
   }
   if (!(std::abs(sum - 1) <= 1e-9)) fail("the probabilities of a choice do not add up to 1");
-  if (!(mdp_.cost(state, k) >= 0) || std::isinf(mdp_.cost(state, k))) fail("a cost that is negative or infinite");
+  if (!(mdp_.cost(state, k) >= 0 && mdp_.cost(state, k) <= most_cost)) fail("a cost outside of [0, 1e100]");
 }
 
 Mdp MdpBuilder::build(std::uint32_t initial, LetterId initial_letter) && {

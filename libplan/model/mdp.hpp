@@ -21,6 +21,9 @@
 
 namespace waymark::plan {
 
+// Of one choice: sums of costs stay far from where doubles end.
+inline constexpr double most_cost = 1e100;
+
 class Mdp {
  public:
   std::size_t states() const { return first_choice_.size() - 1; }    // at least one
@@ -88,7 +91,7 @@ class MdpBuilder {
   void add_outcome(std::uint32_t target, LetterId letter, double probability = 1);  // of the choice that was added last
 
   // Throws std::invalid_argument naming the state: a target that does not exist, a probability outside (0, 1], outcomes
-  // that do not add up to 1 (up to 1e-9), a negative or infinite cost, a choice without outcomes.
+  // that do not add up to 1 (up to 1e-9), a cost outside of [0, most_cost], a choice without outcomes.
   Mdp build(std::uint32_t initial, LetterId initial_letter) &&;
 
  private:

@@ -67,6 +67,7 @@ class TaskSolver {
 
  private:
   void check_options() const {
+    if (!task_.fault.empty()) throw std::invalid_argument(task_.fault);
     if (options_.top > 1 && !by_search())
       throw std::invalid_argument("several routes are found by method search, for rmin and steps");
     if (options_.strategy && (task_.query == Query::LeastLasso || task_.query == Query::MinCycle))

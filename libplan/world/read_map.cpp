@@ -4,18 +4,18 @@
 #include "libplan/world/read_map.hpp"
 
 #include <algorithm>
-#include <fstream>
-#include <iterator>
 #include <map>
 #include <optional>
 
 #include "libltl/diagnostic.hpp"
+#include "libltl/text/read_text.hpp"
 #include "libplan/world/json_reader.hpp"
 
 namespace waymark::plan {
 namespace {
 
 using json = JsonReader::Value;
+constexpr std::size_t most_map_bytes = std::size_t{1} << 26U;  // 64 MiB
 
 class MapReader {
  public:
@@ -120,15 +120,6 @@ class MapReader {
   Used objects_, floors_, walls_;
 };
 
-std::string read_text(const std::filesystem::path& file) {
-  std::error_code error;
-  if (std::filesystem::is_directory(file, error))
-    throw ltl::FormatError(file.string(), 0, 0, "is a directory, not a map");
-  std::ifstream in(file, std::ios::binary);
-  if (!in) throw ltl::FormatError(file.string(), 0, 0, "cannot read the file");
-  return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
-}
-
 }  // namespace
 
 Map parse_map(std::string_view json_text, std::string_view source) { return MapReader(json_text, source).read(); }
@@ -146,10 +137,10 @@ Map read_map(const std::string& name_or_file, const std::filesystem::path& data)
   const std::vector<std::string> names = shipped_maps(data);
   if (std::find(names.begin(), names.end(), name_or_file) != names.end()) {
     const std::filesystem::path file = data / "maps" / (name_or_file + ".json");
-    return parse_map(read_text(file), file.string());
+    return parse_map(ltl::read_text(file, most_map_bytes), file.string());
   }
   std::error_code error;
-  if (std::filesystem::exists(name_or_file, error)) return parse_map(read_text(name_or_file), name_or_file);
+  if (std::filesystem::exists(name_or_file, error)) return parse_map(ltl::read_text(name_or_file, most_map_bytes), name_or_file);
   std::string message = "unknown map '" + name_or_file + "': no such file, and no such map";
   if (const auto meant = ltl::Vocabulary(names).nearest(name_or_file)) message += " (did you mean '" + *meant + "'?)";
   message += names.empty() ? "; no maps in " + (data / "maps").string() : "; the maps are";

@@ -4,6 +4,7 @@
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
 #include <sstream>
+#include <type_traits>
 
 namespace waymark::tools {
 namespace {
@@ -83,7 +84,13 @@ Option Option::between(int least, int most) {
   return *this;
 }
 Option Option::between(double least, double most) {
-  option_->check(CLI::Range(least, most));
+  option_->check([least, most](const std::string& text) -> std::string {
+    double value = 0;
+    if (CLI::detail::lexical_cast(text, value) && value >= least && value <= most) return {};
+    std::ostringstream out;
+    out << "expected a number from " << least << " to " << most << ": " << text;
+    return out.str();
+  });
   return *this;
 }
 Option Option::positive() {
@@ -99,9 +106,21 @@ Option Option::separated_by(char separator) {
   return *this;
 }
 
+// CLI11 takes "nan" and "inf" for a number, and "-1" for the greatest whole one.
+template <class Value>
+std::string not_a_number(const std::string& text) {
+  if (std::is_unsigned_v<Value> && text.find('-') != std::string::npos)
+    return "expected a number of at least 0: " + text;
+  if (std::is_floating_point_v<Value> && text.find_first_of("nN") != std::string::npos)  // nan, inf, infinity
+    return "expected a finite number: " + text;
+  return {};
+}
+
 template <class Value>
 Option Command::add_option(const std::string& names, Value& value, const std::string& help) {
-  return Option(grouped(app_->add_option(names, value, help), group_));
+  CLI::Option* const option = app_->add_option(names, value, help);
+  if constexpr (std::is_arithmetic_v<Value>) option->check(not_a_number<Value>);
+  return Option(grouped(option, group_));
 }
 template Option Command::add_option(const std::string&, std::string&, const std::string&);
 template Option Command::add_option(const std::string&, std::vector<std::string>&, const std::string&);

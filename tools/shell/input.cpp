@@ -2,7 +2,6 @@
 
 #include <unistd.h>
 
-#include <array>
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
@@ -10,6 +9,7 @@
 #include <iostream>
 
 #include "libltl/diagnostic.hpp"
+#include "libltl/text/read_text.hpp"
 #include "tools/shell/exit_code.hpp"
 
 namespace waymark::tools {
@@ -35,14 +35,7 @@ std::string source_name(const std::string& path) { return path == "-" ? "standar
 std::string read_file(const std::string& path) {
   const auto file = path == "-" ? nullptr : open(path);
   std::istream& in = file ? *file : std::cin;
-  std::string contents;
-  std::array<char, 1U << 16U> block{};
-  do {
-    in.read(block.data(), static_cast<std::streamsize>(block.size()));
-    contents.append(block.data(), static_cast<std::size_t>(in.gcount()));
-  } while (in);
-  if (in.bad()) throw ltl::FormatError(source_name(path), 0, 0, "cannot read the file to its end");
-  return contents;
+  return ltl::read_text(in, source_name(path));
 }
 
 TextReader::TextReader(TextOptions options, const std::string& what) : arguments_(std::move(options.arguments)) {
@@ -56,24 +49,20 @@ TextReader::TextReader(TextOptions options, const std::string& what) : arguments
   const std::string path = options.file.empty() ? "-" : options.file;
   source_ = source_name(path);
   if (path != "-") file_ = open(path);
-  stream_ = file_ ? file_.get() : &std::cin;
+  lines_.emplace(file_ ? *file_ : std::cin, source_);
   std::cin.tie(nullptr);  // else who reads would flush std::cout, which another thread is writing to
 }
 
 TextReader::~TextReader() = default;
 
 std::optional<Text> TextReader::next() {
-  if (stream_ == nullptr) {
+  if (!lines_) {
     if (argument_ == arguments_.size()) return std::nullopt;
     const std::size_t number = ++argument_;
     return Text{arguments_[number - 1], "", number};
   }
-  std::string line;
-  while (std::getline(*stream_, line)) {
-    ++line_;
-    if (!line.empty() && line.back() == '\r') line.pop_back();
-    if (!passed_over(line)) return Text{std::move(line), source_, line_};
-  }
+  for (std::string line; lines_->next(line);)
+    if (!passed_over(line)) return Text{std::move(line), source_, lines_->number()};
   return std::nullopt;
 }
 

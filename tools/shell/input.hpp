@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "libltl/text/read_text.hpp"
+
 namespace waymark::tools {
 
 struct TextOptions {
@@ -29,16 +31,15 @@ class TextReader {
   TextReader(TextOptions options, const std::string& what);
   ~TextReader();
   std::optional<Text> next();
-  bool is_batch() const { return stream_ != nullptr || arguments_.size() > 1; }
+  bool is_batch() const { return lines_.has_value() || arguments_.size() > 1; }
   const std::string& source() const { return source_; }
 
  private:
   std::vector<std::string> arguments_;
   std::size_t argument_ = 0;
   std::unique_ptr<std::istream> file_;
-  std::istream* stream_ = nullptr;
   std::string source_;
-  std::size_t line_ = 0;
+  std::optional<ltl::LineReader> lines_;  // nothing: arguments
 };
 
 // The whole file, or standard input for "-". Throws ltl::FormatError naming the path and the reason.

@@ -56,7 +56,7 @@ void add_network_options(Command command, parser::NetworkTraining& network) {
   add_choice<ProgramSearch>(command, "--search", network.search,
                             {{"consistent", ProgramSearch::Consistent}, {"beam", ProgramSearch::Beam}},
                             "where programs come from: consistent (the default), or the randomised beam alone");
-  number("--rate", network.rate, "learning rate of Adam").positive();
+  number("--rate", network.rate, "learning rate of Adam").between(1e-9, 1.0);
   number("--epsilon", network.epsilon, "of the randomised beam").between(0.0, 1.0);
   number("--train-beam", network.beam, "places of the randomised beam").between(1, 1000);
   number("--beta", network.beta, "of the meritocratic objective").between(0.0, 1.0);

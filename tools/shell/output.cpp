@@ -42,6 +42,17 @@ void write_directly(const std::filesystem::path& path, std::string_view contents
   if (!complete) fail(path, error);
 }
 
+// A symbolic link stays one: the file it names is replaced, or made.
+std::filesystem::path followed(std::filesystem::path path) {
+  constexpr int most = 40;  // as Linux has it
+  for (int i = 0; i < most; ++i) {
+    std::error_code ignored;
+    if (!std::filesystem::is_symlink(std::filesystem::symlink_status(path, ignored))) return path;
+    path = path.parent_path() / std::filesystem::read_symlink(path, ignored);
+  }
+  fail(path, ELOOP);
+}
+
 void forget(const std::string& name) {
   const std::lock_guard lock(unfinished_mutex);
   unfinished.erase(std::remove(unfinished.begin(), unfinished.end(), name), unfinished.end());
@@ -54,7 +65,10 @@ int create_temporary(std::string& name) {  // mkstemp fills in the X's
   return file;
 }
 
-mode_t usual_mode() {  // what open(…, 0666) would give; mkstemp gives 0600
+// That of the file which is replaced; of a new one what open(…, 0666) would give; mkstemp gives 0600.
+mode_t mode_for(const std::filesystem::path& target) {
+  struct stat status {};
+  if (::stat(target.c_str(), &status) == 0) return status.st_mode & 07777;
   const mode_t mask = ::umask(0);
   ::umask(mask);
   return 0666 & ~mask;
@@ -88,14 +102,11 @@ void write_file(const std::filesystem::path& path, std::string_view contents) {
   if (!ordinary && !std::filesystem::is_directory(status)) return write_directly(path, contents);
   if (!ordinary) fail(path, EISDIR);
 
-  // A symbolic link stays one: the file it names is replaced.
-  const auto target = std::filesystem::is_symlink(std::filesystem::symlink_status(path, ignored))
-                          ? std::filesystem::weakly_canonical(path, ignored)
-                          : path;
-  std::string temporary = target.string() + ".XXXXXX";
+  const std::filesystem::path target = followed(path);
+  std::string temporary = (target.parent_path() / ".waymark.XXXXXX").string();
   const int file = create_temporary(temporary);
   if (file < 0) fail(path, errno);
-  const bool complete = write_all(file, contents) && ::fchmod(file, usual_mode()) == 0;
+  const bool complete = write_all(file, contents) && ::fchmod(file, mode_for(target)) == 0;
   int error = errno;
   const bool closed = ::close(file) == 0;
   if (complete && !closed) error = errno;

@@ -1,17 +1,23 @@
 #include "tools/shell/program.hpp"
 
+#include <fcntl.h>
 #include <unistd.h>
 
 #include <CLI/App.hpp>
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
+#include <cerrno>
 #include <exception>
+#include <filesystem>
 #include <iostream>
+#include <map>
 #include <memory>
 #include <new>
+#include <set>
 #include <sstream>
 #include <string>
 #include <string_view>
+#include <system_error>
 #include <vector>
 
 #include "libltl/diagnostic.hpp"
@@ -93,6 +99,47 @@ void reject_unknown_subcommand(std::span<const Subcommand> rows, int argc, char*
                    (nearest ? " (did you mean '" + *nearest + "'?)" : "; see waymark --help"));
 }
 
+// A file that is written may be no other option's file: what was read would be lost, or one picture of two.
+void check_distinct_files(const CLI::App& command) {
+  static const std::set<std::string> written{"--svg",           "--png",         "--pdf",
+                                             "--hoa",           "--out",         "--strategy",
+                                             "--behavior-tree", "--predictions", "--command-predictions"};
+  std::map<std::filesystem::path, const CLI::Option*> outputs;
+  std::error_code ignored;
+  const auto each = [&](auto visit) {
+    for (const CLI::Option* option : command.get_options())
+      for (const std::string& value : option->results())
+        if (!value.empty() && value != "-" &&
+            (std::filesystem::is_regular_file(value, ignored) || !std::filesystem::exists(value, ignored)))
+          visit(*option, std::filesystem::weakly_canonical(std::filesystem::absolute(value, ignored), ignored));
+  };
+  each([&](const CLI::Option& option, const std::filesystem::path& file) {
+    if (!written.contains(option.get_name())) return;
+    const auto [other, fresh] = outputs.emplace(file, &option);
+    if (!fresh)
+      throw UsageError(option.get_name() + " and " + other->second->get_name() + " name one file: " + file.string());
+  });
+  each([&](const CLI::Option& option, const std::filesystem::path& file) {
+    const auto output = outputs.find(file);
+    if (output != outputs.end() && output->second != &option && std::filesystem::exists(file, ignored))
+      throw UsageError(output->second->get_name() + " would overwrite what " + option.get_name() +
+                       " reads: " + file.string());
+  });
+}
+
+// A descriptor that the caller closed would be given to the next file that is opened: to the pipe of signals, say.
+void open_missing_streams() {
+  for (int stream = 0; stream <= 2; ++stream)
+    if (::fcntl(stream, F_GETFD) == -1 && errno == EBADF &&
+        ::open("/dev/null", stream == 0 ? O_RDONLY : O_WRONLY) == -1)
+      throw std::system_error(errno, std::generic_category(), "/dev/null");
+}
+
+void check_written() {
+  std::cout.flush();
+  if (!std::cout) throw ltl::FormatError("standard output", 0, 0, "cannot be written");
+}
+
 }  // namespace
 
 ExitCode run_subcommand(std::span<const Subcommand> rows, int argc, char** argv) {
@@ -112,21 +159,23 @@ ExitCode run_subcommand(std::span<const Subcommand> rows, int argc, char** argv)
     app.parse(argc, argv);
   } catch (const CLI::Success& help) {  // --help, --version
     app.exit(help, std::cout, std::cerr);
+    check_written();
     return ExitCode::Done;
   } catch (const CLI::ParseError& error) {
     throw UsageError(error.what() + std::string("; see waymark ") +
                      (called.command != nullptr ? called.command->get_name() + " " : "") + "--help");
   }
   if (!called.runner) throw UsageError("the subcommand comes first; see waymark --help");
+  check_distinct_files(*called.command);
   const Interrupt interrupt;
   const ExitCode code = called.runner({.stop = interrupt.token(), .out = terminal_of(STDOUT_FILENO)});
-  std::cout.flush();
-  if (!std::cout) throw ltl::FormatError("standard output", 0, 0, "cannot be written");
+  check_written();
   return code;
 }
 
 ExitCode guarded(const std::function<ExitCode()>& run) {
   try {
+    open_missing_streams();
     return run();
   } catch (const UsageError& error) {
     complain("error", error.what());

@@ -1,18 +1,15 @@
 #include "libparser/domain/commands/command.hpp"
 
-#include <fstream>
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "libltl/diagnostic.hpp"
+#include "libltl/text/read_text.hpp"
 
 namespace waymark::parser {
 namespace {
 
-std::ifstream open(const std::filesystem::path& file) {
-  std::ifstream in(file);
-  if (!in) throw ltl::FormatError(file.string(), 0, 0, "cannot be read");
-  return in;
-}
+std::istringstream open(const std::filesystem::path& file) { return std::istringstream(ltl::read_text(file)); }
 
 Command command_of(const nlohmann::json& json) {
   Command c;
@@ -37,7 +34,7 @@ Command command_of(const nlohmann::json& json) {
 }  // namespace
 
 std::vector<Command> read_commands(const std::filesystem::path& file) {
-  std::ifstream in = open(file);
+  std::istringstream in = open(file);
   std::vector<Command> all;
   std::size_t number = 0;
   for (std::string line; std::getline(in, line);) {
@@ -53,7 +50,7 @@ std::vector<Command> read_commands(const std::filesystem::path& file) {
 }
 
 std::vector<std::string> read_fold(const std::filesystem::path& file) {
-  std::ifstream in = open(file);
+  std::istringstream in = open(file);
   std::vector<std::string> ids;
   std::string line;
   std::getline(in, line);

@@ -2,12 +2,11 @@
 
 #include <algorithm>
 #include <array>
-#include <fstream>
-#include <iterator>
 #include <map>
 #include <optional>
 
 #include "libltl/diagnostic.hpp"
+#include "libltl/text/read_text.hpp"
 #include "libplan/model/map_mdp.hpp"
 #include "libplan/world/json_reader.hpp"
 
@@ -66,15 +65,22 @@ class CaseReader {
       CaseTask& task = out.emplace_back();
       task.id = in_.string(in_.member(value, path, "id"), path + ".id");
       task.formula = in_.string(in_.member(value, path, "formula"), path + ".formula");
-      task.logic = named(in_, logics, in_.member(value, path, "logic"), path + ".logic");
-      task.query = named(in_, queries, in_.member(value, path, "query"), path + ".query");
+      const Value &logic = in_.member(value, path, "logic"), &query = in_.member(value, path, "query");
+      try {
+        task.logic = named(in_, logics, logic, path + ".logic");
+        task.query = named(in_, queries, query, path + ".query");
+      } catch (const ltl::FormatError& error) {  // the other tasks have answers
+        task.fault = error.what();
+      }
     });
     return out;
   }
 
   double step_cost(const Value& document) const {
     if (!document.contains("cost")) return 1;
-    return in_.number(in_.member(document["cost"], "cost", "step"), "cost.step");
+    const double cost = in_.number(in_.member(document["cost"], "cost", "step"), "cost.step");
+    if (!(cost >= 0 && cost <= most_cost)) in_.fail("cost.step", "expected a cost from 0 to 1e100");
+    return cost;
   }
 
   ltl::Letter letter(const Value& object, const std::string& path, ltl::Vocabulary& vocabulary,
@@ -353,11 +359,6 @@ std::string_view name(CaseTask::Query query) {
 
 PlanningCase parse_case(std::string_view json, std::string_view source) { return CaseReader(json, source).read(); }
 
-PlanningCase read_case(const std::filesystem::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  if (!in) throw ltl::FormatError(file.string(), 0, 0, "cannot read the file");
-  const std::string text{std::istreambuf_iterator<char>(in), {}};
-  return parse_case(text, file.string());
-}
+PlanningCase read_case(const std::filesystem::path& file) { return parse_case(ltl::read_text(file), file.string()); }
 
 }  // namespace waymark::plan

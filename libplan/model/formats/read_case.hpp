@@ -26,6 +26,7 @@ struct CaseTask {                    // a question about a model
   std::string id, formula;                                       // as the file has them
   Logic logic = Logic::Ltl;                                      // of the formula
   Query query = Query::MaxProbability;                           // of the task
+  std::string fault = {};  // why it has no answer, though others have: an unknown logic or query; else empty
 };
 std::string_view name(CaseTask::Query query);  // "pmax", "pmin", "rmin", "steps", "cycle", …
 

@@ -1,9 +1,7 @@
 #include "libplan/model/formats/read_model.hpp"
 
-#include <fstream>
-#include <iterator>
-
 #include "libltl/diagnostic.hpp"
+#include "libltl/text/read_text.hpp"
 #include "libplan/model/formats/read_geojson.hpp"
 #include "libplan/model/formats/read_graphml.hpp"
 #include "libplan/model/formats/read_osm.hpp"
@@ -15,12 +13,6 @@
 
 namespace waymark::plan {
 namespace {
-
-std::string contents(const std::filesystem::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  if (!in) throw ltl::FormatError(file.string(), 0, 0, "cannot read the file");
-  return {std::istreambuf_iterator<char>(in), {}};
-}
 
 bool is_case(std::string_view text, std::string_view source) {
   const JsonReader::Value document = JsonReader(text, source).parse();
@@ -38,7 +30,7 @@ PlanningCase read_model(const std::filesystem::path& file, std::string_view star
     no_start();
     return {name, read_prism_explicit(file), {}};
   }
-  const std::string text = contents(file);
+  const std::string text = ltl::read_text(file);
   if (file.extension() == ".osm") return {name, parse_osm(text, source, start), {}};
   if (file.extension() == ".geojson") return {name, parse_geojson(text, source, start), {}};
   if (file.extension() == ".graphml") return {name, parse_graphml(text, source, start), {}};

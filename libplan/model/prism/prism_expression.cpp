@@ -97,15 +97,34 @@ void PrismTokens::fail(ltl::Span where, const std::string& message) const {
   throw ltl::SyntaxError(text_, where, message, source_);
 }
 
+class PrismExpressions::Deeper {
+ public:
+  Deeper(PrismExpressions& all, ltl::Span where) : depth_(all.depth_) {
+    if (depth_ >= deepest) all.tokens_->fail(where, "this is nested too deeply");
+    ++depth_;
+  }
+  ~Deeper() { --depth_; }
+  Deeper(const Deeper&) = delete;
+  Deeper& operator=(const Deeper&) = delete;
+
+ private:
+  std::size_t& depth_;
+};
+
 PrismExpressions::Id PrismExpressions::add(Op op, std::vector<Id> operands, ltl::Span where) {
+  std::uint32_t height = 1;
+  for (const Id operand : operands) height = std::max(height, nodes_[operand].height + 1);
+  if (height > deepest) tokens_->fail(where, "this is nested too deeply");
   Node& node = nodes_.emplace_back();
   node.op = op;
   node.operands = std::move(operands);
   node.where = where;
+  node.height = height;
   return static_cast<Id>(nodes_.size() - 1);
 }
 
 PrismExpressions::Id PrismExpressions::parse(PrismTokens& in) {
+  const Deeper level(*this, in.peek().where);
   const Id condition = parse_level(in, 0);
   if (!in.accept("?")) return condition;
   const Id yes = parse(in);
@@ -129,11 +148,13 @@ PrismExpressions::Id PrismExpressions::parse_level(PrismTokens& in, std::size_t 
   constexpr std::size_t negation = 4;  // ! binds tighter than & and looser than =
   if (level == levels.size()) return parse_unary(in);
   if (level == negation && in.is("!")) {
+    const Deeper deeper(*this, in.peek().where);
     const std::size_t begin = in.next().where.begin;
     const Id operand = parse_level(in, level);
     return add(Op::Not, {operand}, {begin, where(operand).end});
   }
   Id left = parse_level(in, level + 1);
+  Op chained = Op::Literal;  // what the last round made
   for (;;) {
     const Operators& operators = levels[level];
     const auto found =
@@ -141,12 +162,21 @@ PrismExpressions::Id PrismExpressions::parse_level(PrismTokens& in, std::size_t 
     if (found == operators.end()) return left;
     in.next();
     const Id right = parse_level(in, level + 1);
-    left = add(found->second, {left, right}, {where(left).begin, where(right).end});
+    const ltl::Span both{where(left).begin, where(right).end};
+    if (found->second == chained && (chained == Op::Or || chained == Op::And || chained == Op::Plus)) {
+      nodes_[left].operands.push_back(right);  // a long chain is no deep one
+      nodes_[left].height = std::max(nodes_[left].height, nodes_[right].height + 1);
+      nodes_[left].where = both;
+      continue;
+    }
+    left = add(found->second, {left, right}, both);
+    chained = found->second;
   }
 }
 
 PrismExpressions::Id PrismExpressions::parse_unary(PrismTokens& in) {
   if (!in.is("-")) return parse_primary(in);
+  const Deeper deeper(*this, in.peek().where);
   const std::size_t begin = in.next().where.begin;
   const Id operand = parse_unary(in);
   return add(Op::Negate, {operand}, {begin, where(operand).end});
@@ -221,6 +251,7 @@ PrismExpressions::Type PrismExpressions::type(Id e) {
   using Check = Node::Check;
   if (nodes_[e].checked == Check::Done) return nodes_[e].type;
   if (nodes_[e].checked == Check::Now) tokens_->fail(where(e), "a formula that needs itself");
+  const Deeper level(*this, where(e));
   nodes_[e].checked = Check::Now;
   const Type found = find_type(e);
   nodes_[e].type = found;
@@ -317,15 +348,24 @@ double PrismExpressions::value(Id e, const PrismValues& values) {
     case Op::Implies: return operand(0) != 0 ? operand(1) : 1;
     case Op::Iff:
     case Op::Equal: return truth(operand(0) == operand(1));
-    case Op::Or: return operand(0) != 0 ? 1 : operand(1);
-    case Op::And: return operand(0) != 0 ? operand(1) : 0;
+    case Op::Or:
+    case Op::And: {
+      const bool decides = node.op == Op::Or;
+      for (const Id o : node.operands)
+        if ((value(o, values) != 0) == decides) return truth(decides);
+      return truth(!decides);
+    }
     case Op::Not: return truth(operand(0) == 0);
     case Op::Unequal: return truth(operand(0) != operand(1));
     case Op::Less: return truth(operand(0) < operand(1));
     case Op::AtMost: return truth(operand(0) <= operand(1));
     case Op::Greater: return truth(operand(0) > operand(1));
     case Op::AtLeast: return truth(operand(0) >= operand(1));
-    case Op::Plus: return operand(0) + operand(1);
+    case Op::Plus: {
+      double sum = operand(0);
+      for (std::size_t i = 1; i < node.operands.size(); ++i) sum += operand(i);
+      return sum;
+    }
     case Op::Minus: return operand(0) - operand(1);
     case Op::Times: return operand(0) * operand(1);
     case Op::Divide: return operand(0) / operand(1);

@@ -58,6 +58,9 @@ class PrismExpressions {  // all expressions of a file
   Id parse(PrismTokens& in);                               // the longest expression that stands here
   ltl::Span where(Id e) const { return nodes_[e].where; }  // its bytes
 
+  // An expression is at most so deep, and so are the formulas that it uses, taken together: else SyntaxError.
+  static constexpr std::size_t deepest = 500;
+
   // Names must be known before types and values are asked for; one name has one meaning.
   void define_variable(const PrismToken& name, std::uint32_t index, Type type);
   void define_formula(const PrismToken& name, Id body);
@@ -106,6 +109,7 @@ class PrismExpressions {  // all expressions of a file
     double value = 0;
     std::string name = {};
     std::vector<Id> operands = {};
+    std::uint32_t height = 1;
     ltl::Span where = {};
   };
   struct Meaning {
@@ -127,7 +131,10 @@ class PrismExpressions {  // all expressions of a file
   Type type_of_name(Id e);
   double value_of_name(const Node& node, const PrismValues& values);
 
+  class Deeper;  // a level of recursion, counted
+
   const PrismTokens* tokens_;
+  std::size_t depth_ = 0;
   std::vector<Node> nodes_;
   std::vector<Meaning> meanings_;
   std::map<std::string, std::uint32_t, std::less<>> names_;

@@ -192,6 +192,10 @@ class ModelReader {
       for (Update& u : c.updates) {
         if (u.probability) expressions_.expect_type(*u.probability, Type::Double);
         for (Assignment& a : u.assignments) bind(a);
+        for (std::size_t i = 1; i < u.assignments.size(); ++i)
+          for (std::size_t j = 0; j < i; ++j)
+            if (u.assignments[i].variable == u.assignments[j].variable)
+              in_.fail(u.assignments[i].name.where, "this update assigns the variable twice");
       }
     }
     for (const Reward& r : rewards_) {

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <fstream>
-#include <iterator>
 #include <map>
 #include <stdexcept>
 #include <string_view>
@@ -12,6 +10,7 @@
 #include <vector>
 
 #include "libltl/diagnostic.hpp"
+#include "libltl/text/read_text.hpp"
 
 namespace waymark::plan {
 namespace {
@@ -147,6 +146,10 @@ class ExplicitReader {
       if (!in.at_end()) row.action = in.word();
       in.expect_end();
     }
+    if (states_ / 2 > rows_.size() + 1)
+      throw ltl::FormatError(prefix_ + ".tra", 1, 1,
+                             "the first line promises " + std::to_string(states_) + " states, but " +
+                                 std::to_string(rows_.size()) + " transitions reach fewer");
     std::stable_sort(rows_.begin(), rows_.end(), [](const Row& a, const Row& b) { return place(a) < place(b); });
     std::size_t found = 0;
     for (std::size_t i = 0; i < rows_.size(); ++i) found += starts_choice(i) ? 1 : 0;
@@ -287,14 +290,8 @@ class ExplicitReader {
 };
 
 std::optional<std::string> contents(const std::filesystem::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  if (!in) return std::nullopt;
-  return std::string{std::istreambuf_iterator<char>(in), {}};
-}
-std::string needed(const std::filesystem::path& file) {
-  std::optional<std::string> text = contents(file);
-  if (!text) throw ltl::FormatError(file.string(), 0, 0, "cannot read the file");
-  return std::move(*text);
+  if (!std::filesystem::exists(file)) return std::nullopt;
+  return ltl::read_text(file);
 }
 
 }  // namespace
@@ -307,7 +304,7 @@ Mdp read_prism_explicit(const std::filesystem::path& transitions) {
   const auto beside = [&](const char* extension) {
     return std::filesystem::path(transitions).replace_extension(extension);
   };
-  const PrismFiles files{needed(transitions), needed(beside(".lab")), contents(beside(".sta")),
+  const PrismFiles files{ltl::read_text(transitions), ltl::read_text(beside(".lab")), contents(beside(".sta")),
                          contents(beside(".srew")), contents(beside(".trew"))};
   return parse_prism_explicit(files, beside("").string());
 }
