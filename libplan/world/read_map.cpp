@@ -140,7 +140,8 @@ Map read_map(const std::string& name_or_file, const std::filesystem::path& data)
     return parse_map(ltl::read_text(file, most_map_bytes), file.string());
   }
   std::error_code error;
-  if (std::filesystem::exists(name_or_file, error)) return parse_map(ltl::read_text(name_or_file, most_map_bytes), name_or_file);
+  if (std::filesystem::exists(name_or_file, error))
+    return parse_map(ltl::read_text(name_or_file, most_map_bytes), name_or_file);
   std::string message = "unknown map '" + name_or_file + "': no such file, and no such map";
   if (const auto meant = ltl::Vocabulary(names).nearest(name_or_file)) message += " (did you mean '" + *meant + "'?)";
   message += names.empty() ? "; no maps in " + (data / "maps").string() : "; the maps are";
