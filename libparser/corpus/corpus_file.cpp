@@ -6,9 +6,7 @@
 
 namespace waymark::parser {
 
-std::string read_corpus_file(const std::filesystem::path& file) {
-  return ltl::read_text(file);
-}
+std::string read_corpus_file(const std::filesystem::path& file) { return ltl::read_text(file); }
 
 std::vector<std::filesystem::path> map_files(const std::filesystem::path& corpus) {
   std::vector<std::filesystem::path> files;

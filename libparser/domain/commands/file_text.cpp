@@ -4,8 +4,6 @@
 
 namespace waymark::parser {
 
-std::string text_of(const std::filesystem::path& file) {
-  return ltl::read_text(file);
-}
+std::string text_of(const std::filesystem::path& file) { return ltl::read_text(file); }
 
 }  // namespace waymark::parser
