@@ -9,6 +9,7 @@
 #include "libautomata/finite/ltlf_to_dfa.hpp"
 #include "libautomata/finite/run.hpp"
 #include "libltl/meaning/progress.hpp"
+#include "libltl/meaning/trace_check.hpp"
 #include "libltl/rewriting/simplify.hpp"
 #include "libltl/text/print.hpp"
 #include "libplan/solve/task_automaton.hpp"
@@ -42,6 +43,17 @@ std::vector<JudgedLetter> progressed(ltl::Formula rest, const std::vector<ltl::L
   return out;
 }
 
+// By definition, which takes time in the square of the word; a long word by the law of expansion, 64 letters at once.
+bool satisfies(const ltl::Trace& word, ltl::Formula f) {
+  constexpr std::size_t long_word = 4'096;
+  const std::vector<ltl::Formula> parts = ltl::subformulas(f);
+  const bool past = std::any_of(parts.begin(), parts.end(), [](ltl::Formula g) {
+    return g.op() == ltl::Op::Yesterday || g.op() == ltl::Op::Since;
+  });
+  if (word.size() < long_word || past) return ltl::holds(word, f);
+  return ltl::TraceCheck(f)(ltl::Columns(word, f.arena().vocabulary().size()));
+}
+
 // Verdicts letter by letter; absent when the automaton met its limit.
 using Verdicts = std::optional<std::vector<LetterVerdict>>;
 
@@ -51,7 +63,7 @@ Verdicts finite_verdicts(ltl::Formula f, const ltl::Trace& word, const std::stop
   if (stop.stop_requested()) throw Interrupted();
   if (dfa == nullptr) return std::nullopt;
   const automata::Run run = automata::run(*dfa, word);
-  if (run.accepted != ltl::holds(word, f))
+  if (run.accepted != satisfies(word, f))
     throw std::logic_error("automaton and definition disagree on " + ltl::print(f));
   std::vector<LetterVerdict> out;
   for (std::size_t i = 1; i < run.states.size(); ++i)
@@ -106,7 +118,7 @@ Verdicts infinite_verdicts(ltl::Formula f, const std::vector<ltl::Letter>& lette
 std::optional<bool> verdict(ltl::Formula f, const ltl::AnyWord& word, ltl::Semantics semantics,
                             const Verdicts& verdicts) {
   if (const auto* lasso = std::get_if<ltl::Lasso>(&word)) return ltl::holds(*lasso, f);
-  if (semantics == ltl::Semantics::Finite) return ltl::holds(std::get<ltl::Trace>(word), f);
+  if (semantics == ltl::Semantics::Finite) return satisfies(std::get<ltl::Trace>(word), f);
   if (!verdicts) throw GaveUp("the automaton that foresees continuations has too many states");
   if (verdicts->back() == LetterVerdict::Open) return std::nullopt;
   return verdicts->back() == LetterVerdict::Satisfied;

@@ -1,7 +1,9 @@
 // waymark translate: formula → automaton.
+#include <algorithm>
 #include <iostream>
 #include <memory>
 
+#include "libautomata/bdd/mtbdd.hpp"
 #include "libautomata/budget.hpp"
 #include "libltl/structure/shape_memo.hpp"
 #include "libltl/text/print.hpp"
@@ -98,10 +100,15 @@ Reply translate_one(const Text& text, const TranslateOptions& options, const Tra
     return show(ldba->automaton, about, options.output);
   }
   const std::size_t states = std::get<automata::Exhausted>(result).states;
-  return gave_up(text, about.seconds, options,
-                 deadline.passed()
-                     ? "gave up after " + fixed(options.parallel.seconds, 1) + " s, with " + counted(states, "state")
-                     : "gave up: more than " + counted(options.states, "state") + " before minimisation");
+  std::string reason = "gave up: more than " + counted(options.states, "state") + " before minimisation";
+  if (deadline.passed())
+    reason = "gave up after " + fixed(std::max(about.seconds, options.parallel.seconds), 1) + " s, with " +
+             counted(states, "state");
+  else if (states < options.states)
+    reason = "gave up with " + counted(states, "state") + ": a part of the formula has more than " +
+             counted(automata::Mtbdd::max_variables, "temporal operator") +
+             " and propositions, or needs too many steps";
+  return gave_up(text, about.seconds, options, reason);
 }
 
 ExitCode run_translate(const TranslateOptions& options, const Session& session) {

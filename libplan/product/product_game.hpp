@@ -29,7 +29,7 @@ class ProductGame {
         colours_(static_cast<std::uint32_t>(automaton_.acceptance().sets)),
         budget_(budget) {}
 
-  automata::ParityGame build() && {
+  automata::ParityGame build() && {  // vertex 0 is that of the initial state
     read(model_.initial(), automaton_.initial(), model_.initial_letter());
     for (std::size_t i = 0; i < game_.vertices.size(); ++i)
       if (what_[i]) expand(static_cast<std::uint32_t>(i));

@@ -45,6 +45,28 @@ TEST_F(Files, HaveTheModeThatAnOrdinaryFileGets) {
   EXPECT_EQ(fs::status(folder_ / "ours").permissions(), fs::status(folder_ / "ordinary").permissions());
 }
 
+TEST_F(Files, KeepTheModeOfWhatTheyReplace) {
+  write_file(folder_ / "script", "old");
+  fs::permissions(folder_ / "script", fs::perms::owner_all);
+  write_file(folder_ / "script", "new");
+  EXPECT_EQ(fs::status(folder_ / "script").permissions(), fs::perms::owner_all);
+}
+
+TEST_F(Files, AreMadeWhereALinkPoints) {
+  fs::create_symlink("later", folder_ / "link");
+  write_file(folder_ / "link", "new");
+  EXPECT_TRUE(fs::is_symlink(folder_ / "link"));
+  EXPECT_EQ(read_file((folder_ / "later").string()), "new");
+  fs::create_symlink("loop", folder_ / "loop");
+  EXPECT_THROW(write_file(folder_ / "loop", "x"), ltl::FormatError);
+}
+
+TEST_F(Files, MayHaveLongNames) {
+  const fs::path file = folder_ / std::string(255, 'n');
+  write_file(file, "x");
+  EXPECT_EQ(read_file(file.string()), "x");
+}
+
 TEST_F(Files, ReplaceWhatASymbolicLinkNames) {
   write_file(folder_ / "target", "old");
   fs::create_symlink("target", folder_ / "link");

@@ -111,19 +111,17 @@ void check_distinct_files(const CLI::App& command) {
       for (const std::string& value : option->results())
         if (!value.empty() && value != "-" &&
             (std::filesystem::is_regular_file(value, ignored) || !std::filesystem::exists(value, ignored)))
-          visit(*option, std::filesystem::weakly_canonical(std::filesystem::absolute(value, ignored), ignored));
+          visit(*option, value, std::filesystem::weakly_canonical(std::filesystem::absolute(value, ignored), ignored));
   };
-  each([&](const CLI::Option& option, const std::filesystem::path& file) {
+  each([&](const CLI::Option& option, const std::string& value, const std::filesystem::path& file) {
     if (!written.contains(option.get_name())) return;
     const auto [other, fresh] = outputs.emplace(file, &option);
-    if (!fresh)
-      throw UsageError(option.get_name() + " and " + other->second->get_name() + " name one file: " + file.string());
+    if (!fresh) throw UsageError(option.get_name() + " and " + other->second->get_name() + " name one file: " + value);
   });
-  each([&](const CLI::Option& option, const std::filesystem::path& file) {
+  each([&](const CLI::Option& option, const std::string& value, const std::filesystem::path& file) {
     const auto output = outputs.find(file);
     if (output != outputs.end() && output->second != &option && std::filesystem::exists(file, ignored))
-      throw UsageError(output->second->get_name() + " would overwrite what " + option.get_name() +
-                       " reads: " + file.string());
+      throw UsageError(output->second->get_name() + " would overwrite what " + option.get_name() + " reads: " + value);
   });
 }
 

@@ -17,17 +17,17 @@ namespace waymark::plan {
 
 inline constexpr std::size_t most_road_bytes = std::size_t{1} << 30U;  // of a file
 
-struct RoadNetwork {
-  struct Road {
-    std::uint32_t to = 0;
-    double cost = 0;  // metres where positions are known
+struct RoadNetwork {       // points of roads, and what stands there
+  struct Road {            // a piece of road, in one direction
+    std::uint32_t to = 0;  // index in nodes
+    double cost = 0;       // metres where positions are known
   };
-  struct Node {
+  struct Node {                          // a point of a road
     std::string name;                    // of the state: an id of the file, or a position
     std::vector<std::string> landmarks;  // propositions
     std::vector<Road> roads;             // that leave here
   };
-  std::vector<Node> nodes;
+  std::vector<Node> nodes;  // in the order of the file
 };
 
 // A state is a node, a choice a road, called after the node it leads to; nothing slips. Runs begin at `start`, a
@@ -35,15 +35,17 @@ struct RoadNetwork {
 // node, no landmark, no such start.
 Mdp model_of(const RoadNetwork& network, std::string_view source, std::string_view start);
 
-struct GlobePoint {  // WGS 84, in degrees
-  double longitude = 0, latitude = 0;
+struct GlobePoint {      // WGS 84, in degrees
+  double longitude = 0;  // within ±180, eastwards
+  double latitude = 0;   // within ±90, northwards
 };
 
+// What a reader collects, in any order.
 class GlobeRoads {
  public:
-  enum class Direction : std::uint8_t { Both, Forward, Backward };
-  static constexpr std::uint32_t no_point = UINT32_MAX;  // before the first of a road
-  using Ring = std::vector<GlobePoint>;                  // closed or not
+  enum class Direction : std::uint8_t { Both, Forward, Backward };  // of traffic between the ends of a road
+  static constexpr std::uint32_t no_point = UINT32_MAX;             // before the first of a road
+  using Ring = std::vector<GlobePoint>;                             // closed or not
 
   // The source is named in errors. At most 10,000,000 points.
   explicit GlobeRoads(std::string_view source) : source_(source) {}

@@ -11,10 +11,10 @@
 
 namespace waymark::plan {
 
-struct Scheduler {
-  struct Choice {
+struct Scheduler {             // what is chosen in each state
+  struct Choice {              // one that may be made
     std::uint32_t choice = 0;  // of the state
-    double probability = 1;
+    double probability = 1;    // that it is
   };
   std::vector<std::vector<Choice>> choices;  // by state, each of them once; empty: not defined
 };
@@ -24,7 +24,7 @@ struct Scheduler {
 // does not have, a scheduler with memory, probabilities that do not add up to 1 (up to 1e-9).
 Scheduler parse_scheduler(std::string_view text, std::string_view source, const Mdp& model);
 
-enum class SchedulerFormat : std::uint8_t { Prism, Storm };
+enum class SchedulerFormat : std::uint8_t { Prism, Storm };  // whose files
 // Defined states only. PRISM's says actions, or indices in a state two of whose choices share a name. Throws
 // std::invalid_argument for PRISM's of a scheduler that draws.
 std::string write_scheduler(const Scheduler& scheduler, SchedulerFormat format, const Mdp& model);

@@ -45,6 +45,13 @@ bool is_normal(Formula f, bool iff_allowed) {
   return true;
 }
 
+TEST(Nnf, OppositesAreTheNormalFormsOfNegations) {
+  Arena arena(testing::letters_vocabulary(2));
+  Opposites opposites;  // remembers the parts of all of them
+  testing::for_each_formula(arena, {.size = 4, .atoms = 2},
+                            [&](Formula f) { ASSERT_EQ(opposites.of(f), nnf_keeping_iff(negate(f))) << show(f); });
+}
+
 TEST(Laws, NormalFormsMeanTheSame) {
   Arena arena(testing::letters_vocabulary(2));
   const auto words = testing::all_traces({.length = 3, .atoms = 2});
