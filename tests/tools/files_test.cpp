@@ -19,12 +19,16 @@ namespace {
 namespace fs = std::filesystem;
 
 class Files : public ::testing::Test {
- protected:
+ public:
   Files() {
     std::string name = (fs::temp_directory_path() / "waymark-files-XXXXXX").string();
     folder_ = ::mkdtemp(name.data());
   }
   ~Files() override { fs::remove_all(folder_); }
+  Files(const Files&) = delete;
+  Files& operator=(const Files&) = delete;
+
+ protected:
   std::size_t entries() const {
     return static_cast<std::size_t>(std::distance(fs::directory_iterator(folder_), fs::directory_iterator()));
   }
