@@ -48,6 +48,7 @@ class TableReader {
       json();
     else
       separated();
+    if (out_.columns.empty()) fail(0, "there is no table: no row has a text or a number");
     if (out_.columns.size() > most_columns) fail(0, "expected at most 40 columns");
     for (auto& row : out_.rows) row.resize(out_.columns.size());
     return std::move(out_);

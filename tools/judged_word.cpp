@@ -46,11 +46,7 @@ std::vector<JudgedLetter> progressed(ltl::Formula rest, const std::vector<ltl::L
 // By definition, which takes time in the square of the word; a long word by the law of expansion, 64 letters at once.
 bool satisfies(const ltl::Trace& word, ltl::Formula f) {
   constexpr std::size_t long_word = 4'096;
-  const std::vector<ltl::Formula> parts = ltl::subformulas(f);
-  const bool past = std::any_of(parts.begin(), parts.end(), [](ltl::Formula g) {
-    return g.op() == ltl::Op::Yesterday || g.op() == ltl::Op::Since;
-  });
-  if (word.size() < long_word || past) return ltl::holds(word, f);
+  if (word.size() < long_word || ltl::has_past(f)) return ltl::holds(word, f);
   return ltl::TraceCheck(f)(ltl::Columns(word, f.arena().vocabulary().size()));
 }
 

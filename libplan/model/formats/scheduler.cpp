@@ -27,7 +27,7 @@ std::string_view trimmed(std::string_view text) {
   return begin == std::string_view::npos ? std::string_view() : text.substr(begin, end - begin + 1);
 }
 
-// Lines STATE=CHOICE, before version 4.8 STATE:CHOICE. A state is a number or, as "(0,1)", its name; a choice is the
+// Lines STATE=CHOICE, in older versions STATE:CHOICE. A state is a number or, as "(0,1)", its name; a choice is the
 // name of an action, else a number.
 class PrismScheduler {
  public:
@@ -52,7 +52,7 @@ class PrismScheduler {
   [[noreturn]] void fail(const std::string& message) const { throw ltl::FormatError(source_, line_, 0, message); }
 
   void add(std::string_view line, Scheduler& out) const {
-    if (line.find('{') != std::string_view::npos)
+    if (line.find('{', 1) != std::string_view::npos)
       fail("this scheduler has memory: compose the product, and schedule that");
     const std::size_t between = line.find_last_of("=:");
     if (between == std::string_view::npos) fail("expected STATE=ACTION");
