@@ -10,6 +10,7 @@
 #include <variant>
 
 #include "libltl/diagnostic.hpp"
+#include "libltl/text/parse.hpp"
 #include "libplan/model/formats/scheduler.hpp"
 #include "libplan/solve/case_task.hpp"
 #include "tools/automaton_output.hpp"
@@ -67,7 +68,9 @@ JsonObject case_json(const plan::PlanningCase& planning_case, const plan::CaseTa
   const bool valued = answer.status != Status::Exhausted;
   const auto number = [&](double value) { return valued ? Json(value) : Json(); };
   JsonObject out;
-  out.add("case", planning_case.name).add("task", task.id).add("query", plan::name(task.query));
+  out.add("case", planning_case.name)
+      .add("task", task.id.empty() ? "formula" : task.id)
+      .add("query", plan::name(task.query));
   out.add("value", number(answer.value.middle()))
       .add("lower", number(answer.value.lower))
       .add("upper", number(answer.value.upper))
@@ -113,12 +116,11 @@ std::string in_words(plan::CaseTask::Query query) {
   return {};
 }
 
-constexpr const char* the_formula = "formula";  // the id of one that was given as an argument
-
-// Tasks of a case and lines of a file head the rows of a table; a formula that was typed is answered in words.
+// Tasks of a case and lines of a file head the rows of a table; a formula that was typed has no name and is answered in
+// words.
 std::string heading(const plan::CaseTask& task) {
   std::ostringstream out;
-  if (task.id == the_formula)
+  if (task.id.empty())
     out << in_words(task.query) << "  ";
   else
     out << std::left << std::setw(24) << task.id << ' ' << std::setw(6) << plan::name(task.query) << ' ';
@@ -139,11 +141,14 @@ void print(const plan::CaseTask& task, const CaseAnswer& answer) {
   std::cout << '\n';
   const auto walk = [](const std::string& label, const plan::NamedRoute& route) {
     std::cout << "  " << label << ", cost " << route.cost << ": " << route.places.front();
-    for (std::size_t i = 0; i < route.actions.size(); ++i)
-      std::cout << ' ' << route.actions[i] << ' ' << route.places[i + 1];
+    for (std::size_t i = 0; i < route.actions.size(); ++i) {
+      if (route.actions[i] != route.places[i + 1]) std::cout << ' ' << route.actions[i];  // roads: "to where" is enough
+      std::cout << ' ' << route.places[i + 1];
+    }
     std::cout << '\n';
   };
-  for (std::size_t i = 0; i < answer.routes.size(); ++i) walk("route " + std::to_string(i + 1), answer.routes[i]);
+  for (std::size_t i = 0; i < answer.routes.size(); ++i)
+    walk(answer.routes.size() == 1 ? "route" : "route " + std::to_string(i + 1), answer.routes[i]);
   if (!answer.lasso) return;
   walk("prefix", answer.lasso->prefix);
   walk(answer.lasso->rounds == 1 ? "cycle" : "cycle of " + std::to_string(answer.lasso->rounds) + " rounds",
@@ -159,7 +164,7 @@ std::string written(const plan::PlanningCase& planning_case, const plan::CaseTas
   std::string out =
       JsonObject()
           .add("case", planning_case.name)
-          .add("task", task.id)
+          .add("task", task.id.empty() ? "formula" : task.id)
           .add("query", plan::name(task.query))
           .add("formula", task.formula.empty() ? Json() : Json(task.formula))
           .add("lower", answer.value.lower)
@@ -222,6 +227,7 @@ class TaskAnswers {
                                     .discount = choice_.discount,
                                     .order = order_of(choice_.order),
                                     .top = choice_.top,
+                                    .route = !choice_.model.empty(),
                                     .strategy = !choice_.strategy.empty(),
                                     .stop = deadline.token()};
     const CaseAnswer answer =
@@ -262,8 +268,7 @@ class TaskAnswers {
 plan::CaseTask task_of(const Text& text, const CaseChoice& choice) {
   using Query = plan::CaseTask::Query;
   using Logic = plan::CaseTask::Logic;
-  plan::CaseTask task{.id = text.source.empty() ? the_formula : "line " + std::to_string(text.line),
-                      .formula = text.text};
+  plan::CaseTask task{.id = text.source.empty() ? "" : "line " + std::to_string(text.line), .formula = text.text};
   task.query = choice.query.empty()           ? Query::MaxProbability
                : choice.query == "pmax"       ? Query::MaxProbability
                : choice.query == "pmin"       ? Query::MinProbability
@@ -370,6 +375,8 @@ ExitCode plan_model(plan::PlanningCase free, const CaseChoice& choice, const Tex
       throw UsageError(error.what());  // a method that does not answer the query
     }
   };
+  const ltl::Vocabulary& known =
+      std::visit([](const auto& m) -> const ltl::Vocabulary& { return m.letters().vocabulary(); }, model.model);
   ExitCode code = ExitCode::Done;
   if (!choice.automaton.empty()) {
     const plan::GivenAutomaton given =
@@ -381,6 +388,8 @@ ExitCode plan_model(plan::PlanningCase free, const CaseChoice& choice, const Tex
         texts, session.stop,
         [&](const Text& text) {
           try {
+            ltl::Arena arena(known);
+            ltl::parse(text.text, arena, {.unknown = ltl::Unknown::Reject});
             return answered(task_of(text, choice), nullptr);
           } catch (const ltl::SyntaxError& error) {
             if (text.source.empty()) throw;

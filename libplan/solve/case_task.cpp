@@ -97,7 +97,7 @@ class TaskSolver {
     }
     if (const auto landmarks = visits(f);
         landmarks && by_search() && options_.top == 1 && !options_.strategy && model_.states() >= worth_compressing)
-      return visit(*landmarks, false);
+      return visit(*landmarks, f);
     const bool negated = task_.query == Query::MinProbability && !is_finite(f);
     solve(made(task_automaton(negated ? ltl::simplify(ltl::negate(f), ltl::Semantics::Infinite) : f, task_.logic,
                               task_.query, limits())),
@@ -139,9 +139,10 @@ class TaskSolver {
   }
 
   // By landmark compression: no product, two to the power of the landmarks times their places.
-  void visit(const std::vector<std::string>& landmarks, bool closed) {
+  // The formula of an open tour; a closed one has none.
+  void visit(const std::vector<std::string>& landmarks, std::optional<ltl::Formula> f) {
     Clock clock;
-    const auto found = shortest_tour(model_, landmarks, closed, options_.stop);
+    const auto found = shortest_tour(model_, landmarks, !f, options_.stop);
     answer_.seconds.solve = clock.lap();
     if (!found) throw Spent{"stopped"};
     answer_.method = CaseMethod::Search;
@@ -150,9 +151,13 @@ class TaskSolver {
       answer_.reason = none->reason;
       return;
     }
-    const double cost = std::get<LandmarkTour>(*found).cost;
+    const auto& tour = std::get<LandmarkTour>(*found);
     answer_.status = Status::Solved;
-    answer_.value = {cost, cost};
+    answer_.value = {tour.cost, tour.cost};
+    if (!options_.route || !f) return;
+    const ChoiceRoute route = walk(model_, tour);
+    certify_walk(route, *f);
+    answer_.routes.push_back(named(model_, route));
   }
 
   bool is_cost() const { return task_.query == Query::MinCost || task_.query == Query::MinSteps; }
@@ -178,33 +183,35 @@ class TaskSolver {
     if (routes.empty()) return infeasible(INFINITY);
     for (const ChoiceRoute& route : routes) {
       certify_route(route, automaton, f);
-      if (options_.top > 1) answer_.routes.push_back(named(model_, route));
+      if (options_.top > 1 || options_.route) answer_.routes.push_back(named(model_, route));
     }
     answer_.status = Status::Solved;
     answer_.value = {routes[0].cost, routes[0].cost};
     if (options_.strategy) answer_.strategy = {automaton, decisions(model_, task, routes[0]), answer_.value};
   }
 
-  // By the definition, not by the automaton: the finite word satisfies f, and so, of a co-safe f without X, does all
-  // that begins with it. Of another good prefix the word that stands still in its last letter is tried. Without a
-  // formula by a run of the automaton.
+  // Without a formula by a run of the automaton.
   void certify_route(const ChoiceRoute& route, const TaskAutomaton& automaton, std::optional<ltl::Formula> f) const {
+    if (f) return certify_walk(route, *f);
+    const ltl::Trace word = word_of(model_, route);
+    const auto& dfa = std::get<automata::Dfa>(automaton);
+    const ltl::Trace read(as_read({word.begin(), word.end()}, arena_.vocabulary(), dfa.vocabulary(), dfa.reads()));
+    if (!automata::accepts(dfa, read)) throw std::logic_error("a route that the automaton does not accept");
+  }
+
+  // By the definition, not by the automaton: the finite word satisfies f, and so, of a co-safe f without X, does all
+  // that begins with it. Of another good prefix the word that stands still in its last letter is tried.
+  void certify_walk(const ChoiceRoute& route, ltl::Formula f) const {
     const ltl::Trace word = word_of(model_, route);
     const std::vector<ltl::Letter> letters(word.begin(), word.end());
-    if (!f) {
-      const auto& dfa = std::get<automata::Dfa>(automaton);
-      const ltl::Trace read(as_read(letters, arena_.vocabulary(), dfa.vocabulary(), dfa.reads()));
-      if (!automata::accepts(dfa, read)) throw std::logic_error("a route that the automaton does not accept");
-      return;
-    }
     const bool finite =
-        is_finite(*f) && (task_.logic != Logic::Ltl || ltl::fragments(*f, ltl::Semantics::Infinite).next_free);
+        is_finite(f) && (task_.logic != Logic::Ltl || ltl::fragments(f, ltl::Semantics::Infinite).next_free);
     const auto holds_of_word = [&] {
-      if (ltl::has_past(*f)) return ltl::holds(word, *f);
-      return ltl::TraceCheck(*f)(ltl::Columns(word, arena_.vocabulary().size()));
+      if (ltl::has_past(f)) return ltl::holds(word, f);
+      return ltl::TraceCheck(f)(ltl::Columns(word, arena_.vocabulary().size()));
     };
-    const bool holds = finite ? holds_of_word() : ltl::holds(ltl::Lasso(letters, {letters.back()}), *f);
-    if (!holds) throw std::logic_error("a route whose word does not satisfy " + ltl::print(*f));
+    const bool holds = finite ? holds_of_word() : ltl::holds(ltl::Lasso(letters, {letters.back()}), f);
+    if (!holds) throw std::logic_error("a route whose word does not satisfy " + ltl::print(f));
   }
 
   void lasso(const automata::Automaton& automaton, std::optional<ltl::Formula> f, Clock& clock) {
@@ -308,7 +315,7 @@ class TaskSolver {
       else
         landmarks.back() += c;
     }
-    visit(landmarks, true);
+    visit(landmarks, std::nullopt);
   }
 
   static constexpr std::size_t worth_compressing = 100'000;  // states; smaller products are searched as they are

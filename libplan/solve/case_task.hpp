@@ -30,6 +30,7 @@ struct CaseOptions {                      // how a task is solved
   double discount = 0.9;                  // of query discounted
   LassoOrder order = LassoOrder::Prefix;  // of query lasso
   std::size_t top = 1;                    // routes of a search
+  bool route = false;                     // of a search: tell the cheapest, also when it is the only one asked for
   bool strategy = false;                  // write it down
   std::stop_token stop = {};              // ends with Exhausted when it is asked for
 };
@@ -47,7 +48,7 @@ struct CaseAnswer {                                                    // what s
   Seconds seconds;                   // wall clock
   std::string reason;                // of Infeasible and Exhausted
   std::vector<std::string> dropped;  // infeasible conjunctions: the fewest conjuncts without which the rest can be met
-  std::vector<NamedRoute> routes;    // of a search when several were asked for, cheapest first
+  std::vector<NamedRoute> routes;    // of a search when they were asked for, cheapest first
   struct Lasso {                     // of a deterministic model
     NamedRoute prefix, cycle;        // the cycle begins and ends where the prefix ends
     std::uint64_t rounds = 1;        // that a walk of the cycle completes

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <iterator>
 #include <queue>
 #include <stdexcept>
 
@@ -209,6 +210,41 @@ class Tours {
   std::vector<std::vector<double>> distance_;
 };
 
+// At least one step, so that a stop can be the one before it.
+template <class Model>
+void append_leg(const Model& model, std::uint32_t from, std::uint32_t to, ChoiceRoute& route) {
+  struct Step {
+    double cost = unreached;
+    std::uint32_t place = 0, choice = 0;  // from which, and how
+  };
+  using Entry = std::pair<double, std::uint32_t>;
+  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> heap;
+  std::vector<Step> best(model.states());
+  const auto expand = [&](double cost, std::uint32_t s) {
+    for (std::uint32_t k = 0; k < model.choices(s); ++k)
+      model.for_each_outcome(s, k, [&](std::uint32_t t, LetterId, double) {
+        const double there = cost + model.cost(s, k);
+        if (there >= best[t].cost) return;
+        best[t] = {there, s, k};
+        heap.push({there, t});
+      });
+  };
+  for (expand(0, from); !heap.empty() && heap.top().second != to;) {
+    const auto [cost, s] = heap.top();
+    heap.pop();
+    if (cost <= best[s].cost) expand(cost, s);
+  }
+  if (heap.empty()) throw std::logic_error("a tour between whose stops there is no way");
+  std::vector<Step> steps{best[to]};
+  while (steps.back().place != from) steps.push_back(best[steps.back().place]);
+  route.cost += best[to].cost;
+  for (auto step = steps.rbegin(); step != steps.rend(); ++step) {
+    route.choices.push_back(step->choice);
+    const bool last = std::next(step) == steps.rend();
+    route.places.push_back(last ? to : std::next(step)->place);
+  }
+}
+
 }  // namespace
 
 template <class Model>
@@ -218,11 +254,21 @@ std::optional<std::variant<LandmarkTour, NoLandmarkTour>> shortest_tour(const Mo
   return Tours<Model>(model, landmarks, stop).run(closed);
 }
 
+template <class Model>
+ChoiceRoute walk(const Model& model, const LandmarkTour& tour) {
+  ChoiceRoute out;
+  out.places.push_back(tour.stops.front());
+  for (std::size_t i = 0; i + 1 < tour.stops.size(); ++i) append_leg(model, tour.stops[i], tour.stops[i + 1], out);
+  return out;
+}
+
 template std::optional<std::variant<LandmarkTour, NoLandmarkTour>> shortest_tour(const Mdp&,
                                                                                  const std::vector<std::string>&, bool,
                                                                                  const std::stop_token&);
 template std::optional<std::variant<LandmarkTour, NoLandmarkTour>> shortest_tour(const GridWorld&,
                                                                                  const std::vector<std::string>&, bool,
                                                                                  const std::stop_token&);
+template ChoiceRoute walk(const Mdp&, const LandmarkTour&);
+template ChoiceRoute walk(const GridWorld&, const LandmarkTour&);
 
 }  // namespace waymark::plan

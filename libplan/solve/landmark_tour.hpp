@@ -14,6 +14,7 @@
 
 #include "libplan/model/grid_world.hpp"
 #include "libplan/model/mdp.hpp"
+#include "libplan/solve/dijkstra.hpp"
 
 namespace waymark::plan {
 
@@ -34,5 +35,10 @@ template <class Model>
 std::optional<std::variant<LandmarkTour, NoLandmarkTour>> shortest_tour(const Model& model,
                                                                         const std::vector<std::string>& landmarks,
                                                                         bool closed, const std::stop_token& stop = {});
+
+// The walk itself, a least-cost walk from each stop to the next. O(stops · model log model). Throws std::logic_error
+// for stops between which there is no way.
+template <class Model>
+ChoiceRoute walk(const Model& model, const LandmarkTour& tour);
 
 }  // namespace waymark::plan

@@ -1,76 +1,16 @@
 #include "libparser/corpus/import/read_xml.hpp"
 
-#include <algorithm>
 #include <charconv>
-#include <pugixml.hpp>
 #include <set>
 #include <stdexcept>
 
 #include "libltl/diagnostic.hpp"
+#include "libplan/model/formats/xml_document.hpp"
 
 namespace waymark::parser {
 namespace {
 
-class Xml {  // a document that knows the lines of its nodes
- public:
-  Xml(std::string_view text, std::string_view file) : file_(file) {
-    for (std::size_t i = 0; i < text.size(); ++i)
-      if (text[i] == '\n') newlines_.push_back(static_cast<std::ptrdiff_t>(i));
-    const pugi::xml_parse_result result =  // blanks beside comments and elements belong to the text
-        document_.load_buffer(text.data(), text.size(), pugi::parse_default | pugi::parse_ws_pcdata,
-                              pugi::encoding_utf8);
-    if (!result)
-      throw ltl::FormatError(file, line_of(result.offset), 0, std::string("malformed XML: ") + result.description());
-  }
-
-  std::size_t line(const pugi::xml_node& node) const { return line_of(node.offset_debug()); }
-
-  [[noreturn]] void fail(const pugi::xml_node& node, const std::string& message) const {
-    throw ltl::FormatError(file_, line(node), 0, message);
-  }
-  std::string attribute(const pugi::xml_node& node, const char* name) const {
-    const pugi::xml_attribute value = node.attribute(name);
-    if (!value) fail(node, "<" + std::string(node.name()) + "> has no attribute " + name);
-    return value.value();
-  }
-  int integer(const pugi::xml_node& node, const char* name) const {
-    const std::string text = attribute(node, name);
-    int value = 0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (error != std::errc() || end != text.data() + text.size())
-      fail(node, std::string(name) + ": expected a whole number");
-    return value;
-  }
-  std::vector<pugi::xml_node> all(const std::string& name) const {  // at any depth, in the order of the file
-    std::vector<pugi::xml_node> found;
-    const pugi::xml_node root = document_.root();
-    for (pugi::xml_node node = after(root, root); node; node = after(node, root))
-      if (node.name() == name) found.push_back(node);
-    return found;
-  }
-  static std::string text(const pugi::xml_node& root) {  // all of it, whatever stands between
-    std::string out;
-    for (pugi::xml_node node = after(root, root); node; node = after(node, root)) out += node.value();
-    return out;
-  }
-
- private:
-  // The next below root in the order of the file, without recursion: files nest as deep as they like. Null: none.
-  static pugi::xml_node after(pugi::xml_node node, const pugi::xml_node& root) {
-    if (const pugi::xml_node child = node.first_child()) return child;
-    while (node != root && !node.next_sibling()) node = node.parent();
-    return node == root ? pugi::xml_node() : node.next_sibling();
-  }
-  std::size_t line_of(std::ptrdiff_t offset) const {
-    if (offset < 0) return 0;
-    const auto before = std::lower_bound(newlines_.begin(), newlines_.end(), offset);
-    return 1 + static_cast<std::size_t>(before - newlines_.begin());
-  }
-
-  std::string_view file_;
-  std::vector<std::ptrdiff_t> newlines_;  // where they stand
-  pugi::xml_document document_;
-};
+using plan::XmlDocument;
 
 std::string squeezed(std::string_view text) {
   std::string out;
@@ -89,7 +29,9 @@ std::vector<std::string> sorted(const std::set<std::string>& values) { return {v
 
 class MapReader {
  public:
-  MapReader(std::string_view xml, std::string_view file) : in_(xml, file) { map_.file = file; }
+  MapReader(std::string_view xml, std::string_view file) : in_(xml, file, XmlDocument::Blanks::Kept) {
+    map_.file = file;
+  }
 
   ReleasedMap read() {
     const auto roots = in_.all("map");
@@ -148,13 +90,14 @@ class MapReader {
     }
   }
 
-  Xml in_;
+  XmlDocument in_;
   ReleasedMap map_;
   plan::Hallways hallways_;  // says what is wrong with a node or an edge
   std::set<std::string> objects_, floors_, walls_;
 };
 
-std::optional<plan::Pose> place(const Xml& in, const pugi::xml_node& node, const char* name, std::string_view file) {
+std::optional<plan::Pose> place(const XmlDocument& in, const pugi::xml_node& node, const char* name,
+                                std::string_view file) {
   const pugi::xml_attribute value = node.attribute(name);
   if (!value) return std::nullopt;
   const std::string text = value.value();
@@ -169,7 +112,7 @@ std::optional<plan::Pose> place(const Xml& in, const pugi::xml_node& node, const
 ReleasedMap parse_xml_map(std::string_view xml, std::string_view file) { return MapReader(xml, file).read(); }
 
 std::vector<XmlExample> parse_xml_examples(std::string_view xml, std::string_view file) {
-  const Xml in(xml, file);
+  const XmlDocument in(xml, file, XmlDocument::Blanks::Kept);
   std::vector<XmlExample> examples;
   for (const pugi::xml_node& node : in.all("example")) {
     XmlExample example;
@@ -179,8 +122,8 @@ std::vector<XmlExample> parse_xml_examples(std::string_view xml, std::string_vie
     const pugi::xml_node instruction = node.child("instruction"), path = node.child("path");
     if (!instruction || !path) in.fail(node, "expected an <instruction> and a <path> in this example");
     example.file_name = in.attribute(instruction, "filename");
-    example.text = squeezed(Xml::text(instruction));
-    example.path = parse_pose_list(Xml::text(path), file, in.line(path));
+    example.text = squeezed(XmlDocument::text(instruction));
+    example.path = parse_pose_list(XmlDocument::text(path), file, in.line(path));
     example.start = place(in, node, "start", file);
     example.end = place(in, node, "end", file);
     examples.push_back(std::move(example));

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
+#include <string>
 
 #include "libautomata/finite/ltlf_to_dfa.hpp"
 #include "libltl/meaning/semantics.hpp"
@@ -70,6 +72,32 @@ TEST(ProductSearch, RefusesChance) {
   EXPECT_THROW(search(Product(mdp, TaskTable(dfa, mdp.letters()))), std::invalid_argument);
 }
 
+// Every step is one of the grid's, the costs of all are the tour's, and every landmark is seen.
+void expect_walk_of(const LandmarkTour& tour, const GridWorld& grid, bool closed) {
+  const ChoiceRoute route = walk(grid, tour);
+  EXPECT_NEAR(route.cost, tour.cost, 1e-9);
+  ASSERT_EQ(route.places.size(), route.choices.size() + 1);
+  std::set<std::string> seen;
+  const auto see = [&](LetterId letter) {
+    for (const std::string name : {"a", "b", "c"})
+      if (const auto p = grid.letters().vocabulary().find(name); p && grid.letters()[letter].contains(*p))
+        seen.insert(name);
+  };
+  if (!closed) see(grid.initial_letter());
+  double cost = 0;
+  for (std::size_t i = 0; i < route.choices.size(); ++i) {
+    ASSERT_LT(route.choices[i], grid.choices(route.places[i]));
+    cost += grid.cost(route.places[i], route.choices[i]);
+    grid.for_each_outcome(route.places[i], route.choices[i], [&](std::uint32_t t, LetterId letter, double) {
+      EXPECT_EQ(t, route.places[i + 1]);
+      see(letter);
+    });
+  }
+  EXPECT_NEAR(cost, tour.cost, 1e-9);
+  EXPECT_EQ(seen.size(), 3U);
+  EXPECT_EQ(route.places.front() == route.places.back() && closed, closed);
+}
+
 TEST(LandmarkTour, ShortestWalksAgreeWithEnumeration) {
   ltl::Random random(10);
   int found = 0;
@@ -81,6 +109,7 @@ TEST(LandmarkTour, ShortestWalksAgreeWithEnumeration) {
       ASSERT_TRUE(answer);
       if (const LandmarkTour* tour = std::get_if<LandmarkTour>(&*answer)) {
         EXPECT_EQ(tour->cost, expected) << "grid " << i << (closed ? " closed" : " open");
+        expect_walk_of(*tour, grid, closed);
         ++found;
       } else {
         EXPECT_TRUE(std::isinf(expected)) << "grid " << i << (closed ? " closed" : " open");
