@@ -1,15 +1,38 @@
 #include "libparser/experiment/checkpoints.hpp"
 
+#include <algorithm>
+#include <array>
+#include <charconv>
 #include <fstream>
+#include <iterator>
 #include <sstream>
 
 #include "libltl/diagnostic.hpp"
 #include "libparser/model/weights_bytes.hpp"
+#include "libparser/model/xxhash.hpp"
 
 namespace waymark::parser {
 namespace {
 
 constexpr const char* settings_name = "settings.txt";
+
+std::string checked(const std::string& text) {
+  std::array<char, 16> digits{};
+  const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), xxh64(text), 16).ptr;
+  return "xxh64 " + std::string(digits.data(), end) + '\n' + text;
+}
+
+// "'seed 1', not 'seed 2'": the first line in which they differ.
+std::string difference(const std::string& theirs, const std::string& ours) {
+  std::istringstream a(theirs), b(ours);
+  std::string x, y;
+  while (true) {
+    const bool more_a = static_cast<bool>(std::getline(a, x)), more_b = static_cast<bool>(std::getline(b, y));
+    if (!more_a) x.clear();
+    if (!more_b) y.clear();
+    if (x != y || (!more_a && !more_b)) return "'" + x + "', not '" + y + "'";
+  }
+}
 
 }  // namespace
 
@@ -22,8 +45,8 @@ Checkpoints::Checkpoints(std::filesystem::path directory, const std::string& set
     keep(settings_name, settings);
   else if (*theirs != settings)
     throw ltl::FormatError(directory_.string(), 0, 0,
-                           "holds an experiment of other settings (see " + std::string(settings_name) +
-                               " there): name another directory, or remove it");
+                           "holds an experiment of other settings (" + difference(*theirs, settings) +
+                               "): name another directory, or remove it");
 }
 
 bool Checkpoints::has(const std::string& name) const { return std::filesystem::exists(directory_ / name); }
@@ -32,14 +55,23 @@ std::optional<std::string> Checkpoints::find(const std::string& name) const {
   const std::filesystem::path file = directory_ / name;
   if (!has(name)) return std::nullopt;
   std::ifstream in(file, std::ios::binary);
-  std::ostringstream bytes;
-  bytes << in.rdbuf();
-  if (!in || !bytes) throw ltl::FormatError(file.string(), 0, 0, "cannot be read");
-  return std::move(bytes).str();
+  std::string bytes{std::istreambuf_iterator<char>(in), {}};
+  if (!in) throw ltl::FormatError(file.string(), 0, 0, "cannot be read");
+  return bytes;
 }
 
 void Checkpoints::keep(const std::string& name, const std::string& bytes) const {
   write_weights(bytes, (directory_ / name).string());
 }
+
+std::optional<std::string> Checkpoints::find_text(const std::string& name) const {
+  const std::optional<std::string> found = find(name);
+  if (!found || found->empty()) return std::nullopt;
+  std::string text = found->substr(std::min(found->find('\n'), found->size() - 1) + 1);
+  if (checked(text) != *found) return std::nullopt;
+  return text;
+}
+
+void Checkpoints::keep_text(const std::string& name, const std::string& text) const { keep(name, checked(text)); }
 
 }  // namespace waymark::parser

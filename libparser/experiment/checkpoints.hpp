@@ -1,7 +1,8 @@
 // Finished parts of a long experiment, kept in a directory: a run that was killed goes on after the last of them.
 //
 // A part is a file under the name it was given, written to a temporary name and renamed: there whole or not at all,
-// whatever ends the process. Parts are whatever bytes they are; models carry their own checksum (model_file.hpp).
+// whatever ends the process. Parts are whatever bytes they are; models carry their own checksum (model_file.hpp), texts
+// are given one here.
 #pragma once
 #include <filesystem>
 #include <optional>
@@ -12,14 +13,18 @@ namespace waymark::parser {
 class Checkpoints {
  public:
   // The directory is made when it is not there. It belongs to one experiment: `settings`, any text that says what the
-  // parts depend on, is kept beside them. Throws ltl::FormatError when the directory holds parts of other settings, or
-  // cannot be used.
+  // parts depend on, is kept beside them. Throws ltl::FormatError when the directory holds parts of other settings, with
+  // the first line that differs, or cannot be used.
   Checkpoints(std::filesystem::path directory, const std::string& settings);
 
   bool has(const std::string& name) const;                         // is the part finished?
   std::optional<std::string> find(const std::string& name) const;  // its bytes; nothing when it is not finished
   // From several threads at once, of different names. Throws ltl::FormatError when the file cannot be written.
   void keep(const std::string& name, const std::string& bytes) const;
+
+  // A text with its checksum in the line before it. Nothing when it is not finished or is damaged: it is made again.
+  std::optional<std::string> find_text(const std::string& name) const;
+  void keep_text(const std::string& name, const std::string& text) const;  // as keep
 
  private:
   std::filesystem::path directory_;

@@ -146,8 +146,9 @@ class Experiment {
   }
 
   bool find_scores(HallwayFold& fold) const {
-    if (!has(scores_part(fold))) return false;
-    std::istringstream lines(*options_.checkpoints->find(scores_part(fold)));
+    const auto kept = options_.checkpoints ? options_.checkpoints->find_text(scores_part(fold)) : std::nullopt;
+    if (!kept) return false;
+    std::istringstream lines(*kept);
     std::string line;
     for (std::getline(lines, line), fold.scores = scores_of(line, scores_part(fold)); std::getline(lines, line);)
       fold.singles.push_back(scores_of(line, scores_part(fold)));
@@ -158,7 +159,7 @@ class Experiment {
     if (options_.checkpoints == nullptr) return;
     std::string lines = text_of(fold.scores);
     for (const Scores& single : fold.singles) lines += text_of(single);
-    options_.checkpoints->keep(scores_part(fold), lines);
+    options_.checkpoints->keep_text(scores_part(fold), lines);
   }
 
   bool something_to_learn(Convention convention) const {

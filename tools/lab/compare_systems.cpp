@@ -4,6 +4,8 @@
 #include <iostream>
 
 #include "libparser/experiment/evaluate.hpp"
+#include "libparser/model/xxhash.hpp"
+#include "tools/shell/input.hpp"
 #include "tools/shell/learning.hpp"
 #include "tools/shell/models.hpp"
 #include "tools/shell/results_table.hpp"
@@ -33,7 +35,7 @@ struct Held {  // what is learned from and tested on
   std::vector<plan::Map> maps;
 };
 
-// All that a part depends on but the program itself.
+// All that a part depends on: another build may round or search otherwise.
 std::string settings_of(const CompareSystemsOptions& options, const Held& held) {
   std::string out = "table4\ncorpus " + hexadecimal(held.corpus.checksum) + '\n';
   if (held.test) out += "test corpus " + hexadecimal(held.test->checksum) + '\n';
@@ -41,6 +43,7 @@ std::string settings_of(const CompareSystemsOptions& options, const Held& held) 
   if (options.epochs > 0) out += "epochs " + std::to_string(options.epochs) + '\n';
   out += "place numbers " + told_or_hidden(options.tell_place_numbers) + '\n';
   out += "version " + std::string(WAYMARK_VERSION) + '\n';
+  out += "program " + hexadecimal(parser::xxh64(read_file("/proc/self/exe"))) + '\n';
   return out;
 }
 

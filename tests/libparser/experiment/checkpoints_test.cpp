@@ -43,7 +43,32 @@ TEST_F(CheckpointDirectory, KeepsBytesUnderTheirName) {
 
 TEST_F(CheckpointDirectory, OfOtherSettingsIsRefused) {
   const Checkpoints checkpoints(directory, "seed 1\n");
-  EXPECT_THROW(Checkpoints(directory, "seed 2\n"), ltl::FormatError);
+  try {
+    const Checkpoints others(directory, "seed 2\n");
+    FAIL() << "taken";
+  } catch (const ltl::FormatError& error) {
+    EXPECT_NE(std::string(error.what()).find("'seed 1', not 'seed 2'"), std::string::npos) << error.what();
+  }
+}
+
+// Every bit of every byte turned over, and every shorter file: nothing of it is ever taken for the text.
+TEST_F(CheckpointDirectory, ADamagedTextIsNotFound) {
+  const Checkpoints checkpoints(directory, "");
+  const std::string text = "1 2 3\n4 5\n";
+  checkpoints.keep_text("a", text);
+  EXPECT_EQ(checkpoints.find_text("a"), text);
+  EXPECT_FALSE(checkpoints.find_text("b"));
+  const std::string whole = *checkpoints.find("a");
+  for (std::size_t at = 0; at < whole.size(); ++at) {
+    checkpoints.keep("a", whole.substr(0, at));
+    EXPECT_FALSE(checkpoints.find_text("a")) << at;
+    for (int bit = 0; bit < 8; ++bit) {
+      std::string damaged = whole;
+      damaged[at] = static_cast<char>(damaged[at] ^ (1 << bit));
+      checkpoints.keep("a", damaged);
+      EXPECT_FALSE(checkpoints.find_text("a")) << at << ' ' << bit;
+    }
+  }
 }
 
 TEST(ScoresText, ReadsBackWhatItWrites) {
@@ -89,6 +114,12 @@ TEST_F(CheckpointDirectory, AnExperimentGoesOnToTheSameScores) {
     fs::remove(files_in(directory, kind).front());
     EXPECT_EQ(run(), whole) << kind;
   }
+  const fs::path scores = files_in(directory, ".scores").front();
+  std::string damaged = *checkpoints.find(scores.filename().string());
+  const std::size_t last_digit = damaged.find_last_of("0123456789");
+  damaged[last_digit] = static_cast<char>(damaged[last_digit] ^ 1);
+  checkpoints.keep(scores.filename().string(), damaged);  // another number, and the line is as good as any
+  EXPECT_EQ(run(), whole);
   fs::remove_all(directory);  // and with nothing kept
   const Checkpoints empty(directory, "");
   EXPECT_EQ(run(), whole);
