@@ -104,6 +104,7 @@ JsonObject json_of(const Answer& answer, const plan::Map& map) {
     add_certificate(json, *shown(corridor_run));
   } else {
     json.add("status", "infeasible").add("reason", std::get<plan::Infeasible>(corridor_run.destination).reason);
+    json.add("starts", json_of(plan::Trajectory{corridor_run.starts, {}}, map));
   }
   return json.add("seconds", seconds_json(corridor_run.seconds, answer.instruction.has_value()));
 }

@@ -41,7 +41,8 @@ CorridorRun run_corridor(const plan::Map& map, const automata::Dfa& dfa, std::op
   seconds.solve = watch.lap();
   const auto corridor_run = [&](Destination destination) {
     seconds.certify = watch.lap();
-    return CorridorRun{size_of(dfa), planner.met(), planner.edges(), std::move(destination), seconds};
+    return CorridorRun{size_of(dfa),           planner.met(), planner.edges(),
+                       std::move(destination), seconds,       {starts.begin(), starts.end()}};
   };
   if (const auto* infeasible = std::get_if<plan::Infeasible>(&answer))
     return corridor_run(formula ? plan::explain_infeasible(map, *formula, starts, stop) : *infeasible);

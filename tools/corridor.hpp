@@ -9,6 +9,7 @@
 #include <span>
 #include <stop_token>
 #include <variant>
+#include <vector>
 
 #include "libautomata/finite/dfa.hpp"
 #include "libltl/formula.hpp"
@@ -45,6 +46,7 @@ struct CorridorRun {
   std::size_t product_states, product_edges;  // pairs that the search met, edges that it looked at
   Destination destination;
   Seconds seconds;  // of compose, solve and certify; the caller adds the stages before
+  std::vector<plan::PoseId> starts = {};
 };
 
 // The certified route of least cost. `formula`: of the automaton, when there is one; without it the route is checked

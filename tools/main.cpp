@@ -23,6 +23,7 @@ Runner setup_automaton(Command);
 Runner setup_compose(Command);
 Runner setup_plan(Command);
 Runner setup_check(Command);
+Runner setup_verify(Command);
 Runner setup_monitor(Command);
 Runner setup_compare_formulas(Command);
 Runner setup_explain(Command);
@@ -64,6 +65,9 @@ constexpr std::array rows{
     Subcommand{"check", "does this trajectory satisfy this formula?", setup_check,
                "plan 'F sofa' --json | waymark check 'F sofa' --trajectory -\n"
                "check 'a U b' --word '{a}; {a}; {b}'"},
+    Subcommand{"verify", "is what a printed answer claims true? by code that did not find it", setup_verify,
+               "plan 'F chair & G !blue' --map grid --json | waymark verify\n"
+               "translate 'G(a -> F b)' --format json | waymark verify --words 10000"},
     Subcommand{"monitor", "formulas and letters as they come → verdicts, and what remains", setup_monitor,
                "monitor 'G(a -> F b)' --letters <(printf '{a}\\n{}\\n{b}\\n')\n"
                "monitor 'F b' 'a U b' --semantics finite --letters <(echo 'a; a; b') --json"},

@@ -11,9 +11,9 @@
 
 #include "libltl/diagnostic.hpp"
 #include "libltl/text/parse.hpp"
-#include "libplan/model/formats/scheduler.hpp"
 #include "libplan/solve/case_task.hpp"
 #include "tools/automaton_output.hpp"
+#include "tools/case_scheduler.hpp"
 #include "tools/shell/batch.hpp"
 #include "tools/shell/deadline.hpp"
 #include "tools/shell/json.hpp"
@@ -185,33 +185,6 @@ std::string written(const plan::PlanningCase& planning_case, const plan::CaseTas
     out += line.text() + '\n';
   }
   return out;
-}
-
-// The strategy as a scheduler on the states of the model, which needs no memory where every state has one decision.
-std::string scheduler_text(const plan::PlanningCase& planning_case, const CaseAnswer& answer,
-                           const std::string& format) {
-  const auto* const model = std::get_if<plan::Mdp>(&planning_case.model);
-  if (model == nullptr) throw UsageError("--strategy-format " + format + " is for --model: a grid numbers no choices");
-  plan::Scheduler scheduler;
-  scheduler.choices.resize(model->states());
-  for (const plan::Decision& decision : answer.strategy->decisions) {
-    auto& chosen = scheduler.choices[decision.state];
-    if (decision.jump != plan::Decision::no_jump || (!chosen.empty() && chosen.front().choice != decision.choice))
-      throw UsageError("the best strategy needs memory at " + decision.place +
-                       ": compose the product (--format explicit) and plan on it, with a scheduler of its states");
-    if (chosen.empty()) chosen.push_back({decision.choice, 1});
-  }
-  return plan::write_scheduler(scheduler,
-                               format == "prism" ? plan::SchedulerFormat::Prism : plan::SchedulerFormat::Storm, *model);
-}
-
-// The Markov chain that the scheduler in the file makes of the model; without a file, the model.
-plan::PlanningCase scheduled(plan::PlanningCase planning_case, const std::string& file) {
-  if (file.empty()) return planning_case;
-  const auto* const model = std::get_if<plan::Mdp>(&planning_case.model);
-  if (model == nullptr) throw UsageError("--scheduler is for a model whose states have numbers, not for a grid");
-  return {
-      planning_case.name, plan::induced(*model, plan::parse_scheduler(read_file(file), source_name(file), *model)), {}};
 }
 
 class TaskAnswers {

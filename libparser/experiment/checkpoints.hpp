@@ -13,8 +13,8 @@ namespace waymark::parser {
 class Checkpoints {
  public:
   // The directory is made when it is not there. It belongs to one experiment: `settings`, any text that says what the
-  // parts depend on, is kept beside them. Throws ltl::FormatError when the directory holds parts of other settings, with
-  // the first line that differs, or cannot be used.
+  // parts depend on, is kept beside them. Throws ltl::FormatError when the directory holds parts of other settings,
+  // with the first line that differs, or cannot be used.
   Checkpoints(std::filesystem::path directory, const std::string& settings);
 
   bool has(const std::string& name) const;                         // is the part finished?

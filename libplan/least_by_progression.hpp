@@ -1,0 +1,25 @@
+// A referee of planners: the least number of actions by which a finite word of the map satisfies a formula, found
+// without any automaton. A pair is a pose and what remains of the formula after the letters so far (progress.hpp); the
+// search is breadth first over them. It shares nothing with the translation, the product and the search of the planner.
+#pragma once
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <stop_token>
+
+#include "libltl/formula.hpp"
+#include "libplan/world/map.hpp"
+
+namespace waymark::plan {
+
+struct LeastActions {
+  std::optional<std::size_t> actions;  // nothing: proved that no word of the map satisfies the formula
+  std::size_t nodes = 0;               // that were met
+};
+
+// nullopt: more than `most_pairs` pairs were met, or stopped. Progression does not always come to an end: a formula may
+// grow with the word. Throws ltl::FormatError for a proposition that the map lacks. O(pairs · |formulas|).
+std::optional<LeastActions> least_by_progression(ltl::Formula formula, const Map& map, std::span<const PoseId> starts,
+                                                 std::size_t most_pairs = 1'000'000, const std::stop_token& stop = {});
+
+}  // namespace waymark::plan
