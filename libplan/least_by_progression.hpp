@@ -12,9 +12,9 @@
 
 namespace waymark::plan {
 
-struct LeastActions {
+struct LeastActions {                  // to satisfy a formula
   std::optional<std::size_t> actions;  // nothing: proved that no word of the map satisfies the formula
-  std::size_t nodes = 0;               // that were met
+  std::size_t pairs = 0;               // that were met
 };
 
 // nullopt: more than `most_pairs` pairs were met, or stopped. Progression does not always come to an end: a formula may

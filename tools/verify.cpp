@@ -1,5 +1,5 @@
-// waymark verify: is what an answer claims true? From the printed answer alone, by code that did not find it: formulas by
-// the definition of ⊨, least costs and infeasibility by progression, automata word by word.
+// waymark verify: is what an answer claims true? From the printed answer alone, by code that did not find it: formulas
+// by the definition of ⊨, least costs and infeasibility by progression, automata word by word.
 #include <algorithm>
 #include <iostream>
 #include <memory>
