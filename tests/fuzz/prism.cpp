@@ -1,5 +1,5 @@
-// PRISM's models, in its language and as explicit files (.tra, then .lab after a line "---"): refused with the place, or
-// a model whose choices are distributions over its own states.
+// PRISM's models, in its language and as explicit files (.tra, then .lab after a line "---"): refused with the place,
+// or a model whose choices are distributions over its own states.
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
