@@ -169,6 +169,7 @@ class Tours {
   // From one stop, where `visited` are visited already, over all landmarks, and back when closed. [HK62]
   std::optional<LandmarkTour> cheapest(std::size_t from, std::uint32_t visited, bool closed) const {
     const std::size_t n = stops_.size(), masks = std::size_t{1} << names_.size();
+    if (n == 0) return std::nullopt;  // never: the start is a stop
     const auto all = static_cast<std::uint32_t>(masks - 1);
     std::vector<double> cost(masks * n, unreached);
     std::vector<std::uint64_t> before(masks * n, 0);
