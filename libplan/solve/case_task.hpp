@@ -63,8 +63,8 @@ struct CaseAnswer {                                                    // what s
 };
 
 // The value of a lasso is what its order puts first. Throws ltl::SyntaxError for a formula that cannot be read,
-// std::invalid_argument for a query that its logic does not have (a cycle of anything but patrol:a,b,…), a method that
-// does not answer it, or an option that goes with other queries.
+// std::invalid_argument for a query that its logic does not have (a cycle of anything but patrol:a,b,…), a method
+// that does not answer it, or an option that goes with other queries.
 CaseAnswer answer(const PlanningCase& planning_case, const CaseTask& task, const CaseOptions& options = {});
 // The same of an automaton in the place of the formula; the logic is that of its words.
 CaseAnswer answer(const PlanningCase& planning_case, const CaseTask& task, const GivenAutomaton& given,
