@@ -25,7 +25,7 @@ class Mtbdd {
  public:
   using Variable = std::uint32_t;                      // smaller variables stand nearer to the root
   static constexpr Variable no_variable = UINT32_MAX;  // of a terminal
-  static constexpr Variable max_variables = 4'096;     // recursion is as deep as a path is long
+  static constexpr Variable max_variables = 16'384;    // recursion is as deep as a path is long
 
   struct Node {                       // a handle of this manager
     std::uint32_t id = terminal_bit;  // its number, or a terminal's payload with the highest bit set

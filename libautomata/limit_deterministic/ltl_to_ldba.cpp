@@ -115,7 +115,7 @@ std::variant<TranslatedForMdps, Exhausted> ltl_to_ldba(ltl::Formula f, const Tra
   auto found = ltl_to_parity(f, limits);
   if (const Exhausted* none = std::get_if<Exhausted>(&found)) return *none;
   const Translated& parity = std::get<Translated>(found);
-  const ltl::Formula simple = ltl::simplify(f, ltl::Over::Infinite);
+  const ltl::Formula simple = ltl::simplify(f, ltl::Over::Infinite, {}, limits.stop);
   const std::vector<ltl::Proposition> reads = together(ltl::propositions(simple), parity.automaton.reads());
   try {
     const Automaton& from = parity.automaton;

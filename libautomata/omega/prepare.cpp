@@ -21,9 +21,10 @@ Prepared prepared_forms(Formula f, const std::vector<ltl::Proposition>& reads, c
   Budget budget(containment_steps, SIZE_MAX, stop);
   Containment implies(reads, budget);
   std::optional<Formula> plain;
-  f = ltl::simplify(f, ltl::Over::Infinite);
+  f = ltl::simplify(f, ltl::Over::Infinite, {}, stop);
   for (int round = 0; round < 2; ++round) {
-    f = ltl::nnf(ltl::simplify(f, ltl::Over::Infinite, [&](Formula g, Formula h) { return implies(g, h); }));
+    f = ltl::nnf(ltl::simplify(
+        f, ltl::Over::Infinite, [&](Formula g, Formula h) { return implies(g, h); }, stop));
     if (!plain) plain = f;
     const Formula separated = ltl::separate(f);
     if (separated == f) break;

@@ -8,9 +8,10 @@ namespace waymark::automata {
 namespace {
 
 // A clause that asks for more than another one adds nothing.
-std::vector<Clause> fewest(const std::vector<Clause>& all) {
+std::vector<Clause> fewest(const std::vector<Clause>& all, Budget& budget) {
   std::vector<Clause> out;
   for (std::size_t i = 0; i < all.size(); ++i) {
+    budget.step(1 + all.size() / 16);
     const auto implied = [&](const Clause& c) {
       return all[i].finitely.includes(c.finitely) && all[i].infinitely.includes(c.infinitely);
     };
@@ -26,7 +27,7 @@ std::vector<Clause> fewest(const std::vector<Clause>& all) {
 
 }  // namespace
 
-std::vector<Clause> clauses(const Condition& condition) {
+std::vector<Clause> clauses(const Condition& condition, Budget& budget) {
   switch (condition.op()) {
     case Condition::Op::True: return {{}};
     case Condition::Op::False: return {};
@@ -35,16 +36,16 @@ std::vector<Clause> clauses(const Condition& condition) {
     case Condition::Op::Or: {
       std::vector<Clause> out;
       for (const Condition& operand : condition.operands())
-        for (const Clause& c : clauses(operand)) out.push_back(c);
-      return fewest(out);
+        for (const Clause& c : clauses(operand, budget)) out.push_back(c);
+      return fewest(out, budget);
     }
     case Condition::Op::And: {
       std::vector<Clause> out{{}};
       for (const Condition& operand : condition.operands()) {
         std::vector<Clause> both;
-        for (const Clause& c : clauses(operand))
+        for (const Clause& c : clauses(operand, budget))
           for (const Clause& d : out) both.push_back({c.finitely | d.finitely, c.infinitely | d.infinitely});
-        out = fewest(both);
+        out = fewest(both, budget);
       }
       return out;
     }
@@ -54,7 +55,7 @@ std::vector<Clause> clauses(const Condition& condition) {
 
 TransitionRelation without_fin(const TransitionRelation& automaton, Budget& budget) {
   if (automaton.acceptance.is_generalized_buchi()) return automaton;
-  const std::vector<Clause> all = clauses(automaton.acceptance.condition);
+  const std::vector<Clause> all = clauses(automaton.acceptance.condition, budget);
   const auto states = static_cast<std::uint32_t>(automaton.states());
   std::uint32_t sets = 1;  // the copy in which nothing was picked accepts nothing
   for (const Clause& c : all) sets = std::max(sets, c.infinitely.count());
@@ -75,6 +76,7 @@ TransitionRelation without_fin(const TransitionRelation& automaton, Budget& budg
       const auto leaf = [&](std::uint32_t c) {
         std::vector<Branch> branches;
         for (const Branch& b : automaton.choices[c]) {
+          budget.step(1 + all.size() / 16);
           if (copy == 0) branches.push_back({b.target, {}});
           for (std::uint32_t k = 1; k <= all.size(); ++k)
             if ((copy == 0 || copy == k) && (b.marks & all[k - 1].finitely).empty())

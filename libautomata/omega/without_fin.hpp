@@ -14,8 +14,9 @@ namespace waymark::automata {
 struct Clause {                // one way to satisfy the condition
   Marks finitely, infinitely;  // marks that end, marks that recur
 };
-std::vector<Clause> clauses(
-    const Condition& condition);  // none is implied by another one; exponential in the worst case
+// None is implied by another one. Exponentially many in the worst case; a step of budget for every sixteen pairs that
+// are compared.
+std::vector<Clause> clauses(const Condition& condition, Budget& budget);
 
 // Generalised Büchi as it is; else trimmed. One state of budget per copy of a state.
 TransitionRelation without_fin(const TransitionRelation& automaton, Budget& budget);

@@ -269,7 +269,8 @@ class Construction {
     if (ltl::is_delta2(formula_)) return std::nullopt;
     const std::optional<Formula> form = ltl::delta2(formula_, most_rewritings);
     if (!form) return std::nullopt;
-    const Formula shorter = ltl::nnf(ltl::separate(ltl::nnf(ltl::simplify(*form, ltl::Over::Infinite))));
+    const Formula shorter =
+        ltl::nnf(ltl::separate(ltl::nnf(ltl::simplify(*form, ltl::Over::Infinite, {}, limits_.stop))));
     const Formula normal = ltl::is_delta2(shorter) ? shorter : *form;
     return combined(within(SIZE_MAX, SIZE_MAX, [&](Budget&) { return Split(normal, Split::Late::Each); }),
                     strategies.normal_form, &Construction::plain);

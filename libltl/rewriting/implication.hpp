@@ -20,8 +20,8 @@ class Implication {
   explicit Implication(Oracle oracle = {}) : oracle_(std::move(oracle)) {}
 
   // Does φ ⇒ ψ follow by the rules? Answers are remembered; formulas nested deeper than `most_depth` in the course
-  // of an answer are not looked into ("no"), and after `most_steps` new pairs nothing is: formulas of many thousand
-  // operators are simplified less, not for ever.
+  // of an answer are not looked into ("no"), and after `most_steps` new pairs the answer is "no": formulas of many
+  // thousand operators are simplified less, not for ever.
   bool operator()(Formula from, Formula to) {
     if (is_literal(from) && is_literal(to)) return from == to;  // also of thousands of them, pair by pair
     return follows(from, to, most_depth) || (oracle_ && oracle_(from, to));

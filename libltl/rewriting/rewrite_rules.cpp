@@ -153,10 +153,16 @@ Result next_out_of_release(Formula f, Implication&) {
   return {};
 }
 
+// Operands of longer junctions are not compared two by two.
+bool is_short_junction(Formula f) {
+  constexpr std::size_t most_operands = 4'096;
+  return (is(f, Op::And) || is(f, Op::Or)) && f.operands().size() <= most_operands;
+}
+
 // match:  φ ∧ ψ with φ ⇒ ψ, φ ∨ ψ with ψ ⇒ φ
 // result: φ
 Result absorbed(Formula f, Implication& implies) {
-  if (!is(f, Op::And) && !is(f, Op::Or)) return {};
+  if (!is_short_junction(f)) return {};
   std::vector<Formula> kept(f.operands().begin(), f.operands().end());
   for (std::size_t i = 0; i < kept.size();) {
     const auto makes_idle = [&](Formula g) {
@@ -175,7 +181,7 @@ Result absorbed(Formula f, Implication& implies) {
 // match:  φ ∧ ψ with φ ⇒ ¬ψ, φ ∨ ψ with ¬φ ⇒ ψ
 // result: false, true
 Result contradiction(Formula f, Implication& implies) {
-  if (!is(f, Op::And) && !is(f, Op::Or)) return {};
+  if (!is_short_junction(f)) return {};
   std::vector<Formula> opposites;
   for (Formula g : f.operands()) opposites.push_back(implies.opposite(g));
   for (std::size_t i = 0; i < opposites.size(); ++i)
@@ -188,7 +194,7 @@ Result contradiction(Formula f, Implication& implies) {
 // match:  φ ∨ ((φ′ ∨ ψ) ∧ χ) with φ′ ⇒ φ, φ ∧ ((φ′ ∧ ψ) ∨ χ) with φ ⇒ φ′
 // result: φ ∨ (ψ ∧ χ), φ ∧ (ψ ∨ χ)
 Result settled_beside(Formula f, Implication& implies) {
-  if (!is(f, Op::And) && !is(f, Op::Or)) return {};
+  if (!is_short_junction(f)) return {};
   const Op inner = is(f, Op::And) ? Op::Or : Op::And;
   const auto junction = [&](Op op, const std::vector<Formula>& parts) {
     return op == Op::And ? conjunction(f.arena(), parts) : disjunction(f.arena(), parts);
@@ -216,7 +222,7 @@ Result settled_beside(Formula f, Implication& implies) {
 // Joins the first two operands of a junction that `join` can join.
 template <class Join>
 Result join_two(Formula f, Op op, Join join) {
-  if (!is(f, op)) return {};
+  if (!is(f, op) || !is_short_junction(f)) return {};
   const auto parts = f.operands();
   for (std::size_t i = 0; i < parts.size(); ++i)
     for (std::size_t j = i + 1; j < parts.size(); ++j) {

@@ -50,7 +50,8 @@ std::unordered_set<Formula> top_layer(Formula f) {
 
 class Simplifier {
  public:
-  Simplifier(Over over, Implication::Oracle implies) : over_(over), implies_(std::move(implies)) {}
+  Simplifier(Over over, Implication::Oracle implies, const std::stop_token& stop)
+      : over_(over), implies_(std::move(implies)), stop_(stop) {}
 
   // Every subformula once, operands first. A subformula that occurs both at the top and below a temporal operator
   // has two images.
@@ -83,6 +84,7 @@ class Simplifier {
       changed = false;
       for (const RewriteRule& rule : rewrite_rules()) {
         if (!(over_ == Over::Infinite ? rule.infinite : rule.finite)) continue;
+        if (stop_.stop_requested()) return f;
         const auto result = rule.apply(f, implies_);
         if (!result || (keep_empty && accepts_empty(*result) != accepts_empty(f))) continue;
         f = *result;
@@ -95,20 +97,21 @@ class Simplifier {
 
   Over over_;
   Implication implies_;
+  const std::stop_token& stop_;
 };
 
 }  // namespace
 
 Formula simplify(Formula f, Over over) { return simplify(f, over, {}); }
 
-Formula simplify(Formula f, Over over, Implication::Oracle implies) {
-  Simplifier simplifier(over, std::move(implies));
+Formula simplify(Formula f, Over over, Implication::Oracle implies, const std::stop_token& stop) {
+  Simplifier simplifier(over, std::move(implies), stop);
   Formula before = f;
   f = nnf_keeping_iff(f);
   do {
     before = f;
     f = simplifier.pass(f);
-  } while (f != before);
+  } while (f != before && !stop.stop_requested());
   return f;
 }
 

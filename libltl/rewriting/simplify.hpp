@@ -7,6 +7,7 @@
 // are pushed inwards first; equivalences are kept.
 #pragma once
 #include <cstdint>
+#include <stop_token>
 
 #include "libltl/formula.hpp"
 #include "libltl/meaning/semantics.hpp"
@@ -22,8 +23,9 @@ enum class Over : std::uint8_t {  // the words on which the meaning is kept
 
 // Idempotent; the tree never grows beyond that of nnf_keeping_iff(f). Passes over the DAG until nothing changes.
 Formula simplify(Formula f, Over over);
-// The rules may also ask whether one formula implies another one, over the same words.
-Formula simplify(Formula f, Over over, Implication::Oracle implies);
+// The rules may also ask whether one formula implies another one, over the same words. A requested stop, looked at
+// before each rule, ends it early: what is returned then has the meaning of f and is less simple.
+Formula simplify(Formula f, Over over, Implication::Oracle implies, const std::stop_token& stop = {});
 
 inline Formula simplify(Formula f, Semantics semantics) {  // with the words of a user
   return simplify(f, semantics == Semantics::Finite ? Over::Finite : Over::Infinite);

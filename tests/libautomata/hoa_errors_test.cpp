@@ -78,8 +78,8 @@ TEST(ReadHoa, NumbersInTheTextDoNotCostMemory) {
 
 TEST(ReadHoa, PropositionsAreLimited) {
   std::string names;
-  for (int i = 0; i < 5000; ++i) names += " \"p" + std::to_string(i) + '"';
-  EXPECT_THROW(read_hoa("HOA: v1\nAP: 5000" + names + "\nAcceptance: 0 t\n--BODY--\n--END--"), ltl::FormatError);
+  for (int i = 0; i < 17'000; ++i) names += " \"p" + std::to_string(i) + '"';
+  EXPECT_THROW(read_hoa("HOA: v1\nAP: 17000" + names + "\nAcceptance: 0 t\n--BODY--\n--END--"), ltl::FormatError);
 }
 
 TEST(ReadHoa, NestingIsLimited) {

@@ -33,11 +33,20 @@ TEST(WithoutFin, ClausesSayWhatTheConditionSays) {
   for (int i = 0; i < 200; ++i) {
     const Acceptance acceptance =
         random_automaton(random, ab, {.states = 2, .sets = 1 + static_cast<std::uint32_t>(i % 5)}).acceptance();
-    const std::vector<Clause> all = clauses(acceptance.condition);
+    Budget budget;
+    const std::vector<Clause> all = clauses(acceptance.condition, budget);
     for (std::uint64_t bits = 0; bits < std::uint64_t{1} << acceptance.sets; ++bits)
       ASSERT_EQ(holds(all, Marks::from_bits(bits)), acceptance.condition.holds(Marks::from_bits(bits)))
           << print(acceptance.condition) << " on " << bits;
   }
+}
+
+TEST(WithoutFin, ManyClausesSpendTheBudget) {
+  std::vector<Condition> pairs;
+  for (std::uint32_t pair = 0; pair < 15; ++pair)
+    pairs.push_back(Condition::any_of({Condition::fin(2 * pair), Condition::inf(2 * pair + 1)}));
+  Budget budget(100'000, SIZE_MAX, {});
+  EXPECT_THROW(clauses(Condition::all_of(pairs), budget), Budget::Exceeded);
 }
 
 TEST(WithoutFin, KeepsTheLanguage) {

@@ -145,10 +145,19 @@ TEST(LtlfToDfa, ReadsDeepAndWideFormulas) {
   EXPECT_EQ(write_hoa(read_hoa(write_hoa(dfa))), write_hoa(dfa));
 }
 
+TEST(LtlfToDfa, LongChainsHaveAStateForEveryLink) {
+  ltl::Arena arena;
+  ltl::Formula f = arena.atom("a");
+  for (int i = 0; i < 9'000; ++i) f = ltl::next(f);
+  const auto made = ltlf_to_dfa(f, TranslationLimits{});
+  ASSERT_TRUE(std::holds_alternative<Dfa>(made));
+  EXPECT_EQ(std::get<Dfa>(made).states(), 9'003U);  // before the letter, the good and the bad end
+}
+
 TEST(LtlfToDfa, SaysWhenAFormulaIsTooLargeForADiagram) {
   ltl::Arena arena;
   ltl::Formula f = arena.atom("a");
-  for (int i = 0; i < 5000; ++i) f = ltl::next(f);
+  for (int i = 0; i < 17'000; ++i) f = ltl::next(f);
   EXPECT_TRUE(std::holds_alternative<Exhausted>(ltlf_to_dfa(f, TranslationLimits{})));
   EXPECT_THROW(ltlf_to_dfa(f), std::length_error);
 }

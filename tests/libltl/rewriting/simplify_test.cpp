@@ -3,8 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <set>
+#include <stop_token>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "libltl/meaning/progress.hpp"
 #include "libltl/rewriting/implication.hpp"
@@ -219,6 +221,22 @@ TEST(Simplify, WorksAsAWhole) {
     Arena arena;
     EXPECT_EQ(print(simplify(parse(row.text, arena), row.over)), row.simplified);
   }
+}
+
+TEST(Simplify, EndsEarlyWithTheSameMeaning) {
+  std::stop_source source;
+  source.request_stop();
+  Arena arena;
+  const Formula f = parse("!(a U (b & G a)) & F(a | F a)", arena);
+  EXPECT_EQ(simplify(f, Over::Infinite, {}, source.get_token()), nnf_keeping_iff(f));
+}
+
+TEST(Simplify, LongJunctionsAreNotComparedTwoByTwo) {
+  Arena arena;
+  std::vector<Formula> all;
+  for (int i = 0; i < 100'000; ++i) all.push_back(eventually(arena.atom("p" + std::to_string(i))));
+  const Formula f = conjunction(arena, all);
+  EXPECT_EQ(simplify(f, Over::Infinite), f);  // for hours, if they were
 }
 
 TEST(Simplify, DeepFormulasDoNotOverflow) {
