@@ -108,8 +108,12 @@ bool gives_formula(const ComposeOptions& options) {
 }
 
 // Of a map a model, of a file what it holds.
-plan::PlanningCase model_of(const ComposeOptions& options) {
-  if (!options.file.empty()) return plan::read_model(options.file, options.start);
+plan::PlanningCase model_of(const ComposeOptions& options, const std::stop_token& stop) {
+  try {
+    if (!options.file.empty()) return plan::read_model(options.file, options.start, {.stop = stop});
+  } catch (const plan::ReadingStopped&) {
+    throw Interrupted();
+  }
   const plan::Map map = read_map(options.map);
   const auto starts = start_poses(options.start, map);
   if (starts.size() > 1) throw UsageError("a model starts in one pose: give --start with a heading");
@@ -154,7 +158,7 @@ ExitCode compose_tasks(const plan::PlanningCase& model, const ComposeOptions& op
 }
 
 ExitCode compose_any(const ComposeOptions& options, const Session& session) {
-  const plan::PlanningCase model = model_of(options);
+  const plan::PlanningCase model = model_of(options, session.stop);
   if (options.model_only) {
     if (gives_formula(options) || !options.automaton.empty())
       throw UsageError("--model-only goes without a formula or automaton");

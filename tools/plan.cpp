@@ -15,6 +15,7 @@
 #include "tools/plan_case.hpp"
 #include "tools/plan_walk.hpp"
 #include "tools/shell/batch.hpp"
+#include "tools/shell/deadline.hpp"
 #include "tools/shell/noise.hpp"
 #include "tools/shell/options.hpp"
 #include "tools/shell/output.hpp"
@@ -56,37 +57,48 @@ bool is_english(const std::string& text) {
          std::all_of(text.begin(), text.end(), is_word);
 }
 
+// The work in a session that also ends after so many seconds. Throws GaveUp then.
+template <class Work>
+ExitCode within(double seconds, const Session& session, Work work) {
+  const Deadline deadline(seconds, session.stop);
+  try {
+    return work(Session{deadline.token(), session.out});
+  } catch (const GaveUp&) {
+    if (!deadline.passed()) throw;
+    throw GaveUp("gave up after " + fixed(seconds, 1) + " s");
+  }
+}
+
 class Planning {
  public:
-  Planning(const PlanCommandOptions& options, const Session& session)
-      : options_(options), session_(session), map_(read_map(options.map)), starts_(start_poses(options.start, map_)) {
+  explicit Planning(const PlanCommandOptions& options)
+      : options_(options), map_(read_map(options.map)), starts_(start_poses(options.start, map_)) {
     load_ = watch_.lap();
   }
 
-  ExitCode of_formula(const Text& text) {
+  ExitCode of_formula(const Text& text, const Session& session) const {
     StopWatch watch;
     ltl::Arena arena(map_.vocabulary());
     const ltl::Formula formula = formula_of(text, arena);
-    if (is_infinite(options_)) return plan_lasso(task(formula, nullptr), walk_options(), session_);
+    if (is_infinite(options_)) return plan_lasso(task(formula, nullptr), walk_options(), session);
     if (speaks_of_ever(formula) && !options_.json)
       std::cerr
           << "note: read over finite words, where G F and F G speak of the end of the route; --semantics infinite "
              "plans for ever\n";
-    const automata::Dfa dfa = translate(formula, session_.stop);
+    const automata::Dfa dfa = translate(formula, session.stop);
     if (options_.planning_case.top > 1)
-      return plan_routes(task(formula, nullptr), dfa, walk_options(watch.lap()), session_);
-    return answer(dfa, formula, watch.lap());
+      return plan_routes(task(formula, nullptr), dfa, walk_options(watch.lap()), session);
+    return answer(dfa, formula, watch.lap(), session);
   }
 
-  ExitCode of_automaton(const std::string& file) {
+  ExitCode of_automaton(const std::string& file, const Session& session) const {
     StopWatch watch;
     const plan::GivenAutomaton given = plan::read_given_automaton(read_file(file), source_name(file));
     const auto* dfa = std::get_if<automata::Dfa>(&given);
-    if (dfa == nullptr || is_infinite(options_))
-      return plan_lasso(task(std::nullopt, &given), walk_options(), session_);
+    if (dfa == nullptr || is_infinite(options_)) return plan_lasso(task(std::nullopt, &given), walk_options(), session);
     if (options_.planning_case.top > 1)
-      return plan_routes(task(std::nullopt, nullptr), *dfa, walk_options(watch.lap()), session_);
-    return answer(*dfa, std::nullopt, watch.lap());
+      return plan_routes(task(std::nullopt, nullptr), *dfa, walk_options(watch.lap()), session);
+    return answer(*dfa, std::nullopt, watch.lap(), session);
   }
 
  private:
@@ -113,14 +125,15 @@ class Planning {
             false,
             options_.tree};
   }
-  ExitCode answer(const automata::Dfa& dfa, std::optional<ltl::Formula> formula, double translating) {
-    Answer answer{.formula = formula, .corridor_run = run_corridor(map_, dfa, formula, starts_, session_.stop)};
+  ExitCode answer(const automata::Dfa& dfa, std::optional<ltl::Formula> formula, double translating,
+                  const Session& session) const {
+    Answer answer{.formula = formula, .corridor_run = run_corridor(map_, dfa, formula, starts_, session.stop)};
     answer.corridor_run.seconds.load = load_;
     answer.corridor_run.seconds.translate = translating;
     if (options_.json)
       std::cout << json_of(answer, map_).text() << '\n';
     else
-      print(std::cout, session_.out, answer, map_);
+      print(std::cout, session.out, answer, map_);
     if (!options_.hoa.empty())
       write_file(options_.hoa, automata::write_hoa(dfa, {.name = formula ? ltl::print(*formula) : ""}));
     const std::optional<ShownRoute> route = shown(answer.corridor_run);
@@ -132,7 +145,6 @@ class Planning {
   }
 
   const PlanCommandOptions& options_;
-  const Session& session_;
   StopWatch watch_;
   plan::Map map_;
   std::vector<plan::PoseId> starts_;
@@ -190,15 +202,22 @@ ExitCode run_plan(const PlanCommandOptions& options, const Session& session) {
     return plan_case(choice, session);
   }
   if (!choice.model.empty())
-    return plan_model(plan::read_model(choice.model, options.start), choice, options.text, session);
+    return plan_model(read_model(choice, options.start, session.stop), choice, options.text, session);
   if (options.noise.given()) return plan_model(noisy_map(options), choice, options.text, session);
-  if (!options.automaton.empty()) return Planning(options, session).of_automaton(options.automaton);
+  if (!options.automaton.empty())
+    return within(choice.limit_seconds, session,
+                  [&](const Session& limited) { return Planning(options).of_automaton(options.automaton, limited); });
   TextReader texts(options.text, "formula");
   if (texts.is_batch() && (!options.svg.empty() || !options.hoa.empty() || !options.tree.empty()))
     throw UsageError("--svg, --hoa and --behavior-tree are for a single formula given as an argument");
-  Planning planning(options, session);
+  const Planning planning(options);
   return answer_each(
-      texts, session.stop, [&](const Text& text) { return planning.of_formula(text); }, options.json);
+      texts, session.stop,
+      [&](const Text& text) {
+        return within(choice.limit_seconds, session,
+                      [&](const Session& limited) { return planning.of_formula(text, limited); });
+      },
+      options.json);
 }
 
 }  // namespace

@@ -11,6 +11,7 @@
 
 #include "libltl/diagnostic.hpp"
 #include "libltl/text/parse.hpp"
+#include "libplan/model/formats/read_model.hpp"
 #include "libplan/solve/case_task.hpp"
 #include "tools/automaton_output.hpp"
 #include "tools/case_scheduler.hpp"
@@ -315,7 +316,19 @@ void add_case_options(Command command, CaseChoice& choice) {
                   "with --case: proved error of values, absolute for probabilities, relative for costs")
       .between(1e-12, 1.0)  // doubles carry no less
       .show_default();
-  command.add_option("--limit-seconds", choice.limit_seconds, "with --case: time for each task").positive();
+  command.add_option("--limit-seconds", choice.limit_seconds, "time for each formula or task, and to read a model")
+      .positive();
+}
+
+plan::PlanningCase read_model(const CaseChoice& choice, const std::string& start, const std::stop_token& stop) {
+  const Deadline deadline(choice.limit_seconds, stop);
+  try {
+    return plan::read_model(choice.model, start, {.stop = deadline.token()});
+  } catch (const plan::ReadingStopped&) {
+    if (!deadline.passed()) throw Interrupted();
+    throw GaveUp("gave up: " + choice.model + " has more states than were found in " + fixed(choice.limit_seconds, 1) +
+                 " s");
+  }
 }
 
 ExitCode plan_case(const CaseChoice& choice, const Session& session) {

@@ -22,12 +22,14 @@ struct CaseChoice {
   std::size_t top = 1;
   double discount = 0.9;
   double tolerance = 1e-6;
-  double limit_seconds = 0;  // of each task; 0: none
+  double limit_seconds = 0;  // of each formula or task, and of reading a model; 0: none
   bool json = false;
 };
 plan::LassoOrder order_of(const std::string& name);  // `order` of a choice
 void add_case_options(Command command, CaseChoice& choice);
 ExitCode plan_case(const CaseChoice& choice, const Session& session);
+// --model of a choice within its seconds. Throws as plan::read_model, GaveUp and Interrupted.
+plan::PlanningCase read_model(const CaseChoice& choice, const std::string& start, const std::stop_token& stop);
 // Formulas, or the automaton that was chosen, on a model of any kind.
 ExitCode plan_model(plan::PlanningCase model, const CaseChoice& choice, const TextOptions& formulas,
                     const Session& session);

@@ -19,7 +19,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   try {
     const plan::Mdp model =
         cut == std::string_view::npos
-            ? plan::parse_prism(text, "", 2'000)
+            ? plan::parse_prism(text, "", {.states = 2'000})
             : plan::parse_prism_explicit({std::string(text.substr(0, cut + 1)), std::string(text.substr(cut + 5))});
     for (std::uint32_t s = 0; s < model.states(); ++s)
       for (std::uint32_t k = 0; k < model.choices(s); ++k) {

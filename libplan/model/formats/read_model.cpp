@@ -7,7 +7,6 @@
 #include "libplan/model/formats/read_osm.hpp"
 #include "libplan/model/formats/read_streets.hpp"
 #include "libplan/model/formats/read_transition_system.hpp"
-#include "libplan/model/prism/read_prism.hpp"
 #include "libplan/model/prism/read_prism_explicit.hpp"
 #include "libplan/world/json_reader.hpp"
 
@@ -21,7 +20,7 @@ bool is_case(std::string_view text, std::string_view source) {
 
 }  // namespace
 
-PlanningCase read_model(const std::filesystem::path& file, std::string_view start) {
+PlanningCase read_model(const std::filesystem::path& file, std::string_view start, const ModelLimits& limits) {
   const std::string name = file.stem().string(), source = file.string();
   const auto no_start = [&] {
     if (!start.empty()) throw ltl::FormatError(source, 0, 0, "this model says itself where it starts");
@@ -39,7 +38,7 @@ PlanningCase read_model(const std::filesystem::path& file, std::string_view star
   if (file.extension() == ".yaml" || file.extension() == ".yml")
     return {name, parse_transition_system(text, source), {}};
   if (file.extension() == ".json") return parse_case(text, source);
-  return {name, parse_prism(text, source), {}};
+  return {name, parse_prism(text, source, limits), {}};
 }
 
 }  // namespace waymark::plan

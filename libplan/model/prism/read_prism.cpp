@@ -44,8 +44,8 @@ struct Label {
 
 class ModelReader {
  public:
-  ModelReader(std::string_view text, std::string_view source, std::size_t limit)
-      : in_(text, source), expressions_(in_), limit_(limit) {}
+  ModelReader(std::string_view text, std::string_view source, const ModelLimits& limits)
+      : in_(text, source), expressions_(in_), limits_(limits) {}
 
   Mdp read() {
     if (!in_.accept("mdp")) in_.fail("expected 'mdp': models of this kind only are read");
@@ -320,7 +320,8 @@ class ModelReader {
       return letters[s];
     };
     for (std::uint32_t s = 0; s < states_.size(); ++s) {
-      if (states_.size() > limit_) in_.fail(variables_[0].name.where, "more states than the limit");
+      if (limits_.stop.stop_requested()) throw ReadingStopped{};
+      if (states_.size() > limits_.states) in_.fail(variables_[0].name.where, "more states than the limit");
       const PrismValues values = states_[s];
       builder.add_state(show(values));
       add_choices(builder, s, values, letter);
@@ -353,7 +354,7 @@ class ModelReader {
 
   PrismTokens in_;
   PrismExpressions expressions_;
-  std::size_t limit_;
+  const ModelLimits& limits_;
   std::vector<Variable> variables_;
   std::vector<Command> commands_;
   std::vector<Reward> rewards_;
@@ -367,8 +368,8 @@ class ModelReader {
 
 }  // namespace
 
-Mdp parse_prism(std::string_view text, std::string_view source, std::size_t limit) {
-  return ModelReader(text, source, limit).read();
+Mdp parse_prism(std::string_view text, std::string_view source, const ModelLimits& limits) {
+  return ModelReader(text, source, limits).read();
 }
 
 }  // namespace waymark::plan

@@ -6,14 +6,22 @@
 // "stay", as in PRISM.
 #pragma once
 #include <cstddef>
+#include <stop_token>
 #include <string_view>
 
 #include "libplan/model/mdp.hpp"
 
 namespace waymark::plan {
 
+struct ReadingStopped {};  // thrown
+
+struct ModelLimits {  // of what is made of a text
+  std::size_t states = 50'000'000;
+  std::stop_token stop = {};  // polled in each state; then ReadingStopped is thrown
+};
+
 // States are numbered breadth first, in the order of commands and updates. Throws ltl::SyntaxError with the place, also
 // for what PRISM has and this reader has not, and for more states than the limit.
-Mdp parse_prism(std::string_view text, std::string_view source = "", std::size_t limit = 50'000'000);
+Mdp parse_prism(std::string_view text, std::string_view source = "", const ModelLimits& limits = {});
 
 }  // namespace waymark::plan

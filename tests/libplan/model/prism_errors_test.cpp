@@ -112,6 +112,14 @@ TEST(PrismExplicit, SaysWhatIsWrongAndWhere) {
   EXPECT_EQ(complaint(PrismFiles{transitions, labels}), "");
 }
 
+TEST(Prism, ReadingEndsWhenAsked) {
+  std::stop_source source;
+  source.request_stop();
+  const char* text = "mdp module m x : [0..9] init 0; [] x < 9 -> (x'=x+1); endmodule";
+  EXPECT_EQ(parse_prism(text).states(), 10U);
+  EXPECT_THROW(parse_prism(text, "", {.stop = source.get_token()}), ReadingStopped);
+}
+
 TEST(PrismExplicit, AddsUpWhatIsToBeExpected) {
   PrismFiles files{"3 2 3\n0 0 1 0.25\n0 0 2 0.75\n1 0 0 1 back\n", "0=\"init\"\n0: 0\n", {}, {}, {}};
   EXPECT_EQ(parse_prism_explicit(files).cost(0, 0), 1);
