@@ -3,6 +3,7 @@
 #include <httplib.h>
 
 #include <algorithm>
+#include <cstdint>
 
 #include "tools/shell/exit_code.hpp"
 #include "tools/shell/json.hpp"
@@ -12,7 +13,8 @@
 namespace waymark::studio {
 namespace {
 
-constexpr std::size_t threads = 12;         // connections that are served at a time
+// Connections that are served at a time: slow senders hold theirs. What is worked on at a time is limited in api.cpp.
+constexpr std::size_t threads = 32;
 constexpr std::time_t seconds_to_send = 5;  // a request has to be here, and an answer to be taken
 
 // Scripts and styles of our own only; nothing of the page may be shown inside another one.
@@ -47,9 +49,9 @@ class Server::Listener {
   Listener(Access access, Api& api) : access_(std::move(access)), api_(api) {
     limit();
     answer();
-    const int port = access_.port == 0 ? server_.bind_to_any_port(access_.host.c_str())
-                     : server_.bind_to_port(access_.host.c_str(), access_.port) ? access_.port
-                                                                                : -1;
+    const int port = access_.port == 0                                  ? server_.bind_to_any_port(access_.host)
+                     : server_.bind_to_port(access_.host, access_.port) ? access_.port
+                                                                        : -1;
     if (port <= 0)
       throw tools::UsageError("cannot listen on " + access_.host + ":" + std::to_string(access_.port) +
                               "; --port names another port, 0 any free one");
@@ -67,11 +69,10 @@ class Server::Listener {
  private:
   void limit() {
     server_.new_task_queue = [] { return new httplib::ThreadPool(threads); };
-    server_.set_payload_max_length(most_body);
+    server_.set_payload_max_length(SIZE_MAX);  // else a larger body is read to its end; see answer_post
     server_.set_read_timeout(seconds_to_send);
     server_.set_write_timeout(seconds_to_send);
-    server_.set_keep_alive_timeout(2);
-    server_.set_keep_alive_max_count(1000);
+    server_.set_keep_alive_max_count(1);  // so that what was not read of a body is not taken for another request
     server_.set_tcp_nodelay(true);
     server_.set_default_headers({{"Content-Security-Policy", content_policy},
                                  {"X-Content-Type-Options", "nosniff"},
@@ -100,14 +101,32 @@ class Server::Listener {
     };
     server_.set_error_handler(explain);
     const auto by_path = [this](const httplib::Request& request, httplib::Response& response) {
-      request.path.starts_with("/api/") ? answer_api(request, response) : answer_page(request, response);
+      request.path.starts_with("/api/") ? answer_api(request, "", response) : answer_page(request, response);
     };
     server_.Get(".*", by_path);
-    server_.Post(".*", by_path);
+    server_.Post(".*", [this](const httplib::Request& request, httplib::Response& response,
+                              const httplib::ContentReader& read) { answer_post(request, response, read); });
   }
 
-  void answer_api(const httplib::Request& request, httplib::Response& response) {
-    const ApiAnswer answer = api_.answer(request.method, request.path, request.body, stop_);
+  // A body that is too large is cut off where it becomes so: its sender may have a gigabyte more.
+  void answer_post(const httplib::Request& request, httplib::Response& response, const httplib::ContentReader& read) {
+    if (request.is_multipart_form_data()) {
+      response.status = 415;
+      return;
+    }
+    std::string body;
+    const bool whole = read([&](const char* data, std::size_t size) {
+      body.append(data, size);
+      return body.size() <= most_body;
+    });
+    if (whole)
+      answer_api(request, body, response);
+    else
+      response.status = body.size() > most_body ? 413 : 400;
+  }
+
+  void answer_api(const httplib::Request& request, const std::string& body, httplib::Response& response) {
+    const ApiAnswer answer = api_.answer(request.method, request.path, body, stop_);
     response.status = answer.status;
     response.set_content(answer.json, json_type);
   }
@@ -122,7 +141,7 @@ class Server::Listener {
       return;
     }
     const std::string_view text = asset->text;  // as it is: what a provider writes is not compressed
-    response.set_content_provider(text.size(), std::string(asset->type).c_str(),
+    response.set_content_provider(text.size(), std::string(asset->type),
                                   [text](std::size_t from, std::size_t length, httplib::DataSink& sink) {
                                     return sink.write(text.data() + from, length);
                                   });
