@@ -15,9 +15,9 @@ namespace waymark::plan {
 
 struct ReadingStopped {};  // thrown
 
-struct ModelLimits {  // of what is made of a text
-  std::size_t states = 50'000'000;
-  std::stop_token stop = {};  // polled in each state; then ReadingStopped is thrown
+struct ModelLimits {                // of what is made of a text
+  std::size_t states = 50'000'000;  // beyond so many the text is refused
+  std::stop_token stop = {};        // polled in each state; then ReadingStopped is thrown
 };
 
 // States are numbered breadth first, in the order of commands and updates. Throws ltl::SyntaxError with the place, also
