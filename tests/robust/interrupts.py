@@ -6,6 +6,7 @@ The signal goes to waymark alone. waymark has to end with exit code 11 (docs/cli
 --most-seconds; docs/cli.md says half a second, and the slowest ends are printed. No temporary file and no helper may be
 left. A file that was there before has its old bytes, or all its new ones.
 """
+import collections
 import os
 import re
 import shutil
@@ -83,7 +84,7 @@ def leftovers(job, folder):
 class Interrupts:
     def __init__(self, options):
         self.options, self.trials, self.programs = options, Trials("interrupts", options), Programs(options)
-        self.times = {}
+        self.times, self.found = {}, collections.Counter()
 
     def trial(self, job, parent, number, seconds, ended, new):
         random = self.trials.random(f"{job.name} {number}")
@@ -113,6 +114,10 @@ class Interrupts:
             os.killpg(process.pid, signal.SIGKILL)
         process.wait()
         for fault in why:
+            self.found[job.name, fault] += 1
+            if self.found[job.name, fault] > 1:  # once is enough to read
+                self.trials.counts[f"fault: {job.name}: {fault}"] = self.found[job.name, fault]
+                continue
             self.trials.fault(f"{job.name}, {kind.name} after {moment:.3f} s of {seconds:.2f} s: {fault}",
                               self.programs.text(job.arguments), trial=number, code=process.returncode,
                               seconds=f"{took:.2f}", err=(parent / "err").read_bytes()[-500:].decode(errors="replace"))
