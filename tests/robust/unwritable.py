@@ -48,7 +48,7 @@ def wrong_with_refusal(result, named):
 
 
 def mounted(place, size):
-    place.mkdir()
+    place.mkdir(exist_ok=True)
     if os.geteuid() != 0:
         return "only root mounts a disk of its own"
     done = subprocess.run(["mount", "-t", "tmpfs", "-o", f"size={size}", "tmpfs", str(place)], capture_output=True,
@@ -65,6 +65,7 @@ def full_disk(trials, programs, folder, writer, new, random):
     place = folder / "disk"
     why = mounted(place, "64k")
     if why:
+        place.rmdir()
         return why
     try:
         put_old_files(writer, place)
