@@ -7,6 +7,7 @@
 #include <unistd.h>
 
 #include <array>
+#include <atomic>
 #include <cerrno>
 #include <csignal>
 #include <system_error>
@@ -74,13 +75,20 @@ std::string converse(Pipe& in, Pipe& out, std::string_view input) {
   }
 }
 
+std::atomic<pid_t> running = 0;
+
 }  // namespace
+
+void kill_helper() {
+  if (const pid_t child = running; child > 0) ::kill(child, SIGKILL);
+}
 
 Finished run_helper(const std::filesystem::path& program, const std::vector<std::string>& arguments,
                     std::string_view input) {
   Pipe in, out;
   std::signal(SIGPIPE, SIG_IGN);
   const pid_t child = spawn(program, arguments, in, out);
+  running = child;
   in.close(0);
   out.close(1);
   Finished finished{.output = converse(in, out, input)};
@@ -89,6 +97,7 @@ Finished run_helper(const std::filesystem::path& program, const std::vector<std:
   int status = 0;
   while (::waitpid(child, &status, 0) < 0)
     if (errno != EINTR) fail(errno, "waitpid");
+  running = 0;
   finished.exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
   return finished;
 }

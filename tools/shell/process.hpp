@@ -16,4 +16,7 @@ struct Finished {
 Finished run_helper(const std::filesystem::path& program, const std::vector<std::string>& arguments,
                     std::string_view input);
 
+// Ends the helper that runs, if one does: for the watcher of Ctrl-C, before it ends the process.
+void kill_helper();
+
 }  // namespace waymark::tools
