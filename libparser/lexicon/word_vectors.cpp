@@ -27,6 +27,7 @@ class Bytes {
   std::span<const Entry> array(std::size_t n) {
     return {reinterpret_cast<const Entry*>(take(n * sizeof(Entry)).data()), n};
   }
+  bool at_end() const { return rest_.empty(); }
 
  private:
   std::string_view rest_, source_;
@@ -47,7 +48,10 @@ WordVectors::WordVectors(std::string_view bytes, std::string_view source) : byte
       throw ltl::FormatError(std::string(source), 0, 0, "the words of the vectors are damaged");
   words_ = in.take(ends_.empty() ? 0 : (std::size_t{ends_.back()} + 3) / 4 * 4);
   scales_ = in.array<float>(head[0]);
+  for (const float scale : scales_)
+    if (!std::isfinite(scale)) throw ltl::FormatError(std::string(source), 0, 0, "a scale that is no finite number");
   entries_ = in.array<std::int8_t>(std::size_t{head[0]} * dimensions);
+  if (!in.at_end()) throw ltl::FormatError(std::string(source), 0, 0, "there is more after the word vectors");
 }
 
 std::shared_ptr<const WordVectors> WordVectors::shared(std::shared_ptr<const void> owner, std::string_view bytes,

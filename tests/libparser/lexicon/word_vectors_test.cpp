@@ -32,6 +32,18 @@ TEST(WordVectors, EveryCutIsNoticed) {
     EXPECT_THROW(WordVectors(file.bytes().substr(0, n)), ltl::FormatError) << n;
 }
 
+TEST(WordVectors, WhatStandsBehindThemIsNoticed) {
+  const MappedFile file{std::string_view(bytes_of_vectors(words) + "tail")};
+  EXPECT_THROW(WordVectors(file.bytes()), ltl::FormatError);
+}
+
+TEST(WordVectors, ScalesAreFinite) {
+  std::string bytes = bytes_of_vectors(words);
+  bytes.replace(24 + 4 * 5 + 20, 4, std::string_view("\0\0\x80\x7F", 4));  // behind head, ends and text: ∞
+  const MappedFile file{std::string_view(bytes)};
+  EXPECT_THROW(WordVectors(file.bytes()), ltl::FormatError);
+}
+
 TEST(WordVectors, DamagedHeadsAreRefused) {
   const auto message = [](std::size_t at, char byte) -> std::string {
     std::string bytes = bytes_of_vectors(words);
