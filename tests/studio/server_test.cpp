@@ -1,11 +1,13 @@
 // `waymark serve` as a process: the page, the guard and the limits over real connections.
 #include <gtest/gtest.h>
 #include <httplib.h>
+#include <netinet/in.h>
 #include <signal.h>
+#include <sys/socket.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <memory>
+#include <cstdint>
 #include <nlohmann/json.hpp>
 
 namespace {
@@ -32,9 +34,7 @@ class Serving : public ::testing::Test {
     const auto colon = said_.rfind(':');
     ASSERT_NE(colon, std::string::npos) << said_;
     port_ = std::stoi(said_.substr(colon + 1));
-    idle_ = std::make_unique<httplib::Client>("127.0.0.1", port_);
-    idle_->set_keep_alive(true);
-    ASSERT_TRUE(idle_->Get("/"));
+    idle_ = connected();
   }
 
   void TearDown() override {
@@ -43,11 +43,22 @@ class Serving : public ::testing::Test {
     ::waitpid(process_, &status, 0);
     EXPECT_TRUE(WIFEXITED(status)) << "killed by signal " << WTERMSIG(status);
     EXPECT_EQ(WEXITSTATUS(status), 0) << "Ctrl-C is how the studio ends";
+    ::close(idle_);
+  }
+
+  int connected() const {
+    const int out = ::socket(AF_INET, SOCK_STREAM, 0);
+    sockaddr_in address{};
+    address.sin_family = AF_INET;
+    address.sin_port = htons(static_cast<std::uint16_t>(port_));
+    address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+    EXPECT_EQ(::connect(out, reinterpret_cast<const sockaddr*>(&address), sizeof address), 0);
+    return out;
   }
 
   httplib::Client client() const { return httplib::Client("127.0.0.1", port_); }
 
-  std::unique_ptr<httplib::Client> idle_;  // a connection that stays open
+  int idle_ = -1;  // a connection on which nothing is sent
   std::string said_;
   pid_t process_ = -1;
   int port_ = 0;
@@ -91,11 +102,30 @@ TEST_F(Serving, RefusesForeignHostsAndOrigins) {
 }
 
 TEST_F(Serving, RefusesBodiesThatAreTooLarge) {
+  constexpr std::size_t most_sent = 64 << 20;  // of a gigabyte: it is cut off soon after its first MiB
   auto http = client();
   const auto large = http.Post("/api/maps", std::string(2'000'000, ' '), "application/json");
   if (large) {  // else the connection was closed before all was sent
     EXPECT_EQ(large->status, 413);
     EXPECT_EQ(json::parse(large->body)["error"]["kind"], "too large");
+  }
+  const std::string host = "Host: 127.0.0.1:" + std::to_string(port_) + "\r\nContent-Type: application/json\r\n";
+  const std::string block(1 << 16, ' ');
+  for (const std::string length : {"Content-Length: 1073741824", "Transfer-Encoding: chunked"}) {
+    for (const std::string path : {"/api/maps", "/nothing"}) {
+      const int socket = connected();
+      std::size_t sent = 0;
+      const auto send_all = [&](const std::string& text) {
+        const ssize_t n = ::send(socket, text.data(), text.size(), MSG_NOSIGNAL);
+        sent += n > 0 ? static_cast<std::size_t>(n) : 0;
+        return n > 0;
+      };
+      ASSERT_TRUE(send_all("POST " + path + " HTTP/1.1\r\n" + host + length + "\r\n\r\n"));
+      while (sent < most_sent && send_all(length.starts_with("T") ? "10000\r\n" + block + "\r\n" : block)) {
+      }
+      EXPECT_LT(sent, most_sent) << path << ' ' << length;
+      ::close(socket);
+    }
   }
   auto again = client();
   const auto maps = again.Get("/api/maps");

@@ -15,6 +15,7 @@ namespace {
 
 // Connections that are served at a time: slow senders hold theirs. What is worked on at a time is limited in api.cpp.
 constexpr std::size_t threads = 32;
+constexpr int connections_in_wait = 512;
 constexpr std::time_t seconds_to_send = 5;  // a request has to be here, and an answer to be taken
 
 // Scripts and styles of our own only; nothing of the page may be shown inside another one.
@@ -49,6 +50,10 @@ class Server::Listener {
   Listener(Access access, Api& api) : access_(std::move(access)), api_(api) {
     limit();
     answer();
+    server_.set_socket_options([this](socket_t socket) {
+      httplib::default_socket_options(socket);
+      socket_ = socket;
+    });
     const int port = access_.port == 0                                  ? server_.bind_to_any_port(access_.host)
                      : server_.bind_to_port(access_.host, access_.port) ? access_.port
                                                                         : -1;
@@ -56,6 +61,7 @@ class Server::Listener {
       throw tools::UsageError("cannot listen on " + access_.host + ":" + std::to_string(access_.port) +
                               "; --port names another port, 0 any free one");
     access_.port = port;
+    ::listen(socket_, connections_in_wait);  // the library has them wait in a queue of five
   }
 
   const Access& access() const { return access_; }
@@ -150,6 +156,7 @@ class Server::Listener {
   Access access_;
   Api& api_;
   std::stop_token stop_;
+  socket_t socket_ = INVALID_SOCKET;  // that listens
   httplib::Server server_;
 };
 
