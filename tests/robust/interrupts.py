@@ -14,6 +14,7 @@ import signal
 import subprocess
 import sys
 import time
+from pathlib import Path
 
 import long_jobs
 from trials import Programs, Trials, parser
@@ -32,12 +33,16 @@ def catches(pid, number):
     return caught is not None and int(caught[1], 16) >> (number - 1) & 1 == 1
 
 
-def group_is_alive(pid):
-    try:
-        os.killpg(pid, 0)
-        return True
-    except ProcessLookupError:
-        return False
+def group_is_alive(group):
+    """Does a process of the group run? One that ended and is not yet waited for does not."""
+    for status in Path("/proc").glob("[0-9]*/stat"):
+        try:
+            state, _, its_group = status.read_text().rpartition(")")[2].split()[:3]
+        except (FileNotFoundError, ProcessLookupError):
+            continue
+        if int(its_group) == group and state not in "ZX":
+            return True
+    return False
 
 
 def fresh_folder(parent, job):
