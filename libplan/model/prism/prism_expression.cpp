@@ -133,45 +133,55 @@ PrismExpressions::Id PrismExpressions::parse(PrismTokens& in) {
   return add(Op::Choose, {condition, yes, no}, {where(condition).begin, where(no).end});
 }
 
-// Binary operators by level, loosest first.
-PrismExpressions::Id PrismExpressions::parse_level(PrismTokens& in, std::size_t level) {
-  using Operators = std::vector<std::pair<std::string_view, Op>>;
-  static const std::array<Operators, 8> levels{
-      Operators{{"=>", Op::Implies}},
-      Operators{{"<=>", Op::Iff}},
-      Operators{{"|", Op::Or}},
-      Operators{{"&", Op::And}},
-      Operators{{"=", Op::Equal}, {"!=", Op::Unequal}},
-      Operators{{"<", Op::Less}, {"<=", Op::AtMost}, {">", Op::Greater}, {">=", Op::AtLeast}},
-      Operators{{"+", Op::Plus}, {"-", Op::Minus}},
-      Operators{{"*", Op::Times}, {"/", Op::Divide}}};
-  constexpr std::size_t negation = 4;  // ! binds tighter than & and looser than =
-  if (level == levels.size()) return parse_unary(in);
-  if (level == negation && in.is("!")) {
-    const Deeper deeper(*this, in.peek().where);
-    const std::size_t begin = in.next().where.begin;
-    const Id operand = parse_level(in, level);
-    return add(Op::Not, {operand}, {begin, where(operand).end});
-  }
-  Id left = parse_level(in, level + 1);
+// Binary operators of this level and tighter ones, by precedence climbing: one frame for each operand, and
+// not one for each level.
+PrismExpressions::Id PrismExpressions::parse_level(PrismTokens& in, std::size_t loosest) {
+  struct Operator {
+    std::string_view text;
+    std::size_t level;
+    Op op;
+  };
+  static constexpr std::array<Operator, 14> operators{{{"=>", 0, Op::Implies},
+                                                       {"<=>", 1, Op::Iff},
+                                                       {"|", 2, Op::Or},
+                                                       {"&", 3, Op::And},
+                                                       {"=", 4, Op::Equal},
+                                                       {"!=", 4, Op::Unequal},
+                                                       {"<", 5, Op::Less},
+                                                       {"<=", 5, Op::AtMost},
+                                                       {">", 5, Op::Greater},
+                                                       {">=", 5, Op::AtLeast},
+                                                       {"+", 6, Op::Plus},
+                                                       {"-", 6, Op::Minus},
+                                                       {"*", 7, Op::Times},
+                                                       {"/", 7, Op::Divide}}};
+  Id left = loosest <= negation ? parse_negation(in) : parse_unary(in);
   Op chained = Op::Literal;  // what the last round made
   for (;;) {
-    const Operators& operators = levels[level];
-    const auto found =
-        std::find_if(operators.begin(), operators.end(), [&](const auto& candidate) { return in.is(candidate.first); });
+    const auto* found = std::find_if(operators.begin(), operators.end(), [&](const Operator& candidate) {
+      return candidate.level >= loosest && in.is(candidate.text);
+    });
     if (found == operators.end()) return left;
     in.next();
-    const Id right = parse_level(in, level + 1);
+    const Id right = parse_level(in, found->level + 1);
     const ltl::Span both{where(left).begin, where(right).end};
-    if (found->second == chained && (chained == Op::Or || chained == Op::And || chained == Op::Plus)) {
+    if (found->op == chained && (chained == Op::Or || chained == Op::And || chained == Op::Plus)) {
       nodes_[left].operands.push_back(right);  // a long chain is no deep one
       nodes_[left].height = std::max(nodes_[left].height, nodes_[right].height + 1);
       nodes_[left].where = both;
       continue;
     }
-    left = add(found->second, {left, right}, both);
-    chained = found->second;
+    left = add(found->op, {left, right}, both);
+    chained = found->op;
   }
+}
+
+PrismExpressions::Id PrismExpressions::parse_negation(PrismTokens& in) {
+  if (!in.is("!")) return parse_unary(in);
+  const Deeper deeper(*this, in.peek().where);
+  const std::size_t begin = in.next().where.begin;
+  const Id operand = parse_level(in, negation);
+  return add(Op::Not, {operand}, {begin, where(operand).end});
 }
 
 PrismExpressions::Id PrismExpressions::parse_unary(PrismTokens& in) {

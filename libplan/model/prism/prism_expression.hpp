@@ -122,7 +122,9 @@ class PrismExpressions {  // all expressions of a file
   };
 
   Id add(Op op, std::vector<Id> operands, ltl::Span where);
-  Id parse_level(PrismTokens& in, std::size_t level);
+  static constexpr std::size_t negation = 4;  // the level of !, which binds tighter than & and looser than =
+  Id parse_level(PrismTokens& in, std::size_t loosest);
+  Id parse_negation(PrismTokens& in);
   Id parse_unary(PrismTokens& in);
   Id parse_primary(PrismTokens& in);
   Id parse_call(PrismTokens& in);

@@ -2,9 +2,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <string>
 
 #include "libltl/text/parse.hpp"
 #include "libplan/model/formats/read_case.hpp"
@@ -73,6 +75,24 @@ TEST(Prism, ReadsWhatItWroteOfRandomGrids) {
     const std::string text = write_prism(grid);
     EXPECT_EQ(difference(parse_prism(text), with_labels_on_states(grid).mdp), "") << text;
   }
+}
+
+TEST(Prism, OperatorsBindAsInItsManual) {
+  const auto model = [](const std::string& guard) {
+    return parse_prism("mdp module m x : [0..3] init 0; [] x < 3 -> (x'=x+1); endmodule label \"b\" = " + guard + ";");
+  };
+  const std::array<std::array<std::string, 2>, 9> table{{
+      {"x=1 | x=2 & x=3", "(x=1) | ((x=2) & (x=3))"},
+      {"!x=1 & x=2", "(!(x=1)) & (x=2)"},
+      {"!x=1 | x=1 => x=2", "((!(x=1)) | (x=1)) => (x=2)"},
+      {"x=1 => x=2 => x=3", "((x=1) => (x=2)) => (x=3)"},
+      {"x=1 <=> x=2 | x=0", "(x=1) <=> ((x=2) | (x=0))"},
+      {"x=1 <=> x=2 => x=0", "((x=1) <=> (x=2)) => (x=0)"},
+      {"1+x*2-x = x+1", "((1+(x*2))-x) = (x+1)"},
+      {"x-1-1 < 1", "((x-1)-1) < 1"},
+      {"x<1 = x<2", "(x<1) = (x<2)"},
+  }};
+  for (const auto& [bare, bracketed] : table) EXPECT_EQ(difference(model(bare), model(bracketed)), "") << bare;
 }
 
 TEST(Prism, KeepsTheValues) {
