@@ -1,51 +1,18 @@
-// Expressions of the PRISM language [KNP11]: tokens, syntax, types and values.
+// Expressions of the PRISM language [KNP11]: syntax, types and values.
 //
 // An expression is a number in a pool; names are bound after everything has been read, since formulas may be used
 // before they are defined. A formula is evaluated once a state, however often it is used. Whole numbers are kept as
 // doubles, exact up to 2⁵³.
 #pragma once
-#include <algorithm>
 #include <cstdint>
 #include <map>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "libltl/diagnostic.hpp"
+#include "libplan/model/prism/prism_tokens.hpp"
 
 namespace waymark::plan {
-
-struct PrismToken {                                                      // a token with its place
-  enum class Kind : std::uint8_t { Name, Number, String, Symbol, End };  // what a token is
-  Kind kind = Kind::End;                                                 // of the token
-  std::string_view text;                                                 // of a string: what stands between the quotes
-  ltl::Span where;                                                       // its bytes
-};
-
-// The tokens of a text, comments left out, the end last. Throws ltl::SyntaxError.
-std::vector<PrismToken> prism_tokens(std::string_view text, std::string_view source);
-
-class PrismTokens {  // a place in a text that is being read
- public:
-  PrismTokens(std::string_view text, std::string_view source)
-      : text_(text), source_(source), tokens_(prism_tokens(text, source)) {}
-
-  // The last token is End, again and again.
-  const PrismToken& peek(std::size_t ahead = 0) const { return tokens_[std::min(at_ + ahead, tokens_.size() - 1)]; }
-  const PrismToken& next() { return tokens_[at_ + 1 < tokens_.size() ? at_++ : at_]; }  // reads it
-  bool is(std::string_view word, std::size_t ahead = 0) const;                // a symbol or a word of the language
-  bool accept(std::string_view word);                                         // reads the word if it stands here
-  const PrismToken& expect(std::string_view word);                            // reads the word, or throws
-  const PrismToken& expect_name(std::string_view what);                       // reads a name, or throws
-  [[noreturn]] void fail(ltl::Span where, const std::string& message) const;  // throws SyntaxError
-  // Throws SyntaxError at the next token.
-  [[noreturn]] void fail(const std::string& message) const { fail(peek().where, message); }
-
- private:
-  std::string_view text_, source_;
-  std::vector<PrismToken> tokens_;
-  std::size_t at_ = 0;
-};
 
 using PrismValues = std::vector<double>;  // by variable; true is 1
 
