@@ -10,7 +10,7 @@
 namespace waymark::plan {
 
 std::optional<LeastActions> least_by_progression(ltl::Formula formula, const Map& map, std::span<const PoseId> starts,
-                                                 std::size_t most_pairs, const std::stop_token& stop) {
+                                                 const ltl::Limits& limits) {
   struct Pair {
     PoseId pose;
     ltl::Formula remains;
@@ -28,7 +28,7 @@ std::optional<LeastActions> least_by_progression(ltl::Formula formula, const Map
     for (const Pair& node : layer)
       if (ltl::accepts_empty(node.remains)) return LeastActions{actions, met.size()};
     for (const Pair& node : layer) {
-      if (met.size() > most_pairs || stop.stop_requested()) return std::nullopt;
+      if (met.size() > limits.states || limits.stop.stop_requested()) return std::nullopt;
       for (const Action action : all_actions)
         if (const auto to = map.successor(node.pose, action)) {
           const ltl::Trace step = word_for(formula, Trajectory{{node.pose, *to}, {action}}, map);

@@ -8,6 +8,7 @@
 #include <stop_token>
 
 #include "libltl/formula.hpp"
+#include "libltl/limits.hpp"
 #include "libplan/world/map.hpp"
 
 namespace waymark::plan {
@@ -17,9 +18,9 @@ struct LeastActions {                  // to satisfy a formula
   std::size_t pairs = 0;               // that were met
 };
 
-// nullopt: more than `most_pairs` pairs were met, or stopped. Progression does not always come to an end: a formula may
+// nullopt: more pairs than the limit were met, or stopped. Progression does not always come to an end: a formula may
 // grow with the word. Throws ltl::FormatError for a proposition that the map lacks. O(pairs · |formulas|).
 std::optional<LeastActions> least_by_progression(ltl::Formula formula, const Map& map, std::span<const PoseId> starts,
-                                                 std::size_t most_pairs = 1'000'000, const std::stop_token& stop = {});
+                                                 const ltl::Limits& limits = {});
 
 }  // namespace waymark::plan

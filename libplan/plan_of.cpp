@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "libautomata/finite/ltlf_to_dfa.hpp"
+#include "libltl/limits.hpp"
 #include "libplan/solve/explain.hpp"
 #include "libplan/solve/route_planner.hpp"
 
@@ -14,7 +15,7 @@ Planned plan_of(const Map& map, ltl::Formula f, std::span<const PoseId> starts, 
     if (!map.vocabulary().find(name)) throw unknown_proposition(map, name);
   }
   const auto translated =
-      automata::ltlf_to_dfa(f, automata::TranslationLimits{.states = options.automaton_states, .stop = options.stop});
+      automata::ltlf_to_dfa(f, ltl::Limits{.states = options.automaton_states, .stop = options.stop});
   if (options.stop.stop_requested() || std::holds_alternative<automata::Exhausted>(translated)) return Exhausted{};
   auto answer = RoutePlanner(map, std::get<automata::Dfa>(translated)).plan(starts, options.stop);
   if (auto* route = std::get_if<Route>(&answer)) return certify(std::move(*route), map, f);

@@ -14,6 +14,7 @@
 #include "libautomata/omega/lasso.hpp"
 #include "libautomata/translation/ltl_to_buchi.hpp"
 #include "libautomata/translation/ltl_to_parity.hpp"
+#include "libltl/limits.hpp"
 #include "libplan/solve/task_automaton.hpp"
 #include "python/handles.hpp"
 
@@ -51,7 +52,7 @@ ltl::Lasso infinite_word(const py::object& word, const py::object& cycle, const 
 
 using AnyTranslated = std::variant<automata::Dfa, automata::Automaton, automata::MdpSafe>;
 
-AnyTranslated translated(ltl::Formula f, const std::string& to, const automata::TranslationLimits& limits) {
+AnyTranslated translated(ltl::Formula f, const std::string& to, const ltl::Limits& limits) {
   if (to == "dfa") return within_limits(automata::ltlf_to_dfa(f, limits));
   if (to == "tgba") return within_limits(automata::ltl_to_tgba(f, limits)).automaton;
   if (to == "buchi") return within_limits(automata::ltl_to_buchi(f, limits)).automaton;

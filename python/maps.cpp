@@ -121,7 +121,7 @@ Planned plan_lasso(const FormulaHandle& f, const MapPointer& map, const std::str
     if (!automaton) throw LimitMet("gave up: no automaton within the limits");
     for (const plan::PoseId from : starts) {
       const plan::Mdp mdp = plan::mdp_of(*map, from);
-      auto answer = plan::least_lasso(mdp, *automaton, by, 100'000'000, stop);
+      auto answer = plan::least_lasso(mdp, *automaton, by, {.states = 100'000'000, .stop = stop});
       if (!answer) throw LimitMet("the search for a lasso met its limit");
       if (!answer->route) continue;
       const auto lasso = plan::certify(std::move(*answer->route), mdp, own);

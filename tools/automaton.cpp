@@ -12,10 +12,10 @@
 #include "libltl/diagnostic.hpp"
 #include "tools/automaton_output.hpp"
 #include "tools/automaton_request.hpp"
-#include "tools/shell/deadline.hpp"
 #include "tools/shell/input.hpp"
 #include "tools/shell/output.hpp"
 #include "tools/shell/subcommand.hpp"
+#include "tools/shell/work_limits.hpp"
 
 namespace waymark::tools {
 namespace {
@@ -24,7 +24,7 @@ struct AutomatonOptions {
   std::string file = "-";
   AutomatonRequest request;
   OutputOptions output;
-  double seconds = 0;
+  WorkLimits limits;
 };
 
 Reply reply_to(automata::HoaAutomaton file, const std::string& source, std::size_t number,
@@ -46,14 +46,14 @@ Reply reply_to(automata::HoaAutomaton file, const std::string& source, std::size
 // A limit ends one automaton of the stream; a wrong one ends all.
 Reply limited_reply(automata::HoaAutomaton file, const std::string& source, std::size_t number,
                     const AutomatonOptions& options, const Session& session) {
-  const Deadline deadline(options.seconds, session.stop);
-  automata::Budget budget(SIZE_MAX, options.request.states, deadline.token());
+  const ltl::Watch watch(granted(options.limits), session.stop);
+  automata::Budget budget(SIZE_MAX, options.request.states, watch.token());
   try {
-    return reply_to(std::move(file), source, number, options, budget, deadline.token());
+    return reply_to(std::move(file), source, number, options, budget, watch.token());
   } catch (const automata::Budget::Exceeded& spent) {
     if (session.stop.stop_requested()) throw Interrupted();
     const std::string reason = spent.reason == automata::Budget::Exceeded::Reason::Stopped
-                                   ? "gave up: the time is over"
+                                   ? gave_up(watch.overrun(), options.limits)
                                    : "gave up: too many states or acceptance sets";
     return {ExitCode::GaveUp, show_none({.line = number, .status = "limit"}, reason, options.output), reason};
   }
@@ -162,9 +162,7 @@ Runner setup_automaton(Command command) {
       .one_of({"dfa", "tgba", "buchi", "parity", "rabin", "ldba", "generic", "hoa", "dot", "stats", "json", "tsv",
                "never", "lbtt", "ba"});
   command.add_option("--limit-states", request.states, "give up beyond so many states").type_name("N");
-  command.add_option("--limit-seconds", options->seconds, "give up on an automaton after so many seconds")
-      .type_name("SECONDS")
-      .not_negative();
+  add_work_limits(command, options->limits, "an automaton");
   return [options](const Session& session) {
     options->request.source = options->file;
     return run_automaton(*options, session);

@@ -18,6 +18,7 @@
 #include "libautomata/omega/without_fin.hpp"
 #include "libautomata/translation/ltl_to_buchi.hpp"
 #include "libltl/diagnostic.hpp"
+#include "libltl/limits.hpp"
 #include "libltl/text/parse.hpp"
 #include "tools/shell/input.hpp"
 #include "tools/shell/json.hpp"
@@ -264,7 +265,7 @@ Reply satisfies(const AnyAutomaton& any, const AutomatonRequest& request, automa
                 std::stop_token stop) {
   ltl::Arena arena;
   const ltl::Formula no = ltl::negate(ltl::parse(request.satisfies, arena));
-  const automata::TranslationLimits limits{.states = request.states, .stop = std::move(stop)};
+  const ltl::Limits limits{.states = request.states, .stop = std::move(stop)};
   const auto answer_to = [&](const auto& rest, const auto& word) {
     return reply_of(
         {.question = "satisfied", .otherwise = "not satisfied by ", .word = text_of(word, rest.vocabulary())}, request);

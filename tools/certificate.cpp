@@ -51,7 +51,7 @@ void prove(ltl::Formula formula, const Dfa& positive, const Dfa& negative) {
 // Is every word accepted by one of the two? Both are determinised where they are not deterministic; nullopt: that took
 // more than was given to it.
 std::optional<bool> prove_universal(ltl::Formula formula, const Automaton& positive, const Automaton& negative,
-                                    const automata::TranslationLimits& limits) {
+                                    const ltl::Limits& limits) {
   automata::Budget budget(determinization_steps, limits.states, limits.stop);
   try {
     const automata::Deterministic a = automata::determinized(positive, budget);
@@ -92,7 +92,7 @@ const Automaton& omega_of(const Translated& result) {
 }
 
 Certificate certify_omega(ltl::Formula formula, const Automaton& positive, const Automaton& negative,
-                          const automata::TranslationLimits& limits) {
+                          const ltl::Limits& limits) {
   automata::Budget budget(SIZE_MAX, limits.states, limits.stop);
   const Automaton both = automata::intersection(positive, negative, budget);
   if (const auto word = automata::find_lasso(both, budget))
@@ -104,7 +104,7 @@ Certificate certify_omega(ltl::Formula formula, const Automaton& positive, const
 }  // namespace
 
 Certificate certify(ltl::Formula formula, const Translated& result, const Translation& translation,
-                    const automata::TranslationLimits& limits) {
+                    const ltl::Limits& limits) {
   const Translated negated = translation.run(ltl::negate(formula), limits);
   if (std::holds_alternative<automata::Exhausted>(negated))
     throw automata::Budget::Exceeded{automata::Budget::Exceeded::Reason::States};

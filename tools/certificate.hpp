@@ -6,6 +6,7 @@
 #pragma once
 #include <cstddef>
 
+#include "libltl/limits.hpp"
 #include "tools/translations.hpp"
 
 namespace waymark::tools {
@@ -18,6 +19,6 @@ struct Certificate {
 // Throws std::logic_error, with the formula and a word, when the automaton is wrong, and automata::Budget::Exceeded
 // when the stop comes first. Of a result that is an automaton.
 Certificate certify(ltl::Formula formula, const Translated& result, const Translation& translation,
-                    const automata::TranslationLimits& limits);
+                    const ltl::Limits& limits);
 
 }  // namespace waymark::tools

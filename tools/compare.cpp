@@ -134,8 +134,8 @@ class OnModel {
 
   std::optional<Searched> search(const automata::Dfa& dfa) const {
     StopWatch watch;
-    const auto answer =
-        plan::search(plan::Product(model_, plan::TaskTable(dfa, model_.letters())), SIZE_MAX, session_.stop);
+    const auto answer = plan::search(plan::Product(model_, plan::TaskTable(dfa, model_.letters())),
+                                     {.states = SIZE_MAX, .stop = session_.stop});
     if (!answer) throw Interrupted();
     if (!answer->route) return std::nullopt;
     return Searched{answer->route->cost, watch.lap(), plan::uniform_cost(model_).has_value()};

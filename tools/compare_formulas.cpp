@@ -7,6 +7,7 @@
 
 #include "libautomata/finite/run.hpp"
 #include "libautomata/omega/lasso.hpp"
+#include "libltl/limits.hpp"
 #include "libltl/text/print.hpp"
 #include "tools/answer.hpp"
 #include "tools/shell/options.hpp"
@@ -19,7 +20,7 @@ namespace {
 struct ComparisonOptions {
   std::string first, second, semantics = "finite";
   NotationOptions notation;
-  std::size_t states = automata::TranslationLimits{}.states;
+  std::size_t states = ltl::Limits{}.states;
   bool json = false;
 };
 

@@ -96,7 +96,7 @@ void answer(const plan::MapProduct& product, std::optional<ltl::Formula> formula
 
 plan::MapProduct composed(const plan::Map& map, const automata::Dfa& dfa, std::span<const plan::PoseId> starts,
                           const Session& session) {
-  std::optional<plan::MapProduct> product = plan::compose(map, dfa, starts, {.stop = session.stop});
+  std::optional<plan::MapProduct> product = plan::compose(map, dfa, starts, {.states = SIZE_MAX, .stop = session.stop});
   if (!product) throw Interrupted();
   return std::move(*product);
 }

@@ -109,7 +109,7 @@ class ProductWriter {
   template <class Model, class Automaton>
   void write(const Model& model, const Automaton& automaton) const {
     const plan::TaskTable table(automaton, model.letters());
-    const auto product = plan::ProductMdp<Model>::explore(model, table, SIZE_MAX, stop_);
+    const auto product = plan::ProductMdp<Model>::explore(model, table, {.states = SIZE_MAX, .stop = stop_});
     if (!product) throw Interrupted();
     std::size_t goals = 0;
     product->for_each_state([&](const auto& s) { goals += product->is_goal(s) ? 1 : 0; });

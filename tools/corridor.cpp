@@ -2,6 +2,7 @@
 
 #include "libautomata/finite/guard.hpp"
 #include "libautomata/finite/ltlf_to_dfa.hpp"
+#include "libltl/limits.hpp"
 #include "libplan/solve/explain.hpp"
 #include "libplan/solve/route_planner.hpp"
 #include "tools/shell/exit_code.hpp"
@@ -23,7 +24,7 @@ AutomatonSize size_of(const automata::Dfa& dfa) {
 }
 
 automata::Dfa translate(ltl::Formula formula, const std::stop_token& stop) {
-  automata::TranslationLimits limits;
+  ltl::Limits limits;
   limits.stop = stop;
   auto result = automata::ltlf_to_dfa(formula, limits);
   if (auto* dfa = std::get_if<automata::Dfa>(&result)) return std::move(*dfa);

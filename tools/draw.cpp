@@ -109,7 +109,7 @@ class Drawing {
     const ltl::Formula f = formula();
     const automata::Dfa dfa = translate(f, session_.stop);
     const auto starts = start_poses(options_.start, map_);
-    const auto composed = plan::compose(map_, dfa, starts, {.stop = session_.stop});
+    const auto composed = plan::compose(map_, dfa, starts, {.states = SIZE_MAX, .stop = session_.stop});
     if (!composed) throw Interrupted();
     return {product_svg(picture_of(*composed)), "", ltl::print(f)};
   }
@@ -146,7 +146,8 @@ class Drawing {
     const plan::PoseId start = start_poses(options_.start, map_).front();
     const plan::Mdp mdp = plan::mdp_of(map_, start, noise_of(options_.noise));
     const plan::TaskTable table(dfa, mdp.letters());
-    const auto product = plan::ProductMdp<plan::Mdp>::explore(mdp, table, most_pairs, session_.stop);
+    const auto product =
+        plan::ProductMdp<plan::Mdp>::explore(mdp, table, {.states = most_pairs, .stop = session_.stop});
     if (session_.stop.stop_requested()) throw Interrupted();
     if (!product) throw GaveUp("not drawn: the product has more than " + std::to_string(most_pairs) + " states");
     const bool cost = options_.query == "cost";

@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include "libltl/limits.hpp"
 #include "tools/answer.hpp"
 #include "tools/explanation.hpp"
 #include "tools/shell/batch.hpp"
@@ -17,7 +18,7 @@ struct ExplainOptions {
   TextOptions text;
   NotationOptions notation;
   std::string semantics = "finite", map, data;
-  std::size_t states = automata::TranslationLimits{}.states;
+  std::size_t states = ltl::Limits{}.states;
   bool json = false;
 };
 
@@ -41,7 +42,7 @@ ExitCode explain_one(const Text& text, const std::optional<plan::Map>& map, cons
   ltl::Arena arena(map ? map->vocabulary() : ltl::Vocabulary());
   const ltl::Formula f = map ? parse_on_map(text, arena, options.notation, options.map)
                              : parse_formula(text, arena, parse_options(options.notation, ltl::Unknown::Add));
-  const automata::TranslationLimits limits{.states = options.states, .stop = session.stop};
+  const ltl::Limits limits{.states = options.states, .stop = session.stop};
   try {
     const Explanation e = explain(f, semantics_of(options), map.has_value(), limits);
     if (options.json)

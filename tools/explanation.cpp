@@ -96,7 +96,7 @@ Example example(const ltl::Lasso& word, const ltl::Vocabulary& names, const std:
   return out;
 }
 
-std::optional<Example> word_of(ltl::Formula f, ltl::Semantics semantics, const automata::TranslationLimits& limits,
+std::optional<Example> word_of(ltl::Formula f, ltl::Semantics semantics, const ltl::Limits& limits,
                                const std::vector<ltl::Described>& words) {
   const Translated made =
       find_translation(semantics == ltl::Semantics::Finite ? "finite" : "infinite", "").run(f, limits);
@@ -112,7 +112,7 @@ std::optional<Example> word_of(ltl::Formula f, ltl::Semantics semantics, const a
 
 }  // namespace
 
-Explanation explain(ltl::Formula f, ltl::Semantics semantics, bool on_map, const automata::TranslationLimits& limits) {
+Explanation explain(ltl::Formula f, ltl::Semantics semantics, bool on_map, const ltl::Limits& limits) {
   const ltl::Vocabulary& names = f.arena().vocabulary();
   ltl::VerbaliseOptions english{.semantics = semantics};
   if (on_map) english.describe = plan::hallway_english(names);

@@ -5,6 +5,7 @@
 
 #include "libautomata/finite/ltlf_to_dfa.hpp"
 #include "libltl/formula.hpp"
+#include "libltl/limits.hpp"
 #include "libltl/meaning/semantics.hpp"
 #include "tools/shell/json.hpp"
 
@@ -26,7 +27,7 @@ struct Explanation {
 struct ExplanationLimit {};
 
 // on_map: the vocabulary of the formula is that of a hallway map.
-Explanation explain(ltl::Formula f, ltl::Semantics semantics, bool on_map, const automata::TranslationLimits& limits);
+Explanation explain(ltl::Formula f, ltl::Semantics semantics, bool on_map, const ltl::Limits& limits);
 JsonObject json_of(const Explanation& explanation, ltl::Formula f, ltl::Semantics semantics);
 
 }  // namespace waymark::tools

@@ -142,7 +142,7 @@ ExitCode run_ground(const GroundCommandOptions& options, const Session& session)
   TextReader texts(options.text, "instruction");
   Grounding grounding(options, session);
   return answer_in_parallel(
-      texts, session.stop, options.parallel, [&](const Text& text, const TextDeadline&) { return grounding(text); },
+      texts, session.stop, options.parallel, [&](const Text& text, const TextWatch&) { return grounding(text); },
       [&](const Text& text, const std::string& message) {
         return options.json ? json_error(text.line, message).text() + '\n' : std::string();
       });

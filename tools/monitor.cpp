@@ -16,6 +16,7 @@
 #include "libautomata/monitor/monitor.hpp"
 #include "libltl/diagnostic.hpp"
 #include "libltl/english/verbalise.hpp"
+#include "libltl/limits.hpp"
 #include "libltl/meaning/progress.hpp"
 #include "libltl/rewriting/simplify.hpp"
 #include "libltl/text/print.hpp"
@@ -33,7 +34,7 @@ struct MonitorOptions {
   TextOptions text;
   NotationOptions notation;
   std::string letters = "-", format = "auto", semantics = "infinite";
-  std::size_t states = automata::TranslationLimits{}.states;
+  std::size_t states = ltl::Limits{}.states;
   bool quiet = false, json = false;
 };
 
@@ -126,7 +127,7 @@ class Watched {
 
   using Engine = std::variant<InfiniteMonitor, FiniteMonitor>;
   static Engine made(ltl::Formula f, const MonitorOptions& options, const Session& session) {
-    const automata::TranslationLimits limits{.states = options.states, .stop = session.stop};
+    const ltl::Limits limits{.states = options.states, .stop = session.stop};
     if (options.semantics == "infinite") return InfiniteMonitor{within(automata::ltl_to_monitor(f, limits), session)};
     return FiniteMonitor{within(automata::ltlf_to_dfa(f, limits), session),
                          within(automata::ltlf_to_dfa(ltl::negate(f), limits), session)};

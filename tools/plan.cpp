@@ -15,11 +15,11 @@
 #include "tools/plan_case.hpp"
 #include "tools/plan_walk.hpp"
 #include "tools/shell/batch.hpp"
-#include "tools/shell/deadline.hpp"
 #include "tools/shell/noise.hpp"
 #include "tools/shell/options.hpp"
 #include "tools/shell/output.hpp"
 #include "tools/shell/subcommand.hpp"
+#include "tools/shell/work_limits.hpp"
 
 namespace waymark::tools {
 namespace {
@@ -57,15 +57,15 @@ bool is_english(const std::string& text) {
          std::all_of(text.begin(), text.end(), is_word);
 }
 
-// The work in a session that also ends after so many seconds. Throws GaveUp then.
+// The work in a session that also ends when a limit is met. Throws GaveUp then.
 template <class Work>
-ExitCode within(double seconds, const Session& session, Work work) {
-  const Deadline deadline(seconds, session.stop);
+ExitCode within(const WorkLimits& limits, const Session& session, Work work) {
+  const ltl::Watch watch(granted(limits), session.stop);
   try {
-    return work(Session{deadline.token(), session.out});
+    return work(Session{watch.token(), session.out});
   } catch (const GaveUp&) {
-    if (!deadline.passed()) throw;
-    throw GaveUp("gave up after " + fixed(seconds, 1) + " s");
+    if (watch.overrun() == ltl::Overrun::None) throw;
+    throw GaveUp(gave_up(watch.overrun(), limits));
   }
 }
 
@@ -205,7 +205,7 @@ ExitCode run_plan(const PlanCommandOptions& options, const Session& session) {
     return plan_model(read_model(choice, options.start, session.stop), choice, options.text, session);
   if (options.noise.given()) return plan_model(noisy_map(options), choice, options.text, session);
   if (!options.automaton.empty())
-    return within(choice.limit_seconds, session,
+    return within(choice.limits, session,
                   [&](const Session& limited) { return Planning(options).of_automaton(options.automaton, limited); });
   TextReader texts(options.text, "formula");
   if (texts.is_batch() && (!options.svg.empty() || !options.hoa.empty() || !options.tree.empty()))
@@ -214,7 +214,7 @@ ExitCode run_plan(const PlanCommandOptions& options, const Session& session) {
   return answer_each(
       texts, session.stop,
       [&](const Text& text) {
-        return within(choice.limit_seconds, session,
+        return within(choice.limits, session,
                       [&](const Session& limited) { return planning.of_formula(text, limited); });
       },
       options.json);

@@ -16,7 +16,6 @@
 #include "tools/automaton_output.hpp"
 #include "tools/case_scheduler.hpp"
 #include "tools/shell/batch.hpp"
-#include "tools/shell/deadline.hpp"
 #include "tools/shell/json.hpp"
 #include "tools/shell/options.hpp"
 #include "tools/shell/output.hpp"
@@ -195,7 +194,7 @@ class TaskAnswers {
 
   // Throws as plan::answer.
   ExitCode answer(const plan::CaseTask& task, const plan::GivenAutomaton* given = nullptr) {
-    const Deadline deadline(choice_.limit_seconds, session_.stop);
+    const ltl::Watch watch(granted(choice_.limits), session_.stop);
     const plan::CaseOptions options{.method = method_of(choice_.method),
                                     .tolerance = choice_.tolerance,
                                     .discount = choice_.discount,
@@ -203,9 +202,11 @@ class TaskAnswers {
                                     .top = choice_.top,
                                     .route = !choice_.model.empty(),
                                     .strategy = !choice_.strategy.empty(),
-                                    .stop = deadline.token()};
-    const CaseAnswer answer =
+                                    .stop = watch.token()};
+    CaseAnswer answer =
         given != nullptr ? plan::answer(case_, task, *given, options) : plan::answer(case_, task, options);
+    if (answer.status == Status::Exhausted && watch.overrun() != ltl::Overrun::None)
+      answer.reason += " (" + amount(watch.overrun(), choice_.limits) + ')';
     if (choice_.json)
       std::cout << case_json(case_, task, answer).text() << '\n';
     else
@@ -316,18 +317,17 @@ void add_case_options(Command command, CaseChoice& choice) {
                   "with --case: proved error of values, absolute for probabilities, relative for costs")
       .between(1e-12, 1.0)  // doubles carry no less
       .show_default();
-  command.add_option("--limit-seconds", choice.limit_seconds, "time for each formula or task, and to read a model")
-      .positive();
+  add_work_limits(command, choice.limits, "a formula or task, or the reading of a model");
 }
 
 plan::PlanningCase read_model(const CaseChoice& choice, const std::string& start, const std::stop_token& stop) {
-  const Deadline deadline(choice.limit_seconds, stop);
+  const ltl::Watch watch(granted(choice.limits), stop);
   try {
-    return plan::read_model(choice.model, start, {.stop = deadline.token()});
+    return plan::read_model(choice.model, start, {.states = plan::most_model_states, .stop = watch.token()});
   } catch (const plan::ReadingStopped&) {
-    if (!deadline.passed()) throw Interrupted();
-    throw GaveUp("gave up: " + choice.model + " has more states than were found in " + fixed(choice.limit_seconds, 1) +
-                 " s");
+    if (watch.overrun() == ltl::Overrun::None) throw Interrupted();
+    throw GaveUp("gave up: " + choice.model + " has more states than were found in " +
+                 amount(watch.overrun(), choice.limits));
   }
 }
 

@@ -9,6 +9,7 @@
 #include "tools/shell/exit_code.hpp"
 #include "tools/shell/input.hpp"
 #include "tools/shell/subcommand.hpp"
+#include "tools/shell/work_limits.hpp"
 
 namespace waymark::tools {
 
@@ -22,7 +23,7 @@ struct CaseChoice {
   std::size_t top = 1;
   double discount = 0.9;
   double tolerance = 1e-6;
-  double limit_seconds = 0;  // of each formula or task, and of reading a model; 0: none
+  WorkLimits limits;  // of each formula or task, and of reading a model
   bool json = false;
 };
 plan::LassoOrder order_of(const std::string& name);  // `order` of a choice

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <iostream>
 
+#include "libltl/limits.hpp"
 #include "libltl/text/print.hpp"
 #include "libplan/behavior_tree.hpp"
 #include "libplan/certify.hpp"
@@ -16,6 +17,8 @@
 
 namespace waymark::tools {
 namespace {
+
+constexpr std::size_t most_vertices = 100'000'000;
 
 std::pair<double, double> rank(const plan::LassoRoute& route, plan::LassoOrder order) {
   switch (order) {
@@ -68,7 +71,7 @@ class LassoPlanning {
 
  private:
   automata::Automaton translated() {
-    const automata::TranslationLimits limits{.stop = stop_};
+    const ltl::Limits limits{.stop = stop_};
     auto made =
         task_.formula ? plan::lasso_automaton(*task_.formula, limits) : plan::lasso_automaton(*task_.given, limits);
     found_.translating = watch_.lap();
@@ -80,7 +83,7 @@ class LassoPlanning {
   void search(plan::PoseId start) {
     const plan::LassoOrder order = order_of(options_.order);
     const plan::Mdp mdp = plan::mdp_of(task_.map, start);
-    auto answer = plan::least_lasso(mdp, automaton_, order, 100'000'000, stop_);
+    auto answer = plan::least_lasso(mdp, automaton_, order, {.states = most_vertices, .stop = stop_});
     if (!answer && stop_.stop_requested()) throw Interrupted();
     if (!answer) throw GaveUp("the search for a lasso met its limit");
     found_.statistics.met += answer->statistics.met;
@@ -195,8 +198,8 @@ FoundRoutes cheapest(const WalkTask& task, const automata::Dfa& dfa, std::size_t
   FoundRoutes found;
   for (const plan::PoseId start : task.starts) {
     const plan::Mdp mdp = plan::mdp_of(task.map, start);
-    const auto answer =
-        plan::least_routes(plan::Product(mdp, plan::TaskTable(dfa, mdp.letters())), most, 100'000'000, session.stop);
+    const auto answer = plan::least_routes(plan::Product(mdp, plan::TaskTable(dfa, mdp.letters())), most,
+                                           {.states = most_vertices, .stop = session.stop});
     if (!answer && session.stop.stop_requested()) throw Interrupted();
     if (!answer) throw GaveUp("the search for routes met its limit");
     found.statistics.met += answer->statistics.met;

@@ -5,6 +5,7 @@
 
 #include "libautomata/bdd/mtbdd.hpp"
 #include "libautomata/budget.hpp"
+#include "libltl/limits.hpp"
 #include "libltl/structure/shape_memo.hpp"
 #include "libltl/text/print.hpp"
 #include "tools/answer.hpp"
@@ -24,7 +25,7 @@ struct TranslateOptions {
   NotationOptions notation;
   OutputOptions output;
   std::string semantics, target;
-  std::size_t states = automata::TranslationLimits{}.states;
+  std::size_t states = ltl::Limits{}.states;
   bool certify = false;
   ParallelOptions parallel;
 };
@@ -37,7 +38,7 @@ Reply gave_up(const Text& text, double seconds, const TranslateOptions& options,
 
 // Running out of budget leaves the automaton as it is, and says so.
 std::string certificate(ltl::Formula formula, const Translated& result, const Translation& translation,
-                        const automata::TranslationLimits& limits) {
+                        const ltl::Limits& limits) {
   try {
     const Certificate certificate = certify(formula, result, translation, limits);
     return certificate.proved ? "proved" : counted(certificate.words, "word");
@@ -73,11 +74,11 @@ std::shared_ptr<const Translated> renamed(Translated result, const ltl::Vocabula
 }
 
 Reply translate_one(const Text& text, const TranslateOptions& options, const Translation& translation, Memo& memo,
-                    const TextDeadline& deadline) {
+                    const TextWatch& watched) {
   ltl::Arena arena;
   StopWatch watch;
   const ltl::Formula formula = parse_formula(text, arena, parse_options(options.notation, ltl::Unknown::Add));
-  const automata::TranslationLimits limits{.states = options.states, .stop = deadline.token()};
+  const ltl::Limits limits{.states = options.states, .stop = watched.token()};
   const auto run = [&](ltl::Formula f) { return translation.run(f, limits); };
   auto [made, known] = memo(formula, run, worth_keeping);
   const bool shows_names = options.output.format != "stats" || options.certify || !options.output.svg.empty();
@@ -101,9 +102,8 @@ Reply translate_one(const Text& text, const TranslateOptions& options, const Tra
   }
   const std::size_t states = std::get<automata::Exhausted>(result).states;
   std::string reason = "gave up: more than " + counted(options.states, "state") + " before minimisation";
-  if (deadline.passed())
-    reason = "gave up after " + fixed(std::max(about.seconds, options.parallel.seconds), 1) + " s, with " +
-             counted(states, "state");
+  if (watched.overrun() != ltl::Overrun::None)
+    reason = gave_up(watched.overrun(), options.parallel.limits, about.seconds) + ", with " + counted(states, "state");
   else if (states < options.states)
     reason = "gave up with " + counted(states, "state") + ": a part of the formula has more than " +
              counted(automata::Mtbdd::max_variables, "temporal operator") +
@@ -121,8 +121,8 @@ ExitCode run_translate(const TranslateOptions& options, const Session& session) 
   Memo memo(texts.is_batch() ? most_shapes : 0);
   return answer_in_parallel(
       texts, session.stop, options.parallel,
-      [&](const Text& text, const TextDeadline& deadline) {
-        return translate_one(text, options, translation, memo, deadline);
+      [&](const Text& text, const TextWatch& watched) {
+        return translate_one(text, options, translation, memo, watched);
       },
       [&](const Text& text, const std::string& message) {
         const Shown about{.line = text.line, .text = text.text, .status = "error"};
@@ -147,12 +147,7 @@ Runner setup_translate(Command command) {
       .add_option("--limit-states,--max-states", options->states, "give up beyond so many states before minimisation")
       .type_name("N")
       .show_default();
-  command
-      .add_option("--limit-seconds,--timeout", options->parallel.seconds,
-                  "give up on a formula after so many seconds (0: never)")
-      .type_name("SECONDS")
-      .not_negative()
-      .show_default();
+  add_work_limits(command, options->parallel.limits, "a formula", "--limit-seconds,--timeout");
   command.add_option("--threads", options->parallel.threads, "formulas translated at a time (0: all cores)")
       .type_name("N")
       .show_default();

@@ -13,33 +13,19 @@ Translated widened(Result result) {
   return std::visit([](auto&& alternative) { return Translated(std::move(alternative)); }, std::move(result));
 }
 
-Translated finite_dfa(ltl::Formula f, const automata::TranslationLimits& limits) {
-  return widened(automata::ltlf_to_dfa(f, limits));
-}
+Translated finite_dfa(ltl::Formula f, const ltl::Limits& limits) { return widened(automata::ltlf_to_dfa(f, limits)); }
 
-Translated tgba(ltl::Formula f, const automata::TranslationLimits& limits) {
-  return widened(automata::ltl_to_tgba(f, limits));
-}
+Translated tgba(ltl::Formula f, const ltl::Limits& limits) { return widened(automata::ltl_to_tgba(f, limits)); }
 
-Translated buchi(ltl::Formula f, const automata::TranslationLimits& limits) {
-  return widened(automata::ltl_to_buchi(f, limits));
-}
+Translated buchi(ltl::Formula f, const ltl::Limits& limits) { return widened(automata::ltl_to_buchi(f, limits)); }
 
-Translated parity(ltl::Formula f, const automata::TranslationLimits& limits) {
-  return widened(automata::ltl_to_parity(f, limits));
-}
+Translated parity(ltl::Formula f, const ltl::Limits& limits) { return widened(automata::ltl_to_parity(f, limits)); }
 
-Translated rabin(ltl::Formula f, const automata::TranslationLimits& limits) {
-  return widened(automata::ltl_to_rabin(f, limits));
-}
+Translated rabin(ltl::Formula f, const ltl::Limits& limits) { return widened(automata::ltl_to_rabin(f, limits)); }
 
-Translated generic(ltl::Formula f, const automata::TranslationLimits& limits) {
-  return widened(automata::ltl_to_generic(f, limits));
-}
+Translated generic(ltl::Formula f, const ltl::Limits& limits) { return widened(automata::ltl_to_generic(f, limits)); }
 
-Translated ldba(ltl::Formula f, const automata::TranslationLimits& limits) {
-  return widened(automata::ltl_to_ldba(f, limits));
-}
+Translated ldba(ltl::Formula f, const ltl::Limits& limits) { return widened(automata::ltl_to_ldba(f, limits)); }
 
 constexpr std::array all_translations{
     Translation{"finite", "dfa", finite_dfa}, Translation{"infinite", "tgba", tgba},

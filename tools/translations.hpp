@@ -10,6 +10,7 @@
 #include "libautomata/translation/ltl_to_buchi.hpp"
 #include "libautomata/translation/ltl_to_parity.hpp"
 #include "libltl/formula.hpp"
+#include "libltl/limits.hpp"
 
 namespace waymark::tools {
 
@@ -18,7 +19,7 @@ using Translated = std::variant<automata::Dfa, automata::Translated, automata::T
 struct Translation {
   std::string_view semantics;  // "finite" or "infinite"
   std::string_view target;     // --to
-  Translated (*run)(ltl::Formula, const automata::TranslationLimits&);
+  Translated (*run)(ltl::Formula, const ltl::Limits&);
 };
 
 std::span<const Translation> translations();

@@ -21,11 +21,11 @@
 #include "libplan/world/json_reader.hpp"
 #include "libplan/world/trajectory.hpp"
 #include "tools/shell/batch.hpp"
-#include "tools/shell/deadline.hpp"
 #include "tools/shell/json.hpp"
 #include "tools/shell/options.hpp"
 #include "tools/shell/output.hpp"
 #include "tools/shell/subcommand.hpp"
+#include "tools/shell/work_limits.hpp"
 
 namespace waymark::tools {
 namespace {
@@ -34,7 +34,7 @@ struct VerifyOptions {
   TextOptions text;
   MapOptions map{.map = "", .data = {}};  // no map: the answer's
   std::size_t words = 2000, pairs = 1'000'000;
-  double limit_seconds = 0;
+  WorkLimits limits;
   bool json = false;
 };
 
@@ -101,7 +101,7 @@ class Verifier {
     cost(object, "cost", static_cast<double>(actions));
     if (!least) return;
     const plan::PoseId start = walk->trajectory.poses.front();
-    const auto found = plan::least_by_progression(f, on, {&start, 1}, options_.pairs, stop_);
+    const auto found = plan::least_by_progression(f, on, {&start, 1}, {.states = options_.pairs, .stop = stop_});
     claim(found ? std::optional(!found->actions || *found->actions >= actions) : std::nullopt,
           "no route from " + plan::show(on.pose(start)) + " costs less");
   }
@@ -159,7 +159,7 @@ class Verifier {
       if (!pose) in_.fail(path, "there is no such place on map " + on.name());
       starts.push_back(*pose);
     });
-    const auto least = plan::least_by_progression(f, on, starts, options_.pairs, stop_);
+    const auto least = plan::least_by_progression(f, on, starts, {.states = options_.pairs, .stop = stop_});
     claim(least ? std::optional(!least->actions) : std::nullopt,
           "no route from these starts satisfies " + ltl::print(f));
   }
@@ -256,8 +256,8 @@ const char* in_words(ExitCode verdict) {
 }
 
 ExitCode verify_one(const Text& text, const VerifyOptions& options, const Session& session) {
-  const Deadline deadline(options.limit_seconds, session.stop);
-  const std::vector<Claim> claims = Verifier(text, options, deadline.token()).verify();
+  const ltl::Watch watch(granted(options.limits), session.stop);
+  const std::vector<Claim> claims = Verifier(text, options, watch.token()).verify();
   if (session.stop.stop_requested()) throw Interrupted();
   const ExitCode verdict = verdict_of(claims);
   if (options.json) {
@@ -288,7 +288,7 @@ Runner setup_verify(Command command) {
   command.add_option("--pairs", options->pairs, "of pose and formula, before a least cost is left undecided")
       .between(1, 100'000'000)
       .show_default();
-  command.add_option("--limit-seconds", options->limit_seconds, "for each answer").positive();
+  add_work_limits(command, options->limits, "an answer");
   command.add_flag("--json", options->json, "one JSON object a line");
   return [options](const Session& session) {
     TextOptions from = options->text;

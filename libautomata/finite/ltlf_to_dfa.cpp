@@ -16,7 +16,7 @@ using ltl::Formula;
 namespace {
 
 // Of a formula with past operators: translated with histories, which are forgotten.
-std::variant<Dfa, Exhausted> with_histories(Formula f, const TranslationLimits& limits) {
+std::variant<Dfa, Exhausted> with_histories(Formula f, const ltl::Limits& limits) {
   ltl::Arena extended(f.arena().vocabulary());
   auto found = ltlf_to_dfa(ltl::without_past(f, extended).formula, limits);
   const Dfa* dfa = std::get_if<Dfa>(&found);
@@ -31,7 +31,7 @@ std::variant<Dfa, Exhausted> with_histories(Formula f, const TranslationLimits& 
 
 }  // namespace
 
-std::variant<Dfa, Exhausted> ltlf_to_dfa(Formula f, const TranslationLimits& limits) {
+std::variant<Dfa, Exhausted> ltlf_to_dfa(Formula f, const ltl::Limits& limits) {
   if (ltl::has_past(f)) return with_histories(f, limits);
   const std::vector<ltl::Proposition> reads = ltl::propositions(f);
   if (reads.size() > Mtbdd::max_variables) return Exhausted{};
@@ -46,7 +46,7 @@ std::variant<Dfa, Exhausted> ltlf_to_dfa(Formula f, const TranslationLimits& lim
 }
 
 Dfa ltlf_to_dfa(Formula f) {
-  auto found = ltlf_to_dfa(f, TranslationLimits{.states = SIZE_MAX});
+  auto found = ltlf_to_dfa(f, ltl::Limits{.states = SIZE_MAX});
   if (Dfa* dfa = std::get_if<Dfa>(&found)) return std::move(*dfa);
   throw std::length_error("a formula with too many propositions or temporal operators for one automaton");
 }

@@ -157,7 +157,7 @@ Factor disjoint_factor(const Factor& a, const Factor& b, Verdict verdict, Budget
 
 class Translation {
  public:
-  Translation(const Reads& reads, const RouteLimits& limits, std::size_t& made)
+  Translation(const Reads& reads, const ltl::Limits& limits, std::size_t& made)
       : reads_(reads), limits_(limits), made_(made) {}
 
   Transitions run(Formula f) { return std::move(settle(f)->automaton); }
@@ -324,7 +324,7 @@ class Translation {
   }
 
   const Reads& reads_;
-  const RouteLimits& limits_;
+  const ltl::Limits& limits_;
   std::size_t& made_;
   std::unordered_map<Formula, Task> tasks_;
   bool more_steps_may_help_ = false;
@@ -332,7 +332,7 @@ class Translation {
 
 }  // namespace
 
-Transitions minimal_automaton(Formula f, const Reads& reads, const RouteLimits& limits, std::size_t& made) {
+Transitions minimal_automaton(Formula f, const Reads& reads, const ltl::Limits& limits, std::size_t& made) {
   return Translation(reads, limits, made).run(f);
 }
 

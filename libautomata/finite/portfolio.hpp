@@ -15,18 +15,14 @@
 #include "libautomata/bdd/transitions.hpp"
 #include "libautomata/budget.hpp"
 #include "libltl/formula.hpp"
+#include "libltl/limits.hpp"
 
 namespace waymark::automata {
-
-struct RouteLimits {     // of all constructions of a portfolio
-  std::size_t states;    // of one construction, before minimisation
-  std::stop_token stop;  // polled at least every few milliseconds
-};
 
 // Minimal, its states in no particular order, possibly with some that the initial one does not reach; variables are
 // positions in `reads`. Throws Budget::Exceeded when no route stays within the limits; made: the states of the
 // construction that made most.
-Transitions minimal_automaton(ltl::Formula f, const std::vector<ltl::Proposition>& reads, const RouteLimits& limits,
+Transitions minimal_automaton(ltl::Formula f, const std::vector<ltl::Proposition>& reads, const ltl::Limits& limits,
                               std::size_t& made);
 
 }  // namespace waymark::automata

@@ -35,7 +35,7 @@ struct Candidate {
 };
 
 template <class Make>
-auto within(std::size_t steps, const TranslationLimits& limits, const Make& make)
+auto within(std::size_t steps, const ltl::Limits& limits, const Make& make)
     -> std::optional<decltype(make(std::declval<Budget&>()))> {
   Budget budget(steps, limits.states, limits.stop);
   try {
@@ -54,7 +54,7 @@ class Construction {
  public:
   // parity(Min, Even, ·), deterministic. Throws Budget::Exceeded when the accepting part has more states than the
   // limit.
-  Construction(const TransitionRelation& parity, TranslationLimits limits)
+  Construction(const TransitionRelation& parity, ltl::Limits limits)
       : parity_(completed_parity(parity)),
         limits_(std::move(limits)),
         by_colours_(jump_on_colour(parity_, accepting_part_)) {
@@ -96,7 +96,7 @@ class Construction {
   }
 
   TransitionRelation parity_;
-  TranslationLimits limits_;
+  ltl::Limits limits_;
   AcceptingPart accepting_part_;
   std::vector<Jump> by_colours_;
   std::optional<Candidate> best_;
@@ -111,7 +111,7 @@ std::vector<ltl::Proposition> together(std::vector<ltl::Proposition> a, const st
 
 }  // namespace
 
-std::variant<TranslatedForMdps, Exhausted> ltl_to_ldba(ltl::Formula f, const TranslationLimits& limits) {
+std::variant<TranslatedForMdps, Exhausted> ltl_to_ldba(ltl::Formula f, const ltl::Limits& limits) {
   auto found = ltl_to_parity(f, limits);
   if (const Exhausted* none = std::get_if<Exhausted>(&found)) return *none;
   const Translated& parity = std::get<Translated>(found);

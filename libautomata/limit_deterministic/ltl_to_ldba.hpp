@@ -6,6 +6,7 @@
 #include "libautomata/finite/ltlf_to_dfa.hpp"
 #include "libautomata/limit_deterministic/ldba.hpp"
 #include "libltl/formula.hpp"
+#include "libltl/limits.hpp"
 
 namespace waymark::automata {
 
@@ -15,7 +16,7 @@ struct TranslatedForMdps {  // an automaton, and whether more could be done
 };
 
 // Canonical numbering: same formula, same bytes.
-std::variant<TranslatedForMdps, Exhausted> ltl_to_ldba(ltl::Formula f, const TranslationLimits& limits);
+std::variant<TranslatedForMdps, Exhausted> ltl_to_ldba(ltl::Formula f, const ltl::Limits& limits);
 // Without limits; std::length_error when a formula is too large for one automaton.
 MdpSafe ltl_to_ldba(ltl::Formula f);
 

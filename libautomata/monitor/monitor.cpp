@@ -106,7 +106,7 @@ bool Monitor::is_hopeful(State q) const {
   return verdict(q) == Foresight::Open && (!bad_.is_trap(q.bad) || !good_.is_trap(q.good));
 }
 
-std::variant<Monitor, Exhausted> ltl_to_monitor(ltl::Formula f, const TranslationLimits& limits) {
+std::variant<Monitor, Exhausted> ltl_to_monitor(ltl::Formula f, const ltl::Limits& limits) {
   const auto positive = ltl_to_tgba(f, limits), negative = ltl_to_tgba(ltl::negate(f), limits);
   for (const auto* side : {&positive, &negative})
     if (const auto* exhausted = std::get_if<Exhausted>(side)) return *exhausted;

@@ -12,6 +12,7 @@
 #include "libautomata/finite/dfa.hpp"
 #include "libautomata/finite/ltlf_to_dfa.hpp"
 #include "libautomata/omega/automaton.hpp"
+#include "libltl/limits.hpp"
 
 namespace waymark::automata {
 
@@ -49,6 +50,6 @@ class Monitor {
 };
 
 // Gives up at the limits.
-std::variant<Monitor, Exhausted> ltl_to_monitor(ltl::Formula f, const TranslationLimits& limits);
+std::variant<Monitor, Exhausted> ltl_to_monitor(ltl::Formula f, const ltl::Limits& limits);
 
 }  // namespace waymark::automata

@@ -5,12 +5,13 @@
 #include "libautomata/omega/reduce.hpp"
 #include "libautomata/translation/ltl_to_buchi.hpp"
 #include "libautomata/translation/strategies.hpp"
+#include "libltl/limits.hpp"
 
 namespace waymark::automata {
 
 std::variant<Translated, Exhausted> forget_histories(std::variant<Translated, Exhausted> found,
                                                      const ltl::Vocabulary& names, bool buchi,
-                                                     const TranslationLimits& limits) {
+                                                     const ltl::Limits& limits) {
   const Translated* made = std::get_if<Translated>(&found);
   if (made == nullptr) return found;
   const Automaton short_of = projected(made->automaton, names);

@@ -45,7 +45,7 @@ constexpr std::size_t large_states = 100;  // from here on, one way to count lev
 
 class Construction {
  public:
-  Construction(Formula f, const TranslationLimits& limits, std::size_t& states)
+  Construction(Formula f, const ltl::Limits& limits, std::size_t& states)
       : limits_(limits),
         reads_(ltl::propositions(f)),
         forms_(prepared_forms(f, reads_, limits.stop)),
@@ -347,7 +347,7 @@ class Construction {
     return {is_smaller ? out->automaton : from.automaton, out->complete && from.reduced};
   }
 
-  const TranslationLimits& limits_;
+  const ltl::Limits& limits_;
   std::vector<ltl::Proposition> reads_;
   Prepared forms_;
   Formula formula_;
@@ -360,7 +360,7 @@ class Construction {
   std::size_t& states_;                      // made by the tableau that made most
 };
 
-std::variant<Translated, Exhausted> translate(Formula f, const TranslationLimits& limits, bool buchi) {
+std::variant<Translated, Exhausted> translate(Formula f, const ltl::Limits& limits, bool buchi) {
   if (ltl::has_past(f)) {
     ltl::Arena extended(f.arena().vocabulary());
     auto found = translate(ltl::without_past(f, extended).formula, limits, buchi);
@@ -387,10 +387,10 @@ Automaton without_limits(Formula f, bool buchi) {
 
 }  // namespace
 
-std::variant<Translated, Exhausted> ltl_to_tgba(Formula f, const TranslationLimits& limits) {
+std::variant<Translated, Exhausted> ltl_to_tgba(Formula f, const ltl::Limits& limits) {
   return translate(f, limits, false);
 }
-std::variant<Translated, Exhausted> ltl_to_buchi(Formula f, const TranslationLimits& limits) {
+std::variant<Translated, Exhausted> ltl_to_buchi(Formula f, const ltl::Limits& limits) {
   return translate(f, limits, true);
 }
 Automaton ltl_to_tgba(Formula f) { return without_limits(f, false); }

@@ -11,6 +11,7 @@
 #include "libautomata/finite/ltlf_to_dfa.hpp"
 #include "libautomata/omega/automaton.hpp"
 #include "libltl/formula.hpp"
+#include "libltl/limits.hpp"
 
 namespace waymark::automata {
 
@@ -20,14 +21,14 @@ struct Translated {     // an automaton, and whether more could be done
 };
 
 // Canonical numbering: same formula, same bytes. Büchi automata have one set, on all branches of accepting states.
-std::variant<Translated, Exhausted> ltl_to_tgba(ltl::Formula f, const TranslationLimits& limits);
-std::variant<Translated, Exhausted> ltl_to_buchi(ltl::Formula f, const TranslationLimits& limits);
+std::variant<Translated, Exhausted> ltl_to_tgba(ltl::Formula f, const ltl::Limits& limits);
+std::variant<Translated, Exhausted> ltl_to_buchi(ltl::Formula f, const ltl::Limits& limits);
 
 // Of a formula with past operators, from that of the formula in which these are propositions (without_past.hpp): the
 // propositions that `names` lacks are forgotten, and the automaton is reduced. In forget_histories.cpp.
 std::variant<Translated, Exhausted> forget_histories(std::variant<Translated, Exhausted> found,
                                                      const ltl::Vocabulary& names, bool buchi,
-                                                     const TranslationLimits& limits);
+                                                     const ltl::Limits& limits);
 
 // Without limits; std::length_error when a formula is too large for one automaton.
 Automaton ltl_to_tgba(ltl::Formula f);

@@ -75,8 +75,7 @@ TransitionRelation rejected_by(const TransitionRelation& automaton) {
 class Construction {
  public:
   // f simplified, in negation normal form.
-  Construction(Formula f, const TranslationLimits& limits)
-      : limits_(limits), formula_(f), reads_(ltl::propositions(f)) {}
+  Construction(Formula f, const ltl::Limits& limits) : limits_(limits), formula_(f), reads_(ltl::propositions(f)) {}
 
   // An automaton that is returned because the deadline has passed is not reduced.
   std::optional<Candidate> parity() {
@@ -154,7 +153,7 @@ class Construction {
     std::optional<std::optional<Candidate>>& known = buchi_[negated ? 1 : 0];
     if (known) return *known;
     known.emplace();
-    TranslationLimits limits = limits_;
+    ltl::Limits limits = limits_;
     if (const auto& product = direct_[product_of_parts]; product && *product)
       limits.states = std::min(limits.states, std::max(small_tableau, 2 * (*product)->automaton.states()));
     auto found = ltl_to_tgba(negated ? ltl::negate(formula_) : formula_, limits);
@@ -312,7 +311,7 @@ class Construction {
     return Candidate{std::move(out.automaton), raw.reads, raw.reduced && out.complete};
   }
 
-  const TranslationLimits& limits_;
+  const ltl::Limits& limits_;
   Formula formula_;
   std::vector<ltl::Proposition> reads_;
   std::array<std::optional<std::optional<Candidate>>, 2> buchi_;   // of φ and of ¬φ: asked for; there is one
@@ -322,7 +321,7 @@ class Construction {
 
 // Of a formula with past operators, parity(Min, Even, ·): translated with histories, which are forgotten. Where the
 // letters read determine the histories, the automaton stays deterministic; else a Büchi automaton is determinised.
-std::variant<Translated, Exhausted> with_histories(Formula f, const TranslationLimits& limits) {
+std::variant<Translated, Exhausted> with_histories(Formula f, const ltl::Limits& limits) {
   const ltl::Vocabulary& names = f.arena().vocabulary();
   ltl::Arena extended(names);
   const ltl::WithoutPast without = ltl::without_past(f, extended);
@@ -348,7 +347,7 @@ std::variant<Translated, Exhausted> changed(std::variant<Translated, Exhausted> 
 }
 
 template <class Make>
-std::variant<Translated, Exhausted> translate(Formula f, const TranslationLimits& limits, const Make& make) {
+std::variant<Translated, Exhausted> translate(Formula f, const ltl::Limits& limits, const Make& make) {
   if (ltl::propositions(f).size() > Mtbdd::max_variables) return Exhausted{};
   try {
     const std::vector<ltl::Proposition> reads = ltl::propositions(f);
@@ -361,7 +360,7 @@ std::variant<Translated, Exhausted> translate(Formula f, const TranslationLimits
 
 }  // namespace
 
-std::variant<Translated, Exhausted> ltl_to_parity(Formula f, const TranslationLimits& limits) {
+std::variant<Translated, Exhausted> ltl_to_parity(Formula f, const ltl::Limits& limits) {
   if (ltl::has_past(f)) return changed(with_histories(f, limits), plain_parity);
   return translate(f, limits, [](Construction& construction) {
     std::optional<Candidate> found = construction.parity();
@@ -370,7 +369,7 @@ std::variant<Translated, Exhausted> ltl_to_parity(Formula f, const TranslationLi
   });
 }
 
-std::variant<Translated, Exhausted> ltl_to_rabin(Formula f, const TranslationLimits& limits) {
+std::variant<Translated, Exhausted> ltl_to_rabin(Formula f, const ltl::Limits& limits) {
   if (ltl::has_past(f)) return changed(with_histories(f, limits), as_rabin);
   return translate(f, limits, [](Construction& construction) {
     std::optional<Candidate> found = construction.parity();
@@ -379,7 +378,7 @@ std::variant<Translated, Exhausted> ltl_to_rabin(Formula f, const TranslationLim
   });
 }
 
-std::variant<Translated, Exhausted> ltl_to_generic(Formula f, const TranslationLimits& limits) {
+std::variant<Translated, Exhausted> ltl_to_generic(Formula f, const ltl::Limits& limits) {
   if (ltl::has_past(f)) return ltl_to_parity(f, limits);
   return translate(f, limits, [](Construction& construction) { return construction.generic(); });
 }

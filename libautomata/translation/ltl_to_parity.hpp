@@ -12,15 +12,16 @@
 #include "libautomata/finite/ltlf_to_dfa.hpp"
 #include "libautomata/translation/ltl_to_buchi.hpp"
 #include "libltl/formula.hpp"
+#include "libltl/limits.hpp"
 
 namespace waymark::automata {
 
 // Deterministic, trimmed, canonical numbering: same formula, same bytes. Exhausted when no route came to an end; when
 // the stop is requested after one did, its automaton is the answer, not reduced.
-std::variant<Translated, Exhausted> ltl_to_parity(ltl::Formula f, const TranslationLimits& limits);
-std::variant<Translated, Exhausted> ltl_to_rabin(ltl::Formula f, const TranslationLimits& limits);
+std::variant<Translated, Exhausted> ltl_to_parity(ltl::Formula f, const ltl::Limits& limits);
+std::variant<Translated, Exhausted> ltl_to_rabin(ltl::Formula f, const ltl::Limits& limits);
 // Any condition: generalised (co-)Büchi, or the condition of a product, where that is smaller.
-std::variant<Translated, Exhausted> ltl_to_generic(ltl::Formula f, const TranslationLimits& limits);
+std::variant<Translated, Exhausted> ltl_to_generic(ltl::Formula f, const ltl::Limits& limits);
 
 // Without limits; std::length_error when a formula is too large for one automaton.
 Dpa ltl_to_dpa(ltl::Formula f);

@@ -25,13 +25,13 @@ struct LimitMet {};  // thrown by the visitor: the way out of a Boost.Graph sear
 
 struct LimitVisitor : boost::default_bfs_visitor {
   const DiscoveryOrder* order;
-  const CompositionLimits* limits;
+  const ltl::Limits* limits;
   std::size_t examined = 0;
 
   template <class Graph>
   void examine_vertex(const ProductState&, const Graph&) {
     constexpr std::size_t polling_interval = 256;
-    if (order->states().size() > limits->vertices ||
+    if (order->states().size() > limits->states ||
         (examined++ % polling_interval == 0 && limits->stop.stop_requested()))
       throw LimitMet{};
   }
@@ -40,7 +40,7 @@ struct LimitVisitor : boost::default_bfs_visitor {
 }  // namespace
 
 std::optional<MapProduct> MapProduct::explore(const Map& map, const automata::Dfa& dfa, std::span<const PoseId> starts,
-                                              const CompositionLimits& limits) {
+                                              const ltl::Limits& limits) {
   MapProduct out(std::make_shared<const Parts>(Parts{MapMdp(map), TaskSteps(map, dfa)}));
   for (const PoseId s : starts)
     out.for_each_start(s.index, map.label_id(s), [&](const ProductState& v) { out.starts_.push_back(v); });
@@ -57,7 +57,7 @@ std::optional<MapProduct> MapProduct::explore(const Map& map, const automata::Df
 }
 
 MapProduct compose(const Map& map, const automata::Dfa& dfa, std::span<const PoseId> starts) {
-  return *MapProduct::explore(map, dfa, starts, {});
+  return *MapProduct::explore(map, dfa, starts, {.states = SIZE_MAX});
 }
 
 }  // namespace waymark::plan

@@ -9,16 +9,12 @@
 #include <utility>
 #include <vector>
 
+#include "libltl/limits.hpp"
 #include "libplan/model/map_mdp.hpp"
 #include "libplan/product/discovery_order.hpp"
 #include "libplan/product/task_steps.hpp"
 
 namespace waymark::plan {
-
-struct CompositionLimits {          // when composing gives up
-  std::size_t vertices = SIZE_MAX;  // pairs that are kept
-  std::stop_token stop = {};        // polled every few hundred vertices
-};
 
 // The product that routes are searched on, with its reachable pairs numbered breadth first; Boost.Graph's
 // IncidenceGraph and VertexListGraph. Out-edges are in action order FORWARD, LEFT, RIGHT. Traps of the automaton are
@@ -28,7 +24,7 @@ class MapProduct : public Product<MapMdp, TaskSteps> {
   // Map and automaton must outlive it. Throws ltl::FormatError naming a proposition that the map lacks. nullopt: more
   // vertices than the limit, or stopped. O(|S| · |Q|).
   static std::optional<MapProduct> explore(const Map& map, const automata::Dfa& dfa, std::span<const PoseId> starts,
-                                           const CompositionLimits& limits);
+                                           const ltl::Limits& limits);
 
   const Map& map() const { return task().map(); }                        // of the model
   const automata::Dfa& dfa() const { return task().dfa(); }              // of the task
@@ -74,7 +70,7 @@ inline MapProduct compose(const Map& map, const automata::Dfa& dfa, PoseId start
   return compose(map, dfa, {&start, 1});
 }
 inline std::optional<MapProduct> compose(const Map& map, const automata::Dfa& dfa, std::span<const PoseId> starts,
-                                         const CompositionLimits& limits) {
+                                         const ltl::Limits& limits) {
   return MapProduct::explore(map, dfa, starts, limits);
 }
 

@@ -6,8 +6,7 @@
 namespace waymark::plan {
 
 template <Model M>
-std::optional<ProductMdp<M>> ProductMdp<M>::explore(const M& model, const TaskTable& task, std::size_t limit,
-                                                    const std::stop_token& stop) {
+std::optional<ProductMdp<M>> ProductMdp<M>::explore(const M& model, const TaskTable& task, const ltl::Limits& limits) {
   ProductMdp out(model, task);
   std::vector<ProductState> open, first;
   const auto reach = [&](const ProductState& s) {
@@ -21,7 +20,8 @@ std::optional<ProductMdp<M>> ProductMdp<M>::explore(const M& model, const TaskTa
   });
   constexpr std::size_t polling_interval = 4096;
   for (std::size_t done = 0; !open.empty(); ++done) {
-    if (out.states_ > limit || (done % polling_interval == 0 && stop.stop_requested())) return std::nullopt;
+    if (out.states_ > limits.states || (done % polling_interval == 0 && limits.stop.stop_requested()))
+      return std::nullopt;
     const ProductState s = open.back();
     open.pop_back();
     for (std::uint32_t k = 0, choices = out.choices(s); k < choices; ++k)

@@ -13,6 +13,7 @@
 #include <utility>
 #include <vector>
 
+#include "libltl/limits.hpp"
 #include "libplan/product/product.hpp"
 #include "libplan/product/ranked_set.hpp"
 #include "libplan/product/task_table.hpp"
@@ -31,8 +32,8 @@ class ProductMdp : public Product<M, TaskTable> {
   };
 
   // The reachable part; model and task must outlive it. nullopt: more states than the limit, or stopped.
-  static std::optional<ProductMdp> explore(const M& model, const TaskTable& task, std::size_t limit = SIZE_MAX,
-                                           const std::stop_token& stop = {});
+  static std::optional<ProductMdp> explore(const M& model, const TaskTable& task,
+                                           const ltl::Limits& limits = {.states = SIZE_MAX});
 
   std::uint32_t states() const { return states_; }  // reachable pairs
   std::uint64_t edges() const { return edges_; }    // outcomes of all choices, those into the trap left out

@@ -6,6 +6,7 @@
 #include <variant>
 
 #include "libautomata/finite/dfa.hpp"
+#include "libltl/limits.hpp"
 #include "libltl/meaning/semantics.hpp"
 #include "libltl/meaning/trace_check.hpp"
 #include "libltl/rewriting/simplify.hpp"
@@ -77,7 +78,8 @@ class TaskSolver {
       throw std::invalid_argument("method search answers rmin, steps, cycle and lasso, on deterministic models only");
   }
   bool is_finite(ltl::Formula f) const { return is_finite_task(f, task_.logic); }
-  automata::TranslationLimits limits() const { return {.states = options_.states / 1000 + 1, .stop = options_.stop}; }
+  ltl::Limits limit() const { return {.states = options_.states, .stop = options_.stop}; }
+  ltl::Limits automaton_limit() const { return {.states = options_.states / 1000 + 1, .stop = options_.stop}; }
   template <class Automaton>
   static Automaton made(std::optional<Automaton> automaton) {
     if (!automaton) throw Spent{"no automaton within the limits"};
@@ -93,23 +95,24 @@ class TaskSolver {
     const ltl::Formula f = task_.logic == Logic::Ltl ? ltl::simplify(asked, ltl::Semantics::Infinite) : asked;
     if (task_.query == Query::LeastLasso) {
       if (task_.logic != Logic::Ltl) throw std::invalid_argument("query lasso is about infinite words");
-      return lasso(made(lasso_automaton(f, limits())), f, clock);
+      return lasso(made(lasso_automaton(f, automaton_limit())), f, clock);
     }
     if (const auto landmarks = visits(f);
         landmarks && by_search() && options_.top == 1 && !options_.strategy && model_.states() >= worth_compressing)
       return visit(*landmarks, f);
     const bool negated = task_.query == Query::MinProbability && !is_finite(f);
     solve(made(task_automaton(negated ? ltl::simplify(ltl::negate(f), ltl::Semantics::Infinite) : f, task_.logic,
-                              task_.query, limits())),
+                              task_.query, automaton_limit())),
           f, negated, clock);
     if (answer_.status == Status::Infeasible && options_.explain) explain(asked);
   }
 
   void automaton() {
     Clock clock;
-    if (task_.query == Query::LeastLasso) return lasso(made(lasso_automaton(*given_, limits())), std::nullopt, clock);
+    if (task_.query == Query::LeastLasso)
+      return lasso(made(lasso_automaton(*given_, automaton_limit())), std::nullopt, clock);
     const bool negated = task_.query == Query::MinProbability && !std::holds_alternative<automata::Dfa>(*given_);
-    solve(made(task_automaton(*given_, task_.query, limits())), std::nullopt, negated, clock);
+    solve(made(task_automaton(*given_, task_.query, automaton_limit())), std::nullopt, negated, clock);
     if (answer_.status == Status::Infeasible)
       answer_.reason = is_cost() ? "no strategy is sure to be accepted by the automaton"
                                  : "no strategy has a chance to be accepted by the automaton";
@@ -166,12 +169,12 @@ class TaskSolver {
     std::vector<ChoiceRoute> routes;
     SearchStatistics statistics;
     if (options_.top > 1) {
-      auto found = least_routes(Product(model_, task), options_.top, options_.states, options_.stop);
+      auto found = least_routes(Product(model_, task), options_.top, limit());
       if (!found) throw Spent{"the search met its limit"};
       routes = std::move(found->routes);
       statistics = found->statistics;
     } else {
-      auto found = search(Product(model_, task), options_.states, options_.stop);
+      auto found = search(Product(model_, task), limit());
       if (!found) throw Spent{"the search met its limit"};
       if (found->route) routes.push_back(std::move(*found->route));
       statistics = found->statistics;
@@ -218,7 +221,7 @@ class TaskSolver {
     if (options_.method > CaseMethod::Search) throw std::invalid_argument("query lasso is answered by method search");
     answer_.automaton_states = automaton.states();
     answer_.seconds.automaton = clock.lap();
-    auto found = least_lasso(model_, automaton, options_.order, options_.states, options_.stop);
+    auto found = least_lasso(model_, automaton, options_.order, limit());
     answer_.seconds.solve = clock.lap();
     if (!found) throw Spent{"the search for a lasso met its limit"};
     answer_.method = CaseMethod::Search;
@@ -251,7 +254,7 @@ class TaskSolver {
   }
 
   void decide(const TaskTable& task, const TaskAutomaton& automaton, bool negated, Clock& clock) {
-    const auto product = ProductMdp<Model>::explore(model_, task, options_.states, options_.stop);
+    const auto product = ProductMdp<Model>::explore(model_, task, limit());
     answer_.seconds.product = clock.lap();
     if (!product) throw Spent{"the product met its limit"};
     answer_.product_states = product->states();
@@ -280,8 +283,8 @@ class TaskSolver {
 
   void explain(ltl::Formula f) {
     const auto possible = [&](ltl::Formula part) {
-      const TaskTable task = table_of(made(task_automaton(part, task_.logic, task_.query, limits())));
-      const auto product = ProductMdp<Model>::explore(model_, task, options_.states, options_.stop);
+      const TaskTable task = table_of(made(task_automaton(part, task_.logic, task_.query, automaton_limit())));
+      const auto product = ProductMdp<Model>::explore(model_, task, limit());
       if (!product) throw Spent{"the product met its limit"};
       const Qualitative found = product->starts().empty() ? Qualitative::None : qualitative(*product);
       return is_cost() ? found == Qualitative::Sure : found != Qualitative::None;

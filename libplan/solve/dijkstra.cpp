@@ -21,7 +21,7 @@ struct Dijkstra {
 
   explicit Dijkstra(const Product<M, TaskTable>& of) : product(of), order(of.model().states(), of.task().states()) {}
 
-  std::optional<SearchAnswer> run(const ProductState& first, std::size_t limit, const std::stop_token& stop) {
+  std::optional<SearchAnswer> run(const ProductState& first, const ltl::Limits& limits) {
     SearchAnswer answer;
     met[meet(first)].distance.cost = 0;
     try {
@@ -31,7 +31,7 @@ struct Dijkstra {
           [](const Distance& d, const Distance& w) {
             return Distance{d.cost + w.cost, w.pair};
           },
-          Distance{}, Visitor{{}, this, &answer, limit, &stop}, Colors{{}, this});
+          Distance{}, Visitor{{}, this, &answer, &limits}, Colors{{}, this});
     } catch (const Ended& ended) {
       if (ended.goal == nothing) return std::nullopt;
       answer.route = route(ended.goal);
@@ -87,12 +87,12 @@ struct Dijkstra {
   struct Visitor : boost::dijkstra_visitor<> {
     Dijkstra* search;
     SearchAnswer* answer;
-    std::size_t limit;
-    const std::stop_token* stop;
+    const ltl::Limits* limits;
 
     template <class Graph>
     void examine_vertex(const ProductState& s, const Graph& g) {
-      if (search->met.size() > limit || (search->settled++ % pairs_between_polls == 0 && stop->stop_requested()))
+      if (search->met.size() > limits->states ||
+          (search->settled++ % pairs_between_polls == 0 && limits->stop.stop_requested()))
         throw Ended{nothing};
       if (g.is_goal(s)) throw Ended{search->order.number(s)};
       answer->statistics.edges += g.choices(s);
@@ -132,14 +132,13 @@ struct Dijkstra {
 }  // namespace
 
 template <Model M>
-std::optional<SearchAnswer> dijkstra(const Product<M, TaskTable>& product, const ProductState& first, std::size_t limit,
-                                     const std::stop_token& stop) {
-  return Dijkstra<M>(product).run(first, limit, stop);
+std::optional<SearchAnswer> dijkstra(const Product<M, TaskTable>& product, const ProductState& first,
+                                     const ltl::Limits& limits) {
+  return Dijkstra<M>(product).run(first, limits);
 }
 
-template std::optional<SearchAnswer> dijkstra(const Product<Mdp, TaskTable>&, const ProductState&, std::size_t,
-                                              const std::stop_token&);
-template std::optional<SearchAnswer> dijkstra(const Product<GridWorld, TaskTable>&, const ProductState&, std::size_t,
-                                              const std::stop_token&);
+template std::optional<SearchAnswer> dijkstra(const Product<Mdp, TaskTable>&, const ProductState&, const ltl::Limits&);
+template std::optional<SearchAnswer> dijkstra(const Product<GridWorld, TaskTable>&, const ProductState&,
+                                              const ltl::Limits&);
 
 }  // namespace waymark::plan

@@ -8,6 +8,7 @@
 #include <stop_token>
 #include <vector>
 
+#include "libltl/limits.hpp"
 #include "libplan/model/grid_world.hpp"
 #include "libplan/model/mdp.hpp"
 #include "libplan/product/product.hpp"
@@ -29,7 +30,7 @@ struct SearchAnswer {                // a route, and what it took
 
 // From one pair to the nearest goal. nullopt: stopped, or more pairs met than the limit.
 template <Model M>
-std::optional<SearchAnswer> dijkstra(const Product<M, TaskTable>& product, const ProductState& first, std::size_t limit,
-                                     const std::stop_token& stop);
+std::optional<SearchAnswer> dijkstra(const Product<M, TaskTable>& product, const ProductState& first,
+                                     const ltl::Limits& limits);
 
 }  // namespace waymark::plan

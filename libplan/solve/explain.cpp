@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "libautomata/finite/ltlf_to_dfa.hpp"
+#include "libltl/limits.hpp"
 #include "libltl/text/print.hpp"
 #include "libplan/solve/route_planner.hpp"
 
@@ -37,7 +38,7 @@ class Explainer {
 
  private:
   automata::Dfa translate(ltl::Formula f) const {
-    auto result = automata::ltlf_to_dfa(f, automata::TranslationLimits{.stop = stop_});
+    auto result = automata::ltlf_to_dfa(f, ltl::Limits{.stop = stop_});
     if (stop_.stop_requested() || std::holds_alternative<automata::Exhausted>(result)) throw Stopped{};
     return std::get<automata::Dfa>(std::move(result));
   }

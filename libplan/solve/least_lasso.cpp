@@ -158,9 +158,9 @@ std::string_view name(LassoOrder order) {
 
 template <class Model>
 std::optional<LassoAnswer> least_lasso(const Model& model, const automata::Automaton& automaton, LassoOrder order,
-                                       std::size_t limit, const std::stop_token& stop) {
+                                       const ltl::Limits& limits) {
   try {
-    automata::Budget budget(SIZE_MAX, limit, stop);
+    automata::Budget budget(SIZE_MAX, limits.states, limits.stop);
     const BuchiProduct product = compose(model, automaton, budget);
     LassoAnswer answer{std::nullopt, {product.states.size(), product.graph.edges.size()}};
     LassoSearch search(product.graph, budget);
@@ -200,10 +200,9 @@ CertifiedLasso certify(LassoRoute route, const Model& model, const automata::Aut
   return CertifiedLasso(std::move(route), false);
 }
 
-template std::optional<LassoAnswer> least_lasso(const Mdp&, const automata::Automaton&, LassoOrder, std::size_t,
-                                                const std::stop_token&);
-template std::optional<LassoAnswer> least_lasso(const GridWorld&, const automata::Automaton&, LassoOrder, std::size_t,
-                                                const std::stop_token&);
+template std::optional<LassoAnswer> least_lasso(const Mdp&, const automata::Automaton&, LassoOrder, const ltl::Limits&);
+template std::optional<LassoAnswer> least_lasso(const GridWorld&, const automata::Automaton&, LassoOrder,
+                                                const ltl::Limits&);
 template ltl::Lasso word_of(const Mdp&, const LassoRoute&);
 template ltl::Lasso word_of(const GridWorld&, const LassoRoute&);
 template CertifiedLasso certify(LassoRoute, const Mdp&, ltl::Formula);

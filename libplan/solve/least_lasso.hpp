@@ -13,6 +13,7 @@
 
 #include "libautomata/omega/automaton.hpp"
 #include "libltl/formula.hpp"
+#include "libltl/limits.hpp"
 #include "libltl/word.hpp"
 #include "libplan/solve/product_search.hpp"
 
@@ -40,7 +41,7 @@ struct LassoAnswer {                // a lasso, or a proof that there is none
 // model that is not deterministic and an automaton that is not generalised Büchi.
 template <class Model>
 std::optional<LassoAnswer> least_lasso(const Model& model, const automata::Automaton& automaton, LassoOrder order,
-                                       std::size_t limit = 100'000'000, const std::stop_token& stop = {});
+                                       const ltl::Limits& limits = {.states = 100'000'000});
 
 // The letters of the prefix and of the cycle.
 template <class Model>

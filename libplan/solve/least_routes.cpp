@@ -15,14 +15,14 @@ class WalkSearch {
  public:
   WalkSearch(const Product<M, TaskTable>& product, std::size_t most) : product_(product), most_(most) {}
 
-  std::optional<RoutesAnswer> run(const ProductState& first, std::size_t limit, const std::stop_token& stop) {
+  std::optional<RoutesAnswer> run(const ProductState& first, const ltl::Limits& limits) {
     constexpr std::uint64_t walks_between_polls = 1U << 12U;
     RoutesAnswer answer;
     walks_.push_back({first, no_walk, no_walk, 0});
     heap_.push({0, 0});
     while (!heap_.empty() && answer.routes.size() < most_) {
-      if (walks_.size() > std::min<std::size_t>(limit, no_walk - 1) ||
-          (answer.statistics.met % walks_between_polls == 0 && stop.stop_requested()))
+      if (walks_.size() > std::min<std::size_t>(limits.states, no_walk - 1) ||
+          (answer.statistics.met % walks_between_polls == 0 && limits.stop.stop_requested()))
         return std::nullopt;
       const std::uint32_t i = heap_.top().second;
       heap_.pop();
@@ -90,19 +90,18 @@ class WalkSearch {
 }  // namespace
 
 template <Model M>
-std::optional<RoutesAnswer> least_routes(const Product<M, TaskTable>& product, std::size_t most, std::size_t limit,
-                                         const std::stop_token& stop) {
+std::optional<RoutesAnswer> least_routes(const Product<M, TaskTable>& product, std::size_t most,
+                                         const ltl::Limits& limits) {
   if (!product.model().is_deterministic())
     throw std::invalid_argument("a search for routes needs a deterministic model");
   std::optional<ProductState> first;  // one at most: a DFA does not jump
   product.for_each_start([&](const ProductState& s) { first = s; });
   if (!first) return RoutesAnswer{};
-  return WalkSearch<M>(product, most).run(*first, limit, stop);
+  return WalkSearch<M>(product, most).run(*first, limits);
 }
 
-template std::optional<RoutesAnswer> least_routes(const Product<Mdp, TaskTable>&, std::size_t, std::size_t,
-                                                  const std::stop_token&);
-template std::optional<RoutesAnswer> least_routes(const Product<GridWorld, TaskTable>&, std::size_t, std::size_t,
-                                                  const std::stop_token&);
+template std::optional<RoutesAnswer> least_routes(const Product<Mdp, TaskTable>&, std::size_t, const ltl::Limits&);
+template std::optional<RoutesAnswer> least_routes(const Product<GridWorld, TaskTable>&, std::size_t,
+                                                  const ltl::Limits&);
 
 }  // namespace waymark::plan

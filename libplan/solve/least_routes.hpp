@@ -11,6 +11,7 @@
 #include <stop_token>
 #include <vector>
 
+#include "libltl/limits.hpp"
 #include "libplan/solve/product_search.hpp"
 
 namespace waymark::plan {
@@ -24,6 +25,6 @@ struct RoutesAnswer {               // several routes
 // stopped, or more walks than the limit. Throws std::invalid_argument for a model that is not deterministic.
 template <Model M>
 std::optional<RoutesAnswer> least_routes(const Product<M, TaskTable>& product, std::size_t most,
-                                         std::size_t limit = 1'000'000'000, const std::stop_token& stop = {});
+                                         const ltl::Limits& limits = {.states = 1'000'000'000});
 
 }  // namespace waymark::plan

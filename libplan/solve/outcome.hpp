@@ -6,6 +6,7 @@
 #include <variant>
 #include <vector>
 
+#include "libltl/limits.hpp"
 #include "libplan/product/compose.hpp"
 
 namespace waymark::plan {
@@ -25,9 +26,7 @@ struct Solved {                 // a policy and its value
 struct Infeasible {    // proved: no run of the product is accepting
   std::string reason;  // in words
 };
-struct Exhausted {           // nothing proved
-  std::size_t expanded = 0;  // pairs that were met
-};
+using ltl::Exhausted;                                         // nothing proved; its states are pairs that were met
 using Outcome = std::variant<Solved, Infeasible, Exhausted>;  // of a solver
 
 }  // namespace waymark::plan

@@ -93,12 +93,13 @@ class BreadthFirst {
         gates_(std::move(gates)),
         seen_(model_.states(), task_.states()) {}
 
-  std::optional<SearchAnswer> run(const ProductState& first, std::size_t limit, const std::stop_token& stop) {
+  std::optional<SearchAnswer> run(const ProductState& first, const ltl::Limits& limits) {
     meet(first.place, first.task, nothing);
     SearchAnswer answer;
     std::size_t layer_ends = 0;  // where the pairs of the next depth begin
     for (std::uint32_t i = 0; i < met_.size() && goal_ == nothing; ++i) {
-      if (met_.size() > limit || (i % pairs_between_polls == 0 && stop.stop_requested())) return std::nullopt;
+      if (met_.size() > limits.states || (i % pairs_between_polls == 0 && limits.stop.stop_requested()))
+        return std::nullopt;
       if (i == layer_ends) {
         ++depth_;
         layer_ends = met_.size();
@@ -217,8 +218,8 @@ struct Bounded {  // what A* found: the moves of a shortest route, and the bound
   std::optional<std::uint32_t> moves;
   SearchStatistics statistics;
 };
-Bounded by_best_first(const Product<GridWorld, TaskTable>& product, const ProductState& first, std::size_t limit,
-                      const std::stop_token& stop) {
+Bounded by_best_first(const Product<GridWorld, TaskTable>& product, const ProductState& first,
+                      const ltl::Limits& limits) {
   const GridWorld& grid = product.model();
   const TaskTable& task = product.task();
   const std::uint64_t pairs = std::uint64_t{task.states()} * grid.states();
@@ -227,11 +228,11 @@ Bounded by_best_first(const Product<GridWorld, TaskTable>& product, const Produc
   out.bound = GridBound::of(grid, task);
   if (!out.bound) return out;
   BestFirst search(product, gates(grid, task, first.task), *out.bound);
-  out.moves = search.moves(first, std::min<std::uint64_t>(limit, pairs / 4), stop);
+  out.moves = search.moves(first, std::min<std::uint64_t>(limits.states, pairs / 4), limits.stop);
   out.statistics = search.statistics();
   return out;
 }
-Bounded by_best_first(const Product<Mdp, TaskTable>&, const ProductState&, std::size_t, const std::stop_token&) {
+Bounded by_best_first(const Product<Mdp, TaskTable>&, const ProductState&, const ltl::Limits&) {
   return {};  // no places to measure between
 }
 
@@ -239,15 +240,15 @@ Bounded by_best_first(const Product<Mdp, TaskTable>&, const ProductState&, std::
 // it takes, breadth first looks only at pairs whose depth and bound do not exceed them, and finds the same route.
 template <Model M>
 std::optional<SearchAnswer> in_layers(const Product<M, TaskTable>& product, const ProductState& first,
-                                      std::size_t limit, const std::stop_token& stop) {
-  const Bounded known = by_best_first(product, first, limit, stop);
+                                      const ltl::Limits& limits) {
+  const Bounded known = by_best_first(product, first, limits);
   const auto within = [&](std::uint32_t place, std::uint32_t q, std::uint32_t depth) {
     const std::uint32_t rest = (*known.bound)(place, q);
     return rest != GridBound::never && depth + rest <= *known.moves;
   };
   const std::vector<bool> legs = gates(product.model(), product.task(), first.task);
-  auto answer = known.moves ? BreadthFirst(product, legs, within).run(first, limit, stop)
-                            : BreadthFirst(product, legs, Everywhere{}).run(first, limit, stop);
+  auto answer = known.moves ? BreadthFirst(product, legs, within).run(first, limits)
+                            : BreadthFirst(product, legs, Everywhere{}).run(first, limits);
   if (answer) {
     answer->statistics.met += known.statistics.met;
     answer->statistics.edges += known.statistics.edges;
@@ -269,15 +270,14 @@ std::optional<double> uniform_cost(const Model& model) {
 }
 
 template <Model M>
-std::optional<SearchAnswer> search(const Product<M, TaskTable>& product, std::size_t limit,
-                                   const std::stop_token& stop) {
+std::optional<SearchAnswer> search(const Product<M, TaskTable>& product, const ltl::Limits& limits) {
   if (!product.model().is_deterministic())
     throw std::invalid_argument("a search for a route needs a deterministic model");
   std::optional<ProductState> first;  // one at most: a DFA does not jump
   product.for_each_start([&](const ProductState& s) { first = s; });
   if (!first) return SearchAnswer{};
-  if (uniform_cost(product.model())) return in_layers(product, *first, limit, stop);
-  return dijkstra(product, *first, limit, stop);
+  if (uniform_cost(product.model())) return in_layers(product, *first, limits);
+  return dijkstra(product, *first, limits);
 }
 
 template <class Model>
@@ -293,8 +293,8 @@ ltl::Trace word_of(const Model& model, const ChoiceRoute& route) {
 
 template std::optional<double> uniform_cost(const Mdp&);
 template std::optional<double> uniform_cost(const GridWorld&);
-template std::optional<SearchAnswer> search(const Product<Mdp, TaskTable>&, std::size_t, const std::stop_token&);
-template std::optional<SearchAnswer> search(const Product<GridWorld, TaskTable>&, std::size_t, const std::stop_token&);
+template std::optional<SearchAnswer> search(const Product<Mdp, TaskTable>&, const ltl::Limits&);
+template std::optional<SearchAnswer> search(const Product<GridWorld, TaskTable>&, const ltl::Limits&);
 template ltl::Trace word_of(const Mdp&, const ChoiceRoute&);
 template ltl::Trace word_of(const GridWorld&, const ChoiceRoute&);
 

@@ -12,6 +12,7 @@
 #include <optional>
 #include <stop_token>
 
+#include "libltl/limits.hpp"
 #include "libplan/model/grid_world.hpp"
 #include "libplan/model/mdp.hpp"
 #include "libplan/solve/dijkstra.hpp"
@@ -25,8 +26,8 @@ std::optional<double> uniform_cost(const Model& model);
 // nullopt: stopped, or more pairs met than the limit. Throws std::invalid_argument for a model that is not
 // deterministic.
 template <Model M>
-std::optional<SearchAnswer> search(const Product<M, TaskTable>& product, std::size_t limit = SIZE_MAX,
-                                   const std::stop_token& stop = {});
+std::optional<SearchAnswer> search(const Product<M, TaskTable>& product,
+                                   const ltl::Limits& limits = {.states = SIZE_MAX});
 
 // The word of a route: the start's letter, then one for every choice. Throws std::logic_error when a choice does not
 // lead where the route says.

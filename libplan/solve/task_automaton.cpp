@@ -64,7 +64,7 @@ bool asks_for_prefix(Query query) { return query == Query::MinCost || query == Q
 
 // Runs a construction that may run out of budget.
 template <class Construct>
-auto within(const automata::TranslationLimits& limits, const Construct& construct)
+auto within(const ltl::Limits& limits, const Construct& construct)
     -> std::optional<decltype(construct(std::declval<Budget&>()))> {
   try {
     Budget budget(SIZE_MAX, limits.states, limits.stop);
@@ -95,7 +95,7 @@ bool is_finite_task(ltl::Formula f, CaseTask::Logic logic) {
 }
 
 std::optional<TaskAutomaton> task_automaton(ltl::Formula f, CaseTask::Logic logic, CaseTask::Query query,
-                                            const automata::TranslationLimits& limits) {
+                                            const ltl::Limits& limits) {
   const bool finite = is_finite_task(f, logic);
   if (asks_for_prefix(query) && logic == CaseTask::Logic::Ltl &&
       !(finite && ltl::fragments(f, ltl::Semantics::Infinite).next_free)) {
@@ -119,8 +119,7 @@ GivenAutomaton read_given_automaton(std::string_view hoa, std::string_view sourc
   return automata::to_automaton(std::move(file), source, budget);
 }
 
-std::optional<TaskAutomaton> task_automaton(const GivenAutomaton& given, Query query,
-                                            const automata::TranslationLimits& limits) {
+std::optional<TaskAutomaton> task_automaton(const GivenAutomaton& given, Query query, const ltl::Limits& limits) {
   if (const auto* dfa = std::get_if<automata::Dfa>(&given)) return *dfa;
   if (query == Query::MinSteps)
     throw std::invalid_argument("query steps is about finite words, the automaton about infinite ones");
@@ -133,13 +132,13 @@ std::optional<TaskAutomaton> task_automaton(const GivenAutomaton& given, Query q
   });
 }
 
-std::optional<Automaton> lasso_automaton(ltl::Formula f, const automata::TranslationLimits& limits) {
+std::optional<Automaton> lasso_automaton(ltl::Formula f, const ltl::Limits& limits) {
   auto made = automata::ltl_to_tgba(f, limits);
   if (auto* done = found(made)) return std::move(done->automaton);
   return std::nullopt;
 }
 
-std::optional<Automaton> lasso_automaton(const GivenAutomaton& given, const automata::TranslationLimits& limits) {
+std::optional<Automaton> lasso_automaton(const GivenAutomaton& given, const ltl::Limits& limits) {
   const auto* automaton = std::get_if<Automaton>(&given);
   if (automaton == nullptr)
     throw std::invalid_argument("a lasso is an infinite word, the automaton is about finite ones");

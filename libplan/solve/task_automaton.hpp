@@ -13,6 +13,7 @@
 #include "libautomata/limit_deterministic/ldba.hpp"
 #include "libautomata/omega/automaton.hpp"
 #include "libltl/formula.hpp"
+#include "libltl/limits.hpp"
 #include "libplan/model/formats/read_case.hpp"
 
 namespace waymark::plan {
@@ -26,7 +27,7 @@ bool is_finite_task(ltl::Formula f, CaseTask::Logic logic);
 // formula; the least probability of a task that is not finite is that of its negation, which is left to the caller.
 // nullopt: the limits were met.
 std::optional<TaskAutomaton> task_automaton(ltl::Formula f, CaseTask::Logic logic, CaseTask::Query query,
-                                            const automata::TranslationLimits& limits);
+                                            const ltl::Limits& limits);
 
 // A task that came as an automaton: a DFA is about finite words, any other automaton about infinite ones.
 using GivenAutomaton = std::variant<automata::Dfa, automata::Automaton>;
@@ -37,11 +38,10 @@ GivenAutomaton read_given_automaton(std::string_view hoa, std::string_view sourc
 // As of a formula with the same words. The least probability of an infinite task is that of its complement: here the
 // complement is returned. Throws std::invalid_argument for a query that such words do not have.
 std::optional<TaskAutomaton> task_automaton(const GivenAutomaton& given, CaseTask::Query query,
-                                            const automata::TranslationLimits& limits);
+                                            const ltl::Limits& limits);
 
 // Generalised Büchi, for lassos on deterministic models. Throws std::invalid_argument for a DFA.
-std::optional<automata::Automaton> lasso_automaton(ltl::Formula f, const automata::TranslationLimits& limits);
-std::optional<automata::Automaton> lasso_automaton(const GivenAutomaton& given,
-                                                   const automata::TranslationLimits& limits);
+std::optional<automata::Automaton> lasso_automaton(ltl::Formula f, const ltl::Limits& limits);
+std::optional<automata::Automaton> lasso_automaton(const GivenAutomaton& given, const ltl::Limits& limits);
 
 }  // namespace waymark::plan

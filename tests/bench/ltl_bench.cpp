@@ -17,6 +17,7 @@
 #include <vector>
 
 #include "libautomata/translation/ltl_to_buchi.hpp"
+#include "libltl/limits.hpp"
 #include "libltl/text/parse.hpp"
 #include "tests/support/places.hpp"
 
@@ -35,7 +36,7 @@ struct Outcome {
   std::optional<Automaton> automaton;  // none when the limit was met
   double seconds;
 };
-using Translate = std::variant<Translated, Exhausted> (*)(ltl::Formula, const TranslationLimits&);
+using Translate = std::variant<Translated, Exhausted> (*)(ltl::Formula, const ltl::Limits&);
 
 Outcome translate(Translate run, const std::string& line, double limit) {
   ltl::Arena arena;

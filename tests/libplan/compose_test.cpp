@@ -108,10 +108,10 @@ TEST(Compose, StopsAtItsLimits) {
   const PoseId start{5};
   const MapProduct whole = compose(map, dfa, start);
   const std::size_t vertices = num_vertices(whole);
-  const auto allowed = compose(map, dfa, {&start, 1}, {.vertices = vertices});
+  const auto allowed = compose(map, dfa, {&start, 1}, {.states = vertices});
   ASSERT_TRUE(allowed);
   EXPECT_EQ(edges_of(*allowed), edges_of(whole));
-  EXPECT_FALSE(compose(map, dfa, {&start, 1}, {.vertices = vertices - 1}));
+  EXPECT_FALSE(compose(map, dfa, {&start, 1}, {.states = vertices - 1}));
   std::stop_source source;
   source.request_stop();
   EXPECT_FALSE(compose(map, dfa, {&start, 1}, {.stop = source.get_token()}));

@@ -35,7 +35,7 @@ std::optional<Route> agreed(const Map& map, ltl::Formula f, std::span<const Pose
 
 // What `waymark verify` asks, beside the referee.
 void expect_least(const Progressed& expected, const Map& map, ltl::Formula f, PoseId start) {
-  const auto least = least_by_progression(f, map, {&start, 1}, 2'000);
+  const auto least = least_by_progression(f, map, {&start, 1}, {.states = 2'000});
   if (!least || expected.proof == Proof::GaveUp) return;
   ASSERT_EQ(least->actions.has_value(), expected.proof == Proof::Found) << paste(map, f, {&start, 1});
   if (!least->actions) return;

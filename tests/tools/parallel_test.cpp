@@ -7,6 +7,7 @@
 #include <iostream>
 #include <stdexcept>
 #include <thread>
+#include <vector>
 
 #include "libltl/diagnostic.hpp"
 
@@ -38,7 +39,7 @@ TEST(Parallel, RepliesComeInTheOrderOfTheTexts) {
   std::string expected;
   for (const std::string& number : numbers(2'000)) expected += number + '\n';
   for (const std::size_t threads : {1U, 2U, 7U}) {
-    const Outcome result = run(numbers(2'000), {.threads = threads}, [](const Text& text, const TextDeadline&) {
+    const Outcome result = run(numbers(2'000), {.threads = threads}, [](const Text& text, const TextWatch&) {
       if (std::stoi(text.text) % 100 == 0) std::this_thread::sleep_for(std::chrono::milliseconds(2));
       return Reply{ExitCode::Done, text.text + '\n'};
     });
@@ -48,7 +49,7 @@ TEST(Parallel, RepliesComeInTheOrderOfTheTexts) {
 }
 
 TEST(Parallel, ABadTextEndsNothingButItself) {
-  const Outcome result = run(numbers(4), {.threads = 2}, [](const Text& text, const TextDeadline&) -> Reply {
+  const Outcome result = run(numbers(4), {.threads = 2}, [](const Text& text, const TextWatch&) -> Reply {
     if (text.text == "1") throw ltl::FormatError("somewhere", 1, 2, "is wrong");
     if (text.text == "2") return {ExitCode::No, "no\n", "a problem"};
     return {ExitCode::Done, "yes\n"};
@@ -61,18 +62,31 @@ TEST(Parallel, ABadTextEndsNothingButItself) {
 
 TEST(Parallel, EveryTextHasItsOwnTime) {
   const Outcome result =
-      run(numbers(6), {.threads = 2, .seconds = 0.05}, [](const Text& text, const TextDeadline& deadline) {
+      run(numbers(6), {.threads = 2, .limits = {.seconds = 0.05}}, [](const Text& text, const TextWatch& watch) {
         if (std::stoi(text.text) % 2 == 0) return Reply{ExitCode::Done, "soon\n"};
-        while (!deadline.token().stop_requested()) std::this_thread::yield();
-        return Reply{ExitCode::GaveUp, deadline.passed() ? "late\n" : "stopped\n"};
+        while (!watch.token().stop_requested()) std::this_thread::yield();
+        return Reply{ExitCode::GaveUp, watch.overrun() == ltl::Overrun::Time ? "late\n" : "stopped\n"};
       });
   EXPECT_EQ(result.output, "soon\nlate\nsoon\nlate\nsoon\nlate\n");
   EXPECT_EQ(result.code, ExitCode::GaveUp);
 }
 
+// Text 0 holds 96 MiB until it is stopped; the others want nothing.
+TEST(Parallel, TheTextThatHoldsTooMuchGivesUpAlone) {
+  const std::size_t most = (ltl::memory_held() >> 20U) + 64;
+  const Outcome result =
+      run(numbers(6), {.threads = 2, .limits = {.mebibytes = most}}, [](const Text& text, const TextWatch& watch) {
+        if (text.text != "0") return Reply{ExitCode::Done, "small\n"};
+        const std::vector<char> held(std::size_t{96} << 20U, 'x');
+        while (!watch.token().stop_requested()) std::this_thread::yield();
+        return Reply{ExitCode::GaveUp, watch.overrun() == ltl::Overrun::Memory ? "large\n" : "stopped\n"};
+      });
+  EXPECT_EQ(result.output, "large\nsmall\nsmall\nsmall\nsmall\nsmall\n");
+}
+
 TEST(Parallel, WhatIsNoBadTextEndsEverything) {
   TextReader reader({.arguments = numbers(50), .file = ""}, "text");
-  const auto bug = [](const Text& text, const TextDeadline&) -> Reply {
+  const auto bug = [](const Text& text, const TextWatch&) -> Reply {
     if (text.text == "20") throw std::logic_error("a bug");
     return {};
   };
@@ -80,7 +94,7 @@ TEST(Parallel, WhatIsNoBadTextEndsEverything) {
   std::stop_source stop;
   stop.request_stop();
   TextReader more({.arguments = numbers(3), .file = ""}, "text");
-  const auto fine = [](const Text&, const TextDeadline&) { return Reply{}; };
+  const auto fine = [](const Text&, const TextWatch&) { return Reply{}; };
   EXPECT_THROW(answer_in_parallel(more, stop.get_token(), {}, fine, {}), Interrupted);
 }
 

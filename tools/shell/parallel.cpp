@@ -18,20 +18,20 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-// One text's time: a stop of its own, requested by the watch when it is over.
-class WorkerDeadline : public TextDeadline {
+// One text's limits: a stop of its own, requested when one of them is met.
+class WorkerWatch : public TextWatch {
  public:
   std::stop_token token() const override { return stop_.get_token(); }
-  bool passed() const override { return passed_; }
+  ltl::Overrun overrun() const override { return overrun_; }
 
   void begin(double seconds, const std::stop_token& also) {
     const std::lock_guard lock(mutex_);
     if (stop_.stop_requested()) stop_ = std::stop_source();
     if (also.stop_requested()) stop_.request_stop();
-    passed_ = false;
-    end_ = seconds > 0
-               ? Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds))
-               : Clock::time_point::max();
+    overrun_ = ltl::Overrun::None;
+    begun_ = Clock::now();
+    end_ = seconds > 0 ? begun_ + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds))
+                       : Clock::time_point::max();
     running_ = true;
   }
   void end() {
@@ -40,10 +40,15 @@ class WorkerDeadline : public TextDeadline {
   }
   void look(Clock::time_point now) {
     const std::lock_guard lock(mutex_);
-    if (!running_ || now < end_) return;
-    running_ = false;
-    passed_ = true;
-    stop_.request_stop();
+    if (running_ && now >= end_) give_up(ltl::Overrun::Time);
+  }
+  void give_memory_back() {
+    const std::lock_guard lock(mutex_);
+    if (running_) give_up(ltl::Overrun::Memory);
+  }
+  std::optional<Clock::time_point> begun() const {  // nullopt: at rest, or stopped already
+    const std::lock_guard lock(mutex_);
+    return running_ ? std::optional(begun_) : std::nullopt;
   }
   void interrupt() {
     const std::lock_guard lock(mutex_);
@@ -51,10 +56,16 @@ class WorkerDeadline : public TextDeadline {
   }
 
  private:
-  std::mutex mutex_;
+  void give_up(ltl::Overrun overrun) {
+    running_ = false;
+    overrun_ = overrun;
+    stop_.request_stop();
+  }
+
+  mutable std::mutex mutex_;
   std::stop_source stop_;
-  Clock::time_point end_;
-  std::atomic<bool> passed_ = false;
+  Clock::time_point begun_, end_;
+  std::atomic<ltl::Overrun> overrun_ = ltl::Overrun::None;
   bool running_ = false;
 };
 
@@ -66,12 +77,14 @@ class Batch {
 
   ExitCode run() {
     const std::stop_callback interrupted(stop_, [this] {
-      for (WorkerDeadline& worker : workers_) worker.interrupt();
+      for (WorkerWatch& worker : workers_) worker.interrupt();
       room_.notify_all();
     });
     {
       std::jthread watch;
-      if (options_.seconds > 0) watch = std::jthread([this](const std::stop_token& over) { keep_time(over); });
+      const WorkLimits& limits = options_.limits;
+      if (limits.seconds > 0 || limits.mebibytes > 0)
+        watch = std::jthread([this](const std::stop_token& over) { keep(over); });
       ltl::parallel_for(workers_.size(), workers_.size(), [this](std::size_t i, std::size_t) { work(workers_[i]); });
     }
     if (stop_.stop_requested()) throw Interrupted();
@@ -85,22 +98,35 @@ class Batch {
     Text text;
   };
 
-  // Twenty looks a second, or a hundred for limits below a second: a limit is late by no more than that.
-  void keep_time(const std::stop_token& over) {
-    const auto pause = std::chrono::milliseconds(options_.seconds < 1 ? 10 : 50);
+  // Twenty looks a second, a hundred for limits below a second, two hundred for memory: a limit is late by no more.
+  void keep(const std::stop_token& over) {
+    const std::size_t bytes = granted(options_.limits).bytes;
+    const auto pause = std::chrono::milliseconds(bytes > 0 ? 5 : options_.limits.seconds < 1 ? 10 : 50);
     std::mutex mutex;
     std::condition_variable_any never;
     std::unique_lock lock(mutex);
     while (!over.stop_requested()) {
       never.wait_for(lock, over, pause, [] { return false; });
-      for (WorkerDeadline& worker : workers_) worker.look(Clock::now());
+      for (WorkerWatch& worker : workers_) worker.look(Clock::now());
+      if (bytes > 0 && ltl::memory_held() > bytes) free_memory();
     }
   }
 
-  void work(WorkerDeadline& worker) {
+  // The text that was begun first is taken for the one that holds most. It has a tenth of a second to let go.
+  void free_memory() {
+    if (ltl::memory_held() <= granted(options_.limits).bytes || Clock::now() < next_may_end_) return;
+    WorkerWatch* first = nullptr;
+    for (WorkerWatch& worker : workers_)
+      if (worker.begun() && (first == nullptr || worker.begun() < first->begun())) first = &worker;
+    if (first == nullptr) return;
+    first->give_memory_back();
+    next_may_end_ = Clock::now() + std::chrono::milliseconds(100);
+  }
+
+  void work(WorkerWatch& worker) {
     try {
       while (std::optional<Job> job = take()) {
-        worker.begin(options_.seconds, stop_);
+        worker.begin(options_.limits.seconds, stop_);
         Reply reply = reply_to(job->text, worker);
         worker.end();
         put(job->number, std::move(reply));
@@ -127,7 +153,7 @@ class Batch {
     return Job{taken_++, std::move(*text)};
   }
 
-  Reply reply_to(const Text& text, const WorkerDeadline& worker) const {
+  Reply reply_to(const Text& text, const WorkerWatch& worker) const {
     if (!texts_.is_batch()) return answer_(text, worker);
     try {
       return answer_(text, worker);
@@ -160,7 +186,8 @@ class Batch {
   ParallelOptions options_;
   const Replier& answer_;
   const BadTextReply& bad_;
-  std::deque<WorkerDeadline> workers_;  // one for each thread
+  std::deque<WorkerWatch> workers_;  // one for each thread
+  Clock::time_point next_may_end_;   // when memory is short; the keeper's alone
   std::mutex input_, output_;
   std::condition_variable_any room_;
   std::size_t taken_ = 0;                     // under input_

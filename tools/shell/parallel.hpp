@@ -8,6 +8,7 @@
 
 #include "tools/shell/exit_code.hpp"
 #include "tools/shell/input.hpp"
+#include "tools/shell/work_limits.hpp"
 
 namespace waymark::tools {
 
@@ -17,20 +18,20 @@ struct Reply {
   std::string problem = {};  // for standard error, before the text; none when empty
 };
 
-class TextDeadline {  // what one text may take
+class TextWatch {  // over what one text may take; as ltl::Watch
  public:
-  virtual ~TextDeadline() = default;
+  virtual ~TextWatch() = default;
   virtual std::stop_token token() const = 0;
-  virtual bool passed() const = 0;  // the time ran out, no other stop was requested
+  virtual ltl::Overrun overrun() const = 0;
 };
 
-using Replier = std::function<Reply(const Text&, const TextDeadline&)>;
+using Replier = std::function<Reply(const Text&, const TextWatch&)>;
 // What stands in the place of the answer to a bad text, on standard output.
 using BadTextReply = std::function<std::string(const Text&, const std::string& message)>;
 
 struct ParallelOptions {
   std::size_t threads = 0;  // 0: one for each core
-  double seconds = 0;       // for each text; 0: any
+  WorkLimits limits = {};   // of each text; memory: of the text that was begun first gives up first
 };
 
 // The worst code of all replies, BadInput when a text of a batch was bad: ltl::SyntaxError and ltl::FormatError end one

@@ -4,7 +4,7 @@
 #include <array>
 
 #include "libltl/diagnostic.hpp"
-#include "tools/shell/deadline.hpp"
+#include "libltl/watch.hpp"
 #include "tools/shell/exit_code.hpp"
 #include "tools/studio/formulas.hpp"
 #include "tools/studio/maps.hpp"
@@ -84,9 +84,9 @@ ApiAnswer Api::answer(std::string_view method, std::string_view path, std::strin
 
 ApiAnswer Api::answer_within(std::string_view method, std::string_view path, std::string_view body,
                              const std::stop_token& stop) {
-  tools::Deadline deadline(most_seconds, stop);
+  const ltl::Watch watch({.seconds = most_seconds}, stop);
   try {
-    return {200, dispatch(method, path, body, {reader_, worlds_, deadline.token()}).text()};
+    return {200, dispatch(method, path, body, {reader_, worlds_, watch.token()}).text()};
   } catch (const RequestError& error) {
     return failure(error.status(), error.kind(), error.what());
   } catch (const ltl::SyntaxError& error) {
@@ -96,7 +96,7 @@ ApiAnswer Api::answer_within(std::string_view method, std::string_view path, std
   } catch (const tools::UsageError& error) {
     return failure(422, "usage", error.what());
   } catch (const tools::GaveUp& error) {
-    return failure(422, "limit", deadline.passed() ? "no answer within ten seconds" : error.what());
+    return failure(422, "limit", watch.overrun() == ltl::Overrun::Time ? "no answer within ten seconds" : error.what());
   } catch (const std::bad_alloc&) {
     return failure(500, "limit", "out of memory");
   } catch (const std::exception& error) {

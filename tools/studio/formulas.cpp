@@ -3,6 +3,7 @@
 #include "libautomata/hoa/dot_finite.hpp"
 #include "libautomata/hoa/dot_omega.hpp"
 #include "libautomata/omega/edges.hpp"
+#include "libltl/limits.hpp"
 #include "libltl/text/print.hpp"
 #include "libplan/solve/task_automaton.hpp"
 #include "tools/answer.hpp"
@@ -95,7 +96,7 @@ JsonObject explain_formula(const Request& request, const Context& context) {
   const Written written(request, context);
   const auto semantics = semantics_of(request);
   try {
-    const automata::TranslationLimits limits{.stop = context.stop};
+    const ltl::Limits limits{.stop = context.stop};
     return tools::json_of(tools::explain(written.formula, semantics, true, limits), written.formula, semantics);
   } catch (const tools::ExplanationLimit&) {
     throw tools::GaveUp("no automaton within the limits");

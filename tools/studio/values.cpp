@@ -68,7 +68,7 @@ JsonArray poses_json(const plan::ProductMdp<plan::Mdp>& product, const plan::Dec
 }
 
 plan::ProductMdp<plan::Mdp> explored(const plan::Mdp& mdp, const plan::TaskTable& table, const std::stop_token& stop) {
-  auto product = plan::ProductMdp<plan::Mdp>::explore(mdp, table, most_pairs, stop);
+  auto product = plan::ProductMdp<plan::Mdp>::explore(mdp, table, {.states = most_pairs, .stop = stop});
   if (stop.stop_requested()) throw tools::Interrupted();
   if (!product) throw tools::GaveUp("the product with the map is too large");
   return std::move(*product);

@@ -20,7 +20,7 @@ bool is_case(std::string_view text, std::string_view source) {
 
 }  // namespace
 
-PlanningCase read_model(const std::filesystem::path& file, std::string_view start, const ModelLimits& limits) {
+PlanningCase read_model(const std::filesystem::path& file, std::string_view start, const ltl::Limits& limits) {
   const std::string name = file.stem().string(), source = file.string();
   const auto no_start = [&] {
     if (!start.empty()) throw ltl::FormatError(source, 0, 0, "this model says itself where it starts");

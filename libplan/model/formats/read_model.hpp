@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <string_view>
 
+#include "libltl/limits.hpp"
 #include "libplan/model/formats/read_case.hpp"
 #include "libplan/model/prism/read_prism.hpp"
 
@@ -12,6 +13,7 @@ namespace waymark::plan {
 // graph. FILE.osm, FILE.geojson, FILE.graphml: roads with landmarks. FILE.yaml: a transition system. Anything else: the
 // language of PRISM. The name is that of the case, else that of the file without its end. `start`: of street graphs and
 // roads only. Throws ltl::FormatError and ltl::SyntaxError; of the language of PRISM, ReadingStopped.
-PlanningCase read_model(const std::filesystem::path& file, std::string_view start = "", const ModelLimits& limits = {});
+PlanningCase read_model(const std::filesystem::path& file, std::string_view start = "",
+                        const ltl::Limits& limits = {.states = most_model_states});
 
 }  // namespace waymark::plan

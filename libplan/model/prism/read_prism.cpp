@@ -44,7 +44,7 @@ struct Label {
 
 class ModelReader {
  public:
-  ModelReader(std::string_view text, std::string_view source, const ModelLimits& limits)
+  ModelReader(std::string_view text, std::string_view source, const ltl::Limits& limits)
       : in_(text, source), expressions_(in_), limits_(limits) {}
 
   Mdp read() {
@@ -354,7 +354,7 @@ class ModelReader {
 
   PrismTokens in_;
   PrismExpressions expressions_;
-  const ModelLimits& limits_;
+  const ltl::Limits& limits_;
   std::vector<Variable> variables_;
   std::vector<Command> commands_;
   std::vector<Reward> rewards_;
@@ -368,7 +368,7 @@ class ModelReader {
 
 }  // namespace
 
-Mdp parse_prism(std::string_view text, std::string_view source, const ModelLimits& limits) {
+Mdp parse_prism(std::string_view text, std::string_view source, const ltl::Limits& limits) {
   return ModelReader(text, source, limits).read();
 }
 

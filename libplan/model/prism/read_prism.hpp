@@ -9,19 +9,18 @@
 #include <stop_token>
 #include <string_view>
 
+#include "libltl/limits.hpp"
 #include "libplan/model/mdp.hpp"
 
 namespace waymark::plan {
 
 struct ReadingStopped {};  // thrown
 
-struct ModelLimits {                // of what is made of a text
-  std::size_t states = 50'000'000;  // beyond so many the text is refused
-  std::stop_token stop = {};        // polled in each state; then ReadingStopped is thrown
-};
+inline constexpr std::size_t most_model_states = 50'000'000;  // beyond so many a text is refused
 
 // States are numbered breadth first, in the order of commands and updates. Throws ltl::SyntaxError with the place, also
 // for what PRISM has and this reader has not, and for more states than the limit.
-Mdp parse_prism(std::string_view text, std::string_view source = "", const ModelLimits& limits = {});
+Mdp parse_prism(std::string_view text, std::string_view source = "",
+                const ltl::Limits& limits = {.states = most_model_states});
 
 }  // namespace waymark::plan

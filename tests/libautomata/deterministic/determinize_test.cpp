@@ -9,6 +9,7 @@
 #include "libautomata/omega/product.hpp"
 #include "libautomata/omega/tableau.hpp"
 #include "libautomata/translation/ltl_to_parity.hpp"
+#include "libltl/limits.hpp"
 #include "libltl/meaning/semantics.hpp"
 #include "libltl/rewriting/nnf.hpp"
 #include "libltl/structure/random.hpp"
@@ -41,7 +42,7 @@ struct Forms {
   Automaton parity, rabin, generic;
 };
 Forms forms(Formula f) {
-  const TranslationLimits limits;
+  const ltl::Limits limits;
   return {only(ltl_to_parity(f, limits)), only(ltl_to_rabin(f, limits)), only(ltl_to_generic(f, limits))};
 }
 

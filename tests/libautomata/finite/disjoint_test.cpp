@@ -8,6 +8,7 @@
 
 #include "libautomata/finite/minimize.hpp"
 #include "libautomata/finite/portfolio.hpp"
+#include "libltl/limits.hpp"
 #include "libltl/structure/random.hpp"
 #include "libltl/structure/substitute.hpp"
 #include "libltl/text/parse.hpp"
@@ -24,7 +25,7 @@ const Reads reads{{0}, {1}, {2}, {3}};
 
 Transitions minimal(ltl::Formula f) {
   std::size_t made = 0;
-  const RouteLimits unlimited{SIZE_MAX, {}};
+  const ltl::Limits unlimited{SIZE_MAX, {}};
   return canonical(minimal_automaton(f, reads, unlimited, made));
 }
 

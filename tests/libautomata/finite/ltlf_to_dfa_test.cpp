@@ -9,6 +9,7 @@
 
 #include "libautomata/finite/guard.hpp"
 #include "libautomata/hoa/finite.hpp"
+#include "libltl/limits.hpp"
 #include "libltl/text/parse.hpp"
 #include "tests/support/sanitizers.hpp"
 
@@ -149,7 +150,7 @@ TEST(LtlfToDfa, LongChainsHaveAStateForEveryLink) {
   ltl::Arena arena;
   ltl::Formula f = arena.atom("a");
   for (int i = 0; i < 9'000; ++i) f = ltl::next(f);
-  const auto made = ltlf_to_dfa(f, TranslationLimits{});
+  const auto made = ltlf_to_dfa(f, ltl::Limits{});
   ASSERT_TRUE(std::holds_alternative<Dfa>(made));
   EXPECT_EQ(std::get<Dfa>(made).states(), 9'003U);  // before the letter, the good and the bad end
 }
@@ -158,7 +159,7 @@ TEST(LtlfToDfa, SaysWhenAFormulaIsTooLargeForADiagram) {
   ltl::Arena arena;
   ltl::Formula f = arena.atom("a");
   for (int i = 0; i < 17'000; ++i) f = ltl::next(f);
-  EXPECT_TRUE(std::holds_alternative<Exhausted>(ltlf_to_dfa(f, TranslationLimits{})));
+  EXPECT_TRUE(std::holds_alternative<Exhausted>(ltlf_to_dfa(f, ltl::Limits{})));
   EXPECT_THROW(ltlf_to_dfa(f), std::length_error);
 }
 

@@ -218,7 +218,7 @@ TEST(LeastLasso, GivesUpAndRefuses) {
   const GridWorld grid = testing::random_grid(random);
   ltl::Arena arena(grid.letters().vocabulary());
   const automata::Automaton automaton = automata::ltl_to_tgba(ltl::parse("G F a & G F b", arena));
-  EXPECT_FALSE(least_lasso(grid, automaton, LassoOrder::Cycle, 3));
+  EXPECT_FALSE(least_lasso(grid, automaton, LassoOrder::Cycle, {.states = 3}));
   Mdp mdp = testing::random_model(random, {.states = 5});
   while (mdp.is_deterministic()) mdp = testing::random_model(random, {.states = 5});
   EXPECT_THROW(least_lasso(mdp, automaton, LassoOrder::Cycle), std::invalid_argument);

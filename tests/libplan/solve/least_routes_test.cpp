@@ -129,7 +129,7 @@ TEST(LeastRoutes, SaysWhenItGaveUp) {
   const GridWorld grid = testing::random_grid(random);
   ltl::Arena arena(grid.letters().vocabulary());
   const TaskTable task(automata::ltlf_to_dfa(ltl::parse("F(a & b)", arena)), grid.letters());
-  EXPECT_FALSE(least_routes(Product(grid, task), 5, 3));
+  EXPECT_FALSE(least_routes(Product(grid, task), 5, {.states = 3}));
   const auto none = least_routes(Product(grid, task), 5);
   ASSERT_TRUE(none);
   EXPECT_TRUE(none->routes.empty());
