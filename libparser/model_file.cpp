@@ -7,6 +7,7 @@
 #include <variant>
 
 #include "libparser/model/weights_bytes.hpp"
+#include "libparser/model/whole_file.hpp"
 
 namespace waymark::parser {
 namespace {
@@ -85,7 +86,7 @@ Grounder load_grounder(const std::filesystem::path& file) {
 }
 
 void save(const Grounder& grounder, const std::filesystem::path& file) {
-  write_weights(serialize_within(grounder, most_bytes), file.string());
+  write_file(file, serialize_within(grounder, most_bytes));
 }
 
 }  // namespace waymark::parser

@@ -13,7 +13,6 @@
 #include "tools/automaton_output.hpp"
 #include "tools/automaton_request.hpp"
 #include "tools/shell/input.hpp"
-#include "tools/shell/output.hpp"
 #include "tools/shell/subcommand.hpp"
 #include "tools/shell/work_limits.hpp"
 
@@ -96,7 +95,6 @@ class Stream {
 };
 
 ExitCode run_automaton(AutomatonOptions options, const Session& session) {
-  check_writable(options.output.svg);
   const std::string text = read_file(options.file), source = source_name(options.file);
   const OtherAutomata others(options.request.files());
   options.request.others = &others;

@@ -15,7 +15,6 @@
 #include "tools/picture.hpp"
 #include "tools/shell/batch.hpp"
 #include "tools/shell/options.hpp"
-#include "tools/shell/output.hpp"
 #include "tools/shell/subcommand.hpp"
 
 namespace waymark::tools {
@@ -200,7 +199,6 @@ ExitCode run_check(const CheckOptions& options, const Session& session) {
                                                                  : options.text.arguments[0] == "-";
   if ((options.trajectory == "-" || options.trace == "-") && formula_from_stdin)
     throw UsageError("formula and trajectory cannot both come from standard input");
-  check_writable(options.svg);
   TextReader texts(options.text, "formula");
   if (!options.svg.empty() && texts.is_batch()) throw UsageError("--svg is for a single formula given as an argument");
   const Checked checked = read_checked(options);

@@ -13,7 +13,6 @@
 #include "tools/shell/batch.hpp"
 #include "tools/shell/noise.hpp"
 #include "tools/shell/options.hpp"
-#include "tools/shell/output.hpp"
 #include "tools/shell/subcommand.hpp"
 
 namespace waymark::tools {
@@ -198,7 +197,6 @@ void check(const CompareOptions& options) {
 
 ExitCode run_compare(const CompareOptions& options, const Session& session) {
   check(options);
-  check_writable(options.choice.svg);
   Comparison comparison(options.choice, session);
   if (!options.planning_case.empty()) return compare_case(options, session, comparison);
   if (const auto given = read_given(options.automaton))

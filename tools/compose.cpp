@@ -14,7 +14,6 @@
 #include "tools/product_picture.hpp"
 #include "tools/shell/batch.hpp"
 #include "tools/shell/options.hpp"
-#include "tools/shell/output.hpp"
 #include "tools/shell/subcommand.hpp"
 
 namespace waymark::tools {
@@ -201,7 +200,6 @@ ExitCode run_compose(const ComposeOptions& options, const Session& session) {
     throw UsageError("--out goes with --format prism, explicit, jani and pgsolver");
   if (!options.output.svg.empty() && options.model_only)
     throw UsageError("--svg draws a product; --format dot a model");
-  check_writable(options.output.svg);
   if (!options.task.empty() && options.file.empty()) throw UsageError("--task goes with --case");
   if (!options.file.empty() || options.model_only || options.output.graph || options.output.writes_model())
     return compose_any(options, session);

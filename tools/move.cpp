@@ -168,7 +168,6 @@ CorridorRun corridor_run_of(const MoveOptions& options, const plan::Map& map, co
 ExitCode run_move(const MoveOptions& options, const Session& session) {
   TextOptions text = options.text;
   if (text.arguments.empty() && text.file.empty() && !options.route.empty()) text.arguments = {"true"};
-  check_writable(options.svg);
   TextReader texts(text, "formula");
   if (texts.is_batch()) throw UsageError("waymark move takes one formula, as an argument");
   const Text formula_text = texts.next().value();

@@ -190,9 +190,6 @@ void check(const PlanCommandOptions& options) {
 
 ExitCode run_plan(const PlanCommandOptions& options, const Session& session) {
   check(options);
-  check_writable(options.svg);
-  check_writable(options.hoa);
-  check_writable(options.tree);
   CaseChoice choice = options.planning_case;
   choice.json = options.json;
   choice.automaton = options.automaton;

@@ -12,7 +12,6 @@
 #include "tools/automaton_output.hpp"
 #include "tools/certificate.hpp"
 #include "tools/shell/options.hpp"
-#include "tools/shell/output.hpp"
 #include "tools/shell/parallel.hpp"
 #include "tools/shell/subcommand.hpp"
 #include "tools/translations.hpp"
@@ -116,7 +115,6 @@ ExitCode run_translate(const TranslateOptions& options, const Session& session) 
   TextReader texts(options.text, "formula");
   if (texts.is_batch() && !options.output.svg.empty())
     throw UsageError("--svg is for a single formula given as an argument");
-  check_writable(options.output.svg);
   std::cout << heading(options.output);
   Memo memo(texts.is_batch() ? most_shapes : 0);
   return answer_in_parallel(

@@ -18,23 +18,30 @@ namespace {
 
 using Node = Mtbdd::Node;
 constexpr std::uint32_t unset = UINT32_MAX;
+constexpr std::size_t first_part = 8;  // pairs of a product
+
+struct Step {  // of the automaton of before
+  std::uint32_t target, colour;
+};
 
 // The states of one language, and what letters tell them apart.
 struct Class {
   std::vector<std::uint32_t> states;
   std::uint32_t first_pair = 0;
+  std::uint32_t tuples = 0;
   Node letters;                                     // terminals: tuples
-  std::map<std::uint32_t, std::uint32_t> of_tuple;  // position in `branches`
-  std::vector<std::vector<Branch>> branches;        // by tuple, then by state
+  std::map<std::uint32_t, std::uint32_t> of_tuple;  // its number
+  std::vector<Step> steps;                          // by tuple, then by state
+
+  const Step* of(std::uint32_t tuple) const { return &steps[tuple * states.size()]; }
 };
 
-// Colours of the branches of the states that stay, by (state, tuple of its class).
-using Colours = std::vector<std::vector<std::uint32_t>>;
+using Colours = std::vector<std::uint32_t>;  // by branch, a state and a tuple of its class; unset: of states that went
 
 class Merging {
  public:
   Merging(const TransitionRelation& complete, const std::vector<std::uint32_t>& language, Budget& budget)
-      : from_(complete), budget_(budget), joint_(diagram_, budget), image_(from_.states()) {
+      : from_(complete), budget_(budget), joint_(diagram_, budget), image_(from_.states()), met_with_(from_.states()) {
     std::map<std::uint32_t, std::uint32_t> number;
     for (std::uint32_t q = 0; q < from_.states(); ++q) {
       const auto [at, fresh] = number.try_emplace(language[q], static_cast<std::uint32_t>(classes_.size()));
@@ -44,6 +51,7 @@ class Merging {
       classes_[at->second].states.push_back(q);
     }
     std::iota(image_.begin(), image_.end(), 0U);
+    std::iota(met_with_.begin(), met_with_.end(), 0U);
     if (classes_.size() == from_.states()) return;
     const std::vector<Node> roots = diagram_.import(
         from_.diagram, from_.roots, [](std::uint32_t c) { return Mtbdd::terminal(c); },
@@ -52,6 +60,10 @@ class Merging {
       one.first_pair = pairs_;
       pairs_ += static_cast<std::uint32_t>(one.states.size() * one.states.size());
       tell_apart(one, roots);
+    }
+    for (const std::uint32_t c : class_of_) {
+      first_branch_.push_back(branches_);
+      branches_ += classes_[c].tuples;
     }
   }
 
@@ -66,22 +78,29 @@ class Merging {
   std::optional<TransitionRelation> result() const {
     if (!merged_) return std::nullopt;
     std::uint32_t sets = 1;
-    for (const auto& of_state : colours_)
-      for (std::uint32_t colour : of_state)
-        if (colour != unset) sets = std::max(sets, colour + 1);
+    for (const std::uint32_t colour : colours_)
+      if (colour != unset) sets = std::max(sets, colour + 1);
     TransitionRelation out;
     out.acceptance = Acceptance::parity(Acceptance::Extreme::Min, Acceptance::Parity::Even, sets);
     out.initial = image_[from_.initial];
     for (std::uint32_t s = 0; s < from_.states(); ++s)
-      out.roots.push_back(colours_[s].empty() ? Mtbdd::terminal(Choices::none) : coloured(s, sets, out));
+      out.roots.push_back(colours_[first_branch_[s]] == unset ? Mtbdd::terminal(Choices::none)
+                                                              : coloured(s, sets, out));
     return out;
   }
 
  private:
   struct Edge {  // of the product
     std::uint32_t source, target;
-    std::uint32_t colour;        // in the automaton of before
-    std::uint32_t state, tuple;  // the branch of the structure
+    std::uint32_t colour;  // in the automaton of before
+    std::uint32_t branch;  // of the structure
+  };
+
+  using Pair = std::pair<std::uint32_t, std::uint32_t>;  // state of the structure, state of before
+  struct Product {                                       // or a part of it
+    std::vector<Pair> pairs;
+    std::vector<Edge> edges;  // sources ascending
+    bool is_closed = true;    // no edge leads out of it
   };
 
   class Graph {  // of the edges with at least a colour
@@ -90,8 +109,10 @@ class Merging {
       std::uint32_t size = 0;
       for (const Edge& e : edges) size = std::max({size, e.source + 1, e.target + 1});
       begin_.reserve(size + 1);
+      std::vector<std::uint32_t> last(size, unset);  // by target: the source that an edge was added for; once is enough
       for (const Edge& e : edges) {
-        if (e.colour < least) continue;
+        if (e.colour < least || last[e.target] == e.source) continue;
+        last[e.target] = e.source;
         while (begin_.size() <= e.source) begin_.push_back(targets_.size());
         targets_.push_back(e.target);
       }
@@ -111,62 +132,84 @@ class Merging {
     one.letters = JointChoices::empty();
     for (std::uint32_t q : one.states) one.letters = joint_.extended(one.letters, roots[q]);
     const auto number = [&](std::uint32_t tuple) {
-      const auto [at, fresh] = one.of_tuple.try_emplace(tuple, static_cast<std::uint32_t>(one.branches.size()));
+      const auto [at, fresh] = one.of_tuple.try_emplace(tuple, one.tuples);
       if (fresh) {
+        ++one.tuples;
         std::vector<std::uint32_t> choices(one.states.size());
         joint_.read(tuple, choices);
-        std::vector<Branch> branches;
-        for (std::uint32_t c : choices) branches.push_back(from_.choices[c].front());
-        one.branches.push_back(std::move(branches));
+        for (const std::uint32_t c : choices) {
+          const Branch& branch = from_.choices[c].front();
+          one.steps.push_back({branch.target, colour_of(from_, branch.marks)});
+        }
       }
       return tuple;
     };
     joint_.settled(one.letters, number);
   }
 
+  // Where no colours exist this mostly shows near a pair (r, d): small parts of the product are looked at first.
   bool redirected(std::uint32_t q, std::uint32_t r) {
     std::vector<std::uint32_t> image = image_;
     std::replace(image.begin(), image.end(), q, r);
-    std::optional<Colours> found = colours(image);
+    if (met_with_[q] != unset) {
+      const Pair redirected{r, met_with_[q]};
+      for (std::size_t most = first_part;; most *= 4) {
+        const Product part = product(image, redirected, most);
+        if (!colours(part)) return false;
+        if (part.is_closed) break;
+      }
+    }
+    const Product whole = product(image, {image[from_.initial], from_.initial}, SIZE_MAX);
+    std::optional<Colours> found = colours(whole);
     if (!found) return false;
     image_ = std::move(image);
     colours_ = *std::move(found);
+    meet(whole);
     return true;
   }
 
-  // Pairs (state of the structure, state of before) that some word leads to, as sources and targets of edges.
-  std::vector<Edge> product(const std::vector<std::uint32_t>& image) {
+  // The first pair of each state is met without passing another pair of that state.
+  void meet(const Product& whole) {
+    met_with_.assign(from_.states(), unset);
+    for (const auto& [s, d] : whole.pairs)
+      if (met_with_[s] == unset) met_with_[s] = d;
+  }
+
+  // The pairs that some word leads to from this one, breadth first, and the edges between them.
+  Product product(const std::vector<std::uint32_t>& image, const Pair& first, std::size_t most) {
     std::vector<std::uint32_t> number(pairs_, unset);
-    std::vector<std::pair<std::uint32_t, std::uint32_t>> found;
+    Product out;
     const auto of = [&](std::uint32_t s, std::uint32_t d) {
       const Class& one = classes_[class_of_[s]];
       std::uint32_t& known =
           number[one.first_pair + position_[s] * static_cast<std::uint32_t>(one.states.size()) + position_[d]];
-      if (known == unset) {
-        known = static_cast<std::uint32_t>(found.size());
-        found.emplace_back(s, d);
+      if (known == unset && out.pairs.size() < most) {
+        known = static_cast<std::uint32_t>(out.pairs.size());
+        out.pairs.emplace_back(s, d);
       }
       return known;
     };
-    std::vector<Edge> out;
-    of(image[from_.initial], from_.initial);
-    for (std::uint32_t i = 0; i < found.size(); ++i) {  // the pairs double as the queue
-      const auto [s, d] = found[i];
+    of(first.first, first.second);
+    for (std::uint32_t i = 0; i < out.pairs.size(); ++i) {  // the pairs double as the queue
+      const auto [s, d] = out.pairs[i];
       const Class& one = classes_[class_of_[s]];
-      budget_.step(one.branches.size());
-      for (std::uint32_t t = 0; t < one.branches.size(); ++t) {
-        const Branch& mine = one.branches[t][position_[s]];
-        const Branch& theirs = one.branches[t][position_[d]];
+      budget_.step(one.tuples);
+      for (std::uint32_t t = 0; t < one.tuples; ++t) {
+        const Step& mine = one.of(t)[position_[s]];
+        const Step& theirs = one.of(t)[position_[d]];
         const std::uint32_t target = of(image[mine.target], theirs.target);
-        out.push_back({i, target, colour_of(from_, theirs.marks), s, t});
+        if (target == unset)
+          out.is_closed = false;
+        else
+          out.edges.push_back({i, target, theirs.colour, first_branch_[s] + t});
       }
     }
     return out;
   }
 
-  // By edge, sources ascending: whether it lies on a cycle whose least colour has this parity.
+  // Marks the branches of the edges, sources ascending, that lie on a cycle whose least colour has this parity.
   std::vector<bool> on_cycles(const std::vector<Edge>& edges, std::uint32_t parity) {
-    std::vector<bool> out(edges.size(), false);
+    std::vector<bool> out(branches_, false);
     for (std::uint32_t least = parity; least <= from_.acceptance.sets; least += 2) {
       budget_.step(edges.size());
       if (std::none_of(edges.begin(), edges.end(), [&](const Edge& e) { return e.colour == least; })) continue;
@@ -175,32 +218,24 @@ class Merging {
       std::vector<bool> has_least(found.count, false);
       for (const Edge& e : edges)
         if (e.colour == least && inside(e)) has_least[found.of[e.source]] = true;
-      for (std::size_t i = 0; i < edges.size(); ++i)
-        if (inside(edges[i]) && has_least[found.of[edges[i].source]]) out[i] = true;
+      for (const Edge& e : edges)
+        if (inside(e) && has_least[found.of[e.source]]) out[e.branch] = true;
     }
     return out;
   }
 
-  std::optional<Colours> colours(const std::vector<std::uint32_t>& image) {
-    std::vector<Edge> edges = product(image);
-    Colours out(from_.states());
-    for (const Edge& e : edges) out[e.state].resize(classes_[class_of_[e.state]].branches.size(), unset);
+  std::optional<Colours> colours(const Product& product) {
+    std::vector<Edge> edges = product.edges;
+    Colours out(branches_, unset);
     std::uint32_t idle = 0;
     for (std::uint32_t colour = 0; !edges.empty(); ++colour) {
       if (colour + 3 > Marks::most || idle == 2) return std::nullopt;
-      const std::vector<bool> other = on_cycles(edges, 1 - colour % 2);
-      Colours blocked(from_.states());
-      for (std::size_t i = 0; i < edges.size(); ++i) {
-        std::vector<std::uint32_t>& of_state = blocked[edges[i].state];
-        of_state.resize(out[edges[i].state].size(), 0);
-        if (other[i]) of_state[edges[i].tuple] = 1;
-      }
+      const std::vector<bool> blocked = on_cycles(edges, 1 - colour % 2);
       const std::size_t before = edges.size();
       edges.erase(std::remove_if(edges.begin(), edges.end(),
                                  [&](const Edge& e) {
-                                   if (blocked[e.state][e.tuple] == 1) return false;
-                                   out[e.state][e.tuple] = colour;
-                                   return true;
+                                   if (!blocked[e.branch]) out[e.branch] = colour;
+                                   return !blocked[e.branch];
                                  }),
                   edges.end());
       idle = edges.size() == before ? idle + 1 : 0;
@@ -212,8 +247,8 @@ class Merging {
     const Class& one = classes_[class_of_[s]];
     const auto leaf = [&](std::uint32_t tuple) {
       const std::uint32_t t = one.of_tuple.at(tuple);
-      const std::uint32_t target = image_[one.branches[t][position_[s]].target];
-      return Mtbdd::terminal(out.choices.intern({{target, mark_of(colours_[s][t], sets)}}));
+      const std::uint32_t target = image_[one.of(t)[position_[s]].target];
+      return Mtbdd::terminal(out.choices.intern({{target, mark_of(colours_[first_branch_[s] + t], sets)}}));
     };
     const Node letters[] = {one.letters};
     return out.diagram.import(diagram_, letters, leaf, [](Mtbdd::Variable v) { return v; })[0];
@@ -227,6 +262,9 @@ class Merging {
   std::uint32_t pairs_ = 0;                         // of states of one language
   std::vector<std::uint32_t> class_of_, position_;  // by state
   std::vector<std::uint32_t> image_;                // by state: where branches to it lead
+  std::vector<std::uint32_t> first_branch_;         // by state
+  std::uint32_t branches_ = 0;                      // of all states
+  std::vector<std::uint32_t> met_with_;             // by state: the state of before in its first pair
   Colours colours_;
   bool merged_ = false;
 };

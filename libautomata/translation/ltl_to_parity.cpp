@@ -38,7 +38,8 @@ using ltl::Formula;
 constexpr ParityStrategies strategies;
 constexpr std::size_t small_tableau = 300;     // states that any tableau may have
 constexpr std::size_t wait_for = 20;           // times the states of the best one so far, of another one
-constexpr std::size_t small_enough = 24;       // states: the normal form in Δ₂ is not tried
+constexpr std::size_t wait_for_small = 6;      // likewise, where the best one is small enough
+constexpr std::size_t small_enough = 24;       // states: the normal form in Δ₂ is not tried, others not for long
 constexpr std::size_t most_rewritings = 300;   // to that normal form
 constexpr std::size_t compared_at_last = 400;  // states of the smallest one found, languages compared
 
@@ -137,7 +138,8 @@ class Construction {
   // States of an automaton on the way to another one. The normal form's is not the measure of what else there is.
   std::size_t most(const std::optional<Candidate>& best) const {
     if (!best) return limits_.states;
-    const std::size_t waited = wait_for * best->automaton.states();
+    const std::size_t states = best->automaton.states();
+    const std::size_t waited = (states <= small_enough ? wait_for_small : wait_for) * states;
     return std::min(limits_.states, normalised_ ? std::max(next_try(strategies.determinising.states), waited) : waited);
   }
   std::optional<Candidate> obligation() const {
@@ -162,29 +164,41 @@ class Construction {
     if (limits_.stop.stop_requested()) throw Budget::Exceeded{Budget::Exceeded::Reason::Stopped};
     return *known;
   }
-  // By each route in turn; by determinisation with more and more states, of φ and of ¬φ side by side.
+  // A smaller one does not come from a structure that is so much larger: its languages are not compared.
+  std::size_t worth_comparing(const std::optional<Candidate>& best) const {
+    return best && best->automaton.states() <= small_enough
+               ? std::min(compared_states, wait_for_small * best->automaton.states())
+               : compared_states;
+  }
+  // By each route in turn; by determinisation with more and more states, of φ and of ¬φ side by side: unless there is
+  // a deterministic automaton already that is no product of parts, which determinisation does not better.
   void search(std::optional<Candidate>& best) {
     const auto keep_smaller = [&](std::optional<Candidate> next) {
       best = smallest(best, std::move(next));
       if (best) best->minimal = has_fewest_states(*best);
     };
+    bool is_whole = false;
     for (std::size_t i = 0; i < direct_.size() && !is_minimal(best); ++i)
-      if (const std::optional<Candidate>& from = direct(i)) keep_smaller(paritised(*from));
+      if (const std::optional<Candidate>& from = direct(i)) {
+        keep_smaller(paritised(*from, worth_comparing(best)));
+        is_whole = is_whole || (i != product_of_parts && i != product_of_parts + 1);
+      }
+    if (best && is_whole) return;
     std::vector<bool> open{false, true};  // negated or not
     for (std::size_t states = strategies.determinising.states; !open.empty() && !is_minimal(best);
          states = next_try(states)) {
       std::vector<bool> still;
       for (const bool negated : open) {
         const std::size_t allowed = std::min(states, most(best));
-        std::optional<Candidate> next = determinized(buchi(negated), allowed);
+        std::optional<Candidate> next = determinized(buchi(negated), allowed, worth_comparing(best));
         if (!next && buchi(negated) && allowed < most(best)) still.push_back(negated);
-        keep_smaller(next && negated ? complement(*next) : std::move(next));
+        keep_smaller(next && negated ? complement(*next, worth_comparing(best)) : std::move(next));
         if (is_minimal(best)) return;
       }
       open = std::move(still);
       if (states == strategies.determinising.states && !(best && best->automaton.states() <= small_enough)) {
         normalised_ = normalised();
-        if (normalised_) keep_smaller(paritised(*normalised_));
+        if (normalised_) keep_smaller(paritised(*normalised_, worth_comparing(best)));
       }
     }
   }
@@ -290,22 +304,23 @@ class Construction {
     if (!product) return std::nullopt;
     return Candidate{trim(*product), reads_, reduced};
   }
-  std::optional<Candidate> paritised(const Candidate& from) const {
+  std::optional<Candidate> paritised(const Candidate& from, std::size_t compared) const {
     auto made = within(strategies.paritising, [&](Budget& e) { return paritise(from.automaton, e); });
-    return made ? reduced({*std::move(made), from.reads, from.reduced}) : std::nullopt;
+    return made ? reduced({*std::move(made), from.reads, from.reduced}, compared) : std::nullopt;
   }
-  std::optional<Candidate> determinized(const std::optional<Candidate>& from, std::size_t states) const {
+  std::optional<Candidate> determinized(const std::optional<Candidate>& from, std::size_t states,
+                                        std::size_t compared) const {
     if (!from) return std::nullopt;
     auto raw = within(strategies.determinising.steps, states, [&](Budget& budget) {
       return is_deterministic(from->automaton) ? degeneralize_on_edges(from->automaton, budget)
                                                : determinize(from->automaton, budget);
     });
-    return raw ? reduced({*std::move(raw), from->reads, from->reduced}) : std::nullopt;
+    return raw ? reduced({*std::move(raw), from->reads, from->reduced}, compared) : std::nullopt;
   }
-  std::optional<Candidate> complement(const Candidate& from) const {
-    return reduced({complement_parity(from.automaton), from.reads, from.reduced});
+  std::optional<Candidate> complement(const Candidate& from, std::size_t compared) const {
+    return reduced({complement_parity(from.automaton), from.reads, from.reduced}, compared);
   }
-  std::optional<Candidate> reduced(const Candidate& raw, std::size_t compared = compared_states) const {
+  std::optional<Candidate> reduced(const Candidate& raw, std::size_t compared) const {
     Budget budget(strategies.reduction.steps, SIZE_MAX, limits_.stop);
     Reduced out = reduce_parity(raw.automaton, budget, compared);
     return Candidate{std::move(out.automaton), raw.reads, raw.reduced && out.complete};

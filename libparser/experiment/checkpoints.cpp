@@ -9,6 +9,7 @@
 
 #include "libltl/diagnostic.hpp"
 #include "libparser/model/weights_bytes.hpp"
+#include "libparser/model/whole_file.hpp"
 #include "libparser/model/xxhash.hpp"
 
 namespace waymark::parser {
@@ -61,7 +62,7 @@ std::optional<std::string> Checkpoints::find(const std::string& name) const {
 }
 
 void Checkpoints::keep(const std::string& name, const std::string& bytes) const {
-  write_weights(bytes, (directory_ / name).string());
+  write_file(directory_ / name, bytes);
 }
 
 std::optional<std::string> Checkpoints::find_text(const std::string& name) const {

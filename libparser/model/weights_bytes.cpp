@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
-#include <filesystem>
-#include <fstream>
 #include <limits>
 #include <utility>
 
@@ -233,18 +231,6 @@ void WeightsReader::floats(std::span<float> values) {
 
 void WeightsReader::end() const {
   if (at_ != bytes_.size()) fail("the model file goes on after its end");
-}
-
-void write_weights(const std::string& bytes, const std::string& file) {
-  const std::filesystem::path temporary = file + ".tmp";
-  std::ofstream out(temporary, std::ios::binary);
-  out.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-  out.close();
-  std::error_code error;
-  if (out) std::filesystem::rename(temporary, file, error);
-  if (out && !error) return;
-  std::filesystem::remove(temporary, error);
-  throw ltl::FormatError(file, 0, 0, "cannot be written");
 }
 
 }  // namespace waymark::parser

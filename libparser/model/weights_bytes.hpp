@@ -81,7 +81,4 @@ class WeightsReader {
   ModelHeader header_;
 };
 
-// Bytes → file, under a temporary name that is renamed. Throws ltl::FormatError when the file cannot be written.
-void write_weights(const std::string& bytes, const std::string& file);
-
 }  // namespace waymark::parser

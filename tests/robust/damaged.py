@@ -148,7 +148,7 @@ def one(trials, programs, folder, target, trial):
         why = "the damaged file was changed"
     if target.kind == "model" and (folder / "out.waymark").exists():
         why = "a model is written all the same"
-    for leftover in folder.glob("*waymark.tmp"):
+    for leftover in folder.glob(".waymark.*"):
         why = f"{leftover.name} is left behind"
     trials.counts[f"{target.name}, {way}: exit code {result.code}"] += 1
     trials.seconds[target.name] += result.seconds

@@ -82,7 +82,7 @@ def leftovers(job, folder):
         if file.is_dir() or name in job.outputs:
             continue
         inside = any(name.startswith(place + "/") for place in job.folders)
-        if not inside or file.name.endswith(".tmp") or file.name.startswith(".waymark"):
+        if not inside or file.name.startswith(".waymark."):
             yield name
 
 

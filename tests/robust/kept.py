@@ -19,6 +19,10 @@ from writers import is_whole, make_inputs, writers
 PATIENCE = 120  # seconds
 
 
+def is_temporary(name):  # what a killed process leaves behind
+    return os.path.basename(name).startswith(".waymark.")
+
+
 class Kept:
     def __init__(self, options):
         self.options, self.trials, self.programs = options, Trials("kept", options), Programs(options)
@@ -111,7 +115,7 @@ class Kept:
                 more = self.kill(process, random, whole.seconds / 4, directory)
                 kills += more
                 for name, contents in self.parts(directory).items():
-                    if name.endswith(".tmp"):
+                    if is_temporary(name):
                         self.trials.counts["resumed: a temporary file stays"] += 1
                     elif contents != parts.get(name):
                         self.fault(f"killed experiment: {name} is not whole", self.experiment(directory))
@@ -196,7 +200,7 @@ class Kept:
                 process.wait()
                 time.sleep(random.choice([0, 0.001]))
             left = self.parts(directory) if directory.exists() else {}
-            bad = [name for name in left if not name.endswith(".tmp") and left[name] != parts.get(name)]
+            bad = [name for name in left if not is_temporary(name) and left[name] != parts.get(name)]
             self.trials.counts["two killed experiments: parts that are whole"] += len(left) - len(bad)
             if bad:
                 self.fault(f"two killed experiments in one directory: not whole: {bad}", self.experiment(directory),

@@ -68,7 +68,6 @@ std::string plot_of(const FeedbackCosts& costs) {
 }
 
 ExitCode run_feedback_table(const FeedbackTableOptions& options, const Session& session) {
-  check_writable(options.svg);
   FeedbackCostOptions measure = options.measure;
   measure.stop = session.stop;
   const FeedbackCosts costs = measure_feedback(measure);

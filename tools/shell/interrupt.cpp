@@ -9,8 +9,8 @@
 #include <csignal>
 #include <system_error>
 
+#include "libparser/model/whole_file.hpp"
 #include "tools/shell/exit_code.hpp"
-#include "tools/shell/output.hpp"
 #include "tools/shell/process.hpp"
 
 namespace waymark::tools {
@@ -63,7 +63,7 @@ void Interrupt::watch() {
     if (::read(reader_, &byte, 1) == 1 && byte == done_byte) return;
   }
   kill_helper();
-  discard_unfinished_files();
+  parser::discard_unfinished_files();
   constexpr std::string_view message = "\nerror: interrupted\n";
   [[maybe_unused]] const auto written = ::write(STDERR_FILENO, message.data(), message.size());
   ::_exit(static_cast<int>(ExitCode::GaveUp));

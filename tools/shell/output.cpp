@@ -1,77 +1,29 @@
 #include "tools/shell/output.hpp"
 
 #include <fcntl.h>
-#include <sys/stat.h>
 #include <unistd.h>
 
-#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <iostream>
-#include <mutex>
-#include <vector>
 
 #include "libltl/diagnostic.hpp"
+#include "libparser/model/whole_file.hpp"
 
 namespace waymark::tools {
 namespace {
-
-std::mutex unfinished_mutex;
-std::vector<std::string> unfinished;  // names of temporary files that exist right now
 
 [[noreturn]] void fail(const std::filesystem::path& path, int error) {
   throw ltl::FormatError(path.string(), 0, 0, "cannot write the file: " + std::string(std::strerror(error)));
 }
 
-bool write_all(int file, std::string_view contents) {
-  while (!contents.empty()) {
-    const ssize_t written = ::write(file, contents.data(), contents.size());
-    if (written < 0 && errno == EINTR) continue;
-    if (written < 0) return false;
-    contents.remove_prefix(static_cast<std::size_t>(written));
-  }
-  return true;
-}
-
-void write_directly(const std::filesystem::path& path, std::string_view contents) {
-  const int file = ::open(path.c_str(), O_WRONLY | O_CLOEXEC);
-  if (file < 0) fail(path, errno);
-  const bool complete = write_all(file, contents);
-  const int error = errno;
+// /dev/full refuses even no bytes at all; others take them and do nothing.
+void check_takes_bytes(const std::filesystem::path& device) {
+  const int file = ::open(device.c_str(), O_WRONLY | O_CLOEXEC | O_NOCTTY | O_NONBLOCK);
+  if (file < 0) fail(device, errno);
+  const int error = ::write(file, "", 0) < 0 ? errno : 0;
   ::close(file);
-  if (!complete) fail(path, error);
-}
-
-// A symbolic link stays one: the file it names is replaced, or made.
-std::filesystem::path followed(std::filesystem::path path) {
-  constexpr int most = 40;  // as Linux has it
-  for (int i = 0; i < most; ++i) {
-    std::error_code ignored;
-    if (!std::filesystem::is_symlink(std::filesystem::symlink_status(path, ignored))) return path;
-    path = path.parent_path() / std::filesystem::read_symlink(path, ignored);
-  }
-  fail(path, ELOOP);
-}
-
-void forget(const std::string& name) {
-  const std::lock_guard lock(unfinished_mutex);
-  unfinished.erase(std::remove(unfinished.begin(), unfinished.end(), name), unfinished.end());
-}
-
-int create_temporary(std::string& name) {  // mkstemp fills in the X's
-  const std::lock_guard lock(unfinished_mutex);
-  const int file = ::mkostemp(name.data(), O_CLOEXEC);
-  if (file >= 0) unfinished.push_back(name);
-  return file;
-}
-
-// That of the file which is replaced; of a new one what open(…, 0666) would give; mkstemp gives 0600.
-mode_t mode_for(const std::filesystem::path& target) {
-  struct stat status {};
-  if (::stat(target.c_str(), &status) == 0) return status.st_mode & 07777;
-  const mode_t mask = ::umask(0);
-  ::umask(mask);
-  return 0666 & ~mask;
+  if (error != 0) fail(device, error);
 }
 
 }  // namespace
@@ -89,38 +41,14 @@ void check_writable(const std::filesystem::path& path) {
   const auto folder = path.has_parent_path() ? path.parent_path() : std::filesystem::path(".");
   const bool device = std::filesystem::exists(path, ignored) && !std::filesystem::is_regular_file(path, ignored);
   if (::access((device ? path : folder).c_str(), W_OK) != 0) fail(path, errno);
+  if (device && std::filesystem::is_character_file(path, ignored)) check_takes_bytes(path);
 }
 
 void write_file(const std::filesystem::path& path, std::string_view contents) {
-  if (path == "-") {
+  if (path == "-")
     std::cout << contents;  // in order with what was printed before
-    return;
-  }
-  std::error_code ignored;
-  const auto status = std::filesystem::status(path, ignored);
-  const bool ordinary = !std::filesystem::exists(status) || std::filesystem::is_regular_file(status);
-  if (!ordinary && !std::filesystem::is_directory(status)) return write_directly(path, contents);
-  if (!ordinary) fail(path, EISDIR);
-
-  const std::filesystem::path target = followed(path);
-  std::string temporary = (target.parent_path() / ".waymark.XXXXXX").string();
-  const int file = create_temporary(temporary);
-  if (file < 0) fail(path, errno);
-  const bool complete = write_all(file, contents) && ::fchmod(file, mode_for(target)) == 0;
-  int error = errno;
-  const bool closed = ::close(file) == 0;
-  if (complete && !closed) error = errno;
-  const bool renamed = complete && closed && ::rename(temporary.c_str(), target.c_str()) == 0;
-  if (complete && closed && !renamed) error = errno;
-  if (!renamed) ::unlink(temporary.c_str());
-  forget(temporary);
-  if (!renamed) fail(path, error);
-}
-
-void discard_unfinished_files() {
-  const std::lock_guard lock(unfinished_mutex);
-  for (const std::string& name : unfinished) ::unlink(name.c_str());
-  unfinished.clear();
+  else
+    parser::write_file(path, contents);
 }
 
 }  // namespace waymark::tools

@@ -24,6 +24,7 @@
 #include "libltl/vocabulary.hpp"
 #include "tools/shell/help_page.hpp"
 #include "tools/shell/interrupt.hpp"
+#include "tools/shell/output.hpp"
 #include "tools/shell/shell_files.hpp"
 
 namespace waymark::tools {
@@ -99,11 +100,24 @@ void reject_unknown_subcommand(std::span<const Subcommand> rows, int argc, char*
                    (nearest ? " (did you mean '" + *nearest + "'?)" : "; see waymark --help"));
 }
 
+const std::set<std::string>& options_written_to() {
+  static const std::set<std::string> names{"--svg",           "--png",
+                                           "--pdf",           "--hoa",
+                                           "--out",           "--strategy",
+                                           "--predictions",   "--paragraph-predictions",
+                                           "--behavior-tree", "--command-predictions"};
+  return names;
+}
+
+// Before the work and not after it. --out may name a folder, or the beginning of several names: its command looks.
+void check_files_can_be_written(const CLI::App& command) {
+  for (const CLI::Option* option : command.get_options())
+    if (options_written_to().contains(option->get_name()) && option->get_name() != "--out")
+      for (const std::string& file : option->results()) check_writable(file);
+}
+
 // A file that is written may be no other option's file: what was read would be lost, or one picture of two.
 void check_distinct_files(const CLI::App& command) {
-  static const std::set<std::string> written{"--svg",           "--png",         "--pdf",
-                                             "--hoa",           "--out",         "--strategy",
-                                             "--behavior-tree", "--predictions", "--command-predictions"};
   std::map<std::filesystem::path, const CLI::Option*> outputs;
   std::error_code ignored;
   const auto each = [&](auto visit) {
@@ -114,7 +128,7 @@ void check_distinct_files(const CLI::App& command) {
           visit(*option, value, std::filesystem::weakly_canonical(std::filesystem::absolute(value, ignored), ignored));
   };
   each([&](const CLI::Option& option, const std::string& value, const std::filesystem::path& file) {
-    if (!written.contains(option.get_name())) return;
+    if (!options_written_to().contains(option.get_name())) return;
     const auto [other, fresh] = outputs.emplace(file, &option);
     if (!fresh) throw UsageError(option.get_name() + " and " + other->second->get_name() + " name one file: " + value);
   });
@@ -165,6 +179,7 @@ ExitCode run_subcommand(std::span<const Subcommand> rows, int argc, char** argv)
   }
   if (!called.runner) throw UsageError("the subcommand comes first; see waymark --help");
   check_distinct_files(*called.command);
+  check_files_can_be_written(*called.command);
   const Interrupt interrupt;
   const ExitCode code = called.runner({.stop = interrupt.token(), .out = terminal_of(STDOUT_FILENO)});
   check_written();
