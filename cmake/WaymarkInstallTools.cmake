@@ -20,4 +20,5 @@ foreach(helper lab layout convert serve)
   endif()
 endforeach()
 install(DIRECTORY data/maps data/models data/words data/language data/schemas data/workspaces
+                  data/experiments
   DESTINATION ${CMAKE_INSTALL_DATADIR}/waymark COMPONENT tools PATTERN fetch EXCLUDE)

@@ -15,7 +15,7 @@ foreach(program waymark waymark-lab)  # the same objects, linked in another way
   list(APPEND programs ${program}-static)
 endforeach()
 set(data "")
-foreach(part maps models schemas words language workspaces)
+foreach(part maps models schemas words language workspaces experiments)
   list(APPEND data COMMAND ${CMAKE_COMMAND} -E copy_directory ${PROJECT_SOURCE_DIR}/data/${part}
     ${folder}/share/waymark/${part})
 endforeach()

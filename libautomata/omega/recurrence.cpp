@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <map>
+#include <numeric>
+#include <span>
 #include <utility>
 
 #include "libautomata/bdd/boolean.hpp"
@@ -161,6 +163,18 @@ std::optional<TransitionRelation> deterministic_buchi(const Transitions& structu
   out.acceptance = Acceptance::co_buchi();  // its complement: the structure is deterministic and complete
   if (!is_empty(intersection(out, yes, budget))) return std::nullopt;
   out.acceptance = Acceptance::buchi();
+  return out;
+}
+
+TransitionRelation rejected_by(const TransitionRelation& automaton) {
+  std::vector<std::uint32_t> all(automaton.states());
+  std::iota(all.begin(), all.end(), 0U);
+  const auto sink = static_cast<std::uint32_t>(automaton.states());
+  TransitionRelation out = rebuild(automaton, all, [&](std::uint32_t, std::span<const Branch> choice) {
+    return choice.empty() ? std::vector<Branch>{{sink, {}}} : std::vector<Branch>(choice.begin(), choice.end());
+  });
+  out.roots.push_back(Mtbdd::terminal(out.choices.intern({{sink, {}}})));
+  out.acceptance.condition = out.acceptance.condition.negated();
   return out;
 }
 

@@ -37,4 +37,7 @@ std::optional<OnProgression> on_progression(ltl::Formula f, const std::vector<lt
 // An automaton whose states all accept the same words, started in its smallest component that nothing leaves.
 TransitionRelation started_inside(TransitionRelation automaton);
 
+// Of a deterministic generalised Büchi automaton with a set at least, the words that it rejects: generalised co-Büchi.
+TransitionRelation rejected_by(const TransitionRelation& automaton);
+
 }  // namespace waymark::automata

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <numeric>
 #include <optional>
 #include <stdexcept>
 #include <tuple>
@@ -58,19 +57,6 @@ bool smaller(const Candidate& a, const Candidate& b) {
 std::optional<Candidate> smallest(std::optional<Candidate> a, std::optional<Candidate> b) {
   if (!a || (b && smaller(*b, *a))) return b;
   return a;
-}
-
-// Of a deterministic generalised Büchi automaton with a set at least, the words that it rejects: generalised co-Büchi.
-TransitionRelation rejected_by(const TransitionRelation& automaton) {
-  std::vector<std::uint32_t> all(automaton.states());
-  std::iota(all.begin(), all.end(), 0U);
-  const auto sink = static_cast<std::uint32_t>(automaton.states());
-  TransitionRelation out = rebuild(automaton, all, [&](std::uint32_t, std::span<const Branch> choice) {
-    return choice.empty() ? std::vector<Branch>{{sink, {}}} : std::vector<Branch>(choice.begin(), choice.end());
-  });
-  out.roots.push_back(Mtbdd::terminal(out.choices.intern({{sink, {}}})));
-  out.acceptance.condition = out.acceptance.condition.negated();
-  return out;
 }
 
 class Construction {

@@ -5,6 +5,7 @@
 
 #include "tools/lab/compare_systems.hpp"
 #include "tools/lab/feedback_cost.hpp"
+#include "tools/lab/rerun.hpp"
 #include "tools/render/cost_plot.hpp"
 #include "tools/shell/json.hpp"
 #include "tools/shell/options.hpp"
@@ -146,6 +147,15 @@ void add_system_options(Command command, CompareSystemsOptions& options) {
 
 }  // namespace
 
+struct Recorded {  // an experiment that is its transcript
+  const char *name, *summary;
+};
+constexpr Recorded all_recorded[] = {
+    {"known-language", "a language of our own: from its formulas and from trajectories (4 minutes)"},
+    {"noisy-grids", "probabilities and costs on noisy grids: sizes and proved values (a minute)"},
+    {"routes", "ten waypoints on large grids: what search meets (half a minute)"},
+};
+
 Runner setup_experiment(Command command) {
   const auto feedback = std::make_shared<FeedbackTableOptions>();
   const auto systems = std::make_shared<CompareSystemsOptions>();
@@ -157,7 +167,24 @@ Runner setup_experiment(Command command) {
       command.add_subcommand("compare-systems", "systems, one map left out, beside the published rows");
   comparison.alias("table4");  // of the seed paper
   add_system_options(comparison, *systems);
+  const auto again = std::make_shared<RerunOptions>();
+  add_rerun_options(costs, *again);
+  add_rerun_options(comparison, *again);
+  std::vector<Command> recorded;
+  for (const Recorded& one : all_recorded) {
+    recorded.push_back(command.add_subcommand(one.name, one.summary));
+    add_rerun_options(recorded.back(), *again);
+    add_data_option(recorded.back(), again->data);
+  }
   return [=](const Session& session) {
+    for (std::size_t i = 0; i < recorded.size(); ++i)
+      if (recorded[i].parsed()) again->name = all_recorded[i].name;
+    if (again->check && again->name.empty()) {
+      again->name = comparison.parsed() ? "compare-systems" : "feedback-cost";
+      again->corpus = systems->corpus;
+      again->data = systems->data;
+    }
+    if (!again->name.empty()) return rerun(*again, session);
     return comparison.parsed() ? compare_systems(*systems, session) : run_feedback_table(*feedback, session);
   };
 }
