@@ -39,6 +39,8 @@ def is_program(word, source):
     if word.startswith("bench_"):
         stem = word.removeprefix("bench_")
         return any((source / "tests/bench" / f"{name}.cpp").exists() for name in (stem, f"{stem}_bench"))
+    if word.startswith("test_"):
+        return (source / "tests" / word.removeprefix("test_") / "CMakeLists.txt").exists()
     return ("/" in word or word == "dev") and (source / word).exists() and not word.endswith((".md", ".cpp", ".hpp"))
 
 
