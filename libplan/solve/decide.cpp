@@ -8,6 +8,7 @@
 #include <cmath>
 #include <deque>
 #include <stdexcept>
+#include <utility>
 
 #include "libplan/solve/end_components.hpp"
 #include "libplan/solve/reachability.hpp"
@@ -120,18 +121,60 @@ double action_value(const Product& product, const typename Product::State& s, st
   return sum;
 }
 
+// Of the good choices of the unknown states, those by which a run ends soonest: least expected steps, by sweeps until
+// these hardly change. Good choices may lead back and forth almost for ever where all that can go wrong lies far away;
+// what is lost in a step for want of a digit is then lost in every step of them.
+template <class Product, class Good>
+void hurry(const Product& product, const Unknowns& unknowns, const Good& good, const std::stop_token& stop,
+           Strategy& strategy) {
+  constexpr int most_sweeps = 1'000;
+  constexpr float settled = 1e-3F;
+  constexpr std::uint32_t remembered = 8;  // choices of a state that are judged once
+  std::vector<std::uint8_t> judged(product.states(), 0);
+  product.for_each_state([&](const auto& s) {
+    if (!unknowns.unknown[s.index]) return;
+    for (std::uint32_t k = 0; k < std::min(product.choices(s), remembered); ++k)
+      if (good(s, k)) judged[s.index] = static_cast<std::uint8_t>(judged[s.index] | 1U << k);
+  });
+  std::vector<float> steps(product.states(), 0);
+  float change = INFINITY;
+  for (int sweep = 0; sweep < most_sweeps && change > settled && !stop.stop_requested(); ++sweep) {
+    change = 0;
+    product.for_each_state([&](const auto& s) {
+      if (!unknowns.unknown[s.index]) return;
+      float least = INFINITY;
+      for (std::uint32_t k = 0; k < product.choices(s); ++k) {
+        if (k < remembered ? (judged[s.index] >> k & 1U) == 0 : !good(s, k)) continue;
+        float sum = 1;
+        product.for_each_outcome(s, k, [&](std::uint32_t t, double p, bool) {
+          if (t != Product::trap) sum += static_cast<float>(p) * steps[t];
+        });
+        if (sum >= least) continue;
+        least = sum;
+        strategy.choice.set(s.index, k);
+      }
+      change = std::max(change, std::abs(least - steps[s.index]) / least);
+      steps[s.index] = least;
+    });
+  }
+}
+
+enum class Among : std::uint8_t { Nearest, Swiftest };  // which of the good choices
+
 // The choices of the unknown states: worth their value but for a little slack, and making progress. False: there are
 // states from which no such choice does.
 template <Measure measure, class Product>
-bool choose(const Product& product, const Unknowns& unknowns, const std::vector<double>& values, double slack,
-            Strategy& strategy) {
-  const StateSet attracted = attractor(product, unknowns.targets, strategy, [&](const auto& s, std::uint32_t k) {
+bool choose(const Product& product, const Unknowns& unknowns, const std::vector<double>& values, Among among,
+            double slack, const std::stop_token& stop, Strategy& strategy) {
+  const auto good = [&](const auto& s, std::uint32_t k) {
     if (!unknowns.unknown[s.index]) return false;
     const double value = values[s.index], offered = action_value<measure>(product, s, k, unknowns, values);
     return measure == Measure::MaxProbability ? offered >= value * (1 - slack) : offered <= value * (1 + slack);
-  });
+  };
+  const StateSet attracted = attractor(product, unknowns.targets, strategy, good);
   for (std::uint32_t i = 0; i < product.states(); ++i)
     if (unknowns.unknown[i] && !attracted[i]) return false;
+  if (among == Among::Swiftest) hurry(product, unknowns, good, stop, strategy);
   return true;
 }
 
@@ -250,8 +293,21 @@ bool choose_and_evaluate(const Product& product, const Unknowns& unknowns, const
                          const StateSet& kept, const IterationOptions& limits, Decided& out) {
   IterationOptions limited = limits;
   limited.sweeps = 20'000;
-  for (double slack : {1e-10, 1e-12, 1e-14, 1e-15, 1e-8, 1e-7, 1e-6, 1e-5}) {
-    if (!choose<measure>(product, unknowns, attained, slack, out.strategy)) continue;
+  constexpr bool first = measure == Measure::MaxProbability;
+  const std::pair<Among, double> attempts[] = {{first ? Among::Swiftest : Among::Nearest, 1e-10},
+                                               {Among::Swiftest, 1e-9},
+                                               {Among::Swiftest, 1e-12},
+                                               {Among::Nearest, 1e-10},
+                                               {Among::Nearest, 1e-12},
+                                               {Among::Nearest, 1e-14},
+                                               {Among::Nearest, 1e-15},
+                                               {Among::Swiftest, 1e-8},
+                                               {Among::Nearest, 1e-8},
+                                               {Among::Nearest, 1e-7},
+                                               {Among::Nearest, 1e-6},
+                                               {Among::Nearest, 1e-5}};
+  for (const auto& [among, slack] : attempts) {
+    if (!choose<measure>(product, unknowns, attained, among, slack, limits.stop, out.strategy)) continue;
     const auto found = evaluate<measure>(product, out.strategy, kept, limited, &attained);
     if (limits.stop.stop_requested()) return false;
     if (!found) continue;

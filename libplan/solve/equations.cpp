@@ -9,6 +9,12 @@
 #include <utility>
 
 namespace waymark::plan {
+namespace {
+
+constexpr double rounding = 1e-15;   // of the sum of a row
+constexpr double most_error = 1e-9;  // of a probability
+
+}  // namespace
 
 double Equations::value(std::uint32_t choice, const std::vector<double>& x, Side side) const {
   double sum = constant_[side][choice];
@@ -127,10 +133,11 @@ void Equations::start_from_best_luck() {
 }
 
 // Rows that have something to gain at once, then rows with a choice that may lead to one of those, and so on.
-std::vector<std::uint32_t> Equations::progress() const {
+Equations::Policy Equations::progress() const {
   constexpr std::uint32_t none = UINT32_MAX;
   const Sources into = sources();
-  std::vector<std::uint32_t> policy(rows(), none), open;
+  Policy policy(rows(), none);
+  std::vector<std::uint32_t> open;
   for (std::uint32_t i = 0; i < rows(); ++i)
     for (std::uint32_t c = first_choice_[i]; c < first_choice_[i + 1] && policy[i] == none; ++c) {
       double leads_on = 0;
@@ -149,20 +156,46 @@ std::vector<std::uint32_t> Equations::progress() const {
   return policy;
 }
 
-std::vector<std::uint32_t> Equations::greedy() const {
-  std::vector<std::uint32_t> policy;
+// Where a run may linger almost for ever, choices that only put off what must come are worth the same in doubles as
+// those that go on. Among equals those are taken by which the run ends soonest: least expected steps, by sweeps.
+Equations::Policy Equations::greedy() const {
+  constexpr double slack = 1e-9, settled = 1e-3;
+  constexpr int most_sweeps = 300;
+  Policy policy(rows());
+  std::vector<double> steps(rows(), 0);
+  std::vector<bool> good(choices());
   for (std::uint32_t i = 0; i < rows(); ++i) {
-    std::uint32_t chosen = first_choice_[i];
-    for (std::uint32_t c = chosen + 1; c < first_choice_[i + 1]; ++c)
-      if (better(value(c, x_.lower, Below), value(chosen, x_.lower, Below))) chosen = c;
-    policy.push_back(chosen);
+    const double most = best(i, x_.lower, Below);
+    for (std::uint32_t c = first_choice_[i]; c < first_choice_[i + 1]; ++c) {
+      const double offered = value(c, x_.lower, Below);
+      good[c] = measure_ == Measure::MaxProbability ? offered >= most * (1 - slack) : offered <= most * (1 + slack);
+    }
+  }
+  double change = INFINITY;
+  for (int sweep = 0; sweep < most_sweeps && change > settled; ++sweep) {
+    change = 0;
+    for (std::uint32_t i = 0; i < rows(); ++i) {
+      double least = INFINITY;
+      for (std::uint32_t c = first_choice_[i]; c < first_choice_[i + 1]; ++c) {
+        if (!good[c]) continue;
+        double sum = 1;
+        for (std::uint32_t t = first_term_[c]; t < first_term_[c + 1]; ++t) sum += coefficient_[t] * steps[unknown_[t]];
+        if (sum >= least) continue;
+        least = sum;
+        policy[i] = c;
+      }
+      change = std::max(change, std::abs(least - steps[i]) / least);
+      steps[i] = least;
+    }
   }
   return policy;
 }
 
 // (I − P) x = constant, by sparse LU. False: singular, the policy goes round for ever. (BiCGSTAB with incomplete
 // factors, tried for more rows than can be factored, stagnates on large grids and takes longer than sweeps do.)
-bool Equations::evaluate(const std::vector<std::uint32_t>& policy, std::vector<double>& x) const {
+// Greatest probabilities are also refused where a run may take so many steps that rounding could add up: the error is
+// at most the greatest residual times the expected steps, which are solved for with the same factors.
+bool Equations::evaluate(const Policy& policy, std::vector<double>& x) const {
   std::vector<Eigen::Triplet<double>> entries;
   Eigen::VectorXd right(rows());
   for (std::uint32_t i = 0; i < rows(); ++i) {
@@ -180,6 +213,11 @@ bool Equations::evaluate(const std::vector<std::uint32_t>& policy, std::vector<d
   Eigen::VectorXd solved = factors.solve(right);
   solved +=
       factors.solve(right - matrix * solved);  // one step of refinement: the residual is what bounds are proved by
+  if (measure_ == Measure::MaxProbability) {
+    const Eigen::VectorXd steps = factors.solve(Eigen::VectorXd::Ones(rows()));
+    const double residual = (right - matrix * solved).cwiseAbs().maxCoeff() + rounding;
+    if (!(steps.minCoeff() >= 0.5) || !(residual * steps.maxCoeff() <= most_error)) return false;
+  }
   x.assign(solved.data(), solved.data() + solved.size());
   for (double& v : x) {
     if (!(v >= -1e-9) || std::isinf(v)) return false;
@@ -193,7 +231,7 @@ bool Equations::evaluate(const std::vector<std::uint32_t>& policy, std::vector<d
 // billionth less where rounding keeps the values themselves from being proved. False: no such policy, or no proof.
 bool Equations::iterate_policies(const IterationOptions& limits) {
   std::vector<double> x = x_.lower;
-  std::vector<std::uint32_t> policy = x_.sweeps > 0 ? greedy() : progress();
+  Policy policy = x_.sweeps > 0 ? greedy() : progress();
   for (bool changed = true; changed; ++x_.sweeps) {
     if (limits.stop.stop_requested() || !evaluate(policy, x)) return false;
     changed = false;

@@ -71,9 +71,10 @@ class Equations {
     std::vector<std::uint32_t> first, choice, row_of;
   };
   Sources sources() const;
-  std::vector<std::uint32_t> progress() const;  // a policy under which every row gets somewhere
-  std::vector<std::uint32_t> greedy() const;
-  bool evaluate(const std::vector<std::uint32_t>& policy, std::vector<double>& x) const;
+  using Policy = std::vector<std::uint32_t>;  // by row, a choice
+  Policy progress() const;                    // every row gets somewhere
+  Policy greedy() const;
+  bool evaluate(const Policy& policy, std::vector<double>& x) const;
   bool iterate_policies(const IterationOptions& limits);
   bool lowers_nothing(const std::vector<double>& x) const;
 

@@ -3,10 +3,13 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <optional>
 #include <sstream>
+#include <string>
+#include <vector>
 
 #include "libltl/diagnostic.hpp"
 #include "tests/support/places.hpp"
@@ -55,6 +58,50 @@ TEST(CaseTask, WhatCanOnlyBePutOffIsCertain) {
       noisy, {.id = "", .formula = "F x", .logic = CaseTask::Logic::Ltl, .query = CaseTask::Query::MinProbability});
   EXPECT_EQ(least.status, CaseAnswer::Status::Solved);
   EXPECT_EQ(least.value.lower, 1);
+}
+
+// Two halves and a bridge with lava on both sides, noise in all directions: choices that only put off the crossing are
+// worth the same in doubles as those that go on. Against sweeps of the cells from below, written here.
+TEST(CaseTask, WhatCanBePutOffAlmostForEverIsAnswered) {
+  constexpr int size = 24, from = 9, to = 15, middle = 12;
+  constexpr double forward = 0.85, slip = 0.05;
+  std::vector<std::string> rows(size, std::string(size, '.'));
+  for (std::size_t y = 0; y < size; ++y)
+    for (std::size_t x = from; x < to; ++x)
+      rows[y][x] = y == middle ? '.' : y + 1 == middle || y == middle + 1 ? 'x' : '#';
+  rows[2][size - 3] = 'a';
+  std::string listed;
+  for (const std::string& row : rows) listed += (listed.empty() ? "\"" : ", \"") + row + '"';
+  const PlanningCase bridge = parse_case(R"({"format": "ltlgrid/1", "width": 24, "height": 24, "rows": [)" + listed +
+                                         R"(], "legend": {"#": {"wall": true}, "x": {"props": ["x"]},
+      "a": {"props": ["a"]}}, "start": {"x": 2, "y": 12},
+      "motion": {"forward": 0.85, "left": 0.05, "right": 0.05, "back": 0.05, "blocked": "stay"}})");
+
+  std::vector<std::vector<double>> value(size, std::vector<double>(size, 0));
+  const int dx[] = {0, 1, 0, -1}, dy[] = {-1, 0, 1, 0};
+  const auto beyond = [&](int x, int y, int d) {
+    const int tx = x + dx[d % 4], ty = y + dy[d % 4];
+    const bool free = tx >= 0 && ty >= 0 && tx < size && ty < size &&
+                      rows[static_cast<std::size_t>(ty)][static_cast<std::size_t>(tx)] != '#';
+    return value[static_cast<std::size_t>(free ? ty : y)][static_cast<std::size_t>(free ? tx : x)];
+  };
+  for (int sweep = 0; sweep < 2'000; ++sweep)
+    for (int y = 0; y < size; ++y)
+      for (int x = 0; x < size; ++x) {
+        const char cell = rows[static_cast<std::size_t>(y)][static_cast<std::size_t>(x)];
+        double best = cell == 'a' ? 1 : 0;
+        for (int d = 0; d < 4 && cell == '.'; ++d)
+          best = std::max(best, forward * beyond(x, y, d) +
+                                    slip * (beyond(x, y, d + 1) + beyond(x, y, d + 2) + beyond(x, y, d + 3)));
+        value[static_cast<std::size_t>(y)][static_cast<std::size_t>(x)] = best;
+      }
+
+  for (const CaseMethod method : {CaseMethod::Best, CaseMethod::ValueIteration, CaseMethod::PolicyIteration}) {
+    const CaseAnswer most =
+        answer(bridge, {.id = "", .formula = "!x U a", .query = CaseTask::Query::MaxProbability}, {.method = method});
+    ASSERT_EQ(most.status, CaseAnswer::Status::Solved) << most.reason;
+    EXPECT_NEAR(most.value.middle(), value[12][2], 1e-6);
+  }
 }
 
 TEST(CaseTask, SaysWhichConjunctsAreInTheWay) {
