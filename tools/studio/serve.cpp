@@ -28,6 +28,7 @@ ExitCode run_serve(const ServeOptions& options, const Session& session) {
   studio::Access access = options.access;
   if (!studio::is_loopback(access.host)) access.token = studio::new_token();
   studio::Server server(access, api);
+  server.bind();
   std::cout << "The studio is at " << studio::address_of(server.access()) << "\n";
   if (!access.token.empty())
     std::cout << "Others on the network reach it, and what they send is not encrypted; the token lets them in.\n";

@@ -13,10 +13,9 @@
 namespace waymark::studio {
 namespace {
 
-// Connections that are served at a time: slow senders hold theirs. What is worked on at a time is limited in api.cpp.
-constexpr std::size_t threads = 32;
-constexpr int connections_in_wait = 512;
-constexpr std::time_t seconds_to_send = 5;  // a request has to be here, and an answer to be taken
+constexpr int connections_in_wait = 512;  // that are not accepted yet
+// Bytes of a request with the framing of its chunks. What is worked on at a time is limited in api.cpp.
+constexpr std::size_t most_request = most_head + 2 * most_body;
 
 // Scripts and styles of our own only; nothing of the page may be shown inside another one.
 constexpr const char* content_policy =
@@ -27,15 +26,11 @@ constexpr const char* content_policy =
 // with parameters.
 constexpr const char* json_type = "application/json; charset=utf-8";
 
-RequestHead head_of(const httplib::Request& request, const std::string (&values)[5]) {
-  return {request.method, request.path, values[0], values[1], values[2], values[3], values[4]};
-}
-
 std::optional<Refusal> refusal_of(const Access& access, const httplib::Request& request) {
   const std::string values[5] = {request.get_header_value("Host"), request.get_header_value("Origin"),
                                  request.get_header_value("Sec-Fetch-Site"), request.get_header_value("Content-Type"),
                                  request.get_header_value("Authorization")};
-  return refusal(access, head_of(request, values));
+  return refusal(access, {request.method, request.path, values[0], values[1], values[2], values[3], values[4]});
 }
 
 std::string error_json(const std::string& kind, const std::string& message) {
@@ -43,61 +38,139 @@ std::string error_json(const std::string& kind, const std::string& message) {
   return JsonObject().add("error", JsonObject().add("kind", kind).add("message", message)).text();
 }
 
+// When the connection that this thread serves was accepted.
+thread_local SocketChannel::Clock::time_point accepted;
+
+class Queue : public httplib::ThreadPool {
+ public:
+  using ThreadPool::ThreadPool;
+  void enqueue(std::function<void()> serve) override {
+    ThreadPool::enqueue([serve = std::move(serve), now = SocketChannel::Clock::now()] {
+      accepted = now;
+      serve();
+    });
+  }
+};
+
+// What the library reads a request from. Once a limit of time or size is met the library reads and writes nothing
+// more: what it answers to half a request is dropped, for refused() to be answered instead.
+class RequestStream : public httplib::Stream {
+ public:
+  explicit RequestStream(Channel& channel) : channel_(channel) {}
+
+  const std::optional<ApiAnswer>& refused() const { return refused_; }
+
+  bool is_readable() const override { return !refused_; }
+  bool is_writable() const override { return !broken_; }
+  ssize_t read(char* to, std::size_t size) override {
+    if (refused_) return -1;
+    const auto n = channel_.receive(to, size);
+    if (!n)
+      refused_ = {408, error_json("request", "the request did not arrive in time")};
+    else if (!within_limits({to, *n}))
+      refused_ = in_head_ ? ApiAnswer{431, error_json("too large", "the head of the request has more than 64 KiB")}
+                          : ApiAnswer{413, error_json("too large", "the request has more than 1 MiB")};
+    return refused_ ? -1 : static_cast<ssize_t>(*n);
+  }
+  ssize_t write(const char* from, std::size_t size) override {
+    broken_ = broken_ || (!refused_ && !channel_.send({from, size}));
+    return broken_ ? -1 : static_cast<ssize_t>(size);
+  }
+  void get_remote_ip_and_port(std::string&, int&) const override {}
+  void get_local_ip_and_port(std::string&, int&) const override {}
+  socket_t socket() const override { return 0; }  // the library refuses large ones, for the sake of select()
+
+ private:
+  bool within_limits(std::string_view bytes) {
+    read_ += bytes.size();
+    for (std::size_t i = 0; in_head_ && i < bytes.size(); ++i) {  // of a head, one byte at a time is read
+      last_ = (last_ << 8U | static_cast<unsigned char>(bytes[i])) & 0xffffffU;
+      in_head_ = last_ != 0x0a0d0aU;  // an empty line ends the head
+    }
+    return read_ <= (in_head_ ? most_head : most_request);
+  }
+
+  Channel& channel_;
+  std::size_t read_ = 0;
+  bool in_head_ = true, broken_ = false;
+  std::uint32_t last_ = 0;  // three bytes of the head
+  std::optional<ApiAnswer> refused_;
+};
+
+void send(Channel& channel, const ApiAnswer& answer) {
+  channel.send("HTTP/1.1 " + std::to_string(answer.status) + " \r\nConnection: close\r\nContent-Type: " + json_type +
+               "\r\nContent-Length: " + std::to_string(answer.json.size()) + "\r\n\r\n" + answer.json);
+}
+
 }  // namespace
 
-class Server::Listener {
+class Server::Listener : httplib::Server {
  public:
-  Listener(Access access, Api& api) : access_(std::move(access)), api_(api) {
+  Listener(Access access, Api& api, const Patience& patience)
+      : access_(std::move(access)), api_(api), patience_(patience) {
     limit();
     answer();
-    server_.set_socket_options([this](socket_t socket) {
-      httplib::default_socket_options(socket);
-      socket_ = socket;
-    });
-    const int port = access_.port == 0                                  ? server_.bind_to_any_port(access_.host)
-                     : server_.bind_to_port(access_.host, access_.port) ? access_.port
-                                                                        : -1;
+  }
+
+  void bind() {
+    const int port = access_.port == 0                          ? bind_to_any_port(access_.host)
+                     : bind_to_port(access_.host, access_.port) ? access_.port
+                                                                : -1;
     if (port <= 0)
       throw tools::UsageError("cannot listen on " + access_.host + ":" + std::to_string(access_.port) +
                               "; --port names another port, 0 any free one");
     access_.port = port;
-    ::listen(socket_, connections_in_wait);  // the library has them wait in a queue of five
+    ::listen(svr_sock_, connections_in_wait);  // the library has them wait in a queue of five
   }
 
   const Access& access() const { return access_; }
 
   void run(const std::stop_token& stop) {
     stop_ = stop;
-    const std::stop_callback end(stop, [this] { server_.stop(); });
-    if (!stop.stop_requested()) server_.listen_after_bind();
+    const std::stop_callback end(stop, [this] { httplib::Server::stop(); });
+    if (!stop.stop_requested()) listen_after_bind();
+  }
+
+  void serve(Channel& channel) {
+    RequestStream stream(channel);
+    bool closed = false;
+    process_request(stream, true, closed, [](httplib::Request& request) {
+      request.ranges.clear();  // what is asked for a thousand times over is sent once, whole
+    });
+    if (stream.refused()) send(channel, *stream.refused());
   }
 
  private:
+  bool process_and_close_socket(socket_t socket) override {
+    SocketChannel channel(socket, accepted, patience_);
+    serve(channel);
+    ::shutdown(socket, SHUT_RDWR);
+    ::close(socket);
+    return true;
+  }
+
   void limit() {
-    server_.new_task_queue = [] { return new httplib::ThreadPool(threads); };
-    server_.set_payload_max_length(SIZE_MAX);  // else a larger body is read to its end; see answer_post
-    server_.set_read_timeout(seconds_to_send);
-    server_.set_write_timeout(seconds_to_send);
-    server_.set_keep_alive_max_count(1);  // so that what was not read of a body is not taken for another request
-    server_.set_tcp_nodelay(true);
-    server_.set_default_headers({{"Content-Security-Policy", content_policy},
-                                 {"X-Content-Type-Options", "nosniff"},
-                                 {"Referrer-Policy", "no-referrer"},
-                                 {"Cross-Origin-Resource-Policy", "same-origin"},
-                                 {"Cross-Origin-Opener-Policy", "same-origin"},
-                                 {"Cache-Control", "no-store"}});
+    new_task_queue = [] { return new Queue(most_connections); };
+    set_payload_max_length(SIZE_MAX);  // else a larger body is read to its end; see answer_post
+    set_tcp_nodelay(true);
+    set_default_headers({{"Content-Security-Policy", content_policy},
+                         {"X-Content-Type-Options", "nosniff"},
+                         {"Referrer-Policy", "no-referrer"},
+                         {"Cross-Origin-Resource-Policy", "same-origin"},
+                         {"Cross-Origin-Opener-Policy", "same-origin"},
+                         {"Cache-Control", "no-store"}});
   }
 
   void answer() {
-    using Next = httplib::Server::HandlerResponse;
-    server_.set_pre_routing_handler([this](const httplib::Request& request, httplib::Response& response) {
+    using Next = HandlerResponse;
+    set_pre_routing_handler([this](const httplib::Request& request, httplib::Response& response) {
       const auto refused = refusal_of(access_, request);
       if (!refused) return Next::Unhandled;
       response.status = refused->status;
       response.set_content(error_json("refused", refused->reason), json_type);
       return Next::Handled;
     });
-    const httplib::Server::HandlerWithResponse explain = [](const httplib::Request&, httplib::Response& response) {
+    const HandlerWithResponse explain = [](const httplib::Request&, httplib::Response& response) {
       if (!response.body.empty()) return Next::Unhandled;
       const bool large = response.status == 413;
       response.set_content(error_json(large ? "too large" : "request",
@@ -105,13 +178,13 @@ class Server::Listener {
                            json_type);
       return Next::Handled;
     };
-    server_.set_error_handler(explain);
+    set_error_handler(explain);
     const auto by_path = [this](const httplib::Request& request, httplib::Response& response) {
       request.path.starts_with("/api/") ? answer_api(request, "", response) : answer_page(request, response);
     };
-    server_.Get(".*", by_path);
-    server_.Post(".*", [this](const httplib::Request& request, httplib::Response& response,
-                              const httplib::ContentReader& read) { answer_post(request, response, read); });
+    Get(".*", by_path);
+    Post(".*", [this](const httplib::Request& request, httplib::Response& response,
+                      const httplib::ContentReader& read) { answer_post(request, response, read); });
   }
 
   // A body that is too large is cut off where it becomes so: its sender may have a gigabyte more.
@@ -155,14 +228,16 @@ class Server::Listener {
 
   Access access_;
   Api& api_;
+  const Patience patience_;
   std::stop_token stop_;
-  socket_t socket_ = INVALID_SOCKET;  // that listens
-  httplib::Server server_;
 };
 
-Server::Server(Access access, Api& api) : listener_(std::make_unique<Listener>(std::move(access), api)) {}
+Server::Server(Access access, Api& api, const Patience& patience)
+    : listener_(std::make_unique<Listener>(std::move(access), api, patience)) {}
 Server::~Server() = default;
+void Server::bind() { listener_->bind(); }
 const Access& Server::access() const { return listener_->access(); }
 void Server::run(const std::stop_token& stop) { listener_->run(stop); }
+void Server::serve(Channel& channel) { listener_->serve(channel); }
 
 }  // namespace waymark::studio
