@@ -46,6 +46,22 @@ TEST(Serve, AnswersPageAndApi) {
   EXPECT_EQ(json::parse(formula.body)["formula"], "F sofa");
 }
 
+TEST(Serve, RefusesASecondField) {  // of those that the guard reads, whatever it says
+  for (const char* second : {"Host: 127.0.0.1:8321\r\n", "Host: evil.example\r\n", "HOST: 127.0.0.1:8321\r\n"}) {
+    for (const std::string& fields : {host + second, second + host, host + "Accept: */*\r\n" + second}) {
+      const Answer refused = answer(get(fields));
+      ASSERT_EQ(refused.status, 400) << fields;
+      EXPECT_EQ(json::parse(refused.body)["error"]["kind"], "refused") << refused.body;
+    }
+  }
+  for (const char* field :
+       {"Origin: http://127.0.0.1:8321\r\n", "Sec-Fetch-Site: none\r\n", "Authorization: Bearer\r\n"})
+    EXPECT_EQ(answer(get(host + field + field)).status, 400) << field;
+  EXPECT_EQ(answer(post("Content-Type: text/plain\r\nContent-Length: 2\r\n", "{}")).status, 400);
+  EXPECT_EQ(answer(get("")).status, 403) << "no Host at all";
+  EXPECT_EQ(answer(get(host + "Accept: text/html\r\nAccept: text/plain\r\n")).status, 200) << "another field";
+}
+
 TEST(Serve, RefusesHeadsThatAreTooLarge) {
   std::string fields = host;
   while (fields.size() < most_head - 1'000) fields += "X: " + std::string(500, 'x') + "\r\n";

@@ -26,10 +26,16 @@ constexpr const char* content_policy =
 // with parameters.
 constexpr const char* json_type = "application/json; charset=utf-8";
 
+constexpr const char* guarded_fields[] = {"Host", "Origin", "Sec-Fetch-Site", "Content-Type", "Authorization"};
+
 std::optional<Refusal> refusal_of(const Access& access, const httplib::Request& request) {
-  const std::string values[5] = {request.get_header_value("Host"), request.get_header_value("Origin"),
-                                 request.get_header_value("Sec-Fetch-Site"), request.get_header_value("Content-Type"),
-                                 request.get_header_value("Authorization")};
+  std::string values[std::size(guarded_fields)];
+  for (std::size_t i = 0; i < std::size(guarded_fields); ++i) {
+    const char* field = guarded_fields[i];
+    if (request.get_header_value_count(field) > 1)
+      return Refusal{400, "the request has more than one " + std::string(field)};
+    values[i] = request.get_header_value(field);
+  }
   return refusal(access, {request.method, request.path, values[0], values[1], values[2], values[3], values[4]});
 }
 
