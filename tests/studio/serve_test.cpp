@@ -72,6 +72,12 @@ TEST(Serve, RefusesHeadsThatAreTooLarge) {
   EXPECT_EQ(answer("GET /" + std::string(most_head, 'a')).status, 431);
 }
 
+TEST(Serve, RefusesPathsThatAreTooLong) {
+  EXPECT_EQ(answer(get(host, "/" + std::string(200, 'a'))).status, 404);
+  EXPECT_EQ(answer(get(host, "/" + std::string(5'000, 'a'))).status, 414);
+  EXPECT_EQ(answer(get(host, "/api/" + std::string(20'000, 'a'))).status, 414);
+}
+
 TEST(Serve, RefusesChunksThatAreMostlyFraming) {
   const std::string chunked = "Transfer-Encoding: chunked\r\n";
   EXPECT_EQ(answer(post(chunked, "8\r\n{\"formul\r\nd\r\na\": \"F sofa\"}\r\n0\r\n\r\n")).status, 200);

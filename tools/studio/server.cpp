@@ -17,6 +17,9 @@ constexpr int connections_in_wait = 512;  // that are not accepted yet
 // Bytes of a request with the framing of its chunks. What is worked on at a time is limited in api.cpp.
 constexpr std::size_t most_request = most_head + 2 * most_body;
 
+// The library matches a path with a regular expression that takes 270 bytes of the stack for each of its bytes.
+constexpr std::size_t most_path = 256;
+
 // Scripts and styles of our own only; nothing of the page may be shown inside another one.
 constexpr const char* content_policy =
     "default-src 'none'; script-src 'self'; style-src 'self' 'unsafe-inline'; img-src 'self' data: blob:; "
@@ -29,6 +32,7 @@ constexpr const char* json_type = "application/json; charset=utf-8";
 constexpr const char* guarded_fields[] = {"Host", "Origin", "Sec-Fetch-Site", "Content-Type", "Authorization"};
 
 std::optional<Refusal> refusal_of(const Access& access, const httplib::Request& request) {
+  if (request.path.size() > most_path) return Refusal{414, "the path of the request is too long"};
   std::string values[std::size(guarded_fields)];
   for (std::size_t i = 0; i < std::size(guarded_fields); ++i) {
     const char* field = guarded_fields[i];
