@@ -39,7 +39,10 @@ std::string post(const std::string& fields, const std::string& body) {
 }
 
 TEST(Serve, AnswersPageAndApi) {
-  EXPECT_EQ(answer(get(host)).status, 200);
+  const Answer page = answer(get(host + "Accept-Encoding: gzip, br\r\n"));
+  EXPECT_EQ(page.status, 200);
+  EXPECT_NE(page.body.find("waymark studio"), std::string::npos);
+  EXPECT_NE(page.head.find("Content-Length: " + std::to_string(page.body.size())), std::string::npos) << page.head;
   EXPECT_EQ(json::parse(answer(get(host, "/api/maps")).body)["maps"], (json{"grid", "jelly", "l"}));
   const Answer formula = answer(post("Content-Length: 21\r\n", R"({"formula": "F sofa"})"));
   EXPECT_EQ(formula.status, 200);

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <cstdint>
 #include <cstring>
 
 namespace waymark::studio {
@@ -14,19 +15,13 @@ bool try_again() { return errno == EAGAIN || errno == EWOULDBLOCK || errno == EI
 
 }  // namespace
 
-SocketChannel::SocketChannel(int socket, Clock::time_point accepted, const Patience& patience)
-    : socket_(socket),
-      patience_(patience),
-      whole_by_(std::max(accepted + patience.request, Clock::now() + patience.late)) {}
-
 bool SocketChannel::wait(short event, Clock::time_point until) const {
   while (true) {
     const auto left = std::chrono::ceil<std::chrono::milliseconds>(until - Clock::now());
-    if (left.count() <= 0) return false;
     pollfd watched{socket_, event, 0};
-    const int ready = ::poll(&watched, 1, static_cast<int>(left.count()));
+    const int ready = ::poll(&watched, 1, static_cast<int>(std::max<std::int64_t>(left.count(), 0)));
     if (ready > 0) return true;
-    if (ready < 0 && errno != EINTR) return false;
+    if (left.count() <= 0 || (ready < 0 && errno != EINTR)) return false;
   }
 }
 

@@ -17,12 +17,11 @@ class Channel {
   virtual bool send(std::string_view bytes) = 0;  // all of them, or false
 };
 
-// How long one request may occupy a thread. The time that a connection waits for a thread counts: whatever waits behind
-// slow senders is either whole by then or closed soon.
+// How long one request may take.
 struct Patience {
   std::chrono::milliseconds request{10'000};  // for head and body together, since the connection was accepted
-  std::chrono::milliseconds late{1'000};      // the same since a thread serves it, when the first is nearly over
-  std::chrono::milliseconds silence{5'000};   // between two bytes of a request
+  std::chrono::milliseconds large{1'000};     // since a thread waits for the rest of a large one, where that is longer
+  std::chrono::milliseconds silence{5'000};   // between two parts of a request
   std::chrono::milliseconds answer{10'000};   // for the answer to be taken
 };
 
@@ -30,7 +29,9 @@ struct Patience {
 class SocketChannel : public Channel {
  public:
   using Clock = std::chrono::steady_clock;
-  SocketChannel(int socket, Clock::time_point accepted, const Patience& patience);
+  // The request is whole by that time; what is there already is received later too.
+  SocketChannel(int socket, Clock::time_point whole_by, const Patience& patience)
+      : socket_(socket), patience_(patience), whole_by_(whole_by) {}
   std::optional<std::size_t> receive(char* to, std::size_t size) override;
   bool send(std::string_view bytes) override;
 

@@ -8,6 +8,7 @@
 #include "tools/shell/exit_code.hpp"
 #include "tools/shell/json.hpp"
 #include "tools/studio/assets.hpp"
+#include "tools/studio/reception.hpp"
 #include "tools/studio/request.hpp"
 
 namespace waymark::studio {
@@ -25,8 +26,6 @@ constexpr const char* content_policy =
     "default-src 'none'; script-src 'self'; style-src 'self' 'unsafe-inline'; img-src 'self' data: blob:; "
     "connect-src 'self'; base-uri 'none'; form-action 'none'; frame-ancestors 'none'";
 
-// The library compresses "application/json" at a level that takes ten times as long as the answer; it knows no types
-// with parameters.
 constexpr const char* json_type = "application/json; charset=utf-8";
 
 constexpr const char* guarded_fields[] = {"Host", "Origin", "Sec-Fetch-Site", "Content-Type", "Authorization"};
@@ -47,20 +46,6 @@ std::string error_json(const std::string& kind, const std::string& message) {
   using tools::JsonObject;
   return JsonObject().add("error", JsonObject().add("kind", kind).add("message", message)).text();
 }
-
-// When the connection that this thread serves was accepted.
-thread_local SocketChannel::Clock::time_point accepted;
-
-class Queue : public httplib::ThreadPool {
- public:
-  using ThreadPool::ThreadPool;
-  void enqueue(std::function<void()> serve) override {
-    ThreadPool::enqueue([serve = std::move(serve), now = SocketChannel::Clock::now()] {
-      accepted = now;
-      serve();
-    });
-  }
-};
 
 // What the library reads a request from. Once a limit of time or size is met the library reads and writes nothing
 // more: what it answers to half a request is dropped, for refused() to be answered instead.
@@ -112,6 +97,41 @@ void send(Channel& channel, const ApiAnswer& answer) {
                "\r\nContent-Length: " + std::to_string(answer.json.size()) + "\r\n\r\n" + answer.json);
 }
 
+// A reception with threads behind it: none of those that serve whole requests waits for a slow sender.
+class Hall {
+ public:
+  using Serve = std::function<void(SocketChannel&)>;
+  Hall(const Patience& patience, Serve serve) : patience_(patience), serve_(std::move(serve)) {
+    reception_.emplace(patience, [this](int socket, Arrival arrival, auto admitted) {
+      (arrival == Arrival::Large ? large_ : whole_).enqueue([=, this] { serve_and_close(socket, arrival, admitted); });
+    });
+  }
+  Hall(const Hall&) = delete;
+  Hall& operator=(const Hall&) = delete;
+  ~Hall() {
+    reception_.reset();  // it hands connections to the others
+    whole_.shutdown();
+    large_.shutdown();
+  }
+  void admit(int socket) { reception_->admit(socket); }
+
+ private:
+  void serve_and_close(int socket, Arrival arrival, SocketChannel::Clock::time_point admitted) const {
+    auto whole_by = admitted;
+    if (arrival == Arrival::Large)
+      whole_by = std::max(admitted + patience_.request, SocketChannel::Clock::now() + patience_.large);
+    SocketChannel channel(socket, whole_by, patience_);
+    serve_(channel);
+    ::shutdown(socket, SHUT_RDWR);
+    ::close(socket);
+  }
+
+  const Patience patience_;
+  const Serve serve_;
+  httplib::ThreadPool whole_{most_whole}, large_{most_large};
+  std::optional<Reception> reception_;
+};
+
 }  // namespace
 
 class Server::Listener : httplib::Server {
@@ -130,6 +150,7 @@ class Server::Listener : httplib::Server {
       throw tools::UsageError("cannot listen on " + access_.host + ":" + std::to_string(access_.port) +
                               "; --port names another port, 0 any free one");
     access_.port = port;
+    hall_.emplace(patience_, [this](SocketChannel& channel) { serve(channel); });
     ::listen(svr_sock_, connections_in_wait);  // the library has them wait in a queue of five
   }
 
@@ -145,22 +166,20 @@ class Server::Listener : httplib::Server {
     RequestStream stream(channel);
     bool closed = false;
     process_request(stream, true, closed, [](httplib::Request& request) {
-      request.ranges.clear();  // what is asked for a thousand times over is sent once, whole
+      request.ranges.clear();                    // what is asked for a thousand times over is sent once, whole
+      request.headers.erase("Accept-Encoding");  // the library compresses at a level that takes ten times as long
     });
     if (stream.refused()) send(channel, *stream.refused());
   }
 
  private:
   bool process_and_close_socket(socket_t socket) override {
-    SocketChannel channel(socket, accepted, patience_);
-    serve(channel);
-    ::shutdown(socket, SHUT_RDWR);
-    ::close(socket);
+    hall_->admit(socket);
     return true;
   }
 
   void limit() {
-    new_task_queue = [] { return new Queue(most_connections); };
+    new_task_queue = [] { return new httplib::ThreadPool(1); };  // which hands connections on
     set_payload_max_length(SIZE_MAX);  // else a larger body is read to its end; see answer_post
     set_tcp_nodelay(true);
     set_default_headers({{"Content-Security-Policy", content_policy},
@@ -229,17 +248,14 @@ class Server::Listener : httplib::Server {
       response.set_content("not found\n", "text/plain");
       return;
     }
-    const std::string_view text = asset->text;  // as it is: what a provider writes is not compressed
-    response.set_content_provider(text.size(), std::string(asset->type),
-                                  [text](std::size_t from, std::size_t length, httplib::DataSink& sink) {
-                                    return sink.write(text.data() + from, length);
-                                  });
+    response.set_content(std::string(asset->text), std::string(asset->type));
   }
 
   Access access_;
   Api& api_;
   const Patience patience_;
   std::stop_token stop_;
+  std::optional<Hall> hall_;  // last: its threads use all of the above
 };
 
 Server::Server(Access access, Api& api, const Patience& patience)

@@ -9,8 +9,9 @@
 
 namespace waymark::studio {
 
-inline constexpr std::size_t most_connections = 32;  // that are served at a time; others wait
-inline constexpr std::size_t most_head = 65'536;     // bytes of a request before its body
+// Threads for requests that have arrived, and for large ones whose rest a thread waits for.
+inline constexpr std::size_t most_whole = 32, most_large = 8;
+inline constexpr std::size_t most_head = 65'536;  // bytes of a request before its body
 
 class Server {
  public:
