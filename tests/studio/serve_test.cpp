@@ -75,6 +75,11 @@ TEST(Serve, RefusesHeadsThatAreTooLarge) {
   EXPECT_EQ(answer("GET /" + std::string(most_head, 'a')).status, 431);
 }
 
+TEST(Serve, RefusesBodiesWithoutALength) {
+  EXPECT_EQ(answer(post("", R"({"formula": "F sofa"})")).status, 411);
+  EXPECT_EQ(answer(post("Content-Length: 0\r\n", "")).status, 400);
+}
+
 TEST(Serve, RefusesPathsThatAreTooLong) {
   EXPECT_EQ(answer(get(host, "/" + std::string(200, 'a'))).status, 404);
   EXPECT_EQ(answer(get(host, "/" + std::string(5'000, 'a'))).status, 414);

@@ -32,6 +32,9 @@ constexpr const char* guarded_fields[] = {"Host", "Origin", "Sec-Fetch-Site", "C
 
 std::optional<Refusal> refusal_of(const Access& access, const httplib::Request& request) {
   if (request.path.size() > most_path) return Refusal{414, "the path of the request is too long"};
+  // Without either, the library reads up to the end of the connection.
+  if (request.method == "POST" && !request.has_header("Content-Length") && !request.has_header("Transfer-Encoding"))
+    return Refusal{411, "the request does not say its length"};
   std::string values[std::size(guarded_fields)];
   for (std::size_t i = 0; i < std::size(guarded_fields); ++i) {
     const char* field = guarded_fields[i];
