@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "libparser/model_file.hpp"
+#include "tools/shell/exit_code.hpp"
 #include "tools/studio/reception.hpp"
 #include "tools/studio/server.hpp"
 
@@ -181,6 +182,11 @@ class Slow : public ::testing::Test {
   Server server_{{.host = "127.0.0.1"}, api_, patience};
   std::jthread thread_;
 };
+
+TEST_F(Slow, PortIsNotShared) {
+  Server second({.host = "127.0.0.1", .port = server_.access().port}, api_);
+  EXPECT_THROW(second.bind(), tools::UsageError);
+}
 
 TEST_F(Slow, SendersShutNobodyOut) {
   constexpr std::size_t clients = 3 * most_whole;

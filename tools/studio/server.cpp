@@ -185,6 +185,10 @@ class Server::Listener : httplib::Server {
     new_task_queue = [] { return new httplib::ThreadPool(1); };  // which hands connections on
     set_payload_max_length(SIZE_MAX);  // else a larger body is read to its end; see answer_post
     set_tcp_nodelay(true);
+    set_socket_options([](socket_t socket) {  // the library lets a second studio share the port, unseen
+      const int yes = 1;
+      ::setsockopt(socket, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof yes);
+    });
     set_default_headers({{"Content-Security-Policy", content_policy},
                          {"X-Content-Type-Options", "nosniff"},
                          {"Referrer-Policy", "no-referrer"},
