@@ -144,7 +144,24 @@ TEST(Api, RefusesRequestsThatAreWrong) {
   EXPECT_EQ(error("/api/run", R"({"instruction": ")" + std::string(most_text + 1, 'a') + "\"}", 413)["kind"],
             "too large");
   error("/api/formula", std::string(most_body + 1, ' '), 413);
-  EXPECT_EQ(error("/api/automaton", std::string(500'000, '['), 400)["kind"], "request");
+}
+
+TEST(Api, BuildsNoTreeThatIsTooLarge) {
+  const auto nested = [](std::size_t levels) { return std::string(levels, '[') + std::string(levels, ']'); };
+  const auto many = [](std::size_t values) {  // with the object and the list that hold them
+    std::string list = "0";
+    for (std::size_t i = 3; i < values; ++i) list += ",0";
+    return "[" + list + "]";
+  };
+  const auto in_object = [](const std::string& value) { return R"({"nodes": )" + value + "}"; };
+  for (const char* path : {"/api/automaton", "/api/maps"}) {
+    const int wrong = std::string(path) == "/api/maps" ? 422 : 400;
+    for (const std::string& large :
+         {std::string(500'000, '['), in_object(nested(most_levels)), in_object(many(most_values + 1))})
+      EXPECT_EQ(error(path, large, 413)["kind"], "too large") << path;
+    for (const std::string& small : {in_object(nested(most_levels - 1)), in_object(many(most_values))})
+      error(path, small, wrong);
+  }
 }
 
 TEST(Api, ReachesNoFile) {

@@ -42,7 +42,7 @@ JsonObject dispatch(std::string_view method, std::string_view path, std::string_
   const bool lists = path == "/api/maps";
   if (lists && method == "GET") return list_maps(context);
   if (lists && method == "POST") {
-    if (body.size() > most_body) throw RequestError(413, "too large", "the file has more than 1 MiB");
+    check_json_bounds(body);
     return add_map(body, context);
   }
   const auto endpoint =
@@ -84,7 +84,7 @@ ApiAnswer Api::answer(std::string_view method, std::string_view path, std::strin
 
 ApiAnswer Api::answer_within(std::string_view method, std::string_view path, std::string_view body,
                              const std::stop_token& stop) {
-  const ltl::Watch watch({.seconds = most_seconds}, stop);
+  const ltl::Watch watch({.seconds = seconds_}, stop);
   try {
     return {200, dispatch(method, path, body, {reader_, worlds_, watch.token()}).text()};
   } catch (const RequestError& error) {

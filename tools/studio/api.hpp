@@ -18,10 +18,11 @@ struct ApiAnswer {
 
 class Api {
  public:
-  static constexpr double most_seconds = 10;  // of one request
+  static constexpr double most_seconds = 10;  // of one request, unless told otherwise
   static constexpr int most_at_once = 8;      // requests; one more is turned away
 
-  Api(parser::Grounder reader, const std::filesystem::path& data) : reader_(std::move(reader)), worlds_(data) {}
+  Api(parser::Grounder reader, const std::filesystem::path& data, double seconds = most_seconds)
+      : reader_(std::move(reader)), worlds_(data), seconds_(seconds) {}
 
   // method: "GET" or "POST". Thread-safe; never throws.
   ApiAnswer answer(std::string_view method, std::string_view path, std::string_view body, const std::stop_token& stop);
@@ -31,6 +32,7 @@ class Api {
                           const std::stop_token& stop);
   const parser::Grounder reader_;
   Worlds worlds_;
+  const double seconds_;  // of one request
   std::atomic<int> at_once_ = 0;
 };
 

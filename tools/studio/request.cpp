@@ -9,6 +9,40 @@ namespace waymark::studio {
 namespace {
 
 [[noreturn]] void reject(const std::string& message) { throw RequestError(400, "request", message); }
+[[noreturn]] void too_large(const std::string& message) { throw RequestError(413, "too large", message); }
+
+class Bounds : public nlohmann::json_sax<nlohmann::json> {
+ public:
+  bool null() override { return value(); }
+  bool boolean(bool) override { return value(); }
+  bool number_integer(number_integer_t) override { return value(); }
+  bool number_unsigned(number_unsigned_t) override { return value(); }
+  bool number_float(number_float_t, const string_t&) override { return value(); }
+  bool string(string_t&) override { return value(); }
+  bool binary(binary_t&) override { return value(); }
+  bool start_object(std::size_t) override { return begin(); }
+  bool start_array(std::size_t) override { return begin(); }
+  bool key(string_t&) override { return true; }
+  bool end_object() override { return end(); }
+  bool end_array() override { return end(); }
+  bool parse_error(std::size_t, const std::string&, const nlohmann::json::exception&) override { return false; }
+
+ private:
+  bool value() {
+    if (++values_ > most_values) too_large("the request has more than " + std::to_string(most_values) + " values");
+    return true;
+  }
+  bool begin() {
+    if (++levels_ > most_levels) too_large("the request nests deeper than " + std::to_string(most_levels) + " levels");
+    return value();
+  }
+  bool end() {
+    --levels_;
+    return true;
+  }
+
+  std::size_t values_ = 0, levels_ = 0;
+};
 
 plan::PoseId pose_of(const nlohmann::json& value, const std::string& where, const plan::Map& map) {
   const auto is_whole = [](const nlohmann::json& number) { return number.is_number_integer(); };
@@ -22,8 +56,14 @@ plan::PoseId pose_of(const nlohmann::json& value, const std::string& where, cons
 
 }  // namespace
 
+void check_json_bounds(std::string_view json) {
+  if (json.size() > most_body) too_large("the request has more than 1 MiB");
+  Bounds bounds;
+  nlohmann::json::sax_parse(json, &bounds);
+}
+
 Request::Request(std::string_view body) {
-  if (body.size() > most_body) throw RequestError(413, "too large", "the request has more than 1 MiB");
+  check_json_bounds(body);
   try {
     members_ = std::make_shared<const nlohmann::json>(nlohmann::json::parse(body));
   } catch (const nlohmann::json::parse_error& error) {
@@ -42,8 +82,7 @@ std::string Request::text(const std::string& name) const {
   const nlohmann::json& value = (*members_)[name];
   if (!value.is_string()) reject("'" + name + "': expected a text");
   const auto& text = value.get_ref<const std::string&>();
-  if (text.size() > most_text)
-    throw RequestError(413, "too large", "'" + name + "' has more than " + std::to_string(most_text) + " bytes");
+  if (text.size() > most_text) too_large("'" + name + "' has more than " + std::to_string(most_text) + " bytes");
   return text;
 }
 
@@ -52,7 +91,7 @@ std::string Request::text_or(const std::string& name, const std::string& otherwi
 }
 
 std::string Request::one_of(const std::string& name, const std::vector<std::string>& values) const {
-  const std::string value = text_or(name, values.front());
+  std::string value = text_or(name, values.front());
   if (std::find(values.begin(), values.end(), value) == values.end()) {
     std::string known;
     for (const std::string& v : values) known += (known.empty() ? "" : ", ") + v;
@@ -82,8 +121,7 @@ plan::Trajectory Request::trajectory(const std::string& name, const plan::Map& m
   if (!has(name)) reject("'" + name + "' is missing");
   const nlohmann::json& poses = (*members_)[name];
   if (!poses.is_array() || poses.empty()) reject("'" + name + "': expected a list of poses");
-  if (poses.size() > most_poses)
-    throw RequestError(413, "too large", "'" + name + "' has more than " + std::to_string(most_poses) + " poses");
+  if (poses.size() > most_poses) too_large("'" + name + "' has more than " + std::to_string(most_poses) + " poses");
   plan::Trajectory walk;
   for (std::size_t i = 0; i < poses.size(); ++i) {
     const std::string where = name + "[" + std::to_string(i) + "]";
@@ -103,8 +141,7 @@ plan::Trajectory Request::trajectory(const std::string& name, const plan::Map& m
 ltl::Formula formula_of(const Request& request, ltl::Arena& arena) {
   const ltl::Formula formula = ltl::parse(request.text("formula"), arena, {.unknown = ltl::Unknown::Reject});
   if (ltl::tree_size(formula) > most_formula)
-    throw RequestError(413, "too large",
-                       "'formula' has more than " + std::to_string(most_formula) + " operators, bounds spelled out");
+    too_large("'formula' has more than " + std::to_string(most_formula) + " operators, bounds spelled out");
   return formula;
 }
 

@@ -30,8 +30,14 @@ class RequestError : public std::runtime_error {
 };
 
 inline constexpr std::size_t most_body = 1'048'576;  // bytes of a request
+inline constexpr std::size_t most_values = 100'000;  // of its JSON: objects, arrays and what they hold
+inline constexpr std::size_t most_levels = 100;      // of objects and arrays in one another
 inline constexpr std::size_t most_text = 4'000;      // bytes of a formula or an instruction
 inline constexpr std::size_t most_poses = 2'000;     // of a trajectory
+
+// Throws RequestError where a text is beyond these bounds, before a tree is built: its nodes take up to a hundred times
+// the memory of their text. What is no JSON passes.
+void check_json_bounds(std::string_view json);
 
 class Request {
  public:

@@ -23,11 +23,14 @@ struct ServeOptions {
 ExitCode run_serve(const ServeOptions& options, const Session& session) {
 #ifdef M_ARENA_MAX  // glibc keeps what was freed for each thread: twice the memory under load, and slower
   mallopt(M_ARENA_MAX, 2);
+  mallopt(M_MMAP_THRESHOLD, 262'144);  // else it grows with what was freed, and large blocks are no longer given back
+  mallopt(M_TRIM_THRESHOLD, 1'048'576);
 #endif
   studio::Api api(read_model(options.model, options.data), data_directory(options.data));
   studio::Access access = options.access;
   if (!studio::is_loopback(access.host)) access.token = studio::new_token();
   studio::Server server(access, api);
+  server.bind();
   std::cout << "The studio is at " << studio::address_of(server.access()) << "\n";
   if (!access.token.empty())
     std::cout << "Others on the network reach it, and what they send is not encrypted; the token lets them in.\n";

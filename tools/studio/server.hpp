@@ -4,18 +4,28 @@
 #include <stop_token>
 
 #include "tools/studio/api.hpp"
+#include "tools/studio/channel.hpp"
 #include "tools/studio/guard.hpp"
 
 namespace waymark::studio {
 
+// Threads for requests that have arrived, and for large ones whose rest a thread waits for.
+inline constexpr std::size_t most_whole = 32, most_large = 8;
+inline constexpr std::size_t most_head = 65'536;  // bytes of a request before its body
+
 class Server {
  public:
-  // Both must outlive it. access.port 0: any free port, which access() then names. Throws RequestError when the address
-  // cannot be listened on.
-  Server(Access access, Api& api);
+  // The API must outlive it.
+  Server(Access access, Api& api, const Patience& patience = {});
   ~Server();
+  // Begins to listen. access.port 0: any free port, which access() then names. Throws tools::UsageError when the
+  // address cannot be listened on.
+  void bind();
   const Access& access() const;
-  void run(const std::stop_token& stop);  // until then
+  void run(const std::stop_token& stop);  // until then, after bind()
+
+  // Answers one request, whose connection is closed afterwards. Thread-safe.
+  void serve(Channel& channel);
 
  private:
   class Listener;
