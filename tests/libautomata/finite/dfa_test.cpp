@@ -65,6 +65,16 @@ TEST(Dfa, KnowsTrapsAndDistances) {
   EXPECT_EQ(dfa.distance_to_acceptance(done), 0U);
 }
 
+TEST(Dfa, MeasuresTheDistanceFromEveryState) {
+  Mtbdd diagram;  // q1 is initial; q0 accepts and is never left; a leads from q1 to q0, and no letter out of q2
+  const Mtbdd::Node root = diagram.make(0, Mtbdd::terminal(2), Mtbdd::terminal(0));
+  const Dfa dfa(ltl::Vocabulary({"a"}), {a}, diagram, {Mtbdd::terminal(0), root, Mtbdd::terminal(2)},
+                {true, false, false}, StateId{1});
+  EXPECT_EQ(dfa.distance_to_acceptance(StateId{0}), 0U);
+  EXPECT_EQ(dfa.distance_to_acceptance(StateId{1}), 1U);
+  EXPECT_EQ(dfa.distance_to_acceptance(StateId{2}), Dfa::unreachable);
+}
+
 TEST(Run, VisitsStatesAndNoticesTheTrapEarly) {
   const Dfa dfa = translate("!b U a");
   const automata::Run good = run(dfa, Trace({Letter{}, Letter{a}, Letter{b}}));

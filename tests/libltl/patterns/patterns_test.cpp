@@ -62,6 +62,7 @@ TEST(Patterns, HaveNamesOfTheirOwnAndFormulasThatInstantiateThem) {
   std::vector<Pattern> all = property_patterns();
   EXPECT_EQ(all.size(), 55U);
   for (const Pattern& mission : mission_patterns()) all.push_back(mission);
+  EXPECT_EQ(all.size(), 77U) << "the missions of [MTP+21] are 22";
   for (const Pattern& pattern : all) {
     EXPECT_TRUE(names.insert(pattern.name).second) << pattern.name;
     EXPECT_TRUE(pattern.source == "DAC98" || pattern.source == "MTP+21");
@@ -165,6 +166,29 @@ TEST(Patterns, RestrictedAvoidanceCounts) {
       EXPECT_EQ(holds(word, restricted_avoidance(Mission::ExactRestrictedAvoidance, bound, a)), times == bound)
           << bound << " on " << show(word, arena.vocabulary());
     });
+}
+
+TEST(Patterns, UnknownNamesBringNearOnesToMind) {
+  const auto message = [](std::string_view name) -> std::string {
+    Arena arena;
+    try {
+      instantiate(name, std::vector<std::string>{"a"}, arena);
+    } catch (const std::invalid_argument& error) {
+      return error.what();
+    }
+    return "no error";
+  };
+  const struct {
+    const char *name, *meant;
+  } table[] = {{"visits", "visit"},
+               {"wayt", "wait"},
+               {"absence", "absence-globally"},
+               {"absense", "absence-globally"},
+               {"absence-befor", "absence-before"}};
+  for (const auto& row : table)
+    EXPECT_NE(message(row.name).find(std::string("(did you mean '") + row.meant + "'?)"), std::string::npos)
+        << message(row.name);
+  EXPECT_EQ(message("qqqqqqqqqqqq"), "there is no pattern 'qqqqqqqqqqqq'");
 }
 
 TEST(Patterns, RefuseWhatDoesNotFit) {

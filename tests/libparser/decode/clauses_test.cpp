@@ -152,6 +152,22 @@ TEST(Clauses, AsManyAsAskedForAndNoneTooLong) {
   EXPECT_EQ(by_clauses(reader, endless, 5).size(), 1U);  // the reader's own
 }
 
+TEST(Clauses, TiesAreBrokenByWhatIsListedFirst) {
+  const auto programs = [](const std::vector<Candidate>& candidates) {
+    std::vector<Program> out;
+    for (const Candidate& c : candidates) out.push_back(c.program);
+    return out;
+  };
+  const Candidate one{{forward(1)}, -1}, two{{forward(2)}, -1}, three{{forward(3)}, -1}, four{{forward(4)}, -1};
+  Told reader;
+  reader.answers = {{"a and b ", {}}, {"a ", {one, two}}, {"b ", {three, four}}};
+  const SentenceInput input{{"a", "and", "b"}, false};
+  EXPECT_EQ(programs(by_clauses(reader, input, 2)),
+            (std::vector<Program>{{forward(1), forward(3)}, {forward(1), forward(4)}}));
+  reader.answers = {{"a and b ", {three, one, two}}, {"a ", {}}, {"b ", {}}};
+  EXPECT_EQ(programs(by_clauses(reader, input, 5)), (std::vector<Program>{one.program, two.program, three.program}));
+}
+
 TEST(Clauses, AskedForOnlyWhenDeciding) {
   LinearModel model(shipped_maps().front().vocabulary());  // of every sentence: one step forward
   const auto all = sentence_features({{"walk"}, false}, model.words, model.language.steps()).by_context[0];

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <map>
 #include <random>
+#include <span>
 
 #include "libparser/corpus/token.hpp"
 #include "libparser/decode/best_first.hpp"
@@ -80,6 +81,34 @@ TEST_F(Decoding, BestFirstGivesTheBestProgramsInOrder) {
     for (const Step& step : best[i].program)
       for (std::uint16_t p : step.literals()) EXPECT_NE(p, 2) << "place_1 is not named";
   }
+}
+
+// A scorer that counts the prefixes it is asked about.
+struct Counted {
+  using Prefix = Scorer::Prefix;
+  static constexpr std::size_t at_once = 1;
+  auto prefixes() { return scorer.prefixes(); }
+  template <class Visit>
+  void log_p(std::span<const Prefix* const> batch, Visit visit) {
+    expanded += batch.size();
+    scorer.log_p(batch, visit);
+  }
+  Scorer& scorer;
+  std::size_t expanded = 0;
+};
+
+TEST_F(Decoding, ExpandsAsManyPrefixesAsAllowed) {
+  Scorer scorer(model, features);
+  for (const std::size_t allowed : {0U, 1U, 2U, 7U, 50U}) {
+    Counted counted{scorer};
+    best_programs(counted, 5'000, allowed);
+    EXPECT_EQ(counted.expanded, allowed);
+  }
+  Counted counted{scorer};
+  const auto best = best_programs(counted, 20);
+  Counted again{scorer};
+  EXPECT_EQ(best_programs(again, 20, counted.expanded).size(), best.size());
+  EXPECT_EQ(again.expanded, counted.expanded) << "no more than what the best programs need";
 }
 
 TEST_F(Decoding, MarginalLikelihoodIsTheSumOverPrograms) {
