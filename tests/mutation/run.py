@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""run.py SCRATCH [--mutants 2400] [--seed 1] [--area FOLDER...] [--seconds-a-mutant 20]: mutation tests.
+"""run.py SCRATCH [--mutants 2100] [--seed 1] [--area FOLDER...] [--seconds-a-mutant 8]: mutation tests.
 
 Operators, constants and conditions of the sources are changed one at a time, and the unit tests have to notice. SCRATCH
 holds a copy of the tree in which every mutated expression asks whether its mutant is the active one, a build of the
@@ -15,7 +15,6 @@ import concurrent.futures
 import hashlib
 import os
 import random
-import shutil
 import sys
 import time
 from pathlib import Path
@@ -101,7 +100,7 @@ def survivors(subject, chosen, results):
 def hunt(subject, options, results):
     """Watches the tests, runs the mutants that have no result yet. False when tests fail without a mutant."""
     programs = {name: subject.program(name) for name in subject.programs()}
-    tests, failing = running.watch_all(programs, list(subject.mutants), options.jobs)
+    tests, failing = running.watch_all(programs, list(subject.mutants), options.jobs, subject.scratch / "watched.json")
     for text in failing:
         print(text)
     if failing and not options.go_on:
@@ -133,10 +132,10 @@ def hunt(subject, options, results):
 def main():
     options = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     options.add_argument("scratch", type=Path, metavar="SCRATCH")
-    options.add_argument("--mutants", type=int, default=2400, metavar="N", help="at most so many are run [2400]")
+    options.add_argument("--mutants", type=int, default=2100, metavar="N", help="at most so many are run [2100]")
     options.add_argument("--seed", type=int, default=1, metavar="S", help="of which are run [1]")
     options.add_argument("--area", nargs="+", default=list(subjects.AREAS), choices=subjects.AREAS, metavar="FOLDER")
-    options.add_argument("--seconds-a-mutant", type=float, default=20, metavar="T", help="of tests [20]")
+    options.add_argument("--seconds-a-mutant", type=float, default=8, metavar="T", help="of tests [8]")
     options.add_argument("--longest-test", type=float, default=10, metavar="T", help="longer tests are not run [10]")
     options.add_argument("--jobs", type=int, default=os.cpu_count(), metavar="N", help="side by side")
     options.add_argument("--again", default="", metavar="VERDICTS", help="run these again: survived,not reached")

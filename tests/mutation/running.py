@@ -2,14 +2,14 @@
 import collections
 import concurrent.futures
 import contextlib
+import hashlib
+import json
 import os
-import resource
 import shutil
 import signal
 import subprocess
 import tempfile
 import threading
-import time
 from pathlib import Path
 
 MOST_MUTANTS = 1 << 16  # mutant.hpp
@@ -76,13 +76,21 @@ def watch(name, program, test, numbers):
     return Test(name, test, run.seconds, frozenset(number for number in numbers if reached[number]))
 
 
-def watch_all(programs, numbers, jobs):
-    """All tests of all programs; those that fail come as text."""
+def watch_all(programs, numbers, jobs, memory):
+    """All tests of all programs; those that fail come as text. What is known of a program is read from its file."""
+    known = json.loads(memory.read_text()) if memory.exists() else {}
+    kept, failing = {}, []
     with concurrent.futures.ThreadPoolExecutor(jobs) as pool:
-        waiting = [pool.submit(watch, name, path, test, numbers)
-                   for name, path in programs.items() for test in tests_of(path)]
-        done = [one.result() for one in waiting]
-    return [one for one in done if isinstance(one, Test)], [one for one in done if isinstance(one, str)]
+        for name, path in programs.items():
+            key = hashlib.sha256(path.read_bytes() + repr(numbers).encode()).hexdigest()
+            if key not in known:
+                done = list(pool.map(lambda test: watch(name, path, test, numbers), tests_of(path)))
+                failing += [one for one in done if isinstance(one, str)]
+                known[key] = [(*one[:3], sorted(one.reached)) for one in done if isinstance(one, Test)]
+            kept[name] = key
+    if not failing:
+        memory.write_text(json.dumps({key: known[key] for key in kept.values()}))
+    return [Test(*cells[:3], frozenset(cells[3])) for key in kept.values() for cells in known[key]], failing
 
 
 class Hunt:
@@ -144,11 +152,3 @@ class Hunt:
         how = "time" if run.was_stopped else f"signal {-run.code}" if run.code < 0 else f"exit {run.code}"
         return f"{program}: {test} ({how})"
 
-
-def seconds_of_children():
-    usage = resource.getrusage(resource.RUSAGE_CHILDREN)
-    return usage.ru_utime + usage.ru_stime
-
-
-def now():
-    return time.monotonic()

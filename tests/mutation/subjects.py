@@ -49,7 +49,13 @@ class Subject:
         self.root, self.scratch, self.areas, self.say = root, scratch, areas, say
         self.copy, self.build_folder = scratch / "copy", scratch / "build"
         self.schemas, self.mutants, self.skipped = {}, {}, []
-        self.sources = [(area, file) for area in areas for file in sources_of(root, area)]
+        self.sources = [(area, file) for area in self.all_areas() for file in sources_of(root, area)]
+        self.known_file = scratch / "mutants.json"  # by content: what was found, and which of it does not compile
+        self.known = json.loads(self.known_file.read_text()) if self.known_file.exists() else {}
+
+    def all_areas(self):
+        """Mutants have the same numbers, and the copy the same content, whichever areas are looked at."""
+        return list(AREAS)
 
     def tracked(self):
         """The files of the tree that a build needs."""
@@ -59,9 +65,9 @@ class Subject:
 
     def arguments(self):
         """Of the parser: where headers are."""
-        folder = self.build_folder / "compile_commands.json"
+        commands = self.build_folder / "compile_commands.json"
         words = {"-std=c++20": None, f"-I{self.root}": None}
-        for entry in json.loads(folder.read_text()) if folder.exists() else ():
+        for entry in json.loads(commands.read_text()) if commands.exists() else ():
             split = shlex.split(entry["command"])
             for i, word in enumerate(split):
                 if word == "-isystem":
@@ -71,53 +77,60 @@ class Subject:
     def prepare(self):
         """Copies the tree, configures it, writes the mutated sources, builds; drops mutants that do not compile."""
         mutated = {file for _, file in self.sources}
-        for file in self.tracked():
-            if file not in mutated:
-                write_if_new(self.copy / file, (self.root / file).read_bytes())
-        for file in mutated:
-            if not (self.copy / file).exists():
+        for file in [*self.tracked(), *mutated]:
+            if file not in mutated or not (self.copy / file).exists():
                 write_if_new(self.copy / file, (self.root / file).read_bytes())
         self.configure()
         self.find()
         self.build()
-        self.mutants = {number: (schema.area, mutant) for schema in self.schemas.values()
+        self.mutants = {number: (schema.area, mutant) for schema in self.schemas.values() if schema.area in self.areas
                         for number, mutant in schema.mutants.items()}
 
     def find(self):
-        arguments = finding.precompile(STANDARD, self.scratch / "standard.pch", self.arguments())
+        arguments = self.arguments()
         digest = hashlib.sha256(repr(arguments).encode())
+        arguments = finding.precompile(STANDARD, self.scratch / "standard.pch", arguments)
         for script in ("finding.py", "schemata.py"):
             digest.update((Path(__file__).parent / script).read_bytes())
-        dropped_file = self.scratch / "dropped.json"
-        self.dropped = json.loads(dropped_file.read_text()) if dropped_file.exists() else {}
         first = 1
         for area, file in self.sources:
             source = (self.root / file).read_bytes()
-            key = hashlib.sha256(digest.digest() + source).hexdigest()[:16]
-            try:
-                found = finding.Finder(file, self.root / file, arguments).mutants()
-            except finding.Reason as reason:
-                self.skipped.append(str(reason))
-                continue
-            schema = schemata.Schema(source, found, first)
-            schema.area, schema.file, schema.first, schema.key = area, file, first, key
-            first += len(found)
-            if key in self.dropped:
-                for place in self.dropped[key]:
-                    schema.mutants.pop(schema.first + place, None)
-            else:
-                schemata.check(schema, self.root / file, arguments)
-            self.schemas[file] = schema
-            self.write(schema, len(found))
-            self.say(f"{file}: {len(schema.mutants)} mutants, {len(found) - len(schema.mutants)} do not compile")
-        dropped_file.write_text(json.dumps(self.dropped))
+            key = hashlib.sha256(digest.digest() + file.encode() + source).hexdigest()[:16]
+            schema = self.remembered(key, source, first) or self.found(key, file, source, first, arguments)
+            if schema:
+                schema.area, schema.file, schema.first, schema.key = area, file, first, key
+                first += len(self.known[key]["found"])
+                self.schemas[file] = schema
+                self.write(schema)
+        self.remember()
 
-    def write(self, schema, found=None):
+    def remembered(self, key, source, first):
+        if key not in self.known:
+            return None
+        schema = schemata.Schema(source, [finding.Mutant(*cells) for cells in self.known[key]["found"]], first)
+        for place in self.known[key]["dropped"]:
+            schema.mutants.pop(first + place, None)
+        return schema
+
+    def found(self, key, file, source, first, arguments):
+        try:
+            found = finding.Finder(file, self.root / file, arguments).mutants()
+        except finding.Reason as reason:
+            self.skipped.append(str(reason))
+            return None
+        schema = schemata.Schema(source, found, first)
+        schemata.check(schema, self.root / file, arguments)
+        self.known[key] = {"found": found, "dropped": []}
+        self.say(f"{file}: {len(schema.mutants)} mutants, {len(found) - len(schema.mutants)} do not compile")
+        return schema
+
+    def write(self, schema):
         write_if_new(self.copy / schema.file, schema.write())
-        if found is None:
-            found = schema.found
-        schema.found = found
-        self.dropped[schema.key] = [i for i in range(found) if schema.first + i not in schema.mutants]
+        known = self.known[schema.key]
+        known["dropped"] = [i for i in range(len(known["found"])) if schema.first + i not in schema.mutants]
+
+    def remember(self):
+        self.known_file.write_text(json.dumps(self.known))
 
     def configure(self):
         command = ["cmake", "-G", "Ninja", "-S", self.copy, "-B", self.build_folder, "-DCMAKE_BUILD_TYPE=Debug",
@@ -142,7 +155,6 @@ class Subject:
             done = subprocess.run([str(word) for word in self.build_command()], stdout=subprocess.PIPE,
                                   stderr=subprocess.STDOUT, text=True, check=False)
             if done.returncode == 0:
-                (self.scratch / "dropped.json").write_text(json.dumps(self.dropped))
                 return
             if not self.drop(done.stdout):
                 raise SystemExit(f"error: the mutated copy cannot be built\n{done.stdout[-6000:]}")
@@ -163,11 +175,15 @@ class Subject:
                 break
         for schema in changed:
             self.write(schema)
+        self.remember()
         return bool(changed)
 
 
 class Toy(Subject):
     """One source and one test, compiled by hand."""
+
+    def all_areas(self):
+        return self.areas
 
     def tracked(self):
         return ["tests/mutation/mutant.hpp", "tests/mutation/toy/toy_test.cpp"]
