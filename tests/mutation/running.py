@@ -82,7 +82,8 @@ def watch_all(programs, numbers, jobs, memory):
     kept, failing = {}, []
     with concurrent.futures.ThreadPoolExecutor(jobs) as pool:
         for name, path in programs.items():
-            key = hashlib.sha256(path.read_bytes() + repr(numbers).encode()).hexdigest()
+            told = repr((numbers, os.environ.get("WAYMARK_SHARED")))
+            key = hashlib.sha256(path.read_bytes() + told.encode()).hexdigest()
             if key not in known:
                 done = list(pool.map(lambda test: watch(name, path, test, numbers), tests_of(path)))
                 failing += [one for one in done if isinstance(one, str)]

@@ -139,17 +139,27 @@ TEST(Patterns, MissionsTellWordsApart) {
   EXPECT_FALSE(achieves(Mission::StrictOrderedPatrolling, "", "aab", 2));
   EXPECT_TRUE(achieves(Mission::FairPatrolling, "", "abc", 3));
   EXPECT_FALSE(achieves(Mission::FairPatrolling, "", "abcb", 3));
+  EXPECT_TRUE(achieves(Mission::GlobalAvoidance, "---", "-", 1));
   EXPECT_FALSE(achieves(Mission::GlobalAvoidance, "--a", "-", 1));
   EXPECT_TRUE(achieves(Mission::PastAvoidance, "-ba", "-", 2));
+  EXPECT_FALSE(achieves(Mission::PastAvoidance, "-ab", "-", 2));
+  EXPECT_FALSE(achieves(Mission::PastAvoidance, "--", "-", 2));
   EXPECT_FALSE(achieves(Mission::FutureAvoidance, "-ba", "-", 2));
+  EXPECT_TRUE(achieves(Mission::FutureAvoidance, "aab", "-", 2));
   EXPECT_TRUE(achieves(Mission::PromptReaction, "ab", "-", 2));
   EXPECT_FALSE(achieves(Mission::PromptReaction, "a-b", "-", 2));
   EXPECT_TRUE(achieves(Mission::DelayedReaction, "a-b", "-", 2));
+  EXPECT_FALSE(achieves(Mission::DelayedReaction, "ba", "-", 2));
   EXPECT_FALSE(achieves(Mission::InstantaneousReaction, "ab", "-", 2));
+  EXPECT_TRUE(achieves(Mission::InstantaneousReaction, "bb", "-", 2));
+  EXPECT_FALSE(achieves(Mission::BoundReaction, "a", "-", 2));
   EXPECT_FALSE(achieves(Mission::BoundReaction, "b", "-", 2));
+  EXPECT_TRUE(achieves(Mission::BoundReaction, "--", "-", 2));
   EXPECT_FALSE(achieves(Mission::BoundDelay, "-b-b", "-", 2));
   EXPECT_TRUE(achieves(Mission::BoundDelay, "abab", "-", 2));
   EXPECT_TRUE(achieves(Mission::Wait, "aab", "-", 2));
+  EXPECT_TRUE(achieves(Mission::Wait, "b", "-", 2));
+  EXPECT_FALSE(achieves(Mission::Wait, "aa", "-", 2));
   EXPECT_FALSE(achieves(Mission::Wait, "a-b", "-", 2));
 }
 

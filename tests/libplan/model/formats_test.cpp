@@ -175,5 +175,48 @@ TEST(Jani, AsksForTheTaskOfAProduct) {
   EXPECT_EQ(properties.at("mincost").at("values").at("reach"), "goal");
 }
 
+TEST(ExplicitProduct, HasTheCoordinatesOfAGrid) {
+  const ltl::Vocabulary names({"a"});
+  const GridWorld grid({.width = 3, .height = 2}, names, {{}, {.label = {ltl::Proposition{0}}}}, {0, 0, 0, 0, 0, 1}, 0);
+  ltl::Arena arena(names);
+  const auto dfa = automata::ltlf_to_dfa(ltl::parse("F a", arena));
+  const TaskTable table(dfa, grid.letters());
+  const StateLabelled product = explicit_product(*ProductMdp<GridWorld>::explore(grid, table));
+  ASSERT_EQ(product.values.variables, (std::vector<std::string>{"x", "y", "task"}));
+  std::map<std::pair<int, int>, std::string> seen;
+  for (std::uint32_t s = 0; s < product.mdp.states(); ++s) {
+    const std::int32_t* values = product.values.values.data() + 3 * s;
+    seen[{values[0], values[1]}] = product.mdp.name(s);
+  }
+  ASSERT_EQ(seen.size(), 6U);
+  for (std::int32_t y = 0; y < 2; ++y)
+    for (std::int32_t x = 0; x < 3; ++x) {
+      const std::string place = grid.name(static_cast<std::uint32_t>(3 * y + x));
+      EXPECT_TRUE((seen[{x, y}].starts_with(place + " · "))) << seen[{x, y}] << ", not " << place;
+    }
+}
+
+// A state without choices stays where it is, at no cost: PRISM knows no ends of runs.
+TEST(ExplicitProduct, StaysAtNoCostWhereNothingIsChosen) {
+  MdpBuilder builder(ltl::Vocabulary({"a"}));
+  const LetterId none = builder.letter({});
+  builder.add_state();
+  builder.add_choice("on", 3);
+  builder.add_outcome(1, none);
+  builder.add_state();
+  const Mdp model = std::move(builder).build(0, none);
+  ltl::Arena arena(model.letters().vocabulary());
+  const auto dfa = automata::ltlf_to_dfa(ltl::parse("F a", arena));
+  const TaskTable table(dfa, model.letters());
+  const Mdp product = explicit_product(*ProductMdp<Mdp>::explore(model, table)).mdp;
+  std::size_t stays = 0;
+  for (std::uint32_t s = 0; s < product.states(); ++s)
+    for (std::uint32_t k = 0; k < product.choices(s); ++k) {
+      EXPECT_EQ(product.cost(s, k), product.action(s, k) == "stay" ? 0 : 3);
+      stays += product.action(s, k) == "stay" ? 1 : 0;
+    }
+  EXPECT_GE(stays, 1U);
+}
+
 }  // namespace
 }  // namespace waymark::plan
