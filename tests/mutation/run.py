@@ -7,6 +7,7 @@ copy, and results.tsv, to which each result is appended: a run that was interrup
 
 A mutant is killed when a test that reaches it fails, crashes, or takes longer than five times its processor time and
 two seconds. Mutants survive when all tests pass that reach them, together at most --seconds-a-mutant without a mutant.
+survivors.md says of some why they do; the others are printed.
 Exit code 0, whatever survives; 1 when tests fail without a mutant; 77 when libclang is missing.
 """
 import argparse
@@ -21,6 +22,7 @@ from pathlib import Path
 
 sys.dont_write_bytecode = True
 import finding
+import reasons
 import running
 import subjects
 
@@ -71,30 +73,39 @@ def sample(mutants, wanted, seed):
     return chosen
 
 
-def table(subject, chosen, results):
+def counted(subject, chosen, results, explained):
+    """By area: how many mutants have which verdict, how many survivors a reason, and minutes."""
     rows = collections.defaultdict(collections.Counter)
     for number in chosen:
         area, mutant = subject.mutants[number]
-        result = results.known.get(results.key(mutant))
-        if result:
+        if result := results.known.get(results.key(mutant)):
             rows[area][result["verdict"]] += 1
             rows[area]["minutes"] += float(result["seconds"]) / 60
+            if result["verdict"] != "killed" and reasons.reason_of(explained, mutant):
+                rows[area]["explained"] += 1
     rows["all"] = sum(rows.values(), collections.Counter())
-    lines = ["| folder | mutants | killed | survived | not reached | % killed | CPU minutes |", "|" + "---|" * 7]
+    return rows
+
+
+def table(rows):
+    lines = ["| folder | mutants | killed | survived | not reached | explained | % killed | % of the unexplained | "
+             "CPU minutes |", "|" + "---|" * 9]
     for area, row in rows.items():
-        total = sum(row[verdict] for verdict in VERDICTS)
+        total = max(1, sum(row[verdict] for verdict in VERDICTS))
+        others = max(1, total - row["explained"])
         lines.append(f"| `{area}` | {total} | {row['killed']} | {row['survived']} | {row['not reached']} | "
-                     f"{100 * row['killed'] / max(1, total):.1f} | {row['minutes']:.1f} |")
+                     f"{row['explained']} | {100 * row['killed'] / total:.1f} | {100 * row['killed'] / others:.1f} | "
+                     f"{row['minutes']:.1f} |")
     return "\n".join(lines)
 
 
-def survivors(subject, chosen, results):
+def survivors(subject, chosen, results, explained):
+    """The lines of those that survive without a reason."""
     for number in sorted(chosen):
         mutant = subject.mutants[number][1]
         result = results.known.get(results.key(mutant))
-        if result and result["verdict"] != "killed":
-            yield (f"{result['verdict']}: {mutant.file}:{mutant.line}:{mutant.column}: {mutant.kind}: "
-                   f"{flat(mutant.before)}  =>  {flat(mutant.after)}")
+        if result and result["verdict"] != "killed" and not reasons.reason_of(explained, mutant):
+            yield f"{reasons.item(mutant)}  =>  {flat(mutant.after)}  ({result['verdict']})"
 
 
 def hunt(subject, options, results):
@@ -157,8 +168,9 @@ def main():
     chosen = hunt(subject, options, results)
     if chosen is None:
         return 1
-    print(*survivors(subject, chosen, results), sep="\n")
-    print(table(subject, chosen, results))
+    explained = reasons.read(Path(__file__).with_name("survivors.md"))
+    print(*survivors(subject, chosen, results, explained), sep="\n")
+    print(table(counted(subject, chosen, results, explained)))
     return 0
 
 
