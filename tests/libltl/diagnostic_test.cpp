@@ -53,6 +53,8 @@ TEST(SyntaxError, ShowsAPartOfALongLine) {
   EXPECT_EQ(SyntaxError(text, {10, 11}, "m").what(), expected(0, false, true, 10));
   EXPECT_EQ(SyntaxError(text, {160, 161}, "m").what(), expected(100, true, false, 61));
   EXPECT_EQ(SyntaxError(text, {299, 300}, "m").what(), expected(239, true, false, 61));
+  const std::string long_span = SyntaxError(text, {150, 300}, "m").what();
+  EXPECT_EQ(long_span, expected(90, true, true, 61) + std::string(140, '^')) << "as far as the line is shown, and …";
   text.resize(200);
   EXPECT_EQ(SyntaxError(text, {150, 151}, "m").what(), expected(0, false, false, 150));
 }
