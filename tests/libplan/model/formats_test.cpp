@@ -4,7 +4,9 @@
 #include <map>
 #include <nlohmann/json.hpp>
 #include <random>
+#include <string>
 
+#include "libautomata/limit_deterministic/ltl_to_ldba.hpp"
 #include "libltl/diagnostic.hpp"
 #include "libltl/text/parse.hpp"
 #include "libplan/model/formats/read_transition_system.hpp"
@@ -194,6 +196,35 @@ TEST(ExplicitProduct, HasTheCoordinatesOfAGrid) {
       const std::string place = grid.name(static_cast<std::uint32_t>(3 * y + x));
       EXPECT_TRUE((seen[{x, y}].starts_with(place + " · "))) << seen[{x, y}] << ", not " << place;
     }
+}
+
+// Where the automaton may begin in several ways, a state before all others guesses at no cost; -2 marks its variables.
+TEST(ExplicitProduct, GuessesHowTheAutomatonBegins) {
+  std::mt19937 random(21);
+  std::size_t guessed = 0;
+  for (const char* formula : {"F G a", "G F a | F G b", "F G a | F G b", "(F G a & G F b) | F G !b"})
+    for (int i = 0; i < 5; ++i) {
+      const Mdp model = test::random_mdp(random);
+      ltl::Arena arena(model.letters().vocabulary());
+      const automata::MdpSafe ldba = automata::ltl_to_ldba(ltl::parse(formula, arena));
+      const TaskTable table(ldba, model.letters());
+      const auto product = ProductMdp<Mdp>::explore(model, table);
+      if (product->starts().size() < 2) continue;
+      ++guessed;
+      const StateLabelled unfolded = explicit_product(*product);
+      const Mdp& mdp = unfolded.mdp;
+      EXPECT_EQ(mdp.name(0), "start");
+      ASSERT_EQ(mdp.choices(0), product->starts().size());
+      for (std::uint32_t k = 0; k < mdp.choices(0); ++k) {
+        EXPECT_EQ(mdp.action(0, k), "guess_" + std::to_string(k));
+        EXPECT_EQ(mdp.cost(0, k), 0);
+      }
+      const std::size_t variables = unfolded.values.variables.size();
+      ASSERT_EQ(unfolded.values.values.size(), variables * mdp.states());
+      EXPECT_EQ(unfolded.values.values[0], -2);
+      for (std::uint32_t s = 1; s < mdp.states(); ++s) EXPECT_GE(unfolded.values.values[s * variables], -1);
+    }
+  EXPECT_GT(guessed, 0U);
 }
 
 // A state without choices stays where it is, at no cost: PRISM knows no ends of runs.
