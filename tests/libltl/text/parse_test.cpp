@@ -230,6 +230,17 @@ TEST(Parse, UnknownPropositionsBringTheKnownOnesToMind) {
             "unknown proposition 'zzzzzz' (known: a, b, c, d, e, f, g, h, …)");
 }
 
+TEST(Parse, TheTextMayEndAnywhere) {
+  const std::string whole = "F[ 1 : 3 ] (a U[<=2] \"b\\\"c\") <-> !X[!] X[w] G<=4 c";
+  Arena arena;
+  parse(whole, arena);
+  for (std::size_t end = 0; end < whole.size(); ++end) {
+    const std::string beginning = whole.substr(0, end);
+    if (end == whole.find(" <->") || end == whole.find(" <->") + 1) continue;
+    EXPECT_THROW(parse(beginning, arena), SyntaxError) << beginning;
+  }
+}
+
 TEST(Parse, AnOpenQuoteIsUnderlinedAlone) {
   Arena arena;
   try {
