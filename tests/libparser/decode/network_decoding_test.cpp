@@ -96,6 +96,7 @@ TEST(NetworkDecoding, AWideBeamFindsEverythingAndANarrowOneWhatIsLikely) {
   std::set<Program> seen;
   for (int i = 0; i < 2000; ++i) {
     const auto drawn = randomised_beam(small.network, pass, {&only, 1}, masks, 2, 1, small.random);
+    EXPECT_LE(drawn.front().size(), 2U);
     for (const Candidate& c : drawn.front()) seen.insert(c.program);
   }
   EXPECT_GT(seen.size(), 2 * all.size() / 3);

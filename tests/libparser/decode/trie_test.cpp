@@ -111,6 +111,13 @@ TEST_F(Decoding, ExpandsAsManyPrefixesAsAllowed) {
   EXPECT_EQ(again.expanded, counted.expanded) << "no more than what the best programs need";
 }
 
+TEST_F(Decoding, NoProgramIsNoGradient) {
+  Scorer scorer(model, features);
+  TrieScratch scratch;
+  EXPECT_EQ(accumulate_gradient(LinearTrie(), scorer, scratch), 0);
+  scorer.each_gradient([](std::uint64_t, const float*) { ADD_FAILURE() << "a gradient"; });
+}
+
 TEST_F(Decoding, MarginalLikelihoodIsTheSumOverPrograms) {
   const std::vector<std::pair<Program, double>> programs{
       {{{StepKind::Reach, 0, 1, {0}}}, 1.0},

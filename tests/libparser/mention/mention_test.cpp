@@ -51,7 +51,8 @@ TEST(Mentions, WordsOfFiveLettersMayBeMisspelledUnlessTheyAreWords) {
 }
 
 TEST(Misspellings, AreOneEditAway) {
-  for (const char* word : {"chair", "chairs", "hair", "chiar", "cha1r", "xchair", "chai", "cair", "chait", "xhair", "hcair", "chari"})
+  for (const char* word :
+       {"chair", "chairs", "hair", "chiar", "cha1r", "xchair", "chai", "cair", "chait", "xhair", "hcair", "chari"})
     EXPECT_TRUE(is_misspelled(word, "chair")) << word;
   for (const char* word : {"hiar", "chaaair", "riach", "ahcri", "", "chaxy"})
     EXPECT_FALSE(is_misspelled(word, "chair")) << word;

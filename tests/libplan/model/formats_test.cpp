@@ -201,7 +201,7 @@ TEST(ExplicitProduct, HasTheCoordinatesOfAGrid) {
 // Where the automaton may begin in several ways, a state before all others guesses at no cost; -2 marks its variables.
 TEST(ExplicitProduct, GuessesHowTheAutomatonBegins) {
   std::mt19937 random(21);
-  std::size_t guessed = 0;
+  std::size_t guessed = 0, jumps = 0;
   for (const char* formula : {"F G a", "G F a | F G b", "F G a | F G b", "(F G a & G F b) | F G !b"})
     for (int i = 0; i < 5; ++i) {
       const Mdp model = test::random_mdp(random);
@@ -222,9 +222,18 @@ TEST(ExplicitProduct, GuessesHowTheAutomatonBegins) {
       const std::size_t variables = unfolded.values.variables.size();
       ASSERT_EQ(unfolded.values.values.size(), variables * mdp.states());
       EXPECT_EQ(unfolded.values.values[0], -2);
-      for (std::uint32_t s = 1; s < mdp.states(); ++s) EXPECT_GE(unfolded.values.values[s * variables], -1);
+      for (std::uint32_t s = 1; s < mdp.states(); ++s) {
+        EXPECT_GE(unfolded.values.values[s * variables], -1);
+        for (std::uint32_t k = 0; k < mdp.choices(s); ++k) {
+          if (mdp.action(s, k) == "jump") {
+            EXPECT_EQ(mdp.cost(s, k), 0) << "a jump takes no time";
+            ++jumps;
+          }
+        }
+      }
     }
   EXPECT_GT(guessed, 0U);
+  EXPECT_GT(jumps, 0U);
 }
 
 // A state without choices stays where it is, at no cost: PRISM knows no ends of runs.
