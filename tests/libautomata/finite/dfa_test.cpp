@@ -35,6 +35,11 @@ TEST(Dfa, RefusesWhatIsNoAutomaton) {
   EXPECT_THROW(make(1, {false}, 0), std::invalid_argument) << "an acceptance bit is missing";
   EXPECT_THROW(make(1, {false, true}, 1), std::invalid_argument) << "the empty word would be accepted";
   EXPECT_THROW(make(1, {false, true}, 2), std::invalid_argument) << "no such initial state";
+  Mtbdd two_roots;
+  const Mtbdd::Node good = two_roots.make(0, Mtbdd::terminal(0), Mtbdd::terminal(1)),
+                    bad = two_roots.make(0, Mtbdd::terminal(1), Mtbdd::terminal(2));
+  EXPECT_THROW(Dfa(names, {a}, two_roots, {good, bad}, {false, true}, StateId{0}), std::invalid_argument)
+      << "an edge to no state from the other state";
   Mtbdd diagram;
   const Mtbdd::Node root = diagram.make(1, Mtbdd::terminal(0), Mtbdd::terminal(1));
   EXPECT_THROW(Dfa(names, {a}, diagram, {root, root}, {false, true}, StateId{0}), std::invalid_argument)

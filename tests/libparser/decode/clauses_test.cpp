@@ -85,7 +85,9 @@ TEST(Clauses, ProbabilitiesAreThoseOfTheDefinition) {
                                    "a then b and c , d",
                                    "a ; b ; c ; d ; e",
                                    "a and b and c and d and e and f",
-                                   "if a , b , otherwise c and d"};
+                                   "if a , b , otherwise c and d",
+                                   "a , otherwise b , c",
+                                   "otherwise a and b"};
   ltl::Random random(1);
   for (int round = 0; round < 200; ++round)
     for (const std::string text : sentences) {
