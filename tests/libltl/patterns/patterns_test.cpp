@@ -210,6 +210,17 @@ TEST(Patterns, RefuseWhatDoesNotFit) {
   EXPECT_THROW(make("absence-before", {"p"}), std::invalid_argument);
   EXPECT_THROW(make("visit", {}), std::invalid_argument);
   EXPECT_THROW(make("wait", {"a"}), std::invalid_argument);
+  const auto message = [&](std::string_view name, std::vector<std::string> arguments) -> std::string {
+    try {
+      make(name, std::move(arguments));
+    } catch (const std::invalid_argument& error) {
+      return error.what();
+    }
+    return "no error";
+  };
+  EXPECT_EQ(message("visit", {}), "visit takes one or more arguments (l..), not 0");
+  EXPECT_EQ(message("wait", {"a"}), "wait takes 2 arguments (l p), not 1");
+  EXPECT_EQ(message("exact-restricted-avoidance", {"a"}), "exact-restricted-avoidance takes a number and a place");
   EXPECT_THROW(make("upper-restricted-avoidance", {"0", "a"}), std::invalid_argument);
   EXPECT_THROW(make("upper-restricted-avoidance", {"2x", "a"}), std::invalid_argument);
   EXPECT_THROW(make("visit", {"a", "b U"}), SyntaxError);

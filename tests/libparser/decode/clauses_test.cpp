@@ -166,6 +166,10 @@ TEST(Clauses, TiesAreBrokenByWhatIsListedFirst) {
   const SentenceInput input{{"a", "and", "b"}, false};
   EXPECT_EQ(programs(by_clauses(reader, input, 2)),
             (std::vector<Program>{{forward(1), forward(3)}, {forward(1), forward(4)}}));
+  const Candidate less{{forward(2)}, -2};
+  reader.answers = {{"a and b ", {}}, {"a ", {one, less}}, {"b ", {three, four}}};
+  EXPECT_EQ(programs(by_clauses(reader, input, 3)),
+            (std::vector<Program>{{forward(1), forward(3)}, {forward(1), forward(4)}, {forward(2), forward(3)}}));
   reader.answers = {{"a and b ", {three, one, two}}, {"a ", {}}, {"b ", {}}};
   EXPECT_EQ(programs(by_clauses(reader, input, 5)), (std::vector<Program>{one.program, two.program, three.program}));
 }
