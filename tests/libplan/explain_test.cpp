@@ -101,6 +101,17 @@ TEST(RoutePlanner, CountsWhatItLooksAt) {
   EXPECT_EQ(some.edges(), edges) << "counted anew for each plan";
 }
 
+TEST(RoutePlanner, SaysWhetherTheTaskOrTheMapIsToBlame) {
+  const Map map = hallway(3);
+  ltl::Arena arena(map.vocabulary());
+  const auto reason = [&](const char* formula) {
+    const automata::Dfa dfa = automata::ltlf_to_dfa(ltl::parse(formula, arena));
+    return std::get<Infeasible>(RoutePlanner(map, dfa).plan(pose_at(map, 0, 0, 90))).reason;
+  };
+  EXPECT_EQ(reason("moved & !moved"), "no finite word satisfies the task");
+  EXPECT_TRUE(reason("F sofa").starts_with("no route from here satisfies the task (all ")) << reason("F sofa");
+}
+
 TEST(Solve, DijkstraKnowsTheWayFromEverywhere) {
   const Map map = shipped("l");
   ltl::Arena arena(map.vocabulary());

@@ -3,7 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <functional>
+#include <stdexcept>
 #include <utility>
+#include <vector>
+
+#include "libautomata/omega/automaton.hpp"
 
 namespace waymark::automata {
 namespace {
@@ -55,6 +59,36 @@ TEST(Identical, LooksIntoChoicesAndNodes) {
   EXPECT_FALSE(identical(plain, one_state(0, true, 0, {}))) << "for the other letter";
   EXPECT_FALSE(identical(plain, one_state(0, false, 1, {}))) << "to another state";
   EXPECT_FALSE(identical(plain, one_state(0, false, 0, Marks::of(0)))) << "with a mark";
+}
+
+TEST(Automaton, RefusesWhatIsNone) {
+  const ltl::Vocabulary names({"a", "b"});
+  const std::vector<ltl::Proposition> reads{{0}, {1}};
+  EXPECT_EQ(Automaton(names, reads, two_states()).states(), 2U);
+  EXPECT_THROW(Automaton(names, {{0}}, two_states()), std::invalid_argument) << "a variable that is not read";
+  EXPECT_THROW(Automaton(names, {{0}, {2}}, two_states()), std::invalid_argument) << "a proposition that is unknown";
+  const std::pair<const char*, std::function<void(TransitionRelation&)>> changes[] = {
+      {"the initial state", [](TransitionRelation& a) { a.initial = 2; }},
+      {"a target",
+       [](TransitionRelation& a) {
+         a.choices.intern({{2, Marks()}});
+       }},
+      {"a mark",
+       [](TransitionRelation& a) {
+         a.choices.intern({{0, Marks::of(1)}});
+       }},
+      {"a mark of the condition", [](TransitionRelation& a) { a.acceptance.condition = Condition::inf(1); }},
+      {"a root", [](TransitionRelation& a) { a.roots[1] = Mtbdd::terminal(3); }},
+      {"a terminal",
+       [](TransitionRelation& a) { a.roots[1] = a.diagram.make(1, Mtbdd::terminal(1), Mtbdd::terminal(3)); }},
+      {"another terminal",
+       [](TransitionRelation& a) { a.roots[1] = a.diagram.make(1, Mtbdd::terminal(3), Mtbdd::terminal(1)); }},
+  };
+  for (const auto& [what, change] : changes) {
+    TransitionRelation changed = two_states();
+    change(changed);
+    EXPECT_THROW(Automaton(names, reads, std::move(changed)), std::invalid_argument) << what;
+  }
 }
 
 }  // namespace
