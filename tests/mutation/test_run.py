@@ -10,6 +10,7 @@ from pathlib import Path
 sys.dont_write_bytecode = True
 sys.path.insert(0, str(Path(__file__).resolve().parent))
 import finding
+import reasons
 import run
 
 SCRIPT = Path(run.__file__)
@@ -58,6 +59,14 @@ class Toy(unittest.TestCase):
     def test_a_run_goes_on_where_it_was(self):
         self.assertIn(" 0 to be run", mutation_tests(self.scratch.name).stdout)
         self.assertEqual(len(results(self.scratch.name)), 10)
+
+    def test_a_reason_is_found_by_place_kind_and_code(self):
+        mutant = finding.Mutant("some.cpp", 3, 7, "<", 0, 0, "x <\n  y", "x <= y", None, False)
+        path = Path(self.scratch.name) / "survivors.md"
+        path.write_text(f"# Why\n\n## Ties\n\nThey are equal.\n\n{reasons.item(mutant)}\n")
+        self.assertEqual(reasons.reason_of(reasons.read(path), mutant), "Ties")
+        self.assertIsNone(reasons.reason_of(reasons.read(path), mutant._replace(kind="<=")))
+        self.assertIsNone(reasons.reason_of(reasons.read(path), mutant._replace(line=4)))
 
     def test_the_sample_is_that_of_the_seed(self):
         mutants = {number: ("one" if number < 50 else "other", None) for number in range(1, 200)}

@@ -28,7 +28,8 @@ class Decoding : public ::testing::Test {
     for (const auto& kind : features.by_context)
       for (const auto& step : kind)
         for (std::size_t i = 0; i < step.size(); i += 5) fill(step[i]);
-    for (Token last = 0; last < model.language.grammar().tokens(); ++last) fill(last_token_feature({0, 1, last, 0}));
+    for (std::size_t last = 0; last < model.language.grammar().tokens(); ++last)
+      fill(last_token_feature({0, 1, static_cast<Token>(last), 0}));
     fill(mention_feature({0, 0, 0, 0}));
   }
 

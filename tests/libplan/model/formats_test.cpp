@@ -187,7 +187,7 @@ TEST(ExplicitProduct, HasTheCoordinatesOfAGrid) {
   ASSERT_EQ(product.values.variables, (std::vector<std::string>{"x", "y", "task"}));
   std::map<std::pair<int, int>, std::string> seen;
   for (std::uint32_t s = 0; s < product.mdp.states(); ++s) {
-    const std::int32_t* values = product.values.values.data() + 3 * s;
+    const std::int32_t* values = product.values.values.data() + std::size_t{3} * s;
     seen[{values[0], values[1]}] = product.mdp.name(s);
   }
   ASSERT_EQ(seen.size(), 6U);

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -99,7 +100,7 @@ TEST(DropConjuncts, DropsOneAfterTheOtherWhereSetsAreTooMany) {
   EXPECT_EQ(found.conflict.size(), 2U);
   EXPECT_EQ(found.dropped.size(), 11U);
   EXPECT_GE(asked, most_sets);
-  EXPECT_LE(asked, most_sets + 12 + 11 * 13);
+  EXPECT_LE(asked, most_sets + 12 + std::size_t{11} * 13);
 }
 
 TEST(DropConjuncts, WhatIsSeenOnAnyMoveIsSeen) {
