@@ -104,9 +104,8 @@ class Finder:
             is_constexpr = is_constexpr or self.says_constexpr(cursor)
         if kind == CursorKind.FIELD_DECL:  # its initialiser may belong to a constructor that is constexpr
             is_constexpr = True
-        if kind in VARIABLES and re.search(r"\bconst(expr|init)\b", self.text(start, cursor.location.offset)):
-            if "constexpr" in self.text(start, cursor.location.offset):
-                return
+        if kind in VARIABLES and re.search(r"\bconstexpr\b", self.text(start, cursor.location.offset)):
+            return
         if kind == CursorKind.CASE_STMT:  # not its label
             for child in list(cursor.get_children())[1:]:
                 self.visit(child, cursor, is_constexpr)
