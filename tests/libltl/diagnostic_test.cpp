@@ -39,6 +39,30 @@ TEST(SyntaxError, SpansAreUnderlinedAsFarAsTheLineGoes) {
   EXPECT_STREQ(SyntaxError("", {0, 0}, "m").what(), "m\n  1 | \n    | ^");
 }
 
+// Up to 60 characters before the place, 200 in all; "…" stands for what is left out.
+TEST(SyntaxError, ShowsAPartOfALongLine) {
+  std::string text;
+  for (int i = 0; i < 300; ++i) text += static_cast<char>('a' + i % 26);
+  const auto expected = [&](std::size_t from, bool cut_left, bool cut_right, std::size_t spaces) {
+    return "m\n  1 | " + std::string(cut_left ? "…" : "") + text.substr(from, 200) + (cut_right ? "…" : "") +
+           "\n    | " + std::string(spaces, ' ') + "^";
+  };
+  EXPECT_EQ(SyntaxError(text, {150, 151}, "m").what(), expected(90, true, true, 61));
+  EXPECT_EQ(SyntaxError(text, {61, 62}, "m").what(), expected(1, true, true, 61));
+  EXPECT_EQ(SyntaxError(text, {60, 61}, "m").what(), expected(0, false, true, 60));
+  EXPECT_EQ(SyntaxError(text, {10, 11}, "m").what(), expected(0, false, true, 10));
+  EXPECT_EQ(SyntaxError(text, {160, 161}, "m").what(), expected(100, true, false, 61));
+  EXPECT_EQ(SyntaxError(text, {299, 300}, "m").what(), expected(239, true, false, 61));
+  const std::string long_span = SyntaxError(text, {150, 300}, "m").what();
+  EXPECT_EQ(long_span, expected(90, true, true, 61) + std::string(140, '^')) << "as far as the line is shown, and …";
+  text.resize(200);
+  EXPECT_EQ(SyntaxError(text, {150, 151}, "m").what(), expected(0, false, false, 150));
+}
+
+TEST(SyntaxError, ShowsControlCharactersAsSpaces) {
+  EXPECT_STREQ(SyntaxError("a\x01\x1F\x7F b", {4, 5}, "m").what(), "m\n  1 | a    b\n    |     ^");
+}
+
 TEST(FormatError, NamesThePlaceAsFarAsItIsKnown) {
   EXPECT_STREQ(FormatError("map.json", 3, 5, "expected a node").what(), "expected a node\n  map.json:3:5");
   EXPECT_STREQ(FormatError("map.json", 3, 0, "expected a node").what(), "expected a node\n  map.json:3");

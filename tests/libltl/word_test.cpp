@@ -30,6 +30,13 @@ TEST(Letter, IncludesAndJoins) {
   Letter joined = small;
   joined.insert_all(Letter{{70}});
   EXPECT_EQ(joined, large);
+  joined.insert_all(Letter{{2}, {140}, {200}});
+  EXPECT_EQ(joined.members(), (std::vector<Proposition>{{1}, {2}, {70}, {140}, {200}}));
+  joined.insert_all(Letter{{71}});
+  EXPECT_EQ(joined.members(), (std::vector<Proposition>{{1}, {2}, {70}, {71}, {140}, {200}}));
+  EXPECT_TRUE(joined.includes(Letter{{71}, {200}}));
+  EXPECT_FALSE(joined.includes(Letter{{71}, {201}}));
+  EXPECT_FALSE(joined.includes(Letter{{72}}));
 }
 
 TEST(Words, AreNotEmpty) {

@@ -78,6 +78,9 @@ TEST(Compose, IsTheReachableProductByDefinition) {
       const MapProduct product = compose(map, dfa, starts);
       EXPECT_EQ(edges_of(product), by_definition(map, dfa, starts)) << "seed " << seed << ", round " << round;
       ASSERT_EQ(product.starts().size(), 2U);
+      std::size_t edges = 0;
+      for (const auto& [from, list] : edges_of(product)) edges += list.size();
+      EXPECT_EQ(num_edges(product), edges);
       EXPECT_EQ(product.starts()[1].place, starts[1].index);
     }
   }

@@ -83,6 +83,35 @@ TEST(Solve, GivesUpWhenAsked) {
   EXPECT_TRUE(std::holds_alternative<Exhausted>(RoutePlanner(map, dfa).plan(PoseId{0}, source.get_token())));
 }
 
+TEST(RoutePlanner, CountsWhatItLooksAt) {
+  const Map map = hallway(3);
+  ltl::Arena arena(map.vocabulary());
+  const PoseId start = pose_at(map, 0, 0, 90);
+  const automata::Dfa at_once = automata::ltlf_to_dfa(ltl::parse("!moved", arena)),
+                      farther = automata::ltlf_to_dfa(ltl::parse("X moved", arena));
+  RoutePlanner none(map, at_once), some(map, farther);
+  EXPECT_TRUE(std::holds_alternative<Route>(none.plan(start)));
+  EXPECT_EQ(none.met(), 1U);
+  EXPECT_EQ(none.edges(), 0U) << "the start satisfies the task";
+  EXPECT_TRUE(std::holds_alternative<Route>(some.plan(start)));
+  const std::size_t edges = some.edges();
+  EXPECT_GE(edges, 1U);
+  EXPECT_LE(edges, 3U) << "no more than the choices of the start";
+  some.plan(start);
+  EXPECT_EQ(some.edges(), edges) << "counted anew for each plan";
+}
+
+TEST(RoutePlanner, SaysWhetherTheTaskOrTheMapIsToBlame) {
+  const Map map = hallway(3);
+  ltl::Arena arena(map.vocabulary());
+  const auto reason = [&](const char* formula) {
+    const automata::Dfa dfa = automata::ltlf_to_dfa(ltl::parse(formula, arena));
+    return std::get<Infeasible>(RoutePlanner(map, dfa).plan(pose_at(map, 0, 0, 90))).reason;
+  };
+  EXPECT_EQ(reason("moved & !moved"), "no finite word satisfies the task");
+  EXPECT_TRUE(reason("F sofa").starts_with("no route from here satisfies the task (all ")) << reason("F sofa");
+}
+
 TEST(Solve, DijkstraKnowsTheWayFromEverywhere) {
   const Map map = shipped("l");
   ltl::Arena arena(map.vocabulary());

@@ -35,6 +35,11 @@ TEST(Dfa, RefusesWhatIsNoAutomaton) {
   EXPECT_THROW(make(1, {false}, 0), std::invalid_argument) << "an acceptance bit is missing";
   EXPECT_THROW(make(1, {false, true}, 1), std::invalid_argument) << "the empty word would be accepted";
   EXPECT_THROW(make(1, {false, true}, 2), std::invalid_argument) << "no such initial state";
+  Mtbdd two_roots;
+  const Mtbdd::Node good = two_roots.make(0, Mtbdd::terminal(0), Mtbdd::terminal(1)),
+                    bad = two_roots.make(0, Mtbdd::terminal(1), Mtbdd::terminal(2));
+  EXPECT_THROW(Dfa(names, {a}, two_roots, {good, bad}, {false, true}, StateId{0}), std::invalid_argument)
+      << "an edge to no state from the other state";
   Mtbdd diagram;
   const Mtbdd::Node root = diagram.make(1, Mtbdd::terminal(0), Mtbdd::terminal(1));
   EXPECT_THROW(Dfa(names, {a}, diagram, {root, root}, {false, true}, StateId{0}), std::invalid_argument)
@@ -63,6 +68,16 @@ TEST(Dfa, KnowsTrapsAndDistances) {
   const StateId done = dfa.next(dfa.next(second, {a}), {b});
   EXPECT_TRUE(dfa.is_accepting(done));
   EXPECT_EQ(dfa.distance_to_acceptance(done), 0U);
+}
+
+TEST(Dfa, MeasuresTheDistanceFromEveryState) {
+  Mtbdd diagram;  // q1 is initial; q0 accepts and is never left; a leads from q1 to q0, and no letter out of q2
+  const Mtbdd::Node root = diagram.make(0, Mtbdd::terminal(2), Mtbdd::terminal(0));
+  const Dfa dfa(ltl::Vocabulary({"a"}), {a}, diagram, {Mtbdd::terminal(0), root, Mtbdd::terminal(2)},
+                {true, false, false}, StateId{1});
+  EXPECT_EQ(dfa.distance_to_acceptance(StateId{0}), 0U);
+  EXPECT_EQ(dfa.distance_to_acceptance(StateId{1}), 1U);
+  EXPECT_EQ(dfa.distance_to_acceptance(StateId{2}), Dfa::unreachable);
 }
 
 TEST(Run, VisitsStatesAndNoticesTheTrapEarly) {

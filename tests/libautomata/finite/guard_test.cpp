@@ -83,6 +83,15 @@ TEST(Edges, PartitionTheLettersOfEveryState) {
   }
 }
 
+TEST(Edges, AreCountedUpToALimit) {
+  ltl::Arena arena;
+  const Dfa dfa = ltlf_to_dfa(ltl::parse("F a & F b", arena));
+  EXPECT_EQ(count_edges(dfa, 10), 9U);
+  EXPECT_EQ(count_edges(dfa, 9), 9U);
+  EXPECT_EQ(count_edges(dfa, 8), std::nullopt);
+  EXPECT_EQ(count_edges(dfa, 0), std::nullopt);
+}
+
 TEST(Edges, LabelsReadWell) {
   const struct {
     const char* formula;

@@ -28,6 +28,15 @@ TEST(Acceptance, PrintsAndNamesConditionsAsHoaSpellsThem) {
   }
 }
 
+TEST(Acceptance, IsPrintedWithNoMoreParenthesesThanNeeded) {
+  const Condition a = Condition::inf(0), b = Condition::fin(1), c = Condition::inf(2), d = Condition::fin(3);
+  const Condition either = Condition::any_of({a, Condition::all_of({b, Condition::any_of({c, d})})});
+  EXPECT_EQ(print(either), "Inf(0) | Fin(1) & (Inf(2) | Fin(3))");
+  EXPECT_EQ(print(Condition::all_of({either, d})), "(Inf(0) | Fin(1) & (Inf(2) | Fin(3))) & Fin(3)");
+  EXPECT_EQ(print(Condition::any_of({Condition::all_of({a, b}), Condition::all_of({c, d})})),
+            "Inf(0) & Fin(1) | Inf(2) & Fin(3)");
+}
+
 TEST(Acceptance, ParityIsDecidedByTheExtremeColour) {
   using Extreme = Acceptance::Extreme;
   using Parity = Acceptance::Parity;

@@ -62,6 +62,7 @@ TEST(Patterns, HaveNamesOfTheirOwnAndFormulasThatInstantiateThem) {
   std::vector<Pattern> all = property_patterns();
   EXPECT_EQ(all.size(), 55U);
   for (const Pattern& mission : mission_patterns()) all.push_back(mission);
+  EXPECT_EQ(all.size(), 77U) << "the missions of [MTP+21] are 22";
   for (const Pattern& pattern : all) {
     EXPECT_TRUE(names.insert(pattern.name).second) << pattern.name;
     EXPECT_TRUE(pattern.source == "DAC98" || pattern.source == "MTP+21");
@@ -138,17 +139,27 @@ TEST(Patterns, MissionsTellWordsApart) {
   EXPECT_FALSE(achieves(Mission::StrictOrderedPatrolling, "", "aab", 2));
   EXPECT_TRUE(achieves(Mission::FairPatrolling, "", "abc", 3));
   EXPECT_FALSE(achieves(Mission::FairPatrolling, "", "abcb", 3));
+  EXPECT_TRUE(achieves(Mission::GlobalAvoidance, "---", "-", 1));
   EXPECT_FALSE(achieves(Mission::GlobalAvoidance, "--a", "-", 1));
   EXPECT_TRUE(achieves(Mission::PastAvoidance, "-ba", "-", 2));
+  EXPECT_FALSE(achieves(Mission::PastAvoidance, "-ab", "-", 2));
+  EXPECT_FALSE(achieves(Mission::PastAvoidance, "--", "-", 2));
   EXPECT_FALSE(achieves(Mission::FutureAvoidance, "-ba", "-", 2));
+  EXPECT_TRUE(achieves(Mission::FutureAvoidance, "aab", "-", 2));
   EXPECT_TRUE(achieves(Mission::PromptReaction, "ab", "-", 2));
   EXPECT_FALSE(achieves(Mission::PromptReaction, "a-b", "-", 2));
   EXPECT_TRUE(achieves(Mission::DelayedReaction, "a-b", "-", 2));
+  EXPECT_FALSE(achieves(Mission::DelayedReaction, "ba", "-", 2));
   EXPECT_FALSE(achieves(Mission::InstantaneousReaction, "ab", "-", 2));
+  EXPECT_TRUE(achieves(Mission::InstantaneousReaction, "bb", "-", 2));
+  EXPECT_FALSE(achieves(Mission::BoundReaction, "a", "-", 2));
   EXPECT_FALSE(achieves(Mission::BoundReaction, "b", "-", 2));
+  EXPECT_TRUE(achieves(Mission::BoundReaction, "--", "-", 2));
   EXPECT_FALSE(achieves(Mission::BoundDelay, "-b-b", "-", 2));
   EXPECT_TRUE(achieves(Mission::BoundDelay, "abab", "-", 2));
   EXPECT_TRUE(achieves(Mission::Wait, "aab", "-", 2));
+  EXPECT_TRUE(achieves(Mission::Wait, "b", "-", 2));
+  EXPECT_FALSE(achieves(Mission::Wait, "aa", "-", 2));
   EXPECT_FALSE(achieves(Mission::Wait, "a-b", "-", 2));
 }
 
@@ -167,6 +178,29 @@ TEST(Patterns, RestrictedAvoidanceCounts) {
     });
 }
 
+TEST(Patterns, UnknownNamesBringNearOnesToMind) {
+  const auto message = [](std::string_view name) -> std::string {
+    Arena arena;
+    try {
+      instantiate(name, std::vector<std::string>{"a"}, arena);
+    } catch (const std::invalid_argument& error) {
+      return error.what();
+    }
+    return "no error";
+  };
+  const struct {
+    const char *name, *meant;
+  } table[] = {{"visits", "visit"},
+               {"wayt", "wait"},
+               {"absence", "absence-globally"},
+               {"absense", "absence-globally"},
+               {"absence-befor", "absence-before"}};
+  for (const auto& row : table)
+    EXPECT_NE(message(row.name).find(std::string("(did you mean '") + row.meant + "'?)"), std::string::npos)
+        << message(row.name);
+  EXPECT_EQ(message("qqqqqqqqqqqq"), "there is no pattern 'qqqqqqqqqqqq'");
+}
+
 TEST(Patterns, RefuseWhatDoesNotFit) {
   Arena arena;
   const auto make = [&](std::string_view name, std::vector<std::string> arguments) {
@@ -176,6 +210,17 @@ TEST(Patterns, RefuseWhatDoesNotFit) {
   EXPECT_THROW(make("absence-before", {"p"}), std::invalid_argument);
   EXPECT_THROW(make("visit", {}), std::invalid_argument);
   EXPECT_THROW(make("wait", {"a"}), std::invalid_argument);
+  const auto message = [&](std::string_view name, std::vector<std::string> arguments) -> std::string {
+    try {
+      make(name, std::move(arguments));
+    } catch (const std::invalid_argument& error) {
+      return error.what();
+    }
+    return "no error";
+  };
+  EXPECT_EQ(message("visit", {}), "visit takes one or more arguments (l..), not 0");
+  EXPECT_EQ(message("wait", {"a"}), "wait takes 2 arguments (l p), not 1");
+  EXPECT_EQ(message("exact-restricted-avoidance", {"a"}), "exact-restricted-avoidance takes a number and a place");
   EXPECT_THROW(make("upper-restricted-avoidance", {"0", "a"}), std::invalid_argument);
   EXPECT_THROW(make("upper-restricted-avoidance", {"2x", "a"}), std::invalid_argument);
   EXPECT_THROW(make("visit", {"a", "b U"}), SyntaxError);

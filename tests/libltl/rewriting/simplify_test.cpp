@@ -67,6 +67,7 @@ constexpr Row rows[] = {
     {"next out of release", "G X a", "X G a"},
     {"settled beside", "a | ((a | b) & c)", "a | (b & c)"},
     {"settled beside", "F a & ((F a & b) | c)", "F a & (b | c)"},
+    {"settled beside", "a | (c & d & (a | b))", "a | (c & d & b)"},
     {"absorbed", "a & F a", "a"},
     {"absorbed", "a | F a", "F a"},
     {"absorbed", "b & (a U b) & c", "b & c"},

@@ -38,6 +38,8 @@ TEST(Fragments, AreReadOffTheSyntax) {
       {"F G a", "ne", "n"},          {"G F a | F G b", "n", "n"},    {"G(a -> F b)", "nr", "n"},
       {"a <-> F b", "nore", "n"},    {"a <-> X b", "score", ""},     {"G a U b", "nore", "n"},
       {"a W F b", "nore", "n"},      {"(F a) M (G b)", "nore", "n"}, {"F<=2 a", "score", "c"},
+      {"Y a", "score", "sc"},        {"a S b", "nscore", "nsc"},     {"O a", "nscore", "nsc"},
+      {"F Y a", "core", "c"},        {"G(a S b)", "nsore", "ns"},
   };
   for (const auto& row : table) {
     Arena arena;

@@ -211,6 +211,46 @@ TEST(Parse, UnknownPropositionsAreRejectedWithTheNearestName) {
   EXPECT_EQ(arena.vocabulary().size(), 2U);
 }
 
+TEST(Parse, UnknownPropositionsBringTheKnownOnesToMind) {
+  const auto message = [](const std::vector<std::string>& known) {
+    Arena arena{Vocabulary(known)};
+    try {
+      parse("F zzzzzz", arena, {.unknown = Unknown::Reject});
+    } catch (const SyntaxError& error) {
+      return std::string(error.what()).substr(0, std::string(error.what()).find('\n'));
+    }
+    return std::string("accepted");
+  };
+  EXPECT_EQ(message({}), "unknown proposition 'zzzzzz'");
+  EXPECT_EQ(message({"a"}), "unknown proposition 'zzzzzz' (known: a)");
+  EXPECT_EQ(message({"a", "b", "c"}), "unknown proposition 'zzzzzz' (known: a, b, c)");
+  EXPECT_EQ(message({"a", "b", "c", "d", "e", "f", "g", "h"}),
+            "unknown proposition 'zzzzzz' (known: a, b, c, d, e, f, g, h)");
+  EXPECT_EQ(message({"a", "b", "c", "d", "e", "f", "g", "h", "i"}),
+            "unknown proposition 'zzzzzz' (known: a, b, c, d, e, f, g, h, …)");
+}
+
+TEST(Parse, TheTextMayEndAnywhere) {
+  const std::string whole = "F[ 1 : 3 ] (a U[<=2] \"b\\\"c\") <-> !X[!] X[w] G<=4 c";
+  Arena arena;
+  parse(whole, arena);
+  for (std::size_t end = 0; end < whole.size(); ++end) {
+    const std::string beginning = whole.substr(0, end);
+    if (end == whole.find(" <->") || end == whole.find(" <->") + 1) continue;
+    EXPECT_THROW(parse(beginning, arena), SyntaxError) << beginning;
+  }
+}
+
+TEST(Parse, AnOpenQuoteIsUnderlinedAlone) {
+  Arena arena;
+  try {
+    parse("F \"sofa", arena);
+    FAIL() << "accepted";
+  } catch (const SyntaxError& error) {
+    EXPECT_STREQ(error.what(), "expected a closing '\"' for this one\n  1 | F \"sofa\n    |   ^");
+  }
+}
+
 std::string repeat(const std::string& piece, std::size_t times) {
   std::string out;
   for (std::size_t i = 0; i < times; ++i) out += piece;

@@ -57,6 +57,7 @@ TEST(ReadWord, SaysWhatIsWrongAndWhere) {
       {"(a)", "expected 'ʷ', '^w' or 'w' behind the cycle of a lasso", 4},
       {"(a)w; b", "expected ';' or the end of the word", 5},
       {"\"a", "expected '\"' at the end of the name", 3},
+      {"\"a\\", "expected '\"' at the end of the name", 4},
       {"\"\"", "a name is never empty", 3},
   };
   for (const auto& row : rows) {

@@ -85,7 +85,9 @@ TEST(Clauses, ProbabilitiesAreThoseOfTheDefinition) {
                                    "a then b and c , d",
                                    "a ; b ; c ; d ; e",
                                    "a and b and c and d and e and f",
-                                   "if a , b , otherwise c and d"};
+                                   "if a , b , otherwise c and d",
+                                   "a , otherwise b , c",
+                                   "otherwise a and b"};
   ltl::Random random(1);
   for (int round = 0; round < 200; ++round)
     for (const std::string text : sentences) {
@@ -150,6 +152,26 @@ TEST(Clauses, AsManyAsAskedForAndNoneTooLong) {
   reader.answers.clear();
   reader.draw = [] { return std::vector<Candidate>{{{forward(1)}, -0.1}}; };
   EXPECT_EQ(by_clauses(reader, endless, 5).size(), 1U);  // the reader's own
+}
+
+TEST(Clauses, TiesAreBrokenByWhatIsListedFirst) {
+  const auto programs = [](const std::vector<Candidate>& candidates) {
+    std::vector<Program> out;
+    for (const Candidate& c : candidates) out.push_back(c.program);
+    return out;
+  };
+  const Candidate one{{forward(1)}, -1}, two{{forward(2)}, -1}, three{{forward(3)}, -1}, four{{forward(4)}, -1};
+  Told reader;
+  reader.answers = {{"a and b ", {}}, {"a ", {one, two}}, {"b ", {three, four}}};
+  const SentenceInput input{{"a", "and", "b"}, false};
+  EXPECT_EQ(programs(by_clauses(reader, input, 2)),
+            (std::vector<Program>{{forward(1), forward(3)}, {forward(1), forward(4)}}));
+  const Candidate less{{forward(2)}, -2};
+  reader.answers = {{"a and b ", {}}, {"a ", {one, less}}, {"b ", {three, four}}};
+  EXPECT_EQ(programs(by_clauses(reader, input, 3)),
+            (std::vector<Program>{{forward(1), forward(3)}, {forward(1), forward(4)}, {forward(2), forward(3)}}));
+  reader.answers = {{"a and b ", {three, one, two}}, {"a ", {}}, {"b ", {}}};
+  EXPECT_EQ(programs(by_clauses(reader, input, 5)), (std::vector<Program>{one.program, two.program, three.program}));
 }
 
 TEST(Clauses, AskedForOnlyWhenDeciding) {

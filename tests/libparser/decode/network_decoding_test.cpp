@@ -92,10 +92,19 @@ TEST(NetworkDecoding, AWideBeamFindsEverythingAndANarrowOneWhatIsLikely) {
       EXPECT_LE(found[i].log_probability, found[i - 1].log_probability);
     }
   }
+  const NetworkSentence* const twice[] = {only, only};
+  pass.encode(small.network, small.network.parameters(), twice);
+  const auto pair = randomised_beam(small.network, pass, twice, masks, 5, 0, small.random);
+  ASSERT_EQ(pair.size(), 2U);
+  EXPECT_EQ(pair[0].size(), pair[1].size());
+  for (std::size_t i = 0; i < std::min(pair[0].size(), pair[1].size()); ++i)
+    EXPECT_EQ(pair[0][i].program, pair[1][i].program);
+  pass.encode(small.network, small.network.parameters(), {&only, 1});
   // With ε = 1 nothing depends on probabilities, and after many draws nothing is left unseen.
   std::set<Program> seen;
   for (int i = 0; i < 2000; ++i) {
     const auto drawn = randomised_beam(small.network, pass, {&only, 1}, masks, 2, 1, small.random);
+    EXPECT_LE(drawn.front().size(), 2U);
     for (const Candidate& c : drawn.front()) seen.insert(c.program);
   }
   EXPECT_GT(seen.size(), 2 * all.size() / 3);

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <map>
 #include <random>
+#include <span>
 
 #include "libparser/corpus/token.hpp"
 #include "libparser/decode/best_first.hpp"
@@ -27,7 +28,8 @@ class Decoding : public ::testing::Test {
     for (const auto& kind : features.by_context)
       for (const auto& step : kind)
         for (std::size_t i = 0; i < step.size(); i += 5) fill(step[i]);
-    for (Token last = 0; last < model.language.grammar().tokens(); ++last) fill(last_token_feature({0, 1, last, 0}));
+    for (std::size_t last = 0; last < model.language.grammar().tokens(); ++last)
+      fill(last_token_feature({0, 1, static_cast<Token>(last), 0}));
     fill(mention_feature({0, 0, 0, 0}));
   }
 
@@ -80,6 +82,41 @@ TEST_F(Decoding, BestFirstGivesTheBestProgramsInOrder) {
     for (const Step& step : best[i].program)
       for (std::uint16_t p : step.literals()) EXPECT_NE(p, 2) << "place_1 is not named";
   }
+}
+
+// A scorer that counts the prefixes it is asked about.
+struct Counted {
+  using Prefix = Scorer::Prefix;
+  static constexpr std::size_t at_once = 1;
+  auto prefixes() { return scorer.prefixes(); }
+  template <class Visit>
+  void log_p(std::span<const Prefix* const> batch, Visit visit) {
+    expanded += batch.size();
+    scorer.log_p(batch, visit);
+  }
+  Scorer& scorer;
+  std::size_t expanded = 0;
+};
+
+TEST_F(Decoding, ExpandsAsManyPrefixesAsAllowed) {
+  Scorer scorer(model, features);
+  for (const std::size_t allowed : {0U, 1U, 2U, 7U, 50U}) {
+    Counted counted{scorer};
+    best_programs(counted, 5'000, allowed);
+    EXPECT_EQ(counted.expanded, allowed);
+  }
+  Counted counted{scorer};
+  const auto best = best_programs(counted, 20);
+  Counted again{scorer};
+  EXPECT_EQ(best_programs(again, 20, counted.expanded).size(), best.size());
+  EXPECT_EQ(again.expanded, counted.expanded) << "no more than what the best programs need";
+}
+
+TEST_F(Decoding, NoProgramIsNoGradient) {
+  Scorer scorer(model, features);
+  TrieScratch scratch;
+  EXPECT_EQ(accumulate_gradient(LinearTrie(), scorer, scratch), 0);
+  scorer.each_gradient([](std::uint64_t, const float*) { ADD_FAILURE() << "a gradient"; });
 }
 
 TEST_F(Decoding, MarginalLikelihoodIsTheSumOverPrograms) {

@@ -30,6 +30,17 @@ TEST(Mentions, AreTheLongestPhrasesAndBecomeSlotsInOrderOfFirstMention) {
   EXPECT_EQ(out.text.scope.slots, 2U);
 }
 
+TEST(Mentions, TiesGoToTheThingThatStandsFirst) {
+  const std::vector<NamedThing> twins{
+      {"lamp_1", {{"lamp"}}}, {"lamp_2", {{"floor", "lamp"}, {"lamp"}}}, {"lamp_3", {{"lamp"}, {"floor", "lamp"}}}};
+  const auto found = find_mentions(tokenize("lamp floor lamp"), twins);
+  ASSERT_EQ(found.size(), 2U);
+  EXPECT_EQ(found[0].thing, 0U);
+  EXPECT_EQ(found[1].thing, 1U);
+  EXPECT_EQ(found[1].begin, 1U);
+  EXPECT_EQ(found[1].end, 3U);
+}
+
 TEST(Mentions, WordsOfFiveLettersMayBeMisspelledUnlessTheyAreWords) {
   EXPECT_EQ(lifted("to the easle"), "to #1");
   EXPECT_EQ(lifted("to the lamb"), "to the lamb");  // four letters
@@ -40,7 +51,8 @@ TEST(Mentions, WordsOfFiveLettersMayBeMisspelledUnlessTheyAreWords) {
 }
 
 TEST(Misspellings, AreOneEditAway) {
-  for (const char* word : {"chair", "chairs", "hair", "chiar", "cha1r", "xchair", "chai", "cair"})
+  for (const char* word :
+       {"chair", "chairs", "hair", "chiar", "cha1r", "xchair", "chai", "cair", "chait", "xhair", "hcair", "chari"})
     EXPECT_TRUE(is_misspelled(word, "chair")) << word;
   for (const char* word : {"hiar", "chaaair", "riach", "ahcri", "", "chaxy"})
     EXPECT_FALSE(is_misspelled(word, "chair")) << word;

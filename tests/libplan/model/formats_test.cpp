@@ -4,7 +4,9 @@
 #include <map>
 #include <nlohmann/json.hpp>
 #include <random>
+#include <string>
 
+#include "libautomata/limit_deterministic/ltl_to_ldba.hpp"
 #include "libltl/diagnostic.hpp"
 #include "libltl/text/parse.hpp"
 #include "libplan/model/formats/read_transition_system.hpp"
@@ -173,6 +175,87 @@ TEST(Jani, AsksForTheTaskOfAProduct) {
   for (const auto& property : jani.at("properties")) properties[property.at("name")] = property.at("expression");
   EXPECT_EQ(properties.at("pmax").at("values").at("op"), "Pmax");
   EXPECT_EQ(properties.at("mincost").at("values").at("reach"), "goal");
+}
+
+TEST(ExplicitProduct, HasTheCoordinatesOfAGrid) {
+  const ltl::Vocabulary names({"a"});
+  const GridWorld grid({.width = 3, .height = 2}, names, {{}, {.label = {ltl::Proposition{0}}}}, {0, 0, 0, 0, 0, 1}, 0);
+  ltl::Arena arena(names);
+  const auto dfa = automata::ltlf_to_dfa(ltl::parse("F a", arena));
+  const TaskTable table(dfa, grid.letters());
+  const StateLabelled product = explicit_product(*ProductMdp<GridWorld>::explore(grid, table));
+  ASSERT_EQ(product.values.variables, (std::vector<std::string>{"x", "y", "task"}));
+  std::map<std::pair<int, int>, std::string> seen;
+  for (std::uint32_t s = 0; s < product.mdp.states(); ++s) {
+    const std::int32_t* values = product.values.values.data() + std::size_t{3} * s;
+    seen[{values[0], values[1]}] = product.mdp.name(s);
+  }
+  ASSERT_EQ(seen.size(), 6U);
+  for (std::int32_t y = 0; y < 2; ++y)
+    for (std::int32_t x = 0; x < 3; ++x) {
+      const std::string place = grid.name(static_cast<std::uint32_t>(3 * y + x));
+      EXPECT_TRUE((seen[{x, y}].starts_with(place + " · "))) << seen[{x, y}] << ", not " << place;
+    }
+}
+
+// Where the automaton may begin in several ways, a state before all others guesses at no cost; -2 marks its variables.
+TEST(ExplicitProduct, GuessesHowTheAutomatonBegins) {
+  std::mt19937 random(21);
+  std::size_t guessed = 0, jumps = 0;
+  for (const char* formula : {"F G a", "G F a | F G b", "F G a | F G b", "(F G a & G F b) | F G !b"})
+    for (int i = 0; i < 5; ++i) {
+      const Mdp model = test::random_mdp(random);
+      ltl::Arena arena(model.letters().vocabulary());
+      const automata::MdpSafe ldba = automata::ltl_to_ldba(ltl::parse(formula, arena));
+      const TaskTable table(ldba, model.letters());
+      const auto product = ProductMdp<Mdp>::explore(model, table);
+      if (product->starts().size() < 2) continue;
+      ++guessed;
+      const StateLabelled unfolded = explicit_product(*product);
+      const Mdp& mdp = unfolded.mdp;
+      EXPECT_EQ(mdp.name(0), "start");
+      ASSERT_EQ(mdp.choices(0), product->starts().size());
+      for (std::uint32_t k = 0; k < mdp.choices(0); ++k) {
+        EXPECT_EQ(mdp.action(0, k), "guess_" + std::to_string(k));
+        EXPECT_EQ(mdp.cost(0, k), 0);
+      }
+      const std::size_t variables = unfolded.values.variables.size();
+      ASSERT_EQ(unfolded.values.values.size(), variables * mdp.states());
+      EXPECT_EQ(unfolded.values.values[0], -2);
+      for (std::uint32_t s = 1; s < mdp.states(); ++s) {
+        EXPECT_GE(unfolded.values.values[s * variables], -1);
+        for (std::uint32_t k = 0; k < mdp.choices(s); ++k) {
+          if (mdp.action(s, k) == "jump") {
+            EXPECT_EQ(mdp.cost(s, k), 0) << "a jump takes no time";
+            ++jumps;
+          }
+        }
+      }
+    }
+  EXPECT_GT(guessed, 0U);
+  EXPECT_GT(jumps, 0U);
+}
+
+// A state without choices stays where it is, at no cost: PRISM knows no ends of runs.
+TEST(ExplicitProduct, StaysAtNoCostWhereNothingIsChosen) {
+  MdpBuilder builder(ltl::Vocabulary({"a"}));
+  const LetterId none = builder.letter({});
+  builder.add_state();
+  builder.add_choice("on", 3);
+  builder.add_outcome(1, none);
+  builder.add_state();
+  const Mdp model = std::move(builder).build(0, none);
+  ltl::Arena arena(model.letters().vocabulary());
+  const auto dfa = automata::ltlf_to_dfa(ltl::parse("F a", arena));
+  const TaskTable table(dfa, model.letters());
+  const Mdp product = explicit_product(*ProductMdp<Mdp>::explore(model, table)).mdp;
+  std::size_t stays = 0;
+  for (std::uint32_t s = 0; s < product.states(); ++s)
+    for (std::uint32_t k = 0; k < product.choices(s); ++k) {
+      EXPECT_EQ(product.cost(s, k), product.action(s, k) == "stay" ? 0 : 3);
+      stays += product.action(s, k) == "stay" ? 1 : 0;
+    }
+  EXPECT_GE(stays, 1U);
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <random>
+#include <set>
 
 #include "libautomata/translation/ltl_to_parity.hpp"
 #include "libltl/structure/random.hpp"
@@ -58,6 +59,32 @@ TEST(ProductGame, OnADeterministicModelIsWonWhereThereIsALasso) {
   }
   EXPECT_GT(won, 30);
   EXPECT_LT(won, 270);
+}
+
+// Colours are counted the other way round, and keep their parity however many there are.
+TEST(ProductGame, KeepsTheParityOfEveryColour) {
+  std::mt19937 random(13);
+  std::set<std::size_t> colours;
+  int won = 0, games = 0;
+  for (const char* formula : {"G F a -> G F b", "G F a & F G b", "(G F a -> G F b) & (G F !b -> G F X a)",
+                              "(G F a & F G !b) | (F G a & G F b)", "(G F (a & b) -> G F (a & !b)) & F G (a | b)"}) {
+    ltl::Arena arena(ltl::Vocabulary({"a", "b"}));
+    const ltl::Formula f = ltl::parse(formula, arena);
+    colours.insert(automata::min_even_parity(automata::ltl_to_dpa(f).automaton().transitions()).acceptance.sets);
+    for (int i = 0; i < 60; ++i) {
+      const Mdp model = first_outcomes(test::random_mdp(random));
+      const CaseAnswer lasso = answer(
+          {"", model, {}}, {.id = "", .formula = formula, .query = CaseTask::Query::LeastLasso}, {.explain = false});
+      const bool wins = is_won(model, f);
+      ASSERT_EQ(wins, lasso.status == CaseAnswer::Status::Solved) << formula << ", trial " << i;
+      won += wins ? 1 : 0;
+      ++games;
+    }
+  }
+  EXPECT_GE(colours.size(), 2U);
+  EXPECT_GE(*colours.rbegin(), 3U);
+  EXPECT_GT(won, games / 10);
+  EXPECT_LT(won, games * 9 / 10);
 }
 
 // From where every outcome of some choice reads b or leads to where that is so again, in the end.

@@ -47,6 +47,7 @@ void expect_bounds(const Decided& decided, double expected, double room, const s
   EXPECT_GE(decided.value.upper, expected - 1e-9) << what;
   EXPECT_LE(decided.value.upper - decided.value.lower, room) << what;
   EXPECT_NEAR(decided.re_evaluated.middle(), expected, 2 * room) << what;
+  EXPECT_LT(decided.sweeps, 1'000'000U) << what;
 }
 
 TEST(Decide, GreatestProbabilitiesOfFormulasAgreeWithTheReferee) {

@@ -102,7 +102,7 @@ TEST(LandmarkTour, ShortestWalksAgreeWithEnumeration) {
   ltl::Random random(10);
   int found = 0;
   for (int i = 0; i < scaled(300); ++i) {
-    const GridWorld grid = testing::random_grid(random);
+    const GridWorld grid = testing::random_grid(random, i % 3 == 0);
     for (bool closed : {false, true}) {
       const double expected = testing::tour_by_enumeration(grid, closed);
       const auto answer = shortest_tour(grid, {"a", "b", "c"}, closed);
@@ -117,6 +117,25 @@ TEST(LandmarkTour, ShortestWalksAgreeWithEnumeration) {
     }
   }
   EXPECT_GT(found, scaled(100));
+}
+
+TEST(LandmarkTour, NamesWhatIsNeverSeen) {
+  ltl::Vocabulary names({"a", "b"});
+  const GridWorld grid({.width = 2, .height = 1}, names, {{}, {.label = {ltl::Proposition{1}}}}, {0, 1}, 0);
+  const auto reason = [&](const std::vector<std::string>& landmarks) {
+    return std::get<NoLandmarkTour>(shortest_tour(grid, landmarks, false).value()).reason;
+  };
+  EXPECT_EQ(reason({"a", "b", "c"}), "never seen from the start: a c");
+  EXPECT_EQ(reason({"c", "b"}), "never seen from the start: c");
+  EXPECT_TRUE(std::holds_alternative<LandmarkTour>(shortest_tour(grid, {"b"}, false).value()));
+}
+
+TEST(LandmarkTour, StopsWhenAsked) {
+  ltl::Random random(10);
+  const GridWorld grid = testing::random_grid(random);
+  std::stop_source source;
+  source.request_stop();
+  for (bool closed : {false, true}) EXPECT_EQ(shortest_tour(grid, {"a"}, closed, source.get_token()), std::nullopt);
 }
 
 }  // namespace

@@ -9,8 +9,8 @@
 
 namespace waymark::plan::testing {
 
-// A random grid with three landmarks, some of them on several cells.
-inline GridWorld random_grid(ltl::Random& random) {
+// A random grid with three landmarks, some of them on several cells; moves cost 1, or as much as their direction says.
+inline GridWorld random_grid(ltl::Random& random, bool costs_differ = false) {
   ltl::Vocabulary vocabulary;
   std::vector<GridCell> palette{{}, {.wall = true}};
   for (const char* name : {"a", "b", "c"}) {
@@ -22,7 +22,10 @@ inline GridWorld random_grid(ltl::Random& random) {
     const std::size_t r = random.below(10);
     cells.push_back(static_cast<std::uint16_t>(r < 5 ? 0 : r < 7 ? 1 : r - 5));
   }
-  return GridWorld({.width = 5, .height = 4}, vocabulary, palette, cells, 0);
+  GridWorld::Shape shape{.width = 5, .height = 4};
+  if (costs_differ)
+    for (double& cost : shape.cost) cost = 1 + static_cast<double>(random.below(5));
+  return GridWorld(shape, vocabulary, palette, cells, 0);
 }
 
 // Walls, hazards x, one-way cells, landmarks a and b; chances and costs by move, some of them nothing.
@@ -54,7 +57,7 @@ inline std::vector<std::vector<double>> distances(const GridWorld& grid) {
   const std::size_t n = grid.states();
   std::vector<std::vector<double>> d(n, std::vector<double>(n, INFINITY));
   for (std::uint32_t s = 0; s < n; ++s)
-    for (std::uint32_t k = 0; k < 4; ++k) d[s][grid.move(s, k)] = 1;
+    for (std::uint32_t k = 0; k < 4; ++k) d[s][grid.move(s, k)] = std::min(d[s][grid.move(s, k)], grid.cost(s, k));
   for (std::size_t m = 0; m < n; ++m)
     for (std::size_t s = 0; s < n; ++s)
       for (std::size_t t = 0; t < n; ++t) d[s][t] = std::min(d[s][t], d[s][m] + d[m][t]);

@@ -1,0 +1,83 @@
+#!/usr/bin/env python3
+"""test_run.py: the mutation tests on a toy source, whose mutants are known: what is killed, what survives, what is not
+reached. Exit code 77: libclang or GoogleTest is missing."""
+import subprocess
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+sys.dont_write_bytecode = True
+sys.path.insert(0, str(Path(__file__).resolve().parent))
+import finding
+import reasons
+import run
+
+SCRIPT = Path(run.__file__)
+
+
+def mutation_tests(scratch, *options):
+    return subprocess.run([sys.executable, "-B", SCRIPT, scratch, "--toy", *options], stdout=subprocess.PIPE, text=True,
+                          check=False)
+
+
+def results(scratch):
+    lines = [line.split("\t") for line in (Path(scratch) / "results.tsv").read_text().splitlines()[1:]]
+    return [dict(zip(run.COLUMNS, cells)) for cells in lines]
+
+
+class Toy(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.scratch = tempfile.TemporaryDirectory(prefix="waymark-mutation-")
+        cls.done = mutation_tests(cls.scratch.name)
+        cls.results = results(cls.scratch.name)
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.scratch.cleanup()
+
+    def verdicts(self, before):
+        return {(result["kind"], result["verdict"]) for result in self.results if result["before"] == before}
+
+    def test_ends_well(self):
+        self.assertEqual(self.done.returncode, 0, self.done.stdout)
+
+    def test_finds_every_mutant_once(self):
+        self.assertEqual(len(self.results), 10)
+
+    def test_a_tested_comparison_is_killed(self):
+        self.assertEqual(self.verdicts("low <= x"), {("<=", "killed")})
+        self.assertEqual(self.verdicts("low <= x && x < high"), {("&&", "killed")})
+
+    def test_an_untested_bound_survives(self):
+        self.assertEqual(self.verdicts("x > 100"), {(">", "survived"), ("condition", "survived")})
+
+    def test_what_nothing_calls_is_not_reached(self):
+        self.assertEqual(self.verdicts("!given"), {("not", "not reached")})
+
+    def test_a_run_goes_on_where_it_was(self):
+        self.assertIn(" 0 to be run", mutation_tests(self.scratch.name).stdout)
+        self.assertEqual(len(results(self.scratch.name)), 10)
+
+    def test_a_reason_is_found_by_place_kind_and_code(self):
+        mutant = finding.Mutant("some.cpp", 3, 7, "<", 0, 0, "x <\n  y", "x <= y", None, False)
+        path = Path(self.scratch.name) / "survivors.md"
+        path.write_text(f"# Why\n\n## Ties\n\nThey are equal.\n\n{reasons.item(mutant)}\n")
+        self.assertEqual(reasons.reason_of(reasons.read(path), mutant), "Ties")
+        self.assertIsNone(reasons.reason_of(reasons.read(path), mutant._replace(kind="<=")))
+        self.assertIsNone(reasons.reason_of(reasons.read(path), mutant._replace(line=4)))
+
+    def test_the_sample_is_that_of_the_seed(self):
+        mutants = {number: ("one" if number < 50 else "other", None) for number in range(1, 200)}
+        chosen = run.sample(mutants, 120, 1)
+        self.assertEqual(chosen, run.sample(mutants, 120, 1))
+        self.assertEqual(len(chosen), 120)
+        self.assertEqual(sum(number < 50 for number in chosen), 49)  # no more than there are
+
+
+if __name__ == "__main__":
+    if not finding.available:
+        print("skipped: the Python bindings of libclang are missing (Debian: python3-clang-14)")
+        sys.exit(77)
+    unittest.main(verbosity=2)
