@@ -7,10 +7,12 @@
 #include <algorithm>
 #include <cmath>
 #include <deque>
+#include <span>
 #include <stdexcept>
 #include <utility>
 
 #include "libplan/solve/end_components.hpp"
+#include "libplan/solve/least_steps.hpp"
 #include "libplan/solve/reachability.hpp"
 #include "libplan/solve/value_iteration.hpp"
 
@@ -62,8 +64,10 @@ struct WinningRegion {
 
 // Backwards from `from`, nearest first: a state joins by that choice among the `good` ones which most likely leads to
 // what was attracted before it. (Some chance would do for arriving in the end; against the drift it may take for ever.)
+// `order`: the states in the order in which they join.
 template <class Product, class Good>
-StateSet attractor(const Product& product, const StateSet& from, Strategy& strategy, const Good& good) {
+StateSet attractor(const Product& product, const StateSet& from, Strategy& strategy, const Good& good,
+                   std::vector<std::uint32_t>* order = nullptr) {
   StateSet attracted = from;
   std::deque<typename Product::Compact> queue;  // of those whose predecessors have not been looked at
   product.for_each_state([&](const auto& s) {
@@ -86,6 +90,7 @@ StateSet attractor(const Product& product, const StateSet& from, Strategy& strat
     product.for_each_predecessor(product.state(queue.front()), [&](const auto& source) {
       if (attracted[source.index] || !look_at(source)) return;
       attracted[source.index] = true;
+      if (order != nullptr) order->push_back(source.index);
       queue.push_back(product.compact(source));
     });
   return attracted;
@@ -121,44 +126,6 @@ double action_value(const Product& product, const typename Product::State& s, st
   return sum;
 }
 
-// Of the good choices of the unknown states, those by which a run ends soonest: least expected steps, by sweeps until
-// these hardly change. Good choices may lead back and forth almost for ever where all that can go wrong lies far away;
-// what is lost in a step for want of a digit is then lost in every step of them.
-template <class Product, class Good>
-void hurry(const Product& product, const Unknowns& unknowns, const Good& good, const std::stop_token& stop,
-           Strategy& strategy) {
-  constexpr int most_sweeps = 1'000;
-  constexpr float settled = 1e-3F;
-  constexpr std::uint32_t remembered = 8;  // choices of a state that are judged once
-  std::vector<std::uint8_t> judged(product.states(), 0);
-  product.for_each_state([&](const auto& s) {
-    if (!unknowns.unknown[s.index]) return;
-    for (std::uint32_t k = 0; k < std::min(product.choices(s), remembered); ++k)
-      if (good(s, k)) judged[s.index] = static_cast<std::uint8_t>(judged[s.index] | 1U << k);
-  });
-  std::vector<float> steps(product.states(), 0);
-  float change = INFINITY;
-  for (int sweep = 0; sweep < most_sweeps && change > settled && !stop.stop_requested(); ++sweep) {
-    change = 0;
-    product.for_each_state([&](const auto& s) {
-      if (!unknowns.unknown[s.index]) return;
-      float least = INFINITY;
-      for (std::uint32_t k = 0; k < product.choices(s); ++k) {
-        if (k < remembered ? (judged[s.index] >> k & 1U) == 0 : !good(s, k)) continue;
-        float sum = 1;
-        product.for_each_outcome(s, k, [&](std::uint32_t t, double p, bool) {
-          if (t != Product::trap) sum += static_cast<float>(p) * steps[t];
-        });
-        if (sum >= least) continue;
-        least = sum;
-        strategy.choice.set(s.index, k);
-      }
-      change = std::max(change, std::abs(least - steps[s.index]) / least);
-      steps[s.index] = least;
-    });
-  }
-}
-
 enum class Among : std::uint8_t { Nearest, Swiftest };  // which of the good choices
 
 // The choices of the unknown states: worth their value but for a little slack, and making progress. False: there are
@@ -171,11 +138,12 @@ bool choose(const Product& product, const Unknowns& unknowns, const std::vector<
     const double value = values[s.index], offered = action_value<measure>(product, s, k, unknowns, values);
     return measure == Measure::MaxProbability ? offered >= value * (1 - slack) : offered <= value * (1 + slack);
   };
-  const StateSet attracted = attractor(product, unknowns.targets, strategy, good);
+  std::vector<std::uint32_t> order;
+  const StateSet attracted =
+      attractor(product, unknowns.targets, strategy, good, among == Among::Swiftest ? &order : nullptr);
   for (std::uint32_t i = 0; i < product.states(); ++i)
     if (unknowns.unknown[i] && !attracted[i]) return false;
-  if (among == Among::Swiftest) hurry(product, unknowns, good, stop, strategy);
-  return true;
+  return among == Among::Nearest || hurry(product, order, good, stop, strategy);
 }
 
 // The choice of least probability, of every unknown state: any that attains it will do.
@@ -290,23 +258,14 @@ void tighten(Decided& decided) {
 // strategy that was evaluated and found good that counts.
 template <Measure measure, class Product>
 bool choose_and_evaluate(const Product& product, const Unknowns& unknowns, const std::vector<double>& attained,
-                         const StateSet& kept, const IterationOptions& limits, Decided& out) {
+                         const StateSet& kept, const IterationOptions& limits, bool last, Decided& out) {
   IterationOptions limited = limits;
   limited.sweeps = 20'000;
-  constexpr bool first = measure == Measure::MaxProbability;
-  const std::pair<Among, double> attempts[] = {{first ? Among::Swiftest : Among::Nearest, 1e-10},
-                                               {Among::Swiftest, 1e-9},
-                                               {Among::Swiftest, 1e-12},
-                                               {Among::Nearest, 1e-10},
-                                               {Among::Nearest, 1e-12},
-                                               {Among::Nearest, 1e-14},
-                                               {Among::Nearest, 1e-15},
-                                               {Among::Swiftest, 1e-8},
-                                               {Among::Nearest, 1e-8},
-                                               {Among::Nearest, 1e-7},
-                                               {Among::Nearest, 1e-6},
-                                               {Among::Nearest, 1e-5}};
-  for (const auto& [among, slack] : attempts) {
+  constexpr std::pair<Among, double> attempts[] = {
+      {Among::Nearest, 1e-10}, {Among::Swiftest, 1e-10}, {Among::Swiftest, 1e-12}, {Among::Swiftest, 1e-8},
+      {Among::Nearest, 1e-12}, {Among::Nearest, 1e-14},  {Among::Nearest, 1e-15},  {Among::Nearest, 1e-8},
+      {Among::Nearest, 1e-7},  {Among::Nearest, 1e-6},   {Among::Nearest, 1e-5}};
+  for (const auto& [among, slack] : std::span(attempts).first(last ? std::size(attempts) : 2)) {
     if (!choose<measure>(product, unknowns, attained, among, slack, limits.stop, out.strategy)) continue;
     const auto found = evaluate<measure>(product, out.strategy, kept, limited, &attained);
     if (limits.stop.stop_requested()) return false;
@@ -353,7 +312,15 @@ std::optional<Decided> decide(const Product& product, const WinningRegion<Produc
     attractor(product, winning.states, out.strategy, [&](const auto& s, std::uint32_t k) {
       return unknowns.targets[s.index] && !winning.states[s.index] && all_outcomes_in(product, s, k, unknowns.targets);
     });
-  if (!choose_and_evaluate<measure>(product, unknowns, values->attained, kept, limits, out)) return std::nullopt;
+  if (!choose_and_evaluate<measure>(product, unknowns, values->attained, kept, limits, false, out)) {
+    // Values that are not final slope the wrong way where they are all but equal.
+    IterationOptions finer = limits;
+    finer.tolerance = std::max(1e-12, limits.tolerance * 1e-4);
+    auto final = ValueIteration<Product, measure>(product, unknowns, finer, {.bounds = &kept, .attained = true}).run();
+    if (final) values = std::move(final);
+    if (!choose_and_evaluate<measure>(product, unknowns, values->attained, kept, limits, true, out))
+      return std::nullopt;
+  }
   if (limits.keep_values) out.values = std::move(values->attained);
   return out;
 }

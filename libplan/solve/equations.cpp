@@ -160,7 +160,7 @@ Equations::Policy Equations::progress() const {
 // those that go on. Among equals those are taken by which the run ends soonest: least expected steps, by sweeps.
 Equations::Policy Equations::greedy() const {
   constexpr double slack = 1e-9, settled = 1e-3;
-  constexpr int most_sweeps = 300;
+  constexpr int most_sweeps = 2'000;
   Policy policy(rows());
   std::vector<double> steps(rows(), 0);
   std::vector<bool> good(choices());

@@ -66,8 +66,12 @@ int wait_for(pid_t child) {
   return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
 }
 
+// Without the unfinished file that a killed write leaves behind.
 std::size_t files_in(const fs::path& directory) {
-  return fs::exists(directory) ? static_cast<std::size_t>(std::distance(fs::directory_iterator(directory), {})) : 0;
+  if (!fs::exists(directory)) return 0;
+  return static_cast<std::size_t>(std::count_if(fs::directory_iterator(directory), {}, [](const auto& entry) {
+    return entry.path().filename().string().rfind(".waymark.", 0) != 0;
+  }));
 }
 
 std::string contents(const fs::path& file) {
