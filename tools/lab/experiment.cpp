@@ -145,8 +145,6 @@ void add_system_options(Command command, CompareSystemsOptions& options) {
   command.add_flag("--json", options.json, "one JSON object");
 }
 
-}  // namespace
-
 struct Recorded {  // an experiment that is its transcript
   const char *name, *summary;
 };
@@ -155,6 +153,8 @@ constexpr Recorded all_recorded[] = {
     {"noisy-grids", "probabilities and costs on noisy grids: sizes and proved values (a minute)"},
     {"routes", "ten waypoints on large grids: what search meets (half a minute)"},
 };
+
+}  // namespace
 
 Runner setup_experiment(Command command) {
   const auto feedback = std::make_shared<FeedbackTableOptions>();
@@ -169,7 +169,6 @@ Runner setup_experiment(Command command) {
   add_system_options(comparison, *systems);
   const auto again = std::make_shared<RerunOptions>();
   add_rerun_options(costs, *again);
-  add_rerun_options(comparison, *again);
   std::vector<Command> recorded;
   for (const Recorded& one : all_recorded) {
     recorded.push_back(command.add_subcommand(one.name, one.summary));
@@ -179,11 +178,7 @@ Runner setup_experiment(Command command) {
   return [=](const Session& session) {
     for (std::size_t i = 0; i < recorded.size(); ++i)
       if (recorded[i].parsed()) again->name = all_recorded[i].name;
-    if (again->check && again->name.empty()) {
-      again->name = comparison.parsed() ? "compare-systems" : "feedback-cost";
-      again->corpus = systems->corpus;
-      again->data = systems->data;
-    }
+    if (again->check && again->name.empty()) again->name = "feedback-cost";
     if (!again->name.empty()) return rerun(*again, session);
     return comparison.parsed() ? compare_systems(*systems, session) : run_feedback_table(*feedback, session);
   };

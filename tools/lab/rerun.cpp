@@ -65,7 +65,6 @@ class Rerun {
       : options_(options),
         session_(session),
         transcript_(data_directory(options.data) / "experiments" / (options.name + ".transcript")),
-        corpus_(options.corpus.empty() ? fs::path() : fs::absolute(options.corpus)),
         steps_(parse_transcript(read_file(transcript_.string()), transcript_.string())) {}
 
   ExitCode run() {
@@ -85,9 +84,7 @@ class Rerun {
 
  private:
   void repeat(const TranscriptStep& step) {
-    std::vector<std::string> arguments;
-    for (const std::string& word : step.arguments) arguments.push_back(word == "$CORPUS" ? corpus() : word);
-    const Finished finished = run_helper(waymark_, arguments, "");
+    const Finished finished = run_helper(waymark_, step.arguments, "");
     if (!step.output.empty()) write_file(step.output, finished.output);
     const std::vector<std::string> now = step.output.empty() ? lines_of(finished.output) : std::vector<std::string>();
     if (!options_.check) {
@@ -112,15 +109,11 @@ class Rerun {
                 << "  now   " << (i < now.size() ? now[i] : "nothing") << std::endl;
     }
   }
-  std::string corpus() const {
-    if (corpus_.empty()) throw UsageError("the experiment learns from a corpus: give its directory by --corpus");
-    return corpus_.string();
-  }
 
   const RerunOptions& options_;
   const Session& session_;
   std::chrono::steady_clock::time_point begun_ = std::chrono::steady_clock::now();
-  fs::path waymark_ = waymark(), transcript_, corpus_;
+  fs::path waymark_ = waymark(), transcript_;
   std::vector<TranscriptStep> steps_;
   std::size_t same_ = 0, differ_ = 0;
 };

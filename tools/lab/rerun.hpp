@@ -12,15 +12,13 @@ struct RerunOptions {
   std::string name;    // of the experiment
   bool check = false;  // say what differs from the transcript, not what the commands print
   bool fast = false;   // stop at the line "# slow"
-  std::string corpus;  // what $CORPUS stands for in commands
   std::string data;    // as --data
 };
 
 void add_rerun_options(Command command, RerunOptions& options);
 
 // In a temporary directory that is removed. Done when all lines agree, No when one differs. Throws ltl::FormatError
-// for a transcript that is not there or cannot be read, UsageError when it asks for a corpus and there is none,
-// Interrupted.
+// for a transcript that is not there or cannot be read, Interrupted.
 ExitCode rerun(const RerunOptions& options, const Session& session);
 
 }  // namespace waymark::tools
