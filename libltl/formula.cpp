@@ -190,6 +190,9 @@ Formula since(Formula left, Formula right) {
 Formula weak_yesterday(Formula f) { return negate(yesterday(negate(f))); }
 Formula once(Formula f) { return since(f.arena().constant(true), f); }
 Formula historically(Formula f) { return negate(once(negate(f))); }
-Formula triggered(Formula left, Formula right) { return negate(since(negate(left), negate(right))); }
+Formula triggered(Formula left, Formula right) {
+  const Formula not_right = negate(right);
+  return negate(since(negate(left), not_right));
+}
 
 }  // namespace waymark::ltl

@@ -29,8 +29,9 @@ class Cover {
     const auto [upper0, upper1] = cofactors(upper, v);
     const Node low = under({v, false}, logic_.conjunction(lower0, logic_.negate(upper1)), upper0);
     const Node high = under({v, true}, logic_.conjunction(lower1, logic_.negate(upper0)), upper1);
-    const Node rest = logic_.disjunction(logic_.conjunction(lower0, logic_.negate(low)),
-                                         logic_.conjunction(lower1, logic_.negate(high)));
+    const Node rest1 = logic_.conjunction(lower1, logic_.negate(high));
+    const Node rest0 = logic_.conjunction(lower0, logic_.negate(low));
+    const Node rest = logic_.disjunction(rest0, rest1);
     const Node both = between(rest, logic_.conjunction(upper0, upper1));
     return logic_.disjunction(logic_.if_then_else(logic_.variable(v), high, low), both);
   }

@@ -114,7 +114,8 @@ Residuals::Node Residuals::residual_of(ltl::Formula f, const std::vector<ltl::Pr
       case Op::Until: return split(g, [&](Formula h) { return until(image.at(g[0]), image.at(h)); });
       case Op::Release:
         return split(g, [&](Formula h) {
-          return logic_.negate(until(logic_.negate(image.at(g[0])), logic_.negate(image.at(h))));
+          const Node not_h = logic_.negate(image.at(h));
+          return logic_.negate(until(logic_.negate(image.at(g[0])), not_h));
         });
       case Op::Yesterday:
       case Op::Since: break;  // without_past comes first

@@ -183,8 +183,16 @@ class Construction {
       }
       case Op::Next:
       case Op::WeakNext: return one(f[0], {});
-      case Op::Until: return either(successors(f[1]), both(successors(f[0]), one(f, promise(f))));
-      case Op::Release: return both(successors(f[1]), either(successors(f[0]), one(f, {})));
+      case Op::Until: {
+        const Node later = one(f, promise(f));
+        const Node kept = both(successors(f[0]), later);
+        return either(successors(f[1]), kept);
+      }
+      case Op::Release: {
+        const Node later = one(f, {});
+        const Node kept = either(successors(f[0]), later);
+        return both(successors(f[1]), kept);
+      }
       case Op::Yesterday:
       case Op::Since:  // without_past comes first
       case Op::Iff: break;

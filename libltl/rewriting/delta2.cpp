@@ -188,7 +188,8 @@ class Normalization {
       const Formula promise = always(eventually((*u)[1]));
       const Formula often = wait({replaced(w.kept, *u, waited((*u)[0], (*u)[1])), w.goal, w.meets});
       const Formula late = wait({replaced(w.kept, *u, constant(false)), constant(false), false});
-      return disjunction(conjunction(promise, often), awaited(w.kept, disjunction(w.end(), late)));
+      const Formula soon = awaited(w.kept, disjunction(w.end(), late));
+      return disjunction(conjunction(promise, often), soon);
     }
     if (!outermost(w.goal, Op::Until)) return w.weak();
     const Formula strong = w.strong();

@@ -13,8 +13,10 @@ struct Both {  // normal forms of φ and of ¬φ
 
 Both of_iff(Both a, Both b, bool expand) {
   if (!expand) return {iff(a.yes, b.yes), exclusive_or(a.yes, b.yes)};
-  return {disjunction(conjunction(a.yes, b.yes), conjunction(a.no, b.no)),
-          disjunction(conjunction(a.yes, b.no), conjunction(a.no, b.yes))};
+  const Formula neither = conjunction(a.no, b.no), both = conjunction(a.yes, b.yes);
+  const Formula yes = disjunction(both, neither);
+  const Formula second = conjunction(a.no, b.yes), first = conjunction(a.yes, b.no);
+  return {yes, disjunction(first, second)};
 }
 
 Both of_junction(Formula f, const std::vector<Both>& operands) {

@@ -145,7 +145,10 @@ class Denotation {
     switch (action) {
       case TurnLeft: return times(TurnedLeft, 1);
       case TurnRight: return times(TurnedRight, 1);
-      case TurnAround: return ltl::disjunction(times(TurnedLeft, 2), times(TurnedRight, 2));
+      case TurnAround: {
+        const Formula by_right = times(TurnedRight, 2);
+        return ltl::disjunction(times(TurnedLeft, 2), by_right);
+      }
       default: return times(Moved, count);
     }
   }
@@ -212,7 +215,8 @@ class Denotation {
 
   Formula if_else() {
     const Formula condition = formula(), then = formula(), otherwise = formula();
-    return ltl::disjunction(ltl::conjunction(condition, then), ltl::conjunction(ltl::negate(condition), otherwise));
+    const Formula without = ltl::conjunction(ltl::negate(condition), otherwise);
+    return ltl::disjunction(ltl::conjunction(condition, then), without);
   }
 
   std::span<const LiftedSymbol> lifted_;

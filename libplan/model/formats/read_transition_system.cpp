@@ -48,7 +48,8 @@ class Reader {
           next[m] = edge.to;
           if (++choices > most_choices) throw ltl::FormatError(source_, 0, 0, "expected at most 10,000,000 moves");
           builder.add_choice(action.name, action.weight);
-          builder.add_outcome(number(next), builder.letter(letter_of(next)));
+          const LetterId letter = builder.letter(letter_of(next));
+          builder.add_outcome(number(next), letter);
         }
     }
     const LetterId first = builder.letter(letter_of(start));
