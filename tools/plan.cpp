@@ -13,6 +13,7 @@
 #include "tools/answer.hpp"
 #include "tools/picture.hpp"
 #include "tools/plan_case.hpp"
+#include "tools/plan_properties.hpp"
 #include "tools/plan_walk.hpp"
 #include "tools/shell/batch.hpp"
 #include "tools/shell/noise.hpp"
@@ -181,6 +182,12 @@ void check(const PlanCommandOptions& options) {
   if (map && !choice.strategy.empty()) throw UsageError("--strategy goes with --case and --model");
   if (choice.model.empty() && (choice.strategy_format != "waymark" || !choice.scheduler.empty()))
     throw UsageError("--strategy-format prism and storm, and --scheduler, go with --model");
+  if (choice.model.empty() && !(choice.constants + choice.rewards + choice.properties).empty())
+    throw UsageError("--const, --rewards and --properties go with --model");
+  if (!choice.properties.empty() &&
+      (gives_formula(options) || !options.automaton.empty() || !choice.query.empty() || !choice.rewards.empty() ||
+       !choice.strategy.empty() || !choice.scheduler.empty() || choice.top > 1))
+    throw UsageError("--properties goes with --model, --const, --tolerance and limits only: they bring what is asked");
   if (!options.tree.empty() && choice.top > 1) throw UsageError("--behavior-tree is for one plan");
   if (map && choice.top > 1 && (is_infinite(options) || !options.svg.empty() || !options.hoa.empty()))
     throw UsageError("--top is for routes, without --svg, --hoa and --semantics infinite");
@@ -198,6 +205,7 @@ ExitCode run_plan(const PlanCommandOptions& options, const Session& session) {
       throw UsageError("a planning case brings its own formulas; --model takes others");
     return plan_case(choice, session);
   }
+  if (!choice.properties.empty()) return plan_properties(choice, session);
   if (!choice.model.empty())
     return plan_model(read_model(choice, options.start, session.stop), choice, options.text, session);
   if (options.noise.given()) return plan_model(noisy_map(options), choice, options.text, session);

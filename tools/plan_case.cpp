@@ -108,6 +108,7 @@ std::string in_words(plan::CaseTask::Query query) {
     case Query::MaxProbability: return "greatest probability";
     case Query::MinProbability: return "least probability";
     case Query::MinCost: return "least expected cost";
+    case Query::MaxCost: return "greatest expected cost";
     case Query::MinSteps: return "least cost";
     case Query::MinCycle: return "least cycle";
     case Query::LeastLasso: return "least lasso";
@@ -248,6 +249,7 @@ plan::CaseTask task_of(const Text& text, const CaseChoice& choice) {
                : choice.query == "pmax"       ? Query::MaxProbability
                : choice.query == "pmin"       ? Query::MinProbability
                : choice.query == "rmin"       ? Query::MinCost
+               : choice.query == "rmax"       ? Query::MaxCost
                : choice.query == "lasso"      ? Query::LeastLasso
                : choice.query == "discounted" ? Query::Discounted
                                               : Query::MinSteps;
@@ -255,75 +257,13 @@ plan::CaseTask task_of(const Text& text, const CaseChoice& choice) {
   return task;
 }
 
-// What some queries take, and what is answered besides the value.
-void add_answer_options(Command command, CaseChoice& choice) {
-  command.add_option("--discount", choice.discount, "of query discounted, for every action after the first")
-      .between(0.0, 1.0)
-      .show_default();
-  command
-      .add_option("--order", choice.order,
-                  "of lassos: least prefix, then cycle; least cycle, then prefix; least mean cost a round of "
-                  "the cycle, then prefix")
-      .one_of({"prefix", "cycle", "mean"})
-      .show_default();
-  command.add_option("--top", choice.top, "the K cheapest routes").type_name("K").between(1, 100'000).show_default();
-  command
-      .add_option("--strategy", choice.strategy,
-                  "with --case and --model: write what to do in every state that is met, JSON lines; - is "
-                  "standard output")
-      .type_name("FILE");
-  command
-      .add_option("--strategy-format", choice.strategy_format,
-                  "with --strategy and --model: as PRISM's -exportstrat or Storm's --exportscheduler writes it")
-      .one_of({"waymark", "prism", "storm"})
-      .show_default();
-  command
-      .add_option("--scheduler", choice.scheduler,
-                  "with --model: the value of this scheduler of PRISM or Storm, as a Markov chain")
-      .type_name("FILE");
-}
-
 }  // namespace
-
-plan::LassoOrder order_of(const std::string& name) {
-  if (name == "cycle") return plan::LassoOrder::Cycle;
-  return name == "mean" ? plan::LassoOrder::Mean : plan::LassoOrder::Prefix;
-}
-
-void add_case_options(Command command, CaseChoice& choice) {
-  command = command.in("Other models than a map, and what may fail");
-  command.add_option("--case", choice.file, "a planning case (ltlgrid/1 or ltlmap/1) instead of a formula and a map")
-      .type_name("FILE");
-  command
-      .add_option("--model", choice.model,
-                  "a formula's value on another model than a map: PRISM's FILE.nm or FILE.tra, roads (FILE.osm, "
-                  "FILE.geojson, FILE.graphml), a street graph or planning case (JSON), a transition system (YAML)")
-      .type_name("FILE");
-  command
-      .add_option("--query", choice.query,
-                  "with --model: greatest or least probability, least expected cost until the formula is sure to "
-                  "hold; steps: least cost of a finite word; lasso: a walk without end; discounted: greatest "
-                  "expected "
-                  "reward")
-      .one_of({"pmax", "pmin", "rmin", "steps", "lasso", "discounted"})
-      .show_default();
-  add_answer_options(command, choice);
-  command.add_option("--task", choice.task, "with --case: this task only").type_name("ID");
-  command.add_option("--method", choice.method, "with --case: how it is solved; best picks by model and query")
-      .one_of({"best", "search", "vi", "pi"})
-      .show_default();
-  command
-      .add_option("--tolerance", choice.tolerance,
-                  "with --case: proved error of values, absolute for probabilities, relative for costs")
-      .between(1e-12, 1.0)  // doubles carry no less
-      .show_default();
-  add_work_limits(command, choice.limits, "a formula or task, or the reading of a model");
-}
 
 plan::PlanningCase read_model(const CaseChoice& choice, const std::string& start, const std::stop_token& stop) {
   const ltl::Watch watch(granted(choice.limits), stop);
   try {
-    return plan::read_model(choice.model, start, {.states = plan::most_model_states, .stop = watch.token()});
+    return plan::read_model(choice.model, start, {.states = plan::most_model_states, .stop = watch.token()},
+                            {constants_of(choice.constants), choice.rewards});
   } catch (const plan::ReadingStopped&) {
     if (watch.overrun() == ltl::Overrun::None) throw Interrupted();
     throw GaveUp("gave up: " + choice.model + " has more states than were found in " +

@@ -16,6 +16,7 @@
 #include "libplan/product/alphabet_classes.hpp"
 #include "libplan/solve/discounted.hpp"
 #include "libplan/solve/drop_conjuncts.hpp"
+#include "libplan/solve/greatest_cost.hpp"
 #include "libplan/solve/landmark_tour.hpp"
 #include "libplan/solve/least_routes.hpp"
 #include "libplan/solve/product_search.hpp"
@@ -263,6 +264,7 @@ class TaskSolver {
       throw std::invalid_argument("query discounted is answered by method vi");
     answer_.method =
         options_.method == CaseMethod::PolicyIteration ? CaseMethod::PolicyIteration : CaseMethod::ValueIteration;
+    if (task_.query == Query::MaxCost) return tell_greatest_cost(*product, clock);
     const auto found = decided(*product, negated);
     answer_.seconds.solve = clock.lap();
     if (!found) throw Spent{"the bounds did not meet within the limits"};
@@ -273,6 +275,16 @@ class TaskSolver {
     if (is_reward() && answer_.value.upper == 0) infeasible(0);
     if (options_.strategy && answer_.status == Status::Solved && !product->starts().empty())
       answer_.strategy = {automaton, decisions(*product, found->strategy), told(found->re_evaluated)};
+  }
+  // Of a strategy that is to be feared there is nothing to write down.
+  void tell_greatest_cost(const ProductMdp<Model>& product, Clock& clock) {
+    if (options_.strategy || options_.method == CaseMethod::PolicyIteration)
+      throw std::invalid_argument("query rmax is answered by method vi, without a strategy");
+    const auto found = greatest_cost(product, {.tolerance = options_.tolerance, .stop = options_.stop});
+    answer_.seconds.solve = clock.lap();
+    if (!found) throw Spent{"the bounds did not meet within the limits"};
+    answer_.status = Status::Solved;
+    answer_.value = *found;
   }
   bool is_reward() const { return task_.query == Query::MaxProbability || task_.query == Query::Discounted; }
 

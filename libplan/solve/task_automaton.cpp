@@ -60,7 +60,9 @@ ltl::Formula with_strong_nexts(ltl::Formula f) {
   return image.at(normal);
 }
 
-bool asks_for_prefix(Query query) { return query == Query::MinCost || query == Query::Discounted; }
+bool asks_for_prefix(Query query) {
+  return query == Query::MinCost || query == Query::MaxCost || query == Query::Discounted;
+}
 
 // Runs a construction that may run out of budget.
 template <class Construct>

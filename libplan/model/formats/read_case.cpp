@@ -18,9 +18,10 @@ using Value = JsonReader::Value;
 template <typename Enum, std::size_t N>
 using Names = std::array<std::pair<std::string_view, Enum>, N>;
 
-constexpr Names<CaseTask::Query, 7> queries{{{"pmax", CaseTask::Query::MaxProbability},
+constexpr Names<CaseTask::Query, 8> queries{{{"pmax", CaseTask::Query::MaxProbability},
                                              {"pmin", CaseTask::Query::MinProbability},
                                              {"rmin", CaseTask::Query::MinCost},
+                                             {"rmax", CaseTask::Query::MaxCost},
                                              {"steps", CaseTask::Query::MinSteps},
                                              {"cycle", CaseTask::Query::MinCycle},
                                              {"lasso", CaseTask::Query::LeastLasso},

@@ -17,6 +17,7 @@ struct CaseTask {                    // a question about a model
     MaxProbability,                  // pmax
     MinProbability,                  // pmin
     MinCost,                         // rmin: least expected cost until the prefix is good
+    MaxCost,                         // rmax: greatest expected cost until the prefix is good
     MinSteps,                        // steps: least cost of a finite trace that satisfies the formula
     MinCycle,                        // cycle: least cost of a closed walk
     LeastLasso,  // lasso: a walk without end that satisfies the formula, of least cost in some order

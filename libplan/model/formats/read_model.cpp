@@ -1,5 +1,8 @@
 #include "libplan/model/formats/read_model.hpp"
 
+#include <algorithm>
+#include <iterator>
+
 #include "libltl/diagnostic.hpp"
 #include "libltl/text/read_text.hpp"
 #include "libplan/model/formats/read_geojson.hpp"
@@ -20,11 +23,16 @@ bool is_case(std::string_view text, std::string_view source) {
 
 }  // namespace
 
-PlanningCase read_model(const std::filesystem::path& file, std::string_view start, const ltl::Limits& limits) {
+PlanningCase read_model(const std::filesystem::path& file, std::string_view start, const ltl::Limits& limits,
+                        const PrismOptions& prism) {
   const std::string name = file.stem().string(), source = file.string();
   const auto no_start = [&] {
     if (!start.empty()) throw ltl::FormatError(source, 0, 0, "this model says itself where it starts");
   };
+  constexpr std::string_view other_kinds[] = {".tra", ".osm", ".geojson", ".graphml", ".json", ".yaml", ".yml"};
+  if ((!prism.constants.empty() || !prism.rewards.empty()) &&
+      std::find(std::begin(other_kinds), std::end(other_kinds), file.extension().string()) != std::end(other_kinds))
+    throw ltl::FormatError(source, 0, 0, "constants and rewards are chosen for models in the language of PRISM");
   if (file.extension() == ".tra") {
     no_start();
     return {name, read_prism_explicit(file), {}};
@@ -38,7 +46,7 @@ PlanningCase read_model(const std::filesystem::path& file, std::string_view star
   if (file.extension() == ".yaml" || file.extension() == ".yml")
     return {name, parse_transition_system(text, source), {}};
   if (file.extension() == ".json") return parse_case(text, source);
-  return {name, parse_prism(text, source, limits), {}};
+  return {name, parse_prism(text, source, limits, prism), {}};
 }
 
 }  // namespace waymark::plan

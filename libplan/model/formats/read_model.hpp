@@ -11,9 +11,10 @@ namespace waymark::plan {
 
 // FILE.tra: PRISM's explicit files with that prefix. FILE.json: a planning case (its tasks come with it), or a street
 // graph. FILE.osm, FILE.geojson, FILE.graphml: roads with landmarks. FILE.yaml: a transition system. Anything else: the
-// language of PRISM. The name is that of the case, else that of the file without its end. `start`: of street graphs and
-// roads only. Throws ltl::FormatError and ltl::SyntaxError; of the language of PRISM, ReadingStopped.
+// language of PRISM, read as `prism` says. The name is that of the case, else that of the file without its end.
+// `start`: of street graphs and roads only. Throws ltl::FormatError and ltl::SyntaxError; of the language of PRISM,
+// ReadingStopped.
 PlanningCase read_model(const std::filesystem::path& file, std::string_view start = "",
-                        const ltl::Limits& limits = {.states = most_model_states});
+                        const ltl::Limits& limits = {.states = most_model_states}, const PrismOptions& prism = {});
 
 }  // namespace waymark::plan

@@ -1,161 +1,9 @@
 #include "libplan/model/prism/prism_expression.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdlib>
 
 namespace waymark::plan {
-
-class PrismExpressions::Deeper {
- public:
-  Deeper(PrismExpressions& all, ltl::Span where) : depth_(all.depth_) {
-    if (depth_ >= deepest) all.tokens_->fail(where, "this is nested too deeply");
-    ++depth_;
-  }
-  ~Deeper() { --depth_; }
-  Deeper(const Deeper&) = delete;
-  Deeper& operator=(const Deeper&) = delete;
-
- private:
-  std::size_t& depth_;
-};
-
-PrismExpressions::Id PrismExpressions::add(Op op, std::vector<Id> operands, ltl::Span where) {
-  std::uint32_t height = 1;
-  for (const Id operand : operands) height = std::max(height, nodes_[operand].height + 1);
-  if (height > deepest) tokens_->fail(where, "this is nested too deeply");
-  Node& node = nodes_.emplace_back();
-  node.op = op;
-  node.operands = std::move(operands);
-  node.where = where;
-  node.height = height;
-  return static_cast<Id>(nodes_.size() - 1);
-}
-
-PrismExpressions::Id PrismExpressions::parse(PrismTokens& in) {
-  const Deeper level(*this, in.peek().where);
-  const Id condition = parse_level(in, 0);
-  if (!in.accept("?")) return condition;
-  const Id yes = parse(in);
-  in.expect(":");
-  const Id no = parse(in);
-  return add(Op::Choose, {condition, yes, no}, {where(condition).begin, where(no).end});
-}
-
-// Binary operators of this level and tighter ones, by precedence climbing: one frame for each operand, and
-// not one for each level.
-PrismExpressions::Id PrismExpressions::parse_level(PrismTokens& in, std::size_t loosest) {
-  struct Operator {
-    std::string_view text;
-    std::size_t level;
-    Op op;
-  };
-  static constexpr std::array<Operator, 14> operators{{{"=>", 0, Op::Implies},
-                                                       {"<=>", 1, Op::Iff},
-                                                       {"|", 2, Op::Or},
-                                                       {"&", 3, Op::And},
-                                                       {"=", 4, Op::Equal},
-                                                       {"!=", 4, Op::Unequal},
-                                                       {"<", 5, Op::Less},
-                                                       {"<=", 5, Op::AtMost},
-                                                       {">", 5, Op::Greater},
-                                                       {">=", 5, Op::AtLeast},
-                                                       {"+", 6, Op::Plus},
-                                                       {"-", 6, Op::Minus},
-                                                       {"*", 7, Op::Times},
-                                                       {"/", 7, Op::Divide}}};
-  Id left = loosest <= negation ? parse_negation(in) : parse_unary(in);
-  Op chained = Op::Literal;  // what the last round made
-  for (;;) {
-    const auto* found = std::find_if(operators.begin(), operators.end(), [&](const Operator& candidate) {
-      return candidate.level >= loosest && in.is(candidate.text);
-    });
-    if (found == operators.end()) return left;
-    in.next();
-    const Id right = parse_level(in, found->level + 1);
-    const ltl::Span both{where(left).begin, where(right).end};
-    if (found->op == chained && (chained == Op::Or || chained == Op::And || chained == Op::Plus)) {
-      nodes_[left].operands.push_back(right);  // a long chain is no deep one
-      nodes_[left].height = std::max(nodes_[left].height, nodes_[right].height + 1);
-      nodes_[left].where = both;
-      continue;
-    }
-    left = add(found->op, {left, right}, both);
-    chained = found->op;
-  }
-}
-
-PrismExpressions::Id PrismExpressions::parse_negation(PrismTokens& in) {
-  if (!in.is("!")) return parse_unary(in);
-  const Deeper deeper(*this, in.peek().where);
-  const std::size_t begin = in.next().where.begin;
-  const Id operand = parse_level(in, negation);
-  return add(Op::Not, {operand}, {begin, where(operand).end});
-}
-
-PrismExpressions::Id PrismExpressions::parse_unary(PrismTokens& in) {
-  if (!in.is("-")) return parse_primary(in);
-  const Deeper deeper(*this, in.peek().where);
-  const std::size_t begin = in.next().where.begin;
-  const Id operand = parse_unary(in);
-  return add(Op::Negate, {operand}, {begin, where(operand).end});
-}
-
-PrismExpressions::Id PrismExpressions::parse_primary(PrismTokens& in) {
-  if (in.accept("(")) {
-    const Id inner = parse(in);
-    in.expect(")");
-    return inner;
-  }
-  const PrismToken token = in.peek();
-  if (token.kind == PrismToken::Kind::Number) {
-    in.next();
-    const Id e = add(Op::Literal, {}, token.where);
-    nodes_[e].value = std::strtod(std::string(token.text).c_str(), nullptr);
-    nodes_[e].type = token.text.find_first_of(".eE") == std::string_view::npos ? Type::Int : Type::Double;
-    return e;
-  }
-  if (in.is("true") || in.is("false")) {
-    in.next();
-    const Id e = add(Op::Literal, {}, token.where);
-    nodes_[e].value = token.text == "true" ? 1 : 0;
-    nodes_[e].type = Type::Bool;
-    return e;
-  }
-  if (token.kind != PrismToken::Kind::Name) in.fail("expected an expression");
-  if (in.is("(", 1)) return parse_call(in);
-  in.expect_name("a variable, constant or formula");
-  const Id e = add(Op::Name, {}, token.where);
-  nodes_[e].name = token.text;
-  return e;
-}
-
-PrismExpressions::Id PrismExpressions::parse_call(PrismTokens& in) {
-  struct Function {
-    std::string_view name;
-    Op op;
-    std::size_t least, most;
-  };
-  static constexpr std::array<Function, 6> functions{{{"min", Op::Min, 2, SIZE_MAX},
-                                                      {"max", Op::Max, 2, SIZE_MAX},
-                                                      {"mod", Op::Mod, 2, 2},
-                                                      {"floor", Op::Floor, 1, 1},
-                                                      {"ceil", Op::Ceil, 1, 1},
-                                                      {"pow", Op::Pow, 2, 2}}};
-  const PrismToken token = in.peek();
-  const auto* found =
-      std::find_if(functions.begin(), functions.end(), [&](const Function& f) { return f.name == token.text; });
-  if (found == functions.end()) in.fail("expected one of the functions min, max, mod, floor, ceil, pow");
-  in.next();
-  in.expect("(");
-  std::vector<Id> operands{parse(in)};
-  while (in.accept(",")) operands.push_back(parse(in));
-  const std::size_t end = in.expect(")").where.end;
-  if (operands.size() < found->least || operands.size() > found->most)
-    in.fail({token.where.begin, end}, "the wrong number of arguments");
-  return add(found->op, std::move(operands), {token.where.begin, end});
-}
 
 void PrismExpressions::define(const PrismToken& name, const Meaning& meaning) {
   const auto at = static_cast<std::uint32_t>(meanings_.size());
@@ -166,6 +14,39 @@ void PrismExpressions::define_variable(const PrismToken& name, std::uint32_t ind
   define(name, {.is_variable = true, .variable = index, .type = type});
 }
 void PrismExpressions::define_formula(const PrismToken& name, Id body) { define(name, {.body = body}); }
+void PrismExpressions::define_label(const PrismToken& name, Id body) {
+  if (!labels_.emplace(name.text, body).second) tokens_->fail(name.where, "this label has a meaning already");
+}
+
+PrismExpressions::Id PrismExpressions::number(double value, Type type) {
+  const Id e = add(Op::Literal, {}, {});
+  nodes_[e].value = value;
+  nodes_[e].type = type;
+  return e;
+}
+
+PrismExpressions::Id PrismExpressions::renamed(Id e, const std::map<std::string, std::string, std::less<>>& names) {
+  const Deeper level(*this, where(e));
+  if (nodes_[e].op == Op::Name) {
+    if (const auto to = names.find(nodes_[e].name); to != names.end()) {
+      const Id out = add(Op::Name, {}, where(e));
+      nodes_[out].name = to->second;
+      return out;
+    }
+    const auto at = names_.find(nodes_[e].name);
+    if (at == names_.end() || meanings_[at->second].is_variable) return e;
+    const Id body = meanings_[at->second].body, changed = renamed(body, names);
+    return changed == body ? e : changed;
+  }
+  const std::vector<Id> operands = nodes_[e].operands;
+  std::vector<Id> changed;
+  for (const Id operand : operands) changed.push_back(renamed(operand, names));
+  return changed == operands ? e : add(nodes_[e].op, std::move(changed), where(e));
+}
+
+const PrismExpressions::Window* PrismExpressions::window(Id e) const {
+  return nodes_[e].window ? &windows_[*nodes_[e].window] : nullptr;
+}
 
 PrismExpressions::Type PrismExpressions::type(Id e) {
   using Check = Node::Check;
@@ -201,6 +82,7 @@ PrismExpressions::Type PrismExpressions::find_type(Id e) {
   switch (op) {
     case Op::Literal: return nodes_[e].type;
     case Op::Name: return type_of_name(e);
+    case Op::Label: return type_of_label(e);
     case Op::Choose:
       expect_type(operands[0], Type::Bool);
       if (type(operands[1]) == Type::Bool || type(operands[2]) == Type::Bool) {
@@ -212,7 +94,13 @@ PrismExpressions::Type PrismExpressions::find_type(Id e) {
     case Op::Iff:
     case Op::Or:
     case Op::And:
-    case Op::Not: return all(Type::Bool), Type::Bool;
+    case Op::Not:
+    case Op::Next:
+    case Op::Eventually:
+    case Op::Always:
+    case Op::Until:
+    case Op::WeakUntil:
+    case Op::Release: return all(Type::Bool), Type::Bool;
     case Op::Equal:
     case Op::Unequal: all(type(operands[0]) == Type::Bool ? Type::Bool : Type::Double); return Type::Bool;
     case Op::Less:
@@ -226,10 +114,12 @@ PrismExpressions::Type PrismExpressions::find_type(Id e) {
     case Op::Min:
     case Op::Max:
     case Op::Pow: return numeric();
-    case Op::Divide: return all(Type::Double), Type::Double;
+    case Op::Divide:
+    case Op::Log: return all(Type::Double), Type::Double;
     case Op::Mod: return all(Type::Int), Type::Int;
     case Op::Floor:
-    case Op::Ceil: return all(Type::Double), Type::Int;
+    case Op::Ceil:
+    case Op::Round: return all(Type::Double), Type::Int;
   }
   return Type::Bool;
 }
@@ -241,6 +131,14 @@ PrismExpressions::Type PrismExpressions::type_of_name(Id e) {
   nodes_[e].value = at->second;
   const Meaning meaning = meanings_[at->second];
   return meaning.is_variable ? meaning.type : type(meaning.body);
+}
+
+PrismExpressions::Type PrismExpressions::type_of_label(Id e) {
+  const auto at = labels_.find(nodes_[e].name);
+  if (at == labels_.end()) tokens_->fail(where(e), "there is no label \"" + nodes_[e].name + '"');
+  nodes_[e].operands = {at->second};
+  expect_type(at->second, Type::Bool);
+  return Type::Bool;
 }
 
 double PrismExpressions::value_of_name(const Node& node, const PrismValues& values) {
@@ -264,6 +162,7 @@ double PrismExpressions::value(Id e, const PrismValues& values) {
   switch (node.op) {
     case Op::Literal: return node.value;
     case Op::Name: return value_of_name(node, values);
+    case Op::Label: return operand(0);
     case Op::Choose: return operand(0) != 0 ? operand(1) : operand(2);
     case Op::Implies: return operand(0) != 0 ? operand(1) : 1;
     case Op::Iff:
@@ -305,8 +204,16 @@ double PrismExpressions::value(Id e, const PrismValues& values) {
     case Op::Floor: return std::floor(operand(0));
     case Op::Ceil: return std::ceil(operand(0));
     case Op::Pow: return std::pow(operand(0), operand(1));
+    case Op::Round: return std::floor(operand(0) + 0.5);
+    case Op::Log: return std::log(operand(0)) / std::log(operand(1));
+    case Op::Next:
+    case Op::Eventually:
+    case Op::Always:
+    case Op::Until:
+    case Op::WeakUntil:
+    case Op::Release: break;
   }
-  return 0;
+  tokens_->fail(node.where, "a path formula where an expression is expected");
 }
 
 double PrismExpressions::constant(Id e) {

@@ -1,4 +1,4 @@
-// Expressions of the PRISM language [KNP11]: syntax, types and values.
+// Expressions of the PRISM language [KNP11]: syntax, types and values; in properties, path formulas over them as well.
 //
 // An expression is a number in a pool; names are bound after everything has been read, since formulas may be used
 // before they are defined. A formula is evaluated once a state, however often it is used. Whole numbers are kept as
@@ -6,10 +6,13 @@
 #pragma once
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
+#include "libplan/model/prism/prism_operator.hpp"
 #include "libplan/model/prism/prism_tokens.hpp"
 
 namespace waymark::plan {
@@ -23,6 +26,7 @@ class PrismExpressions {  // all expressions of a file
 
   explicit PrismExpressions(const PrismTokens& tokens) : tokens_(&tokens) {}
   Id parse(PrismTokens& in);                               // the longest expression that stands here
+  Id parse_path(PrismTokens& in);                          // the same with X, F, G, U, W, R and their bounds
   ltl::Span where(Id e) const { return nodes_[e].where; }  // its bytes
 
   // An expression is at most so deep, and so are the formulas that it uses, taken together: else SyntaxError.
@@ -31,6 +35,11 @@ class PrismExpressions {  // all expressions of a file
   // Names must be known before types and values are asked for; one name has one meaning.
   void define_variable(const PrismToken& name, std::uint32_t index, Type type);
   void define_formula(const PrismToken& name, Id body);
+  void define_label(const PrismToken& name, Id body);  // a name in quotes
+  Id number(double value, Type type);                  // a literal that stands nowhere
+  // The same expression with other names for variables; formulas that use one are written out. Everything must have
+  // been read.
+  Id renamed(Id e, const std::map<std::string, std::string, std::less<>>& names);
 
   // Throws ltl::SyntaxError: an unknown name, an operand of the wrong type, a formula that needs itself.
   Type type(Id e);
@@ -41,34 +50,20 @@ class PrismExpressions {  // all expressions of a file
   void next_state() { ++now_; }
   double constant(Id e);  // throws ltl::SyntaxError where a variable is read
 
- private:
-  enum class Op : std::uint8_t {
-    Literal,
-    Name,
-    Choose,
-    Implies,
-    Iff,
-    Or,
-    And,
-    Not,
-    Equal,
-    Unequal,
-    Less,
-    AtMost,
-    Greater,
-    AtLeast,
-    Plus,
-    Minus,
-    Times,
-    Divide,
-    Negate,
-    Min,
-    Max,
-    Mod,
-    Floor,
-    Ceil,
-    Pow
+  // Errors are about this text from now on; what was spoken of before.
+  const PrismTokens& speak_of(const PrismTokens& tokens) { return *std::exchange(tokens_, &tokens); }
+
+  using Op = PrismOp;
+  struct Window {  // of steps: absent where there is no bound
+    std::optional<Id> least, most;
+    bool above_least = false, below_most = false;  // > and <
   };
+  Op op(Id e) const { return nodes_[e].op; }
+  const std::vector<Id>& operands(Id e) const { return nodes_[e].operands; }
+  const Window* window(Id e) const;  // of a temporal operator that has bounds; else none
+  bool is_temporal(Id e) const { return nodes_[e].temporal; }
+
+ private:
   struct Node {
     Op op = Op::Literal;
     Type type = Type::Int;
@@ -78,6 +73,8 @@ class PrismExpressions {  // all expressions of a file
     std::vector<Id> operands = {};
     std::uint32_t height = 1;
     ltl::Span where = {};
+    bool temporal = false;  // or an operand is
+    std::optional<std::uint32_t> window = {};
   };
   struct Meaning {
     bool is_variable = false;
@@ -95,18 +92,37 @@ class PrismExpressions {  // all expressions of a file
   Id parse_unary(PrismTokens& in);
   Id parse_primary(PrismTokens& in);
   Id parse_call(PrismTokens& in);
+  Id parse_temporal(PrismTokens& in);
+  std::optional<Window> parse_window(PrismTokens& in);
+  Id temporal(Op op, std::vector<Id> operands, std::optional<Window> window, std::size_t begin);
   void define(const PrismToken& name, const Meaning& meaning);
   Type find_type(Id e);
   Type type_of_name(Id e);
+  Type type_of_label(Id e);
   double value_of_name(const Node& node, const PrismValues& values);
 
-  class Deeper;  // a level of recursion, counted
+  class Deeper {  // a level of recursion, counted
+   public:
+    Deeper(PrismExpressions& all, ltl::Span where) : depth_(all.depth_) {
+      if (depth_ >= deepest) all.tokens_->fail(where, "this is nested too deeply");
+      ++depth_;
+    }
+    ~Deeper() { --depth_; }
+    Deeper(const Deeper&) = delete;
+    Deeper& operator=(const Deeper&) = delete;
+
+   private:
+    std::size_t& depth_;
+  };
 
   const PrismTokens* tokens_;
   std::size_t depth_ = 0;
   std::vector<Node> nodes_;
   std::vector<Meaning> meanings_;
+  std::vector<Window> windows_;
   std::map<std::string, std::uint32_t, std::less<>> names_;
+  std::map<std::string, Id, std::less<>> labels_;
+  bool in_path_ = false;  // parentheses hold path formulas
   std::uint64_t now_ = 1;
 };
 

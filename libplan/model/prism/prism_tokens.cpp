@@ -30,7 +30,7 @@ std::size_t end_of_number(std::string_view text, std::size_t at) {
 std::size_t symbol_length(std::string_view rest) {
   for (std::string_view symbol : {"<=>", "->", "..", "=>", "<=", ">=", "!="})
     if (rest.starts_with(symbol)) return symbol.size();
-  return std::string_view("[]():;=<>&|!+-*/?,'").find(rest[0]) == std::string_view::npos ? 0 : 1;
+  return std::string_view("[](){}:;=<>&|!+-*/?,'").find(rest[0]) == std::string_view::npos ? 0 : 1;
 }
 
 }  // namespace

@@ -21,7 +21,7 @@ TEST(PrismLanguage, SaysWhatIsWrongAndWhere) {
   const struct {
     std::string text, message;
   } rows[] = {
-      {"dtmc", "1:1: expected 'mdp': models of this kind only are read"},
+      {"ctmc", "1:1: expected 'mdp' or 'dtmc': models of these kinds are read"},
       {"mdp\n", "2:1: expected a module with variables"},
       {"mdp module m x : [0..1] endmodule", "1:25: expected ';'"},
       {"mdp module m x : [1..0]; endmodule", "1:14: the range of this variable is empty"},
@@ -35,8 +35,15 @@ TEST(PrismLanguage, SaysWhatIsWrongAndWhere) {
       {"mdp module m x : [0..1]; [a] true -> (x'=1/2); endmodule", "1:42: expected a whole number"},
       {"mdp formula f = g; formula g = f; module m x : [0..1]; [] f -> true; endmodule",
        "1:17: a formula that needs itself"},
-      {"mdp module m x : [0..1]; endmodule module n y : [0..1]; endmodule",
-       "1:36: a second module: models of one module are read"},
+      {"mdp module m x : [0..1]; endmodule module m y : [0..1]; endmodule", "1:43: a second module of this name"},
+      {"mdp module m x : [0..1]; endmodule module n y : [0..1]; [] true -> (x'=1); endmodule",
+       "1:69: this variable is of another module"},
+      {"mdp global g : [0..1]; module m [a] true -> (g'=1); endmodule module n [a] true -> true; endmodule",
+       "1:46: a command with an action assigns a global variable, which others may assign at once"},
+      {"mdp module m x : [0..1]; endmodule module n = k [x=y] endmodule", "1:47: there is no module of this name"},
+      {"mdp module m x : [0..1]; endmodule module n = m [z=y] endmodule", "1:47: this name has a meaning already"},
+      {"mdp const int k; module m x : [0..k]; endmodule", "1:15: the constant k has no value: give one with --const"},
+      {"mdp module m x : [0..1]; [] \"l\" -> true; endmodule", "1:29: there is no label \"l\""},
       {"mdp const int x = 1; module m x : [0..1]; endmodule", "1:31: this name has a meaning already"},
       {"mdp module m x : [0..1]; [max] true -> true; endmodule", "1:27: expected the name of an action"},
       {"mdp module m x : [0..mod(1,0)]; endmodule", "1:22: mod by a number that is not positive"},

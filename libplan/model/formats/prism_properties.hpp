@@ -1,0 +1,42 @@
+// Properties of PRISM [KNP11]: what is asked of a model, and what its comments say the answer is.
+#pragma once
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "libltl/limits.hpp"
+#include "libplan/model/formats/read_case.hpp"
+#include "libplan/model/prism/read_prism.hpp"
+
+namespace waymark::plan {
+
+struct PrismProperty {  // one question
+  std::string text;     // as the file has it
+  std::string fault;    // why it is not answered, though others may be; else empty
+  CaseTask task;        // about `model`; where there are steps, its query is MinCost or MaxCost alone
+  std::optional<std::uint64_t> steps = {};         // C<=k, I=k: rewards of a run up to k, or after k steps
+  bool instantaneous = false;                      // I
+  std::string comparison;                          // >=, >, <=, <; empty where a value is asked for
+  double bound = 0;                                // that the value is compared with
+  std::optional<std::string> result;               // of the comment "RESULT: …" before it, for these constants
+  std::shared_ptr<const PlanningCase> model = {};  // with these rewards as costs; shared by properties
+};
+
+struct PrismSource {              // a text and where it is from
+  std::string_view text, source;  // of errors
+};
+
+// The file's P and R operators, each over one path formula of LTL with bounds on steps; conditions on states are
+// written as in the model. Anything else is a property with a fault. Throws as parse_prism.
+std::vector<PrismProperty> parse_prism_properties(const PrismSource& model, const PrismSource& properties,
+                                                  const PrismConstants& constants = {},
+                                                  const ltl::Limits& limits = {.states = most_model_states});
+
+// Does the value agree with what a RESULT comment says: a number, a fraction, Infinity, true or false? Numbers agree
+// up to a relative difference of 10⁻⁵, PRISM's own measure. nullopt: the comment says something else.
+std::optional<bool> agrees(const std::string& result, double value, std::optional<bool> verdict);
+
+}  // namespace waymark::plan
