@@ -158,12 +158,18 @@ class Explorer {
     return out;
   }
 
-  static void add(std::vector<Outcome>& out, std::uint32_t target, double probability) {
-    const auto same = std::find_if(out.begin(), out.end(), [&](const Outcome& o) { return o.target == target; });
-    if (same == out.end())
+  // `begin` a choice first; outcomes with one target are one.
+  void begin() { ++choice_; }
+  void add(std::vector<Outcome>& out, std::uint32_t target, double probability) {
+    if (placed_.size() <= target) placed_.resize(std::max<std::size_t>(states_.size(), 2 * placed_.size()));
+    Placed& placed = placed_[target];
+    if (placed.choice != choice_) {
+      placed = {choice_, out.size()};
       out.push_back({target, probability});
-    else
-      same->probability = std::min(1.0, same->probability + probability);
+    } else {
+      Outcome& same = out[placed.at];
+      same.probability = std::min(1.0, same.probability + probability);
+    }
   }
 
   // All combinations of one update of each command; all expressions are over the values before.
@@ -171,7 +177,9 @@ class Explorer {
     std::vector<std::vector<double>> each;
     for (const Command* command : step) each.push_back(chances(*command, values));
     std::vector<std::size_t> at(step.size(), 0);
-    for (;;) {
+    begin();
+    for (std::size_t tried = 0;; ++tried) {
+      watch(tried, step[0]->where);
       double probability = 1;
       for (std::size_t i = 0; i < step.size(); ++i) probability *= each[i][at[i]];
       if (probability > 0) {
@@ -185,6 +193,12 @@ class Explorer {
     }
   }
 
+  // Modules that meet in one action multiply.
+  void watch(std::size_t tried, ltl::Span where) const {
+    if (tried == most_combined) tokens_.fail(where, "modules meet here in more than 100,000 ways");
+    if (tried % 1024 == 1023 && limits_.stop.stop_requested()) throw ReadingStopped{};
+  }
+
   // Every way to combine the command with enabled ones of the other modules.
   template <class Visit>
   void for_each_step(const Lead& lead, const PrismValues& values, const Visit& visit) {
@@ -196,7 +210,8 @@ class Explorer {
       if (other.empty()) return;
     }
     std::vector<std::size_t> at(enabled.size(), 0);
-    for (;;) {
+    for (std::size_t tried = 0;; ++tried) {
+      watch(tried, lead.command->where);
       Step step;
       for (std::size_t i = 0; i < enabled.size(); ++i) step.push_back(enabled[i][at[i]]);
       visit(step);
@@ -221,10 +236,11 @@ class Explorer {
   }
 
   // The only choice of a Markov chain: each of its commands with the same chance.
-  static void draw(std::vector<Choice>& choices) {
+  void draw(std::vector<Choice>& choices) {
     if (choices.size() < 2) return;
     const auto chance = 1 / static_cast<double>(choices.size());
     Choice all;
+    begin();
     for (const Choice& c : choices) {
       all.cost += chance * c.cost;
       for (const Outcome& o : c.outcomes) add(all.outcomes, o.target, chance * o.probability);
@@ -242,7 +258,11 @@ class Explorer {
     }
   }
 
-  static constexpr std::size_t most_tried = 1'000'000;
+  struct Placed {
+    std::uint64_t choice = 0;
+    std::size_t at = 0;
+  };
+  static constexpr std::size_t most_tried = 1'000'000, most_combined = 100'000;
 
   const PrismProgram& program_;
   PrismExpressions& expressions_;
@@ -252,6 +272,8 @@ class Explorer {
   std::vector<Lead> leads_;
   ltl::Vocabulary vocabulary_;
   PrismStates states_;
+  std::uint64_t choice_ = 0;       // the one whose outcomes are collected
+  std::vector<Placed> placed_;     // by target: where it stands among them
   std::vector<LetterId> letters_;  // by state, for those whose values were looked at
 };
 

@@ -43,6 +43,14 @@ TEST(PrismLanguage, SaysWhatIsWrongAndWhere) {
       {"mdp module m x : [0..1]; endmodule module n = k [x=y] endmodule", "1:47: there is no module of this name"},
       {"mdp module m x : [0..1]; endmodule module n = m [z=y] endmodule", "1:47: this name has a meaning already"},
       {"mdp const int k; module m x : [0..k]; endmodule", "1:15: the constant k has no value: give one with --const"},
+      {"mdp module m x : [0..9]; [a] true -> true; [a] true -> true; endmodule module n = m [x=n1] endmodule "
+       "module o = m [x=o1] endmodule module p = m [x=p1] endmodule module q = m [x=q1] endmodule "
+       "module r = m [x=r1] endmodule module s = m [x=s1] endmodule module t = m [x=t1] endmodule "
+       "module u = m [x=u1] endmodule module v = m [x=v1] endmodule module w = m [x=w1] endmodule "
+       "module x1 = m [x=x2] endmodule module y = m [x=y1] endmodule module z = m [x=z1] endmodule "
+       "module a1 = m [x=a2] endmodule module b = m [x=b1] endmodule module c = m [x=c1] endmodule "
+       "module d = m [x=d1] endmodule",
+       "1:26: modules meet here in more than 100,000 ways"},
       {"mdp module m x : [0..1]; [] \"l\" -> true; endmodule", "1:29: there is no label \"l\""},
       {"mdp const int x = 1; module m x : [0..1]; endmodule", "1:31: this name has a meaning already"},
       {"mdp module m x : [0..1]; [max] true -> true; endmodule", "1:27: expected the name of an action"},
