@@ -137,6 +137,7 @@ void print(const plan::CaseTask& task, const CaseAnswer& answer) {
   if (answer.status == Status::Solved && answer.value.lower != answer.value.upper)
     std::cout << "  in [" << answer.value.lower << ", " << answer.value.upper << ']';
   if (answer.status == Status::Infeasible) std::cout << "  infeasible: " << answer.reason;
+  if (answer.status == Status::Solved && !answer.reason.empty()) std::cout << "  " << answer.reason;
   for (std::size_t i = 0; i < answer.dropped.size(); ++i)
     std::cout << (i == 0 ? "; possible without " : " and ") << answer.dropped[i];
   std::cout << '\n';

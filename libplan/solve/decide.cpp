@@ -261,18 +261,24 @@ bool choose_and_evaluate(const Product& product, const Unknowns& unknowns, const
                          const StateSet& kept, const IterationOptions& limits, bool last, Decided& out) {
   IterationOptions limited = limits;
   limited.sweeps = 20'000;
+  Strategy tried = out.strategy;
   constexpr std::pair<Among, double> attempts[] = {
       {Among::Nearest, 1e-10}, {Among::Swiftest, 1e-10}, {Among::Swiftest, 1e-12}, {Among::Swiftest, 1e-8},
       {Among::Nearest, 1e-12}, {Among::Nearest, 1e-14},  {Among::Nearest, 1e-15},  {Among::Nearest, 1e-8},
       {Among::Nearest, 1e-7},  {Among::Nearest, 1e-6},   {Among::Nearest, 1e-5}};
   for (const auto& [among, slack] : std::span(attempts).first(last ? std::size(attempts) : 2)) {
-    if (!choose<measure>(product, unknowns, attained, among, slack, limits.stop, out.strategy)) continue;
-    const auto found = evaluate<measure>(product, out.strategy, kept, limited, &attained);
+    if (!choose<measure>(product, unknowns, attained, among, slack, limits.stop, tried)) continue;
+    const auto found = evaluate<measure>(product, tried, kept, limited, &attained);
     if (limits.stop.stop_requested()) return false;
     if (!found) continue;
+    const bool better = measure == Measure::MaxProbability ? found->lower > out.re_evaluated.lower
+                                                           : found->upper < out.re_evaluated.upper;
+    if (!better) continue;
     out.re_evaluated = *found;
+    out.strategy = tried;
     if (!delivers<measure>(out, limits.tolerance)) continue;
     tighten<measure>(out);
+    out.attained = true;
     return true;
   }
   return false;
@@ -312,14 +318,19 @@ std::optional<Decided> decide(const Product& product, const WinningRegion<Produc
     attractor(product, winning.states, out.strategy, [&](const auto& s, std::uint32_t k) {
       return unknowns.targets[s.index] && !winning.states[s.index] && all_outcomes_in(product, s, k, unknowns.targets);
     });
+  // What any strategy is worth, until one is evaluated.
+  out.attained = false;
+  out.re_evaluated = is_probability(measure) ? Bounds{-1, out.value.upper} : Bounds{out.value.lower, INFINITY};
   if (!choose_and_evaluate<measure>(product, unknowns, values->attained, kept, limits, false, out)) {
     // Values that are not final slope the wrong way where they are all but equal.
     IterationOptions finer = limits;
     finer.tolerance = std::max(1e-12, limits.tolerance * 1e-4);
     auto final = ValueIteration<Product, measure>(product, unknowns, finer, {.bounds = &kept, .attained = true}).run();
     if (final) values = std::move(final);
-    if (!choose_and_evaluate<measure>(product, unknowns, values->attained, kept, limits, true, out))
+    if (!choose_and_evaluate<measure>(product, unknowns, values->attained, kept, limits, true, out) &&
+        limits.stop.stop_requested())
       return std::nullopt;
+    out.re_evaluated.lower = std::max(0.0, out.re_evaluated.lower);
   }
   if (limits.keep_values) out.values = std::move(values->attained);
   return out;

@@ -21,12 +21,13 @@ struct Bounds {                                                                 
 
 struct Decided {             // the answer
   Bounds value;              // of the start
-  Strategy strategy;         // attains the value up to the tolerance
+  Strategy strategy;         // attains the value up to the tolerance, or else is the best that was found
   Bounds re_evaluated;       // of the strategy, by the Markov chain that it makes of the product
   std::uint64_t sweeps = 0;  // of value iteration
   // With keep_values, by state what a choice attains; of costs, 0 where no cost is finite. Not of least
   // probabilities.
   std::vector<double> values = {};
+  bool attained = true;  // does the strategy attain the value? Doubles may be too coarse to find one that does
 };
 
 // Is Pmax above 0, and is it 1? By the graph alone.
@@ -36,8 +37,7 @@ Qualitative qualitative(const ProductMdp<Model>& product);
 
 // Pmax: the greatest probability of reaching a goal (finite tasks) or of meeting marked edges for ever (infinite ones;
 // that this is the probability of the formula is what MdpSafe stands for). [BK08, Thm. 10.56]
-// nullopt: stopped, bounds that doubles cannot bring together, or no strategy found that is worth the value when it is
-// evaluated.
+// nullopt: stopped, or bounds that doubles cannot bring together.
 template <class Model>
 std::optional<Decided> greatest_probability(const ProductMdp<Model>& product, const IterationOptions& limits = {});
 
