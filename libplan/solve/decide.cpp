@@ -309,9 +309,8 @@ std::optional<Decided> decide(const Product& product, const WinningRegion<Produc
   }
   play_for_ever(product, winning, out.strategy);
   if (measure == Measure::MaxProbability)  // almost surely: to what is winning, never leaving what is sure
-    attractor(product, winning.states, out.strategy, [&](const auto& s, std::uint32_t k) {
-      return unknowns.targets[s.index] && !winning.states[s.index] && all_outcomes_in(product, s, k, unknowns.targets);
-    });
+    attractor(product, winning.states, out.strategy,
+              [&](const auto& s, std::uint32_t k) { return all_outcomes_in(product, s, k, unknowns.targets); });
   if (!choose_and_evaluate<measure>(product, unknowns, values->attained, kept, limits, false, out)) {
     // Values that are not final slope the wrong way where they are all but equal.
     IterationOptions finer = limits;
