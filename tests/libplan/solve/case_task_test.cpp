@@ -155,6 +155,14 @@ TEST(CaseTask, SaysWhichLimitWasMet) {
   EXPECT_EQ(answer(parse_case(small_case), task, {.states = 1'000'000}).status, CaseAnswer::Status::Solved);
 }
 
+TEST(CaseTask, WhatHoldsAtTheStartIsSeen) {
+  const PlanningCase line = parse_case(R"({"format": "ltlgrid/1", "width": 2, "height": 1, "rows": ["sa"],
+    "legend": {"s": {"props": ["s"]}, "a": {"props": ["a"]}}, "start": {"x": 0, "y": 0}})");
+  const CaseAnswer found =
+      answer(line, {.id = "", .formula = "F s & F a & F nowhere", .query = CaseTask::Query::MinCost});
+  EXPECT_NE(found.reason.find("never seen from the start: nowhere"), std::string::npos) << found.reason;
+}
+
 // Landmarks of large models are toured without a product; what is asked for on the way to them keeps it from that.
 TEST(CaseTask, OnlyVisitsAreTours) {
   constexpr std::size_t size = 320;
