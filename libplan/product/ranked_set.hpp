@@ -30,7 +30,6 @@ class RankedSet {
       for (std::uint64_t bits = words_[w].bits & skip; bits != 0; bits &= bits - 1)
         if (!visit(64 * w + static_cast<std::uint64_t>(std::countr_zero(bits)))) return;
   }
-  std::size_t bytes() const { return words_.size() * sizeof(Word); }  // of memory
 
  private:
   struct Word {

@@ -315,9 +315,8 @@ std::optional<Decided> decide(const Product& product, const WinningRegion<Produc
   }
   play_for_ever(product, winning, out.strategy);
   if (measure == Measure::MaxProbability)  // almost surely: to what is winning, never leaving what is sure
-    attractor(product, winning.states, out.strategy, [&](const auto& s, std::uint32_t k) {
-      return unknowns.targets[s.index] && !winning.states[s.index] && all_outcomes_in(product, s, k, unknowns.targets);
-    });
+    attractor(product, winning.states, out.strategy,
+              [&](const auto& s, std::uint32_t k) { return all_outcomes_in(product, s, k, unknowns.targets); });
   // What any strategy is worth, until one is evaluated.
   out.attained = false;
   out.re_evaluated = is_probability(measure) ? Bounds{-1, out.value.upper} : Bounds{out.value.lower, INFINITY};

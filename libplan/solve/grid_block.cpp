@@ -16,8 +16,8 @@ GridBlock::GridBlock(const Product& product, Measure measure, Order order, const
   cells_.reserve(order.size());
   for (const auto& c : order) cells_.push_back(c.place);
   Order().swap(order);  // its memory is that of what follows
-  code_.assign(cells, 0);
-  known_.assign(cells, 0);
+  code_.resize(cells);
+  known_.resize(cells);
   unknown_.assign(cells, false);
   for (std::uint32_t cell : cells_) unknown_[cell] = true;
   lower_.assign(cells + 2 * std::size_t{margin_}, 0);
@@ -83,18 +83,14 @@ bool GridBlock::read_cell(std::uint32_t cell, const Unknowns& unknowns, const Ke
   return true;
 }
 
-// The choices that count, in bits 4 to 7: they lead somewhere, and, where costs are asked for, not into the trap.
+// The choices that count, in bits 4 to 7, if they lead somewhere: where costs are asked for, not into the trap.
 std::uint32_t GridBlock::counted(std::uint32_t open, std::uint32_t good) const {
   std::uint32_t out = 0;
   for (std::uint32_t k = 0; k < 4; ++k) {
-    double leaves = 0;
     bool all_good = true;
-    for (std::uint32_t d = 0; d < 4; ++d) {
-      if (((open >> d) & 1U) == 0 || chance(k, d) == 0) continue;
-      leaves += chance(k, d);
-      all_good = all_good && ((good >> d) & 1U) != 0;
-    }
-    if (leaves > 1e-12 && (all_good || is_probability(measure_))) out |= 16U << k;
+    for (std::uint32_t d = 0; d < 4; ++d)
+      if (((open >> d) & 1U) != 0 && chance(k, d) > 0) all_good = all_good && ((good >> d) & 1U) != 0;
+    if (all_good || is_probability(measure_)) out |= 16U << k;
   }
   return out;
 }
@@ -108,7 +104,7 @@ void GridBlock::tabulate() {
       double leaves = 0;
       for (std::uint32_t d = 0; d < 4; ++d)
         if (((code >> d) & 1U) != 0) leaves += chance(k, d);
-      const bool counts = ((code >> (4 + k)) & 1U) != 0 && leaves > 0;
+      const bool counts = ((code >> (4 + k)) & 1U) != 0 && leaves > 1e-12;
       for (std::uint32_t d = 0; d < 4; ++d)
         rows_[code].chance[d][k] = counts && ((code >> d) & 1U) != 0 ? chance(k, d) / leaves : 0;
       const double cost = measure_ == Measure::MinCost ? product_.model().shape().cost[k] : 0;

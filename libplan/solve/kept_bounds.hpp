@@ -16,8 +16,11 @@ class KeptBounds {
   explicit KeptBounds(std::uint32_t states) : lower_(states, 0), upper_(states, 0) {}  // of all
   explicit KeptBounds(const StateSet& kept) : kept_(kept.size()) {
     std::size_t count = 0;
-    for (std::size_t i = 0; i < kept.size(); ++i)
-      if (kept[i]) count += kept_->insert(i) ? 1 : 0;
+    for (std::size_t i = 0; i < kept.size(); ++i) {
+      if (!kept[i]) continue;
+      kept_->insert(i);
+      ++count;
+    }
     kept_->rank();
     lower_.assign(count, 0);
     upper_.assign(count, 0);

@@ -190,7 +190,7 @@ struct AStar {
     std::unordered_map<std::size_t, Edge> choice;  // by index
     for (const Vertex& v : closed) {
       const std::size_t i = product.index(v);
-      if (cost[i] == least && product.is_accepting(v)) leads_on[i] = true;
+      if (product.is_accepting(v)) leads_on[i] = true;  // at C*, where the search ends
       if (cost[i] >= least) continue;
       for (auto [e, end] = out_edges(v, product); e != end && !leads_on[i]; ++e) {
         const std::size_t to = product.index(e->to);

@@ -22,6 +22,7 @@ TEST(Formula, ConstructorsFoldPropositionalIdentitiesOnly) {
   EXPECT_EQ(conjunction(a, yes), a);
   EXPECT_EQ(iff(negate(a), a), no);
   EXPECT_EQ(iff(a, yes), a);
+  EXPECT_EQ(iff(arena.atom("z"), a), iff(a, arena.atom("z")));
   // On a suffix, F true says "more to come" and G false "at the end": neither may be folded.
   EXPECT_NE(eventually(yes), yes);
   EXPECT_NE(always(no), no);

@@ -11,13 +11,17 @@
 #include <cmath>
 #include <functional>
 #include <map>
+#include <set>
 
 #include "libautomata/finite/ltlf_to_dfa.hpp"
+#include "libautomata/limit_deterministic/ltl_to_ldba.hpp"
+#include "libltl/text/parse.hpp"
 #include "libltl/text/print.hpp"
 #include "libplan/product/alphabet_classes.hpp"
 #include "libplan/product/buchi_product.hpp"
 #include "libplan/product/compose.hpp"
 #include "libplan/product/product_mdp.hpp"
+#include "libplan/product/ranked_set.hpp"
 #include "libplan/solve/decide.hpp"
 #include "libplan/solve/product_search.hpp"
 #include "tests/libplan/solve/random_models.hpp"
@@ -127,6 +131,80 @@ TEST(Product, BreadthFirstMeetsEveryPairThatIsNumbered) {
                                ByPairMap<boost::default_color_type>{&color, boost::white_color});
     EXPECT_EQ(color.size(), num_vertices(*product));
   }
+}
+
+// The edges of a pair, one after the other, are its successors by every choice; a jump stays in its place and is free.
+TEST(Product, JumpsOfTheAutomatonAreEdges) {
+  constexpr std::uint64_t seed = 23;
+  ltl::Random random(seed);
+  std::size_t jumps = 0;
+  for (int i = 0; i < 60; ++i) {
+    const char* const formulas[] = {"F G a", "F G a | G F b", "F (a & G F b)", "X F G (a | X b)"};
+    const char* const f = formulas[i % 4];
+    const Mdp mdp = testing::random_model(random, {.states = 4, .unit_costs = false});
+    ltl::Arena arena(testing::vocabulary_ab());
+    const TaskTable task(automata::ltl_to_ldba(ltl::parse(f, arena)), mdp.letters());
+    const auto product = ProductMdp<Mdp>::explore(mdp, task);
+    ASSERT_TRUE(product);
+    for (auto [v, last] = vertices(*product); v != last; ++v) {
+      std::vector<std::pair<std::uint32_t, ProductState>> expected, found;
+      for (std::uint32_t k = 0; k < product->choices(*v); ++k)
+        product->for_each_successor(*v, k, [&](const ProductState& to) { expected.emplace_back(k, to); });
+      for (auto [e, end] = out_edges(*v, *product); e != end; ++e) {
+        found.emplace_back(e->choice, target(*e, *product));
+        EXPECT_EQ(source(*e, *product), *v);
+        if (!product->is_jump(*v, e->choice)) continue;
+        ++jumps;
+        EXPECT_EQ(e->to.place, v->place);
+        EXPECT_EQ(product->cost(*e), 0);
+      }
+      EXPECT_EQ(found, expected) << f << ", model " << i << ", seed " << seed;
+    }
+  }
+  EXPECT_GT(jumps, 50U);
+}
+
+TEST(RankedSet, CountsWhatComesBefore) {
+  constexpr std::uint64_t size = 9'000;
+  ltl::Random random(25);
+  RankedSet set(size);
+  std::set<std::uint64_t> expected;
+  for (int i = 0; i < 700; ++i) {
+    const std::uint64_t member = random.below(size);
+    EXPECT_EQ(set.insert(member), expected.insert(member).second);
+  }
+  set.rank();
+  for (std::uint64_t i = 0; i < size; i += 1 + random.below(20)) {
+    EXPECT_EQ(set.contains(i), expected.contains(i)) << i;
+    const auto at = expected.lower_bound(i);
+    const auto before = static_cast<std::uint32_t>(std::distance(expected.begin(), at));
+    EXPECT_EQ(set.rank(i), before) << i;
+    if (at == expected.end()) continue;
+    EXPECT_EQ(set.select(before), *at) << i;
+    std::vector<std::uint64_t> some;
+    set.for_each(i, [&](std::uint64_t member) {
+      some.push_back(member);
+      return some.size() < 3;
+    });
+    const auto last = std::next(at, std::min<std::ptrdiff_t>(3, std::distance(at, expected.end())));
+    EXPECT_EQ(some, std::vector<std::uint64_t>(at, last)) << i;
+  }
+}
+
+TEST(Product, IsExploredWithinItsLimits) {
+  ltl::Random random(24);
+  const Mdp mdp = testing::random_model(random, {.states = 5});
+  ltl::Arena arena(testing::vocabulary_ab());
+  const TaskTable task(automata::ltlf_to_dfa(ltl::parse("F (a & F b)", arena)), mdp.letters());
+  const std::size_t states = ProductMdp<Mdp>::explore(mdp, task)->states();
+  ASSERT_GT(states, 5U);
+  EXPECT_TRUE(ProductMdp<Mdp>::explore(mdp, task, {.states = states}));
+  EXPECT_FALSE(ProductMdp<Mdp>::explore(mdp, task, {.states = states - 1}));
+  const TaskTable done(automata::ltlf_to_dfa(arena.constant(true)), mdp.letters());
+  EXPECT_EQ(ProductMdp<Mdp>::explore(mdp, done)->states(), 1U);
+  std::stop_source source;
+  source.request_stop();
+  EXPECT_FALSE(ProductMdp<Mdp>::explore(mdp, done, {.stop = source.get_token()})) << "looked at before the first state";
 }
 
 TEST(AlphabetClasses, UnknownPropositionsAreWhatTheCallerSays) {

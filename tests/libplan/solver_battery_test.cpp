@@ -147,5 +147,55 @@ TEST(SolverBattery, APlannerMayBeAskedAgain) {
   }
 }
 
+TEST(SolverBattery, OfStartsTheNearestIsTakenAndOfEqualOnesTheFirst) {
+  const Map map = hallway(6);
+  ltl::Arena arena(map.vocabulary());
+  const ltl::Formula f = ltl::parse("F chair", arena);
+  const auto east = [&](int x) { return pose_at(map, x, 0, 90); };
+  const auto west = [&](int x) { return pose_at(map, x, 0, 270); };
+  const std::vector<PoseId> different{west(5), east(3), east(4), east(1)}, same{west(4), east(3), west(5), east(2)};
+  for (const auto& [starts, first] : {std::pair{different, east(4)}, std::pair{same, east(3)}}) {
+    const auto route = agreed(map, f, starts);
+    ASSERT_TRUE(route);
+    EXPECT_EQ(show(map.pose(route->poses.front())), show(map.pose(first)));
+  }
+  const std::vector<PoseId> equal{west(4), east(2)};  // two turns and two moves, four moves
+  EXPECT_EQ(agreed(map, f, equal)->poses.front(), equal.front());
+}
+
+// More poses than 64 times as many words as bits of a word: a row of bits each for what is left of the task.
+TEST(SolverBattery, ALongHallwayIsWalkedUpAndDown) {
+  const Map map = hallway(1'100);
+  ltl::Arena arena(map.vocabulary());
+  const PoseId start = pose_at(map, 0, 0, 90);
+  const auto route = agreed(map, ltl::parse("F (chair & F (blue & F chair))", arena), {&start, 1});
+  ASSERT_TRUE(route);
+  EXPECT_NEAR(route->cost, 3 * 1'100 + 2 + 2, 4);
+}
+
+TEST(SolverBattery, StopsBeforeItLooksAtAnything) {
+  const Map map = hallway(2);
+  ltl::Arena arena(map.vocabulary());
+  const automata::Dfa dfa = automata::ltlf_to_dfa(ltl::parse("F chair", arena));
+  std::stop_source source;
+  source.request_stop();
+  const PoseId start = pose_at(map, 0, 0, 90);
+  const auto planned = RoutePlanner(map, dfa).plan({&start, 1}, source.get_token());
+  ASSERT_TRUE(std::holds_alternative<Exhausted>(planned));
+  EXPECT_EQ(std::get<Exhausted>(planned).states, 0U);
+}
+
+TEST(SolverBattery, SaysWhetherItIsTheTaskOrTheMap) {
+  const Map map = hallway(2);
+  ltl::Arena arena(map.vocabulary());
+  const auto reason = [&](const char* formula) {
+    const automata::Dfa dfa = automata::ltlf_to_dfa(ltl::parse(formula, arena));
+    return std::get<Infeasible>(RoutePlanner(map, dfa).plan(pose_at(map, 0, 0, 90))).reason;
+  };
+  EXPECT_EQ(reason("F (sofa & !sofa)"), "no finite word satisfies the task");
+  EXPECT_EQ(reason("F sofa"),
+            "no route from here satisfies the task (all 12 reachable pairs of pose and state were searched)");
+}
+
 }  // namespace
 }  // namespace waymark::plan

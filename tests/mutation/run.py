@@ -15,7 +15,6 @@ import collections
 import concurrent.futures
 import hashlib
 import os
-import random
 import sys
 import time
 from pathlib import Path
@@ -61,16 +60,18 @@ class Results:
 
 
 def sample(mutants, wanted, seed):
-    """At most so many, the same share of every area unless an area has fewer."""
-    areas = collections.defaultdict(list)
-    for number, (area, _) in sorted(mutants.items()):
-        areas[area].append(number)
-    chance, chosen = random.Random(seed), []
-    for left, (_, numbers) in zip(range(len(areas), 0, -1), sorted(areas.items(), key=lambda pair: len(pair[1]))):
-        share = min(len(numbers), max(0, wanted - len(chosen)) // left)
-        chosen += chance.sample(numbers, share)
-    chance.shuffle(chosen)
-    return chosen
+    """At most so many, the same share of every area unless an area has fewer. Which are drawn depends on their code,
+    not on their places: a change elsewhere leaves the others in the sample."""
+    areas, seen = collections.defaultdict(list), collections.Counter()
+    for number, (area, mutant) in sorted(mutants.items()):
+        code = (mutant.file, mutant.kind, flat(mutant.before), flat(mutant.after))
+        seen[code] += 1
+        areas[area].append((hashlib.sha256(repr((seed, *code, seen[code])).encode()).digest(), number))
+    chosen = []
+    for left, (_, ranked) in zip(range(len(areas), 0, -1), sorted(areas.items(), key=lambda pair: len(pair[1]))):
+        share = min(len(ranked), max(0, wanted - len(chosen)) // left)
+        chosen += sorted(ranked)[:share]
+    return [number for _, number in sorted(chosen)]
 
 
 def counted(subject, chosen, results, explained):
@@ -81,7 +82,7 @@ def counted(subject, chosen, results, explained):
         if result := results.known.get(results.key(mutant)):
             rows[area][result["verdict"]] += 1
             rows[area]["minutes"] += float(result["seconds"]) / 60
-            if result["verdict"] != "killed" and reasons.reason_of(explained, mutant):
+            if result["verdict"] != "killed" and reasons.reason_of(explained, results.root, mutant):
                 rows[area]["explained"] += 1
     rows["all"] = sum(rows.values(), collections.Counter())
     return rows
@@ -104,11 +105,11 @@ def survivors(subject, chosen, results, explained):
     for number in sorted(chosen):
         mutant = subject.mutants[number][1]
         result = results.known.get(results.key(mutant))
-        if result and result["verdict"] != "killed" and not reasons.reason_of(explained, mutant):
-            yield f"{reasons.item(mutant)}  =>  {flat(mutant.after)}  ({result['verdict']})"
+        if result and result["verdict"] != "killed" and not reasons.reason_of(explained, results.root, mutant):
+            yield f"{reasons.item(results.root, mutant)}  =>  {flat(mutant.after)}  ({result['verdict']})"
 
 
-def hunt(subject, options, results):
+def hunt(subject, options, results, explained):
     """Watches the tests, runs the mutants that have no result yet. False when tests fail without a mutant."""
     programs = {name: subject.program(name) for name in subject.programs()}
     tests, failing = running.watch_all(programs, list(subject.mutants), options.jobs, subject.scratch / "watched.json")
@@ -123,8 +124,10 @@ def hunt(subject, options, results):
     again = set(options.again.split(",")) if options.again else set()
     waiting = []
     for number in chosen:
-        known = results.known.get(results.key(subject.mutants[number][1]))
-        if not known or known["verdict"] in again:
+        mutant = subject.mutants[number][1]
+        known = results.known.get(results.key(mutant))
+        left = known and known["verdict"] != "killed" and not reasons.reason_of(explained, results.root, mutant)
+        if not known or known["verdict"] in again or (left and "left" in again):
             waiting.append(number)
     print(f"{len(subject.mutants)} mutants, {len(chosen)} of them chosen, {len(waiting)} to be run", flush=True)
     started = time.monotonic()
@@ -149,7 +152,8 @@ def main():
     options.add_argument("--seconds-a-mutant", type=float, default=8, metavar="T", help="of tests [8]")
     options.add_argument("--longest-test", type=float, default=10, metavar="T", help="longer tests are not run [10]")
     options.add_argument("--jobs", type=int, default=os.cpu_count(), metavar="N", help="side by side")
-    options.add_argument("--again", default="", metavar="VERDICTS", help="run these again: survived,not reached")
+    options.add_argument("--again", default="", metavar="VERDICTS",
+                         help="run these again: killed, survived, 'not reached', or left, which have no reason")
     options.add_argument("--go-on", action="store_true", help="although tests fail without a mutant, leaving them out")
     options.add_argument("--toy", action="store_true", help="mutate tests/mutation/toy alone")
     options = options.parse_args()
@@ -165,10 +169,10 @@ def main():
     for reason in subject.skipped:
         print(f"not mutated: {reason}")
     results = Results(scratch / "results.tsv", subjects.ROOT)
-    chosen = hunt(subject, options, results)
+    explained = reasons.read(Path(__file__).with_name("survivors.md"))
+    chosen = hunt(subject, options, results, explained)
     if chosen is None:
         return 1
-    explained = reasons.read(Path(__file__).with_name("survivors.md"))
     print(*survivors(subject, chosen, results, explained), sep="\n")
     print(table(counted(subject, chosen, results, explained)))
     return 0

@@ -60,20 +60,35 @@ class Toy(unittest.TestCase):
         self.assertIn(" 0 to be run", mutation_tests(self.scratch.name).stdout)
         self.assertEqual(len(results(self.scratch.name)), 10)
 
-    def test_a_reason_is_found_by_place_kind_and_code(self):
-        mutant = finding.Mutant("some.cpp", 3, 7, "<", 0, 0, "x <\n  y", "x <= y", None, False)
-        path = Path(self.scratch.name) / "survivors.md"
-        path.write_text(f"# Why\n\n## Ties\n\nThey are equal.\n\n{reasons.item(mutant)}\n")
-        self.assertEqual(reasons.reason_of(reasons.read(path), mutant), "Ties")
-        self.assertIsNone(reasons.reason_of(reasons.read(path), mutant._replace(kind="<=")))
-        self.assertIsNone(reasons.reason_of(reasons.read(path), mutant._replace(line=4)))
+    def test_a_reason_is_found_as_long_as_its_line_is_the_same(self):
+        root = Path(self.scratch.name)
+        path, source = root / "survivors.md", root / "some.cpp"
+        mutant = finding.Mutant("some.cpp", 2, 7, "<", 0, 0, "x <\n  y", "x <= y", None, False)
+        moved = mutant._replace(line=4, column=9)
+        source.write_text("\n  if (x <\n  y)\n")
+        path.write_text(f"# Why\n\n## Ties\n\nThey are equal.\n\n{reasons.item(root, mutant)}\n")
+        explained = reasons.read(path)
+        self.assertEqual(reasons.reason_of(explained, root, mutant), "Ties")
+        self.assertIsNone(reasons.reason_of(explained, root, mutant._replace(kind="<=")))
+        self.assertIsNone(reasons.reason_of(explained, root, mutant._replace(column=8)))
+        source.write_text("\n\n\n    if (x <\n  y)\n")
+        self.assertEqual(reasons.reason_of(explained, root, moved), "Ties")
+        source.write_text("\nif (x <\n\n    if (x <\n  y)\n")
+        self.assertIsNone(reasons.reason_of(explained, root, moved), "one of two equal lines")
+        source.write_text("\n\n\n    if (z < 1 && x <\n  y)\n")
+        self.assertIsNone(reasons.reason_of(explained, root, moved))
 
     def test_the_sample_is_that_of_the_seed(self):
-        mutants = {number: ("one" if number < 50 else "other", None) for number in range(1, 200)}
+        def mutant(line):
+            return finding.Mutant("some.cpp", line, 1, "constant", 0, 0, str(line % 7), "8", None, False)
+        mutants = {number: ("one" if number < 50 else "other", mutant(number)) for number in range(1, 200)}
         chosen = run.sample(mutants, 120, 1)
         self.assertEqual(chosen, run.sample(mutants, 120, 1))
+        self.assertNotEqual(set(chosen), set(run.sample(mutants, 120, 2)))
         self.assertEqual(len(chosen), 120)
         self.assertEqual(sum(number < 50 for number in chosen), 49)  # no more than there are
+        moved = {number + 10: (area, m._replace(line=m.line + 3)) for number, (area, m) in mutants.items()}
+        self.assertEqual([number + 10 for number in chosen], run.sample(moved, 120, 1))
 
 
 if __name__ == "__main__":

@@ -48,6 +48,17 @@ TEST(Dfa, RefusesWhatIsNoAutomaton) {
       << "a proposition outside the vocabulary";
 }
 
+TEST(Dfa, SaysThatThereIsNoSuchInitialState) {
+  Mtbdd diagram;
+  const Mtbdd::Node root = diagram.make(0, Mtbdd::terminal(0), Mtbdd::terminal(1));
+  try {
+    const Dfa dfa(ltl::Vocabulary({"a"}), {a}, diagram, {root, Mtbdd::terminal(0)}, {false, true}, StateId{2});
+    ADD_FAILURE() << "accepted";
+  } catch (const std::invalid_argument& error) {
+    EXPECT_STREQ(error.what(), "the initial state of a DFA must be one of its states");
+  }
+}
+
 TEST(Dfa, ReadsOnlyWhatMatters) {
   EXPECT_EQ(translate("F b").reads(), std::vector<Proposition>{b});
   EXPECT_EQ(translate("(a | !a) & F c").reads(), std::vector<Proposition>{c});
@@ -111,6 +122,21 @@ TEST(Run, ShortestWordIsShortestAndAccepted) {
   }
   for (const char* unsatisfiable : {"false", "a & X !a & G a", "X (N false & X true)"})
     EXPECT_FALSE(shortest_word(translate(unsatisfiable)).has_value()) << unsatisfiable;
+}
+
+// Without `a`, `c` decides between two states that are equally far from acceptance.
+TEST(Run, ShortestWordPassesBranchesThatLeadNoNearer) {
+  Mtbdd diagram;
+  const Mtbdd::Node aside = diagram.make(1, Mtbdd::terminal(0), Mtbdd::terminal(1)),
+                    far = diagram.make(0, aside, Mtbdd::terminal(2)),
+                    near = diagram.make(0, Mtbdd::terminal(2), Mtbdd::terminal(3));
+  const Dfa dfa(ltl::Vocabulary({"a", "c"}), {a, b}, diagram, {far, far, near, Mtbdd::terminal(3)},
+                {false, false, false, true}, StateId{0});
+  const std::optional<Trace> word = shortest_word(dfa);
+  ASSERT_TRUE(word.has_value());
+  EXPECT_EQ(word->size(), 2U);
+  EXPECT_TRUE(accepts(dfa, *word));
+  for (const Letter& letter : *word) EXPECT_EQ(letter, Letter{a});
 }
 
 TEST(Dfa, CountsStatesEdgesAndNodes) {

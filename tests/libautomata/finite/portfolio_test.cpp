@@ -67,6 +67,39 @@ TEST(FiniteRoutes, TheOrderOfPropositionsDoesNotMatter) {
   EXPECT_FALSE(difference(first, second).has_value());
 }
 
+TEST(FiniteRoutes, EquivalencesAreOneOfTwo) {
+  const auto automaton = [](const char* text) {
+    ltl::Arena arena(ltl::Vocabulary({"a", "b"}));
+    return ltlf_to_dfa(ltl::parse(text, arena));
+  };
+  EXPECT_FALSE(difference(automaton("F a <-> G b"), automaton("(F a & G b) | (G !a & F !b)")).has_value());
+  EXPECT_FALSE(difference(automaton("F a ^ G b"), automaton("(F a & F !b) | (G !a & G b)")).has_value());
+  EXPECT_FALSE(difference(automaton("!(X a <-> F b)"), automaton("(X a & G !b) | (!X a & F b)")).has_value());
+  EXPECT_EQ(automaton("F a <-> F a").states(), 2U) << "any word but the empty one";
+}
+
+// One side is so large that the whole is not tried in one piece.
+TEST(FiniteRoutes, LargeEquivalencesAreOneOfTwo) {
+  std::string big = "true";
+  for (const char* i : {"1", "2", "3", "4", "5", "6", "7", "8"})
+    big += std::string(" & G (a") + i + " -> F b" + i + ")";
+  ltl::Arena arena;
+  const auto automaton = [&](const std::string& text) { return ltlf_to_dfa(ltl::parse(text, arena)); };
+  const Verdict one = [](bool p, bool q) { return p != q; };
+  const Dfa large = automaton(big), sometimes = automaton("F z"), never = automaton("G !z");
+  const Dfa equivalent = minimize(product(large, never, one)), different = minimize(product(large, sometimes, one));
+  for (const std::string& text : {"(" + big + ") <-> F z", "!((" + big + ") ^ F z)"}) {
+    const Dfa made = automaton(text);
+    EXPECT_EQ(made.states(), equivalent.states());
+    EXPECT_FALSE(difference(made, equivalent).has_value());
+  }
+  for (const std::string& text : {"(" + big + ") ^ F z", "!((" + big + ") <-> F z)"}) {
+    const Dfa made = automaton(text);
+    EXPECT_EQ(made.states(), different.states());
+    EXPECT_FALSE(difference(made, different).has_value());
+  }
+}
+
 TEST(FiniteRoutes, OperandsWithoutPropositionsAreOperandsToo) {
   ltl::Arena arena;
   const ltl::Formula f = ltl::parse("X X X true & N N N N false & F a & F b & G (c -> F d)", arena);

@@ -38,6 +38,8 @@ std::vector<Step> steps(const TransitionRelation& automaton) {
 StatePairs by_definition(std::vector<Step> all, std::size_t states, std::optional<std::uint32_t> initial) {
   if (initial)
     for (Step& s : all) std::swap(s.from, s.to);
+  std::vector<std::vector<Step>> from(states);
+  for (const Step& s : all) from[s.from].push_back(s);
   StatePairs below(states, true);
   for (std::uint32_t r = 0; r < states; ++r)
     if (initial && r != *initial) below.remove(*initial, r);
@@ -45,8 +47,8 @@ StatePairs by_definition(std::vector<Step> all, std::size_t states, std::optiona
     changed = false;
     for (const Step& s : all)
       for (std::uint32_t r = 0; r < states; ++r) {
-        const bool matched = std::any_of(all.begin(), all.end(), [&](const Step& t) {
-          return t.from == r && t.letter == s.letter && t.marks.includes(s.marks) && below(s.to, t.to);
+        const bool matched = std::any_of(from[r].begin(), from[r].end(), [&](const Step& t) {
+          return t.letter == s.letter && t.marks.includes(s.marks) && below(s.to, t.to);
         });
         if (matched || !below(s.from, r)) continue;
         below.remove(s.from, r);
@@ -80,6 +82,35 @@ TEST(GreatestSimulation, IsTheRelationOfTheDefinitionForwardsAndBackwards) {
   }
   EXPECT_GT(related, pairs / 50);
   EXPECT_LT(related, pairs / 2);
+}
+
+// Many states, most of which single letters tell apart: every state of a small automaton several times, each copy with
+// targets among the copies.
+TEST(GreatestSimulation, IsTheRelationOfTheDefinitionOnManyStates) {
+  ltl::Random random(seed);
+  Budget budget;
+  for (std::size_t i = 0; i < (testing::sanitized ? 1U : 6U); ++i) {
+    const Automaton small = random_automaton(random, testing::letters_vocabulary(2),
+                                             {.states = 9, .atoms = 2, .sets = 1, .empty = 0.4, .generic = false});
+    const auto states = static_cast<std::uint32_t>(small.states());
+    const std::uint32_t copies = 45 / states + 1;
+    TransitionRelation many;
+    many.acceptance = small.transitions().acceptance;
+    for (std::uint32_t copy = 0; copy < copies; ++copy)
+      for (const Mtbdd::Node root : small.transitions().roots) {
+        const auto spread = [&](std::uint32_t choice) {
+          std::vector<Branch> branches;
+          for (const Branch& b : small.transitions().choices[choice])
+            branches.push_back({b.target + states * static_cast<std::uint32_t>(random.below(copies)), b.marks});
+          return Mtbdd::terminal(many.choices.intern(branches));
+        };
+        const auto keep = [](Mtbdd::Variable v) { return v; };
+        many.roots.push_back(many.diagram.import(small.transitions().diagram, std::vector{root}, spread, keep).front());
+      }
+    const StatePairs after = by_definition(steps(many), many.states(), {});
+    EXPECT_EQ(greatest_simulation(many, budget, Comparison::OfDiagrams), after) << "seed " << seed << ", " << i;
+    EXPECT_EQ(greatest_simulation(many, budget, Comparison::Cheapest), after) << "seed " << seed << ", " << i;
+  }
 }
 
 TEST(AlphabetClasses, AreAsManyAsThereAreDifferentColumns) {

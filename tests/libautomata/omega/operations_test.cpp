@@ -67,6 +67,28 @@ TEST(OmegaOperations, MatchPropositionsByName) {
   EXPECT_NE(write_hoa(intersection(a, b, budget)).find("[0&1] 0"), std::string::npos);
 }
 
+TEST(OmegaOperations, SumsBeginWhereBothBegin) {
+  const auto waits_for = [](const char* proposition) {
+    return read_omega_hoa(std::string("HOA: v1 Start: 1 AP: 1 \"") + proposition +
+                          "\" Acceptance: 0 t --BODY-- State: 0 [t] 0 State: 1 [!0] 2 State: 2 [0] 0 --END--");
+  };
+  const Automaton a = waits_for("a"), b = waits_for("b"), any = sum(a, b);
+  testing::for_each_lasso(small, [&](const ltl::Lasso& word) {
+    const auto first_late = [&](std::uint32_t p) {
+      return !word[0].contains(ltl::Proposition{p}) && word[word.successor(0)].contains(ltl::Proposition{p});
+    };
+    ASSERT_EQ(referee::accepts(any, word), first_late(0) || first_late(1)) << show(any, word);
+  });
+}
+
+TEST(RandomAutomaton, RefusesWhatNoAutomatonIs) {
+  ltl::Random random(14);
+  EXPECT_THROW(random_automaton(random, ab, {.states = 0}), std::invalid_argument);
+  EXPECT_THROW(random_automaton(random, ab, {.branches = 0}), std::invalid_argument);
+  EXPECT_THROW(random_automaton(random, ab, {.atoms = 3}), std::invalid_argument);
+  EXPECT_THROW(random_automaton(random, ab, {.sets = Marks::most + 1}), std::invalid_argument);
+}
+
 TEST(OmegaOperations, StopAtTheLimits) {
   ltl::Random random(13);
   const Automaton a = random_automaton(random, ab, {.states = 6, .empty = 0});

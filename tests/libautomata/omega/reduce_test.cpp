@@ -58,6 +58,29 @@ class Reductions : public ::testing::Test {
 TEST_F(Reductions, SccFilterKeepsTheLanguage) {
   keep_the_language([&](const TransitionRelation& a) { return scc_filter(a, MarksOn::Edges, budget_); });
 }
+// Every branch that leaves a state carries the marks of the state.
+TransitionRelation with_marks_on_states(const TransitionRelation& a) {
+  TransitionRelation out;
+  out.acceptance = a.acceptance;
+  out.initial = a.initial;
+  for (std::uint32_t q = 0; q < a.states(); ++q) {
+    Marks marks;
+    for (std::uint32_t set = 0; set < a.acceptance.sets; ++set)
+      if ((q >> set & 1U) == 0) marks = marks | Marks::of(set);
+    const auto marked = [&](std::uint32_t choice) {
+      std::vector<Branch> branches;
+      for (const Branch& b : a.choices[choice]) branches.push_back({b.target, marks});
+      return Mtbdd::terminal(out.choices.intern(branches));
+    };
+    const auto keep = [](Mtbdd::Variable v) { return v; };
+    out.roots.push_back(out.diagram.import(a.diagram, std::vector{a.roots[q]}, marked, keep).front());
+  }
+  return out;
+}
+TEST_F(Reductions, SccFilterKeepsTheLanguageOfMarksOnStates) {
+  keep_the_language(with_marks_on_states,
+                    [&](const TransitionRelation& a) { return scc_filter(a, MarksOn::States, budget_); });
+}
 TEST_F(Reductions, BisimulationKeepsTheLanguage) {
   keep_the_language([&](const TransitionRelation& a) { return bisimulation_quotient(a, budget_); });
 }
@@ -137,6 +160,30 @@ TEST_F(Reductions, MarksThatAreAddedMayTellEqualStatesApart) {
   const TransitionRelation raw = tableau(f, ltl::propositions(f), budget_).automaton;
   EXPECT_EQ(reduce(raw, MarksOn::Edges, budget_).automaton.states(), 10U);
   EXPECT_EQ(reduce_as_marked(raw, budget_).automaton.states(), 7U);
+}
+
+// With a step less than it takes the reduction is incomplete; when a stop is noticed, nothing comes back.
+TEST_F(Reductions, AStopIsNoAnswer) {
+  ltl::Random random(32);
+  const Automaton given = random_automaton(random, testing::letters_vocabulary(2),
+                                           {.states = 8, .sets = 2, .branches = 3, .empty = 0.1, .generic = false});
+  std::size_t steps = 1;
+  const auto is_complete = [&](std::size_t most, const std::stop_token& stop) {
+    Budget budget(most, SIZE_MAX, stop);
+    return reduce(given.transitions(), MarksOn::Edges, budget).complete;
+  };
+  while (!is_complete(steps, {})) ++steps;
+  EXPECT_GT(steps, 10U);
+  std::stop_source source;
+  source.request_stop();
+  for (std::size_t before = 0; before < steps; ++before) {  // a budget polls when it falls below 4096 steps
+    try {
+      is_complete(4096 + before, source.get_token());
+      ADD_FAILURE() << "not stopped after " << before << " of " << steps << " steps";
+    } catch (const Budget::Exceeded& spent) {
+      EXPECT_EQ(spent.reason, Budget::Exceeded::Reason::Stopped);
+    }
+  }
 }
 
 }  // namespace

@@ -60,6 +60,7 @@ TEST(Verbalise, SaysWhatAFormulaMeans) {
       {"!p U (p U (!p U q))", "before q holds, which happens, p holds in at most one stretch."},
       {"F<=3 chair", "within 3 steps you are at the chair."},
       {"p ^ X q", "p holds exactly when it is not so that one step later q holds."},
+      {"X X p", "2 steps later p holds."},
   };
   for (const Row& row : table) {
     Arena arena;
@@ -98,7 +99,7 @@ std::vector<VerbaliseOptions> descriptions() {
           {.semantics = Semantics::Infinite, .describe = robot}};
 }
 
-TEST(ReadEnglish, ReadsBackAllSmallFormulas) {
+TEST(ReadEnglishText, ReadsBackAllSmallFormulas) {
   for (const VerbaliseOptions& options : descriptions()) {
     Arena arena(letters_vocabulary(2));
     for (Formula f : all_formulas(arena, {.size = 4, .atoms = 2}))
@@ -106,18 +107,65 @@ TEST(ReadEnglish, ReadsBackAllSmallFormulas) {
   }
 }
 
-TEST(ReadEnglish, ReadsBackRandomFormulas) {
-  for (const VerbaliseOptions& options : descriptions()) {
-    Random random(14);
-    Arena arena(letters_vocabulary(2));
-    for (int i = 0; i < testing::scaled(5'000); ++i)
+class ReadEnglish : public ::testing::TestWithParam<std::size_t> {};
+
+TEST_P(ReadEnglish, ReadsBackRandomFormulas) {
+  const VerbaliseOptions options = descriptions()[GetParam()];
+  Random random(14);
+  Arena arena(letters_vocabulary(2));
+  for (int i = 0; i < testing::scaled(5'000); ++i)
+    ASSERT_NO_FATAL_FAILURE(
+        expect_read_back(random_formula(random, arena, {.size = 1 + random.below(9), .atoms = 2}), options));
+}
+INSTANTIATE_TEST_SUITE_P(Descriptions, ReadEnglish, ::testing::Range<std::size_t>(0, descriptions().size()));
+
+// Names that are written in quotes, with the words of phrases in them, a quote, and a backslash.
+TEST(ReadEnglishText, WordsOfPhrasesStandInQuotes) {
+  for (const Semantics semantics : {Semantics::Finite, Semantics::Infinite}) {
+    const VerbaliseOptions options{.semantics = semantics};
+    Arena arena(Vocabulary({"a until b, then c", R"(say "or, then" \ and)"}));
+    for (Formula f : all_formulas(arena, {.size = 3, .atoms = 2}))
+      ASSERT_NO_FATAL_FAILURE(expect_read_back(f, options));
+    Random random(15);
+    for (int i = 0; i < testing::scaled(300); ++i)
       ASSERT_NO_FATAL_FAILURE(
           expect_read_back(random_formula(random, arena, {.size = 1 + random.below(9), .atoms = 2}), options));
   }
 }
 
 // The lifted templates of the literature, where they are at hand.
-TEST(ReadEnglish, ReadsBackTemplates) {
+TEST(ReadEnglishText, StretchesAreCounted) {
+  const auto word = [](std::size_t stretches) {
+    std::vector<Letter> letters{{}};
+    for (std::size_t i = 0; i < stretches; ++i)
+      letters.insert(letters.end(), {Letter{Proposition{0}}, Letter{Proposition{0}}, Letter{}});
+    return Lasso(letters, {Letter{}});
+  };
+  for (const char* how : {"exactly", "at least"})
+    for (std::size_t n = 1; n <= 4; ++n) {
+      Arena arena(letters_vocabulary(1));
+      const std::string text =
+          std::string("the number of stretches in which a holds is ") + how + ' ' + std::to_string(n) + '.';
+      const auto f = read_english(text, arena);
+      ASSERT_TRUE(f) << text;
+      for (std::size_t there = 0; there <= 5; ++there)
+        EXPECT_EQ(holds(word(there), *f), there == n || (there > n && how[0] == 'a')) << text << ' ' << there;
+    }
+}
+
+// After (Z) comes (A1).
+TEST(Verbalise, LettersDoNotRunOut) {
+  std::string text = "p0 U q0";
+  for (int i = 1; i < 30; ++i) text = "(" + text + ") U (p" + std::to_string(i) + " U q" + std::to_string(i) + ")";
+  Arena arena;
+  const Formula f = parse(text, arena);
+  const std::string english = verbalise(f);
+  EXPECT_NE(english.find(". (Z) means: "), std::string::npos) << english;
+  EXPECT_NE(english.find(". (A1) means: "), std::string::npos) << english;
+  EXPECT_EQ(read_english(english, arena), f);
+}
+
+TEST(ReadEnglishText, ReadsBackTemplates) {
   const char* const given = std::getenv("WAYMARK_SHARED");
   std::ifstream in(std::string(given != nullptr ? given : WAYMARK_SOURCE_DIR "/../shared") + "/commands/templates.tsv");
   if (!in) GTEST_SKIP() << "SKIPPED: no templates";
@@ -137,7 +185,7 @@ TEST(ReadEnglish, ReadsBackTemplates) {
   EXPECT_GT(count, 0U);
 }
 
-TEST(ReadEnglish, RefusesWhatVerbaliseDoesNotWrite) {
+TEST(ReadEnglishText, RefusesWhatVerbaliseDoesNotWrite) {
   Arena arena(letters_vocabulary(2));
   for (const char* text : {"", ".", "a", "a holds", "c holds.", "a holds b holds.", "eventually.", "(A) holds.",
                            "(A) holds. (A) means: (A) holds.", "a holds and b holds or a holds.",

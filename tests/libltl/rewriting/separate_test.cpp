@@ -91,6 +91,9 @@ TEST(Separate, PullsOutWhatMayBeLookedAtLate) {
       {"(a & G F b) U c", "c | (G F b & a U c)"},
       {"G a | F(!a & F b)", "a W (!a & F b)"},
       {"F a & G(!a | G b)", "!a U (a & G b)"},
+      {"F G X a", "F G a"},
+      {"a U (b | G a)", "a W b"},
+      {"a R (b & F a)", "a M b"},
   };
   for (const auto& row : table) {
     Arena arena;

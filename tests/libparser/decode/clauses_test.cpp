@@ -143,6 +143,7 @@ TEST(Clauses, AsManyAsAskedForAndNoneTooLong) {
     return out;
   };
   EXPECT_EQ(by_clauses(reader, {{"a", "and", "b"}, false}, 5).size(), 5U);
+  EXPECT_EQ(by_clauses(reader, {{"a", "and", "b"}, false}, 40).size(), 40U) << "more than are kept of a part";
   reader.answers.clear();
   reader.draw = [] { return std::vector<Candidate>{{Program(50, forward(1)), -1}}; };
   for (const Candidate& c : by_clauses(reader, {tokenize("a and b and c and d"), false}, 5))

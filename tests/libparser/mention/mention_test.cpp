@@ -60,6 +60,7 @@ TEST(Misspellings, AreOneEditAway) {
 
 TEST(Singulars, LoseOneS) {
   EXPECT_EQ(singular("lamps"), "lamp");
+  EXPECT_EQ(singular("beds"), "bed");
   EXPECT_EQ(singular("grass"), "grass");
   EXPECT_EQ(singular("gas"), "gas");
 }

@@ -104,6 +104,83 @@ TEST(CaseTask, WhatCanBePutOffAlmostForEverIsAnswered) {
   }
 }
 
+// The corridor without noise.
+PlanningCase quiet_case() {
+  std::string text = small_case;
+  return parse_case(text.replace(text.find(R"(, "motion")"), std::string::npos, "}"));
+}
+
+TEST(CaseTask, MethodSearchIsForCostsOfDeterministicModels) {
+  const CaseTask cheapest{.id = "", .formula = "F a", .query = CaseTask::Query::MinCost};
+  const CaseTask likeliest{.id = "", .formula = "F a", .query = CaseTask::Query::MaxProbability};
+  const CaseOptions by_search{.method = CaseMethod::Search};
+  EXPECT_EQ(answer(quiet_case(), cheapest, by_search).value.upper, 5);
+  EXPECT_THROW(answer(quiet_case(), likeliest, by_search), std::invalid_argument);
+  EXPECT_THROW(answer(parse_case(small_case), cheapest, by_search), std::invalid_argument);
+  EXPECT_EQ(answer(quiet_case(), cheapest, {.top = 3}).routes.size(), 3U);
+  EXPECT_THROW(answer(quiet_case(), likeliest, {.top = 2}), std::invalid_argument);
+  EXPECT_THROW(answer(parse_case(small_case), cheapest, {.top = 2}), std::invalid_argument);
+}
+
+TEST(CaseTask, TheStrategyOfASearchGoesAlongTheRoute) {
+  const CaseAnswer found = answer(quiet_case(), {.id = "", .formula = "F a", .query = CaseTask::Query::MinCost},
+                                  {.route = true, .strategy = true});
+  ASSERT_TRUE(found.strategy);
+  ASSERT_EQ(found.routes.size(), 1U);
+  EXPECT_EQ(found.strategy->re_evaluated.lower, 5);
+  EXPECT_EQ(found.strategy->re_evaluated.upper, 5);
+  ASSERT_EQ(found.strategy->decisions.size(), 5U);
+  for (std::size_t i = 0; i < 5; ++i) {
+    EXPECT_EQ(found.strategy->decisions[i].place, found.routes[0].places[i]);
+    EXPECT_EQ(found.strategy->decisions[i].action, found.routes[0].actions[i]);
+  }
+}
+
+TEST(CaseTask, WhatIsNotAskedForIsNotTold) {
+  const CaseAnswer found = answer(quiet_case(), {.id = "", .formula = "F a", .query = CaseTask::Query::MinCost});
+  EXPECT_TRUE(found.routes.empty());
+  EXPECT_FALSE(found.strategy);
+  EXPECT_FALSE(found.lasso);
+}
+
+// A thousandth of the states is for the automaton, of which this one needs more.
+TEST(CaseTask, SaysWhichLimitWasMet) {
+  const CaseTask task{
+      .id = "", .formula = "F (a & X F b) & F (b & X F x) & F (x & X F a)", .query = CaseTask::Query::MaxProbability};
+  const CaseAnswer automaton = answer(parse_case(small_case), task, {.states = 4'000});
+  EXPECT_EQ(automaton.status, CaseAnswer::Status::Exhausted);
+  EXPECT_EQ(automaton.reason, "no automaton within the limits");
+  const CaseTask small{.id = "", .formula = "F a", .query = CaseTask::Query::MaxProbability};
+  EXPECT_EQ(answer(parse_case(small_case), small, {.states = 2'000}).status, CaseAnswer::Status::Solved);
+  EXPECT_EQ(answer(parse_case(small_case), task, {.states = 1'000'000}).status, CaseAnswer::Status::Solved);
+}
+
+TEST(CaseTask, WhatHoldsAtTheStartIsSeen) {
+  const PlanningCase line = parse_case(R"({"format": "ltlgrid/1", "width": 2, "height": 1, "rows": ["sa"],
+    "legend": {"s": {"props": ["s"]}, "a": {"props": ["a"]}}, "start": {"x": 0, "y": 0}})");
+  const CaseAnswer found =
+      answer(line, {.id = "", .formula = "F s & F a & F nowhere", .query = CaseTask::Query::MinCost});
+  EXPECT_NE(found.reason.find("never seen from the start: nowhere"), std::string::npos) << found.reason;
+}
+
+// Landmarks of large models are toured without a product; what is asked for on the way to them keeps it from that.
+TEST(CaseTask, OnlyVisitsAreTours) {
+  constexpr std::size_t size = 320;
+  std::string rows = "\"s.a.b" + std::string(size - 5, '.') + '"';
+  for (std::size_t y = 1; y < size; ++y) rows += ", \"" + std::string(size, '.') + '"';
+  const PlanningCase open = parse_case(R"({"format": "ltlgrid/1", "width": 320, "height": 320, "rows": [)" + rows +
+                                       R"(], "legend": {"a": {"props": ["a"]}, "b": {"props": ["b"]}, "s": {}},
+    "start": {"x": 0, "y": 0}})");
+  const auto ask = [&](const char* formula) {
+    return answer(open, {.id = "", .formula = formula, .query = CaseTask::Query::MinCost}, {.explain = false});
+  };
+  const CaseAnswer visits = ask("F a & F b");
+  EXPECT_EQ(visits.value.upper, 4);
+  EXPECT_EQ(visits.product_states, 0U) << "no product";
+  EXPECT_EQ(ask("(b U a) & (a U b)").status, CaseAnswer::Status::Infeasible);
+  EXPECT_EQ(ask("(!b U a) & (!a U (b | a))").value.upper, 2);
+}
+
 TEST(CaseTask, SaysWhichConjunctsAreInTheWay) {
   const CaseAnswer answer = ask("F a & G !a & F b", CaseTask::Query::MaxProbability);
   EXPECT_EQ(answer.status, CaseAnswer::Status::Infeasible);

@@ -194,10 +194,111 @@ TEST(Decide, PolicyIterationSolvesWhereOthersSweep) {
   const automata::Dfa dfa = automata::ltlf_to_dfa(ltl::parse("F a", arena));
   const TaskTable task(dfa, mdp.letters());
   const auto product = ProductMdp<Mdp>::explore(mdp, task);
+  for (IterationOptions limits : ways) {
+    limits.sweeps = 0;
+    EXPECT_EQ(least_cost(*product, limits).has_value(), limits.policy_iteration) << "out of sweeps";
+    limits.sweeps = UINT64_MAX;
+    std::stop_source source;
+    source.request_stop();
+    limits.stop = source.get_token();
+    EXPECT_FALSE(least_cost(*product, limits)) << "stopped";
+  }
   const auto policies = least_cost(*product, ways[1]), sweeps = least_cost(*product, ways[2]);
   ASSERT_TRUE(policies && sweeps);
   EXPECT_LT(4 * policies->sweeps, sweeps->sweeps);
   EXPECT_NEAR(policies->value.middle(), sweeps->value.middle(), 1e-6 * sweeps->value.middle());
+}
+
+// A fair walk of twenty places, and at the start a choice that is worth less than to walk on: with a coarse tolerance
+// that is taken, and what it is worth bounds the value from below alone.
+TEST(Decide, BoundsHoldAtCoarseTolerances) {
+  constexpr std::uint32_t places = 20, start = 18;
+  MdpBuilder builder(testing::vocabulary_ab());
+  const LetterId nothing = builder.letter({}), there = builder.letter({ltl::Proposition{0}});
+  for (std::uint32_t s = 0; s <= places; ++s) {
+    builder.add_state();
+    const bool ends = s == 0 || s == places;
+    builder.add_choice("walk");
+    builder.add_outcome(ends ? s : s + 1, s + 1 == places ? there : nothing, 0.5);
+    builder.add_outcome(ends ? s : s - 1, nothing, 0.5);
+    if (s != start) continue;
+    builder.add_choice("jump");
+    builder.add_outcome(places, there, 0.895);
+    builder.add_outcome(0, nothing, 0.105);
+  }
+  const Mdp mdp = std::move(builder).build(start, nothing);
+  ltl::Arena arena(testing::vocabulary_ab());
+  const automata::Dfa dfa = automata::ltlf_to_dfa(ltl::parse("F a", arena));
+  const TaskTable task(dfa, mdp.letters());
+  const auto product = ProductMdp<Mdp>::explore(mdp, task);
+  for (IterationOptions limits : ways) {
+    limits.tolerance = 0.9;
+    const auto decided = greatest_probability(*product, limits);
+    ASSERT_TRUE(decided);
+    EXPECT_LE(decided->value.lower, 0.9 + 1e-9);
+    EXPECT_GE(decided->value.upper, 0.9 - 1e-9);
+    EXPECT_LE(decided->value.upper - decided->value.lower, 0.9);
+    if (limits.written_out == 0) {
+      EXPECT_NEAR(decided->re_evaluated.middle(), 0.895, 1e-9) << "else nothing was tried";
+    }
+  }
+  EXPECT_EQ((Bounds{0.5, 1.5}).middle(), 1);
+}
+
+// In the winning component the likeliest way to the mark may lead out of it.
+TEST(Decide, WhatIsMetForEverIsMetWithoutRisk) {
+  MdpBuilder builder(testing::vocabulary_ab());
+  const LetterId nothing = builder.letter({}), a = builder.letter({ltl::Proposition{0}});
+  builder.add_state();
+  builder.add_choice("risk");
+  builder.add_outcome(1, nothing, 0.9);
+  builder.add_outcome(2, nothing, 0.1);
+  builder.add_choice("wait");
+  builder.add_outcome(1, nothing, 0.5);
+  builder.add_outcome(0, nothing, 0.5);
+  builder.add_state();
+  builder.add_choice("back");
+  builder.add_outcome(0, a);
+  builder.add_state();
+  builder.add_choice("stay");
+  builder.add_outcome(2, nothing);
+  const Mdp mdp = std::move(builder).build(0, nothing);
+  ltl::Arena arena(testing::vocabulary_ab());
+  const automata::MdpSafe ldba = automata::ltl_to_ldba(ltl::parse("G F a", arena));
+  const TaskTable task(ldba, mdp.letters());
+  const auto product = ProductMdp<Mdp>::explore(mdp, task);
+  const auto decided = greatest_probability(*product, ways[0]);
+  ASSERT_TRUE(decided);
+  EXPECT_EQ(decided->value.lower, 1);
+  EXPECT_EQ(decided->re_evaluated.lower, 1);
+}
+
+// One move to the goal: what each way takes to see that the first sweep was right.
+TEST(Decide, CountsSweeps) {
+  MdpBuilder builder(testing::vocabulary_ab());
+  const LetterId nothing = builder.letter({}), there = builder.letter({ltl::Proposition{0}});
+  builder.add_state();
+  builder.add_choice("on");
+  builder.add_outcome(1, there);
+  builder.add_state();
+  builder.add_choice("stay");
+  builder.add_outcome(1, there);
+  const Mdp mdp = std::move(builder).build(0, nothing);
+  const auto sweeps = [&](const char* formula, const IterationOptions& limits) {
+    ltl::Arena arena(testing::vocabulary_ab());
+    const automata::Dfa dfa = automata::ltlf_to_dfa(ltl::parse(formula, arena));
+    const TaskTable task(dfa, mdp.letters());
+    const auto product = ProductMdp<Mdp>::explore(mdp, task);
+    const auto cost = least_cost(*product, limits), most = greatest_probability(*product, limits);
+    EXPECT_TRUE(cost && most) << formula;
+    EXPECT_EQ(most->sweeps, 0U) << formula << ": by the graph alone";
+    return cost->sweeps;
+  };
+  EXPECT_EQ(sweeps("F a", ways[0]), 1U) << "from the best luck, which is the value";
+  EXPECT_EQ(sweeps("F a", ways[1]), 1U) << "one policy";
+  EXPECT_EQ(sweeps("F a", ways[2]), 3U) << "up, no further, and a proof";
+  EXPECT_EQ(sweeps("!a", ways[0]), 0U) << "done at the start";
+  EXPECT_EQ(sweeps("G b", ways[0]), 0U) << "lost at the start";
 }
 
 }  // namespace

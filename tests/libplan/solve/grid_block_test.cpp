@@ -123,5 +123,88 @@ TEST(GridBlock, AgreesWithEquationsWhereAWindowMovesOn) {
   EXPECT_GT(unsure, 3U);
 }
 
+// A row of cells between a hazard in the west and the goal in the east, and moves that go back as often as forward:
+// the chance to arrive is the share of the way that is done.
+struct FairWalk {
+  explicit FairWalk(std::uint32_t length)
+      : names({"a", "x"}),
+        arena(names),
+        grid({.width = length + 1, .height = 1, .motion = {back_or_on, back_or_on, back_or_on, back_or_on}}, names,
+             {{}, {.label = {ltl::Proposition{0}}}, {.label = {ltl::Proposition{1}}}}, cells(length), length / 2),
+        dfa(automata::ltlf_to_dfa(ltl::parse("!x U a", arena))),
+        task(dfa, grid.letters()),
+        product(GridBlock::Product::explore(grid, task).value()),
+        unknowns{StateSet(product.states(), false), StateSet(product.states(), false), {}} {
+    product.for_each_state([&](const auto& s) {
+      (product.is_goal(s) ? unknowns.targets : unknowns.unknown)[s.index] = true;
+      truth.push_back(product.is_goal(s) ? 1 : product.compact(s).place / static_cast<double>(length));
+    });
+    for (std::size_t b = 0; b + 1 < product.blocks().size(); ++b) {
+      const EndComponentQuotient<GridBlock::Product> merged(product, unknowns);
+      if (order.empty()) order = merged.in_order(product.blocks()[b], product.blocks()[b + 1]);
+    }
+  }
+  static std::vector<std::uint16_t> cells(std::uint32_t length) {
+    std::vector<std::uint16_t> out(length + 1, 0);
+    out.front() = 2;
+    out.back() = 1;
+    return out;
+  }
+  GridBlock block() const {
+    return GridBlock::of(product, unknowns, Measure::MaxProbability, order, KeptBounds(product.states())).value();
+  }
+  static constexpr SlipChances back_or_on{.forward = 0.5, .left = 0, .right = 0, .back = 0.5};
+  ltl::Vocabulary names;
+  ltl::Arena arena;
+  GridWorld grid;
+  automata::Dfa dfa;
+  TaskTable task;
+  GridBlock::Product product;
+  Unknowns unknowns;
+  GridBlock::Order order;
+  std::vector<double> truth;  // by state
+};
+
+// Sweeps from above stop too high where runs are long: the lower bounds must be proved as well.
+TEST(GridBlock, BoundsHoldWhateverIsClaimed) {
+  const FairWalk walk(::waymark::testing::sanitized ? 40 : 120);
+  for (const double factor : {0.0, 0.5, 3.0}) {
+    std::vector<double> claimed = walk.truth;
+    for (double& value : claimed) value = std::min(1.0, factor * value);
+    GridBlock block = walk.block();
+    block.start_from(claimed, tolerance);
+    ASSERT_TRUE(block.solve({.tolerance = tolerance})) << factor;
+    std::size_t states = 0;
+    block.for_each([&](std::uint32_t i, double lower, double upper) {
+      ++states;
+      EXPECT_LE(lower, walk.truth[i] * rounding) << factor << " times the truth, state " << i;
+      EXPECT_GE(upper * rounding, walk.truth[i]) << factor << " times the truth, state " << i;
+      EXPECT_LE(upper - lower, tolerance) << factor << " times the truth, state " << i;
+    });
+    EXPECT_EQ(states, walk.order.size());
+  }
+}
+
+// Fewer sweeps than it takes: no answer; with as many the same answer, as soon as there is one.
+TEST(GridBlock, GivesUpWhenItIsOutOfSweeps) {
+  const FairWalk walk(12);
+  const auto sweeps = walk.block().solve({.tolerance = tolerance});
+  ASSERT_TRUE(sweeps);
+  EXPECT_FALSE(walk.block().solve({.tolerance = tolerance, .sweeps = 0}));
+  bool solved = false;
+  for (std::uint64_t most = 0; most <= *sweeps; ++most) {
+    const auto found = walk.block().solve({.tolerance = tolerance, .sweeps = most});
+    EXPECT_TRUE(found || !solved) << most;
+    solved = found.has_value();
+    if (found) {
+      EXPECT_EQ(*found, *sweeps) << most;
+    }
+  }
+  EXPECT_TRUE(solved);
+  std::stop_source source;
+  source.request_stop();
+  EXPECT_FALSE(walk.block().solve({.tolerance = tolerance, .stop = source.get_token()}));
+}
+
 }  // namespace
 }  // namespace waymark::plan

@@ -10,6 +10,7 @@
 
 #include "libautomata/finite/ltlf_to_dfa.hpp"
 #include "libltl/meaning/semantics.hpp"
+#include "libltl/text/parse.hpp"
 #include "libltl/text/print.hpp"
 #include "libplan/solve/landmark_tour.hpp"
 #include "tests/libplan/solve/random_grids.hpp"
@@ -136,6 +137,48 @@ TEST(LandmarkTour, StopsWhenAsked) {
   std::stop_source source;
   source.request_stop();
   for (bool closed : {false, true}) EXPECT_EQ(shortest_tour(grid, {"a"}, closed, source.get_token()), std::nullopt);
+}
+
+// A row of cells with landmarks; `rows` of them, the others empty.
+GridWorld row_with(std::vector<std::uint16_t> cells, std::uint32_t start, std::uint32_t rows = 1) {
+  const auto width = static_cast<std::uint32_t>(cells.size());
+  cells.resize(std::size_t{width} * rows, 0);
+  return GridWorld({.width = width, .height = rows}, testing::vocabulary_ab(),
+                   {{}, {.label = {ltl::Proposition{0}}}, {.label = {ltl::Proposition{1}}}}, cells, start);
+}
+
+SearchAnswer searched(const GridWorld& grid, const char* formula) {
+  ltl::Arena arena(testing::vocabulary_ab());
+  const automata::Dfa dfa = automata::ltlf_to_dfa(ltl::parse(formula, arena));
+  return search(Product(grid, TaskTable(dfa, grid.letters()))).value();
+}
+
+TEST(ProductSearch, NothingIsLookedAtAgainAfterALandmarkThatAllRoutesPass) {
+  const SearchAnswer answer = searched(row_with({2, 0, 0, 0, 0, 0, 1}, 3), "F (a & F b)");
+  EXPECT_EQ(answer.route.value().cost, 9);
+  EXPECT_EQ(answer.statistics.met, 12U) << "the start, two to either side, `a`, and six on the way back to `b`";
+  EXPECT_EQ(answer.statistics.edges, 40U) << "four of each of them but one in the west and `b`";
+}
+
+TEST(ProductSearch, StopsAtItsLimits) {
+  const GridWorld grid = row_with({0, 0, 0, 1, 0}, 0);
+  ltl::Arena arena(testing::vocabulary_ab());
+  const TaskTable task(automata::ltlf_to_dfa(ltl::parse("F (a & F !a)", arena)), grid.letters());
+  const std::size_t met = search(Product(grid, task)).value().statistics.met;
+  EXPECT_TRUE(search(Product(grid, task), {.states = met}));
+  EXPECT_FALSE(search(Product(grid, task), {.states = 2}));
+  std::stop_source source;
+  source.request_stop();
+  EXPECT_FALSE(search(Product(grid, task), {.states = SIZE_MAX, .stop = source.get_token()}));
+}
+
+TEST(ProductSearch, CountsBothSearchesOfALargeGrid) {
+  std::vector<std::uint16_t> cells(256, 0);
+  cells[200] = 1;
+  const SearchAnswer answer = searched(row_with(cells, 40, 256), "F a");
+  EXPECT_EQ(answer.route.value().cost, 160);
+  EXPECT_EQ(answer.statistics.met, 160U + 161U) << "the straight way without its end, then the whole of it";
+  EXPECT_EQ(answer.statistics.edges, 4U * (160U + 160U));
 }
 
 }  // namespace
