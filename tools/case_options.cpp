@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "tools/shell/exit_code.hpp"
+
 namespace waymark::tools {
 namespace {
 

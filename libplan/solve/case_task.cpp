@@ -2,6 +2,7 @@
 
 #include <chrono>
 #include <cmath>
+#include <iomanip>
 #include <sstream>
 #include <stdexcept>
 #include <variant>
@@ -272,6 +273,7 @@ class TaskSolver {
     answer_.status = Status::Solved;
     const auto told = [&](const Bounds& b) { return negated ? Bounds{1 - b.upper, 1 - b.lower} : b; };
     answer_.value = told(found->value);
+    if (found->tolerance > options_.tolerance) answer_.reason = "proved no nearer: here doubles end";
     if (!found->attained) answer_.reason = unattained(told(found->re_evaluated));
     if (is_cost() && answer_.value.lower == INFINITY) infeasible(INFINITY);
     if (is_reward() && answer_.value.upper == 0) infeasible(0);
@@ -280,8 +282,8 @@ class TaskSolver {
   }
   static std::string unattained(const Bounds& best) {
     std::ostringstream out;
-    out << "proved, but the best strategy that was found is worth no more than what lies in [" << best.lower << ", "
-        << best.upper << ']';
+    out << std::setprecision(12) << "proved, but the best strategy that was found is worth a value in [" << best.lower
+        << ", " << best.upper << ']';
     return out.str();
   }
   // Of a strategy that is to be feared there is nothing to write down.

@@ -284,14 +284,25 @@ bool choose_and_evaluate(const Product& product, const Unknowns& unknowns, const
   return false;
 }
 
+// Where bounds of the tolerance that was asked for do not meet in doubles, coarser ones may; but not where it was time
+// or a count of sweeps that ended.
+constexpr double coarsest = 1e-2;
+bool may_go_on(const IterationOptions& limits) { return !limits.stop.stop_requested() && limits.sweeps == UINT64_MAX; }
+
 template <Measure measure, class Product>
 std::optional<Decided> decide(const Product& product, const WinningRegion<Product>& winning,
-                              const IterationOptions& limits) {
+                              const IterationOptions& asked) {
   const Unknowns unknowns = unknowns_of<measure>(product, winning.states);
   const StateSet kept = entries(product, unknowns.unknown, product.starts());
-  auto values = ValueIteration<Product, measure>(product, unknowns, limits, {.bounds = &kept, .attained = true}).run();
+  IterationOptions limits = asked;
+  const auto run = [&] {
+    return ValueIteration<Product, measure>(product, unknowns, limits, {.bounds = &kept, .attained = true}).run();
+  };
+  auto values = run();
+  for (; !values && limits.tolerance < coarsest && may_go_on(limits); values = run()) limits.tolerance *= 10;
   if (!values) return std::nullopt;
   Decided out;
+  out.tolerance = limits.tolerance;
   out.sweeps = values->sweeps;
   out.strategy.choice = Choices(product.states());
   const auto value = [&](std::uint32_t i) {

@@ -27,6 +27,7 @@ struct Decided {             // the answer
   // With keep_values, by state what a choice attains; of costs, 0 where no cost is finite. Not of least
   // probabilities.
   std::vector<double> values = {};
+  double tolerance = 0;  // of the bounds: coarser than what was asked for where doubles end
   bool attained = true;  // does the strategy attain the value? Doubles may be too coarse to find one that does
 };
 
@@ -37,7 +38,7 @@ Qualitative qualitative(const ProductMdp<Model>& product);
 
 // Pmax: the greatest probability of reaching a goal (finite tasks) or of meeting marked edges for ever (infinite ones;
 // that this is the probability of the formula is what MdpSafe stands for). [BK08, Thm. 10.56]
-// nullopt: stopped, or bounds that doubles cannot bring together.
+// nullopt: stopped, or bounds that doubles cannot bring together at all.
 template <class Model>
 std::optional<Decided> greatest_probability(const ProductMdp<Model>& product, const IterationOptions& limits = {});
 
