@@ -55,10 +55,7 @@ struct MarkedGraph {                  // edges by their sources
   std::vector<std::uint32_t> starts;  // where a run may begin
 
   std::uint32_t vertices() const { return static_cast<std::uint32_t>(first.size()) - 1; }  // numbered from 0
-  std::span<const MarkedEdge> out(std::uint32_t v) const {                                 // the edges that leave v
-    return {edges.data() + first[v], edges.data() + first[v + 1]};
-  }
-  automata::Marks all() const { return automata::Marks::first(sets); }  // every mark
+  automata::Marks all() const { return automata::Marks::first(sets); }                     // every mark
 };
 
 struct BuchiProduct {
