@@ -205,6 +205,7 @@ class TaskAnswers {
                                     .stop = watch.token()};
     CaseAnswer answer =
         given != nullptr ? plan::answer(case_, task, *given, options) : plan::answer(case_, task, options);
+    if (answer.status == Status::Exhausted && session_.stop.stop_requested()) throw Interrupted();
     if (answer.status == Status::Exhausted && watch.overrun() != ltl::Overrun::None)
       answer.reason += " (" + amount(watch.overrun(), choice_.limits) + ')';
     if (choice_.json)
