@@ -109,4 +109,17 @@ TEST(CtrlC, OfAPlanWithSlipsSaysThatItWasInterrupted) {
   EXPECT_NE(ended.messages.find("error: interrupted"), std::string::npos) << ended.messages;
 }
 
+TEST(CtrlC, OfARecordedExperimentLeavesNoFolder) {
+  const std::filesystem::path place = std::filesystem::path(::testing::TempDir()) / "waymark-interrupted-experiment";
+  std::filesystem::remove_all(place);
+  for (const int signal : {SIGINT, SIGTERM}) {
+    std::filesystem::create_directory(place);
+    const Ended ended = interrupt({"experiment", "known-language", "--check"}, signal, place);
+    EXPECT_EQ(ended.exit_code, 11) << ended.messages;
+    EXPECT_LT(ended.seconds, 0.5);
+    EXPECT_TRUE(std::filesystem::is_empty(place));
+    std::filesystem::remove_all(place);
+  }
+}
+
 }  // namespace
