@@ -71,6 +71,7 @@ JsonObject case_json(const plan::PlanningCase& planning_case, const plan::CaseTa
   out.add("case", planning_case.name)
       .add("task", task.id.empty() ? "formula" : task.id)
       .add("query", plan::name(task.query));
+  if (!task.formula.empty()) out.add("formula", task.formula);
   out.add("value", number(answer.value.middle()))
       .add("lower", number(answer.value.lower))
       .add("upper", number(answer.value.upper))
