@@ -10,32 +10,40 @@
 #include "libltl/diagnostic.hpp"
 #include "libltl/meaning/progress.hpp"
 #include "libltl/meaning/semantics.hpp"
+#include "libltl/structure/fragment.hpp"
 #include "libltl/text/parse.hpp"
 #include "libltl/text/print.hpp"
 #include "libplan/world/json_reader.hpp"
 #include "tools/shell/json.hpp"
+#include "tools/value_from_below.hpp"
 
 namespace waymark::tools {
 namespace {
 
 using Value = plan::JsonReader::Value;
 
-bool close(double a, double b) { return std::abs(a - b) <= 1e-9 * std::max({1.0, std::abs(a), std::abs(b)}); }
+bool close(double a, double b) {
+  return std::isfinite(a) && std::isfinite(b) && std::abs(a - b) <= 1e-9 * std::max({1.0, std::abs(a), std::abs(b)});
+}
 
 template <class Model>
 class OnModel {
  public:
-  OnModel(const plan::JsonReader& in, const Value& answer, const Model& model, const ltl::Limits& limits)
-      : in_(in), answer_(answer), model_(model), limits_(limits), arena_(model.letters().vocabulary()) {}
+  OnModel(const plan::JsonReader& in, const Value& answer, const plan::PlanningCase& of, const Model& model,
+          const ltl::Limits& limits)
+      : in_(in), answer_(answer), case_(of), model_(model), limits_(limits), arena_(model.letters().vocabulary()) {}
 
   std::vector<Claim> examine() {
     const std::string query = in_.string(in_.member(answer_, "", "query"), "query");
     bounds(query.starts_with("p"));
-    if ((query == "steps" || query == "lasso") && answer_.contains("formula"))  // else with an automaton
-      formula_ = ltl::parse(in_.string(answer_["formula"], "formula"), arena_, {.unknown = ltl::Unknown::Reject});
+    const bool read = answer_.contains("formula") && answer_.contains("semantics");  // no automaton, no other logic
+    const bool finite = read && in_.string(answer_["semantics"], "semantics") == "finite";
+    if (read)  // what the model does not have never holds
+      formula_ = ltl::parse(in_.string(answer_["formula"], "formula"), arena_, {.unknown = ltl::Unknown::Add});
     if (answer_.contains("cycle")) lasso();
-    if (answer_.contains("routes")) routes(query == "steps");
-    if (query == "steps") least();
+    if (answer_.contains("routes")) routes(query == "steps" && finite);
+    if (query == "steps" && finite) least();
+    if (formula_ && !finite) value(query);
     return std::move(claims_);
   }
 
@@ -173,8 +181,40 @@ class OnModel {
       claim(found ? std::optional(close(*found, *value)) : std::nullopt, "the least cost is " + Json(*value).text());
   }
 
+  // What progression decides: of co-safe formulas it proves lower bounds of probabilities, of safe ones upper bounds
+  // (by the negation), and the bound on the other side is refuted where the value is beyond it.
+  void value(const std::string& query) {
+    const auto lower = number("lower"), upper = number("upper");
+    if (!lower || !upper) return;
+    const ltl::Fragments known = ltl::fragments(*formula_, ltl::Semantics::Infinite);
+    if (query == "rmin") {
+      if (std::isfinite(*lower)) bounded("the least expected cost", FromBelow::LeastCost, *formula_, *lower, *upper, 0);
+    } else if (query == "pmax" || query == "pmin") {
+      const bool greatest = query == "pmax";
+      const std::string what = greatest ? "the greatest probability" : "the least probability";
+      if (known.cosafety)
+        bounded(what, greatest ? FromBelow::GreatestProbability : FromBelow::LeastProbability, *formula_, *lower,
+                *upper, 0);
+      else if (known.safety)
+        bounded(what, greatest ? FromBelow::LeastProbability : FromBelow::GreatestProbability, ltl::negate(*formula_),
+                *lower, *upper, 1);
+    }
+  }
+
+  // `whole`: 0, or 1 where the value is what is missing to 1.
+  void bounded(const std::string& what, FromBelow how, ltl::Formula formula, double lower, double upper, int whole) {
+    const double near = whole == 0 ? lower : 1 - upper, far = whole == 0 ? upper : 1 - lower;
+    const double slack = 1e-6 * std::max(1.0, std::abs(near));
+    const auto found = value_from_below(case_, formula, how, far + slack, limits_);
+    const std::string proved = Json(whole == 0 ? lower : upper).text(), other = Json(whole == 0 ? upper : lower).text();
+    claim(found && *found >= near - slack ? std::optional(true) : std::nullopt,
+          what + (whole == 0 ? " is at least " : " is at most ") + proved + ", up to 10⁻⁶");
+    if (found && *found >= far + slack) claim(false, what + (whole == 0 ? " is at most " : " is at least ") + other);
+  }
+
   const plan::JsonReader& in_;
   const Value& answer_;
+  const plan::PlanningCase& case_;
   const Model& model_;
   const ltl::Limits& limits_;
   ltl::Arena arena_;
@@ -187,7 +227,7 @@ class OnModel {
 std::vector<Claim> claims_on_model(const Text& text, const plan::PlanningCase& model, const ltl::Limits& limits) {
   const plan::JsonReader in(text.text, text.source, text.line);
   const Value answer = in.parse();
-  return std::visit([&](const auto& m) { return OnModel(in, answer, m, limits).examine(); }, model.model);
+  return std::visit([&](const auto& m) { return OnModel(in, answer, model, m, limits).examine(); }, model.model);
 }
 
 }  // namespace waymark::tools
