@@ -16,7 +16,7 @@
 namespace waymark::tools {
 namespace {
 
-constexpr int grace_milliseconds = 300;
+constexpr int grace_milliseconds = 250;
 constexpr char stop_byte = 's', done_byte = 'd';
 volatile std::sig_atomic_t writer = -1;  // the handler's end of the pipe
 
