@@ -15,6 +15,10 @@ if(CCACHE AND NOT DEFINED CMAKE_CXX_COMPILER_LAUNCHER)
   set(CMAKE_CXX_COMPILER_LAUNCHER ${CCACHE})
 endif()
 
+if(CMAKE_CXX_COMPILER_ID STREQUAL "Clang")  # a precompiled header with its time in it is new to every compiler cache
+  add_compile_options("SHELL:-Xclang -fno-pch-timestamp")
+endif()
+
 add_library(waymark_settings INTERFACE)
 target_compile_options(waymark_settings INTERFACE
   -Wall -Wextra -Wpedantic -Wconversion -Wshadow

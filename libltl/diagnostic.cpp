@@ -20,32 +20,40 @@ Place locate(std::string_view text, std::size_t offset) {
   return {line + 1, utf8_length(text.substr(begin, offset - begin)) + 1, text.substr(begin, end - begin)};
 }
 
-bool continues(char c) { return (static_cast<unsigned char>(c) & 0xC0U) == 0x80U; }  // within a character of UTF-8
+// The invalid byte or the character that begins at the offset, as utf8_length counts them.
+std::size_t step(std::string_view text, std::size_t at) { return std::max<std::size_t>(1, utf8_character(text, at)); }
 
 // Where the character with that number begins; the end when there are fewer.
 std::size_t offset_of(std::string_view text, std::size_t character) {
   std::size_t at = 0;
-  for (; at < text.size() && character > 0; --character) do
-      ++at;
-    while (at < text.size() && continues(text[at]));
+  for (; at < text.size() && character > 0; --character) at += step(text, at);
   return at;
 }
 
-// Tabs would move the caret, and a NUL would end the message: each control character is shown as one blank.
+// C0, DEL, and C1, which is written in two bytes.
+bool is_control(std::string_view character) {
+  const auto first = static_cast<unsigned char>(character[0]);
+  return first < 0x20 || first == 0x7F || (first == 0xC2 && static_cast<unsigned char>(character[1]) < 0xA0);
+}
+
+// Each control character is one blank and each invalid byte U+FFFD, so that the caret stands where it should.
 std::string visible(std::string_view text) {
-  std::string out(text);
-  std::replace_if(
-      out.begin(), out.end(), [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7F; }, ' ');
+  std::string out;
+  for (std::size_t at = 0; at < text.size(); at += step(text, at)) {
+    const std::string_view character = text.substr(at, utf8_character(text, at));
+    if (character.empty())
+      out += "\xEF\xBF\xBD";
+    else
+      out += is_control(character) ? " " : character;
+  }
   return out;
 }
 
 // A message may quote what was read, which may be long and hold anything.
 std::string bounded(std::string_view message) {
   constexpr std::size_t most = 1'000;
-  std::string out(message.substr(0, offset_of(message.substr(0, 4 * most), most)));
-  if (out.size() < message.size()) out += "…";
-  std::replace(out.begin(), out.end(), '\0', ' ');
-  return out;
+  const std::string_view kept = message.substr(0, offset_of(message.substr(0, 4 * most), most));
+  return printable(kept) + (kept.size() < message.size() ? "…" : "");
 }
 
 std::string render(std::string_view text, Span where, std::string_view message, std::string_view source,
@@ -53,7 +61,7 @@ std::string render(std::string_view text, Span where, std::string_view message, 
   const Place place = locate(text, where.begin);
   const std::string number = std::to_string(place.line + first_line - 1);
   std::string out = bounded(message);
-  if (!source.empty()) out += "\n  " + std::string(source) + ":" + number + ":" + std::to_string(place.column);
+  if (!source.empty()) out += "\n  " + printable(source) + ":" + number + ":" + std::to_string(place.column);
   const auto last = std::min(where.end, where.begin + place.line_text.size());
   const auto width = where.end > where.begin ? utf8_length(text.substr(where.begin, last - where.begin)) : 1;
   // Of a long line, what stands around the place.
@@ -80,7 +88,7 @@ std::string render(std::string_view text, Span where, std::string_view message, 
 std::string at(std::string_view source, std::size_t line, std::size_t column, std::string_view message) {
   std::string out = bounded(message);
   if (source.empty() && line == 0) return out;
-  out += "\n  " + std::string(source.empty() ? "input" : source);
+  out += "\n  " + (source.empty() ? "input" : printable(source));
   if (line > 0) out += ":" + std::to_string(line);
   if (line > 0 && column > 0) out += ":" + std::to_string(column);
   return out;
@@ -88,9 +96,43 @@ std::string at(std::string_view source, std::size_t line, std::size_t column, st
 
 }  // namespace
 
+std::size_t utf8_character(std::string_view text, std::size_t at) {
+  const auto byte = [&](std::size_t i) { return at + i < text.size() ? static_cast<unsigned char>(text[at + i]) : 0U; };
+  const auto continues = [&](std::size_t i, unsigned low = 0x80, unsigned high = 0xBF) {
+    return byte(i) >= low && byte(i) <= high;
+  };
+  const unsigned lead = byte(0);
+  if (lead < 0x80) return at < text.size() ? 1 : 0;
+  if (lead >= 0xC2 && lead <= 0xDF) return continues(1) ? 2 : 0;
+  if (lead >= 0xE0 && lead <= 0xEF)  // no overlong forms, no surrogates
+    return continues(1, lead == 0xE0 ? 0xA0 : 0x80, lead == 0xED ? 0x9F : 0xBF) && continues(2) ? 3 : 0;
+  if (lead >= 0xF0 && lead <= 0xF4)
+    return continues(1, lead == 0xF0 ? 0x90 : 0x80, lead == 0xF4 ? 0x8F : 0xBF) && continues(2) && continues(3) ? 4 : 0;
+  return 0;
+}
+
 std::size_t utf8_length(std::string_view text) {
-  return static_cast<std::size_t>(
-      std::count_if(text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; }));
+  std::size_t characters = 0;
+  for (std::size_t at = 0; at < text.size(); at += step(text, at)) ++characters;
+  return characters;
+}
+
+std::string printable(std::string_view text) {
+  constexpr std::string_view digits = "0123456789ABCDEF";
+  std::string out;
+  for (std::size_t at = 0; at < text.size();) {
+    const std::string_view character = text.substr(at, step(text, at));
+    at += character.size();
+    if (character == "\n" || (utf8_character(character, 0) > 0 && !is_control(character))) {
+      out += character;
+      continue;
+    }
+    for (const char c : character) {
+      const auto value = static_cast<unsigned char>(c);
+      out += {'\\', 'x', digits[value >> 4U], digits[value & 15U]};
+    }
+  }
+  return out;
 }
 
 SyntaxError::SyntaxError(std::string_view text, Span where, std::string_view message, std::string_view source,

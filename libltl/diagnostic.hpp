@@ -8,7 +8,7 @@
 //     1 | F (sofa U  )
 //       |            ^
 //
-// with columns counted in UTF-8 characters, not bytes.
+// with columns counted in UTF-8 characters, not bytes. Messages quote what was read; what() is printable all the same.
 #pragma once
 #include <cstddef>
 #include <stdexcept>
@@ -53,7 +53,15 @@ class FormatError : public std::runtime_error {  // a file that violates its for
   std::size_t line_, column_;
 };
 
+// Bytes of the UTF-8 character that begins at the offset: 1 to 4, or 0 where none does. Overlong forms and surrogates
+// are no characters.
+std::size_t utf8_character(std::string_view text, std::size_t at);
+
 // Number of UTF-8 characters in the text (invalid bytes count one each). O(|text|).
 std::size_t utf8_length(std::string_view text);
+
+// The text without what could steer a terminal: control characters other than the line end (C0, DEL and C1), and bytes
+// that are no UTF-8, become \xHH. printable(printable(t)) = printable(t).
+std::string printable(std::string_view text);
 
 }  // namespace waymark::ltl

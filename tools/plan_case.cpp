@@ -71,6 +71,10 @@ JsonObject case_json(const plan::PlanningCase& planning_case, const plan::CaseTa
   out.add("case", planning_case.name)
       .add("task", task.id.empty() ? "formula" : task.id)
       .add("query", plan::name(task.query));
+  using Logic = plan::CaseTask::Logic;
+  if (!task.formula.empty()) out.add("formula", task.formula);
+  if (!task.formula.empty() && (task.logic == Logic::Ltl || task.logic == Logic::Ltlf))
+    out.add("semantics", task.logic == Logic::Ltl ? "infinite" : "finite");
   out.add("value", number(answer.value.middle()))
       .add("lower", number(answer.value.lower))
       .add("upper", number(answer.value.upper))
@@ -207,6 +211,7 @@ class TaskAnswers {
                                     .stop = watch.token()};
     CaseAnswer answer =
         given != nullptr ? plan::answer(case_, task, *given, options) : plan::answer(case_, task, options);
+    if (answer.status == Status::Exhausted && session_.stop.stop_requested()) throw Interrupted();
     if (answer.status == Status::Exhausted && watch.overrun() != ltl::Overrun::None)
       answer.reason += " (" + amount(watch.overrun(), choice_.limits) + ')';
     if (choice_.json)

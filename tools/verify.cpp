@@ -17,6 +17,7 @@
 #include "libltl/text/parse.hpp"
 #include "libltl/text/print.hpp"
 #include "libplan/least_by_progression.hpp"
+#include "libplan/model/formats/read_model.hpp"
 #include "libplan/solve/task_automaton.hpp"
 #include "libplan/world/json_reader.hpp"
 #include "libplan/world/trajectory.hpp"
@@ -26,6 +27,7 @@
 #include "tools/shell/output.hpp"
 #include "tools/shell/subcommand.hpp"
 #include "tools/shell/work_limits.hpp"
+#include "tools/verify_model.hpp"
 
 namespace waymark::tools {
 namespace {
@@ -33,14 +35,10 @@ namespace {
 struct VerifyOptions {
   TextOptions text;
   MapOptions map{.map = "", .data = {}};  // no map: the answer's
+  std::string model, start;               // of the answers of plan --model and --case
   std::size_t words = 2000, pairs = 1'000'000;
   WorkLimits limits;
   bool json = false;
-};
-
-struct Claim {
-  std::string text;
-  std::optional<bool> holds;  // nothing: not decided within the limits
 };
 
 // What is claimed by one answer, and whether it holds.
@@ -48,16 +46,19 @@ class Verifier {
  public:
   using Value = plan::JsonReader::Value;
 
-  Verifier(const Text& text, const VerifyOptions& options, std::stop_token stop)
+  Verifier(const Text& text, const VerifyOptions& options, const plan::PlanningCase* model, std::stop_token stop)
       : text_(text),
         options_(options),
+        model_(model),
         stop_(std::move(stop)),
         in_(text.text, text.source, text.line),
         answer_(in_.parse()) {}
 
   std::vector<Claim> verify() {
     if (!answer_.is_object()) in_.fail("", "expected the JSON object that a subcommand printed");
-    if (answer_.contains("hoa"))
+    if (answer_.contains("query"))
+      on_model();
+    else if (answer_.contains("hoa"))
       automaton();
     else if (answer_.contains("cycle"))
       lasso();
@@ -75,6 +76,11 @@ class Verifier {
   }
 
  private:
+  void on_model() {
+    if (model_ == nullptr) throw UsageError("an answer on a model: give the file to --model");
+    claims_ = claims_on_model(text_, *model_, {.states = options_.pairs, .stop = stop_});
+  }
+
   void claim(std::optional<bool> holds, std::string text) { claims_.push_back({std::move(text), holds}); }
 
   std::string member(const char* key) const { return in_.string(in_.member(answer_, "", key), key); }
@@ -235,6 +241,7 @@ class Verifier {
 
   const Text& text_;
   const VerifyOptions& options_;
+  const plan::PlanningCase* model_;  // null: none was given
   std::stop_token stop_;
   plan::JsonReader in_;
   Value answer_;
@@ -255,9 +262,10 @@ const char* in_words(ExitCode verdict) {
   return verdict == ExitCode::No ? "refuted" : "undecided";
 }
 
-ExitCode verify_one(const Text& text, const VerifyOptions& options, const Session& session) {
+ExitCode verify_one(const Text& text, const VerifyOptions& options, const plan::PlanningCase* model,
+                    const Session& session) {
   const ltl::Watch watch(granted(options.limits), session.stop);
-  const std::vector<Claim> claims = Verifier(text, options, watch.token()).verify();
+  const std::vector<Claim> claims = Verifier(text, options, model, watch.token()).verify();
   if (session.stop.stop_requested()) throw Interrupted();
   const ExitCode verdict = verdict_of(claims);
   if (options.json) {
@@ -281,6 +289,10 @@ Runner setup_verify(Command command) {
       .type_name("FILE");
   command.add_option("--map", options->map.map, "the map of the answer (else by the name that the answer gives)")
       .type_name("MAP");
+  command.add_option("--model", options->model, "the model of answers of plan --model and plan --case")
+      .type_name("FILE");
+  command.add_option("--start", options->start, "the landmark of a street graph where they start")
+      .type_name("LANDMARK");
   add_data_option(command, options->map.data);
   command.add_option("--words", options->words, "on which an automaton is compared with its formula")
       .between(1, 100'000'000)
@@ -294,8 +306,14 @@ Runner setup_verify(Command command) {
     TextOptions from = options->text;
     if (from.file.empty()) from.file = "-";
     TextReader texts(from, "answer");
+    std::optional<plan::PlanningCase> model;
+    if (!options->model.empty())
+      model =
+          plan::read_model(options->model, options->start, {.states = plan::most_model_states, .stop = session.stop});
     return answer_each(
-        texts, session.stop, [&](const Text& text) { return verify_one(text, *options, session); }, options->json);
+        texts, session.stop,
+        [&](const Text& text) { return verify_one(text, *options, model ? &*model : nullptr, session); },
+        options->json);
   };
 }
 

@@ -3,7 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstring>
 #include <map>
+
+#include "libltl/diagnostic.hpp"
+#include "libparser/model/xxhash.hpp"
 
 namespace waymark::parser {
 namespace {
@@ -11,13 +15,26 @@ namespace {
 constexpr std::int32_t largest = 1024;  // size of a layer, while reading
 constexpr float largest_mention_weight = 50;
 
+// A file of vectors ends with this word and the checksum of what stands before the word, or without both.
+std::string_view unsealed(std::string_view bytes, std::string_view source) {
+  constexpr std::string_view word = "checksum";
+  std::uint64_t sum = 0;
+  const std::size_t seal = word.size() + sizeof sum;
+  if (bytes.size() < seal || bytes.substr(bytes.size() - seal, word.size()) != word) return bytes;
+  std::memcpy(&sum, bytes.data() + bytes.size() - sizeof sum, sizeof sum);
+  bytes.remove_suffix(seal);
+  if (sum != xxh64(bytes))
+    throw ltl::FormatError(std::string(source), 0, 0, "the word vectors are damaged: their checksum does not fit");
+  return bytes;
+}
+
 std::array<std::int32_t*, 5> layers_of(LiftedSizes& s) { return {&s.word, &s.vector, &s.width, &s.query, &s.symbol}; }
 
 }  // namespace
 
 std::shared_ptr<const WordVectors> LiftedReader::load_vectors(const std::filesystem::path& file) {
   auto mapped = std::make_shared<const MappedFile>(file);
-  return WordVectors::shared(mapped, mapped->bytes(), file.string());
+  return WordVectors::shared(mapped, unsealed(mapped->bytes(), file.string()), file.string());
 }
 
 LiftedReader::LiftedReader(std::shared_ptr<const WordVectors> vectors,

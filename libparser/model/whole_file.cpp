@@ -1,6 +1,7 @@
 #include "libparser/model/whole_file.hpp"
 
 #include <fcntl.h>
+#include <stdlib.h>  // NOLINT(modernize-deprecated-headers): mkostemp, mkdtemp
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -17,7 +18,7 @@ namespace waymark::parser {
 namespace {
 
 std::mutex unfinished_mutex;
-std::vector<std::string> unfinished;  // names of temporary files that exist right now
+std::vector<std::string> unfinished;  // names of temporary files and folders that exist right now
 
 [[noreturn]] void fail(const std::filesystem::path& path, int error) {
   throw ltl::FormatError(path.string(), 0, 0, "cannot write the file: " + std::string(std::strerror(error)));
@@ -58,6 +59,30 @@ void forget(const std::string& name) {
   unfinished.erase(std::remove(unfinished.begin(), unfinished.end(), name), unfinished.end());
 }
 
+std::string opened(int file) { return "/proc/self/fd/" + std::to_string(file); }
+
+// Negative where there are no files without a name, or where none could get one.
+int open_unnamed(const std::filesystem::path& folder) {
+#ifdef O_TMPFILE
+  const int file = ::open(folder.c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, 0600);
+  if (file >= 0 && ::access(opened(file).c_str(), F_OK) == 0) return file;
+  if (file >= 0) ::close(file);
+#endif
+  return -1;
+}
+
+bool name_temporary(int file, const std::filesystem::path& folder, std::string& name) {
+  static std::size_t names = 0;
+  const std::lock_guard lock(unfinished_mutex);
+  while (true) {
+    name = (folder / (".waymark." + std::to_string(::getpid()) + "." + std::to_string(++names))).string();
+    if (::linkat(AT_FDCWD, opened(file).c_str(), AT_FDCWD, name.c_str(), AT_SYMLINK_FOLLOW) == 0) break;
+    if (errno != EEXIST) return false;
+  }
+  unfinished.push_back(name);
+  return true;
+}
+
 int create_temporary(std::string& name) {  // mkstemp fills in the X's
   const std::lock_guard lock(unfinished_mutex);
   const int file = ::mkostemp(name.data(), O_CLOEXEC);
@@ -84,10 +109,14 @@ void write_file(const std::filesystem::path& path, std::string_view contents) {
   if (!ordinary) fail(path, EISDIR);
 
   const std::filesystem::path target = followed(path);
-  std::string temporary = (target.parent_path() / ".waymark.XXXXXX").string();
-  const int file = create_temporary(temporary);
+  const std::filesystem::path folder = target.has_parent_path() ? target.parent_path() : ".";
+  std::string temporary = (folder / ".waymark.XXXXXX").string();
+  int file = open_unnamed(folder);
+  const bool unnamed = file >= 0;
+  if (!unnamed) file = create_temporary(temporary);
   if (file < 0) fail(path, errno);
-  const bool complete = write_all(file, contents) && ::fchmod(file, mode_for(target)) == 0;
+  bool complete = write_all(file, contents) && ::fchmod(file, mode_for(target)) == 0;
+  if (complete && unnamed) complete = name_temporary(file, folder, temporary);
   int error = errno;
   const bool closed = ::close(file) == 0;
   if (complete && !closed) error = errno;
@@ -98,9 +127,27 @@ void write_file(const std::filesystem::path& path, std::string_view contents) {
   if (!renamed) fail(path, error);
 }
 
+TemporaryFolder::TemporaryFolder(std::string_view prefix) {
+  std::error_code error;
+  std::string name = (std::filesystem::temp_directory_path(error) / std::string(prefix)).string() + "XXXXXX";
+  if (error) throw ltl::FormatError("TMPDIR", 0, 0, "no folder for temporary files: " + error.message());
+  const std::lock_guard lock(unfinished_mutex);
+  if (::mkdtemp(name.data()) == nullptr)
+    throw ltl::FormatError(name, 0, 0, "cannot be made: " + std::string(std::strerror(errno)));
+  unfinished.push_back(name);
+  path_ = name;
+}
+
+TemporaryFolder::~TemporaryFolder() {
+  std::error_code ignored;
+  std::filesystem::remove_all(path_, ignored);
+  forget(path_.string());
+}
+
 void discard_unfinished_files() {
   const std::lock_guard lock(unfinished_mutex);
-  for (const std::string& name : unfinished) ::unlink(name.c_str());
+  std::error_code ignored;
+  for (const std::string& name : unfinished) std::filesystem::remove_all(name, ignored);
   unfinished.clear();
 }
 

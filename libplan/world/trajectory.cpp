@@ -78,6 +78,8 @@ class JsonForm {
       if (walk.repeated == 0 || walk.trajectory.poses.back() != begin) in_.fail("cycle", not_closed(map_, begin));
       return walk;
     }
+    if (document.is_object() && document.contains("cycle") && !document["cycle"].is_array())
+      in_.fail("cycle", "expected a list of poses [x,y,heading]");
     std::string path;
     for (const char* key : {"route", "poses", "steps"})
       if (path.empty() && document.is_object() && document.contains(key)) path = key;

@@ -63,6 +63,28 @@ TEST(SyntaxError, ShowsControlCharactersAsSpaces) {
   EXPECT_STREQ(SyntaxError("a\x01\x1F\x7F b", {4, 5}, "m").what(), "m\n  1 | a    b\n    |     ^");
 }
 
+TEST(SyntaxError, ShowsInvalidBytesAsOneCharacterEach) {
+  EXPECT_STREQ(SyntaxError("\x80é\xC3 \xC2\x9B b", {8, 9}, "m").what(), "m\n  1 | \uFFFDé\uFFFD   b\n    |       ^");
+}
+
+TEST(Diagnostics, ShowNoByteThatSteersATerminal) {
+  EXPECT_STREQ(FormatError("\x1B]0;f\a", 0, 0, "no map is called '\x1B[31m\xFF'").what(),
+               "no map is called '\\x1B[31m\\xFF'\n  \\x1B]0;f\\x07");
+  EXPECT_STREQ(SyntaxError("a", {0, 1}, std::string_view("\0'\r'", 4), "\t").what(),
+               "\\x00'\\x0D'\n  \\x09:1:1\n  1 | a\n    | ^");
+}
+
+TEST(Printable, KeepsCharactersAndLineEnds) {
+  const std::string kept = "◇ché 𝒰\nline ~ \\x1B";
+  EXPECT_EQ(printable(kept), kept);
+  std::string all;
+  for (int c = 0; c < 256; ++c) all += static_cast<char>(c);
+  const std::string once = printable(all);
+  EXPECT_EQ(printable(once), once);
+  EXPECT_EQ(utf8_length(once), once.size());
+  EXPECT_EQ(printable("\xC2\x9B\xC2\xA0\xED\xA0\x80\xE2\x97"), "\\xC2\\x9B\xC2\xA0\\xED\\xA0\\x80\\xE2\\x97");
+}
+
 TEST(FormatError, NamesThePlaceAsFarAsItIsKnown) {
   EXPECT_STREQ(FormatError("map.json", 3, 5, "expected a node").what(), "expected a node\n  map.json:3:5");
   EXPECT_STREQ(FormatError("map.json", 3, 0, "expected a node").what(), "expected a node\n  map.json:3");
@@ -74,6 +96,10 @@ TEST(FormatError, NamesThePlaceAsFarAsItIsKnown) {
 TEST(Utf8, CountsCharacters) {
   EXPECT_EQ(utf8_length("◇aé𝒰"), 4U);
   EXPECT_EQ(utf8_length("\xC3"), 1U);
+  EXPECT_EQ(utf8_length("\x80\x80"), 2U);
+  EXPECT_EQ(utf8_character("", 0), 0U);
+  EXPECT_EQ(utf8_character("a◇", 1), 3U);
+  EXPECT_EQ(utf8_character("a◇", 2), 0U);
 }
 
 }  // namespace

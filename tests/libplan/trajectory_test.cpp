@@ -38,6 +38,8 @@ TEST(Trajectory, FaultsNameTheStep) {
       {"[[0,0,-1]]", "[0]: (0,0,-1): the heading must be 0, 90, 180 or 270, clockwise from north\n  t:1:2"},
       {"[]", "a trajectory needs at least one pose\n  t:1:1"},
       {"{\"route\": 5}", "route: expected a list of poses [x,y,heading]\n  t:1:11"},
+      {"{\"route\": [[0,0,0]], \"cycle\": -7}", "cycle: expected a list of poses [x,y,heading]\n  t:1:31"},
+      {"{\"prefix\": [[0,0,0]], \"cycle\": -7}", "cycle: expected a list of poses [x,y,heading]\n  t:1:32"},
       {"{\"rout\": []}", "expected a list of poses [x,y,heading]\n  t:1:1"},
       {"[[0,0]]", "[0]: expected a pose [x,y,heading]\n  t:1:2"},
       {"[[0,0.5,90]]", "[0][1]: expected a whole number\n  t:1:5"},

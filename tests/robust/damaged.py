@@ -81,7 +81,7 @@ def targets(folder):
         Target("linear model", folder / "linear.waymark", commands_of_model(folder, False), "model", 20),
         Target("network", folder / "network.waymark", commands_of_model(folder, False), "model", 35),
         Target("network, resealed", folder / "network.waymark", commands_of_model(folder, False)[:-1], "resealed", 12),
-        Target("word vectors", folder / "data/words/words.waymark", [teach], "vectors", 1),
+        Target("word vectors", folder / "data/words/words.waymark", [teach], "model", 1),
         Target("map", folder / "grid.json", [plan, ["map", "FILE"], ["run", TEXT, "--map", "FILE", "--json"]],
                "text", 6),
         Target("case", folder / "case.json", [["plan", "--case", "FILE", "--json", "--limit-seconds", "5"],
@@ -133,7 +133,7 @@ def one(trials, programs, folder, target, trial):
     if target.kind == "resealed":
         way, bytes_now = damage.resealed(random, target.whole)
     else:
-        ways = damage.OF_MODELS if target.kind in ("model", "vectors") else damage.ANY
+        ways = damage.OF_MODELS if target.kind == "model" else damage.ANY
         way, bytes_now = damage.damaged(random, target.whole, ways)
     template = random.choice(target.commands)
     command = [str(part).replace("FILE", str(target.path)).replace("FOLDER", str(target.path.parent))

@@ -139,7 +139,7 @@ class Interrupts:
         elif code not in (*job.codes, ended):
             why.append(f"exit code {code}")
         if code == 11 and "interrupted" not in message:
-            self.trials.counts["exit code 11 without the word interrupted: " + job.name] += 1
+            why.append("exit code 11 without the word interrupted")
         if "bug in waymark" in message:
             why.append("the message speaks of a bug")
         time.sleep(0.05)

@@ -19,6 +19,14 @@ from writers import is_whole, make_inputs, writers
 PATIENCE = 120  # seconds
 
 
+def has_unnamed_files(folder):  # of which a killed process leaves nothing
+    try:
+        os.close(os.open(folder, os.O_TMPFILE | os.O_WRONLY))
+    except OSError:
+        return False
+    return True
+
+
 def is_temporary(name):  # what a killed process leaves behind
     return os.path.basename(name).startswith(".waymark.")
 
@@ -57,6 +65,12 @@ class Kept:
     def fault(self, why, arguments, **facts):
         self.trials.fault(why, self.programs.text(arguments), **facts)
 
+    def stays(self, why, arguments):
+        if has_unnamed_files(self.folder):
+            self.fault(why, arguments)
+        else:
+            self.trials.counts["killed: a temporary file stays"] += 1
+
     def kill(self, process, random, longest, place):
         """SIGKILL at a random moment, or as soon as a temporary file is seen. Was the process still at work?"""
         end = time.monotonic() + (longest if random.random() < 0.5 else random.uniform(0, longest))
@@ -82,7 +96,7 @@ class Kept:
                                if (place / "old").is_dir() else place)
             for name, file in unwritable.files_in(place).items():
                 if name not in writer.outputs:
-                    self.trials.counts["killed: a temporary file stays"] += 1
+                    self.stays(f"killed {writer.name}: {name} is left behind", writer.at(place))
                 elif file.read_bytes() != unwritable.OLD and not is_whole(writer, name, file.read_bytes(), new):
                     self.fault(f"killed {writer.name}: {name} is neither old nor whole", writer.at(place), trial=number)
             result = self.programs.run(writer.at(place), self.folder, seconds=PATIENCE)
@@ -116,7 +130,7 @@ class Kept:
                 kills += more
                 for name, contents in self.parts(directory).items():
                     if is_temporary(name):
-                        self.trials.counts["resumed: a temporary file stays"] += 1
+                        self.stays(f"killed experiment: {name} is left behind", self.experiment(directory))
                     elif contents != parts.get(name):
                         self.fault(f"killed experiment: {name} is not whole", self.experiment(directory))
             result = self.programs.run(self.experiment(directory), self.folder, seconds=600)

@@ -72,8 +72,20 @@ TEST(Api, PlansALassoAndChecksIt) {
   EXPECT_EQ(check["steps"].size(), plan["route"].size());
   request["formula"] = "G F sofa & G F hatrack";
   EXPECT_EQ(answer("/api/check", request)["satisfied"], false);
+  for (const char* semantics : {"finite", "infinite"})
+    for (const json& wrong : {json(-7), json(1.5), json("2"), json(check["steps"].size())}) {
+      request["semantics"] = semantics;
+      request["cycle"] = wrong;
+      EXPECT_EQ(error("/api/check", request.dump(), 400)["kind"], "request") << request;
+    }
   request.erase("cycle");
   EXPECT_EQ(answer("/api/check", request)["decided"], false);
+}
+
+TEST(Api, RefusesNumbersThatAreTooLarge) {
+  EXPECT_EQ(error("/api/learn", R"({"formula": "F easel", "steps": 1011e308})", 400)["kind"], "request");
+  EXPECT_EQ(error("/api/check", R"({"formula": "F easel", "trajectory": [[4294967297, 9, 0]]})", 400)["kind"],
+            "request");
 }
 
 TEST(Api, FollowsATrajectoryLetterByLetter) {

@@ -12,6 +12,8 @@
 #include <thread>
 #include <vector>
 
+#include "tests/support/sanitizers.hpp"
+
 namespace {
 
 using Clock = std::chrono::steady_clock;
@@ -32,8 +34,9 @@ bool catches(pid_t process, int signal) {
   return false;
 }
 
-// Starts waymark, sends the signal when it has been at work for a while, waits for the end.
-Ended interrupt(const std::vector<std::string>& arguments, int signal) {
+// Starts waymark, sends the signal when it has been at work for a while, waits for the end. `temporary`: the folder of
+// its temporary files; empty: that of everybody.
+Ended interrupt(const std::vector<std::string>& arguments, int signal, const std::string& temporary = "") {
   std::string name = (std::filesystem::temp_directory_path() / "waymark-interrupt-XXXXXX").string();
   const int messages = ::mkstemp(name.data());
   const pid_t child = ::fork();
@@ -42,6 +45,7 @@ Ended interrupt(const std::vector<std::string>& arguments, int signal) {
     for (const std::string& argument : arguments) argv.push_back(const_cast<char*>(argument.c_str()));
     argv.push_back(nullptr);
     ::dup2(messages, STDERR_FILENO);
+    if (!temporary.empty()) ::setenv("TMPDIR", temporary.c_str(), 1);
     ::execv(WAYMARK_EXECUTABLE, argv.data());
     ::_exit(127);
   }
@@ -84,6 +88,7 @@ TEST(CtrlC, EndsATranslationWithinHalfASecond) {
 }
 
 TEST(CtrlC, EndsAWaitForInput) {
+  if (waymark::testing::signals_wait) GTEST_SKIP() << "the thread sanitizer keeps the signal";
   int ends[2];
   ASSERT_EQ(::pipe(ends), 0);
   const int saved = ::dup(STDIN_FILENO);
@@ -93,6 +98,31 @@ TEST(CtrlC, EndsAWaitForInput) {
   for (const int end : {ends[0], ends[1], saved}) ::close(end);
   EXPECT_EQ(ended.exit_code, 11) << ended.messages;
   EXPECT_LT(ended.seconds, 0.5);
+}
+
+// The actions of the map slip, so values are asked for by the solvers of models.
+TEST(CtrlC, OfAPlanWithSlipsSaysThatItWasInterrupted) {
+  const std::string task =
+      "F(chair & X X X sofa & F(sofa & G(chair -> X X sofa))) & F(sofa & X X X easel & F(easel & G(sofa -> X X easel)))"
+      " & F(easel & X X X lamp & F(lamp & G(easel -> X X lamp))) & F(lamp & X X X hatrack & F(hatrack & G(lamp -> X X "
+      "hatrack))) & F(hatrack & X X X barstool & F(barstool & G(hatrack -> X X barstool)))";
+  const Ended ended = interrupt({"plan", task, "--map", "grid", "--start", "1,9,0", "--slip", "0.1,0.1"}, SIGTERM);
+  EXPECT_EQ(ended.exit_code, 11) << ended.messages;
+  EXPECT_LT(ended.seconds, 0.5);
+  EXPECT_NE(ended.messages.find("error: interrupted"), std::string::npos) << ended.messages;
+}
+
+TEST(CtrlC, OfARecordedExperimentLeavesNoFolder) {
+  const std::filesystem::path place = std::filesystem::path(::testing::TempDir()) / "waymark-interrupted-experiment";
+  std::filesystem::remove_all(place);
+  for (const int signal : {SIGINT, SIGTERM}) {
+    std::filesystem::create_directory(place);
+    const Ended ended = interrupt({"experiment", "known-language", "--check"}, signal, place);
+    EXPECT_EQ(ended.exit_code, 11) << ended.messages;
+    EXPECT_LT(ended.seconds, 0.5);
+    EXPECT_TRUE(std::filesystem::is_empty(place));
+    std::filesystem::remove_all(place);
+  }
 }
 
 }  // namespace

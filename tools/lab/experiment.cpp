@@ -149,6 +149,7 @@ struct Recorded {  // an experiment that is its transcript
   const char *name, *summary;
 };
 constexpr Recorded all_recorded[] = {
+    {"learners", "learners with tables and with networks on five tasks (three minutes)"},
     {"known-language", "a language of our own: from its formulas and from trajectories (4 minutes)"},
     {"noisy-grids", "probabilities and costs on noisy grids: sizes and proved values (a minute)"},
     {"routes", "ten waypoints on large grids: what search meets (half a minute)"},

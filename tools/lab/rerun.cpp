@@ -1,16 +1,16 @@
 #include "tools/lab/rerun.hpp"
 
-#include <stdlib.h>  // NOLINT(modernize-deprecated-headers): mkdtemp
-
 #include <algorithm>
 #include <array>
 #include <chrono>
+#include <csignal>
 #include <filesystem>
 #include <iostream>
 #include <sstream>
+#include <stop_token>
 #include <system_error>
 
-#include "libltl/diagnostic.hpp"
+#include "libparser/model/whole_file.hpp"
 #include "tools/shell/data_directory.hpp"
 #include "tools/shell/input.hpp"
 #include "tools/shell/output.hpp"
@@ -25,23 +25,17 @@ namespace fs = std::filesystem;
 
 class WorkFolder {  // a new one, where the process then is
  public:
-  WorkFolder() : before_(fs::current_path()) {
-    std::string name = (fs::temp_directory_path() / "waymark-experiment-XXXXXX").string();
-    if (::mkdtemp(name.data()) == nullptr)
-      throw ltl::FormatError(name, 0, 0, "cannot be made: " + std::generic_category().message(errno));
-    folder_ = name;
-    fs::current_path(folder_);
-  }
+  WorkFolder() { fs::current_path(folder_.path()); }
   WorkFolder(const WorkFolder&) = delete;
   WorkFolder& operator=(const WorkFolder&) = delete;
   ~WorkFolder() {
     std::error_code ignored;
     fs::current_path(before_, ignored);
-    fs::remove_all(folder_, ignored);
   }
 
  private:
-  fs::path before_, folder_;
+  fs::path before_ = fs::current_path();
+  parser::TemporaryFolder folder_{"waymark-experiment-"};
 };
 
 // Built, waymark lies beside this program; installed, the one is in libexec/waymark and the other in bin.
@@ -72,7 +66,6 @@ class Rerun {
     for (const TranscriptStep& step : steps_) {
       if (options_.fast && step.slow) break;
       repeat(step);
-      if (session_.stop.stop_requested()) throw Interrupted();
     }
     if (!options_.check) return ExitCode::Done;
     std::cout << (differ_ == 0 ? "all " + std::to_string(same_) + " lines agree"
@@ -84,7 +77,9 @@ class Rerun {
 
  private:
   void repeat(const TranscriptStep& step) {
+    const std::stop_callback ended(session_.stop, [] { signal_helper(SIGTERM); });  // it has helpers of its own
     const Finished finished = run_helper(waymark_, step.arguments, "");
+    if (session_.stop.stop_requested()) throw Interrupted();
     if (!step.output.empty()) write_file(step.output, finished.output);
     const std::vector<std::string> now = step.output.empty() ? lines_of(finished.output) : std::vector<std::string>();
     if (!options_.check) {

@@ -16,7 +16,7 @@
 namespace waymark::tools {
 namespace {
 
-constexpr int grace_milliseconds = 300;
+constexpr int grace_milliseconds = 250;
 constexpr char stop_byte = 's', done_byte = 'd';
 volatile std::sig_atomic_t writer = -1;  // the handler's end of the pipe
 
@@ -62,7 +62,7 @@ void Interrupt::watch() {
   while (::poll(&pipe, 1, grace_milliseconds) > 0) {  // a second Ctrl-C starts the grace period anew
     if (::read(reader_, &byte, 1) == 1 && byte == done_byte) return;
   }
-  kill_helper();
+  signal_helper(SIGKILL);
   parser::discard_unfinished_files();
   constexpr std::string_view message = "\nerror: interrupted\n";
   [[maybe_unused]] const auto written = ::write(STDERR_FILENO, message.data(), message.size());

@@ -1,7 +1,7 @@
 // Ctrl-C: a request to stop that long work answers, and a deadline for work that does not.
 //
 // The signal handler writes one byte into a pipe. A watcher thread reads it, requests the stop, and when the
-// process is still there 0.3 s later removes unfinished files and ends it with exit code 11. So Ctrl-C works
+// process is still there 0.25 s later removes unfinished files and ends it with exit code 11. So Ctrl-C works
 // within half a second whether or not the code that runs polls the token.
 #pragma once
 #include <stop_token>

@@ -4,24 +4,10 @@
 #include <charconv>
 #include <cmath>
 
+#include "libltl/diagnostic.hpp"
+
 namespace waymark::tools {
 namespace {
-
-// Length of the well-formed UTF-8 character that the text begins with, 0 when it begins with none.
-std::size_t character_length(std::string_view text) {
-  const auto byte = [&](std::size_t i) { return i < text.size() ? static_cast<unsigned char>(text[i]) : 0U; };
-  const auto continues = [&](std::size_t i, unsigned low = 0x80, unsigned high = 0xBF) {
-    return byte(i) >= low && byte(i) <= high;
-  };
-  const unsigned lead = byte(0);
-  if (lead < 0x80) return 1;
-  if (lead >= 0xC2 && lead <= 0xDF) return continues(1) ? 2 : 0;
-  if (lead >= 0xE0 && lead <= 0xEF)  // no overlong forms, no surrogates
-    return continues(1, lead == 0xE0 ? 0xA0 : 0x80, lead == 0xED ? 0x9F : 0xBF) && continues(2) ? 3 : 0;
-  if (lead >= 0xF0 && lead <= 0xF4)
-    return continues(1, lead == 0xF0 ? 0x90 : 0x80, lead == 0xF4 ? 0x8F : 0xBF) && continues(2) && continues(3) ? 4 : 0;
-  return 0;
-}
 
 std::string control_character(char c) {
   switch (c) {
@@ -38,7 +24,7 @@ std::string control_character(char c) {
 std::string quoted(std::string_view text) {
   std::string out = "\"";
   while (!text.empty()) {
-    const std::size_t length = character_length(text);
+    const std::size_t length = ltl::utf8_character(text, 0);
     const char c = text.front();
     if (length == 0)
       out += "\xEF\xBF\xBD";  // U+FFFD: JSON is UTF-8 whatever was typed

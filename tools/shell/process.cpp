@@ -77,8 +77,8 @@ std::atomic<pid_t> running = 0;
 
 }  // namespace
 
-void kill_helper() {
-  if (const pid_t child = running; child > 0) ::kill(child, SIGKILL);
+void signal_helper(int signal) {
+  if (const pid_t child = running; child > 0) ::kill(child, signal);
 }
 
 Finished run_helper(const std::filesystem::path& program, const std::vector<std::string>& arguments,

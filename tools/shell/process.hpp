@@ -16,7 +16,7 @@ struct Finished {
 Finished run_helper(const std::filesystem::path& program, const std::vector<std::string>& arguments,
                     std::string_view input);
 
-// Ends the helper that runs, if one does: for the watcher of Ctrl-C, before it ends the process.
-void kill_helper();
+// Sends the signal to the helper that runs, if one does: SIGKILL for the watcher of Ctrl-C, before it ends the process.
+void signal_helper(int signal);
 
 }  // namespace waymark::tools

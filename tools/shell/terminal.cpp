@@ -8,6 +8,8 @@
 #include <cstdlib>
 #include <iostream>
 
+#include "libltl/diagnostic.hpp"
+
 namespace waymark::tools {
 namespace {
 
@@ -50,7 +52,8 @@ Terminal terminal_of(int file_descriptor) {
 
 void complain(std::string_view label, std::string_view message) {
   std::cout.flush();
-  std::cerr << terminal_of(STDERR_FILENO).paint(Paint::Red, std::string(label) + ":") << ' ' << message << '\n';
+  std::cerr << terminal_of(STDERR_FILENO).paint(Paint::Red, std::string(label) + ":") << ' ' << ltl::printable(message)
+            << '\n';
 }
 
 ProgressBar::ProgressBar() : visible_(::isatty(STDERR_FILENO) != 0 && environment("TERM") != "dumb") {}

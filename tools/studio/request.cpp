@@ -1,6 +1,8 @@
 #include "tools/studio/request.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <cstdint>
 #include <nlohmann/json.hpp>
 
 #include "libltl/text/parse.hpp"
@@ -45,7 +47,9 @@ class Bounds : public nlohmann::json_sax<nlohmann::json> {
 };
 
 plan::PoseId pose_of(const nlohmann::json& value, const std::string& where, const plan::Map& map) {
-  const auto is_whole = [](const nlohmann::json& number) { return number.is_number_integer(); };
+  const auto is_whole = [](const nlohmann::json& number) {  // and an int
+    return number.is_number_integer() && std::abs(number.get<double>()) <= INT32_MAX;
+  };
   if (!value.is_array() || value.size() != 3 || !std::all_of(value.begin(), value.end(), is_whole))
     reject(where + ": expected [x, y, heading]");
   const plan::Pose pose{value[0].get<int>(), value[1].get<int>(), value[2].get<int>()};
@@ -68,6 +72,8 @@ Request::Request(std::string_view body) {
     members_ = std::make_shared<const nlohmann::json>(nlohmann::json::parse(body));
   } catch (const nlohmann::json::parse_error& error) {
     reject("no JSON: byte " + std::to_string(error.byte));
+  } catch (const nlohmann::json::exception&) {  // 1e999
+    reject("a number in the JSON is too large");
   }
   if (!members_->is_object()) reject("expected a JSON object");
 }
@@ -115,6 +121,15 @@ double Request::number_or(const std::string& name, double otherwise, double leas
   if (!(least <= number && number <= most))
     reject("'" + name + "' lies between " + std::to_string(least) + " and " + std::to_string(most));
   return number;
+}
+
+std::size_t Request::count_or(const std::string& name, std::size_t otherwise, std::size_t least,
+                              std::size_t most) const {
+  if (!has(name)) return otherwise;
+  const nlohmann::json& value = (*members_)[name];
+  if (!value.is_number_unsigned() || value.get<std::uint64_t>() < least || value.get<std::uint64_t>() > most)
+    reject("'" + name + "' is a whole number from " + std::to_string(least) + " to " + std::to_string(most));
+  return value.get<std::size_t>();
 }
 
 plan::Trajectory Request::trajectory(const std::string& name, const plan::Map& map) const {

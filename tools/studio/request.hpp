@@ -50,6 +50,7 @@ class Request {
                      const std::vector<std::string>& values) const;  // else the first
   bool flag(const std::string& name) const;                          // else false
   double number_or(const std::string& name, double otherwise, double least, double most) const;
+  std::size_t count_or(const std::string& name, std::size_t otherwise, std::size_t least, std::size_t most) const;
   // Poses [x, y, heading], each one action after the one before.
   plan::Trajectory trajectory(const std::string& name, const plan::Map& map) const;
 

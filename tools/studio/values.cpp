@@ -124,8 +124,8 @@ JsonObject learn_task(const Request& request, const Context& context) {
   const Noisy task(request, context);
   const auto methods = plan::learning_methods();
   const plan::Method& method = method_of(methods, request.text_or("method", "q-learning"));
-  const auto steps = static_cast<std::size_t>(request.number_or("steps", 5'000, 100, 50'000));
-  const auto run = static_cast<std::size_t>(request.number_or("seed", 1, 1, 1'000)) - 1;
+  const auto steps = request.count_or("steps", 5'000, 100, 50'000);
+  const auto run = request.count_or("seed", 1, 1, 1'000) - 1;
   const automata::Dfa dfa = tools::translate(task.formula, context.stop);
   const plan::LearningTask learning(task.world->map, dfa, task.formula, {&task.start, 1}, {.noise = task.noise});
   const plan::PolicyValue best = learning.optimum().value;

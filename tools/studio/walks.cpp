@@ -26,6 +26,7 @@ struct Walked {
   ltl::Arena arena;
   ltl::Formula formula;
   plan::Trajectory walk;
+  std::size_t repeated;  // actions at the end; of finite words without a meaning
   ltl::Trace word;
   std::vector<ltl::Formula> rests = {};
 
@@ -34,6 +35,7 @@ struct Walked {
         arena(world->map.vocabulary()),
         formula(formula_of(request, arena)),
         walk(request.trajectory("trajectory", world->map)),
+        repeated(request.count_or("cycle", 0, 0, walk.actions.size())),
         word(plan::word_of(walk, world->map)) {
     const auto over = semantics == ltl::Semantics::Finite ? ltl::Over::Rest : ltl::Over::Infinite;
     ltl::Formula rest = formula;
@@ -109,8 +111,7 @@ JsonObject check_infinite(const Request& request, const Context& context) {
   const auto automaton = plan::lasso_automaton(walked.formula, {.stop = context.stop});
   if (!automaton) throw tools::GaveUp("no automaton within the limits");
   const std::size_t actions = walked.walk.actions.size();
-  const auto cycle =
-      static_cast<std::size_t>(request.number_or("cycle", 0, 0, static_cast<double>(walked.walk.actions.size())));
+  const std::size_t cycle = walked.repeated;
   std::optional<bool> satisfied;
   if (cycle > 0) {
     if (walked.walk.poses[actions - cycle] != walked.walk.poses.back())

@@ -2,8 +2,13 @@
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
+#include <optional>
+
 #include "libltl/diagnostic.hpp"
 #include "libparser/model/mapped_file.hpp"
+#include "libparser/model/whole_file.hpp"
+#include "libparser/model/xxhash.hpp"
 #include "tests/libparser/lifted/few_words.hpp"
 
 namespace waymark::parser {
@@ -62,9 +67,38 @@ TEST(WordVectors, DamagedHeadsAreRefused) {
   EXPECT_NE(message(24 + 4 * 4 + 3, '\xFF').find("cut short"), std::string::npos);  // ends near 2³²
 }
 
+// The file of these bytes as the reader of commands loads it: the bytes of its vectors, or nothing where it is refused.
+std::optional<std::string> loaded(const std::string& bytes) {
+  const auto file = std::filesystem::path(::testing::TempDir()) / "word_vectors_test.waymark";
+  write_file(file, bytes);
+  std::optional<std::string> out;
+  try {
+    out = LiftedReader::load_vectors(file)->bytes();
+  } catch (const ltl::FormatError&) {
+  }
+  std::filesystem::remove(file);
+  return out;
+}
+
+TEST(WordVectors, OfASealedFileAreRefusedWhereAnyByteIsAnother) {
+  const std::string bare = bytes_of_vectors(words);
+  std::string seal = "checksum";
+  for (std::uint64_t sum = xxh64(bare), k = 0; k < 8; ++k, sum >>= 8U) seal += static_cast<char>(sum & 0xFFU);
+  const std::string whole = bare + seal;
+  EXPECT_EQ(loaded(bare), bare);
+  EXPECT_EQ(loaded(whole), bare);
+  for (std::size_t at = 0; at < whole.size(); ++at) {
+    std::string damaged = whole;
+    damaged[at] = static_cast<char>(damaged[at] ^ 4);
+    EXPECT_FALSE(loaded(damaged)) << at;
+    EXPECT_EQ(loaded(whole.substr(0, at)).has_value(), at == bare.size()) << at;
+  }
+  EXPECT_FALSE(loaded(whole + "checksum"));
+}
+
 TEST(WordVectors, OfTheShippedFileKnowWhatIsAlike) {
-  const MappedFile file(std::filesystem::path(WAYMARK_SOURCE_DIR "/data/words/words.waymark"));
-  const WordVectors vectors(file.bytes());
+  const auto shared = LiftedReader::load_vectors(WAYMARK_SOURCE_DIR "/data/words/words.waymark");
+  const WordVectors& vectors = *shared;
   EXPECT_GT(vectors.size(), 20'000U);
   const auto alike = [&](const char* a, const char* b) {
     return vectors.similarity(*vectors.find(a), *vectors.find(b));
