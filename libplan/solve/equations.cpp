@@ -4,6 +4,7 @@
 #include <Eigen/SparseLU>
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <functional>
 #include <queue>
 #include <utility>
@@ -43,12 +44,13 @@ double Equations::raise() {
   return change;
 }
 
-// One sweep from above; true: it would have raised nothing, so these are upper bounds.
-bool Equations::close_from_above() {
+// One sweep from above; true: it would have raised nothing by more than its rounding and the slack, so these are upper
+// bounds.
+bool Equations::close_from_above(double slack) {
   bool inductive = true;
   for (std::uint32_t i = 0; i < rows(); ++i) {
     const double now = best(i, x_.upper, Above);
-    inductive = inductive && (!raises(x_.upper[i], now) || (is_probability(measure_) && x_.upper[i] == 1));
+    inductive = inductive && (!raises(x_.upper[i] + slack, now) || (is_probability(measure_) && x_.upper[i] == 1));
     x_.upper[i] = std::min(x_.upper[i], now);
   }
   return inductive;
@@ -60,21 +62,45 @@ void Equations::guess(double tolerance) {
         is_probability(measure_) ? std::min(1.0, x_.lower[i] + tolerance / 2) : x_.lower[i] * (1 + tolerance / 2);
 }
 
-bool Equations::prove(std::uint64_t sweeps, const IterationOptions&) {
+bool Equations::prove(std::uint64_t sweeps, const IterationOptions& options) {
   const std::uint64_t most = by_policies_ ? most_tries : sweeps + most_tries;
   for (std::uint64_t tries = 0; tries < most; ++tries, ++x_.sweeps)
-    if (close_from_above()) return true;
-  return false;
+    if (close_from_above(0)) return true;
+  return by_policies_ && measure_ == Measure::MaxProbability && prove_with_slack(options.tolerance);
 }
 
-// Sweeps for a while; where that does not do, policies by linear solves, once; where these fail, sweeps to the end.
+// Where runs linger, nothing in a row tells its bound from those of the rows around it but rounding. A sweep from the
+// values of the policy then raises some by a little; what such raises come to over a hundred times as many steps as the
+// policy takes is added to its values, if it is small, and so is what the values of solved states may be greater by.
+bool Equations::prove_with_slack(double tolerance) {
+  double slack = rounding, wider = 0;
+  for (std::uint32_t i = 0; i < rows(); ++i) slack = std::max(slack, 2 * (best(i, x_.lower, Below) - x_.lower[i]));
+  for (std::uint32_t c = 0; c < choices(); ++c) {
+    double known = 1;
+    for (std::uint32_t t = first_term_[c]; t < first_term_[c + 1]; ++t) known -= coefficient_[t];
+    const double more = constant_[Above][c] - constant_[Below][c];
+    if (known > most_error)
+      wider = std::max(wider, more / known);
+    else
+      slack = std::max(slack, more);
+  }
+  const double added = 100 * steps_ * slack;
+  if (!(added + wider <= tolerance)) return false;
+  for (std::uint32_t i = 0; i < rows(); ++i) x_.upper[i] = std::min(1.0, x_.lower[i] + wider);
+  if (!close_from_above(slack)) return false;
+  for (double& bound : x_.upper) bound = std::min(1.0, bound + added);
+  return true;
+}
+
+// Sweeps for a while; where that does not do, policies by linear solves; where these fail, sweeps again, for eight
+// times as long, since values that are nearer make better policies to begin with.
 bool Equations::refine(double change, const IterationOptions& options) {
-  constexpr std::uint64_t patience = 100;  // sweeps
   by_policies_ = false;
   while (true) {
-    if (linear_ && (options.policy_iteration || x_.sweeps >= patience)) {
-      linear_ = false;
+    if (linear_ && x_.sweeps >= patience_) {
+      patience_ = std::max<std::uint64_t>(100, 8 * patience_);
       by_policies_ = iterate_policies(options);
+      linear_ = !by_policies_;
       if (by_policies_) return true;
       change /= 64;
     }
@@ -91,6 +117,7 @@ std::optional<Equations::Solution> Equations::solve(const IterationOptions& opti
   x_.upper.assign(rows(), 0);
   if (measure_ == Measure::MinCost) start_from_best_luck();
   linear_ = measure_ != Measure::MinProbability && rows() <= factored;
+  patience_ = options.policy_iteration ? 0 : 100;
   if (iterate_optimistically(*this, options, options.tolerance / 16) != IterationEnd::Proved) return std::nullopt;
   return std::move(x_);
 }
@@ -195,7 +222,7 @@ Equations::Policy Equations::greedy() const {
 // factors, tried for more rows than can be factored, stagnates on large grids and takes longer than sweeps do.)
 // Greatest probabilities are also refused where a run may take so many steps that rounding could add up: the error is
 // at most the greatest residual times the expected steps, which are solved for with the same factors.
-bool Equations::evaluate(const Policy& policy, std::vector<double>& x) const {
+bool Equations::evaluate(const Policy& policy, std::vector<double>& x) {
   std::vector<Eigen::Triplet<double>> entries;
   Eigen::VectorXd right(rows());
   for (std::uint32_t i = 0; i < rows(); ++i) {
@@ -216,7 +243,8 @@ bool Equations::evaluate(const Policy& policy, std::vector<double>& x) const {
   if (measure_ == Measure::MaxProbability) {
     const Eigen::VectorXd steps = factors.solve(Eigen::VectorXd::Ones(rows()));
     const double residual = (right - matrix * solved).cwiseAbs().maxCoeff() + rounding;
-    if (!(steps.minCoeff() >= 0.5) || !(residual * steps.maxCoeff() <= most_error)) return false;
+    steps_ = steps.maxCoeff();
+    if (!(steps.minCoeff() >= 0.5) || !(residual * steps_ <= most_error)) return false;
   }
   x.assign(solved.data(), solved.data() + solved.size());
   for (double& v : x) {
@@ -232,11 +260,14 @@ bool Equations::evaluate(const Policy& policy, std::vector<double>& x) const {
 bool Equations::iterate_policies(const IterationOptions& limits) {
   std::vector<double> x = x_.lower;
   Policy policy = x_.sweeps > 0 ? greedy() : progress();
-  for (bool changed = true; changed; ++x_.sweeps) {
+  constexpr int most_rounds = 200;
+  bool changed = true;
+  for (int round = 0; changed && round < most_rounds; ++round, ++x_.sweeps) {
     if (limits.stop.stop_requested() || !evaluate(policy, x)) return false;
     changed = false;
     for (std::uint32_t i = 0; i < rows(); ++i) {
-      const double gain = 1e-11 * std::max(x[i], 1e-300);
+      // What is gained from rounding alone may lead round in circles.
+      const double gain = (measure_ == Measure::MaxProbability ? 1e-13 : 1e-11) * std::max(x[i], 1e-300);
       double held = value(policy[i], x, Below);
       for (std::uint32_t c = first_choice_[i]; c < first_choice_[i + 1]; ++c) {
         const double offered = value(c, x, Below);

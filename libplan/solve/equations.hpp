@@ -65,7 +65,8 @@ class Equations {
   double best(std::uint32_t row, const std::vector<double>& x, Side side) const;
   void start_from_best_luck();
   double raise();
-  bool close_from_above();
+  bool close_from_above(double slack);
+  bool prove_with_slack(double tolerance);
 
   struct Sources {  // by unknown: the choices that it is an outcome of
     std::vector<std::uint32_t> first, choice, row_of;
@@ -74,7 +75,7 @@ class Equations {
   using Policy = std::vector<std::uint32_t>;  // by row, a choice
   Policy progress() const;                    // every row gets somewhere
   Policy greedy() const;
-  bool evaluate(const Policy& policy, std::vector<double>& x) const;
+  bool evaluate(const Policy& policy, std::vector<double>& x);
   bool iterate_policies(const IterationOptions& limits);
   bool lowers_nothing(const std::vector<double>& x) const;
 
@@ -82,8 +83,10 @@ class Equations {
   std::vector<std::uint32_t> first_choice_, first_term_, unknown_;
   std::vector<double> coefficient_, constant_[2], cost_, least_known_;  // the last two for costs only
   Solution x_;
-  bool linear_ = false;       // policies may be tried
-  bool by_policies_ = false;  // that is where the values come from
+  bool linear_ = false;         // policies may be tried
+  std::uint64_t patience_ = 0;  // sweeps before they are
+  double steps_ = 0;            // that a run of the last policy takes, expected, from its slowest row
+  bool by_policies_ = false;    // that is where the values come from
 };
 
 }  // namespace waymark::plan
