@@ -13,7 +13,7 @@ namespace waymark::plan {
 // The good choices of some states, and their outcomes among these, in flat arrays: 8 bytes an outcome, 4 a choice.
 struct GoodChoices {
   std::vector<std::uint32_t> first_choice{0}, choice, first_outcome{0}, target;  // targets by place in the order
-  std::vector<float> probability;
+  std::vector<float> probability;                                                // of each
 
   // In this order. False: more outcomes than the limit.
   template <class Product, class Good>

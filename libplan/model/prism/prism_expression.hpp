@@ -53,15 +53,16 @@ class PrismExpressions {  // all expressions of a file
   // Errors are about this text from now on; what was spoken of before.
   const PrismTokens& speak_of(const PrismTokens& tokens) { return *std::exchange(tokens_, &tokens); }
 
-  using Op = PrismOp;
-  struct Window {  // of steps: absent where there is no bound
-    std::optional<Id> least, most;
+  // Of path formulas.
+  using Op = PrismOp;                              // what an expression does
+  struct Window {                                  // of steps: absent where there is no bound
+    std::optional<Id> least, most;                 // expressions
     bool above_least = false, below_most = false;  // > and <
   };
-  Op op(Id e) const { return nodes_[e].op; }
-  const std::vector<Id>& operands(Id e) const { return nodes_[e].operands; }
-  const Window* window(Id e) const;  // of a temporal operator that has bounds; else none
-  bool is_temporal(Id e) const { return nodes_[e].temporal; }
+  Op op(Id e) const { return nodes_[e].op; }                                  // the outermost operator
+  const std::vector<Id>& operands(Id e) const { return nodes_[e].operands; }  // of a name: none
+  const Window* window(Id e) const;                            // of a temporal operator that has bounds; else none
+  bool is_temporal(Id e) const { return nodes_[e].temporal; }  // itself or below
 
  private:
   struct Node {

@@ -38,7 +38,7 @@ class PrismStates {
     return *at;
   }
 
-  void read(std::uint32_t state, PrismValues& values) const {
+  void read(std::uint32_t state, PrismValues& values) const {  // into values
     values.resize(fields_.size());
     const std::uint64_t* const words = of(state);
     for (std::size_t v = 0; v < fields_.size(); ++v)
