@@ -115,7 +115,9 @@ class Bridge {
 };
 
 TEST(CaseTask, WhatCanBePutOffAlmostForEverIsAnswered) {
-  for (const Bridge& bridge : {Bridge(50, 1, 0.05), Bridge(60, 3, 0.15), Bridge(40, 1, 0.2)}) {
+  std::vector<Bridge> bridges{Bridge(50, 1, 0.05)};
+  if (!::waymark::testing::sanitized) bridges.insert(bridges.end(), {Bridge(60, 3, 0.15), Bridge(40, 1, 0.2)});
+  for (const Bridge& bridge : bridges) {
     const PlanningCase lava = bridge.planning_case();
     const double value = bridge.value();
     for (const CaseMethod method : {CaseMethod::Best, CaseMethod::ValueIteration, CaseMethod::PolicyIteration}) {
