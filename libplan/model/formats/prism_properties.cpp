@@ -15,7 +15,7 @@ using Id = PrismExpressions::Id;
 using Op = PrismExpressions::Op;
 using Type = PrismExpressions::Type;
 
-constexpr std::size_t most_written = 500;  // steps of a bounded until, which is written out
+constexpr std::size_t most_written = 500;  // steps before a window of steps begins
 
 std::string on_one_line(std::string_view text) {  // without quotes, so that it can stand between some
   std::string out;
@@ -111,11 +111,9 @@ class PathWriter {
   std::string until(Id e, const std::vector<std::string>& parts) {
     const auto bound = steps(e);
     if (!bound) return parts[0] + " U " + parts[1];
-    if (bound->least > most_written || bound->most.value_or(0) > most_written)
-      throw std::invalid_argument("more steps than are written out");
-    std::string out = bound->most ? parts[1] : '(' + parts[0] + " U " + parts[1] + ')';
-    for (std::size_t n = bound->most.value_or(0); n > 0; --n)
-      out = '(' + parts[1] + " | (" + parts[0] + " & X " + out + "))";
+    if (bound->least > most_written) throw std::invalid_argument("more steps than are written out");
+    std::string out =
+        '(' + parts[0] + (bound->most ? " U<=" + std::to_string(*bound->most) : " U") + ' ' + parts[1] + ')';
     for (std::size_t n = bound->least; n > 0; --n) out = '(' + parts[0] + " & X " + out + ')';
     return out;
   }
@@ -148,6 +146,7 @@ class PropertiesReader {
     define_start();
     expressions_.speak_of(in_);
     while (in_.peek().kind != PrismToken::Kind::End) item();
+    expect_given(in_, constants_, program_.given);
     expressions_.speak_of(model_);
     for (std::size_t i = 0; i < out_.size(); ++i)
       if (out_[i].fault.empty()) out_[i].model = model(structures_[i], out_[i].instantaneous);
@@ -173,7 +172,7 @@ class PropertiesReader {
 
   void item() {
     if (in_.accept(";")) return;
-    if (in_.accept("const")) return read_prism_constant(in_, expressions_, constants_);
+    if (in_.accept("const")) return read_prism_constant(in_, expressions_, constants_, program_.given);
     if (in_.accept("label")) {
       const PrismToken name = in_.next();
       if (name.kind != PrismToken::Kind::String) in_.fail(name.where, "expected the name of a label in quotes");
@@ -358,7 +357,7 @@ std::optional<bool> agrees(const std::string& result, double value, std::optiona
     expected = below ? std::optional<double>(*expected / *below) : std::nullopt;
   }
   if (!expected) return std::nullopt;
-  return std::abs(value - *expected) <= 1e-5 * std::max(std::abs(*expected), 1e-7 / 1e-5);
+  return std::abs(value - *expected) <= std::max(1e-5 * std::abs(*expected), 1e-7);
 }
 
 }  // namespace waymark::plan

@@ -44,7 +44,7 @@ class ProgramReader {
 
   void item() {
     if (in_.accept("const")) {
-      read_prism_constant(in_, expressions_, constants_);
+      read_prism_constant(in_, expressions_, constants_, out_.given);
     } else if (in_.accept("formula")) {
       formula();
     } else if (in_.accept("label")) {
@@ -313,21 +313,24 @@ PrismProgram read_prism_program(PrismTokens& in, PrismExpressions& expressions, 
   return ProgramReader(in, expressions, constants).read();
 }
 
-void read_prism_constant(PrismTokens& in, PrismExpressions& expressions, const PrismConstants& constants) {
+void read_prism_constant(PrismTokens& in, PrismExpressions& expressions, const PrismConstants& constants,
+                         std::vector<std::string>& taken) {
   std::optional<Type> type;
   if (in.accept("double")) type = Type::Double;
   if (in.accept("bool")) type = Type::Bool;
   if (in.accept("int")) type = Type::Int;
   const PrismToken name = in.expect_name("a constant");
+  const auto given = constants.find(name.text);
   if (in.accept("=")) {
+    if (given != constants.end()) in.fail(name.where, "this constant has a value already");
     expressions.define_formula(name, expressions.parse(in));
     in.expect(";");
     return;
   }
-  const auto given = constants.find(name.text);
   if (given == constants.end())
     in.fail(name.where, "the constant " + std::string(name.text) + " has no value: give one with --const");
   in.expect(";");
+  taken.push_back(given->first);
   const std::string& text = given->second;
   if (type == Type::Bool && (text == "true" || text == "false"))
     return expressions.define_formula(name, expressions.number(text == "true" ? 1 : 0, Type::Bool));
@@ -337,6 +340,12 @@ void read_prism_constant(PrismTokens& in, PrismExpressions& expressions, const P
   if (type == Type::Bool || error != std::errc() || end != text.data() + text.size() || (type == Type::Int && !whole))
     in.fail(name.where, "the value " + text + " given for the constant is of another type");
   expressions.define_formula(name, expressions.number(value, whole ? Type::Int : Type::Double));
+}
+
+void expect_given(const PrismTokens& in, const PrismConstants& constants, const std::vector<std::string>& given) {
+  for (const auto& [name, value] : constants)
+    if (std::find(given.begin(), given.end(), name) == given.end())
+      in.fail("there is no constant " + name + " to take the value " + value);
 }
 
 }  // namespace waymark::plan

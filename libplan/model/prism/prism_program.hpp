@@ -66,6 +66,7 @@ struct PrismProgram {                               // refers to expressions of 
   std::vector<Rewards> rewards;     // structures, in the order of the text
   std::vector<Label> labels;        // in the order of the text
   std::optional<Id> start;          // init … endinit
+  std::vector<std::string> given;   // constants that took their value from outside
 };
 
 // Reads the text of `in` to its end. Formulas, constants, labels and variables are defined in `expressions`; constants
@@ -74,6 +75,11 @@ struct PrismProgram {                               // refers to expressions of 
 PrismProgram read_prism_program(PrismTokens& in, PrismExpressions& expressions, const PrismConstants& constants);
 
 // const [int|double|bool] name [= expression]; in a model or in properties, with the word const read.
-void read_prism_constant(PrismTokens& in, PrismExpressions& expressions, const PrismConstants& constants);
+// A name joins `given` when its value is from `constants`; one that has a value in the text takes no other.
+void read_prism_constant(PrismTokens& in, PrismExpressions& expressions, const PrismConstants& constants,
+                         std::vector<std::string>& given);
+
+// Throws ltl::SyntaxError at the end of the text for a constant that no declaration took.
+void expect_given(const PrismTokens& in, const PrismConstants& constants, const std::vector<std::string>& given);
 
 }  // namespace waymark::plan

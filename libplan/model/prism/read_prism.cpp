@@ -28,6 +28,7 @@ Mdp parse_prism(std::string_view text, std::string_view source, const ltl::Limit
   PrismTokens in(text, source);
   PrismExpressions expressions(in);
   const PrismProgram program = read_prism_program(in, expressions, options.constants);
+  expect_given(in, options.constants, program.given);
   return explore(program, expressions, in, {program.labels, structure(program, options.rewards, in)}, limits);
 }
 

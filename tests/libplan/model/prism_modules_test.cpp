@@ -119,6 +119,7 @@ TEST(PrismModules, TakeConstantsAndRewards) {
   EXPECT_EQ(mdp.outcomes(0, 0)[0].probability, 0.25);
   for (const PrismOptions& wrong : {PrismOptions{}, PrismOptions{{{"n", "7.5"}, {"p", "1"}, {"b", "true"}}, ""},
                                     PrismOptions{{{"n", "7"}, {"p", "1"}, {"b", "1"}}, ""},
+                                    PrismOptions{{{"n", "7"}, {"p", "1"}, {"b", "true"}, {"q", "1"}}, ""},
                                     PrismOptions{{{"n", "7"}, {"p", "1"}, {"b", "true"}}, "three"}})
     EXPECT_THROW(parse_prism(text, "", {.states = 100}, wrong), ltl::SyntaxError);
 }
@@ -149,12 +150,22 @@ TEST(PrismProperties, AreAnswered) {
   const struct {
     std::string_view text;
     double value;
-  } rows[] = {
-      {"Pmax=? [ F x=5 ]", 1},           {"Pmin=? [ F<=2 x>=3 ]", 0.5},    {"Pmax=? [ F<=1 x>=3 ]", 0.5},
-      {"Pmax=? [ F<2 x>=3 ]", 0.5},      {"Pmin=? [ G[0,1] x<3 ]", 0.5},   {"Pmax=? [ x<4 U<=4 x=5 ]", 0.5},
-      {"Pmax=? [ X x=0 ]", 0.5},         {"Pmax=? [ F=2 x=3 ]", 1},        {"Pmax=? [ (F x=0) & (G F x=5) ]", 0.75},
-      {"R{\"time\"}min=? [ F x=5 ]", 4}, {"Rmin=? [ C<=2 ]", 2},           {"R{\"time\"}max=? [ C<=2 ]", 6},
-      {"R{\"time\"}max=? [ I=1 ]", 1},   {"R{\"free\"}min=? [ F x=5 ]", 0}};
+  } rows[] = {{"Pmax=? [ F x=5 ]", 1},
+              {"Pmin=? [ F<=2 x>=3 ]", 0.5},
+              {"Pmax=? [ F<=1 x>=3 ]", 0.5},
+              {"Pmax=? [ F<2 x>=3 ]", 0.5},
+              {"Pmin=? [ G[0,1] x<3 ]", 0.5},
+              {"Pmax=? [ x<4 U<=4 x=5 ]", 0.5},
+              {"Pmin=? [ x<4 U<=2 x=2 ]", 0},
+              {"Pmax=? [ x<4 U[1,2] x=3 ]", 1},
+              {"Pmax=? [ X x=0 ]", 0.5},
+              {"Pmax=? [ F=2 x=3 ]", 1},
+              {"Pmax=? [ (F x=0) & (G F x=5) ]", 0.75},
+              {"R{\"time\"}min=? [ F x=5 ]", 4},
+              {"Rmin=? [ C<=2 ]", 2},
+              {"R{\"time\"}max=? [ C<=2 ]", 6},
+              {"R{\"time\"}max=? [ I=1 ]", 1},
+              {"R{\"free\"}min=? [ F x=5 ]", 0}};
   for (const auto& row : rows) {
     const std::vector<PrismProperty> properties = asked(row.text);
     ASSERT_EQ(properties.size(), 1U) << row.text;
