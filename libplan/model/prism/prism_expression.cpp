@@ -15,6 +15,7 @@ void PrismExpressions::define_variable(const PrismToken& name, std::uint32_t ind
 }
 void PrismExpressions::define_formula(const PrismToken& name, Id body) { define(name, {.body = body}); }
 void PrismExpressions::define_label(const PrismToken& name, Id body) {
+  if (name.text.empty()) tokens_->fail(name.where, "a label needs a name");
   if (!labels_.emplace(name.text, body).second) tokens_->fail(name.where, "this label has a meaning already");
 }
 

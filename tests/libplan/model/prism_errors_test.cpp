@@ -42,6 +42,7 @@ TEST(PrismLanguage, SaysWhatIsWrongAndWhere) {
        "1:46: a command with an action assigns a global variable, which others may assign at once"},
       {"mdp module m x : [0..1]; endmodule module n = k [x=y] endmodule", "1:47: there is no module of this name"},
       {"mdp module m x : [0..1]; endmodule module n = m [z=y] endmodule", "1:47: this name has a meaning already"},
+      {"mdp module m x : [0..1]; endmodule label \"\" = x=0;", "1:42: a label needs a name"},
       {"mdp const int k; module m x : [0..k]; endmodule", "1:15: the constant k has no value: give one with --const"},
       {"mdp module m x : [0..9]; [a] true -> true; [a] true -> true; endmodule module n = m [x=n1] endmodule "
        "module o = m [x=o1] endmodule module p = m [x=p1] endmodule module q = m [x=q1] endmodule "
