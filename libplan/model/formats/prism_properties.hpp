@@ -36,7 +36,8 @@ std::vector<PrismProperty> parse_prism_properties(const PrismSource& model, cons
                                                   const ltl::Limits& limits = {.states = most_model_states});
 
 // Does the value agree with what a RESULT comment says: a number, a fraction, Infinity, true or false? Numbers agree
-// up to a relative difference of 10⁻⁵, PRISM's own measure, or an absolute one of 10⁻⁷. nullopt: the comment says something else.
+// up to a relative difference of 10⁻⁵, PRISM's own measure, or an absolute one of 10⁻⁷. nullopt: the comment says
+// something else.
 std::optional<bool> agrees(const std::string& result, double value, std::optional<bool> verdict);
 
 }  // namespace waymark::plan
