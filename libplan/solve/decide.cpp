@@ -132,7 +132,7 @@ enum class Among : std::uint8_t { Nearest, Swiftest };  // which of the good cho
 // states from which no such choice does.
 template <Measure measure, class Product>
 bool choose(const Product& product, const Unknowns& unknowns, const std::vector<double>& values, Among among,
-            double slack, const std::stop_token& stop, Strategy& strategy) {
+            double slack, const IterationOptions& limits, Strategy& strategy) {
   const auto good = [&](const auto& s, std::uint32_t k) {
     if (!unknowns.unknown[s.index]) return false;
     const double value = values[s.index], offered = action_value<measure>(product, s, k, unknowns, values);
@@ -143,7 +143,7 @@ bool choose(const Product& product, const Unknowns& unknowns, const std::vector<
       attractor(product, unknowns.targets, strategy, good, among == Among::Swiftest ? &order : nullptr);
   for (std::uint32_t i = 0; i < product.states(); ++i)
     if (unknowns.unknown[i] && !attracted[i]) return false;
-  return among == Among::Nearest || hurry(product, order, good, stop, strategy);
+  return among == Among::Nearest || hurry(product, order, good, limits, strategy);
 }
 
 // The choice of least probability, of every unknown state: any that attains it will do.
@@ -255,33 +255,38 @@ void tighten(Decided& decided) {
 
 // The strategy of the unknown states: by the bounds that some choice of every state attains. Slack costs at most so
 // much in every step, but with too little of it the only way on may be one that drift makes endless: so it is a
-// strategy that was evaluated and found good that counts.
+// strategy that was evaluated and found good that counts. A good one is evaluated in about as many sweeps as the values
+// took; those that take many more are looked at again when there is no such.
 template <Measure measure, class Product>
 bool choose_and_evaluate(const Product& product, const Unknowns& unknowns, const std::vector<double>& attained,
                          const StateSet& kept, const IterationOptions& limits, bool last, Decided& out) {
   IterationOptions limited = limits;
-  limited.sweeps = 20'000;
+  constexpr std::uint64_t most_sweeps = 20'000;
+  const std::uint64_t few_sweeps = std::min(most_sweeps, 1'000 + 4 * out.sweeps);
   Strategy tried = out.strategy;
   constexpr std::pair<Among, double> attempts[] = {
       {Among::Nearest, 1e-10}, {Among::Swiftest, 1e-10}, {Among::Swiftest, 1e-12}, {Among::Swiftest, 1e-8},
       {Among::Nearest, 1e-12}, {Among::Nearest, 1e-14},  {Among::Nearest, 1e-15},  {Among::Nearest, 1e-8},
       {Among::Nearest, 1e-7},  {Among::Nearest, 1e-6},   {Among::Nearest, 1e-5}};
-  for (const auto& [among, slack] : std::span(attempts).first(last ? std::size(attempts) : 2)) {
-    if (!choose<measure>(product, unknowns, attained, among, slack, limits.stop, tried)) continue;
+  const auto succeeds = [&](Among among, double slack) {
+    if (!choose<measure>(product, unknowns, attained, among, slack, limits, tried)) return false;
     const auto found = evaluate<measure>(product, tried, kept, limited, &attained);
-    if (limits.stop.stop_requested()) return false;
-    if (!found) continue;
+    if (!found) return false;
     const bool better = measure == Measure::MaxProbability ? found->lower > out.re_evaluated.lower
                                                            : found->upper < out.re_evaluated.upper;
-    if (!better) continue;
+    if (!better) return false;
     out.re_evaluated = *found;
     out.strategy = tried;
-    if (!delivers<measure>(out, limits.tolerance)) continue;
+    if (!delivers<measure>(out, limits.tolerance)) return false;
     tighten<measure>(out);
     out.attained = true;
     return true;
+  };
+  for (limited.sweeps = few_sweeps;; limited.sweeps = most_sweeps) {
+    for (const auto& [among, slack] : std::span(attempts).first(last ? std::size(attempts) : 2))
+      if (!limits.stop.stop_requested() && succeeds(among, slack)) return true;
+    if (limited.sweeps == most_sweeps || limits.stop.stop_requested()) return false;
   }
-  return false;
 }
 
 // Where bounds of the tolerance that was asked for do not meet in doubles, coarser ones may; but not where it was time

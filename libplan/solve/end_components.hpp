@@ -1,7 +1,8 @@
 // Maximal end components: where a strategy can stay for ever, and move about as it likes. [BK08, Alg. 47]
 //
 // Components of the graph whose edges are the usable choices that stay within one component of the last round, until
-// nothing changes. A state that no usable choice keeps inside belongs to none. O(edges · rounds); 12 bytes a state.
+// nothing changes. Before each round, states that no usable choice keeps inside are taken out, and those that then have
+// none. O(edges · rounds); 12 bytes a state.
 #pragma once
 #include <algorithm>
 #include <cstdint>
@@ -114,15 +115,22 @@ class Round {
 // Within a set of states, by choices that are usable(state, choice).
 template <class Product, class Usable>
 EndComponents end_components(const Product& product, const StateSet& within, const Usable& usable) {
-  EndComponents found;
-  found.of.assign(product.states(), EndComponents::none);
+  EndComponents found{std::vector<std::uint32_t>(product.states(), EndComponents::none)};
   for (std::uint32_t i = 0; i < product.states(); ++i)
     if (within[i]) found.of[i] = 0;
-  std::uint32_t members = UINT32_MAX;
-  for (std::uint32_t components = UINT32_MAX;;) {
+  for (std::size_t components = SIZE_MAX, members = SIZE_MAX;;) {
+    prune(
+        product,
+        [&](const auto& s) {
+          bool kept = found.of[s.index] == EndComponents::none;
+          for (std::uint32_t k = 0; k < product.choices(s) && !kept; ++k)
+            kept = usable(s, k) && stays(product, s, k, found);
+          return kept;
+        },
+        [&](const auto& s) { found.of[s.index] = EndComponents::none; });
     found = detail::Round(product, found, usable).run();
-    const auto still = static_cast<std::uint32_t>(
-        std::count_if(found.of.begin(), found.of.end(), [](std::uint32_t c) { return c != EndComponents::none; }));
+    const auto still =
+        found.of.size() - static_cast<std::size_t>(std::count(found.of.begin(), found.of.end(), EndComponents::none));
     if (found.count == components && still == members) return found;
     components = found.count;
     members = still;

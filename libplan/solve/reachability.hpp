@@ -74,22 +74,33 @@ bool closed(const Product& product, const StateSet& set) {
   return out;
 }
 
-// Takes states out of the set that no choice keeps inside, until there are none; targets stay.
-template <class Product>
-void keep_safe(const Product& product, const StateSet& targets, StateSet& set) {
+// Takes out what nothing keeps, and what nothing keeps without it, until there is no such state. keeps(state): is it
+// out already, or does something keep it in? Asked again when an outcome of one of its choices is taken out.
+template <class Product, class Keeps, class TakeOut>
+void prune(const Product& product, const Keeps& keeps, const TakeOut& take_out) {
   std::deque<typename Product::Compact> open;
   const auto look_at = [&](const auto& s) {
-    if (!set[s.index] || targets[s.index]) return;
-    const std::uint32_t choices = product.choices(s);
-    for (std::uint32_t k = 0; k < choices; ++k)
-      if (all_outcomes_in(product, s, k, set)) return;
-    set[s.index] = false;
+    if (keeps(s)) return;
+    take_out(s);
     open.push_back(product.compact(s));
   };
   product.for_each_state([&](const auto& s) {
     look_at(s);
     for (; !open.empty(); open.pop_front()) product.for_each_predecessor(product.state(open.front()), look_at);
   });
+}
+
+// Takes states out of the set that no choice keeps inside, until there are none; targets stay.
+template <class Product>
+void keep_safe(const Product& product, const StateSet& targets, StateSet& set) {
+  prune(
+      product,
+      [&](const auto& s) {
+        bool kept = !set[s.index] || targets[s.index];
+        for (std::uint32_t k = 0; k < product.choices(s) && !kept; ++k) kept = all_outcomes_in(product, s, k, set);
+        return kept;
+      },
+      [&](const auto& s) { set[s.index] = false; });
 }
 
 // Some strategy reaches them with probability 1: the greatest set from which they can be reached by choices that never
