@@ -22,6 +22,7 @@
 #include "tools/shell/json.hpp"
 #include "tools/shell/options.hpp"
 #include "tools/shell/output.hpp"
+#include "tools/shell/rounded.hpp"
 
 namespace waymark::tools {
 namespace {
@@ -143,7 +144,7 @@ std::string in_words(const plan::CaseTask& task, const CaseAnswer& answer) {
   else
     out << std::setprecision(12) << answer.value.middle();
   if (answer.status == Status::Solved && answer.value.lower != answer.value.upper)
-    out << "  in [" << answer.value.lower << ", " << answer.value.upper << ']';
+    out << "  " << between(answer.value.lower, answer.value.upper);
   if (answer.status == Status::Infeasible) out << "  infeasible: " << answer.reason;
   if (answer.status == Status::Solved && !answer.reason.empty()) out << "  " << answer.reason;
   for (std::size_t i = 0; i < answer.dropped.size(); ++i)

@@ -283,6 +283,7 @@ bool choose_and_evaluate(const Product& product, const Unknowns& unknowns, const
     return true;
   };
   for (limited.sweeps = few_sweeps;; limited.sweeps = most_sweeps) {
+    limited.second_way = limited.sweeps == most_sweeps;
     for (const auto& [among, slack] : std::span(attempts).first(last ? std::size(attempts) : 2))
       if (!limits.stop.stop_requested() && succeeds(among, slack)) return true;
     if (limited.sweeps == most_sweeps || limits.stop.stop_requested()) return false;

@@ -19,10 +19,11 @@ struct IterationOptions {             // what is proved, and at which price
   bool policy_iteration = false;      // linear solves from the start, not only where sweeps are slow
   std::uint64_t sweeps = UINT64_MAX;  // of each block
   std::size_t written_out = std::size_t{1} << 20U;  // unknowns of a block up to which its equations are written out
-  std::size_t on_grid = 20'000;  // unknowns of a block of a grid from which it is swept in place, where its kind allows
-  bool keep_values = false;      // of all states, in the answer
-  std::size_t threads = 1;       // that sweep; of no influence on any number
-  std::stop_token stop = {};     // polled between sweeps
+  std::size_t on_grid = 2'000;  // unknowns of a block of a grid from which it is swept in place, where its kind allows
+  bool second_way = true;       // blocks of grids that sweeps do not solve are written out then, if they are small
+  bool keep_values = false;     // of all states, in the answer
+  std::size_t threads = 1;      // that sweep; of no influence on any number
+  std::stop_token stop = {};    // polled between sweeps
 };
 
 // Does a sweep that turns `before` into `after` raise it, by more than the rounding of a sum?

@@ -5,10 +5,10 @@
 // iteration from below goes on with a finer measure. Interval iteration, which comes down from 1, does not converge
 // where a strategy can waste time almost for ever.
 //
-// Blocks of the product are solved in the order in which outcomes lead, each in the order of distance from solved
-// states. States of one end component have one value and are swept as one (`merged`). An outcome that changes nothing
-// is divided out. Bounds are sound up to the rounding of doubles.
+// Blocks of the product are solved in the order in which outcomes lead, nearest to solved states first. States of one
+// end component are swept as one (`merged`). An outcome that changes nothing is divided out. Sound up to rounding.
 #pragma once
+#include <algorithm>
 #include <cstdint>
 #include <optional>
 #include <type_traits>
@@ -83,9 +83,10 @@ class ValueIteration {
                   std::is_same_v<Product, StrategyChain<GridBlock::Product>>)
       if (order.size() > limits_.on_grid && !limits_.policy_iteration) {
         const std::size_t size = order.size();
+        const bool another_way = size <= Equations::factored && limits_.second_way;
         if (auto block = grid_block(std::move(order))) {
-          if (solve_on_grid(*block)) return true;
-          if (size > Equations::factored || limits_.stop.stop_requested()) return false;
+          if (solve_on_grid(*block, another_way)) return true;
+          if (!another_way || limits_.stop.stop_requested()) return false;
         }
         order = merged_.in_order(first, last);
       }
@@ -100,9 +101,12 @@ class ValueIteration {
                            &product_.strategy());
   }
 
-  bool solve_on_grid(GridBlock& block) {
-    if (claimed_ != nullptr) block.start_from(*claimed_, limits_.tolerance);
-    const auto sweeps = block.solve(limits_);
+  bool solve_on_grid(GridBlock& block, bool another_way) {
+    constexpr std::uint64_t patience = 1'000;  // sweeps; where they crawl, equations are solved sooner
+    IterationOptions limits = limits_;
+    if (another_way) limits.sweeps = std::min(limits.sweeps, patience);
+    if (claimed_ != nullptr) block.start_from(*claimed_, limits.tolerance);
+    const auto sweeps = block.solve(limits);
     if (!sweeps) return false;
     block.for_each([&](std::uint32_t i, double lower, double upper) { set(i, lower, upper); });
     values_.sweeps += *sweeps;
