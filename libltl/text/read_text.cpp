@@ -3,7 +3,6 @@
 #include <array>
 #include <cerrno>
 #include <cstring>
-#include <fstream>
 #include <utility>
 
 #include "libltl/diagnostic.hpp"
@@ -35,7 +34,7 @@ std::string read_text(std::istream& in, std::string_view source, std::size_t mos
   return text;
 }
 
-std::string read_text(const std::filesystem::path& file, std::size_t most) {
+std::ifstream open_text(const std::filesystem::path& file) {
   std::error_code ignored;
   if (std::filesystem::is_directory(file, ignored)) fail(file.string(), 0, "is a directory, not a file");
   if (std::filesystem::is_socket(file, ignored)) fail(file.string(), 0, "is a socket, not a file");
@@ -43,22 +42,27 @@ std::string read_text(const std::filesystem::path& file, std::size_t most) {
   std::ifstream in(file, std::ios::binary);
   if (!in)
     fail(file.string(), 0, "cannot read the file" + (errno != 0 ? ": " + std::string(std::strerror(errno)) : ""));
+  return in;
+}
+
+std::string read_text(const std::filesystem::path& file, std::size_t most) {
+  std::ifstream in = open_text(file);
   return read_text(in, file.string(), most);
 }
 
 bool LineReader::next(std::string& line) {
   line.clear();
   if (broken_) return false;
-  std::array<char, std::size_t{1} << 12U> block{};
+  block_.resize(std::size_t{1} << 12U);
   while (true) {
-    in_.getline(block.data(), static_cast<std::streamsize>(block.size()));
+    in_.getline(block_.data(), static_cast<std::streamsize>(block_.size()));
     auto got = static_cast<std::size_t>(in_.gcount());
     broken_ = in_.bad() || got > most_line_bytes - line.size();
     if (in_.bad()) fail(source_, number_ + 1, "cannot be read: the text may be cut here");
     if (broken_) fail(source_, number_ + 1, "expected at most " + bytes(most_line_bytes) + " on a line");
     const bool ended = !in_.eof() && !in_.fail();  // at an LF, which gcount counts
     if (ended) --got;
-    line.append(block.data(), got);
+    line.append(block_.data(), got);
     if (ended) break;
     if (in_.eof()) {
       if (line.empty()) return false;

@@ -3,9 +3,11 @@
 #pragma once
 #include <cstddef>
 #include <filesystem>
+#include <fstream>
 #include <istream>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace waymark::ltl {
 
@@ -15,6 +17,9 @@ inline constexpr std::size_t most_line_bytes = std::size_t{1} << 24U;  // 16 MiB
 // Both throw FormatError, naming the source: it cannot be read, is a directory, or has more bytes.
 std::string read_text(const std::filesystem::path& file, std::size_t most = most_file_bytes);
 std::string read_text(std::istream& in, std::string_view source, std::size_t most = most_file_bytes);
+
+// For reading. Throws FormatError where the file is a directory or socket, or cannot be opened.
+std::ifstream open_text(const std::filesystem::path& file);
 
 // Line by line, in constant memory but for the line.
 class LineReader {
@@ -30,6 +35,7 @@ class LineReader {
   std::string source_;
   std::size_t number_ = 0;
   bool broken_ = false;
+  std::vector<char> block_;
 };
 
 }  // namespace waymark::ltl

@@ -39,11 +39,20 @@ std::uint32_t MdpBuilder::add_state(std::string_view name) {
   return state;
 }
 
-void MdpBuilder::add_choice(std::string_view action, double cost) {
+std::uint32_t MdpBuilder::number_of(std::string_view action) {
   const auto [at, fresh] =
       action_numbers_.try_emplace(std::string(action), static_cast<std::uint32_t>(mdp_.actions_.size()));
   if (fresh) mdp_.actions_.emplace_back(action);
-  mdp_.choices_.push_back({static_cast<std::uint32_t>(mdp_.outcomes_.size()), at->second, cost});
+  return at->second;
+}
+
+void MdpBuilder::add_choice(std::string_view action, double cost) {
+  mdp_.choices_.push_back({static_cast<std::uint32_t>(mdp_.outcomes_.size()), number_of(action), cost});
+}
+
+void MdpBuilder::add_taken_choice(std::string_view action, double cost, std::size_t outcomes) {
+  mdp_.choices_.push_back({static_cast<std::uint32_t>(taken_), number_of(action), cost});
+  taken_ += outcomes;
 }
 
 void MdpBuilder::add_outcome(std::uint32_t target, LetterId letter, double probability) {

@@ -90,13 +90,20 @@ class MdpBuilder {
   void add_choice(std::string_view action, double cost = 1);  // of the state that was added last
   void add_outcome(std::uint32_t target, LetterId letter, double probability = 1);  // of the choice that was added last
 
+  // The same without a copy: all outcomes at once, then the choices, each of which has so many of the next ones. Not to
+  // be mixed with add_choice.
+  void take_outcomes(std::vector<ModelOutcome> outcomes) { mdp_.outcomes_ = std::move(outcomes); }
+  void add_taken_choice(std::string_view action, double cost, std::size_t outcomes);
+
   // Throws std::invalid_argument naming the state: a target that does not exist, a probability outside (0, 1], outcomes
   // that do not add up to 1 (up to 1e-9), a cost outside of [0, most_cost], a choice without outcomes.
   Mdp build(std::uint32_t initial, LetterId initial_letter) &&;
 
  private:
   void check_choice(std::uint32_t state, std::uint32_t k) const;
+  std::uint32_t number_of(std::string_view action);
   Mdp mdp_;
+  std::size_t taken_ = 0;                                          // outcomes that have a choice
   std::unordered_map<std::string, std::uint32_t> action_numbers_;  // in mdp_.actions_
 };
 

@@ -3,7 +3,12 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <fstream>
+#include <functional>
+#include <istream>
 #include <map>
+#include <memory>
+#include <sstream>
 #include <stdexcept>
 #include <string_view>
 #include <tuple>
@@ -11,41 +16,48 @@
 
 #include "libltl/diagnostic.hpp"
 #include "libltl/text/read_text.hpp"
+#include "libplan/model/prism/explicit_rows.hpp"
 
 namespace waymark::plan {
 namespace {
 
+constexpr std::size_t most_explicit_bytes = std::size_t{64} << 30U;  // of one file
+
+struct PrismStreams {  // those that may be missing are nullptr then
+  std::istream *transitions, *labels, *states, *state_rewards, *transition_rewards;
+};
+
 // One file, read line by line and word by word.
 class Lines {
  public:
-  Lines(std::string_view text, std::string source) : text_(text), source_(std::move(source)) {}
+  Lines(std::istream& in, const std::string& source) : reader_(in, source), source_(source) {}
 
   bool next() {  // the next line that is neither blank nor a comment
-    while (end_ < text_.size() || line_ == 0) {
-      begin_ = at_ = line_ == 0 ? 0 : end_ + 1;
-      if (begin_ >= text_.size()) return false;
-      end_ = std::min(text_.find('\n', begin_), text_.size());
-      ++line_;
-      skip_blanks();
-      if (at_ < end_ && text_[at_] != '#') return true;
+    while (reader_.next(text_)) {
+      at_ = 0;
+      bytes_ += text_.size() + 1;
+      if (bytes_ > most_explicit_bytes) fail("expected at most " + std::to_string(most_explicit_bytes >> 30U) + " GiB");
+      if (!at_end() && text_[at_] != '#') return true;
     }
+    text_.clear();
+    at_ = 0;
     return false;
   }
   bool at_end() {
     skip_blanks();
-    return at_ == end_;
+    return at_ == text_.size();
   }
   std::string_view word() {  // up to a blank
     skip_blanks();
     const std::size_t begin = at_;
-    while (at_ < end_ && !is_blank(text_[at_])) ++at_;
+    while (at_ < text_.size() && !is_blank(text_[at_])) ++at_;
     if (begin == at_) fail("expected more on this line");
-    return text_.substr(begin, at_ - begin);
+    return std::string_view(text_).substr(begin, at_ - begin);
   }
   std::uint32_t index() {
     skip_blanks();
     std::uint32_t out = 0;
-    const auto [rest, error] = std::from_chars(text_.data() + at_, text_.data() + end_, out);
+    const auto [rest, error] = std::from_chars(text_.data() + at_, text_.data() + text_.size(), out);
     if (error != std::errc()) fail("expected a whole number from 0 on");
     at_ = static_cast<std::size_t>(rest - text_.data());
     return out;
@@ -64,60 +76,54 @@ class Lines {
     skip_blanks();
     const std::size_t begin = at_;
     double out = 0;
-    const auto [rest, error] = std::from_chars(text_.data() + at_, text_.data() + end_, out);
+    const auto [rest, error] = std::from_chars(text_.data() + at_, text_.data() + text_.size(), out);
     at_ = static_cast<std::size_t>(rest - text_.data());
-    if (error == std::errc() && std::isfinite(out) && (at_ == end_ || is_blank(text_[at_]))) return out;
+    if (error == std::errc() && std::isfinite(out) && (at_ == text_.size() || is_blank(text_[at_]))) return out;
     at_ = begin;
     fail("expected a number");
   }
   void expect(char c) {
     skip_blanks();
-    if (at_ == end_ || text_[at_] != c) fail(std::string("expected '") + c + '\'');
+    if (at_ == text_.size() || text_[at_] != c) fail(std::string("expected '") + c + '\'');
     ++at_;
   }
   std::string_view until(char c) {
     const std::size_t begin = at_;
     at_ = text_.find(c, at_);
-    if (at_ >= end_) {
+    if (at_ == std::string::npos) {
       at_ = begin;
       fail(std::string("expected '") + c + "' later on this line");
     }
-    return text_.substr(begin, at_++ - begin);
+    return std::string_view(text_).substr(begin, at_++ - begin);
   }
   void expect_end() {
     if (!at_end()) fail("expected the end of the line");
   }
   [[noreturn]] void fail(const std::string& message) const {
-    throw ltl::FormatError(source_, std::max<std::size_t>(line_, 1),
-                           ltl::utf8_length(text_.substr(begin_, at_ - begin_)) + 1, message);
+    throw ltl::FormatError(source_, std::max<std::size_t>(reader_.number(), 1),
+                           ltl::utf8_length(std::string_view(text_).substr(0, at_)) + 1, message);
   }
 
  private:
   static bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r'; }
   void skip_blanks() {
-    while (at_ < end_ && is_blank(text_[at_])) ++at_;
+    while (at_ < text_.size() && is_blank(text_[at_])) ++at_;
   }
-  std::string_view text_;
-  std::string source_;
-  std::size_t line_ = 0, begin_ = 0, at_ = 0, end_ = 0;
-};
-
-struct Row {
-  std::uint32_t source = 0, choice = 0, target = 0;
-  double probability = 0;
-  std::string_view action;
+  ltl::LineReader reader_;
+  std::string source_, text_;
+  std::size_t at_ = 0, bytes_ = 0;
 };
 
 class ExplicitReader {
  public:
-  ExplicitReader(const PrismFiles& files, std::string prefix) : files_(files), prefix_(std::move(prefix)) {}
+  ExplicitReader(const PrismStreams& files, std::string prefix) : files_(files), prefix_(std::move(prefix)) {}
 
   Mdp read() {
     read_transitions();
     read_labels();
-    if (files_.states) read_names();
-    if (files_.state_rewards) read_state_rewards();
-    if (files_.transition_rewards) read_transition_rewards();
+    if (files_.states != nullptr) read_names();
+    if (files_.state_rewards != nullptr) read_state_rewards();
+    if (files_.transition_rewards != nullptr) read_transition_rewards();
     try {
       return build();
     } catch (const std::invalid_argument& error) {
@@ -126,7 +132,7 @@ class ExplicitReader {
   }
 
  private:
-  Lines lines(const std::string& text, const char* extension) const { return {text, prefix_ + extension}; }
+  Lines lines(std::istream* in, const char* extension) const { return {*in, prefix_ + extension}; }
 
   void read_transitions() {
     Lines in = lines(files_.transitions, ".tra");
@@ -138,23 +144,24 @@ class ExplicitReader {
     in.expect_end();
     if (states_ == 0) in.fail("a model without states");
     while (in.next()) {
-      Row& row = rows_.emplace_back();
+      if (rows_.size() == transitions)
+        in.fail("the first line promises " + std::to_string(transitions) + " transitions");
+      ExplicitRow row;
       row.source = in.index_below(states_, "state");
       row.choice = in.index();
       row.target = in.index_below(states_, "state");
       row.probability = in.number();
-      if (!in.at_end()) row.action = in.word();
+      if (!in.at_end()) row.action = action(in.word());
       in.expect_end();
+      rows_.add(row);
     }
     if (states_ / 2 > rows_.size() + 1)
       throw ltl::FormatError(prefix_ + ".tra", 1, 1,
                              "the first line promises " + std::to_string(states_) + " states, but " +
                                  std::to_string(rows_.size()) + " transitions reach fewer");
-    std::stable_sort(rows_.begin(), rows_.end(), [](const Row& a, const Row& b) { return place(a) < place(b); });
-    std::size_t found = 0;
-    for (std::size_t i = 0; i < rows_.size(); ++i) found += starts_choice(i) ? 1 : 0;
     check_promise("transitions", transitions, rows_.size());
-    check_promise("choices", choices, found);
+    rows_.sort();
+    check_promise("choices", choices, rows_.choices().size());
   }
 
   void check_promise(const char* what, std::size_t promised, std::size_t found) const {
@@ -164,8 +171,12 @@ class ExplicitReader {
           "the first line promises " + std::to_string(promised) + ' ' + what + ", there are " + std::to_string(found));
   }
 
-  static std::pair<std::uint32_t, std::uint32_t> place(const Row& row) { return {row.source, row.choice}; }
-  bool starts_choice(std::size_t i) const { return i == 0 || place(rows_[i - 1]) != place(rows_[i]); }
+  std::uint32_t action(std::string_view name) {  // 0: none
+    const auto found = action_numbers_.find(name);
+    if (found != action_numbers_.end()) return found->second;
+    actions_.emplace_back(name);
+    return action_numbers_.emplace(name, static_cast<std::uint32_t>(actions_.size() - 1)).first->second;
+  }
 
   void read_labels() {
     Lines in = lines(files_.labels, ".lab");
@@ -202,7 +213,7 @@ class ExplicitReader {
   }
 
   void read_names() {
-    Lines in = lines(*files_.states, ".sta");
+    Lines in = lines(files_.states, ".sta");
     if (!in.next()) in.fail("expected the names of the variables, such as (x,y)");
     names_.resize(states_);
     while (in.next()) {
@@ -215,7 +226,7 @@ class ExplicitReader {
   }
 
   void read_state_rewards() {
-    Lines in = lines(*files_.state_rewards, ".srew");
+    Lines in = lines(files_.state_rewards, ".srew");
     if (!in.next()) in.fail("expected the numbers of states and rewards");
     if (in.index() != states_) in.fail("a file about another number of states");
     state_rewards_.resize(states_);
@@ -227,7 +238,7 @@ class ExplicitReader {
   }
 
   void read_transition_rewards() {
-    Lines in = lines(*files_.transition_rewards, ".trew");
+    Lines in = lines(files_.transition_rewards, ".trew");
     if (!in.next()) in.fail("expected the numbers of states, choices and rewards");
     if (in.index() != states_) in.fail("a file about another number of states");
     while (in.next()) {
@@ -238,49 +249,75 @@ class ExplicitReader {
     }
   }
 
-  bool has_rewards() const { return files_.state_rewards || files_.transition_rewards; }
+  bool has_rewards() const { return files_.state_rewards != nullptr || files_.transition_rewards != nullptr; }
   double state_reward(std::uint32_t s) const { return state_rewards_.empty() ? 0 : state_rewards_[s]; }
 
   // Of a state the reward of each of its choices; of transitions what is to be expected.
-  double cost(std::size_t first_row) const {
+  double cost(std::size_t c) const {
     if (!has_rewards()) return 1;
-    const Row& first = rows_[first_row];
+    const ExplicitRows::Choice& choice = rows_.choices()[c];
     std::optional<double> all;  // equal for all targets: no rounding
     bool differ = false;
     double expected = 0;
-    for (std::size_t i = first_row; i < rows_.size() && place(rows_[i]) == place(first); ++i) {
-      const auto found = transition_rewards_.find({first.source, first.choice, rows_[i].target});
+    for (const ModelOutcome& o : rows_.outcomes(c)) {
+      const auto found = transition_rewards_.find({choice.source, choice.number, o.target});
       const double reward = found == transition_rewards_.end() ? 0 : found->second;
-      expected += rows_[i].probability * reward;
+      expected += o.probability * reward;
       differ = differ || (all && *all != reward);
       all = reward;
     }
-    return state_reward(first.source) + (differ ? expected : *all);
+    return state_reward(choice.source) + (differ ? expected : *all);
   }
 
+  // Costs first: the outcomes are handed over, not copied.
   Mdp build() {
+    std::vector<double> costs;
+    for (std::size_t c = 0; has_rewards() && c < rows_.choices().size(); ++c) costs.push_back(cost(c));
     MdpBuilder builder(vocabulary_);
     std::vector<LetterId> letters;
+    letters.reserve(states_);
     for (const ltl::Letter& label : labels_) letters.push_back(builder.letter(label));
-    std::size_t row = 0;
+    for (ModelOutcome& o : rows_.outcomes()) o.letter = letters[o.target];
+    const std::size_t rows = rows_.size();
+    const std::vector<ExplicitRows::Choice>& choices = rows_.choices();
+    builder.take_outcomes(with_stays(letters));
+    std::size_t c = 0;
     for (std::uint32_t s = 0; s < states_; ++s) {
       builder.add_state(names_.empty() ? std::string_view{} : std::string_view(names_[s]));
-      if (row == rows_.size() || rows_[row].source != s) {
-        builder.add_choice("stay", has_rewards() ? state_reward(s) : 1);
-        builder.add_outcome(s, letters[s]);
-      }
-      for (; row < rows_.size() && rows_[row].source == s; ++row) {
-        if (starts_choice(row)) builder.add_choice(rows_[row].action, cost(row));
-        builder.add_outcome(rows_[row].target, letters[rows_[row].target], rows_[row].probability);
+      if (c == choices.size() || choices[c].source != s)
+        builder.add_taken_choice("stay", has_rewards() ? state_reward(s) : 1, 1);
+      for (; c < choices.size() && choices[c].source == s; ++c) {
+        const std::size_t end = c + 1 < choices.size() ? choices[c + 1].first_row : rows;
+        builder.add_taken_choice(actions_[choices[c].action], costs.empty() ? 1 : costs[c], end - choices[c].first_row);
       }
     }
     return std::move(builder).build(*initial_, letters[*initial_]);
   }
 
-  const PrismFiles& files_;
+  // The outcomes of all choices, with one for each state that has none: they are copied only where there is such.
+  std::vector<ModelOutcome> with_stays(const std::vector<LetterId>& letters) {
+    const std::vector<ExplicitRows::Choice>& choices = rows_.choices();
+    std::size_t with_choices = 0;
+    for (std::size_t c = 0; c < choices.size(); ++c)
+      with_choices += c == 0 || choices[c - 1].source != choices[c].source ? 1 : 0;
+    if (with_choices == states_) return std::move(rows_.outcomes());
+    std::vector<ModelOutcome> out;
+    out.reserve(rows_.size() + states_ - with_choices);
+    std::size_t c = 0;
+    for (std::uint32_t s = 0; s < states_; ++s) {
+      if (c == choices.size() || choices[c].source != s) out.push_back({s, letters[s], 1});
+      for (; c < choices.size() && choices[c].source == s; ++c)
+        out.insert(out.end(), rows_.outcomes(c).begin(), rows_.outcomes(c).end());
+    }
+    return out;
+  }
+
+  const PrismStreams& files_;
   std::string prefix_;
   std::uint32_t states_ = 0;
-  std::vector<Row> rows_;  // by source and choice
+  ExplicitRows rows_;
+  std::vector<std::string> actions_{""};
+  std::map<std::string, std::uint32_t, std::less<>> action_numbers_;  // in actions_
   ltl::Vocabulary vocabulary_;
   std::vector<ltl::Letter> labels_;  // by state
   std::optional<std::uint32_t> initial_;
@@ -289,24 +326,34 @@ class ExplicitReader {
   std::map<std::tuple<std::uint32_t, std::uint32_t, std::uint32_t>, double> transition_rewards_;
 };
 
-std::optional<std::string> contents(const std::filesystem::path& file) {
-  if (!std::filesystem::exists(file)) return std::nullopt;
-  return ltl::read_text(file);
+std::unique_ptr<std::istream> opened(const std::filesystem::path& file) {
+  return std::make_unique<std::ifstream>(ltl::open_text(file));
 }
 
 }  // namespace
 
 Mdp parse_prism_explicit(const PrismFiles& files, const std::string& prefix) {
-  return ExplicitReader(files, prefix).read();
+  std::istringstream transitions(files.transitions), labels(files.labels);
+  std::istringstream states(files.states.value_or("")), state_rewards(files.state_rewards.value_or("")),
+      transition_rewards(files.transition_rewards.value_or(""));
+  const PrismStreams streams{&transitions, &labels, files.states ? &states : nullptr,
+                             files.state_rewards ? &state_rewards : nullptr,
+                             files.transition_rewards ? &transition_rewards : nullptr};
+  return ExplicitReader(streams, prefix).read();
 }
 
 Mdp read_prism_explicit(const std::filesystem::path& transitions) {
   const auto beside = [&](const char* extension) {
     return std::filesystem::path(transitions).replace_extension(extension);
   };
-  const PrismFiles files{ltl::read_text(transitions), ltl::read_text(beside(".lab")), contents(beside(".sta")),
-                         contents(beside(".srew")), contents(beside(".trew"))};
-  return parse_prism_explicit(files, beside("").string());
+  const auto maybe = [&](const char* extension) {
+    const std::filesystem::path file = beside(extension);
+    return std::filesystem::exists(file) ? opened(file) : nullptr;
+  };
+  const auto rows = opened(transitions), labels = opened(beside(".lab"));
+  const auto names = maybe(".sta"), on_states = maybe(".srew"), on_transitions = maybe(".trew");
+  const PrismStreams streams{rows.get(), labels.get(), names.get(), on_states.get(), on_transitions.get()};
+  return ExplicitReader(streams, beside("").string()).read();
 }
 
 }  // namespace waymark::plan

@@ -6,6 +6,8 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <random>
+#include <sstream>
 #include <string>
 
 #include "libltl/text/parse.hpp"
@@ -66,6 +68,38 @@ TEST(Prism, ReadsWhatItWroteOfRandomModels) {
     EXPECT_EQ(difference(parse_prism_explicit(files(written)), labelled.mdp), "")
         << written.transitions << written.labels << written.rewards;
   }
+}
+
+// The rows of odd states first, or the states the other way round; those of one choice as they were.
+std::string in_disorder(const std::string& transitions, bool odd_first) {
+  std::istringstream in(transitions);
+  std::string header, line;
+  std::getline(in, header);
+  std::vector<std::pair<int, std::string>> lines;
+  while (std::getline(in, line)) {
+    const int state = std::stoi(line);
+    lines.emplace_back(odd_first ? 1 - state % 2 : -state, line);
+  }
+  std::stable_sort(lines.begin(), lines.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+  std::string out = header + '\n';
+  for (const auto& [key, text] : lines) out += text + '\n';
+  return out;
+}
+
+TEST(Prism, ReadsRowsInAnyOrder) {
+  std::mt19937 random(5);
+  std::size_t differ = 0;
+  for (int i = 0; i < 200; ++i) {
+    const StateLabelled labelled = with_labels_on_states(test::random_mdp(random));
+    PrismFiles given = files(write_prism_explicit(labelled));
+    const std::string sorted = given.transitions;
+    for (const bool odd_first : {true, false}) {
+      given.transitions = in_disorder(sorted, odd_first);
+      differ += given.transitions == sorted ? 0 : 1;
+      EXPECT_EQ(difference(parse_prism_explicit(given), labelled.mdp), "") << given.transitions;
+    }
+  }
+  EXPECT_GT(differ, 200U);
 }
 
 TEST(Prism, ReadsWhatItWroteOfRandomGrids) {
