@@ -42,7 +42,7 @@ enum class IterationEnd : std::uint8_t { Proved, NotProved, OutOfLimits };  // o
 // change: what a sweep may still change at the first guess. NotProved: the bounds do not meet in doubles.
 template <OptimisticBackend Backend>
 IterationEnd iterate_optimistically(Backend& backend, const IterationOptions& options, double change) {
-  for (;; change = change < 1e-18 ? 0 : change / 64) {
+  for (;; change = change < 1e-24 ? 0 : change / 64) {
     const std::uint64_t before = backend.sweeps();
     if (!backend.refine(change, options)) return IterationEnd::OutOfLimits;
     backend.guess(options.tolerance);
