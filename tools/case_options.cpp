@@ -100,7 +100,10 @@ void add_case_options(Command command, CaseChoice& choice) {
                   "with --case: proved error of values, absolute for probabilities, relative for costs")
       .between(1e-12, 1.0)  // doubles carry no less
       .show_default();
-  add_work_limits(command, choice.limits, "a formula or task, or the reading of a model");
+  add_work_limits(command, choice.parallel.limits, "a formula or task, or the reading of a model");
+  command.add_option("--threads", choice.parallel.threads, "formulas or tasks answered at a time (0: all cores)")
+      .type_name("N")
+      .show_default();
 }
 
 }  // namespace waymark::tools

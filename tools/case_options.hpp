@@ -6,7 +6,7 @@
 #include "libplan/model/prism/read_prism.hpp"
 #include "libplan/solve/least_lasso.hpp"
 #include "tools/shell/command.hpp"
-#include "tools/shell/work_limits.hpp"
+#include "tools/shell/parallel.hpp"
 
 namespace waymark::tools {
 
@@ -21,7 +21,7 @@ struct CaseChoice {
   std::size_t top = 1;
   double discount = 0.9;
   double tolerance = 1e-6;
-  WorkLimits limits;  // of each formula or task, and of reading a model
+  ParallelOptions parallel;  // formulas or tasks; limits of each of them, and of reading a model
   bool json = false;
 };
 plan::LassoOrder order_of(const std::string& name);          // `order` of a choice

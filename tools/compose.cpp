@@ -2,6 +2,7 @@
 #include <boost/range/iterator_range.hpp>
 #include <iostream>
 #include <memory>
+#include <sstream>
 
 #include "libautomata/hoa/finite.hpp"
 #include "libltl/rewriting/simplify.hpp"
@@ -26,6 +27,7 @@ struct ComposeOptions {
   std::string start, automaton, file, task;
   bool model_only = false;
   GraphOutput output;
+  ParallelOptions parallel;
 };
 
 struct Counts {
@@ -55,41 +57,42 @@ Json product_json(const plan::MapProduct& product, std::optional<ltl::Formula> f
                           .add("traps", counts.traps));
 }
 
-void print_text(const plan::MapProduct& product, std::optional<ltl::Formula> formula, const Terminal& terminal) {
+void print_text(const plan::MapProduct& product, std::optional<ltl::Formula> formula, const Terminal& terminal,
+                std::ostream& out) {
   const Counts counts = count(product);
-  if (formula) std::cout << "formula    " << shown(*formula, terminal) << '\n';
-  std::cout << "automaton  " << counted(product.dfa().states(), "state") << '\n'
+  if (formula) out << "formula    " << shown(*formula, terminal) << '\n';
+  out << "automaton  " << counted(product.dfa().states(), "state") << '\n'
             << "product    " << counted(num_vertices(product), "state") << " (" << counts.accepting << " accepting, "
             << counts.traps << " without hope), " << counted(num_edges(product), "edge") << ", with the map "
             << product.map().name() << '\n';
 }
 
-void print_dot(const plan::MapProduct& product) {
-  std::cout << "digraph product {\n  node [shape=box, style=rounded, fontname=\"Helvetica\", fontsize=11];\n"
+void print_dot(const plan::MapProduct& product, std::ostream& out) {
+  out << "digraph product {\n  node [shape=box, style=rounded, fontname=\"Helvetica\", fontsize=11];\n"
             << "  edge [fontname=\"Helvetica\", fontsize=10];\n";
   for (const plan::ProductState& v : boost::make_iterator_range(vertices(product))) {
-    std::cout << "  " << product.index(v) << " [label=\"" << product.model().name(v.place) << " · " << v.task << '"'
+    out << "  " << product.index(v) << " [label=\"" << product.model().name(v.place) << " · " << v.task << '"'
               << (product.is_accepting(v) ? ", peripheries=2" : "") << (product.is_trap(v) ? ", color=gray70" : "")
               << "];\n";
   }
   for (std::size_t i = 0; i < product.starts().size(); ++i)
-    std::cout << "  start" << i << " [shape=point]; start" << i << " -> " << product.index(product.starts()[i])
+    out << "  start" << i << " [shape=point]; start" << i << " -> " << product.index(product.starts()[i])
               << ";\n";
   for (const plan::ProductState& v : boost::make_iterator_range(vertices(product)))
     for (auto [e, end] = out_edges(v, product); e != end; ++e)
-      std::cout << "  " << product.index(v) << " -> " << product.index(e->to) << " [label=\""
+      out << "  " << product.index(v) << " -> " << product.index(e->to) << " [label=\""
                 << plan::name(product.action(*e)) << "\"];\n";
-  std::cout << "}\n";
+  out << "}\n";
 }
 
 void answer(const plan::MapProduct& product, std::optional<ltl::Formula> formula, const ComposeOptions& options,
-            const Session& session) {
+            const Session& session, std::ostream& out) {
   if (options.output.format == "json")
-    std::cout << product_json(product, formula).text() << '\n';
+    out << product_json(product, formula).text() << '\n';
   else if (options.output.format == "dot")
-    print_dot(product);
+    print_dot(product, out);
   else
-    print_text(product, formula, session.out);
+    print_text(product, formula, session.out, out);
   if (!options.output.svg.empty()) draw_product(picture_of(product), options.output.svg);
 }
 
@@ -124,21 +127,21 @@ ltl::Arena arena_of(const plan::PlanningCase& model) {
 }
 
 void compose_task(const plan::PlanningCase& model, const plan::CaseTask& task, const ComposeOptions& options,
-                  const Session& session) {
+                  const Session& session, std::ostream& out) {
   if (!task.fault.empty()) throw UsageError("task " + task.id + ": " + task.fault);
   ltl::Arena arena = arena_of(model);
   ltl::Formula f = ltl::parse(task.formula, arena);
   if (options.output.is_game()) {
     if (task.logic != plan::CaseTask::Logic::Ltl)
       throw UsageError("a game is about infinite words: task " + task.id + " is not");
-    return write_game(model, f, options.output, session.stop);
+    return write_game(model, f, options.output, session.stop, out);
   }
   if (task.logic == plan::CaseTask::Logic::Ltl) f = ltl::simplify(f, ltl::Semantics::Infinite);
   if (task.query == plan::CaseTask::Query::MinProbability && !plan::is_finite_task(f, task.logic))
     f = ltl::simplify(ltl::negate(f), ltl::Semantics::Infinite);
   const auto automaton = plan::task_automaton(f, task.logic, task.query, {.stop = session.stop});
   if (!automaton) throw GaveUp("no automaton of task " + task.id);
-  write_product(model, *automaton, {task.id, ltl::print(f)}, options.output, session.stop);
+  write_product(model, *automaton, {task.id, ltl::print(f)}, options.output, session.stop, out);
 }
 
 // The tasks of the file that were asked for and have an automaton: a tour has none.
@@ -152,8 +155,19 @@ ExitCode compose_tasks(const plan::PlanningCase& model, const ComposeOptions& op
                      " with an automaton; give a formula, or --model-only");
   const bool one = options.output.writes_model() || !options.output.svg.empty();
   if (one && chosen.size() > 1) throw UsageError("one product at a time in this format: choose by --task");
-  for (const plan::CaseTask* task : chosen) compose_task(model, *task, options, session);
-  return ExitCode::Done;
+  const bool alone = chosen.size() == 1;
+  return answer_in_parallel(chosen.size(), session.stop, options.parallel,
+                            [&](std::size_t job, const TextWatch& watch) -> Reply {
+                              std::ostringstream kept;
+                              const Session own{watch.token(), session.out};
+                              return {within(watch, options.parallel.limits,
+                                             [&] {
+                                               compose_task(model, *chosen[job], options, own,
+                                                            alone ? std::cout : kept);
+                                               return ExitCode::Done;
+                                             }),
+                                      kept.str()};
+                            });
 }
 
 ExitCode compose_any(const ComposeOptions& options, const Session& session) {
@@ -162,7 +176,7 @@ ExitCode compose_any(const ComposeOptions& options, const Session& session) {
     if (gives_formula(options) || !options.automaton.empty())
       throw UsageError("--model-only goes without a formula or automaton");
     if (options.output.is_game()) throw UsageError("--format pgsolver is about a formula: a game has a winner");
-    write_model(model, options.output);
+    write_model(model, options.output, std::cout);
     return ExitCode::Done;
   }
   if (!options.automaton.empty()) {
@@ -171,7 +185,7 @@ ExitCode compose_any(const ComposeOptions& options, const Session& session) {
         plan::read_given_automaton(read_file(options.automaton), source_name(options.automaton));
     const auto automaton = plan::task_automaton(given, plan::CaseTask::Query::MaxProbability, {.stop = session.stop});
     if (!automaton) throw GaveUp("no automaton for decision processes within the limits");
-    write_product(model, *automaton, {}, options.output, session.stop);
+    write_product(model, *automaton, {}, options.output, session.stop, std::cout);
     return ExitCode::Done;
   }
   if (!options.file.empty() && !gives_formula(options)) return compose_tasks(model, options, session);
@@ -179,16 +193,16 @@ ExitCode compose_any(const ComposeOptions& options, const Session& session) {
   if (texts.is_batch() && !options.output.out.empty()) throw UsageError("--out is for a single formula");
   if (texts.is_batch() && !options.output.svg.empty()) throw UsageError("--svg is for a single formula");
   return answer_each(
-      texts, session.stop,
-      [&](const Text& text) {
+      texts, session, options.parallel,
+      [&](const Text& text, const Session& own, const TextStreams& streams) {
         ltl::Arena arena = arena_of(model);
         const ltl::Formula formula = parse_formula(text, arena, parse_options(options.notation, ltl::Unknown::Reject));
         if (options.output.is_game()) {
-          write_game(model, formula, options.output, session.stop);
+          write_game(model, formula, options.output, own.stop, streams.out);
           return ExitCode::Done;
         }
-        const plan::TaskAutomaton dfa = translate(formula, session.stop);
-        write_product(model, dfa, {"", ltl::print(formula)}, options.output, session.stop);
+        const plan::TaskAutomaton dfa = translate(formula, own.stop);
+        write_product(model, dfa, {"", ltl::print(formula)}, options.output, own.stop, streams.out);
         return ExitCode::Done;
       },
       options.output.format == "json");
@@ -207,18 +221,18 @@ ExitCode run_compose(const ComposeOptions& options, const Session& session) {
   const auto starts = start_poses(options.start, map);
   if (!options.automaton.empty()) {
     const automata::Dfa dfa = automata::read_hoa(read_file(options.automaton), source_name(options.automaton));
-    answer(composed(map, dfa, starts, session), std::nullopt, options, session);
+    answer(composed(map, dfa, starts, session), std::nullopt, options, session, std::cout);
     return ExitCode::Done;
   }
   TextReader texts(options.text, "formula");
   if (texts.is_batch() && !options.output.svg.empty()) throw UsageError("--svg is for a single formula");
   return answer_each(
-      texts, session.stop,
-      [&](const Text& text) {
+      texts, session, options.parallel,
+      [&](const Text& text, const Session& own, const TextStreams& streams) {
         ltl::Arena arena(map.vocabulary());
         const ltl::Formula formula = parse_on_map(text, arena, options.notation, options.map.map);
-        const automata::Dfa dfa = translate(formula, session.stop);
-        answer(composed(map, dfa, starts, session), formula, options, session);
+        const automata::Dfa dfa = translate(formula, own.stop);
+        answer(composed(map, dfa, starts, own), formula, options, own, streams.out);
         return ExitCode::Done;
       },
       options.output.format == "json");
@@ -255,6 +269,10 @@ Runner setup_compose(Command command) {
       .type_name("PREFIX");
   command.add_option("--svg", options->output.svg, "draw the product: by states of the automaton where it is large")
       .type_name("FILE");
+  add_work_limits(command, options->parallel.limits, "a formula or task");
+  command.add_option("--threads", options->parallel.threads, "formulas or tasks composed at a time (0: all cores)")
+      .type_name("N")
+      .show_default();
   command.add_flag_callback(
       "--json", [options] { options->output.format = "json"; }, "the same as --format json");
   return [options](const Session& session) { return run_compose(*options, session); };

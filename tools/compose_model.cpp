@@ -1,6 +1,6 @@
 #include "tools/compose_model.hpp"
 
-#include <iostream>
+#include <ostream>
 #include <variant>
 
 #include "libautomata/translation/ltl_to_parity.hpp"
@@ -47,28 +47,28 @@ Json graph_of(const StateLabelled& model) {
 
 std::string quoted(const std::string& text) { return Json(text).text(); }
 
-void print_dot(const StateLabelled& model) {
-  std::cout << "digraph model {\n  node [shape=box, style=rounded, fontname=\"Helvetica\", fontsize=11];\n"
+void print_dot(const StateLabelled& model, std::ostream& out) {
+  out << "digraph model {\n  node [shape=box, style=rounded, fontname=\"Helvetica\", fontsize=11];\n"
             << "  edge [fontname=\"Helvetica\", fontsize=10];\n  start [shape=point]; start -> 0;\n";
   for (std::uint32_t s = 0; s < model.mdp.states(); ++s) {
     const plan::Letters& letters = model.mdp.letters();
-    std::cout << "  " << s << " [label="
+    out << "  " << s << " [label="
               << quoted(model.mdp.name(s) + ' ' + ltl::show(letters[model.letter[s]], letters.vocabulary())) << "];\n";
     for (std::uint32_t k = 0; k < model.mdp.choices(s); ++k) {
       const std::string action = quoted(std::string(model.mdp.action(s, k)));
       const auto outcomes = model.mdp.outcomes(s, k);
       if (outcomes.size() == 1) {
-        std::cout << "  " << s << " -> " << outcomes[0].target << " [label=" << action << "];\n";
+        out << "  " << s << " -> " << outcomes[0].target << " [label=" << action << "];\n";
         continue;
       }
       const std::string drawn = 'c' + std::to_string(s) + '_' + std::to_string(k);
-      std::cout << "  " << drawn << " [shape=point]; " << s << " -> " << drawn << " [label=" << action
+      out << "  " << drawn << " [shape=point]; " << s << " -> " << drawn << " [label=" << action
                 << ", dir=none];\n";
       for (const plan::ModelOutcome& o : outcomes)
-        std::cout << "  " << drawn << " -> " << o.target << " [label=\"" << Json(o.probability).text() << "\"];\n";
+        out << "  " << drawn << " -> " << o.target << " [label=\"" << Json(o.probability).text() << "\"];\n";
     }
   }
-  std::cout << "}\n";
+  out << "}\n";
 }
 
 void write_explicit(const StateLabelled& model, const std::string& prefix) {
@@ -80,17 +80,19 @@ void write_explicit(const StateLabelled& model, const std::string& prefix) {
   write_file(prefix + (files.rewards_on_states ? ".srew" : ".trew"), files.rewards);
 }
 
-void write_language(const std::string& text, const std::string& prefix) {
-  write_file(prefix.empty() ? "-" : prefix + ".nm", text);
+void write_text(const std::string& text, const std::string& prefix, const char* suffix, std::ostream& out) {
+  if (prefix.empty())
+    out << text;
+  else
+    write_file(prefix + suffix, text);
 }
 
 // Everything but text and JSON, which differ between models and products.
-void write_graph(const StateLabelled& model, const std::string& name, const GraphOutput& output) {
-  if (output.format == "dot") print_dot(model);
+void write_graph(const StateLabelled& model, const std::string& name, const GraphOutput& output, std::ostream& out) {
+  if (output.format == "dot") print_dot(model, out);
   if (output.format == "explicit") write_explicit(model, output.out);
-  if (output.format == "prism") write_language(plan::write_prism(model), output.out);
-  if (output.format == "jani")
-    write_file(output.out.empty() ? "-" : output.out + ".jani", plan::write_jani(model, name));
+  if (output.format == "prism") write_text(plan::write_prism(model), output.out, ".nm", out);
+  if (output.format == "jani") write_text(plan::write_jani(model, name), output.out, ".jani", out);
 }
 
 JsonObject sizes_of(const StateLabelled& model) {
@@ -103,8 +105,8 @@ JsonObject sizes_of(const StateLabelled& model) {
 class ProductWriter {
  public:
   ProductWriter(const plan::PlanningCase& planning_case, const ProductTitle& title, const GraphOutput& output,
-                const std::stop_token& stop)
-      : case_(planning_case), title_(title), output_(output), stop_(stop) {}
+                const std::stop_token& stop, std::ostream& out)
+      : case_(planning_case), title_(title), output_(output), stop_(stop), out_(out) {}
 
   template <class Model, class Automaton>
   void write(const Model& model, const Automaton& automaton) const {
@@ -128,18 +130,18 @@ class ProductWriter {
                             .add("goals", goals));
     if (!sizes) {
       const StateLabelled labelled = plan::explicit_product(*product);
-      if (output_.format != "json") return write_graph(labelled, case_.name, output_);
+      if (output_.format != "json") return write_graph(labelled, case_.name, output_, out_);
       json.add("graph", graph_of(labelled));
     }
-    std::cout << json.text() << '\n';
+    out_ << json.text() << '\n';
   }
 
  private:
   template <class Product>
   void print(std::size_t automaton_states, const Product& product, std::size_t goals) const {
-    if (!title_.task.empty()) std::cout << "task       " << title_.task << '\n';
-    if (!title_.formula.empty()) std::cout << "formula    " << title_.formula << '\n';
-    std::cout << "automaton  " << counted(automaton_states, "state") << '\n'
+    if (!title_.task.empty()) out_ << "task       " << title_.task << '\n';
+    if (!title_.formula.empty()) out_ << "formula    " << title_.formula << '\n';
+    out_ << "automaton  " << counted(automaton_states, "state") << '\n'
               << "product    " << counted(product.states(), "state") << " (" << counted(goals, "goal") << "), "
               << counted(product.edges(), "edge") << ", with " << case_.name << '\n';
   }
@@ -165,30 +167,31 @@ class ProductWriter {
   const ProductTitle& title_;
   const GraphOutput& output_;
   const std::stop_token& stop_;
+  std::ostream& out_;
 };
 
 }  // namespace
 
-void write_model(const plan::PlanningCase& model, const GraphOutput& output) {
+void write_model(const plan::PlanningCase& model, const GraphOutput& output, std::ostream& out) {
   if (const auto* grid = std::get_if<plan::GridWorld>(&model.model); grid != nullptr && output.format == "prism")
-    return write_language(plan::write_prism(*grid), output.out);
+    return write_text(plan::write_prism(*grid), output.out, ".nm", out);
   const StateLabelled labelled = std::visit([](const auto& m) { return plan::with_labels_on_states(m); }, model.model);
   if (output.format == "json") {
     JsonObject json;
     json.add("map", model.name).add("model", sizes_of(labelled));
     if (output.graph) json.add("graph", graph_of(labelled));
-    std::cout << json.text() << '\n';
+    out << json.text() << '\n';
   } else if (output.format == "text") {
-    std::cout << "model      " << counted(labelled.mdp.states(), "state") << ", "
+    out << "model      " << counted(labelled.mdp.states(), "state") << ", "
               << counted(labelled.mdp.choices(), "choice") << ", " << counted(labelled.mdp.outcomes(), "outcome")
               << ": " << model.name << '\n';
   } else {
-    write_graph(labelled, model.name, output);
+    write_graph(labelled, model.name, output, out);
   }
 }
 
 void write_game(const plan::PlanningCase& model, ltl::Formula f, const GraphOutput& output,
-                const std::stop_token& stop) {
+                const std::stop_token& stop, std::ostream& out) {
   auto made = automata::ltl_to_parity(ltl::simplify(f, ltl::Semantics::Infinite), {.stop = stop});
   if (stop.stop_requested()) throw Interrupted();
   auto* const translated = std::get_if<automata::Translated>(&made);
@@ -198,15 +201,15 @@ void write_game(const plan::PlanningCase& model, ltl::Formula f, const GraphOutp
   try {
     const automata::ParityGame game =
         std::visit([&](const auto& m) { return plan::ProductGame(m, parity, budget).build(); }, model.model);
-    write_file(output.out.empty() ? "-" : output.out + ".pg", automata::write_pgsolver(game));
+    write_text(automata::write_pgsolver(game), output.out, ".pg", out);
   } catch (const automata::Budget::Exceeded&) {
     throw Interrupted();
   }
 }
 
 void write_product(const plan::PlanningCase& model, const plan::TaskAutomaton& automaton, const ProductTitle& title,
-                   const GraphOutput& output, const std::stop_token& stop) {
-  const ProductWriter writer(model, title, output, stop);
+                   const GraphOutput& output, const std::stop_token& stop, std::ostream& out) {
+  const ProductWriter writer(model, title, output, stop, out);
   std::visit([&](const auto& m, const auto& a) { writer.write(m, a); }, model.model, automaton);
 }
 

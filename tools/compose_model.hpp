@@ -1,5 +1,6 @@
 // waymark compose of any model: what is written of the model alone, or of its product with a task.
 #pragma once
+#include <iosfwd>
 #include <stop_token>
 #include <string>
 
@@ -17,17 +18,17 @@ struct GraphOutput {
   bool is_game() const { return format == "pgsolver"; }
 };
 
-void write_model(const plan::PlanningCase& model, const GraphOutput& output);
+void write_model(const plan::PlanningCase& model, const GraphOutput& output, std::ostream& out);
 
 // `task` and `formula` are shown beside the sizes when they are not empty. Throws Interrupted.
 struct ProductTitle {
   std::string task, formula;
 };
 void write_product(const plan::PlanningCase& model, const plan::TaskAutomaton& automaton, const ProductTitle& title,
-                   const GraphOutput& output, const std::stop_token& stop);
+                   const GraphOutput& output, const std::stop_token& stop, std::ostream& out);
 
 // The parity game of the formula, over infinite words, on the model. Throws Interrupted; GaveUp without an automaton.
 void write_game(const plan::PlanningCase& model, ltl::Formula f, const GraphOutput& output,
-                const std::stop_token& stop);
+                const std::stop_token& stop, std::ostream& out);
 
 }  // namespace waymark::tools

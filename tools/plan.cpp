@@ -20,7 +20,6 @@
 #include "tools/shell/options.hpp"
 #include "tools/shell/output.hpp"
 #include "tools/shell/subcommand.hpp"
-#include "tools/shell/work_limits.hpp"
 
 namespace waymark::tools {
 namespace {
@@ -58,18 +57,6 @@ bool is_english(const std::string& text) {
          std::all_of(text.begin(), text.end(), is_word);
 }
 
-// The work in a session that also ends when a limit is met. Throws GaveUp then.
-template <class Work>
-ExitCode within(const WorkLimits& limits, const Session& session, Work work) {
-  const ltl::Watch watch(granted(limits), session.stop);
-  try {
-    return work(Session{watch.token(), session.out});
-  } catch (const GaveUp&) {
-    if (watch.overrun() == ltl::Overrun::None) throw;
-    throw GaveUp(gave_up(watch.overrun(), limits));
-  }
-}
-
 class Planning {
  public:
   explicit Planning(const PlanCommandOptions& options)
@@ -77,38 +64,39 @@ class Planning {
     load_ = watch_.lap();
   }
 
-  ExitCode of_formula(const Text& text, const Session& session) const {
+  ExitCode of_formula(const Text& text, const Session& session, const TextStreams& streams) const {
     StopWatch watch;
     ltl::Arena arena(map_.vocabulary());
-    const ltl::Formula formula = formula_of(text, arena);
-    if (is_infinite(options_)) return plan_lasso(task(formula, nullptr), walk_options(), session);
+    const ltl::Formula formula = formula_of(text, arena, streams);
+    if (is_infinite(options_)) return plan_lasso(task(formula, nullptr), walk_options(), session, streams.out);
     if (speaks_of_ever(formula) && !options_.json)
-      std::cerr
+      streams.notes
           << "note: read over finite words, where G F and F G speak of the end of the route; --semantics infinite "
              "plans for ever\n";
     const automata::Dfa dfa = translate(formula, session.stop);
     if (options_.planning_case.top > 1)
-      return plan_routes(task(formula, nullptr), dfa, walk_options(watch.lap()), session);
-    return answer(dfa, formula, watch.lap(), session);
+      return plan_routes(task(formula, nullptr), dfa, walk_options(watch.lap()), session, streams.out);
+    return answer(dfa, formula, watch.lap(), session, streams.out);
   }
 
-  ExitCode of_automaton(const std::string& file, const Session& session) const {
+  ExitCode of_automaton(const std::string& file, const Session& session, std::ostream& out) const {
     StopWatch watch;
     const plan::GivenAutomaton given = plan::read_given_automaton(read_file(file), source_name(file));
     const auto* dfa = std::get_if<automata::Dfa>(&given);
-    if (dfa == nullptr || is_infinite(options_)) return plan_lasso(task(std::nullopt, &given), walk_options(), session);
+    if (dfa == nullptr || is_infinite(options_))
+      return plan_lasso(task(std::nullopt, &given), walk_options(), session, out);
     if (options_.planning_case.top > 1)
-      return plan_routes(task(std::nullopt, nullptr), *dfa, walk_options(watch.lap()), session);
-    return answer(*dfa, std::nullopt, watch.lap(), session);
+      return plan_routes(task(std::nullopt, nullptr), *dfa, walk_options(watch.lap()), session, out);
+    return answer(*dfa, std::nullopt, watch.lap(), session, out);
   }
 
  private:
-  ltl::Formula formula_of(const Text& text, ltl::Arena& arena) const {
+  ltl::Formula formula_of(const Text& text, ltl::Arena& arena, const TextStreams& streams) const {
     try {
       return parse_on_map(text, arena, options_.notation, options_.map.map);
     } catch (const ltl::SyntaxError&) {
       if (is_english(text.text))
-        std::cerr << "note: waymark run and waymark ground read English; waymark map lists what a map knows\n";
+        streams.notes << "note: waymark run and waymark ground read English; waymark map lists what a map knows\n";
       throw;
     }
   }
@@ -127,14 +115,14 @@ class Planning {
             options_.tree};
   }
   ExitCode answer(const automata::Dfa& dfa, std::optional<ltl::Formula> formula, double translating,
-                  const Session& session) const {
+                  const Session& session, std::ostream& out) const {
     Answer answer{.formula = formula, .corridor_run = run_corridor(map_, dfa, formula, starts_, session.stop)};
     answer.corridor_run.seconds.load = load_;
     answer.corridor_run.seconds.translate = translating;
     if (options_.json)
-      std::cout << json_of(answer, map_).text() << '\n';
+      out << json_of(answer, map_).text() << '\n';
     else
-      print(std::cout, session.out, answer, map_);
+      print(out, session.out, answer, map_);
     if (!options_.hoa.empty())
       write_file(options_.hoa, automata::write_hoa(dfa, {.name = formula ? ltl::print(*formula) : ""}));
     const std::optional<ShownRoute> route = shown(answer.corridor_run);
@@ -209,18 +197,22 @@ ExitCode run_plan(const PlanCommandOptions& options, const Session& session) {
   if (!choice.model.empty())
     return plan_model(read_model(choice, options.start, session.stop), choice, options.text, session);
   if (options.noise.given()) return plan_model(noisy_map(options), choice, options.text, session);
-  if (!options.automaton.empty())
-    return within(choice.limits, session,
-                  [&](const Session& limited) { return Planning(options).of_automaton(options.automaton, limited); });
+  if (!options.automaton.empty()) {
+    const Planning planning(options);
+    return answer_in_parallel(1, session.stop, choice.parallel, [&](std::size_t, const TextWatch& watch) -> Reply {
+      return {within(watch, choice.parallel.limits, [&] {
+        return planning.of_automaton(options.automaton, {watch.token(), session.out}, std::cout);
+      })};
+    });
+  }
   TextReader texts(options.text, "formula");
   if (texts.is_batch() && (!options.svg.empty() || !options.hoa.empty() || !options.tree.empty()))
     throw UsageError("--svg, --hoa and --behavior-tree are for a single formula given as an argument");
   const Planning planning(options);
   return answer_each(
-      texts, session.stop,
-      [&](const Text& text) {
-        return within(choice.limits, session,
-                      [&](const Session& limited) { return planning.of_formula(text, limited); });
+      texts, session, choice.parallel,
+      [&](const Text& text, const Session& limited, const TextStreams& streams) {
+        return planning.of_formula(text, limited, streams);
       },
       options.json);
 }

@@ -3,13 +3,16 @@
 #include <sys/resource.h>
 
 #include <iomanip>
-#include <iostream>
+#include <map>
+#include <mutex>
 #include <sstream>
 #include <stdexcept>
 #include <utility>
 #include <variant>
+#include <vector>
 
 #include "libltl/diagnostic.hpp"
+#include "libltl/parallel.hpp"
 #include "libltl/text/parse.hpp"
 #include "libplan/model/formats/read_model.hpp"
 #include "libplan/solve/case_task.hpp"
@@ -132,33 +135,35 @@ std::string heading(const plan::CaseTask& task) {
   return out.str();
 }
 
-void print(const plan::CaseTask& task, const CaseAnswer& answer) {
-  std::cout << heading(task);
+std::string in_words(const plan::CaseTask& task, const CaseAnswer& answer) {
+  std::ostringstream out;
+  out << heading(task);
   if (answer.status == Status::Exhausted)
-    std::cout << "gave up: " << answer.reason;
+    out << "gave up: " << answer.reason;
   else
-    std::cout << std::setprecision(12) << answer.value.middle();
+    out << std::setprecision(12) << answer.value.middle();
   if (answer.status == Status::Solved && answer.value.lower != answer.value.upper)
-    std::cout << "  in [" << answer.value.lower << ", " << answer.value.upper << ']';
-  if (answer.status == Status::Infeasible) std::cout << "  infeasible: " << answer.reason;
-  if (answer.status == Status::Solved && !answer.reason.empty()) std::cout << "  " << answer.reason;
+    out << "  in [" << answer.value.lower << ", " << answer.value.upper << ']';
+  if (answer.status == Status::Infeasible) out << "  infeasible: " << answer.reason;
+  if (answer.status == Status::Solved && !answer.reason.empty()) out << "  " << answer.reason;
   for (std::size_t i = 0; i < answer.dropped.size(); ++i)
-    std::cout << (i == 0 ? "; possible without " : " and ") << answer.dropped[i];
-  std::cout << '\n';
-  const auto walk = [](const std::string& label, const plan::NamedRoute& route) {
-    std::cout << "  " << label << ", cost " << route.cost << ": " << route.places.front();
+    out << (i == 0 ? "; possible without " : " and ") << answer.dropped[i];
+  out << '\n';
+  const auto walk = [&](const std::string& label, const plan::NamedRoute& route) {
+    out << "  " << label << ", cost " << route.cost << ": " << route.places.front();
     for (std::size_t i = 0; i < route.actions.size(); ++i) {
-      if (route.actions[i] != route.places[i + 1]) std::cout << ' ' << route.actions[i];  // roads: "to where" is enough
-      std::cout << ' ' << route.places[i + 1];
+      if (route.actions[i] != route.places[i + 1]) out << ' ' << route.actions[i];  // roads: "to where" is enough
+      out << ' ' << route.places[i + 1];
     }
-    std::cout << '\n';
+    out << '\n';
   };
   for (std::size_t i = 0; i < answer.routes.size(); ++i)
     walk(answer.routes.size() == 1 ? "route" : "route " + std::to_string(i + 1), answer.routes[i]);
-  if (!answer.lasso) return;
+  if (!answer.lasso) return out.str();
   walk("prefix", answer.lasso->prefix);
   walk(answer.lasso->rounds == 1 ? "cycle" : "cycle of " + std::to_string(answer.lasso->rounds) + " rounds",
        answer.lasso->cycle);
+  return out.str();
 }
 
 // One object that says what the strategy is worth and which automaton it follows, then one for every state that it
@@ -193,14 +198,16 @@ std::string written(const plan::PlanningCase& planning_case, const plan::CaseTas
   return out;
 }
 
+// Answers tasks side by side; what they share is told once.
 class TaskAnswers {
  public:
-  TaskAnswers(const plan::PlanningCase& planning_case, const CaseChoice& choice, const Session& session)
-      : case_(planning_case), choice_(choice), session_(session) {}
+  // alone: there is one task only, which then sweeps on all cores
+  TaskAnswers(const plan::PlanningCase& planning_case, const CaseChoice& choice, bool alone, const Session& session)
+      : case_(planning_case), choice_(choice), alone_(alone), session_(session) {}
 
-  // Throws as plan::answer.
-  ExitCode answer(const plan::CaseTask& task, const plan::GivenAutomaton* given = nullptr) {
-    const ltl::Watch watch(granted(choice_.limits), session_.stop);
+  // `place`: of its strategy among all of them. Throws as plan::answer.
+  Reply answer(const plan::CaseTask& task, std::size_t place, const TextWatch& watch,
+               const plan::GivenAutomaton* given = nullptr) {
     const plan::CaseOptions options{.method = method_of(choice_.method),
                                     .tolerance = choice_.tolerance,
                                     .discount = choice_.discount,
@@ -208,43 +215,52 @@ class TaskAnswers {
                                     .top = choice_.top,
                                     .route = !choice_.model.empty(),
                                     .strategy = !choice_.strategy.empty(),
+                                    .threads = alone_ ? threads() : 1,
                                     .stop = watch.token()};
     CaseAnswer answer =
         given != nullptr ? plan::answer(case_, task, *given, options) : plan::answer(case_, task, options);
     if (answer.status == Status::Exhausted && session_.stop.stop_requested()) throw Interrupted();
     if (answer.status == Status::Exhausted && watch.overrun() != ltl::Overrun::None)
-      answer.reason += " (" + amount(watch.overrun(), choice_.limits) + ')';
-    if (choice_.json)
-      std::cout << case_json(case_, task, answer).text() << '\n';
-    else
-      print(task, answer);
-    if (answer.strategy)
-      strategies_ += choice_.strategy_format == "waymark" ? written(case_, task, answer)
-                                                          : scheduler_text(case_, answer, choice_.strategy_format);
-    return exit_code(answer.status);
+      answer.reason += " (" + amount(watch.overrun(), choice_.parallel.limits) + ')';
+    if (answer.strategy) {
+      std::string text = choice_.strategy_format == "waymark" ? written(case_, task, answer)
+                                                              : scheduler_text(case_, answer, choice_.strategy_format);
+      const std::lock_guard lock(mutex_);
+      strategies_[place] = std::move(text);
+    }
+    return {exit_code(answer.status),
+            choice_.json ? case_json(case_, task, answer).text() + '\n' : in_words(task, answer)};
   }
 
   // What is wrong with the formula or query of a task is reported like any other bad line.
-  ExitCode try_task(const plan::CaseTask& task) {
+  Reply try_task(const plan::CaseTask& task, std::size_t place, const TextWatch& watch) {
     try {
-      return answer(task);
+      return answer(task, place, watch);
     } catch (const ltl::SyntaxError& error) {
-      complain("error", "task " + task.id + ": " + error.what());
+      return {ExitCode::BadInput, "", "task " + task.id + ": " + error.what()};
     } catch (const std::invalid_argument& error) {
-      complain("error", "task " + task.id + ": " + error.what());
+      return {ExitCode::BadInput, "", "task " + task.id + ": " + error.what()};
     }
-    return ExitCode::BadInput;
   }
 
   void write_strategies() const {
-    if (!choice_.strategy.empty()) write_file(choice_.strategy, strategies_);
+    if (choice_.strategy.empty()) return;
+    std::string all;
+    for (const auto& [place, text] : strategies_) all += text;
+    write_file(choice_.strategy, all);
   }
 
  private:
+  std::size_t threads() const {
+    return choice_.parallel.threads > 0 ? choice_.parallel.threads : ltl::hardware_threads();
+  }
+
   const plan::PlanningCase& case_;
   const CaseChoice& choice_;
+  const bool alone_;
   const Session& session_;
-  std::string strategies_;
+  std::mutex mutex_;
+  std::map<std::size_t, std::string> strategies_;  // by place
 };
 
 plan::CaseTask task_of(const Text& text, const CaseChoice& choice) {
@@ -266,32 +282,30 @@ plan::CaseTask task_of(const Text& text, const CaseChoice& choice) {
 }  // namespace
 
 plan::PlanningCase read_model(const CaseChoice& choice, const std::string& start, const std::stop_token& stop) {
-  const ltl::Watch watch(granted(choice.limits), stop);
+  const ltl::Watch watch(granted(choice.parallel.limits), stop);
   try {
     return plan::read_model(choice.model, start, {.states = plan::most_model_states, .stop = watch.token()},
                             {constants_of(choice.constants), choice.rewards});
   } catch (const plan::ReadingStopped&) {
     if (watch.overrun() == ltl::Overrun::None) throw Interrupted();
     throw GaveUp("gave up: " + choice.model + " has more states than were found in " +
-                 amount(watch.overrun(), choice.limits));
+                 amount(watch.overrun(), choice.parallel.limits));
   }
 }
 
 ExitCode plan_case(const CaseChoice& choice, const Session& session) {
   const plan::PlanningCase planning_case = plan::read_case(choice.file);
-  TaskAnswers answers(planning_case, choice, session);
-  ExitCode worst = ExitCode::Done;
-  bool any = false;
-  for (const plan::CaseTask& task : planning_case.tasks) {
-    if (!choice.task.empty() && task.id != choice.task) continue;
-    if (session.stop.stop_requested()) throw Interrupted();
-    any = true;
-    worst = std::max(worst, answers.try_task(task));
-    std::cout.flush();
-  }
-  if (!any)
+  std::vector<const plan::CaseTask*> chosen;
+  for (const plan::CaseTask& task : planning_case.tasks)
+    if (choice.task.empty() || task.id == choice.task) chosen.push_back(&task);
+  if (chosen.empty())
     throw UsageError(choice.task.empty() ? choice.file + " has no tasks"
                                          : choice.file + " has no task '" + choice.task + "'");
+  TaskAnswers answers(planning_case, choice, chosen.size() == 1, session);
+  const ExitCode worst =
+      answer_in_parallel(chosen.size(), session.stop, choice.parallel, [&](std::size_t job, const TextWatch& watch) {
+        return answers.try_task(*chosen[job], job, watch);
+      });
   answers.write_strategies();
   return worst;
 }
@@ -299,10 +313,13 @@ ExitCode plan_case(const CaseChoice& choice, const Session& session) {
 ExitCode plan_model(plan::PlanningCase free, const CaseChoice& choice, const TextOptions& formulas,
                     const Session& session) {
   const plan::PlanningCase model = scheduled(std::move(free), choice.scheduler);
-  TaskAnswers answers(model, choice, session);
-  const auto answered = [&](const plan::CaseTask& task, const plan::GivenAutomaton* given) {
+  std::optional<TextReader> texts;
+  if (choice.automaton.empty()) texts.emplace(formulas, "formula");
+  TaskAnswers answers(model, choice, !texts || !texts->is_batch(), session);
+  const auto answered = [&](const plan::CaseTask& task, const Text& text, const TextWatch& watch,
+                            const plan::GivenAutomaton* given) {
     try {
-      return answers.answer(task, given);
+      return answers.answer(task, text.line, watch, given);
     } catch (const std::invalid_argument& error) {
       throw UsageError(error.what());  // a method that does not answer the query
     }
@@ -313,22 +330,27 @@ ExitCode plan_model(plan::PlanningCase free, const CaseChoice& choice, const Tex
   if (!choice.automaton.empty()) {
     const plan::GivenAutomaton given =
         plan::read_given_automaton(read_file(choice.automaton), source_name(choice.automaton));
-    code = answered(task_of({.text = "", .source = ""}, choice), &given);
+    code =
+        answer_in_parallel(1, session.stop, choice.parallel, [&](std::size_t, const TextWatch& watch) {
+          const Text none{.text = "", .source = ""};
+          return answered(task_of(none, choice), none, watch, &given);
+        });
   } else {
-    TextReader texts(formulas, "formula");
-    code = answer_each(
-        texts, session.stop,
-        [&](const Text& text) {
+    code = answer_in_parallel(
+        *texts, session.stop, choice.parallel,
+        [&](const Text& text, const TextWatch& watch) {
           try {
             ltl::Arena arena(known);
             ltl::parse(text.text, arena, {.unknown = ltl::Unknown::Reject});
-            return answered(task_of(text, choice), nullptr);
+            return answered(task_of(text, choice), text, watch, nullptr);
           } catch (const ltl::SyntaxError& error) {
             if (text.source.empty()) throw;
             throw error.in(text.source, text.line);
           }
         },
-        choice.json);
+        [&](const Text& text, const std::string& message) {
+          return choice.json ? json_error(text.line, message).text() + '\n' : std::string();
+        });
   }
   answers.write_strategies();
   return code;

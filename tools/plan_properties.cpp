@@ -62,7 +62,7 @@ class Properties {
 
  private:
   Answered solved(const PrismProperty& property) const {
-    const ltl::Watch watch(granted(choice_.limits), session_.stop);
+    const ltl::Watch watch(granted(choice_.parallel.limits), session_.stop);
     const plan::CaseOptions options{.tolerance = choice_.tolerance, .explain = false, .stop = watch.token()};
     Answered out{
         property.steps ? of_steps(property, watch.token()) : plan::answer(*property.model, property.task, options),
@@ -70,7 +70,7 @@ class Properties {
         {}};
     if (out.answer.status == CaseAnswer::Status::Exhausted) {
       if (watch.overrun() != ltl::Overrun::None)
-        out.answer.reason += " (" + amount(watch.overrun(), choice_.limits) + ')';
+        out.answer.reason += " (" + amount(watch.overrun(), choice_.parallel.limits) + ')';
       return out;
     }
     out.verdict = verdict(property, out.answer.value);
@@ -143,7 +143,7 @@ class Properties {
 
 ExitCode plan_properties(const CaseChoice& choice, const Session& session) {
   const std::string model = read_file(choice.model), text = read_file(choice.properties);
-  const ltl::Watch watch(granted(choice.limits), session.stop);
+  const ltl::Watch watch(granted(choice.parallel.limits), session.stop);
   std::vector<PrismProperty> properties;
   try {
     properties =
@@ -152,7 +152,7 @@ ExitCode plan_properties(const CaseChoice& choice, const Session& session) {
   } catch (const plan::ReadingStopped&) {
     if (watch.overrun() == ltl::Overrun::None) throw Interrupted();
     throw GaveUp("gave up: " + choice.model + " has more states than were found in " +
-                 amount(watch.overrun(), choice.limits));
+                 amount(watch.overrun(), choice.parallel.limits));
   }
   if (properties.empty()) throw UsageError(choice.properties + " has no properties");
   Properties answers(choice, session);

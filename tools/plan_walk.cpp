@@ -1,7 +1,7 @@
 #include "tools/plan_walk.hpp"
 
 #include <algorithm>
-#include <iostream>
+#include <ostream>
 
 #include "libltl/limits.hpp"
 #include "libltl/text/print.hpp"
@@ -59,11 +59,11 @@ class LassoPlanning {
 
   PlannedLasso planned() && { return {json(), std::move(found_.lasso), std::move(automaton_)}; }
 
-  ExitCode show(const Terminal& terminal) const {
+  ExitCode show(const Terminal& terminal, std::ostream& out) const {
     if (options_.json)
-      std::cout << json().text() << '\n';
+      out << json().text() << '\n';
     else
-      print(terminal);
+      print(terminal, out);
     if (!options_.svg.empty()) draw_lasso();
     if (!options_.tree.empty() && found_.lasso) write_tree();
     return found_.lasso ? ExitCode::Done : ExitCode::No;
@@ -135,8 +135,7 @@ class LassoPlanning {
                                   .add("total", options_.load + found_.translating + found_.solving));
   }
 
-  void print(const Terminal& terminal) const {
-    std::ostream& out = std::cout;
+  void print(const Terminal& terminal, std::ostream& out) const {
     if (task_.formula)
       out << label(terminal, "formula") << terminal.paint(Paint::Blue, shown(*task_.formula, terminal)) << '\n';
     out << label(terminal, "automaton") << counted(automaton_.states(), "state") << ", "
@@ -237,9 +236,9 @@ JsonObject routes_json(const FoundRoutes& found, const WalkTask& task, const aut
 
 }  // namespace
 
-ExitCode plan_lasso(const WalkTask& task, const WalkOptions& options, const Session& session) {
+ExitCode plan_lasso(const WalkTask& task, const WalkOptions& options, const Session& session, std::ostream& out) {
   try {
-    return LassoPlanning(task, options, session.stop).show(session.out);
+    return LassoPlanning(task, options, session.stop).show(session.out, out);
   } catch (const std::invalid_argument& error) {
     throw UsageError(error.what());
   }
@@ -249,24 +248,24 @@ PlannedLasso planned_lasso(const WalkTask& task, const WalkOptions& options, con
   return LassoPlanning(task, options, stop).planned();
 }
 
-ExitCode plan_routes(const WalkTask& task, const automata::Dfa& dfa, const WalkOptions& options,
-                     const Session& session) {
+ExitCode plan_routes(const WalkTask& task, const automata::Dfa& dfa, const WalkOptions& options, const Session& session,
+                     std::ostream& out) {
   const FoundRoutes found = cheapest(task, dfa, options.top, session);
   const std::vector<CheckedRoute>& routes = found.routes;
   if (options.json) {
-    std::cout << routes_json(found, task, dfa, options).text() << '\n';
+    out << routes_json(found, task, dfa, options).text() << '\n';
   } else {
     if (task.formula)
-      std::cout << label(session.out, "formula") << session.out.paint(Paint::Blue, shown(*task.formula, session.out))
+      out << label(session.out, "formula") << session.out.paint(Paint::Blue, shown(*task.formula, session.out))
                 << '\n';
-    if (routes.empty()) std::cout << label(session.out, "route") << "none\n";
+    if (routes.empty()) out << label(session.out, "route") << "none\n";
     for (std::size_t i = 0; i < routes.size(); ++i) {
       const plan::Route& route = route_of(routes[i]);
-      std::cout << label(session.out, "route " + std::to_string(i + 1)) << counted(route.actions.size(), "action")
+      out << label(session.out, "route " + std::to_string(i + 1)) << counted(route.actions.size(), "action")
                 << ", cost " << Json(route.cost).text() << ", " << session.out.paint(Paint::Green, "certified")
                 << " by " << *certifier(shown(routes[i])) << '\n';
-      print_start(std::cout, session.out, route.poses.front(), task.map);
-      print_steps(std::cout, route, task.map);
+      print_start(out, session.out, route.poses.front(), task.map);
+      print_steps(out, route, task.map);
     }
   }
   return routes.empty() ? ExitCode::No : ExitCode::Done;

@@ -1,6 +1,7 @@
 // waymark plan on a map beyond one route of a finite task: the K cheapest routes, and lassos of tasks over infinite
 // words.
 #pragma once
+#include <iosfwd>
 #include <optional>
 #include <span>
 #include <stop_token>
@@ -38,7 +39,7 @@ struct WalkTask {
 
 // The certified lasso that comes first in the order; of several starts the first whose lasso does. Throws Interrupted,
 // UsageError for an automaton about finite words.
-ExitCode plan_lasso(const WalkTask& task, const WalkOptions& options, const Session& session);
+ExitCode plan_lasso(const WalkTask& task, const WalkOptions& options, const Session& session, std::ostream& out);
 
 // The same, found and not printed.
 struct PlannedLasso {
@@ -49,7 +50,7 @@ struct PlannedLasso {
 PlannedLasso planned_lasso(const WalkTask& task, const WalkOptions& options, const std::stop_token& stop);
 
 // The cheapest routes of a DFA, certified, of all starts together.
-ExitCode plan_routes(const WalkTask& task, const automata::Dfa& dfa, const WalkOptions& options,
-                     const Session& session);
+ExitCode plan_routes(const WalkTask& task, const automata::Dfa& dfa, const WalkOptions& options, const Session& session,
+                     std::ostream& out);
 
 }  // namespace waymark::tools

@@ -131,7 +131,7 @@ class Running {
     WalkOptions walk{.svg = options_.svg, .json = options_.json, .load = load_, .head = head_of_lasso(heard)};
     if (!options_.json)
       std::cout << "understood   " << in_english(formula, ltl::Semantics::Infinite, heard.map) << '\n';
-    return plan_lasso({heard.map, heard.starts, formula}, walk, session_);
+    return plan_lasso({heard.map, heard.starts, formula}, walk, session_, std::cout);
   }
 
   ExitCode run_once(const Heard& heard, double grounding) const {

@@ -132,7 +132,7 @@ enum class Among : std::uint8_t { Nearest, Swiftest };  // which of the good cho
 // states from which no such choice does.
 template <Measure measure, class Product>
 bool choose(const Product& product, const Unknowns& unknowns, const std::vector<double>& values, Among among,
-            double slack, const std::stop_token& stop, Strategy& strategy) {
+            double slack, const IterationOptions& limits, Strategy& strategy) {
   const auto good = [&](const auto& s, std::uint32_t k) {
     if (!unknowns.unknown[s.index]) return false;
     const double value = values[s.index], offered = action_value<measure>(product, s, k, unknowns, values);
@@ -143,7 +143,7 @@ bool choose(const Product& product, const Unknowns& unknowns, const std::vector<
       attractor(product, unknowns.targets, strategy, good, among == Among::Swiftest ? &order : nullptr);
   for (std::uint32_t i = 0; i < product.states(); ++i)
     if (unknowns.unknown[i] && !attracted[i]) return false;
-  return among == Among::Nearest || hurry(product, order, good, stop, strategy);
+  return among == Among::Nearest || hurry(product, order, good, limits, strategy);
 }
 
 // The choice of least probability, of every unknown state: any that attains it will do.
@@ -267,7 +267,7 @@ bool choose_and_evaluate(const Product& product, const Unknowns& unknowns, const
       {Among::Nearest, 1e-12}, {Among::Nearest, 1e-14},  {Among::Nearest, 1e-15},  {Among::Nearest, 1e-8},
       {Among::Nearest, 1e-7},  {Among::Nearest, 1e-6},   {Among::Nearest, 1e-5}};
   for (const auto& [among, slack] : std::span(attempts).first(last ? std::size(attempts) : 2)) {
-    if (!choose<measure>(product, unknowns, attained, among, slack, limits.stop, tried)) continue;
+    if (!choose<measure>(product, unknowns, attained, among, slack, limits, tried)) continue;
     const auto found = evaluate<measure>(product, tried, kept, limited, &attained);
     if (limits.stop.stop_requested()) return false;
     if (!found) continue;

@@ -32,10 +32,23 @@ double Equations::best(std::uint32_t row, const std::vector<double>& x, Side sid
   return best;
 }
 
-// One sweep from below; the greatest change, absolute for probabilities, relative for costs.
-double Equations::raise() {
+// The chunks that are swept, and which go together: a row of one has a term of the other. One chunk for one thread.
+void Equations::make_chunks(std::size_t threads) {
+  constexpr std::uint32_t worth_sharing = 4'096, rows_of_a_chunk = 256;
+  const bool alone = threads <= 1 || rows() < worth_sharing;
+  chunk_size_ = alone ? std::max(rows(), 1U) : rows_of_a_chunk;
+  reach_ = ChunkReach((rows() + chunk_size_ - 1) / chunk_size_);
+  if (alone) return;
+  for (std::uint32_t i = 0; i < rows(); ++i)
+    for (std::uint32_t t = first_term_[first_choice_[i]]; t < first_term_[first_choice_[i + 1]]; ++t)
+      reach_.relate(i / chunk_size_, unknown_[t] / chunk_size_);
+}
+
+// The chunk from below; the greatest change, absolute for probabilities, relative for costs.
+double Equations::raise(std::size_t chunk) {
   double change = 0;
-  for (std::uint32_t i = 0; i < rows(); ++i) {
+  const std::uint32_t end = chunk_end(chunk);
+  for (auto i = static_cast<std::uint32_t>(chunk) * chunk_size_; i < end; ++i) {
     const double old = x_.lower[i], now = std::max(old, best(i, x_.lower, Below));
     if (now == old) continue;
     change = std::max(change, is_probability(measure_) ? now - old : (now - old) / now);
@@ -44,15 +57,30 @@ double Equations::raise() {
   return change;
 }
 
-// One sweep from above; true: it would have raised nothing by more than its rounding and the slack, so these are upper
+// The chunk from above; true: it would have raised nothing by more than its rounding and the slack, so these are upper
 // bounds.
-bool Equations::close_from_above(double slack) {
+bool Equations::close_from_above(std::size_t chunk, double slack) {
   bool inductive = true;
-  for (std::uint32_t i = 0; i < rows(); ++i) {
+  const std::uint32_t end = chunk_end(chunk);
+  for (auto i = static_cast<std::uint32_t>(chunk) * chunk_size_; i < end; ++i) {
     const double now = best(i, x_.upper, Above);
     inductive = inductive && (!raises(x_.upper[i] + slack, now) || (is_probability(measure_) && x_.upper[i] == 1));
     x_.upper[i] = std::min(x_.upper[i], now);
   }
+  return inductive;
+}
+
+// Sweeps until one finds all bounds inductive: at most so many. That one is not counted.
+bool Equations::close_in_sweeps(double slack, std::uint64_t most, std::size_t threads) {
+  bool inductive = false;
+  const auto work = [&](std::size_t chunk, const Pass&) { return close_from_above(chunk, slack); };
+  const auto after = [&, tries = std::uint64_t{0}](const Pass& pass, std::size_t unsettled) mutable {
+    inductive = unsettled == pass.end;
+    if (inductive) return std::optional<Pass>();
+    ++x_.sweeps;
+    return ++tries == most ? std::nullopt : std::optional(pass);
+  };
+  pipelined_passes(reach_, threads, {0, reach_.chunks()}, work, after);
   return inductive;
 }
 
@@ -64,15 +92,14 @@ void Equations::guess(double tolerance) {
 
 bool Equations::prove(std::uint64_t sweeps, const IterationOptions& options) {
   const std::uint64_t most = by_policies_ ? most_tries : sweeps + most_tries;
-  for (std::uint64_t tries = 0; tries < most; ++tries, ++x_.sweeps)
-    if (close_from_above(0)) return true;
-  return by_policies_ && measure_ == Measure::MaxProbability && prove_with_slack(options.tolerance);
+  if (close_in_sweeps(0, most, options.threads)) return true;
+  return by_policies_ && measure_ == Measure::MaxProbability && prove_with_slack(options.tolerance, options.threads);
 }
 
 // Where runs linger, nothing in a row tells its bound from those of the rows around it but rounding. A sweep from the
 // values of the policy then raises some by a little; what such raises come to over a hundred times as many steps as the
 // policy takes is added to its values, if it is small, and so is what the values of solved states may be greater by.
-bool Equations::prove_with_slack(double tolerance) {
+bool Equations::prove_with_slack(double tolerance, std::size_t threads) {
   double slack = rounding, wider = 0;
   for (std::uint32_t i = 0; i < rows(); ++i) slack = std::max(slack, 2 * (best(i, x_.lower, Below) - x_.lower[i]));
   for (std::uint32_t c = 0; c < choices(); ++c) {
@@ -87,7 +114,7 @@ bool Equations::prove_with_slack(double tolerance) {
   const double added = 100 * steps_ * slack;
   if (!(added + wider <= tolerance)) return false;
   for (std::uint32_t i = 0; i < rows(); ++i) x_.upper[i] = std::min(1.0, x_.lower[i] + wider);
-  if (!close_from_above(slack)) return false;
+  if (!close_in_sweeps(slack, 1, threads)) return false;
   for (double& bound : x_.upper) bound = std::min(1.0, bound + added);
   return true;
 }
@@ -96,7 +123,9 @@ bool Equations::prove_with_slack(double tolerance) {
 // times as long, since values that are nearer make better policies to begin with.
 bool Equations::refine(double change, const IterationOptions& options) {
   by_policies_ = false;
-  while (true) {
+  const auto out_of_limits = [&] { return x_.sweeps > options.sweeps || options.stop.stop_requested(); };
+  bool settled = false;
+  while (!settled) {
     if (linear_ && x_.sweeps >= patience_) {
       patience_ = std::max<std::uint64_t>(100, 8 * patience_);
       by_policies_ = iterate_policies(options);
@@ -104,10 +133,18 @@ bool Equations::refine(double change, const IterationOptions& options) {
       if (by_policies_) return true;
       change /= 64;
     }
-    if (x_.sweeps > options.sweeps || options.stop.stop_requested()) return false;
+    if (out_of_limits()) return false;
     ++x_.sweeps;
-    if (raise() <= change) return true;
+    const auto work = [&](std::size_t chunk, const Pass&) { return raise(chunk) <= change; };
+    const auto after = [&](const Pass& pass, std::size_t unsettled) -> std::optional<Pass> {
+      settled = unsettled == pass.end;
+      if (settled || (linear_ && x_.sweeps >= patience_) || out_of_limits()) return std::nullopt;
+      ++x_.sweeps;
+      return pass;
+    };
+    pipelined_passes(reach_, options.threads, {0, reach_.chunks()}, work, after);
   }
+  return true;
 }
 
 std::optional<Equations::Solution> Equations::solve(const IterationOptions& options) {
@@ -116,6 +153,7 @@ std::optional<Equations::Solution> Equations::solve(const IterationOptions& opti
   x_.lower.assign(rows(), 0);
   x_.upper.assign(rows(), 0);
   if (measure_ == Measure::MinCost) start_from_best_luck();
+  make_chunks(options.threads);
   linear_ = measure_ != Measure::MinProbability && rows() <= factored;
   patience_ = options.policy_iteration ? 0 : 100;
   if (iterate_optimistically(*this, options, options.tolerance / 16) != IterationEnd::Proved) return std::nullopt;

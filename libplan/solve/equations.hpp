@@ -6,11 +6,13 @@
 // that may come to nothing is taken until it comes to something: its row is divided by the chance that it does.
 // Twelve bytes a term; blocks of many unknowns are better swept without being written out (value_iteration.hpp).
 #pragma once
+#include <algorithm>
 #include <cstdint>
 #include <optional>
 #include <vector>
 
 #include "libplan/solve/optimistic_iteration.hpp"
+#include "libplan/solve/pipelined_passes.hpp"
 
 namespace waymark::plan {
 
@@ -64,9 +66,14 @@ class Equations {
   double value(std::uint32_t choice, const std::vector<double>& x, Side side) const;
   double best(std::uint32_t row, const std::vector<double>& x, Side side) const;
   void start_from_best_luck();
-  double raise();
-  bool close_from_above(double slack);
-  bool prove_with_slack(double tolerance);
+  void make_chunks(std::size_t threads);
+  std::uint32_t chunk_end(std::size_t chunk) const {
+    return std::min(rows(), static_cast<std::uint32_t>(chunk + 1) * chunk_size_);
+  }
+  double raise(std::size_t chunk);
+  bool close_from_above(std::size_t chunk, double slack);
+  bool close_in_sweeps(double slack, std::uint64_t most, std::size_t threads);
+  bool prove_with_slack(double tolerance, std::size_t threads);
 
   struct Sources {  // by unknown: the choices that it is an outcome of
     std::vector<std::uint32_t> first, choice, row_of;
@@ -87,6 +94,8 @@ class Equations {
   std::uint64_t patience_ = 0;  // sweeps before they are
   double steps_ = 0;            // that a run of the last policy takes, expected, from its slowest row
   bool by_policies_ = false;    // that is where the values come from
+  std::uint32_t chunk_size_ = 0;  // rows, but for the last chunk
+  ChunkReach reach_{0};           // of chunks
 };
 
 }  // namespace waymark::plan

@@ -214,15 +214,28 @@ std::size_t GridBlock::chunk_size() {
   return std::max(smallest, layers_of_a_chunk * cells_.size() / static_cast<std::size_t>(deepest));
 }
 
+// The chunks, and which go together: those with cells side by side, whose values are read even where a wall is between.
+void GridBlock::make_chunks() {
+  if (chunk_size_ != 0) return;
+  chunk_size_ = chunk_size();
+  reach_ = ChunkReach((cells_.size() + chunk_size_ - 1) / chunk_size_);
+  for (std::size_t i = 0; i < cells_.size(); ++i)
+    upper_[cells_[i] + margin_] = static_cast<double>(i / chunk_size_);
+  for (std::size_t i = 0; i < cells_.size(); ++i)
+    for (const std::size_t step : {std::size_t{1}, std::size_t{margin_}})
+      if (const std::size_t to = cells_[i] + step; to < unknown_.size() && unknown_[to])
+        reach_.relate(i / chunk_size_, static_cast<std::size_t>(upper_[to + margin_]));
+}
+
 // The greatest change: absolute for probabilities; for costs relative to the value, or to so many moves where it is
 // more: bounds a share of the value apart are inductive where what is left to change is that share of a move.
-double GridBlock::sweep(std::size_t first, std::size_t last, double over_relaxation) {
+double GridBlock::sweep(std::size_t chunk, double over_relaxation) {
   constexpr double many_moves = 512;
   const auto& costs = product_.model().shape().cost;
   const double least = *std::min_element(costs.begin(), costs.end());
   const double most = least > 0 ? many_moves * least : INFINITY;
   double change = 0;
-  for (std::size_t i = first; i < last; ++i) {
+  for (std::size_t i = chunk * chunk_size_; i < chunk_end(chunk); ++i) {
     const std::uint32_t cell = cells_[i];
     double& value = lower_[cell + margin_];
     const double now = best(cell, lower_), step = now - value;
@@ -237,30 +250,36 @@ double GridBlock::sweep(std::size_t first, std::size_t last, double over_relaxat
 // moves on by some chunks a sweep, as fast as news travels, since before that a sweep changes little for good.
 bool GridBlock::refine(double change, const IterationOptions& options) {
   constexpr std::uint64_t patience = 64;  // sweeps in which nothing settles until over-relaxation is given up
+  make_chunks();
   set_around(Side::Middle);
-  const std::size_t size = chunk_size(), chunks = (cells_.size() + size - 1) / size;
+  const std::size_t chunks = reach_.chunks();
   const auto out_of_limits = [&] { return sweeps_ > options.sweeps || options.stop.stop_requested(); };
   double reached = chunks_a_sweep_, factor = over_relaxation_;
   std::uint64_t swept = 0;  // cells
-  for (std::size_t first = 0, waited = 0; first < chunks; ++waited) {
-    const std::size_t begin = first, end = std::clamp(static_cast<std::size_t>(reached), first + 1, chunks);
-    bool settled = true;
-    for (std::size_t c = begin; c < end; ++c) {
-      settled = sweep(c * size, std::min(cells_.size(), (c + 1) * size), factor) <= change && settled;
-      if (!settled) continue;
-      first = c + 1;
-      waited = 0;
-    }
-    for (swept += (end - begin) * size; swept > cells_.size(); swept -= cells_.size()) ++sweeps_;
-    if (waited > patience) factor = 1;
-    if (out_of_limits()) return false;
+  std::size_t waited = 0;
+  bool fronts = true, settled = false;
+  const auto between = [&](std::size_t first) {
+    return Pass{first, std::clamp(static_cast<std::size_t>(reached), first + 1, chunks), factor};
+  };
+  const auto work = [&](std::size_t chunk, const Pass& pass) { return sweep(chunk, pass.factor) <= change; };
+  const auto after_all = [&](const Pass& pass, std::size_t unsettled) -> std::optional<Pass> {
+    ++sweeps_;
+    settled = unsettled == pass.end;
+    if (settled || out_of_limits()) return std::nullopt;
+    return pass;
+  };
+  const auto after = [&](const Pass& pass, std::size_t unsettled) -> std::optional<Pass> {
+    if (!fronts) return after_all(pass, unsettled);
+    if (unsettled > pass.begin) waited = 0;
+    for (swept += (pass.end - pass.begin) * chunk_size_; swept > cells_.size(); swept -= cells_.size()) ++sweeps_;
+    if (waited++ > patience) factor = 1;
+    if (out_of_limits()) return std::nullopt;
     reached += chunks_a_sweep_;
-  }
-  for (double last = INFINITY; last > change; ++sweeps_) {
-    if (out_of_limits()) return false;
-    last = sweep(0, cells_.size(), 1);
-  }
-  return true;
+    fronts = unsettled < chunks;
+    return fronts ? between(unsettled) : Pass{0, chunks};
+  };
+  pipelined_passes(reach_, options.threads, between(0), work, after);
+  return settled;
 }
 
 // A quarter of the tolerance below and above what sweeps came to.
@@ -273,36 +292,48 @@ void GridBlock::guess(double tolerance) {
   }
 }
 
-bool GridBlock::close_from_above() {
+bool GridBlock::close_from_above(std::size_t chunk) {
   bool inductive = true;
-  for (std::uint32_t cell : cells_) {
-    double& value = upper_[cell + margin_];
-    const double now = best(cell, upper_);
+  for (std::size_t i = chunk * chunk_size_; i < chunk_end(chunk); ++i) {
+    double& value = upper_[cells_[i] + margin_];
+    const double now = best(cells_[i], upper_);
     inductive = inductive && (!raises(value, now) || (is_probability(measure_) && value == 1));
     value = std::min(value, now);
   }
   return inductive;
 }
 
-bool GridBlock::close_from_below() {
+bool GridBlock::close_from_below(std::size_t chunk) {
   bool inductive = true;
-  for (std::uint32_t cell : cells_) {
-    double& value = lower_[cell + margin_];
-    const double now = best(cell, lower_);
+  for (std::size_t i = chunk * chunk_size_; i < chunk_end(chunk); ++i) {
+    double& value = lower_[cells_[i] + margin_];
+    const double now = best(cells_[i], lower_);
     inductive = inductive && !raises(now, value);
     value = std::min(value, now);
   }
   return inductive;
 }
 
-bool GridBlock::prove(std::uint64_t sweeps, const IterationOptions&) {
+// Sweeps until one finds all values inductive: at most so many.
+template <class Close>
+bool GridBlock::close(const Close& close_chunk, std::uint64_t most, const IterationOptions& options) {
+  bool inductive = false;
+  const auto after = [&, tries = std::uint64_t{0}](const Pass& pass, std::size_t unsettled) mutable {
+    ++sweeps_;
+    inductive = unsettled == pass.end;
+    return inductive || ++tries == most ? std::nullopt : std::optional(pass);
+  };
+  const auto work = [&](std::size_t chunk, const Pass&) { return close_chunk(chunk); };
+  pipelined_passes(reach_, options.threads, {0, reach_.chunks()}, work, after);
+  return inductive;
+}
+
+bool GridBlock::prove(std::uint64_t sweeps, const IterationOptions& options) {
   constexpr std::uint64_t some_tries = 16;
   const std::uint64_t most = sweeps / 2 + some_tries;
   set_around(Side::Bounds);
-  bool above = false, below = false;
-  for (std::uint64_t tries = 0; tries < most && !above; ++tries, ++sweeps_) above = close_from_above();
-  for (std::uint64_t tries = 0; tries < most && above && !below; ++tries, ++sweeps_) below = close_from_below();
-  return above && below;
+  return close([this](std::size_t chunk) { return close_from_above(chunk); }, most, options) &&
+         close([this](std::size_t chunk) { return close_from_below(chunk); }, most, options);
 }
 
 // With which chance a move goes where it should, once it goes anywhere: the best choice, the mean over the cells.

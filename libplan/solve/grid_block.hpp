@@ -13,6 +13,7 @@
 // For blocks of one state of the automaton in which a cell is met with one task only, as in tasks of visits and
 // avoidance; others are left to Equations.
 #pragma once
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <optional>
@@ -22,6 +23,7 @@
 #include "libplan/product/product_mdp.hpp"
 #include "libplan/solve/kept_bounds.hpp"
 #include "libplan/solve/optimistic_iteration.hpp"
+#include "libplan/solve/pipelined_passes.hpp"
 #include "libplan/solve/strategy_chain.hpp"
 #include "libplan/solve/unknowns.hpp"
 
@@ -81,11 +83,15 @@ class GridBlock {
   void guess_costs();
   void start_from_nothing(bool guess);
   std::size_t chunk_size();
+  void make_chunks();
   double likely() const;
   double over_relaxation() const;
-  double sweep(std::size_t first, std::size_t last, double over_relaxation);
-  bool close_from_above();
-  bool close_from_below();
+  double sweep(std::size_t chunk, double over_relaxation);
+  bool close_from_above(std::size_t chunk);
+  bool close_from_below(std::size_t chunk);
+  template <class Close>
+  bool close(const Close& close_chunk, std::uint64_t most, const IterationOptions& options);
+  std::size_t chunk_end(std::size_t chunk) const { return std::min(cells_.size(), (chunk + 1) * chunk_size_); }
 
   const Product& product_;
   Measure measure_;
@@ -100,6 +106,8 @@ class GridBlock {
   std::vector<Row> rows_;        // by code
   std::vector<Only> only_rows_;  // by code, of strategies
   std::vector<double> lower_, upper_;
+  std::size_t chunk_size_ = 0;   // cells, but for the last chunk; 0: not made yet
+  ChunkReach reach_{0};          // of chunks
   double over_relaxation_ = 1;  // what a step is multiplied by
   double chunks_a_sweep_ = 1;   // by which the front moves on
   std::uint64_t sweeps_ = 0;

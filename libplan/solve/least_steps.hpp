@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <stop_token>
+#include <optional>
 #include <vector>
 
+#include "libplan/solve/optimistic_iteration.hpp"
+#include "libplan/solve/pipelined_passes.hpp"
 #include "libplan/solve/strategy.hpp"
 
 namespace waymark::plan {
@@ -37,6 +39,30 @@ struct GoodChoices {
     }
     return true;
   }
+
+  // The least expected steps of a state by those of others, and the choice; the change, relative.
+  float sweep(std::size_t i, std::vector<float>& steps, std::uint32_t& swiftest) const {
+    float least = INFINITY;
+    for (std::uint32_t c = first_choice[i]; c < first_choice[i + 1]; ++c) {
+      float sum = 1;
+      for (std::uint32_t o = first_outcome[c]; o < first_outcome[c + 1]; ++o) sum += probability[o] * steps[target[o]];
+      if (sum >= least) continue;
+      least = sum;
+      swiftest = c;
+    }
+    const float change = std::abs(least - steps[i]) / least;
+    steps[i] = least;
+    return change;
+  }
+
+  static constexpr std::size_t chunk = 1'024;  // states that are swept by one thread
+  ChunkReach reach() const {
+    ChunkReach out((first_choice.size() - 1 + chunk - 1) / chunk);
+    for (std::size_t i = 0; i + 1 < first_choice.size(); ++i)
+      for (std::uint32_t o = first_outcome[first_choice[i]]; o < first_outcome[first_choice[i + 1]]; ++o)
+        out.relate(i / chunk, target[o] / chunk);
+    return out;
+  }
 };
 
 // Of the good choices of the unknown states, those by which a run ends soonest: least expected steps, by sweeps until
@@ -45,7 +71,7 @@ struct GoodChoices {
 // run of good choices may not end, or there are too many of them. O(outcomes) a sweep.
 template <class Product, class Good>
 bool hurry(const Product& product, const std::vector<std::uint32_t>& order, const Good& good,
-           const std::stop_token& stop, Strategy& strategy) {
+           const IterationOptions& limits, Strategy& strategy) {
   constexpr int most_sweeps = 4'000;  // about as many as a run has steps
   constexpr float settled = 2e-4F;
   constexpr std::size_t most_outcomes = 500'000'000;
@@ -53,26 +79,22 @@ bool hurry(const Product& product, const std::vector<std::uint32_t>& order, cons
   if (!written.write(product, order, good, most_outcomes)) return false;
   std::vector<float> steps(order.size(), 0);
   std::vector<std::uint32_t> swiftest(order.size(), UINT32_MAX);
-  float change = INFINITY;
-  for (int sweep = 0; sweep < most_sweeps && change > settled && !stop.stop_requested(); ++sweep) {
-    change = 0;
-    for (std::size_t i = 0; i < order.size(); ++i) {
-      float least = INFINITY;
-      for (std::uint32_t c = written.first_choice[i]; c < written.first_choice[i + 1]; ++c) {
-        float sum = 1;
-        for (std::uint32_t o = written.first_outcome[c]; o < written.first_outcome[c + 1]; ++o)
-          sum += written.probability[o] * steps[written.target[o]];
-        if (sum >= least) continue;
-        least = sum;
-        swiftest[i] = c;
-      }
-      change = std::max(change, std::abs(least - steps[i]) / least);
-      steps[i] = least;
-    }
-  }
+  bool done = false;
+  const auto work = [&](std::size_t chunk, const Pass&) {
+    const std::size_t first = chunk * GoodChoices::chunk, last = std::min(order.size(), first + GoodChoices::chunk);
+    float change = 0;
+    for (std::size_t i = first; i < last; ++i) change = std::max(change, written.sweep(i, steps, swiftest[i]));
+    return change <= settled;
+  };
+  const auto after = [&, sweeps = 1](const Pass& pass, std::size_t unsettled) mutable {
+    done = unsettled == pass.end;
+    return done || ++sweeps > most_sweeps || limits.stop.stop_requested() ? std::nullopt : std::optional(pass);
+  };
+  const ChunkReach reach = written.reach();
+  pipelined_passes(reach, limits.threads, {0, reach.chunks()}, work, after);
   for (std::size_t i = 0; i < order.size(); ++i)
     if (swiftest[i] != UINT32_MAX) strategy.choice.set(order[i], written.choice[swiftest[i]]);
-  return change <= settled;
+  return done;
 }
 
 }  // namespace waymark::plan

@@ -21,6 +21,7 @@ struct IterationOptions {             // what is proved, and at which price
   std::size_t written_out = std::size_t{1} << 20U;  // unknowns of a block up to which its equations are written out
   std::size_t on_grid = 20'000;  // unknowns of a block of a grid from which it is swept in place, where its kind allows
   bool keep_values = false;      // of all states, in the answer
+  std::size_t threads = 1;       // that sweep; of no influence on any number
   std::stop_token stop = {};     // polled between sweeps
 };
 

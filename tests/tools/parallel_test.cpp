@@ -98,6 +98,26 @@ TEST(Parallel, WhatIsNoBadTextEndsEverything) {
   EXPECT_THROW(answer_in_parallel(more, stop.get_token(), {}, fine, {}), Interrupted);
 }
 
+TEST(Parallel, JobsAreAnsweredInTheirOrder) {
+  const auto answer = [](std::size_t job, const TextWatch& watch) -> Reply {
+    if (job == 3)  // until its time is over
+      while (!watch.token().stop_requested()) std::this_thread::yield();
+    return {job == 3 ? ExitCode::GaveUp : ExitCode::Done, std::to_string(job) + '\n',
+            job == 5 ? "five is odd" : std::string()};
+  };
+  for (const std::size_t threads : {0U, 1U, 2U, 9U}) {
+    testing::internal::CaptureStdout();
+    testing::internal::CaptureStderr();
+    const ExitCode code = answer_in_parallel(7, {}, {.threads = threads, .limits = {.seconds = 0.05}}, answer);
+    EXPECT_EQ(testing::internal::GetCapturedStdout(), "0\n1\n2\n3\n4\n5\n6\n") << threads;
+    EXPECT_NE(testing::internal::GetCapturedStderr().find("five is odd"), std::string::npos) << threads;
+    EXPECT_EQ(code, ExitCode::GaveUp) << threads;
+  }
+  EXPECT_EQ(answer_in_parallel(0, {}, {}, answer), ExitCode::Done);
+  const auto bad = [](std::size_t, const TextWatch&) -> Reply { throw ltl::FormatError("somewhere", 1, 2, "is wrong"); };
+  EXPECT_THROW(answer_in_parallel(3, {}, {.threads = 2}, bad), ltl::FormatError);
+}
+
 // Reading flushes what std::cin is tied to: a line that another thread had half written came out twice.
 TEST(Parallel, WhoReadsStandardInputLeavesStandardOutputAlone) {
   std::ostream* before = std::cin.tie(&std::cout);

@@ -2,6 +2,7 @@
 
 #include <iostream>
 #include <optional>
+#include <sstream>
 
 #include "libltl/diagnostic.hpp"
 #include "tools/shell/terminal.hpp"
@@ -19,6 +20,21 @@ std::optional<std::string> attempt(const std::function<ExitCode(const Text&)>& a
     return error.what();
   } catch (const ltl::FormatError& error) {
     return error.what();
+  }
+}
+
+// The answer to one text of a batch, kept until it is its turn.
+Reply kept(const Text& text, const TextWatch& watch, const Session& session, const WorkLimits& limits,
+           const TextAnswer& answer, bool json) {
+  std::ostringstream out, notes;
+  try {
+    const auto answered = [&] { return answer(text, {watch.token(), session.out}, {out, notes}); };
+    const ExitCode code = within(watch, limits, answered);
+    return {code, out.str(), "", notes.str()};
+  } catch (const GaveUp& error) {
+    const JsonObject told = JsonObject().add("line", text.line).add("status", "exhausted").add("message", error.what());
+    return {ExitCode::GaveUp, json ? told.text() + '\n' : "", std::to_string(text.line) + ": " + error.what(),
+            notes.str()};
   }
 }
 
@@ -47,6 +63,22 @@ ExitCode answer_each(TextReader& texts, const std::stop_token& stop, const std::
   }
   if (!any) throw ltl::FormatError(texts.source(), 0, 0, "there is nothing to read");
   return worst;
+}
+
+ExitCode answer_each(TextReader& texts, const Session& session, const ParallelOptions& options,
+                     const TextAnswer& answer, bool json) {
+  const auto alone = [&](const Text& text, const TextWatch& watch) -> Reply {
+    return {within(watch, options.limits, [&] {
+      return answer(text, {watch.token(), session.out}, {std::cout, std::cerr});
+    })};
+  };
+  const auto of_batch = [&](const Text& text, const TextWatch& watch) {
+    return kept(text, watch, session, options.limits, answer, json);
+  };
+  return answer_in_parallel(texts, session.stop, options, texts.is_batch() ? Replier(of_batch) : Replier(alone),
+                            [&](const Text& text, const std::string& message) {
+                              return json ? json_error(text.line, message).text() + '\n' : std::string();
+                            });
 }
 
 }  // namespace waymark::tools

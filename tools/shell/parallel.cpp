@@ -1,5 +1,6 @@
 #include "tools/shell/parallel.hpp"
 
+#include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <condition_variable>
@@ -8,6 +9,7 @@
 #include <mutex>
 #include <optional>
 #include <thread>
+#include <utility>
 
 #include "libltl/diagnostic.hpp"
 #include "libltl/parallel.hpp"
@@ -71,9 +73,9 @@ class WorkerWatch : public TextWatch {
 
 class Batch {
  public:
-  Batch(TextReader& texts, const std::stop_token& stop, const ParallelOptions& options, const Replier& answer,
-        const BadTextReply& bad)
-      : texts_(texts), stop_(stop), options_(options), answer_(answer), bad_(bad), workers_(options.threads) {}
+  using Next = std::function<std::optional<Text>()>;
+  Batch(Next next, const std::stop_token& stop, const ParallelOptions& options, Replier answer)
+      : next_(std::move(next)), stop_(stop), options_(options), answer_(std::move(answer)), workers_(options.threads) {}
 
   ExitCode run() {
     const std::stop_callback interrupted(stop_, [this] {
@@ -88,9 +90,9 @@ class Batch {
       ltl::parallel_for(workers_.size(), workers_.size(), [this](std::size_t i, std::size_t) { work(workers_[i]); });
     }
     if (stop_.stop_requested()) throw Interrupted();
-    if (taken_ == 0) throw ltl::FormatError(texts_.source(), 0, 0, "there is nothing to read");
     return worst_;
   }
+  std::size_t taken() const { return taken_; }  // once it was run
 
  private:
   struct Job {
@@ -127,7 +129,7 @@ class Batch {
     try {
       while (std::optional<Job> job = take()) {
         worker.begin(options_.limits.seconds, stop_);
-        Reply reply = reply_to(job->text, worker);
+        Reply reply = answer_(job->text, worker);
         worker.end();
         put(job->number, std::move(reply));
       }
@@ -148,20 +150,9 @@ class Batch {
       if (over()) return std::nullopt;
     }
     const std::lock_guard lock(input_);
-    std::optional<Text> text = texts_.next();
+    std::optional<Text> text = next_();
     if (!text) return std::nullopt;
     return Job{taken_++, std::move(*text)};
-  }
-
-  Reply reply_to(const Text& text, const WorkerWatch& worker) const {
-    if (!texts_.is_batch()) return answer_(text, worker);
-    try {
-      return answer_(text, worker);
-    } catch (const ltl::SyntaxError& error) {
-      return {ExitCode::BadInput, bad_(text, error.what()), error.what()};
-    } catch (const ltl::FormatError& error) {
-      return {ExitCode::BadInput, bad_(text, error.what()), error.what()};
-    }
   }
 
   void put(std::size_t number, Reply reply) {
@@ -172,6 +163,7 @@ class Batch {
     waiting_[place] = std::move(reply);
     while (!waiting_.empty() && waiting_.front()) {
       const Reply& next = *waiting_.front();
+      std::cerr << next.notes;
       if (!next.problem.empty()) complain("error", next.problem);
       std::cout << next.text << std::flush;
       worst_ = worse(worst_, next.code);
@@ -181,11 +173,10 @@ class Batch {
     room_.notify_all();
   }
 
-  TextReader& texts_;
+  Next next_;
   const std::stop_token& stop_;
   ParallelOptions options_;
-  const Replier& answer_;
-  const BadTextReply& bad_;
+  Replier answer_;
   std::deque<WorkerWatch> workers_;  // one for each thread
   Clock::time_point next_may_end_;   // when memory is short; the keeper's alone
   std::mutex input_, output_;
@@ -204,7 +195,34 @@ ExitCode answer_in_parallel(TextReader& texts, const std::stop_token& stop, cons
   ParallelOptions settled = options;
   if (settled.threads == 0) settled.threads = ltl::hardware_threads();
   if (!texts.is_batch()) settled.threads = 1;
-  return Batch(texts, stop, settled, answer, bad).run();
+  const auto of_batch = [&](const Text& text, const TextWatch& watch) -> Reply {
+    try {
+      return answer(text, watch);
+    } catch (const ltl::SyntaxError& error) {
+      return {ExitCode::BadInput, bad(text, error.what()), error.what()};
+    } catch (const ltl::FormatError& error) {
+      return {ExitCode::BadInput, bad(text, error.what()), error.what()};
+    }
+  };
+  Batch batch([&] { return texts.next(); }, stop, settled, texts.is_batch() ? Replier(of_batch) : answer);
+  const ExitCode worst = batch.run();
+  if (batch.taken() == 0) throw ltl::FormatError(texts.source(), 0, 0, "there is nothing to read");
+  return worst;
+}
+
+ExitCode answer_in_parallel(std::size_t jobs, const std::stop_token& stop, const ParallelOptions& options,
+                            const JobReplier& answer) {
+  ParallelOptions settled = options;
+  if (settled.threads == 0) settled.threads = ltl::hardware_threads();
+  settled.threads = std::clamp<std::size_t>(jobs, 1, settled.threads);
+  std::size_t next = 0;
+  const auto number = [&]() -> std::optional<Text> {
+    if (next == jobs) return std::nullopt;
+    return Text{"", "", next++};
+  };
+  return Batch(number, stop, settled, [&](const Text& job, const TextWatch& watch) {
+           return answer(job.line, watch);
+         }).run();
 }
 
 }  // namespace waymark::tools

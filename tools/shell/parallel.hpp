@@ -16,6 +16,7 @@ struct Reply {
   ExitCode code = ExitCode::Done;
   std::string text = {};     // for standard output
   std::string problem = {};  // for standard error, before the text; none when empty
+  std::string notes = {};    // for standard error as they are, before both
 };
 
 class TextWatch {  // over what one text may take; as ltl::Watch
@@ -39,5 +40,10 @@ struct ParallelOptions {
 // requested, ltl::FormatError when there was no text at all. At most `threads` · 256 replies wait for their worker.
 ExitCode answer_in_parallel(TextReader& texts, const std::stop_token& stop, const ParallelOptions& options,
                             const Replier& answer, const BadTextReply& bad);
+
+using JobReplier = std::function<Reply(std::size_t job, const TextWatch&)>;
+// The same of jobs 0, 1, …: the worst code of their replies, Done without any. Every exception ends everything.
+ExitCode answer_in_parallel(std::size_t jobs, const std::stop_token& stop, const ParallelOptions& options,
+                            const JobReplier& answer);
 
 }  // namespace waymark::tools

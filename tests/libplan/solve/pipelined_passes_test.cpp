@@ -1,0 +1,118 @@
+// Sweeps by several threads against a loop: the same numbers, passes and decisions, to the last bit.
+#include "libplan/solve/pipelined_passes.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+#include <sstream>
+#include <string>
+
+#include "libplan/solve/decide.hpp"
+#include "libplan/solve/product_search.hpp"
+#include "tests/libplan/solve/random_grids.hpp"
+
+namespace waymark::plan {
+namespace {
+
+constexpr std::size_t chunk_size = 4;
+
+// Numbers each of which is made of some others, near by or anywhere.
+struct Net {
+  std::vector<std::vector<std::size_t>> neighbours;
+  std::vector<double> numbers;
+
+  double step(std::size_t i) {
+    double sum = 1;
+    for (const std::size_t n : neighbours[i]) sum += numbers[n] / (1.1 * static_cast<double>(neighbours[i].size()));
+    const double change = std::abs(sum - numbers[i]);
+    numbers[i] = sum;
+    return change;
+  }
+  bool sweep(std::size_t chunk, double least) {
+    bool settled = true;
+    for (std::size_t i = chunk * chunk_size; i < std::min(numbers.size(), (chunk + 1) * chunk_size); ++i)
+      settled = step(i) <= least && settled;
+    return settled;
+  }
+  std::size_t chunks() const { return (numbers.size() + chunk_size - 1) / chunk_size; }
+  ChunkReach reach() const {
+    ChunkReach out(chunks());
+    for (std::size_t i = 0; i < numbers.size(); ++i)
+      for (const std::size_t n : neighbours[i]) out.relate(i / chunk_size, n / chunk_size);
+    return out;
+  }
+};
+
+Net random_net(std::mt19937_64& random) {
+  const std::size_t size = 1 + random() % 200, width = 1 + random() % size;
+  Net net{std::vector<std::vector<std::size_t>>(size), std::vector<double>(size)};
+  for (std::size_t i = 0; i < size; ++i)
+    for (std::size_t k = random() % 4; k > 0; --k)
+      net.neighbours[i].push_back((i + size - std::min(i, width / 2) + random() % width) % size);
+  for (double& number : net.numbers) number = static_cast<double>(random() % 100);
+  return net;
+}
+
+// Passes behind a front that moves on where chunks have settled, then over all of them; what they were, in words.
+struct Fronts {
+  std::size_t chunks;
+  std::size_t reached = 1;
+  std::size_t passes = 0;
+  std::string told = {};
+
+  Pass first() { return {0, std::min(reached, chunks)}; }
+  std::optional<Pass> operator()(const Pass& pass, std::size_t unsettled) {
+    told += std::to_string(pass.begin) + '-' + std::to_string(pass.end) + ':' + std::to_string(unsettled) + ' ';
+    const bool whole = pass.begin == 0 && pass.end == chunks;
+    if (++passes == 300 || (whole && unsettled == pass.end)) return std::nullopt;
+    reached += 2;
+    if (unsettled == chunks || whole) return Pass{0, chunks};
+    return Pass{unsettled, std::clamp(reached, unsettled + 1, chunks)};
+  }
+};
+
+std::string by_a_loop(Net& net, double least) {
+  Fronts fronts{net.chunks()};
+  for (std::optional<Pass> pass = fronts.first(); pass;) {
+    std::size_t unsettled = pass->end;
+    for (std::size_t c = pass->begin; c < pass->end; ++c)
+      if (!net.sweep(c, least) && unsettled == pass->end) unsettled = c;
+    pass = fronts(*pass, unsettled);
+  }
+  return fronts.told;
+}
+
+TEST(PipelinedPasses, AreThoseOfALoop) {
+  for (std::uint64_t seed = 1; seed <= 300; ++seed) {
+    std::mt19937_64 random(seed);
+    const Net net = random_net(random);
+    const double least = std::pow(10, -static_cast<double>(random() % 8));
+    Net expected = net;
+    const std::string told = by_a_loop(expected, least);
+    for (const std::size_t threads : {1U, 2U, 3U, 5U}) {
+      Net found = net;
+      Fronts fronts{found.chunks()};
+      pipelined_passes(
+          found.reach(), threads, fronts.first(),
+          [&](std::size_t chunk, const Pass&) { return found.sweep(chunk, least); },
+          [&](const Pass& pass, std::size_t unsettled) { return fronts(pass, unsettled); });
+      ASSERT_EQ(fronts.told, told) << "seed " << seed << ", threads " << threads;
+      ASSERT_EQ(found.numbers, expected.numbers) << "seed " << seed << ", threads " << threads;
+    }
+  }
+}
+
+TEST(PipelinedPasses, TakeNothingAtAll) {
+  int passes = 0;
+  pipelined_passes(
+      ChunkReach(0), 3, {0, 0}, [](std::size_t, const Pass&) { return true; },
+      [&](const Pass&, std::size_t) {
+        ++passes;
+        return std::optional<Pass>();
+      });
+  EXPECT_EQ(passes, 1);
+}
+
+}  // namespace
+}  // namespace waymark::plan
