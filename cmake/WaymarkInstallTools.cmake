@@ -14,7 +14,7 @@ install(FILES ${shell}/fish/waymark.fish DESTINATION ${CMAKE_INSTALL_DATADIR}/fi
   COMPONENT tools)
 
 install(TARGETS waymark RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT tools)
-foreach(helper lab layout convert serve)
+foreach(helper lab layout convert serve farm)
   if(TARGET waymark-${helper})
     install(TARGETS waymark-${helper} RUNTIME DESTINATION ${CMAKE_INSTALL_LIBEXECDIR}/waymark COMPONENT tools)
   endif()

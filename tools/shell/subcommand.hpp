@@ -14,6 +14,9 @@ namespace waymark::tools {
 struct Session {         // what every subcommand is given
   std::stop_token stop;  // requested on Ctrl-C
   Terminal out;          // what standard output may show
+  // The options that the answers depend on, the checksums of files that are named, and the program: a text for who
+  // keeps answers.
+  std::function<std::string()> settings = {};
 };
 
 using Runner = std::function<ExitCode(const Session&)>;
