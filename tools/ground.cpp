@@ -143,7 +143,7 @@ ExitCode run_ground(const GroundCommandOptions& options, const Session& session)
   Grounding grounding(options, session);
   ParallelOptions parallel = options.parallel;
   parallel.settings = [&] {
-    return session.settings() + "model " + checksum_of_model(options.model, options.map.data) + '\n';
+    return session.settings({}) + "model " + checksum_of_model(options.model, options.map.data) + '\n';
   };
   return answer_in_parallel(
       texts, session.stop, parallel, [&](const Text& text, const TextWatch&) { return grounding(text); },

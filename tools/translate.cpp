@@ -117,7 +117,7 @@ ExitCode run_translate(const TranslateOptions& options, const Session& session) 
     throw UsageError("--svg is for a single formula given as an argument");
   if (has_first_share(options.parallel.deal)) std::cout << heading(options.output);
   ParallelOptions parallel = options.parallel;
-  parallel.settings = session.settings;
+  parallel.settings = [&] { return session.settings({}); };
   Memo memo(texts.is_batch() ? most_shapes : 0);
   return answer_in_parallel(
       texts, session.stop, parallel,

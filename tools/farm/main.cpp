@@ -2,6 +2,7 @@
 // can be shared; its first argument is the path of `waymark`. The one program that links MPI.
 #include <unistd.h>
 
+#include <algorithm>
 #include <boost/mpi/environment.hpp>
 #include <csignal>
 #include <cstdlib>
@@ -36,7 +37,13 @@ ExitCode run(const FarmCommand& command) {
   std::signal(SIGPIPE, SIG_IGN);
   const boost::mpi::communicator ranks;
   check_ranks(ranks.size());
-  const bool is_batch = command.arguments.front() == "translate" || command.arguments.front() == "ground";
+  const std::vector<std::string>& given = command.arguments;
+  const bool is_batch = given.front() == "translate" || given.front() == "ground";
+  const auto is_kept = [](const std::string& argument) { return argument.starts_with("--checkpoints"); };
+  if (!is_batch && std::none_of(given.begin(), given.end(), is_kept)) {
+    if (ranks.rank() != 0) return ExitCode::Usage;
+    throw UsageError("ranks share an experiment in its folder of checkpoints: give --checkpoints DIR");
+  }
   return static_cast<ExitCode>(is_batch ? share_texts(command, ranks, stopped)
                                         : share_checkpoints(command, ranks, stopped));
 }

@@ -143,16 +143,16 @@ void check_distinct_files(const CLI::App& command) {
 
 // How many work at it, and where it goes, is of no influence on the answers; texts are compared by themselves.
 bool is_of_influence(const CLI::Option& option) {
-  static const std::set<std::string> others{"--threads", "--share", "--kept"};
+  static const std::set<std::string> others{"--threads", "--share", "--kept", "--checkpoints"};
   return !others.contains(option.get_name()) && !option.get_positional();
 }
 
-std::string settings_of(const CLI::App& command) {
+std::string settings_of(const CLI::App& command, const std::set<std::string>& without) {
   std::ostringstream out;
   out << command.get_name() << '\n';
   std::error_code ignored;
   for (const CLI::Option* option : command.get_options()) {
-    if (option->empty() || !is_of_influence(*option)) continue;
+    if (option->empty() || !is_of_influence(*option) || without.contains(option->get_name())) continue;
     for (const std::string& value : option->results()) {
       out << option->get_name() << ' ' << value;
       const bool is_read = option->get_name() != "--file" && std::filesystem::is_regular_file(value, ignored);
@@ -207,9 +207,9 @@ ExitCode run_subcommand(std::span<const Subcommand> rows, int argc, char** argv)
   check_distinct_files(*called.command);
   check_files_can_be_written(*called.command);
   const Interrupt interrupt;
-  const ExitCode code = called.runner({.stop = interrupt.token(), .out = terminal_of(STDOUT_FILENO), .settings = [&] {
-                                         return settings_of(*called.command);
-                                       }});
+  const auto settings = [&](const auto& without) { return settings_of(*called.command, without); };
+  const ExitCode code =
+      called.runner({.stop = interrupt.token(), .out = terminal_of(STDOUT_FILENO), .settings = settings});
   check_written();
   return code;
 }
