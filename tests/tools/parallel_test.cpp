@@ -114,7 +114,9 @@ TEST(Parallel, JobsAreAnsweredInTheirOrder) {
     EXPECT_EQ(code, ExitCode::GaveUp) << threads;
   }
   EXPECT_EQ(answer_in_parallel(0, {}, {}, answer), ExitCode::Done);
-  const auto bad = [](std::size_t, const TextWatch&) -> Reply { throw ltl::FormatError("somewhere", 1, 2, "is wrong"); };
+  const auto bad = [](std::size_t, const TextWatch&) -> Reply {
+    throw ltl::FormatError("somewhere", 1, 2, "is wrong");
+  };
   EXPECT_THROW(answer_in_parallel(3, {}, {.threads = 2}, bad), ltl::FormatError);
 }
 

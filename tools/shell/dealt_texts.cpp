@@ -56,32 +56,30 @@ DealtTexts::DealtTexts(TextReader& texts, const DealOptions& options, const std:
   if (!options.kept.empty()) kept_.emplace(options.kept, settings ? settings() : std::string());
   if (share.of == 1) return;
   const std::size_t count = texts.count();
+  is_part_ = count > 0;
   first_ = begin_of(share.number - 1, share.of, count);
   end_ = begin_of(share.number, share.of, count);
-  while (read_ < first_ && texts_.next()) ++read_;
+  const std::size_t begin = kept_ ? kept_->begin_of_part(first_) : first_;
+  while (read_ < begin && texts_.next()) ++read_;
 }
 
-std::optional<Text> DealtTexts::read() {
-  if (read_ >= end_) return std::nullopt;
-  std::optional<Text> text = texts_.next();
-  if (text) ++read_;
-  return text;
-}
-
+// A part may begin before the share, and end behind it.
 void DealtTexts::look_ahead() {
   const std::size_t first = read_;
-  const std::size_t count = kept_ ? kept_->count_from(first) : 0;
-  if (count == 0 || count > end_ - first) return;
+  const std::size_t count = kept_ && read_ < end_ ? kept_->count_from(first) : 0;
   std::vector<Text> texts;
   while (texts.size() < count) {
-    std::optional<Text> text = read();
+    std::optional<Text> text = texts_.next();
     if (!text) break;
     texts.push_back(std::move(*text));
   }
-  auto replies = texts.size() == count ? kept_->find(first, texts) : std::nullopt;
-  for (std::size_t i = 0; i < texts.size(); ++i)
+  read_ += texts.size();
+  auto replies = texts.size() == count && count > 0 ? kept_->find(first, texts) : std::nullopt;
+  for (std::size_t i = 0; i < texts.size(); ++i) {
+    if (first + i < first_ || first + i >= end_) continue;
     ahead_.push_back(
         {first + i, std::move(texts[i]), replies ? std::optional(std::move((*replies)[i])) : std::nullopt});
+  }
 }
 
 std::optional<DealtText> DealtTexts::next() {
@@ -91,10 +89,10 @@ std::optional<DealtText> DealtTexts::next() {
     ahead_.pop_front();
     return text;
   }
-  std::optional<Text> text = read();
-  if (!text && read_ == 0) throw ltl::FormatError(texts_.source(), 0, 0, "there is nothing to read");
+  std::optional<Text> text = read_ < end_ ? texts_.next() : std::nullopt;
+  if (!text && read_ == 0 && !is_part_) throw ltl::FormatError(texts_.source(), 0, 0, "there is nothing to read");
   if (!text) return std::nullopt;
-  return DealtText{read_ - 1, std::move(*text)};
+  return DealtText{read_++, std::move(*text)};
 }
 
 void ReplyKeeper::put(DealtText text, const Reply& reply) {

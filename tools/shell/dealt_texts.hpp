@@ -38,12 +38,12 @@ class DealtTexts {
   const KeptReplies* kept() const { return kept_ ? &*kept_ : nullptr; }
 
  private:
-  std::optional<Text> read();  // the next text of the share
-  void look_ahead();           // into a kept part that begins here
+  void look_ahead();  // into a kept part that begins here
 
   TextReader& texts_;
   std::optional<KeptReplies> kept_;
   std::size_t first_ = 0, end_;  // of the share
+  bool is_part_ = false;         // of a batch that has texts
   std::size_t read_ = 0;         // texts of the batch
   std::deque<DealtText> ahead_;
 };

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <charconv>
 #include <filesystem>
+#include <iterator>
 
 #include "libltl/diagnostic.hpp"
 #include "libparser/model/xxhash.hpp"
@@ -55,6 +56,13 @@ KeptReplies::KeptReplies(const std::string& folder, const std::string& settings)
 std::size_t KeptReplies::count_from(std::size_t first) const {
   const auto found = counts_.find(first);
   return found == counts_.end() ? 0 : found->second;
+}
+
+std::size_t KeptReplies::begin_of_part(std::size_t text) const {
+  const auto after = counts_.upper_bound(text);
+  if (after == counts_.begin()) return text;
+  const auto& [first, count] = *std::prev(after);
+  return first + count > text ? first : text;
 }
 
 std::optional<std::vector<Reply>> KeptReplies::find(std::size_t first, std::span<const Text> texts) const {

@@ -24,6 +24,9 @@ class KeptReplies {
   // How many texts the largest part has that begins with this text, as the folder was when this began; 0: none.
   std::size_t count_from(std::size_t first) const;
 
+  // The first text of the part that holds this text and begins last; this text where there is none.
+  std::size_t begin_of_part(std::size_t text) const;
+
   // The replies of that part, to these texts. Nothing when the file is damaged. Throws ltl::FormatError when its texts
   // were others.
   std::optional<std::vector<Reply>> find(std::size_t first, std::span<const Text> texts) const;
