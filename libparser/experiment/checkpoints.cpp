@@ -73,8 +73,8 @@ void Checkpoints::keep(const std::string& name, const std::string& bytes) const 
   write_file(directory_ / name, bytes);
 }
 
-// A lock of the open file description on one byte, whose place stands for the part. Two parts of one place only wait for
-// each other.
+// A lock of the open file description on one byte, whose place stands for the part. Two parts of one place only wait
+// for each other.
 std::optional<Claim> Checkpoints::claim(const std::string& name) const {
   Claim claim(::open((directory_ / claims_name).c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666));
   struct flock lock {};

@@ -37,8 +37,8 @@ class Checkpoints {
   // From several threads at once, of different names. Throws ltl::FormatError when the file cannot be written.
   void keep(const std::string& name, const std::string& bytes) const;
 
-  // Nothing when somebody else makes the part. Claims are locks of the file system, on a file `claims` in the directory:
-  // where it has none, every claim is granted, and parts may be made twice.
+  // Nothing when somebody else makes the part. Claims are locks of the file system, on a file `claims` in the
+  // directory: where it has none, every claim is granted, and parts may be made twice.
   std::optional<Claim> claim(const std::string& name) const;
 
   // A text with its checksum in the line before it. Nothing when it is not finished or is damaged: it is made again.

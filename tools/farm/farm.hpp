@@ -1,8 +1,8 @@
 // A farm of ranks: what each rank does until the work is done.
 //
-// Two kinds of work are shared. Of a batch of texts, rank 0 starts a giver, and every rank a hand; rank 0 carries chunks
-// from the giver to the hands and replies back. Of an experiment, every rank starts the same command, and the commands
-// share the work out in their folder of checkpoints; rank 0 shows what its own prints, once, when it has ended.
+// Two kinds of work are shared. Of a batch of texts, rank 0 starts a giver, and every rank a hand; rank 0 carries
+// chunks from the giver to the hands and replies back. Of an experiment, every rank starts the same command, and the
+// commands share the work out in their folder of checkpoints; rank 0 shows what its own prints, when it has ended.
 //
 // Ranks say every second that they are there. Who is not heard of for five seconds is taken for killed; a rank that was
 // only slow is taken back when it is heard of again.
