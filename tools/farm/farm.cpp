@@ -173,7 +173,7 @@ int texts_of_others(const FarmCommand& command, const boost::mpi::communicator& 
   Place own(command.program, command.arguments, [&](FarmNews kind, const std::string& rest) {
     post.send(0, letter(Kind::News, Packed().number(static_cast<std::uint64_t>(kind)).rest(rest).bytes()));
   });
-  while (!is_over && Clock::now() - heard < silence_of_rank_0) {
+  while (true) {
     own.look();
     post.receive([&](int, const std::string& message) {
       heard = Clock::now();
@@ -182,6 +182,7 @@ int texts_of_others(const FarmCommand& command, const boost::mpi::communicator& 
       if (kind == Kind::Chunk) own.give(opened.rest());
       if (kind == Kind::Over) is_over = true;
     });
+    if (is_over || Clock::now() - heard > silence_of_rank_0) break;
     post.is_all_sent([](int) { return false; });
     if (rhythm.is_due()) post.send(0, letter(Kind::Alive, Packed().number(own.chunk()).bytes()));
     std::vector<pollfd> pipes;
@@ -253,7 +254,7 @@ int checkpoints_of_others(const FarmCommand& command, const boost::mpi::communic
   Clock::time_point heard = Clock::now();
   bool is_over = false, has_ended = false;
   Again again(command);
-  while (!is_over && Clock::now() - heard < silence_of_rank_0) {
+  while (true) {
     const auto ending = has_ended ? std::nullopt : again.look();
     if (ending) {
       has_ended = true;
@@ -266,6 +267,7 @@ int checkpoints_of_others(const FarmCommand& command, const boost::mpi::communic
       heard = Clock::now();
       is_over = is_over || static_cast<Kind>(Unpacked(message).number()) == Kind::Over;
     });
+    if (is_over || Clock::now() - heard > silence_of_rank_0) break;
     post.is_all_sent([](int) { return false; });
     if (rhythm.is_due()) post.send(0, letter(Kind::Alive, {}));
     std::vector<pollfd> pipes;
