@@ -2,11 +2,12 @@
 
 scaling.py DIRECTORY_OF_PROGRAMS [--texts N] [--rounds N] [--seed S] [--memory]
 
-Wall-clock seconds, the median over rounds in which all ways take turns, for one corpus of random formulas; every output
-has the bytes of the first. --memory: instead, the most memory that a process of four ranks held.
+Wall-clock seconds and seconds of processors, medians over rounds in which all ways take turns, for one corpus of random
+formulas; every output has the bytes of the first. --memory: instead, the most memory that a process of four ranks held.
 """
 import argparse
 import os
+import resource
 import statistics
 import subprocess
 import tempfile
@@ -18,6 +19,11 @@ ARGUMENTS = ["--one-line", "--to", "dfa"]
 
 def environment():
     return {**os.environ, "OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1"}
+
+
+def processors():  # seconds of all processes that have ended
+    used = resource.getrusage(resource.RUSAGE_CHILDREN)
+    return used.ru_utime + used.ru_stime
 
 
 def ways(waymark):
@@ -69,18 +75,20 @@ def main():
             for seat, held in sorted(most_memory([*ways(waymark)["mpirun -np 4"], "-F", str(corpus)], folder).items()):
                 print(f"| {options.texts} | {seat} | {held:.0f} MiB |")
             return
-        taken, first = {}, None
+        taken, worked, first = {}, {}, None
         for _ in range(options.rounds):
             for way, command in ways(waymark).items():
-                begun = time.monotonic()
+                begun, before = time.monotonic(), processors()
                 out = subprocess.run([*command, "-F", str(corpus)], stdout=subprocess.PIPE, check=True,
                                      env=environment()).stdout
                 taken.setdefault(way, []).append(time.monotonic() - begun)
+                worked.setdefault(way, []).append(processors() - before)
                 first = first or out
                 assert out == first, f"{way}: other bytes"
         for way, seconds in taken.items():
             median = statistics.median(seconds)
-            print(f"| {way} | {median:.1f} | {min(seconds):.1f}–{max(seconds):.1f} | {options.texts / median:.0f} |")
+            print(f"| {way} | {median:.1f} | {min(seconds):.1f}–{max(seconds):.1f} | {options.texts / median:.0f} | "
+                  f"{statistics.median(worked[way]):.1f} |")
 
 
 if __name__ == "__main__":
