@@ -10,8 +10,8 @@
 
 namespace waymark::parser {
 
-struct SharedJobs {
-  std::size_t count = 0;
+struct SharedJobs {       // what is to be done
+  std::size_t count = 0;  // of jobs, from 0 on
   // The part that a job leaves in the directory; of no use without one.
   std::function<std::string(std::size_t job)> part = {};
   // Makes the part, or takes it from the directory.
@@ -19,10 +19,10 @@ struct SharedJobs {
   bool waits = true;  // for what others have begun: then every job is run, last those that others made
 };
 
-struct HowToShare {
+struct HowToShare {                          // and by whom
   const Checkpoints* checkpoints = nullptr;  // nullptr: every job is run here
-  int threads = 1;
-  std::stop_token stop = {};
+  int threads = 1;                           // of this process
+  std::stop_token stop = {};                 // ends the waiting
 };
 
 // As run_jobs. Throws Stopped when a stop was requested while it waited.

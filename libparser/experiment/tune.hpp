@@ -16,8 +16,8 @@ struct ValidationPair {         // a map that is learned from and one that is te
 
 // Where pairs are kept, if anywhere: those that were learned from one map are a part.
 struct KeptPairs {
-  const Checkpoints* checkpoints = nullptr;
-  std::string setting = {};  // what the names of the parts begin with
+  const Checkpoints* checkpoints = nullptr;  // nullptr: nowhere
+  std::string setting = {};                  // what the names of the parts begin with
 };
 
 // All ordered pairs of maps with sentences. Readers decide alone, without a reranker: to learn one takes two maps.
