@@ -62,18 +62,22 @@ class Ranks:
 
     def start(self, ranks, arguments, *options, **streams):
         command = ["mpirun", "--oversubscribe", "-np", str(ranks), *options, *self.programs.command(arguments)]
-        streams = {"stdin": subprocess.DEVNULL, "stdout": subprocess.PIPE, "stderr": subprocess.PIPE, **streams}
-        return subprocess.Popen(command, cwd=self.folder, env=self.environment, **streams)
+        # Files, not pipes: nobody reads while processes are killed.
+        with open(self.folder / "out", "wb") as out, open(self.folder / "err", "wb") as err:
+            streams = {"stdin": subprocess.DEVNULL, "stdout": out, "stderr": err, **streams}
+            return subprocess.Popen(command, cwd=self.folder, env=self.environment, **streams)
 
     def finish(self, process, given=None):
         begun = time.monotonic()
         try:
-            out, err = process.communicate(given, timeout=PATIENCE)
+            process.communicate(given, timeout=PATIENCE)
             code = process.returncode
         except subprocess.TimeoutExpired:
             process.kill()
-            (out, err), code = process.communicate(), None
-        return Finished(code, out.decode(), err.decode(errors="replace"), time.monotonic() - begun)
+            process.communicate()
+            code = None
+        out, err = ((self.folder / name).read_bytes().decode(errors="replace") for name in ("out", "err"))
+        return Finished(code, out, err, time.monotonic() - begun)
 
     def make_inputs(self):
         bad = iter(BAD * 100)

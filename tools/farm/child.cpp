@@ -60,11 +60,12 @@ OpenPipe::~OpenPipe() {
 }
 
 OpenPipe::OpenPipe(OpenPipe&& other) noexcept
-    : end_(std::exchange(other.end_, -1)), unwritten_(std::move(other.unwritten_)) {}
+    : end_(std::exchange(other.end_, -1)), unwritten_(std::move(other.unwritten_)), done_(other.done_) {}
 
 OpenPipe& OpenPipe::operator=(OpenPipe&& other) noexcept {
   std::swap(end_, other.end_);
   std::swap(unwritten_, other.unwritten_);
+  std::swap(done_, other.done_);
   return *this;
 }
 
@@ -81,22 +82,21 @@ std::string OpenPipe::read() const {
 }
 
 void OpenPipe::write(std::string bytes) {
-  if (unwritten_.empty())
-    unwritten_ = std::move(bytes);
-  else
-    unwritten_ += bytes;
+  unwritten_.push_back(std::move(bytes));
   flush();
 }
 
 void OpenPipe::flush() {
-  std::size_t done = 0;
-  while (end_ >= 0 && done < unwritten_.size()) {
-    const ssize_t written = ::write(end_, unwritten_.data() + done, unwritten_.size() - done);
+  while (end_ >= 0 && !unwritten_.empty()) {
+    const std::string& first = unwritten_.front();
+    const ssize_t written = ::write(end_, first.data() + done_, first.size() - done_);
     if (written < 0 && errno == EINTR) continue;
-    if (written <= 0) break;  // no room, or nobody reads: then the process has ended, which is noticed elsewhere
-    done += static_cast<std::size_t>(written);
+    if (written < 0) break;  // no room, or nobody reads: then the process has ended, which is noticed elsewhere
+    done_ += static_cast<std::size_t>(written);
+    if (done_ < first.size()) continue;
+    unwritten_.pop_front();
+    done_ = 0;
   }
-  unwritten_.erase(0, done);
 }
 
 Child::Child(const std::string& program, const std::vector<std::string>& arguments, ChildRole role) : role_(role) {

@@ -3,6 +3,7 @@
 #include <poll.h>
 #include <sys/types.h>
 
+#include <deque>
 #include <optional>
 #include <string>
 #include <vector>
@@ -27,7 +28,8 @@ class OpenPipe {
 
  private:
   int end_ = -1;
-  std::string unwritten_;
+  std::deque<std::string> unwritten_;
+  std::size_t done_ = 0;  // bytes of the first one
 };
 
 struct Ending {

@@ -27,7 +27,7 @@ constexpr int most_restarts = 20;
 enum class Kind : std::uint64_t {
   News,   // of a place to rank 0: kind of news, the rest
   Chunk,  // for a place: as the giver says it
-  Alive,  // number of the chunk at work on; 0: none
+  Alive,  // 1: it has nothing to do
   Over,   // to all: end
   Ended,  // to rank 0: exit code, standard error, of a command that shares checkpoints
 };
@@ -124,7 +124,7 @@ int texts_of_rank_0(const FarmCommand& command, const boost::mpi::communicator& 
     if (kind == Kind::News) {
       const auto news = static_cast<FarmNews>(opened.number());
       tell(rank, news, opened.rest());
-    } else if (kind == Kind::Alive && was_lost && opened.number() == 0) {
+    } else if (kind == Kind::Alive && was_lost && opened.number() == 1) {
       tell(rank, FarmNews::Ready, {});
     }
   };
@@ -184,7 +184,7 @@ int texts_of_others(const FarmCommand& command, const boost::mpi::communicator& 
     });
     if (is_over || Clock::now() - heard > silence_of_rank_0) break;
     post.is_all_sent([](int) { return false; });
-    if (rhythm.is_due()) post.send(0, letter(Kind::Alive, Packed().number(own.chunk()).bytes()));
+    if (rhythm.is_due()) post.send(0, letter(Kind::Alive, Packed().number(own.is_idle() ? 1 : 0).bytes()));
     std::vector<pollfd> pipes;
     own.add_to(pipes);
     wait_for(pipes);

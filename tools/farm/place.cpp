@@ -21,16 +21,17 @@ void Place::start() {
 
 void Place::give(std::string_view chunk) {
   if (!child_) return;
-  chunk_ = Unpacked(chunk).number();
+  chunks_.push_back(Unpacked(chunk).number());
   child_->say(chunk);
 }
 
 void Place::hear() {
   while (const auto replies = child_->hear()) {
     Unpacked message(*replies);
-    const bool is_current = message.number() == chunk_, is_over = message.number() != 0;
+    message.number();
+    const bool is_over = message.number() != 0;
     fruitless_ = 0;
-    if (is_current && is_over) chunk_ = 0;
+    if (is_over && !chunks_.empty()) chunks_.pop_front();
     tell_(FarmNews::Replies, *replies);
   }
 }
@@ -42,7 +43,8 @@ void Place::look() {
   const auto ending = child_->ending();
   if (!ending) return;
   hear();  // what it answered before it was killed
-  const std::uint64_t at_work = std::exchange(chunk_, 0);
+  const std::uint64_t at_work = chunks_.empty() ? 0 : chunks_.front();
+  chunks_.clear();
   if (ending->signal == 0) {
     tell_(FarmNews::Ended,
           Packed().number(static_cast<std::uint64_t>(ending->code)).text(child_->complained()).bytes());

@@ -1,5 +1,6 @@
 // A hand's place at a rank: a process that answers chunks, started again whenever it is killed.
 #pragma once
+#include <deque>
 #include <functional>
 #include <memory>
 #include <string>
@@ -16,9 +17,9 @@ class Place {
   using Tell = std::function<void(FarmNews, const std::string& rest)>;
   Place(std::string program, std::vector<std::string> arguments, Tell tell);
 
-  void give(std::string_view chunk);  // to be answered; one at a time
+  void give(std::string_view chunk);  // to be answered after those before it
   void look();
-  std::uint64_t chunk() const { return chunk_; }  // number of what it is at work on; 0: none
+  bool is_idle() const { return chunks_.empty(); }
   void add_to(std::vector<pollfd>& pipes) const;
 
  private:
@@ -28,9 +29,9 @@ class Place {
   std::string program_;
   std::vector<std::string> arguments_;
   Tell tell_;
-  std::unique_ptr<Child> child_;  // none: it ended by itself, or was killed too often
-  std::uint64_t chunk_ = 0;
-  int fruitless_ = 0;  // times that it was killed since it last answered something
+  std::unique_ptr<Child> child_;      // none: it ended by itself, or was killed too often
+  std::deque<std::uint64_t> chunks_;  // numbers; it is at work on the first
+  int fruitless_ = 0;                 // times that it was killed since it last answered something
 };
 
 }  // namespace waymark::tools

@@ -22,11 +22,18 @@ struct Chunk {
   std::size_t deaths = 0;  // of hands that were at work on it, when it is a single text
 };
 
-struct Hand {
-  bool is_free = false;
-  std::uint64_t number = 0;  // of its chunk
-  std::optional<Chunk> chunk = {};
+struct Task {  // a chunk that a hand has
+  std::uint64_t number = 0;
+  Chunk chunk = {};
   std::vector<Reply> replies = {};  // to its first texts
+};
+
+// A hand has a second chunk while it is at work on the first, so that it need not wait for it.
+constexpr std::size_t most_tasks = 2;
+
+struct Hand {
+  bool is_there = false;
+  std::deque<Task> tasks = {};
 };
 
 // Replies that wait for earlier ones.
@@ -35,6 +42,8 @@ class Waiting {
   void put(std::size_t first, std::vector<Reply> replies) {
     for (const Reply& reply : replies) bytes_ += size_of(reply);
     if (!replies.empty()) parts_.emplace(first, std::move(replies));
+  }
+  void print() {
     for (auto part = parts_.begin(); part != parts_.end() && part->first == next_; part = parts_.erase(part))
       for (const Reply& reply : part->second) {
         output_.put(reply);
@@ -66,6 +75,8 @@ class Giver {
     while (true) {
       if (stop.stop_requested()) throw Interrupted();
       give();
+      waiting_.print();
+      give();  // there may be room now
       if (is_done()) return waiting_.worst();
       const auto news = read_frame(seat_.in);
       if (!news) throw GaveUp("waymark-farm is gone");
@@ -76,23 +87,26 @@ class Giver {
  private:
   bool is_done() const {
     return !ahead_ && again_.empty() &&
-           std::none_of(hands_.begin(), hands_.end(), [](const auto& hand) { return hand.second.chunk.has_value(); });
+           std::none_of(hands_.begin(), hands_.end(), [](const auto& hand) { return !hand.second.tasks.empty(); });
   }
 
-  void give() {
-    for (auto& [name, hand] : hands_) {
-      if (!hand.is_free) continue;
-      std::optional<Chunk> chunk = next_chunk();
-      if (!chunk) return;
-      hand.number = ++last_number_;
-      Packed message;
-      message.number(name).number(hand.number).number(static_cast<std::uint64_t>(seconds_ * 1e6));
-      message.number(chunk->texts.size());
-      for (const Text& text : chunk->texts) message.number(text.line).text(text.source).text(text.text);
-      hand.is_free = false;
-      hand.chunk = std::move(chunk);
-      write_frame(seat_.out, message.bytes());
-    }
+  void give() {  // a first chunk to all, then a second
+    for (std::size_t tasks = 0; tasks < most_tasks; ++tasks)
+      for (auto& [name, hand] : hands_) {
+        if (!hand.is_there || hand.tasks.size() != tasks) continue;
+        std::optional<Chunk> chunk = next_chunk();
+        if (!chunk) return;
+        hand.tasks.push_back({++last_number_, std::move(*chunk)});
+        write_frame(seat_.out, message(name, hand.tasks.back()));
+      }
+  }
+
+  std::string message(std::uint64_t name, const Task& task) const {
+    Packed packed;
+    packed.number(name).number(task.number).number(static_cast<std::uint64_t>(seconds_ * 1e6));
+    packed.number(task.chunk.texts.size());
+    for (const Text& text : task.chunk.texts) packed.number(text.line).text(text.source).text(text.text);
+    return packed.bytes();
   }
 
   // What has to be given anew comes first: the earliest text that is not answered is at work, or among it.
@@ -127,6 +141,7 @@ class Giver {
     for (; ahead_ && ahead_->made && replies.size() < ChunkSize::most_texts; ahead_ = texts_.next())
       replies.push_back(std::move(*ahead_->made));
     waiting_.put(first, std::move(replies));
+    waiting_.print();
   }
 
   static Chunk cut(Chunk& chunk, std::size_t from) {  // all texts but the first ones
@@ -147,12 +162,12 @@ class Giver {
     const std::size_t name = news.number();
     Hand& hand = hands_[name];
     switch (kind) {
-      case FarmNews::Ready: hand.is_free = !hand.chunk; break;
+      case FarmNews::Ready: hand.is_there = true; break;
       case FarmNews::Replies: take_replies(hand, news); break;
       case FarmNews::Lost: {
-        const std::uint64_t number = news.number();
-        hand.is_free = false;
-        if (hand.chunk && (number == hand.number || number == 0)) lose(hand, static_cast<int>(news.number()));
+        const std::uint64_t at_work = news.number();
+        hand.is_there = false;
+        lose(hand, at_work, static_cast<int>(news.number()));
         break;
       }
       case FarmNews::Ended: {  // by itself: after an error that ends everything
@@ -172,37 +187,45 @@ class Giver {
     const std::uint64_t number = news.number();
     const bool is_over = news.number() != 0;
     const double took = static_cast<double>(news.number()) * 1e-6;
-    if (!hand.chunk || number != hand.number) {  // of a hand that was given up and has come back
-      if (is_over && !hand.chunk) hand.is_free = true;
-      return;
-    }
-    for (std::uint64_t count = news.number(); count > 0; --count) hand.replies.push_back(unpack_reply(news));
+    hand.is_there = hand.is_there || is_over;  // when it was given up and has come back
+    const auto task =
+        std::find_if(hand.tasks.begin(), hand.tasks.end(), [&](const Task& t) { return t.number == number; });
+    if (task == hand.tasks.end()) return;
+    for (std::uint64_t count = news.number(); count > 0; --count) task->replies.push_back(unpack_reply(news));
     if (!is_over) return;
-    size_.learn(hand.replies.size(), took);
-    give_anew(take_chunk(hand));
-    hand.is_free = true;
+    size_.learn(task->replies.size(), took);
+    give_anew(take(std::move(*task)));
+    hand.tasks.erase(task);
   }
 
   // The replies that are there are taken; the texts that were not answered are left.
-  Chunk take_chunk(Hand& hand) {
-    Chunk chunk = std::move(*hand.chunk);
-    hand.chunk.reset();
-    std::vector<Reply> replies = std::exchange(hand.replies, {});
-    Chunk rest = cut(chunk, replies.size());
-    if (texts_.kept() != nullptr) texts_.kept()->keep(chunk.first, chunk.texts, replies);
-    waiting_.put(chunk.first, std::move(replies));
+  Chunk take(Task task) {
+    Chunk rest = cut(task.chunk, task.replies.size());
+    if (texts_.kept() != nullptr) texts_.kept()->keep(task.chunk.first, task.chunk.texts, task.replies);
+    waiting_.put(task.chunk.first, std::move(task.replies));
     return rest;
   }
 
+  void lose(Hand& hand, std::uint64_t at_work, int signal) {
+    for (Task& task : std::exchange(hand.tasks, {})) {
+      const bool was_at_work = task.number == at_work;
+      const std::size_t deaths = task.chunk.deaths;
+      Chunk rest = take(std::move(task));
+      rest.deaths = deaths;
+      if (was_at_work && signal != 0)
+        suspect(std::move(rest), signal);
+      else
+        give_anew(std::move(rest));
+    }
+  }
+
   // One of the texts may have ended the hand: halves are given anew, so that it is found.
-  void lose(Hand& hand, int signal) {
-    const std::size_t deaths = hand.chunk->deaths;
-    Chunk rest = take_chunk(hand);
+  void suspect(Chunk rest, int signal) {
     if (rest.texts.size() > 1)
       give_anew(cut(rest, rest.texts.size() / 2));
-    else if (signal != 0)
-      rest.deaths = deaths + 1;
-    if (rest.deaths < most_deaths) return give_anew(std::move(rest));
+    else
+      ++rest.deaths;
+    if (rest.texts.empty() || rest.deaths < most_deaths) return give_anew(std::move(rest));
     const Text& text = rest.texts.front();
     const std::string message = "the process that answers this ended by signal " + std::to_string(signal) + ", " +
                                 std::to_string(most_deaths) + " times" +

@@ -7,6 +7,7 @@
 #include "libparser/model_file.hpp"
 #include "libplan/world/read_map.hpp"
 #include "tools/shell/data_directory.hpp"
+#include "tools/shell/terminal.hpp"
 
 namespace waymark::tools {
 
