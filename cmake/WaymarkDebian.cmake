@@ -1,5 +1,5 @@
-# cpack -G DEB: the packages waymark (the command line), libwaymark-dev (headers, and static libraries), python3-waymark;
-# and with shared libraries libwaymark0.1, named by their ABI.
+# cpack -G DEB: the packages waymark (the command line), libwaymark-dev (headers, and static libraries), python3-waymark,
+# waymark-farm (for mpirun); and with shared libraries libwaymark0.1, named by their ABI.
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME waymark)
 set(WAYMARK_MAINTAINER "The waymark authors <packages@waymark.invalid>" CACHE STRING "Maintainer of Debian packages")
@@ -26,6 +26,18 @@ set(CPACK_DEBIAN_TOOLS_PACKAGE_SHLIBDEPS ON)
 set(CPACK_COMPONENT_TOOLS_DESCRIPTION "English route instructions to certified routes
 ${about}
 This package has the command line, its maps and its model.")
+
+if(TARGET waymark-farm)
+  list(APPEND CPACK_COMPONENTS_ALL farm)
+  list(APPEND packages "farm=waymark-farm")
+  set(CPACK_DEBIAN_FARM_PACKAGE_NAME waymark-farm)
+  set(CPACK_DEBIAN_FARM_PACKAGE_SECTION science)
+  set(CPACK_DEBIAN_FARM_PACKAGE_SHLIBDEPS ON)
+  set(CPACK_DEBIAN_FARM_PACKAGE_DEPENDS "waymark (= ${PROJECT_VERSION}), openmpi-bin")
+  set(CPACK_COMPONENT_FARM_DESCRIPTION "batches and experiments of waymark among the ranks of mpirun
+${about}
+This package has the program that waymark becomes under mpirun.")
+endif()
 
 set(CPACK_DEBIAN_DEV_PACKAGE_NAME libwaymark-dev)
 set(CPACK_DEBIAN_DEV_PACKAGE_SECTION libdevel)

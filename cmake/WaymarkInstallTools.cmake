@@ -19,6 +19,9 @@ foreach(helper lab layout convert serve)
     install(TARGETS waymark-${helper} RUNTIME DESTINATION ${CMAKE_INSTALL_LIBEXECDIR}/waymark COMPONENT tools)
   endif()
 endforeach()
+if(TARGET waymark-farm)  # a package of its own: nobody gets MPI who does not ask for it
+  install(TARGETS waymark-farm RUNTIME DESTINATION ${CMAKE_INSTALL_LIBEXECDIR}/waymark COMPONENT farm)
+endif()
 install(DIRECTORY data/maps data/models data/words data/language data/schemas data/workspaces
                   data/experiments
   DESTINATION ${CMAKE_INSTALL_DATADIR}/waymark COMPONENT tools PATTERN fetch EXCLUDE)

@@ -141,8 +141,12 @@ class Grounding {
 ExitCode run_ground(const GroundCommandOptions& options, const Session& session) {
   TextReader texts(options.text, "instruction");
   Grounding grounding(options, session);
+  ParallelOptions parallel = options.parallel;
+  parallel.settings = [&] {
+    return session.settings({}) + "model " + checksum_of_model(options.model, options.map.data) + '\n';
+  };
   return answer_in_parallel(
-      texts, session.stop, options.parallel, [&](const Text& text, const TextWatch&) { return grounding(text); },
+      texts, session.stop, parallel, [&](const Text& text, const TextWatch&) { return grounding(text); },
       [&](const Text& text, const std::string& message) {
         return options.json ? json_error(text.line, message).text() + '\n' : std::string();
       });
@@ -164,6 +168,7 @@ Runner setup_ground(Command command) {
   command.add_option("--threads", options->parallel.threads, "instructions read at a time (0: all cores)")
       .type_name("N")
       .show_default();
+  add_deal_options(command, options->parallel.deal);
   command.add_flag("--explain", options->explain,
                    "the words that each symbol of a sentence's likeliest program attended to (encoder-decoders)");
   add_named_options(command, options->commands);

@@ -5,6 +5,7 @@
 #include <array>
 #include <cerrno>
 #include <cstddef>
+#include <cstdlib>
 #include <span>
 #include <string>
 #include <string_view>
@@ -13,6 +14,7 @@
 #include "tools/help/topics.hpp"
 #include "tools/shell/data_directory.hpp"
 #include "tools/shell/program.hpp"
+#include "tools/shell/seat.hpp"
 
 namespace waymark::tools {
 
@@ -130,6 +132,28 @@ bool is_for_the_lab(std::span<char* const> arguments) {
          (command == "generate" && arguments.size() > 2 && std::string_view(arguments[2]) == "corpus");
 }
 
+// Was this process started by mpirun, or by another that starts ranks, for work that ranks can share? A process that a
+// rank started has a seat and is none.
+bool is_rank_of_a_farm(std::span<char* const> arguments) {
+  if (arguments.size() < 2 || std::getenv(seat_variable) != nullptr) return false;
+  const std::string_view command = arguments[1];
+  if (command != "translate" && command != "ground" && command != "experiment" && command != "tune") return false;
+  return std::getenv("OMPI_COMM_WORLD_RANK") != nullptr || std::getenv("PMIX_RANK") != nullptr ||
+         std::getenv("PMI_RANK") != nullptr;
+}
+
+// waymark-farm starts this program again, which it knows by its argv[0].
+[[noreturn]] void become_rank(char** argv) {
+  const auto program = helper("waymark-farm");
+  if (program.empty())
+    throw UsageError("waymark-farm, which shares work among the ranks of mpirun, is not built; to build it: ./dev "
+                     "setup mpi && cmake --preset release -DWAYMARK_WITH_MPI=ON && cmake --build --preset release");
+  std::string path = executable().string();
+  argv[0] = path.data();
+  ::execv(program.c_str(), argv);
+  throw std::system_error(errno, std::generic_category(), "cannot start " + program.string());
+}
+
 // `waymark help plan` is `waymark plan --help`.
 bool is_subcommand(std::string_view name) {
   return std::any_of(rows.begin(), rows.end(), [&](const Subcommand& row) { return row.name == name; });
@@ -149,6 +173,7 @@ int main(int argc, char** argv) {
   using namespace waymark::tools;
   std::ios::sync_with_stdio(false);
   return static_cast<int>(guarded([&] {
+    if (is_rank_of_a_farm({argv, static_cast<std::size_t>(argc)})) become_rank(argv);
     if (is_for_the_lab({argv, static_cast<std::size_t>(argc)})) become("waymark-lab", "runs experiments", argv);
     if (argc > 1 && std::string_view(argv[1]) == "serve")
       become("waymark-serve", "serves the studio (it needs libcpp-httplib-dev)", argv);

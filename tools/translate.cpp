@@ -115,10 +115,12 @@ ExitCode run_translate(const TranslateOptions& options, const Session& session) 
   TextReader texts(options.text, "formula");
   if (texts.is_batch() && !options.output.svg.empty())
     throw UsageError("--svg is for a single formula given as an argument");
-  std::cout << heading(options.output);
+  if (has_first_share(options.parallel.deal)) std::cout << heading(options.output);
+  ParallelOptions parallel = options.parallel;
+  parallel.settings = [&] { return session.settings({}); };
   Memo memo(texts.is_batch() ? most_shapes : 0);
   return answer_in_parallel(
-      texts, session.stop, options.parallel,
+      texts, session.stop, parallel,
       [&](const Text& text, const TextWatch& watched) {
         return translate_one(text, options, translation, memo, watched);
       },
@@ -149,6 +151,7 @@ Runner setup_translate(Command command) {
   command.add_option("--threads", options->parallel.threads, "formulas translated at a time (0: all cores)")
       .type_name("N")
       .show_default();
+  add_deal_options(command, options->parallel.deal);
   return [options](const Session& session) { return run_translate(*options, session); };
 }
 

@@ -1,7 +1,11 @@
 #include "libparser/experiment/checkpoints.hpp"
 
+#include <fcntl.h>
+#include <unistd.h>
+
 #include <algorithm>
 #include <array>
+#include <cerrno>
 #include <charconv>
 #include <fstream>
 #include <iterator>
@@ -15,7 +19,7 @@
 namespace waymark::parser {
 namespace {
 
-constexpr const char* settings_name = "settings.txt";
+constexpr const char *settings_name = "settings.txt", *claims_name = "claims";
 
 std::string checked(const std::string& text) {
   std::array<char, 16> digits{};
@@ -36,6 +40,10 @@ std::string difference(const std::string& theirs, const std::string& ours) {
 }
 
 }  // namespace
+
+Claim::~Claim() {
+  if (file_ >= 0) ::close(file_);
+}
 
 Checkpoints::Checkpoints(std::filesystem::path directory, const std::string& settings)
     : directory_(std::move(directory)) {
@@ -63,6 +71,20 @@ std::optional<std::string> Checkpoints::find(const std::string& name) const {
 
 void Checkpoints::keep(const std::string& name, const std::string& bytes) const {
   write_file(directory_ / name, bytes);
+}
+
+// A lock of the open file description on one byte, whose place stands for the part. Two parts of one place only wait
+// for each other.
+std::optional<Claim> Checkpoints::claim(const std::string& name) const {
+  Claim claim(::open((directory_ / claims_name).c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666));
+  struct flock lock {};
+  lock.l_type = F_WRLCK;
+  lock.l_whence = SEEK_SET;
+  lock.l_start = static_cast<off_t>(xxh64(name) >> 2U);
+  lock.l_len = 1;
+  if (claim.file_ >= 0 && ::fcntl(claim.file_, F_OFD_SETLK, &lock) != 0 && (errno == EAGAIN || errno == EACCES))
+    return std::nullopt;
+  return claim;
 }
 
 std::optional<std::string> Checkpoints::find_text(const std::string& name) const {

@@ -7,8 +7,23 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <utility>
 
 namespace waymark::parser {
+
+// A part that this process makes, as long as the object lives: no other claim of the part is granted meanwhile, in no
+// process. The system ends the claims of a process that ends, however it ends.
+class Claim {
+ public:
+  explicit Claim(int file) : file_(file) {}  // takes an open file; -1: none
+  Claim(Claim&& other) noexcept : file_(std::exchange(other.file_, -1)) {}
+  Claim& operator=(Claim&&) = delete;
+  ~Claim();
+
+ private:
+  friend class Checkpoints;
+  int file_;
+};
 
 class Checkpoints {
  public:
@@ -21,6 +36,10 @@ class Checkpoints {
   std::optional<std::string> find(const std::string& name) const;  // its bytes; nothing when it is not finished
   // From several threads at once, of different names. Throws ltl::FormatError when the file cannot be written.
   void keep(const std::string& name, const std::string& bytes) const;
+
+  // Nothing when somebody else makes the part. Claims are locks of the file system, on a file `claims` in the
+  // directory: where it has none, every claim is granted, and parts may be made twice.
+  std::optional<Claim> claim(const std::string& name) const;
 
   // A text with its checksum in the line before it. Nothing when it is not finished or is damaged: it is made again.
   std::optional<std::string> find_text(const std::string& name) const;

@@ -10,6 +10,7 @@
 #include "libparser/experiment/action_network.hpp"
 #include "libparser/experiment/evaluate.hpp"
 #include "libparser/experiment/scores_text.hpp"
+#include "libparser/experiment/shared_jobs.hpp"
 #include "libparser/model_file.hpp"
 #include "libparser/supervision/examples.hpp"
 #include "libparser/training/learn_reranker.hpp"
@@ -38,11 +39,12 @@ class Experiment {
     const Report report = [&](double fraction, std::string_view what) {
       if (options_.train.progress) options_.train.progress(0.8 + 0.2 * fraction, what);
     };
+    run_shared_jobs({.count = folds_.size(),
+                     .part = [&](std::size_t i) { return scores_part(folds_[i]); },
+                     .run = [&](std::size_t i, const JobProgress& progress) { finish(folds_[i], progress); }},
+                    how_to_share(), report, "learning to choose, testing");
     Evaluation evaluation{
-        run_folds<Scores, Prediction>(folds_, options_.train.threads, report, "learning to choose, testing",
-                                      [&](HallwayFold& fold, const JobProgress& progress) { finish(fold, progress); }),
-        {},
-        0};
+        run_folds<Scores, Prediction>(folds_, 1, nullptr, "", [](const HallwayFold&, const JobProgress&) {}), {}, 0};
     for (const HallwayFold& fold : folds_) {
       evaluation.singles.resize(fold.singles.size());
       for (std::size_t i = 0; i < fold.singles.size(); ++i) evaluation.singles[i] += fold.singles[i];
@@ -182,17 +184,23 @@ class Experiment {
     const Report report = [&](double fraction, std::string_view what) {
       if (options_.train.progress) options_.train.progress(0.8 * fraction, what);
     };
-    run_jobs(work.size(), options_.train.threads, report, "learning", [&](std::size_t i, const JobProgress& progress) {
+    const auto learn = [&](std::size_t i, const JobProgress& progress) {
       const ReaderKey& key = work[i]->first;
       work[i]->second = kept_or(part(key), [&] {
         return learn_reader(on(key.convention, key.maps), executors_, options_for(key.convention, key.member),
                             progress);
       });
-    });
+    };
+    run_shared_jobs({.count = work.size(), .part = [&](std::size_t i) { return part(work[i]->first); }, .run = learn},
+                    how_to_share(), report, "learning");
+  }
+
+  HowToShare how_to_share() const {
+    return {.checkpoints = options_.checkpoints, .threads = options_.train.threads, .stop = options_.train.stop};
   }
 
   void finish(HallwayFold& fold, const JobProgress& progress) {
-    if (fold.scored) return;
+    if (fold.scored || find_scores(fold)) return;  // maybe by another process meanwhile
     score(fold, progress);
     keep_scores(fold);
   }

@@ -3,6 +3,7 @@
 #include <iomanip>
 #include <iostream>
 #include <memory>
+#include <optional>
 #include <sstream>
 
 #include "libparser/experiment/tune.hpp"
@@ -16,7 +17,7 @@ namespace waymark::tools {
 namespace {
 
 struct TuneOptions {
-  std::string corpus, data, convention = "absolute";
+  std::string corpus, data, convention = "absolute", checkpoints;
   TrainingOptions training;
   std::vector<std::string> grid;
   bool json = false;
@@ -137,13 +138,22 @@ void print_head(const std::string& convention, const std::vector<plan::Map>& map
 
 // By map left out. `source`: whose corpus it is, for messages.
 std::vector<double> validated(const parser::Corpus& corpus, const std::vector<plan::Map>& maps,
-                              const parser::TrainOptions& train, const std::string& source) {
+                              const parser::TrainOptions& train, const parser::KeptPairs& kept,
+                              const std::string& source) {
   return learn_from(source, [&] {
     std::vector<double> left_out;
-    const auto pairs = parser::validate(corpus, maps, train);
+    const auto pairs = parser::validate(corpus, maps, train, kept);
     for (std::size_t m = 0; m < maps.size(); ++m) left_out.push_back(parser::without_map(pairs, m).value());
     return left_out;
   });
+}
+
+// A grid may grow: its parts are kept by setting.
+std::optional<parser::Checkpoints> checkpoints_of(const TuneOptions& options, const parser::Corpus& corpus,
+                                                  const Session& session) {
+  if (options.checkpoints.empty()) return std::nullopt;
+  return parser::Checkpoints(options.checkpoints,
+                             session.settings({"--grid", "--json"}) + "corpus " + hexadecimal(corpus.checksum) + '\n');
 }
 
 ExitCode run_tune(const TuneOptions& options, const Session& session) {
@@ -154,18 +164,31 @@ ExitCode run_tune(const TuneOptions& options, const Session& session) {
     parser::TrainOptions unused;
     for (const auto& [name, value] : setting) set(unused, name, value);
   }
-  if (!options.json) print_head(options.convention, maps);
-  std::vector<Row> rows;
-  for (const Setting& setting : settings) {
+  const std::optional<parser::Checkpoints> checkpoints = checkpoints_of(options, corpus, session);
+  const auto train_for = [&](const Setting& setting) {
     parser::TrainOptions train = options.training.settled();
     train.convention = options.convention == "relative" ? parser::Convention::Relative : parser::Convention::Absolute;
     train.stop = session.stop;
     for (const auto& [name, value] : setting) set(train, name, value);
+    return train;
+  };
+  const auto kept_for = [&](const Setting& setting) {
+    return parser::KeptPairs{checkpoints ? &*checkpoints : nullptr, show(setting) + ' '};
+  };
+  // Processes that share the grid begin with what nobody else has begun, of all settings.
+  if (checkpoints)
+    for (const Setting& setting : settings)
+      learn_from(options.corpus,
+                 [&] { parser::help_to_validate(corpus, maps, train_for(setting), kept_for(setting)); });
+  if (!options.json) print_head(options.convention, maps);
+  std::vector<Row> rows;
+  for (const Setting& setting : settings) {
+    parser::TrainOptions train = train_for(setting);
     ProgressBar bar;
     train.progress = [&](double fraction, std::string_view) {
       bar.show((static_cast<double>(rows.size()) + fraction) / static_cast<double>(settings.size()), show(setting));
     };
-    Row row{setting, validated(corpus, maps, train, options.corpus)};
+    Row row{setting, validated(corpus, maps, train, kept_for(setting), options.corpus)};
     bar.wipe();
     print_row(row, maps, options.json);
     rows.push_back(std::move(row));
@@ -191,6 +214,10 @@ Runner setup_tune(Command command) {
                   "width, query, word-size, symbol-size, decay, wording, beam; several options make a grid")
       .type_name("AXIS");
   add_convention_option(command, options->convention, {"absolute", "relative"});
+  command
+      .add_option("--checkpoints", options->checkpoints,
+                  "where finished parts are kept, and found again by the same command; several processes may share it")
+      .type_name("DIR");
   add_data_option(command, options->data);
   add_training_options(command, options->training, {"linear", "encoder-decoder"});
   command.in("Output").add_flag("--json", options->json, "one JSON object a line, a line each setting");

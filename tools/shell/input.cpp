@@ -55,6 +55,17 @@ TextReader::TextReader(TextOptions options, const std::string& what) : arguments
 
 TextReader::~TextReader() = default;
 
+std::size_t TextReader::count() const {
+  if (!lines_) return arguments_.size();
+  if (!file_) throw UsageError("a share of standard input cannot be told: give a file");
+  const auto again = open(source_);
+  ltl::LineReader lines(*again, source_);
+  std::size_t count = 0;
+  for (std::string line; lines.next(line);)
+    if (!passed_over(line)) ++count;
+  return count;
+}
+
 std::optional<Text> TextReader::next() {
   if (!lines_) {
     if (argument_ == arguments_.size()) return std::nullopt;

@@ -31,6 +31,9 @@ class TextReader {
   TextReader(TextOptions options, const std::string& what);
   ~TextReader();
   std::optional<Text> next();
+  // How many texts there are, those that were read among them: the file is read once more. Throws UsageError when they
+  // come from standard input.
+  std::size_t count() const;
   bool is_batch() const { return lines_.has_value() || arguments_.size() > 1; }
   const std::string& source() const { return source_; }
 

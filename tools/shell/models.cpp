@@ -3,9 +3,11 @@
 #include <map>
 
 #include "libltl/diagnostic.hpp"
+#include "libparser/model/xxhash.hpp"
 #include "libparser/model_file.hpp"
 #include "libplan/world/read_map.hpp"
 #include "tools/shell/data_directory.hpp"
+#include "tools/shell/terminal.hpp"
 
 namespace waymark::tools {
 
@@ -16,9 +18,21 @@ void add_model_options(Command command, ModelOptions& options) {
       .type_name("FILE");
 }
 
+namespace {
+
+std::string file_of(const ModelOptions& options, const std::string& data) {
+  return options.file.empty() ? (data_directory(data) / "models" / "encoder-decoder.waymark").string() : options.file;
+}
+
+}  // namespace
+
+std::string checksum_of_model(const ModelOptions& options, const std::string& data) {
+  const std::string file = file_of(options, data);
+  return file == "-" ? file : hexadecimal(parser::xxh64(read_file(file)));
+}
+
 parser::Grounder read_model(const ModelOptions& options, const std::string& data) {
-  const std::string file =
-      options.file.empty() ? (data_directory(data) / "models" / "encoder-decoder.waymark").string() : options.file;
+  const std::string file = file_of(options, data);
   if (file == "-") return parser::parse_grounder(read_file(file), source_name(file));
   return parser::load_grounder(file);
 }

@@ -17,6 +17,7 @@ struct ModelOptions {
   std::string file;  // empty: models/encoder-decoder.waymark of the data directory
 };
 void add_model_options(Command command, ModelOptions& options);
+std::string checksum_of_model(const ModelOptions& options, const std::string& data);  // "-" of standard input
 parser::Grounder read_model(const ModelOptions& options, const std::string& data);
 
 // What train and evaluate make, and how: --model KIND, --seed, --epochs, --threads, and those of the encoder-decoder.

@@ -5,7 +5,6 @@
 #include <chrono>
 #include <condition_variable>
 #include <deque>
-#include <iostream>
 #include <mutex>
 #include <optional>
 #include <thread>
@@ -13,7 +12,10 @@
 
 #include "libltl/diagnostic.hpp"
 #include "libltl/parallel.hpp"
-#include "tools/shell/terminal.hpp"
+#include "tools/shell/chunk_size.hpp"
+#include "tools/shell/giver.hpp"
+#include "tools/shell/hand.hpp"
+#include "tools/shell/seat.hpp"
 
 namespace waymark::tools {
 namespace {
@@ -71,13 +73,18 @@ class WorkerWatch : public TextWatch {
   bool running_ = false;
 };
 
+// Where the texts of a batch come from, and where the replies go, in order: each from one thread at a time.
+struct Ends {
+  std::function<std::optional<DealtText>()> next;
+  std::function<void(DealtText, const Reply&)> put;
+};
+
 class Batch {
  public:
-  using Next = std::function<std::optional<Text>()>;
-  Batch(Next next, const std::stop_token& stop, const ParallelOptions& options, Replier answer)
-      : next_(std::move(next)), stop_(stop), options_(options), answer_(std::move(answer)), workers_(options.threads) {}
+  Batch(Ends ends, const std::stop_token& stop, const ParallelOptions& options, Replier answer)
+      : ends_(std::move(ends)), stop_(stop), options_(options), answer_(std::move(answer)), workers_(options.threads) {}
 
-  ExitCode run() {
+  void run() {
     const std::stop_callback interrupted(stop_, [this] {
       for (WorkerWatch& worker : workers_) worker.interrupt();
       room_.notify_all();
@@ -90,14 +97,16 @@ class Batch {
       ltl::parallel_for(workers_.size(), workers_.size(), [this](std::size_t i, std::size_t) { work(workers_[i]); });
     }
     if (stop_.stop_requested()) throw Interrupted();
-    return worst_;
   }
-  std::size_t taken() const { return taken_; }  // once it was run
 
  private:
   struct Job {
     std::size_t number;
-    Text text;
+    DealtText text;
+  };
+  struct Answered {
+    DealtText text;
+    Reply reply;
   };
 
   // Twenty looks a second, a hundred for limits below a second, two hundred for memory: a limit is late by no more.
@@ -128,10 +137,15 @@ class Batch {
   void work(WorkerWatch& worker) {
     try {
       while (std::optional<Job> job = take()) {
+        if (job->text.made) {
+          Reply made = *job->text.made;
+          put(std::move(*job), std::move(made));
+          continue;
+        }
         worker.begin(options_.limits.seconds, stop_);
-        Reply reply = answer_(job->text, worker);
+        Reply reply = answer_(job->text.text, worker);
         worker.end();
-        put(job->number, std::move(reply));
+        put(std::move(*job), std::move(reply));
       }
     } catch (...) {
       const std::lock_guard lock(output_);
@@ -150,30 +164,26 @@ class Batch {
       if (over()) return std::nullopt;
     }
     const std::lock_guard lock(input_);
-    std::optional<Text> text = next_();
+    std::optional<DealtText> text = ends_.next();
     if (!text) return std::nullopt;
     return Job{taken_++, std::move(*text)};
   }
 
-  void put(std::size_t number, Reply reply) {
+  void put(Job job, Reply reply) {
     const std::lock_guard lock(output_);
     if (stop_.stop_requested()) return;
-    const std::size_t place = number - written_;
+    const std::size_t place = job.number - written_;
     if (waiting_.size() <= place) waiting_.resize(place + 1);
-    waiting_[place] = std::move(reply);
+    waiting_[place] = Answered{std::move(job.text), std::move(reply)};
     while (!waiting_.empty() && waiting_.front()) {
-      const Reply& next = *waiting_.front();
-      std::cerr << next.notes;
-      if (!next.problem.empty()) complain("error", next.problem);
-      std::cout << next.text << std::flush;
-      worst_ = worse(worst_, next.code);
+      ends_.put(std::move(waiting_.front()->text), waiting_.front()->reply);
       waiting_.pop_front();
       ++written_;
     }
     room_.notify_all();
   }
 
-  Next next_;
+  Ends ends_;
   const std::stop_token& stop_;
   ParallelOptions options_;
   Replier answer_;
@@ -181,21 +191,15 @@ class Batch {
   Clock::time_point next_may_end_;   // when memory is short; the keeper's alone
   std::mutex input_, output_;
   std::condition_variable_any room_;
-  std::size_t taken_ = 0;                     // under input_
-  std::deque<std::optional<Reply>> waiting_;  // from here on under output_; the first one is number written_
+  std::size_t taken_ = 0;                        // under input_
+  std::deque<std::optional<Answered>> waiting_;  // from here on under output_; the first one is number written_
   std::size_t written_ = 0;
-  ExitCode worst_ = ExitCode::Done;
   bool failed_ = false;
 };
 
-}  // namespace
-
-ExitCode answer_in_parallel(TextReader& texts, const std::stop_token& stop, const ParallelOptions& options,
-                            const Replier& answer, const BadTextReply& bad) {
-  ParallelOptions settled = options;
-  if (settled.threads == 0) settled.threads = ltl::hardware_threads();
-  if (!texts.is_batch()) settled.threads = 1;
-  const auto of_batch = [&](const Text& text, const TextWatch& watch) -> Reply {
+// A bad text of a batch ends nothing but itself.
+Replier of_batch(const Replier& answer, const BadTextReply& bad) {
+  return [&](const Text& text, const TextWatch& watch) -> Reply {
     try {
       return answer(text, watch);
     } catch (const ltl::SyntaxError& error) {
@@ -204,10 +208,39 @@ ExitCode answer_in_parallel(TextReader& texts, const std::stop_token& stop, cons
       return {ExitCode::BadInput, bad(text, error.what()), error.what()};
     }
   };
-  Batch batch([&] { return texts.next(); }, stop, settled, texts.is_batch() ? Replier(of_batch) : answer);
-  const ExitCode worst = batch.run();
-  if (batch.taken() == 0) throw ltl::FormatError(texts.source(), 0, 0, "there is nothing to read");
-  return worst;
+}
+
+// Answers what the giver gives, until it is gone.
+ExitCode answer_as_hand(const Seat& seat, const std::stop_token& stop, ParallelOptions options, const Replier& answer) {
+  if (options.threads == 0) options.threads = 1;
+  HandTexts given(seat);
+  Batch({[&] { return given.next(); }, [&](const DealtText&, const Reply& reply) { given.put(reply); }}, stop, options,
+        answer)
+      .run();
+  return ExitCode::Done;
+}
+
+}  // namespace
+
+ExitCode answer_in_parallel(TextReader& texts, const std::stop_token& stop, const ParallelOptions& options,
+                            const Replier& answer, const BadTextReply& bad) {
+  const std::optional<Seat> seat = taken_seat();
+  if (seat && seat->role == Seat::Role::Hand) return answer_as_hand(*seat, stop, options, of_batch(answer, bad));
+  DealtTexts dealt(texts, options.deal, options.settings);
+  if (seat && texts.is_batch()) return give_out(dealt, *seat, stop, bad);
+  ParallelOptions settled = options;
+  if (settled.threads == 0) settled.threads = ltl::hardware_threads();
+  if (!texts.is_batch()) settled.threads = 1;
+  ReplyOutput output;
+  ReplyKeeper keeper(dealt.kept(), chunk_seconds());
+  const auto put = [&](DealtText text, const Reply& reply) {
+    output.put(reply);
+    ReplyOutput::flush();
+    keeper.put(std::move(text), reply);
+  };
+  Batch({[&] { return dealt.next(); }, put}, stop, settled, texts.is_batch() ? of_batch(answer, bad) : answer).run();
+  keeper.end_part();
+  return output.worst();
 }
 
 ExitCode answer_in_parallel(std::size_t jobs, const std::stop_token& stop, const ParallelOptions& options,
@@ -216,12 +249,20 @@ ExitCode answer_in_parallel(std::size_t jobs, const std::stop_token& stop, const
   if (settled.threads == 0) settled.threads = ltl::hardware_threads();
   settled.threads = std::clamp<std::size_t>(jobs, 1, settled.threads);
   std::size_t next = 0;
-  const auto number = [&]() -> std::optional<Text> {
+  const auto number = [&]() -> std::optional<DealtText> {
     if (next == jobs) return std::nullopt;
-    return Text{"", "", next++};
+    const std::size_t job = next++;
+    return DealtText{job, Text{"", "", job}};
   };
-  return Batch(number, stop, settled, [&](const Text& job, const TextWatch& watch) { return answer(job.line, watch); })
-      .run();
+  ReplyOutput output;
+  const auto put = [&](const DealtText&, const Reply& reply) {
+    output.put(reply);
+    ReplyOutput::flush();
+  };
+  Batch({number, put}, stop, settled, [&](const Text& job, const TextWatch& watch) {
+    return answer(job.line, watch);
+  }).run();
+  return output.worst();
 }
 
 }  // namespace waymark::tools

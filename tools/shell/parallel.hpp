@@ -6,18 +6,12 @@
 #include <stop_token>
 #include <string>
 
-#include "tools/shell/exit_code.hpp"
+#include "tools/shell/dealt_texts.hpp"
 #include "tools/shell/input.hpp"
+#include "tools/shell/reply.hpp"
 #include "tools/shell/work_limits.hpp"
 
 namespace waymark::tools {
-
-struct Reply {
-  ExitCode code = ExitCode::Done;
-  std::string text = {};     // for standard output
-  std::string problem = {};  // for standard error, before the text; none when empty
-  std::string notes = {};    // for standard error as they are, before both
-};
 
 class TextWatch {  // over what one text may take; as ltl::Watch
  public:
@@ -27,17 +21,20 @@ class TextWatch {  // over what one text may take; as ltl::Watch
 };
 
 using Replier = std::function<Reply(const Text&, const TextWatch&)>;
-// What stands in the place of the answer to a bad text, on standard output.
-using BadTextReply = std::function<std::string(const Text&, const std::string& message)>;
 
 struct ParallelOptions {
-  std::size_t threads = 0;  // 0: one for each core
+  std::size_t threads = 0;  // 0: one for each core; of a rank: one
   WorkLimits limits = {};   // of each text; memory: of the text that was begun first gives up first
+  DealOptions deal = {};
+  std::function<std::string()> settings = {};  // what replies depend on beside their texts, asked for to keep them
 };
 
 // The worst code of all replies, BadInput when a text of a batch was bad: ltl::SyntaxError and ltl::FormatError end one
 // text of a batch only. Any other exception ends everything, and is thrown here. Throws Interrupted when a stop was
 // requested, ltl::FormatError when there was no text at all. At most `threads` · 256 replies wait for their worker.
+//
+// A process that has a seat in a farm (seat.hpp) gives the texts of a batch out to others, or answers what it is given:
+// who calls this need not know.
 ExitCode answer_in_parallel(TextReader& texts, const std::stop_token& stop, const ParallelOptions& options,
                             const Replier& answer, const BadTextReply& bad);
 

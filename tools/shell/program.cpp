@@ -22,7 +22,9 @@
 
 #include "libltl/diagnostic.hpp"
 #include "libltl/vocabulary.hpp"
+#include "libparser/model/xxhash.hpp"
 #include "tools/shell/help_page.hpp"
+#include "tools/shell/input.hpp"
 #include "tools/shell/interrupt.hpp"
 #include "tools/shell/output.hpp"
 #include "tools/shell/shell_files.hpp"
@@ -139,6 +141,30 @@ void check_distinct_files(const CLI::App& command) {
   });
 }
 
+// How many work at it, and where it goes, is of no influence on the answers; texts are compared by themselves.
+bool is_of_influence(const CLI::Option& option) {
+  static const std::set<std::string> others{"--threads", "--share", "--kept", "--checkpoints"};
+  return !others.contains(option.get_name()) && !option.get_positional();
+}
+
+std::string settings_of(const CLI::App& command, const std::set<std::string>& without) {
+  std::ostringstream out;
+  out << command.get_name() << '\n';
+  std::error_code ignored;
+  for (const CLI::Option* option : command.get_options()) {
+    if (option->empty() || !is_of_influence(*option) || without.contains(option->get_name())) continue;
+    for (const std::string& value : option->results()) {
+      out << option->get_name() << ' ' << value;
+      const bool is_read = option->get_name() != "--file" && std::filesystem::is_regular_file(value, ignored);
+      if (is_read) out << ' ' << hexadecimal(parser::xxh64(read_file(value)));
+      out << '\n';
+    }
+  }
+  out << "version " << WAYMARK_VERSION << "\nprogram " << hexadecimal(parser::xxh64(read_file("/proc/self/exe")))
+      << '\n';
+  return out.str();
+}
+
 // A descriptor that the caller closed would be given to the next file that is opened: to the pipe of signals, say.
 void open_missing_streams() {
   for (int stream = 0; stream <= 2; ++stream)
@@ -181,7 +207,9 @@ ExitCode run_subcommand(std::span<const Subcommand> rows, int argc, char** argv)
   check_distinct_files(*called.command);
   check_files_can_be_written(*called.command);
   const Interrupt interrupt;
-  const ExitCode code = called.runner({.stop = interrupt.token(), .out = terminal_of(STDOUT_FILENO)});
+  const auto settings = [&](const auto& without) { return settings_of(*called.command, without); };
+  const ExitCode code =
+      called.runner({.stop = interrupt.token(), .out = terminal_of(STDOUT_FILENO), .settings = settings});
   check_written();
   return code;
 }

@@ -3,7 +3,9 @@
 // setup_x adds the options of x to its CLI11 command and returns what to run once they are parsed.
 #pragma once
 #include <functional>
+#include <set>
 #include <stop_token>
+#include <string>
 
 #include "tools/shell/command.hpp"
 #include "tools/shell/exit_code.hpp"
@@ -14,6 +16,9 @@ namespace waymark::tools {
 struct Session {         // what every subcommand is given
   std::stop_token stop;  // requested on Ctrl-C
   Terminal out;          // what standard output may show
+  // A text for who keeps answers: the options that answers depend on, the checksums of the files that they name, and
+  // the program. `without`: options that the answers that are kept do not depend on.
+  std::function<std::string(const std::set<std::string>& without)> settings = {};
 };
 
 using Runner = std::function<ExitCode(const Session&)>;

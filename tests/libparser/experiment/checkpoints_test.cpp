@@ -4,13 +4,18 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <atomic>
+#include <chrono>
 #include <fstream>
+#include <optional>
 #include <set>
 #include <string>
+#include <thread>
 
 #include "libltl/diagnostic.hpp"
 #include "libparser/experiment/evaluate.hpp"
 #include "libparser/experiment/scores_text.hpp"
+#include "libparser/experiment/shared_jobs.hpp"
 #include "libparser/language/generate.hpp"
 #include "tests/libparser/maps.hpp"
 #include "tests/support/sanitizers.hpp"
@@ -50,6 +55,48 @@ TEST_F(CheckpointDirectory, KeepsBytesUnderTheirName) {
   const std::set<std::string> left = names_in(directory);
   EXPECT_EQ(left.count("a"), 1U);
   EXPECT_TRUE(std::none_of(left.begin(), left.end(), [](const std::string& name) { return name[0] == '.'; }));
+}
+
+// Two objects stand for two processes: a claim is of the open file, not of the process.
+TEST_F(CheckpointDirectory, APartHasOneMakerAtATime) {
+  const Checkpoints ours(directory, ""), theirs(directory, "");
+  std::optional<Claim> claim = ours.claim("a");
+  ASSERT_TRUE(claim);
+  EXPECT_FALSE(theirs.claim("a"));
+  EXPECT_FALSE(ours.claim("a"));
+  EXPECT_TRUE(theirs.claim("b"));
+  claim.reset();
+  EXPECT_TRUE(theirs.claim("a"));
+}
+
+// Each of many jobs is run once by one of several loops; who waits then runs the others', to find what they made.
+TEST_F(CheckpointDirectory, SeveralLoopsShareTheirJobs) {
+  const Checkpoints checkpoints(directory, "");
+  constexpr std::size_t count = 40, loops = 4;
+  std::vector<std::atomic<int>> made(count), seen(count);
+  const auto loop = [&](bool waits) {
+    run_shared_jobs({.count = count,
+                     .part = [](std::size_t job) { return std::to_string(job); },
+                     .run =
+                         [&](std::size_t job, const JobProgress&) {
+                           if (!checkpoints.has(std::to_string(job))) {
+                             std::this_thread::sleep_for(std::chrono::milliseconds(1));
+                             ++made[job];
+                             checkpoints.keep(std::to_string(job), "made");
+                           }
+                           if (waits) ++seen[job];
+                         },
+                     .waits = waits},
+                    {.checkpoints = &checkpoints, .threads = 2}, nullptr, "");
+  };
+  {
+    std::vector<std::jthread> threads;
+    for (std::size_t i = 0; i < loops; ++i) threads.emplace_back(loop, i % 2 == 0);
+  }
+  for (std::size_t job = 0; job < count; ++job) {
+    EXPECT_EQ(made[job], 1) << job;
+    EXPECT_EQ(seen[job], 2) << job;
+  }
 }
 
 TEST_F(CheckpointDirectory, OfOtherSettingsIsRefused) {
