@@ -7,7 +7,7 @@
 #include <variant>
 
 #include "libltl/diagnostic.hpp"
-#include "libplan/model/formats/prism_properties.hpp"
+#include "libplan/model/formats/jani_properties.hpp"
 #include "libplan/solve/case_task.hpp"
 #include "libplan/solve/finite_horizon.hpp"
 #include "tools/shell/batch.hpp"
@@ -141,14 +141,27 @@ class Properties {
 
 }  // namespace
 
+namespace {
+
+std::vector<PrismProperty> read_properties(const CaseChoice& choice, const ltl::Limits& limits) {
+  const std::string model = read_file(choice.model);
+  if (choice.model.ends_with(".jani")) {
+    if (choice.properties != choice.model)
+      throw UsageError("the properties of a model in JANI are those of its document: --properties " + choice.model);
+    return plan::parse_jani_properties({model, choice.model}, constants_of(choice.constants), limits);
+  }
+  const std::string text = read_file(choice.properties);
+  return plan::parse_prism_properties({model, choice.model}, {text, choice.properties}, constants_of(choice.constants),
+                                      limits);
+}
+
+}  // namespace
+
 ExitCode plan_properties(const CaseChoice& choice, const Session& session) {
-  const std::string model = read_file(choice.model), text = read_file(choice.properties);
   const ltl::Watch watch(granted(choice.parallel.limits), session.stop);
   std::vector<PrismProperty> properties;
   try {
-    properties =
-        plan::parse_prism_properties({model, choice.model}, {text, choice.properties}, constants_of(choice.constants),
-                                     {.states = plan::most_model_states, .stop = watch.token()});
+    properties = read_properties(choice, {.states = plan::most_model_states, .stop = watch.token()});
   } catch (const plan::ReadingStopped&) {
     if (watch.overrun() == ltl::Overrun::None) throw Interrupted();
     throw GaveUp("gave up: " + choice.model + " has more states than were found in " +

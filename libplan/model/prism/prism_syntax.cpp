@@ -25,7 +25,7 @@ std::optional<Op> infix_operator(const PrismTokens& in) {
 PrismExpressions::Id PrismExpressions::add(Op op, std::vector<Id> operands, ltl::Span where) {
   std::uint32_t height = 1;
   for (const Id operand : operands) height = std::max(height, nodes_[operand].height + 1);
-  if (height > deepest) tokens_->fail(where, "this is nested too deeply");
+  if (height > deepest) text_->fail(where, "this is nested too deeply");
   Node& node = nodes_.emplace_back();
   node.op = op;
   node.operands = std::move(operands);
@@ -186,14 +186,15 @@ PrismExpressions::Id PrismExpressions::parse_temporal(PrismTokens& in) {
     const Deeper deeper(*this, in.peek().where);
     const std::size_t from = in.next().where.begin;
     const std::optional<Window> window = *prefix == Op::Next ? std::nullopt : parse_window(in);
-    return temporal(*prefix, {self(self)}, window, from);
+    const Id inner = self(self);
+    return add_path(*prefix, {inner}, window, {from, where(inner).end});
   };
   Id left = operand(operand);
   while (const std::optional<Op> infix = infix_operator(in)) {
     in.next();
     const std::optional<Window> window = parse_window(in);
     const Id right = operand(operand);
-    left = temporal(*infix, {left, right}, window, begin);
+    left = add_path(*infix, {left, right}, window, {begin, where(right).end});
   }
   return left;
 }
@@ -225,10 +226,9 @@ std::optional<PrismExpressions::Window> PrismExpressions::parse_window(PrismToke
   return out;
 }
 
-PrismExpressions::Id PrismExpressions::temporal(Op op, std::vector<Id> operands, std::optional<Window> window,
-                                                std::size_t begin) {
-  const std::size_t end = where(operands.back()).end;
-  const Id e = add(op, std::move(operands), {begin, end});
+PrismExpressions::Id PrismExpressions::add_path(Op op, std::vector<Id> operands, std::optional<Window> window,
+                                                ltl::Span where) {
+  const Id e = add(op, std::move(operands), where);
   nodes_[e].temporal = true;
   if (!window) return e;
   nodes_[e].window = static_cast<std::uint32_t>(windows_.size());
