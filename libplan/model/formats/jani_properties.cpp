@@ -125,6 +125,7 @@ class JaniPropertiesReader {
   void expectation(Place expression, PrismProperty& out) {
     text_.expect_keys(expression, {"op", "exp", "accumulate", "reach", "step-instant"});
     const Place exp = text_.member(expression, "exp");
+    out.about_rewards = true;
     Earned& earned = earned_.back();
     earned.expression = text_.infix(exp);
     const auto reach = text_.find(expression, "reach"), instant = text_.find(expression, "step-instant");
@@ -136,9 +137,12 @@ class JaniPropertiesReader {
     }
     if (!adds) earned.exit = true;  // of the state after the steps
     read(earned, exp);
-    if (reach.has_value() == instant.has_value() || (reach && !adds))
-      throw std::invalid_argument(reach ? "a reward at the end of runs, or until an instant"
-                                        : "rewards of runs without end");
+    if ((reach && (instant || !adds)) || (!reach && !instant && !adds))
+      throw std::invalid_argument(reach ? "a reward at the end of runs, or until an instant" : "a reward of no moment");
+    if (!reach && !instant) {
+      out.ask = PrismProperty::Ask::Total;
+      return;
+    }
     if (reach) {
       out.task.formula = "F (" + formula(*reach) + ")";
       return;

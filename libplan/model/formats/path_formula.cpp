@@ -12,13 +12,6 @@ using Type = PrismExpressions::Type;
 
 constexpr std::size_t most_written = 500;  // steps before a window of steps begins
 
-std::string on_one_line(std::string_view text) {  // without quotes, so that it can stand between some
-  std::string out;
-  for (const char c : text)
-    if (c != '"') out += c == '\n' || c == '\t' || c == '\r' ? ' ' : c;
-  return out;
-}
-
 class PathWriter {
  public:
   PathWriter(PrismExpressions& expressions, const std::function<std::string(Id)>& name,
@@ -36,6 +29,7 @@ class PathWriter {
       case Op::Iff: return parts[0] + " <-> " + parts[1];
       case Op::Or:
       case Op::And: return joined(parts, expressions_.op(e) == Op::Or ? " | " : " & ");
+      case Op::Query: return '"' + path_name(name_(e)) + '"';
       case Op::Next: return "X " + parts[0];
       case Op::Eventually: return within(e, "F", parts[0]);
       case Op::Always: return within(e, "G", parts[0]);
@@ -55,7 +49,7 @@ class PathWriter {
 
   std::string condition(Id e) {
     expressions_.expect_type(e, Type::Bool);
-    const std::string name = on_one_line(name_(e));
+    const std::string name = path_name(name_(e));
     if (name == "true" || name == "false") return name;
     if (std::none_of(labels_.begin(), labels_.end(), [&](const PrismProgram::Label& l) { return l.name == name; }))
       labels_.push_back({name, e});
@@ -121,6 +115,13 @@ class PathWriter {
 };
 
 }  // namespace
+
+std::string path_name(std::string_view text) {
+  std::string out;
+  for (const char c : text)
+    if (c != '"') out += c == '\n' || c == '\t' || c == '\r' ? ' ' : c;
+  return out;
+}
 
 std::string path_formula(PrismExpressions& expressions, Id path, const std::function<std::string(Id)>& name,
                          std::vector<PrismProgram::Label>& labels) {

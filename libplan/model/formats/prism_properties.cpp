@@ -33,11 +33,12 @@ class PropertiesReader {
   std::vector<PrismProperty> read() {
     define_start();
     expressions_.speak_of(in_);
+    expressions_.read_queries([this] { return query_inside(); });
     while (in_.peek().kind != PrismToken::Kind::End) item();
     expect_given(in_, constants_, program_.given);
     expressions_.speak_of(model_);
-    for (std::size_t i = 0; i < out_.size(); ++i)
-      if (out_[i].fault.empty()) out_[i].model = model(structures_[i], out_[i].instantaneous);
+    for (PrismProperty& p : out_)
+      if (p.fault.empty()) give_model(p);
     return std::move(out_);
   }
 
@@ -73,21 +74,27 @@ class PropertiesReader {
   }
 
   bool at_operator() const {
-    return in_.is("P") || in_.is("Pmin") || in_.is("Pmax") || in_.is("R") || in_.is("Rmin") || in_.is("Rmax");
+    for (const char* word : {"P", "Pmin", "Pmax", "R", "Rmin", "Rmax", "S"})
+      if (in_.is(word)) return true;
+    return in_.is("filter") && in_.is("(", 1);
   }
 
   void property() {
     const std::size_t begin = in_.peek().where.begin;
     PrismProperty out;
     out.result = result(std::string_view(text_).substr(from_, begin - from_));
-    structures_.emplace_back();
+    in_property_ = true;
     try {
-      question(out);
+      if (in_.peek().kind == PrismToken::Kind::String && in_.is(":", 1)) in_.next(), in_.next();
+      const std::optional<std::string> said = out.result;
+      out = state_formula();
+      out.result = said;
     } catch (const ltl::SyntaxError& error) {
       out.fault = error.message();
     } catch (const std::invalid_argument& error) {
       out.fault = error.what();
     }
+    in_property_ = false;
     std::size_t end = last_;
     if (!out.fault.empty()) {  // the rest of it is skipped
       const auto line = [&](std::size_t at) { return text_.substr(0, at).rfind('\n'); };
@@ -97,19 +104,84 @@ class PropertiesReader {
         previous = end = in_.next().where.end;
       }
     }
+    if (!out.fault.empty()) inside_.clear();
     out.text = text_.substr(begin, std::max(end, begin) - begin);
     from_ = std::max(end, begin);
     out_.push_back(std::move(out));
   }
 
+  // An operator alone, or a Boolean combination of operators and conditions.
+  PrismProperty state_formula() {
+    const std::vector<PrismProperty> outside = std::exchange(inside_, {});
+    const Id e = expressions_.parse(in_);
+    PrismProperty out;
+    if (expressions_.op(e) == Op::Query && inside_.size() == 1) {
+      out = std::move(inside_[0]);
+    } else {
+      expressions_.expect_type(e, Type::Bool);
+      out.ask = PrismProperty::Ask::States;
+      out.task.formula = formula(e);
+      out.nested = std::move(inside_);
+    }
+    inside_ = outside;
+    last_ = expressions_.where(e).end;
+    return out;
+  }
+
+  std::string formula(Id e) {
+    return path_formula(
+        expressions_, e, [this](Id condition) { return name_of(condition); }, labels_);
+  }
+
+  // An operator among the parts of an expression: it joins `inside_`.
+  std::optional<Id> query_inside() {
+    if (!in_property_ || !at_operator()) return std::nullopt;
+    const std::size_t begin = in_.peek().where.begin;
+    std::vector<PrismProperty> outside = std::exchange(inside_, {});
+    PrismProperty out;
+    in_.is("filter") ? filter(out) : question(out);
+    const ltl::Span where{begin, last_};
+    out.text = std::string(text_.substr(begin, last_ - begin));
+    if (out.ask != PrismProperty::Ask::Filter) out.nested = std::move(inside_);
+    const bool truth = !out.comparison.empty() || out.is_truth();
+    inside_ = std::move(outside);
+    inside_.push_back(std::move(out));
+    return expressions_.query(truth ? Type::Bool : Type::Double, where);
+  }
+
+  // filter(summary, what, states)
+  void filter(PrismProperty& out) {
+    static constexpr std::pair<std::string_view, std::string_view> summaries[] = {
+        {"min", "min"},     {"max", "max"},     {"sum", "sum"},       {"+", "sum"},      {"avg", "avg"},
+        {"average", "avg"}, {"count", "count"}, {"forall", "forall"}, {"&", "forall"},   {"exists", "exists"},
+        {"|", "exists"},    {"state", "state"}, {"first", "first"},   {"range", "range"}};
+    out.ask = PrismProperty::Ask::Filter;
+    in_.next(), in_.next();
+    const PrismToken word = in_.next();
+    for (const auto& [name, summary] : summaries)
+      if (name == word.text) out.summary = summary;
+    if (out.summary.empty()) throw std::invalid_argument("a filter that asks for " + std::string(word.text));
+    in_.expect(",");
+    out.nested.push_back(state_formula());
+    PrismProperty all;
+    all.ask = PrismProperty::Ask::States;
+    all.task.formula = "true";
+    out.nested.push_back(in_.accept(",") ? state_formula() : all);
+    if (!out.nested[1].is_truth()) throw std::invalid_argument("the states of a filter are a condition");
+    last_ = in_.expect(")").where.end;
+    const bool of_truths = out.summary == "count" || out.summary == "forall" || out.summary == "exists";
+    const bool any = out.summary == "state" || out.summary == "first";
+    if (!any && of_truths != out.nested[0].is_truth())
+      throw std::invalid_argument("the filter " + out.summary + " of " + (of_truths ? "numbers" : "truth values"));
+  }
+
   void question(PrismProperty& out) {
-    if (in_.peek().kind == PrismToken::Kind::String && in_.is(":", 1)) in_.next(), in_.next();
-    if (!at_operator()) throw std::invalid_argument("this is no P or R operator");
     const std::string_view word = in_.next().text;
-    const bool probability = word[0] == 'P';
+    const bool steady = word == "S", probability = word[0] == 'P' || steady;
     std::string_view optimum = word.substr(1);
+    out.about_rewards = !probability;
     if (!probability && in_.accept("{")) {
-      structures_.back() = std::string(in_.next().text);
+      out.rewards = structure(in_.next());
       in_.expect("}");
     }
     if (optimum.empty() && (in_.is("min") || in_.is("max"))) optimum = in_.next().text;
@@ -124,17 +196,27 @@ class PropertiesReader {
       in_.expect("?");
     }
     in_.expect("[");
-    if (probability || !steps(out)) {
-      const Id path = expressions_.parse_path(in_);
+    if (steady || (!probability && in_.is("S"))) {
+      if (program_.is_mdp) throw std::invalid_argument("the long run of a decision process");
+      out.ask = PrismProperty::Ask::Steady;
+      if (!steady) in_.next();
+    }
+    if (probability || (out.ask == PrismProperty::Ask::Task && !steps(out))) {
+      const Id path = steady ? expressions_.parse(in_) : expressions_.parse_path(in_);
       expressions_.expect_type(path, Type::Bool);
-      out.task.formula = path_formula(
-          expressions_, path, [this](Id e) { return name_of(e); }, labels_);
+      out.task.formula = formula(path);
     }
     last_ = in_.expect("]").where.end;
     out.task.query = query(probability, optimum, out.comparison);
-    if (!probability && structures_.back().empty() && !program_.rewards.empty())
-      structures_.back() = program_.rewards[0].name;
-    if (!probability && !known(structures_.back())) throw std::invalid_argument("there are no rewards of this name");
+    if (!probability && out.rewards.empty() && !program_.rewards.empty()) out.rewards = program_.rewards[0].name;
+    if (!probability && !known(out.rewards)) throw std::invalid_argument("there are no rewards of this name");
+  }
+
+  std::string structure(const PrismToken& token) const {  // by its name, or its number from 1
+    if (token.kind != PrismToken::Kind::Number) return std::string(token.text);
+    for (std::size_t i = 0; i < program_.rewards.size(); ++i)
+      if (std::to_string(i + 1) == token.text) return program_.rewards[i].name;
+    throw std::invalid_argument("there are no rewards of this number");
   }
 
   std::string name_of(Id condition) const {
@@ -144,10 +226,15 @@ class PropertiesReader {
     return name;
   }
 
-  // C<=k and I=k.
+  // C, C<=k and I=k.
   bool steps(PrismProperty& out) {
-    if (in_.is("S") || (in_.is("C") && !in_.is("<=", 1))) throw std::invalid_argument("rewards of runs without end");
     if (!in_.is("C") && !in_.is("I")) return false;
+    if (in_.is("C") && !in_.is("<=", 1)) {
+      if (in_.is("{", 1)) throw std::invalid_argument("discounted rewards");
+      in_.next();
+      out.ask = PrismProperty::Ask::Total;
+      return true;
+    }
     out.instantaneous = in_.next().text == "I";
     in_.expect(out.instantaneous ? "=" : "<=");
     const Id bound = expressions_.parse(in_);
@@ -203,6 +290,11 @@ class PropertiesReader {
     return true;
   }
 
+  void give_model(PrismProperty& p) {
+    p.model = model(p.rewards, p.instantaneous);
+    for (PrismProperty& inside : p.nested) give_model(inside);
+  }
+
   std::shared_ptr<const PlanningCase> model(const std::string& structure, bool state_rewards_only) {
     std::shared_ptr<const PlanningCase>& made = models_[{structure, state_rewards_only}];
     if (made) return made;
@@ -222,10 +314,11 @@ class PropertiesReader {
   const ltl::Limits& limits_;
   PrismProgram program_;
   std::vector<PrismProgram::Label> labels_;  // that properties speak of
-  std::vector<std::string> structures_;      // of rewards, by property
+  std::vector<PrismProperty> inside_;        // of what is read now, in the order of the text
   std::vector<PrismProperty> out_;
   std::map<std::pair<std::string, bool>, std::shared_ptr<const PlanningCase>> models_;  // by structure
-  std::size_t from_ = 0, last_ = 0;                                                     // where the last property ended
+  bool in_property_ = false;
+  std::size_t from_ = 0, last_ = 0;  // where the last property ended
 };
 
 std::optional<double> number(std::string_view text) {
@@ -242,9 +335,23 @@ std::vector<PrismProperty> parse_prism_properties(const PrismSource& model, cons
   return PropertiesReader(model, properties, constants, limits).read();
 }
 
-std::optional<bool> agrees(const std::string& result, double value, std::optional<bool> verdict) {
+bool PrismProperty::is_truth() const {
+  if (!comparison.empty() || ask == Ask::States) return true;
+  if (ask != Ask::Filter) return false;
+  return summary == "forall" || summary == "exists" ||
+         ((summary == "state" || summary == "first") && nested[0].is_truth());
+}
+
+std::optional<bool> agrees(const std::string& result, double value, std::optional<bool> verdict,
+                           std::optional<double> range) {
   if (result == "true" || result == "false")
     return verdict ? std::optional<bool>(*verdict == (result == "true")) : std::nullopt;
+  if (result.starts_with("[") && result.ends_with("]") && result.find(',') != std::string::npos) {
+    const std::size_t comma = result.find(',');
+    const auto least = agrees(result.substr(1, comma - 1), value, {}, {});
+    const auto most = agrees(result.substr(comma + 1, result.size() - comma - 2), range.value_or(value), {}, {});
+    return least && most ? std::optional<bool>(*least && *most) : std::nullopt;
+  }
   if (result == "Infinity" || result == "Inf") return value == INFINITY;
   const std::size_t slash = result.find('/');
   std::optional<double> expected = number(result.substr(0, slash));

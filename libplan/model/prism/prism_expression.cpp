@@ -35,6 +35,13 @@ PrismExpressions::Id PrismExpressions::variable(std::uint32_t index, Type type, 
   return e;
 }
 
+PrismExpressions::Id PrismExpressions::query(Type type, ltl::Span where) {
+  const Id e = add(Op::Query, {}, where);
+  nodes_[e].type = type;
+  nodes_[e].temporal = true;
+  return e;
+}
+
 PrismExpressions::Id PrismExpressions::renamed(Id e, const std::map<std::string, std::string, std::less<>>& names) {
   const Deeper level(*this, where(e));
   if (nodes_[e].op == Op::Name) {
@@ -120,6 +127,7 @@ PrismExpressions::Type PrismExpressions::find_type(Id e) {
     case Op::Until:
     case Op::WeakUntil:
     case Op::Release: return all(Type::Bool), Type::Bool;
+    case Op::Query: return nodes_[e].type;
     case Op::Equal:
     case Op::Unequal: all(type(operands[0]) == Type::Bool ? Type::Bool : Type::Double); return Type::Bool;
     case Op::Less:
@@ -231,7 +239,8 @@ double PrismExpressions::value(Id e, const PrismValues& values) {
     case Op::Always:
     case Op::Until:
     case Op::WeakUntil:
-    case Op::Release: break;
+    case Op::Release:
+    case Op::Query: break;
   }
   text_->fail(node.where, "a path formula where an expression is expected");
 }

@@ -5,6 +5,7 @@
 // doubles, exact up to 2⁵³.
 #pragma once
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <optional>
 #include <string>
@@ -45,6 +46,9 @@ class PrismExpressions {  // all expressions of a file
   Id variable(std::uint32_t index, Type type, ltl::Span where);  // one that needs no name
   Id add(Op op, std::vector<Id> operands, ltl::Span where);      // with its operands; their number is the caller's care
   Id add_path(Op op, std::vector<Id> operands, std::optional<Window> window, ltl::Span where);  // a temporal one
+  // What reads operators of properties among expressions, or leaves them: `query` makes one of what it read.
+  void read_queries(std::function<std::optional<Id>()> reader) { queries_ = std::move(reader); }
+  Id query(Type type, ltl::Span where);
   // The same expression with other names for variables; formulas that use one are written out. Everything must have
   // been read.
   Id renamed(Id e, const std::map<std::string, std::string, std::less<>>& names);
@@ -125,6 +129,7 @@ class PrismExpressions {  // all expressions of a file
   std::map<std::string, std::uint32_t, std::less<>> names_;
   std::map<std::string, Id, std::less<>> labels_;
   bool in_path_ = false;  // parentheses hold path formulas
+  std::function<std::optional<Id>()> queries_;
   std::uint64_t now_ = 1;
 };
 

@@ -40,6 +40,7 @@ enum class PrismOp : std::uint8_t {  // named as in prism_syntax.cpp
   Until,
   WeakUntil,
   Release,
+  Query,  // an operator of properties
 };
 
 }  // namespace waymark::plan

@@ -38,6 +38,8 @@ class ProgramReader {
 
   void kind() {
     if (in_.accept("mdp") || in_.accept("nondeterministic")) return;
+    for (const char* first : {"module", "const", "formula", "global", "label", "rewards", "init"})
+      if (in_.is(first)) return;  // a model of no kind is a decision process
     if (!in_.accept("dtmc") && !in_.accept("probabilistic"))
       in_.fail("expected 'mdp' or 'dtmc': models of these kinds are read");
     out_.is_mdp = false;

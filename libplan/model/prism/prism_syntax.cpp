@@ -106,6 +106,12 @@ PrismExpressions::Id PrismExpressions::parse_unary(PrismTokens& in) {
 }
 
 PrismExpressions::Id PrismExpressions::parse_primary(PrismTokens& in) {
+  if (queries_) {
+    const bool in_path = std::exchange(in_path_, false);
+    const std::optional<Id> query = queries_();
+    in_path_ = in_path;
+    if (query) return *query;
+  }
   if (in.accept("(")) {
     const Id inner = in_path_ ? parse_temporal(in) : parse(in);
     in.expect(")");
@@ -170,10 +176,17 @@ PrismExpressions::Id PrismExpressions::parse_call(PrismTokens& in) {
 }
 
 PrismExpressions::Id PrismExpressions::parse_path(PrismTokens& in) {
-  in_path_ = true;
-  const Id out = parse_temporal(in);
-  in_path_ = false;
-  return out;
+  struct Inside {  // errors leave it, too
+    explicit Inside(bool& flag) : flag_(flag), before_(std::exchange(flag, true)) {}
+    ~Inside() { flag_ = before_; }
+    Inside(const Inside&) = delete;
+    Inside& operator=(const Inside&) = delete;
+
+   private:
+    bool& flag_;
+    bool before_;
+  } const inside(in_path_);
+  return parse_temporal(in);
 }
 
 // U, W and R bind loosest, then X, F and G, then everything else; U, W and R associate to the left.

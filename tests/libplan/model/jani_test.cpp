@@ -7,8 +7,8 @@
 
 #include "libplan/model/formats/jani_properties.hpp"
 #include "libplan/model/formats/write_jani.hpp"
-#include "libplan/solve/case_task.hpp"
 #include "libplan/solve/finite_horizon.hpp"
+#include "libplan/solve/property_answer.hpp"
 #include "tests/libplan/model/models.hpp"
 #include "tests/support/sanitizers.hpp"
 #include "tests/support/two_languages.hpp"
@@ -187,6 +187,8 @@ TEST(Jani, AsksInManyForms) {
               1e-6);
   EXPECT_NEAR(value(asked(R"({"op":"Emax","exp":1,"accumulate":["steps"],"reach":)" + sent + "}")), 3, 1e-6);
   EXPECT_NEAR(value(asked(R"({"op":"Emax","exp":"sent","step-instant":2})")), 3, 1e-6);
+  // For ever: until both receivers have got one, each by half a chance, at most four sends: 5 (2/4 + 3/4 + 4/2).
+  EXPECT_NEAR(answer(asked(R"({"op":"Emax","exp":"fee","accumulate":["steps"]})"), {}).answer.value.middle(), 16.25, 1e-4);
   EXPECT_EQ(asked(R"({"op":">","left":0.25,"right":{"op":"Pmin","exp":{"op":"G","exp":"busy"}}})").comparison, "<");
   const std::pair<std::string, std::string> faults[] = {
       {R"({"op":"filter","fun":"min","states":{"op":"deadlock"},"values":{"op":"Pmax","exp":"busy"}})",
@@ -195,7 +197,8 @@ TEST(Jani, AsksInManyForms) {
        "a filter that asks for count"},
       {R"({"op":"∀","exp":{"op":"F","exp":"busy"}})", "this is no Pmin, Pmax, Emin or Emax"},
       {R"({"op":"Emin","exp":"fee","accumulate":["time"],"reach":"busy"})", "rewards of time"},
-      {R"({"op":"Emin","exp":"fee","accumulate":["steps"]})", "rewards of runs without end"},
+      {R"({"op":"Emin","exp":"fee","accumulate":["steps"],"step-instant":-1})",
+       "a bound on steps outside of [0, 10^9]"},
       {R"({"op":"Pmax","exp":{"op":"F","exp":"none"}})",
        "properties[0].expression.exp.exp: there is no variable or constant 'none'"}};
   for (const auto& [expression, fault] : faults) EXPECT_EQ(asked(expression).fault, fault);
