@@ -4,6 +4,7 @@
 #include <iomanip>
 #include <iostream>
 #include <optional>
+#include <sstream>
 #include <variant>
 
 #include "libltl/diagnostic.hpp"
@@ -61,7 +62,9 @@ class Properties {
         out.answer.reason += " (" + amount(watch.overrun(), choice_.parallel.limits) + ')';
       return out;
     }
-    if (property.result)
+    if (property.result && is_curve(property))
+      out.agrees = plan::agrees(*property.result, out.curve);
+    else if (property.result)
       out.agrees = plan::agrees(*property.result, out.answer.value.middle(), out.verdict,
                                 out.range ? std::optional(out.range->middle()) : std::nullopt);
     return out;
@@ -73,7 +76,8 @@ class Properties {
 
   static JsonObject json(const PrismProperty& property, const Answered& found) {
     const bool valued = found.answer.status != CaseAnswer::Status::Exhausted;
-    const auto number = [&](double value) { return valued ? Json(value) : Json(); };
+    const bool one = valued && !is_curve(property) && found.answer.status == CaseAnswer::Status::Solved;
+    const auto number = [&](double value) { return one ? Json(value) : Json(); };
     const auto maybe = [](const std::optional<bool>& b) { return b ? Json(*b) : Json(); };
     JsonObject out = begun(property);
     out.add("status", valued ? "solved" : "exhausted")
@@ -85,6 +89,7 @@ class Properties {
         .add("range_end", found.range ? Json(found.range->middle()) : Json())
         .add("verdict", maybe(found.verdict))
         .add("agrees", maybe(found.agrees));
+    if (property.ask == PrismProperty::Ask::Multi) out.add("points", points(property, found.curve));
     if (!valued) out.add("reason", found.answer.reason);
     return out;
   }
@@ -99,7 +104,14 @@ class Properties {
       std::cout << (*found.verdict ? "true" : "false");
     else if (!property.comparison.empty())
       std::cout << "undecided";
-    if (!property.is_truth() || !property.comparison.empty()) {  // there is a number
+    if (is_curve(property)) {
+      for (const plan::ParetoPoint& point : found.curve)
+        std::cout << (&point == found.curve.data() ? "" : "  ") << text(point);
+      if (found.curve.empty()) std::cout << "no strategy has finite rewards";
+    } else if (found.answer.status == CaseAnswer::Status::Infeasible && !found.answer.reason.empty() &&
+               !found.curve.empty()) {
+      std::cout << "infeasible: " << found.answer.reason;
+    } else if (!property.is_truth() || !property.comparison.empty()) {  // there is a number
       if (property.is_truth()) std::cout << ": ";
       show(found.answer.value);
       if (found.range) {
@@ -113,6 +125,30 @@ class Properties {
                     : *found.agrees ? "agrees"
                                     : "DIFFERS");
     std::cout << '\n';
+  }
+
+  // Both objectives are asked for.
+  static bool is_curve(const PrismProperty& p) {
+    return p.ask == PrismProperty::Ask::Multi && p.nested.size() == 2 && p.nested[0].comparison.empty() &&
+           p.nested[1].comparison.empty();
+  }
+  static std::string text(const plan::ParetoPoint& point) {
+    std::ostringstream out;
+    out << std::setprecision(12) << '(' << point.values[0] << ", " << point.values[1] << ')';
+    return out.str();
+  }
+  static JsonArray points(const PrismProperty& property, const std::vector<plan::ParetoPoint>& curve) {
+    JsonArray out;
+    for (const plan::ParetoPoint& point : curve) {
+      JsonArray values, bounds, decisions;
+      for (const double value : point.values) values.add(value);
+      for (const plan::Bounds& b : point.re_evaluated) bounds.add(JsonArray().add(b.lower).add(b.upper));
+      const auto& mdp = std::get<plan::Mdp>(property.model->model);
+      for (const plan::ParetoDecision& d : point.decisions)
+        decisions.add(JsonObject().add("state", mdp.name(d.state)).add("memory", d.memory).add("action", d.action));
+      out.add(JsonObject().add("values", values).add("re_evaluated", bounds).add("strategy", decisions));
+    }
+    return out;
   }
 
   static void show(const plan::Bounds& value) {

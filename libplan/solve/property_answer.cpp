@@ -45,6 +45,8 @@ class Solver {
     try {
       if (property.ask == Ask::Filter) {
         summarise(property, out);
+      } else if (property.ask == Ask::Multi) {
+        several(property, out);
       } else {
         out.answer = value(property, initial(property));
         out.verdict = property.ask == Ask::States ? std::optional(out.answer.value.lower != 0)
@@ -114,6 +116,7 @@ class Solver {
       summarise(p, found);
       return found.answer;
     }
+    if (p.ask == Ask::Multi) throw std::invalid_argument("several objectives inside of a property");
     if (p.ask == Ask::Steady) return solved(steady(p).at(s));
     if (p.ask == Ask::States) return solved(satisfies(p, p.task.formula, s) ? 1 : 0);
     const bool whole = s == initial(p) && p.nested.empty();
@@ -176,6 +179,53 @@ class Solver {
                 {"", "F end", CaseTask::Logic::Ltl, query});
   }
 
+  // ---- several objectives
+
+  static bool is_greatest(const PrismProperty& p) {
+    return p.task.query == CaseTask::Query::MaxProbability || p.task.query == CaseTask::Query::MaxCost;
+  }
+
+  // The vertices; of one objective under a bound on the other, where the segments between them meet the bound.
+  void several(const PrismProperty& p, PropertyAnswer& out) const {
+    std::vector<Objective> objectives;
+    for (const PrismProperty& o : p.nested)
+      objectives.push_back({o.task.formula, o.about_rewards ? &mdp(o) : nullptr, is_greatest(o)});
+    const double precision = std::max(options_.tolerance, 1e-9);
+    auto found = pareto(mdp(p), objectives, precision, options_.stop);
+    if (!found) throw NoAnswer{"stopped"};
+    out.curve = std::move(found->points);
+    std::vector<const PrismProperty*> bounded, asked;
+    for (const PrismProperty& o : p.nested) (o.comparison.empty() ? asked : bounded).push_back(&o);
+    const auto index = [&](const PrismProperty* o) { return static_cast<std::size_t>(o - p.nested.data()); };
+    out.answer = solved(0);
+    if (asked.size() == 2) return;
+    // Lay the objective that is looked for first; both are to be great.
+    const PrismProperty* const wanted = asked.empty() ? bounded.back() : asked[0];
+    const std::size_t x = index(wanted), y = 1 - x;
+    const auto oriented = [&](std::size_t i, double v) { return is_greatest(p.nested[i]) ? v : -v; };
+    const auto value = [&](const ParetoPoint& point, std::size_t i) { return oriented(i, point.values[i]); };
+    const bool alone = p.nested.size() == 1;
+    constexpr double rounding = 1e-9;
+    const double bound = alone ? -INFINITY : oriented(y, p.nested[y].bound);
+    double best = -INFINITY;
+    for (const ParetoPoint& a : out.curve)
+      for (const ParetoPoint& b : out.curve) {
+        if (alone || value(a, y) >= bound - rounding) best = std::max(best, value(a, x));
+        if (alone || value(a, y) >= bound || value(b, y) < bound) continue;
+        const double share = (bound - value(a, y)) / (value(b, y) - value(a, y));
+        best = std::max(best, value(a, x) + share * (value(b, x) - value(a, x)));
+      }
+    if (asked.empty()) {
+      out.verdict = best >= oriented(x, wanted->bound) - rounding;
+      out.answer.value = *out.verdict ? Bounds{1, 1} : Bounds{0, 0};
+    } else if (best == -INFINITY) {
+      out.answer.status = Status::Infeasible;
+      out.answer.reason = "no strategy meets the bound";
+    } else {
+      out.answer.value = {oriented(x, best), oriented(x, best)};
+    }
+  }
+
   // ---- filters
 
   void summarise(const PrismProperty& p, PropertyAnswer& out) {
@@ -229,6 +279,27 @@ class Solver {
 };
 
 }  // namespace
+
+std::optional<bool> agrees(const std::string& result, const std::vector<ParetoPoint>& curve) {
+  std::vector<std::string> numbers;
+  bool inside = false;
+  for (const char c : result) {
+    inside = c == '(' || (inside && c != ')');
+    if (c == '(' || (inside && c == ','))
+      numbers.emplace_back();
+    else if (inside && c != ' ')
+      numbers.back() += c;
+  }
+  if (numbers.empty() || numbers.size() % 2 != 0) return std::nullopt;
+  if (numbers.size() != 2 * curve.size()) return false;
+  const auto is = [&](const ParetoPoint& p, std::size_t i) {
+    return agrees(numbers[i], p.values[0], std::nullopt) == true &&
+           agrees(numbers[i + 1], p.values[1], std::nullopt) == true;
+  };
+  for (std::size_t i = 0; i < numbers.size(); i += 2)
+    if (std::none_of(curve.begin(), curve.end(), [&](const ParetoPoint& p) { return is(p, i); })) return false;
+  return true;
+}
 
 PropertyAnswer answer(const PrismProperty& property, const CaseOptions& options) {
   return Solver(options).answer(property);

@@ -65,9 +65,10 @@ Mdp beginning_at(const Mdp& mdp, std::uint32_t start, const std::vector<LetterId
   return std::move(builder).build(0, first);
 }
 
-EndComponents end_components_of(const Mdp& mdp) {
+EndComponents end_components_of(const Mdp& mdp, const std::function<bool(std::uint32_t, std::uint32_t)>& usable) {
   const Plain plain{mdp};
-  return end_components(plain, StateSet(mdp.states(), true), [](Plain::State, std::uint32_t) { return true; });
+  return end_components(plain, StateSet(mdp.states(), true),
+                        [&](Plain::State s, std::uint32_t k) { return !usable || usable(s.index, k); });
 }
 
 bool leaves(const Mdp& mdp, std::uint32_t s, std::uint32_t k, const EndComponents& components) {

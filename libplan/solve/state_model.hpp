@@ -4,6 +4,7 @@
 // was found of its states can become a proposition of it.
 #pragma once
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -22,8 +23,8 @@ std::vector<LetterId> letters_of_states(const Mdp& mdp);
 Mdp beginning_at(const Mdp& mdp, std::uint32_t start, const std::vector<LetterId>& letters,
                  const std::vector<StateTruth>& more = {});
 
-// The end components of the whole model.
-EndComponents end_components_of(const Mdp& mdp);
+// The end components of the whole model, or those of the choices that are usable(state, choice).
+EndComponents end_components_of(const Mdp& mdp, const std::function<bool(std::uint32_t, std::uint32_t)>& usable = {});
 
 // May the choice leave the end component of its state?
 bool leaves(const Mdp& mdp, std::uint32_t s, std::uint32_t k, const EndComponents& components);

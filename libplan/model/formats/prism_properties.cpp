@@ -76,7 +76,7 @@ class PropertiesReader {
   bool at_operator() const {
     for (const char* word : {"P", "Pmin", "Pmax", "R", "Rmin", "Rmax", "S"})
       if (in_.is(word)) return true;
-    return in_.is("filter") && in_.is("(", 1);
+    return (in_.is("filter") || in_.is("multi")) && in_.is("(", 1);
   }
 
   void property() {
@@ -139,14 +139,40 @@ class PropertiesReader {
     const std::size_t begin = in_.peek().where.begin;
     std::vector<PrismProperty> outside = std::exchange(inside_, {});
     PrismProperty out;
-    in_.is("filter") ? filter(out) : question(out);
+    in_.is("filter") ? filter(out) : in_.is("multi") ? multi(out) : question(out);
     const ltl::Span where{begin, last_};
     out.text = std::string(text_.substr(begin, last_ - begin));
-    if (out.ask != PrismProperty::Ask::Filter) out.nested = std::move(inside_);
+    if (out.ask != PrismProperty::Ask::Filter && out.ask != PrismProperty::Ask::Multi) out.nested = std::move(inside_);
     const bool truth = !out.comparison.empty() || out.is_truth();
     inside_ = std::move(outside);
     inside_.push_back(std::move(out));
     return expressions_.query(truth ? Type::Bool : Type::Double, where);
+  }
+
+  // multi(objective, …): P over a path formula and R over C, whose values are asked for or bounded.
+  void multi(PrismProperty& out) {
+    out.ask = PrismProperty::Ask::Multi;
+    in_.next(), in_.next();
+    do {
+      if (!at_operator() || in_.is("filter") || in_.is("multi")) in_.fail("expected P or R");
+      PrismProperty& objective = out.nested.emplace_back();
+      const std::size_t begin = in_.peek().where.begin;
+      question(objective);
+      objective.text = std::string(text_.substr(begin, last_ - begin));
+      if (!inside_.empty()) throw std::invalid_argument("an operator inside of an objective");
+      const bool total = objective.about_rewards && objective.ask == PrismProperty::Ask::Total;
+      if (!total && (objective.about_rewards || objective.ask != PrismProperty::Ask::Task))
+        throw std::invalid_argument("objectives are probabilities and total rewards (C)");
+      // Some strategy is to meet the bound.
+      using Query = CaseTask::Query;
+      const bool greatest = objective.comparison.empty() ? objective.task.query == Query::MaxProbability ||
+                                                               objective.task.query == Query::MaxCost
+                                                         : objective.comparison[0] == '>';
+      objective.task.query = total ? (greatest ? Query::MaxCost : Query::MinCost)
+                                   : (greatest ? Query::MaxProbability : Query::MinProbability);
+    } while (in_.accept(","));
+    last_ = in_.expect(")").where.end;
+    if (out.nested.size() > 2) throw std::invalid_argument("more than two objectives");
   }
 
   // filter(summary, what, states)
@@ -337,6 +363,8 @@ std::vector<PrismProperty> parse_prism_properties(const PrismSource& model, cons
 
 bool PrismProperty::is_truth() const {
   if (!comparison.empty() || ask == Ask::States) return true;
+  if (ask == Ask::Multi)
+    return std::none_of(nested.begin(), nested.end(), [](const PrismProperty& p) { return p.comparison.empty(); });
   if (ask != Ask::Filter) return false;
   return summary == "forall" || summary == "exists" ||
          ((summary == "state" || summary == "first") && nested[0].is_truth());

@@ -19,6 +19,7 @@ struct PrismProperty {             // one question
     Total,                         // the rewards of a run without end; its query is MinCost or MaxCost
     Steady,                        // in the long run: the share of `task.formula`, or the mean reward
     States,                        // whether the initial state satisfies `task.formula`, which has no temporal operator
+    Multi,                         // nested: objectives that one strategy is to meet; their queries say which way
     Filter                         // `summary` of what nested[0] asks over the states of nested[1]
   };
   Ask ask = Ask::Task;  // of this question

@@ -93,7 +93,7 @@ TEST(Jani, MakesAssignmentsInRounds) {
 }
 
 // A sender and two receivers of one kind, each with a variable of its own; the sender names whom it serves.
-constexpr const char* network = R"("actions":[{"name":"send"},{"name":"get"},{"name":"done"}],
+constexpr const char* senders = R"("actions":[{"name":"send"},{"name":"get"},{"name":"done"}],
   "functions":[{"name":"twice","type":"int","parameters":[{"name":"n","type":"int"}],
                 "body":{"op":"*","left":"n","right":2}}],
   "variables":[{"name":"busy","type":"bool","transient":true,"initial-value":false},
@@ -118,7 +118,7 @@ constexpr const char* network = R"("actions":[{"name":"send"},{"name":"get"},{"n
             "syncs":[{"synchronise":["send","get",null],"result":"done"},{"synchronise":["send",null,"get"]}]})";
 
 TEST(Jani, ComposesByVectors) {
-  const Mdp mdp = parse_jani(document(network));
+  const Mdp mdp = parse_jani(document(senders));
   EXPECT_EQ(mdp.name(0), "2,0,0,0");
   ASSERT_EQ(mdp.choices(0), 2U);
   EXPECT_EQ(mdp.action(0, 0), "done");
@@ -176,7 +176,7 @@ TEST(Jani, ReadsEveryOperator) {
 TEST(Jani, AsksInManyForms) {
   const auto asked = [](const std::string& expression) {
     const auto found = parse_jani_properties(
-        {document(network + std::string(R"(,"properties":[{"name":"p","expression":)") + expression + "}]"), ""});
+        {document(senders + std::string(R"(,"properties":[{"name":"p","expression":)") + expression + "}]"), ""});
     return found.at(0);
   };
   const std::string sent = R"({"op":"=","left":"sent","right":4})";
@@ -188,7 +188,8 @@ TEST(Jani, AsksInManyForms) {
   EXPECT_NEAR(value(asked(R"({"op":"Emax","exp":1,"accumulate":["steps"],"reach":)" + sent + "}")), 3, 1e-6);
   EXPECT_NEAR(value(asked(R"({"op":"Emax","exp":"sent","step-instant":2})")), 3, 1e-6);
   // For ever: until both receivers have got one, each by half a chance, at most four sends: 5 (2/4 + 3/4 + 4/2).
-  EXPECT_NEAR(answer(asked(R"({"op":"Emax","exp":"fee","accumulate":["steps"]})"), {}).answer.value.middle(), 16.25, 1e-4);
+  EXPECT_NEAR(answer(asked(R"({"op":"Emax","exp":"fee","accumulate":["steps"]})"), {}).answer.value.middle(), 16.25,
+              1e-4);
   EXPECT_EQ(asked(R"({"op":">","left":0.25,"right":{"op":"Pmin","exp":{"op":"G","exp":"busy"}}})").comparison, "<");
   const std::pair<std::string, std::string> faults[] = {
       {R"({"op":"filter","fun":"min","states":{"op":"deadlock"},"values":{"op":"Pmax","exp":"busy"}})",

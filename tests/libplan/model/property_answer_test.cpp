@@ -178,5 +178,42 @@ TEST(PropertyAnswer, KnowsFiltersAndTheLongRun) {
   EXPECT_THROW(answered(coin, "filter(state, P=? [ F s=3 ], s>2)"), std::invalid_argument);
 }
 
+// Either is sure to be lit, or the lamp at a price; the lamp and the door exclude each other.
+constexpr const char* lamp = R"(mdp
+module m
+  s : [0..3];
+  [door] s=0 -> (s'=1);
+  [lamp] s=0 -> 0.8:(s'=2) + 0.2:(s'=3);
+  [] s>0 -> true;
+endmodule
+rewards "price" [lamp] true : 5; endrewards
+rewards "step" true : 1; endrewards
+)";
+
+TEST(PropertyAnswer, OfSeveralObjectives) {
+  const PropertyAnswer curve = answered(lamp, "multi(Pmax=? [ F s=2 ], R{\"price\"}min=? [ C ])");
+  ASSERT_EQ(curve.curve.size(), 2U);
+  EXPECT_EQ(curve.curve[0].values, (std::vector<double>{0, 0}));
+  EXPECT_NEAR(curve.curve[1].values[0], 0.8, 1e-9);
+  EXPECT_NEAR(curve.curve[1].values[1], 5, 1e-9);
+  ASSERT_FALSE(curve.curve[1].decisions.empty());
+  EXPECT_EQ(curve.curve[1].decisions[0].action, "lamp");
+  EXPECT_EQ(agrees("[(0.8,5),(0,0)]", curve.curve), true);
+  EXPECT_EQ(agrees("[(0.8,5),(0,1)]", curve.curve), false);
+  EXPECT_EQ(agrees("[(0.8,5)]", curve.curve), false);
+  const std::pair<const char*, double> numbers[] = {{"multi(Pmax=? [ F s=2 ], P>=0.25 [ F s=1 ])", 0.6},
+                                                    {"multi(Pmax=? [ F s=2 ], R{\"price\"}<=4 [ C ])", 0.64},
+                                                    {"multi(R{\"price\"}min=? [ C ], P>=0.4 [ F s=2 ])", 2.5},
+                                                    {"multi(P>=0.1 [ G s!=3 ], Pmax=? [ F s=3 ])", 0.2},
+                                                    {"multi(Pmin=? [ F s=1 ])", 0}};
+  for (const auto& [property, value] : numbers) EXPECT_NEAR(number(lamp, property), value, 1e-6) << property;
+  EXPECT_EQ(answered(lamp, "multi(P>=0.4 [ F s=2 ], P>=0.5 [ F s=1 ])").verdict, true);
+  EXPECT_EQ(answered(lamp, "multi(P>=0.41 [ F s=2 ], P>=0.5 [ F s=1 ])").verdict, false);
+  EXPECT_EQ(answered(lamp, "multi(Pmax=? [ F s=1 ], P>=0.9 [ F s=2 ])").answer.status, CaseAnswer::Status::Infeasible);
+  EXPECT_THROW(answered(lamp, "multi(Pmax=? [ F s=1 ], R{\"step\"}max=? [ C ])"), std::invalid_argument);
+  EXPECT_THROW(answered(lamp, "multi(Pmax=? [ F s=1 ], Pmax=? [ G F s=2 ])"), std::invalid_argument);
+  EXPECT_TRUE(answered(lamp, "multi(Pmax=? [ F s=1 ], R{\"step\"}min=? [ C ])").curve.empty());
+}
+
 }  // namespace
 }  // namespace waymark::plan
