@@ -86,7 +86,7 @@ class ParetoBuilder {
     return builder.letter(out);
   }
 
-  // Of a choice: what it earns. A prefix that decides a formula earns 1 once, what the first letter decides is added by the caller.
+  // A prefix that decides a formula earns 1 once; what the first letter decides is added by the caller.
   void add(MdpBuilder& builder, const Pair pair) {
     builder.add_state();
     out_.first.push_back(static_cast<std::uint32_t>(out_.rewards[0].size()));

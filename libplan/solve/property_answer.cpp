@@ -18,6 +18,8 @@ namespace {
 using Ask = PrismProperty::Ask;
 using Status = CaseAnswer::Status;
 
+constexpr std::size_t most_unfolded = 20'000'000;
+
 struct NoAnswer {  // thrown
   std::string reason;
 };
@@ -128,6 +130,11 @@ class Solver {
           expected_cost(from_s, {*p.steps, p.instantaneous, p.task.query == CaseTask::Query::MaxCost}, options_.stop);
       if (!found) throw NoAnswer{"stopped"};
       return solved(*found);
+    }
+    if (p.budget) {
+      auto unfolded = spending(from_s, *p.budget, within_budget, {.states = most_unfolded, .stop = options_.stop});
+      if (!unfolded) throw NoAnswer{"stopped, or more than 20,000,000 states with what was spent"};
+      return task(std::make_shared<const PlanningCase>(PlanningCase{"", std::move(*unfolded), {}}), p.task);
     }
     return task(whole ? p.model : std::make_shared<const PlanningCase>(PlanningCase{"", part, {}}), p.task);
   }

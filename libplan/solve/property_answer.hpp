@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "libplan/model/formats/prism_properties.hpp"
+#include "libplan/model/formats/result_comment.hpp"
 #include "libplan/solve/case_task.hpp"
 #include "libplan/solve/pareto.hpp"
 

@@ -1,6 +1,9 @@
 #include "libplan/solve/state_model.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <unordered_map>
 
 namespace waymark::plan {
 namespace {
@@ -62,6 +65,60 @@ Mdp beginning_at(const Mdp& mdp, std::uint32_t start, const std::vector<LetterId
     }
   }
   const LetterId first = letter(start);
+  return std::move(builder).build(0, first);
+}
+
+std::optional<Mdp> spending(const Mdp& mdp, std::uint64_t budget, const std::string& within,
+                            const ltl::Limits& limits) {
+  const std::vector<LetterId> letters = letters_of_states(mdp);
+  ltl::Vocabulary vocabulary = mdp.letters().vocabulary();
+  const ltl::Proposition marker = vocabulary.add(within);
+  MdpBuilder builder(vocabulary);
+  std::vector<LetterId> marked;  // by state
+  for (const LetterId letter : letters) {
+    ltl::Letter out = mdp.letters()[letter];
+    out.insert(marker);
+    marked.push_back(builder.letter(out));
+  }
+  const LetterId none = builder.letter({});
+  struct Place {
+    std::uint32_t state;
+    std::uint64_t spent;
+  };
+  constexpr std::uint64_t over = UINT64_MAX;
+  std::vector<Place> places;
+  std::unordered_map<std::uint64_t, std::uint32_t> numbers;
+  const auto number = [&](std::uint32_t state, std::uint64_t spent) {
+    const std::uint64_t key = spent == over ? over : spent * mdp.states() + state;
+    const auto [at, fresh] = numbers.try_emplace(key, static_cast<std::uint32_t>(places.size()));
+    if (fresh) places.push_back({state, spent});
+    return at->second;
+  };
+  number(mdp.initial(), 0);
+  for (std::uint32_t i = 0; i < places.size(); ++i) {
+    if (places.size() > limits.states || (i % 1024 == 0 && limits.stop.stop_requested())) return std::nullopt;
+    const Place place = places[i];
+    builder.add_state();
+    if (place.spent == over) {
+      builder.add_choice("stay", 0);
+      builder.add_outcome(i, none);
+      continue;
+    }
+    for (std::uint32_t k = 0; k < mdp.choices(place.state); ++k) {
+      const double cost = mdp.cost(place.state, k);
+      if (std::floor(cost) != cost) throw std::invalid_argument("a bound on rewards that are no whole numbers");
+      const bool enough = cost <= static_cast<double>(budget - place.spent);
+      builder.add_choice(mdp.action(place.state, k), 0);
+      if (!enough) {
+        builder.add_outcome(number(0, over), none);
+        continue;
+      }
+      const std::uint64_t spent = place.spent + static_cast<std::uint64_t>(cost);
+      for (const ModelOutcome& o : mdp.outcomes(place.state, k))
+        builder.add_outcome(number(o.target, spent), marked[o.target], o.probability);
+    }
+  }
+  const LetterId first = marked[mdp.initial()];
   return std::move(builder).build(0, first);
 }
 

@@ -5,10 +5,12 @@
 #pragma once
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "libltl/limits.hpp"
 #include "libplan/model/mdp.hpp"
 #include "libplan/solve/end_components.hpp"
 
@@ -22,6 +24,11 @@ std::vector<LetterId> letters_of_states(const Mdp& mdp);
 // The part that is reachable from a state, which becomes state 0, with more propositions. O(outcomes).
 Mdp beginning_at(const Mdp& mdp, std::uint32_t start, const std::vector<LetterId>& letters,
                  const std::vector<StateTruth>& more = {});
+
+// Places and what was spent on the way to them: the proposition `within` holds as long as that is at most the budget;
+// then everything ends in one state without propositions. Costs are 0 there. O(states · budget) at most, in memory too.
+// Throws std::invalid_argument for a cost that is no whole number. nullopt: more states than the limit, or stopped.
+std::optional<Mdp> spending(const Mdp& mdp, std::uint64_t budget, const std::string& within, const ltl::Limits& limits);
 
 // The end components of the whole model, or those of the choices that are usable(state, choice).
 EndComponents end_components_of(const Mdp& mdp, const std::function<bool(std::uint32_t, std::uint32_t)>& usable = {});

@@ -233,8 +233,8 @@ class JaniPropertiesReader {
       const auto value = text_.find(*at, key);
       return value && text_.truth(*value);
     };
-    return PrismExpressions::Window{bound("lower"), bound("upper"), exclusive("lower-exclusive"),
-                                    exclusive("upper-exclusive")};
+    return PrismExpressions::Window{
+        bound("lower"), bound("upper"), exclusive("lower-exclusive"), exclusive("upper-exclusive"), {}};
   }
 
   // ---- the model

@@ -64,6 +64,7 @@ class PathWriter {
     const PrismExpressions::Window* window = expressions_.window(e);
     if (window == nullptr) return std::nullopt;
     const PrismExpressions::Window bounds = *window;
+    if (bounds.rewards) throw std::invalid_argument("a bound on rewards inside of a path formula, or not from above");
     const auto number = [&](Id at) {
       expressions_.expect_type(at, Type::Int);
       const double found = expressions_.constant(at);

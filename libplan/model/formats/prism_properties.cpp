@@ -1,7 +1,6 @@
 #include "libplan/model/formats/prism_properties.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <map>
 #include <utility>
@@ -159,6 +158,7 @@ class PropertiesReader {
       const std::size_t begin = in_.peek().where.begin;
       question(objective);
       objective.text = std::string(text_.substr(begin, last_ - begin));
+      if (objective.budget) throw std::invalid_argument("an objective with a budget");
       if (!inside_.empty()) throw std::invalid_argument("an operator inside of an objective");
       const bool total = objective.about_rewards && objective.ask == PrismProperty::Ask::Total;
       if (!total && (objective.about_rewards || objective.ask != PrismProperty::Ask::Task))
@@ -230,12 +230,32 @@ class PropertiesReader {
     if (probability || (out.ask == PrismProperty::Ask::Task && !steps(out))) {
       const Id path = steady ? expressions_.parse(in_) : expressions_.parse_path(in_);
       expressions_.expect_type(path, Type::Bool);
-      out.task.formula = formula(path);
+      out.task.formula = spends(path, out) ? budgeted(path) : formula(path);
     }
     last_ = in_.expect("]").where.end;
     out.task.query = query(probability, optimum, out.comparison);
     if (!probability && out.rewards.empty() && !program_.rewards.empty()) out.rewards = program_.rewards[0].name;
     if (!probability && !known(out.rewards)) throw std::invalid_argument("there are no rewards of this name");
+  }
+
+  // F{"r"}<=B φ and φ U{"r"}<=B ψ, alone.
+  bool spends(Id path, PrismProperty& out) {
+    const Op op = expressions_.op(path);
+    const auto* window = op == Op::Eventually || op == Op::Until ? expressions_.window(path) : nullptr;
+    if (window == nullptr || !window->rewards || window->least || !window->most || out.about_rewards) return false;
+    const PrismExpressions::Window bounds = *window;
+    expressions_.expect_type(*bounds.most, Type::Int);
+    const double most = expressions_.constant(*bounds.most) - (bounds.below_most ? 1 : 0);
+    if (!(most >= 0 && most <= 1e9)) throw std::invalid_argument("a bound on rewards outside of [0, 10^9]");
+    if (!known(*bounds.rewards)) throw std::invalid_argument("there are no rewards of this name");
+    out.budget = static_cast<std::uint64_t>(most);
+    out.rewards = *bounds.rewards;
+    return true;
+  }
+  std::string budgeted(Id path) {
+    const std::vector<Id> parts = expressions_.operands(path);
+    const std::string goal = "((" + formula(parts.back()) + ") & \"" + within_budget + "\")";
+    return parts.size() == 1 ? "F " + goal : '(' + formula(parts[0]) + ") U " + goal;
   }
 
   std::string structure(const PrismToken& token) const {  // by its name, or its number from 1
@@ -347,13 +367,6 @@ class PropertiesReader {
   std::size_t from_ = 0, last_ = 0;  // where the last property ended
 };
 
-std::optional<double> number(std::string_view text) {
-  double out = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), out);
-  if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
-  return out;
-}
-
 }  // namespace
 
 std::vector<PrismProperty> parse_prism_properties(const PrismSource& model, const PrismSource& properties,
@@ -368,27 +381,6 @@ bool PrismProperty::is_truth() const {
   if (ask != Ask::Filter) return false;
   return summary == "forall" || summary == "exists" ||
          ((summary == "state" || summary == "first") && nested[0].is_truth());
-}
-
-std::optional<bool> agrees(const std::string& result, double value, std::optional<bool> verdict,
-                           std::optional<double> range) {
-  if (result == "true" || result == "false")
-    return verdict ? std::optional<bool>(*verdict == (result == "true")) : std::nullopt;
-  if (result.starts_with("[") && result.ends_with("]") && result.find(',') != std::string::npos) {
-    const std::size_t comma = result.find(',');
-    const auto least = agrees(result.substr(1, comma - 1), value, {}, {});
-    const auto most = agrees(result.substr(comma + 1, result.size() - comma - 2), range.value_or(value), {}, {});
-    return least && most ? std::optional<bool>(*least && *most) : std::nullopt;
-  }
-  if (result == "Infinity" || result == "Inf") return value == INFINITY;
-  const std::size_t slash = result.find('/');
-  std::optional<double> expected = number(result.substr(0, slash));
-  if (slash != std::string::npos && expected) {
-    const std::optional<double> below = number(result.substr(slash + 1));
-    expected = below ? std::optional<double>(*expected / *below) : std::nullopt;
-  }
-  if (!expected) return std::nullopt;
-  return std::abs(value - *expected) <= std::max(1e-5 * std::abs(*expected), 1e-7);
 }
 
 }  // namespace waymark::plan

@@ -32,12 +32,16 @@ struct PrismProperty {             // one question
   double bound = 0;                                // that the value is compared with
   std::optional<std::string> result;               // of the comment "RESULT: …" before it, for these constants
   std::shared_ptr<const PlanningCase> model = {};  // with these rewards as costs; shared by properties
-  bool about_rewards = false;                      // R, and not P or S
-  std::string rewards = {};                        // the name of their structure
-  std::string summary = {};                        // min, max, sum, avg, count, forall, exists, state, first, range
-  std::vector<PrismProperty> nested = {};  // operators inside of it, whose texts are propositions of its formula
-  bool is_truth() const;                   // is the answer true or false?
+  std::optional<std::uint64_t> budget = {};  // F{"r"}<=B: of the costs until the formula holds, which has within_budget
+  bool about_rewards = false;                // R, and not P or S
+  std::string rewards = {};                  // the name of their structure
+  std::string summary = {};                  // min, max, sum, avg, count, forall, exists, state, first, range
+  std::vector<PrismProperty> nested = {};    // operators inside of it, whose texts are propositions of its formula
+  bool is_truth() const;                     // is the answer true or false?
 };
+
+// The proposition of the moments until which no more than the budget was spent.
+inline constexpr const char* within_budget = "within the budget";
 
 struct PrismSource {              // a text and where it is from
   std::string_view text, source;  // of errors
@@ -49,11 +53,5 @@ struct PrismSource {              // a text and where it is from
 std::vector<PrismProperty> parse_prism_properties(const PrismSource& model, const PrismSource& properties,
                                                   const PrismConstants& constants = {},
                                                   const ltl::Limits& limits = {.states = most_model_states});
-
-// Does the value agree with what a RESULT comment says: a number, a fraction, Infinity, true or false? Numbers agree
-// up to a relative difference of 10⁻⁵, PRISM's own measure, or an absolute one of 10⁻⁷. nullopt: the comment says
-// something else.
-std::optional<bool> agrees(const std::string& result, double value, std::optional<bool> verdict,
-                           std::optional<double> range = {});
 
 }  // namespace waymark::plan

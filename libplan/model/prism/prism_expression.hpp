@@ -28,6 +28,7 @@ class PrismExpressions {  // all expressions of a file
   struct Window {                                        // of the steps of a temporal operator: absent where unbounded
     std::optional<Id> least, most;                       // expressions
     bool above_least = false, below_most = false;        // > and <
+    std::optional<std::string> rewards;                  // of a structure, in the place of steps
   };
 
   explicit PrismExpressions(const ModelText& text) : text_(&text) {}

@@ -212,9 +212,15 @@ PrismExpressions::Id PrismExpressions::parse_temporal(PrismTokens& in) {
   return left;
 }
 
-// <=k, <k, >=k, >k, =k or [j,k].
+// <=k, <k, >=k, >k, =k or [j,k], of steps or, behind {"name"}, of rewards.
 std::optional<PrismExpressions::Window> PrismExpressions::parse_window(PrismTokens& in) {
   Window out;
+  if (in.is("{")) {
+    in.next();
+    if (in.peek().kind != PrismToken::Kind::String) in.fail("expected the name of rewards in quotes");
+    out.rewards = std::string(in.next().text);
+    in.expect("}");
+  }
   const auto number = [&] { return parse_level(in, negation + 2); };
   if (in.accept("<=")) {
     out.most = number();
@@ -234,6 +240,7 @@ std::optional<PrismExpressions::Window> PrismExpressions::parse_window(PrismToke
     out.most = parse(in);
     in.expect("]");
   } else {
+    if (out.rewards) in.fail("expected a bound on rewards");
     return std::nullopt;
   }
   return out;

@@ -5,6 +5,7 @@
 
 #include "libltl/diagnostic.hpp"
 #include "libplan/model/formats/prism_properties.hpp"
+#include "libplan/model/formats/result_comment.hpp"
 #include "libplan/solve/case_task.hpp"
 #include "libplan/solve/finite_horizon.hpp"
 #include "tests/libplan/model/models.hpp"

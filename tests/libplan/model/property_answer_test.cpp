@@ -7,6 +7,7 @@
 
 #include "libplan/model/prism/write_prism.hpp"
 #include "libplan/solve/long_run.hpp"
+#include "libplan/solve/state_model.hpp"
 #include "tests/libplan/model/models.hpp"
 
 namespace waymark::plan {
@@ -125,6 +126,60 @@ TEST(PropertyAnswer, OfNestedOperatorsIsThatOfLabels) {
   }
 }
 
+// By level of what is left, every state of a level by iteration: what is free stays on the level.
+std::vector<double> within(const Mdp& mdp, const std::vector<bool>& goal, std::size_t budget, bool greatest) {
+  std::vector<std::vector<double>> left;
+  for (std::size_t b = 0; b <= budget; ++b) {
+    std::vector<double> now(mdp.states(), 0);
+    for (int sweep = 0; sweep < 3'000; ++sweep)
+      for (std::uint32_t s = 0; s < mdp.states(); ++s) {
+        double best = greatest ? 0 : 1;
+        for (std::uint32_t k = 0; k < mdp.choices(s); ++k) {
+          const auto cost = static_cast<std::size_t>(mdp.cost(s, k));
+          double sum = 0;
+          for (const ModelOutcome& o : mdp.outcomes(s, k))
+            if (cost <= b) sum += o.probability * (cost == 0 ? now : left[b - cost])[o.target];
+          best = greatest ? std::max(best, sum) : std::min(best, sum);
+        }
+        now[s] = goal[s] ? 1 : best;
+      }
+    left.push_back(now);
+  }
+  return left.back();
+}
+
+TEST(PropertyAnswer, OfBudgetsIsThatOfLevels) {
+  std::mt19937 random(24);
+  for (int i = 0; i < 40; ++i) {
+    const Mdp free = random_states(random, i % 4 == 0);
+    MdpBuilder builder(free.letters().vocabulary());
+    std::vector<bool> goal(free.states(), false);
+    const std::vector<LetterId> letters = letters_of_states(free);
+    for (std::uint32_t s = 0; s < free.states(); ++s) {
+      builder.add_state();
+      goal[s] = free.letters()[letters[s]].contains(ltl::Proposition{0});
+      for (std::uint32_t k = 0; k < free.choices(s); ++k) {
+        builder.add_choice(free.action(s, k), static_cast<double>(random() % 3));
+        for (const ModelOutcome& o : free.outcomes(s, k))
+          builder.add_outcome(o.target, builder.letter(free.letters()[letters[o.target]]), o.probability);
+      }
+    }
+    const LetterId first = builder.letter(free.letters()[letters[0]]);
+    const Mdp mdp = std::move(builder).build(0, first);
+    for (const std::size_t budget : {0U, 1U, 4U})
+      for (const bool greatest : {true, false}) {
+        PrismProperty p;
+        p.budget = budget;
+        p.task = {"", "F (" + mdp.letters().vocabulary().name(ltl::Proposition{0}) + " & \"within the budget\")",
+                  CaseTask::Logic::Ltl, greatest ? CaseTask::Query::MaxProbability : CaseTask::Query::MinProbability};
+        p.model = std::make_shared<const PlanningCase>(PlanningCase{"", mdp, {}});
+        EXPECT_NEAR(answer(p, {.tolerance = 1e-8, .explain = false}).answer.value.middle(),
+                    within(mdp, goal, budget, greatest)[0], 1e-6)
+            << i << ' ' << budget << ' ' << greatest;
+      }
+  }
+}
+
 constexpr const char* coin = R"(dtmc
 module m
   s : [0..4];
@@ -207,6 +262,8 @@ TEST(PropertyAnswer, OfSeveralObjectives) {
                                                     {"multi(P>=0.1 [ G s!=3 ], Pmax=? [ F s=3 ])", 0.2},
                                                     {"multi(Pmin=? [ F s=1 ])", 0}};
   for (const auto& [property, value] : numbers) EXPECT_NEAR(number(lamp, property), value, 1e-6) << property;
+  EXPECT_EQ(number(lamp, "Pmax=? [ F{\"price\"}<5 s=2 ]"), 0);
+  EXPECT_NEAR(number(lamp, "Pmax=? [ s<2 U{\"price\"}<=5 s=2 ]"), 0.8, 1e-6);
   EXPECT_EQ(answered(lamp, "multi(P>=0.4 [ F s=2 ], P>=0.5 [ F s=1 ])").verdict, true);
   EXPECT_EQ(answered(lamp, "multi(P>=0.41 [ F s=2 ], P>=0.5 [ F s=1 ])").verdict, false);
   EXPECT_EQ(answered(lamp, "multi(Pmax=? [ F s=1 ], P>=0.9 [ F s=2 ])").answer.status, CaseAnswer::Status::Infeasible);
