@@ -30,7 +30,7 @@ class ParetoBuilder {
     number(begin);
     for (std::uint32_t i = 0; i < pairs_.size(); ++i) {
       if (limits_.stop.stop_requested()) return std::nullopt;
-      add(builder, pairs_[i]);
+      add(builder, i);
     }
     const LetterId letter = this->letter(builder, pairs_[0]);
     out_.mdp = std::move(builder).build(0, letter);
@@ -87,7 +87,8 @@ class ParetoBuilder {
   }
 
   // A prefix that decides a formula earns 1 once; what the first letter decides is added by the caller.
-  void add(MdpBuilder& builder, const Pair pair) {
+  void add(MdpBuilder& builder, std::uint32_t number_of_pair) {
+    const Pair pair = pairs_[number_of_pair];  // a copy: more join
     builder.add_state();
     out_.first.push_back(static_cast<std::uint32_t>(out_.rewards[0].size()));
     out_.origin.push_back(pair.state);

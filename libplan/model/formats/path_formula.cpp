@@ -49,7 +49,7 @@ class PathWriter {
 
   std::string condition(Id e) {
     expressions_.expect_type(e, Type::Bool);
-    const std::string name = path_name(name_(e));
+    std::string name = path_name(name_(e));
     if (name == "true" || name == "false") return name;
     if (std::none_of(labels_.begin(), labels_.end(), [&](const PrismProgram::Label& l) { return l.name == name; }))
       labels_.push_back({name, e});
