@@ -38,17 +38,18 @@ void add_answer_options(Command command, CaseChoice& choice) {
 void add_prism_options(Command command, CaseChoice& choice) {
   command
       .add_option("--const", choice.constants,
-                  "with --model in the language of PRISM: values of its constants, N=3,p=0.5")
+                  "with --model in the language of PRISM or in JANI: values of its constants, N=3,p=0.5")
       .type_name("LIST");
   command
-      .add_option("--rewards", choice.rewards,
-                  "with --model in the language of PRISM: the rewards that are costs; else \"cost\" or \"steps\", or "
-                  "the first")
+      .add_option(
+          "--rewards", choice.rewards,
+          "with --model in the language of PRISM or in JANI: the rewards that are costs; else \"cost\" or \"steps\", "
+          "or the first")
       .type_name("NAME");
   command
       .add_option("--properties", choice.properties,
                   "with --model in the language of PRISM: answer its P and R operators instead of a formula, and "
-                  "compare with their RESULT comments")
+                  "compare with their RESULT comments; in JANI: answer those of the document, the same FILE")
       .type_name("FILE");
 }
 
@@ -77,9 +78,10 @@ void add_case_options(Command command, CaseChoice& choice) {
   command.add_option("--case", choice.file, "a planning case (ltlgrid/1 or ltlmap/1) instead of a formula and a map")
       .type_name("FILE");
   command
-      .add_option("--model", choice.model,
-                  "a formula's value on another model than a map: PRISM's FILE.nm or FILE.tra, roads (FILE.osm, "
-                  "FILE.geojson, FILE.graphml), a street graph or planning case (JSON), a transition system (YAML)")
+      .add_option(
+          "--model", choice.model,
+          "a formula's value on another model than a map: PRISM's FILE.nm or FILE.tra, FILE.jani, roads (FILE.osm, "
+          "FILE.geojson, FILE.graphml), a street graph or planning case (JSON), a transition system (YAML)")
       .type_name("FILE");
   command
       .add_option("--query", choice.query,

@@ -4,12 +4,12 @@
 #include <iomanip>
 #include <iostream>
 #include <optional>
+#include <sstream>
 #include <variant>
 
 #include "libltl/diagnostic.hpp"
-#include "libplan/model/formats/prism_properties.hpp"
-#include "libplan/solve/case_task.hpp"
-#include "libplan/solve/finite_horizon.hpp"
+#include "libplan/model/formats/jani_properties.hpp"
+#include "libplan/solve/property_answer.hpp"
 #include "tools/shell/batch.hpp"
 #include "tools/shell/json.hpp"
 #include "tools/shell/output.hpp"
@@ -20,38 +20,22 @@ namespace {
 using plan::CaseAnswer;
 using plan::PrismProperty;
 
-struct Answered {  // a property
-  CaseAnswer answer;
-  std::optional<bool> verdict;  // of a comparison
-  std::optional<bool> agrees;   // with the comment, where it says a value
+struct Answered : plan::PropertyAnswer {  // a property
+  std::optional<bool> agrees;             // with the comment, where it says a value
 };
-
-// Decided by the proved bounds; nullopt where they lie on both sides.
-std::optional<bool> verdict(const PrismProperty& property, const plan::Bounds& value) {
-  const std::string& sign = property.comparison;
-  const auto holds = [&](double v) {
-    return sign == ">="   ? v >= property.bound
-           : sign == ">"  ? v > property.bound
-           : sign == "<=" ? v <= property.bound
-                          : v < property.bound;
-  };
-  if (sign.empty() || holds(value.lower) != holds(value.upper)) return std::nullopt;
-  return holds(value.lower);
-}
 
 class Properties {
  public:
   Properties(const CaseChoice& choice, const Session& session) : choice_(choice), session_(session) {}
 
   ExitCode answer(const PrismProperty& property) {
-    if (!property.fault.empty()) {
-      if (choice_.json)
-        std::cout << begun(property).add("status", "not answered").add("reason", property.fault).text() << '\n';
-      else
-        std::cout << property.text << "  not answered: " << property.fault << '\n';
-      return ExitCode::BadInput;
+    if (!property.fault.empty()) return unanswered(property, property.fault);
+    Answered found;
+    try {
+      found = solved(property);
+    } catch (const std::invalid_argument& error) {
+      return unanswered(property, error.what());
     }
-    Answered found = solved(property);
     if (choice_.json)
       std::cout << json(property, found).text() << '\n';
     else
@@ -61,35 +45,28 @@ class Properties {
   }
 
  private:
+  ExitCode unanswered(const PrismProperty& property, const std::string& reason) const {
+    if (choice_.json)
+      std::cout << begun(property).add("status", "not answered").add("reason", reason).text() << '\n';
+    else
+      std::cout << property.text << "  not answered: " << reason << '\n';
+    return ExitCode::BadInput;
+  }
+
   Answered solved(const PrismProperty& property) const {
     const ltl::Watch watch(granted(choice_.parallel.limits), session_.stop);
     const plan::CaseOptions options{.tolerance = choice_.tolerance, .explain = false, .stop = watch.token()};
-    Answered out{
-        property.steps ? of_steps(property, watch.token()) : plan::answer(*property.model, property.task, options),
-        {},
-        {}};
+    Answered out{plan::answer(property, options), {}};
     if (out.answer.status == CaseAnswer::Status::Exhausted) {
       if (watch.overrun() != ltl::Overrun::None)
         out.answer.reason += " (" + amount(watch.overrun(), choice_.parallel.limits) + ')';
       return out;
     }
-    out.verdict = verdict(property, out.answer.value);
-    if (property.result) out.agrees = plan::agrees(*property.result, out.answer.value.middle(), out.verdict);
-    return out;
-  }
-
-  static CaseAnswer of_steps(const PrismProperty& property, const std::stop_token& stop) {
-    const auto found = plan::expected_cost(
-        std::get<plan::Mdp>(property.model->model),
-        {*property.steps, property.instantaneous, property.task.query == plan::CaseTask::Query::MaxCost}, stop);
-    CaseAnswer out;
-    out.method = plan::CaseMethod::ValueIteration;
-    if (!found) {
-      out.reason = "stopped";
-      return out;
-    }
-    out.status = CaseAnswer::Status::Solved;
-    out.value = {*found, *found};
+    if (property.result && is_curve(property))
+      out.agrees = plan::agrees(*property.result, out.curve);
+    else if (property.result)
+      out.agrees = plan::agrees(*property.result, out.answer.value.middle(), out.verdict,
+                                out.range ? std::optional(out.range->middle()) : std::nullopt);
     return out;
   }
 
@@ -99,17 +76,20 @@ class Properties {
 
   static JsonObject json(const PrismProperty& property, const Answered& found) {
     const bool valued = found.answer.status != CaseAnswer::Status::Exhausted;
-    const auto number = [&](double value) { return valued ? Json(value) : Json(); };
+    const bool one = valued && !is_curve(property) && found.answer.status == CaseAnswer::Status::Solved;
+    const auto number = [&](double value) { return one ? Json(value) : Json(); };
     const auto maybe = [](const std::optional<bool>& b) { return b ? Json(*b) : Json(); };
     JsonObject out = begun(property);
     out.add("status", valued ? "solved" : "exhausted")
         .add("query", plan::name(property.task.query))
-        .add("formula", property.steps ? Json() : Json(property.task.formula))
+        .add("formula", property.task.formula.empty() ? Json() : Json(property.task.formula))
         .add("value", number(found.answer.value.middle()))
         .add("lower", number(found.answer.value.lower))
         .add("upper", number(found.answer.value.upper))
+        .add("range_end", found.range ? Json(found.range->middle()) : Json())
         .add("verdict", maybe(found.verdict))
         .add("agrees", maybe(found.agrees));
+    if (property.ask == PrismProperty::Ask::Multi) out.add("points", points(property, found.curve));
     if (!valued) out.add("reason", found.answer.reason);
     return out;
   }
@@ -121,12 +101,24 @@ class Properties {
       return;
     }
     if (found.verdict)
-      std::cout << (*found.verdict ? "true" : "false") << ": ";
+      std::cout << (*found.verdict ? "true" : "false");
     else if (!property.comparison.empty())
-      std::cout << "undecided: ";
-    const plan::Bounds& value = found.answer.value;
-    std::cout << std::setprecision(12) << value.middle();
-    if (value.lower != value.upper) std::cout << "  in [" << value.lower << ", " << value.upper << ']';
+      std::cout << "undecided";
+    if (is_curve(property)) {
+      for (const plan::ParetoPoint& point : found.curve)
+        std::cout << (&point == found.curve.data() ? "" : "  ") << text(point);
+      if (found.curve.empty()) std::cout << "no strategy has finite rewards";
+    } else if (found.answer.status == CaseAnswer::Status::Infeasible && !found.answer.reason.empty() &&
+               !found.curve.empty()) {
+      std::cout << "infeasible: " << found.answer.reason;
+    } else if (!property.is_truth() || !property.comparison.empty()) {  // there is a number
+      if (property.is_truth()) std::cout << ": ";
+      show(found.answer.value);
+      if (found.range) {
+        std::cout << "  to  ";
+        show(*found.range);
+      }
+    }
     if (property.result)
       std::cout << "  RESULT " << *property.result << ": "
                 << (!found.agrees   ? "not compared"
@@ -135,20 +127,58 @@ class Properties {
     std::cout << '\n';
   }
 
+  // Both objectives are asked for.
+  static bool is_curve(const PrismProperty& p) {
+    return p.ask == PrismProperty::Ask::Multi && p.nested.size() == 2 && p.nested[0].comparison.empty() &&
+           p.nested[1].comparison.empty();
+  }
+  static std::string text(const plan::ParetoPoint& point) {
+    std::ostringstream out;
+    out << std::setprecision(12) << '(' << point.values[0] << ", " << point.values[1] << ')';
+    return out.str();
+  }
+  static JsonArray points(const PrismProperty& property, const std::vector<plan::ParetoPoint>& curve) {
+    JsonArray out;
+    for (const plan::ParetoPoint& point : curve) {
+      JsonArray values, bounds, decisions;
+      for (const double value : point.values) values.add(value);
+      for (const plan::Bounds& b : point.re_evaluated) bounds.add(JsonArray().add(b.lower).add(b.upper));
+      const auto& mdp = std::get<plan::Mdp>(property.model->model);
+      for (const plan::ParetoDecision& d : point.decisions)
+        decisions.add(JsonObject().add("state", mdp.name(d.state)).add("memory", d.memory).add("action", d.action));
+      out.add(JsonObject().add("values", values).add("re_evaluated", bounds).add("strategy", decisions));
+    }
+    return out;
+  }
+
+  static void show(const plan::Bounds& value) {
+    std::cout << std::setprecision(12) << value.middle();
+    if (value.lower != value.upper) std::cout << "  in [" << value.lower << ", " << value.upper << ']';
+  }
+
   const CaseChoice& choice_;
   const Session& session_;
 };
 
+std::vector<PrismProperty> read_properties(const CaseChoice& choice, const ltl::Limits& limits) {
+  const std::string model = read_file(choice.model);
+  if (choice.model.ends_with(".jani")) {
+    if (choice.properties != choice.model)
+      throw UsageError("the properties of a model in JANI are those of its document: --properties " + choice.model);
+    return plan::parse_jani_properties({model, choice.model}, constants_of(choice.constants), limits);
+  }
+  const std::string text = read_file(choice.properties);
+  return plan::parse_prism_properties({model, choice.model}, {text, choice.properties}, constants_of(choice.constants),
+                                      limits);
+}
+
 }  // namespace
 
 ExitCode plan_properties(const CaseChoice& choice, const Session& session) {
-  const std::string model = read_file(choice.model), text = read_file(choice.properties);
   const ltl::Watch watch(granted(choice.parallel.limits), session.stop);
   std::vector<PrismProperty> properties;
   try {
-    properties =
-        plan::parse_prism_properties({model, choice.model}, {text, choice.properties}, constants_of(choice.constants),
-                                     {.states = plan::most_model_states, .stop = watch.token()});
+    properties = read_properties(choice, {.states = plan::most_model_states, .stop = watch.token()});
   } catch (const plan::ReadingStopped&) {
     if (watch.overrun() == ltl::Overrun::None) throw Interrupted();
     throw GaveUp("gave up: " + choice.model + " has more states than were found in " +

@@ -1,5 +1,5 @@
-// waymark plan --model FILE --properties FILE: what PRISM's properties ask of a model, and whether the answers are
-// those of their comments.
+// waymark plan --model FILE --properties FILE: what properties of PRISM or JANI ask of a model, and whether the answers
+// are those of their comments.
 #pragma once
 #include "tools/plan_case.hpp"
 

@@ -19,8 +19,8 @@ import time
 from pathlib import Path
 
 HERE = Path(__file__).resolve().parent
-READERS = ("http model formula hoa prism planning_case corpus map trajectory commands transition_system roads letters "
-           "motion vectors release").split()
+READERS = ("http model formula hoa prism jani planning_case corpus map trajectory commands transition_system roads "
+           "letters motion vectors release").split()
 SLOW = 5  # seconds of processor time
 LIMITS = ["-timeout=120", "-rss_limit_mb=1024", "-malloc_limit_mb=512"]
 

@@ -1,12 +1,12 @@
 #include "libplan/model/formats/prism_properties.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <map>
 #include <utility>
 
 #include "libltl/diagnostic.hpp"
+#include "libplan/model/formats/path_formula.hpp"
 
 namespace waymark::plan {
 namespace {
@@ -14,119 +14,6 @@ namespace {
 using Id = PrismExpressions::Id;
 using Op = PrismExpressions::Op;
 using Type = PrismExpressions::Type;
-
-constexpr std::size_t most_written = 500;  // steps before a window of steps begins
-
-std::string on_one_line(std::string_view text) {  // without quotes, so that it can stand between some
-  std::string out;
-  for (const char c : text)
-    if (c != '"') out += c == '\n' || c == '\t' || c == '\r' ? ' ' : c;
-  return out;
-}
-
-// A path formula as text of ours, whose propositions are conditions on states.
-class PathWriter {
- public:
-  PathWriter(PrismExpressions& expressions, std::string_view text, std::vector<PrismProgram::Label>& labels)
-      : expressions_(expressions), text_(text), labels_(labels) {}
-
-  std::string write(Id e) {
-    if (!expressions_.is_temporal(e)) return condition(e);
-    const std::vector<Id> operands = expressions_.operands(e);
-    std::vector<std::string> parts;
-    for (const Id operand : operands) parts.push_back('(' + write(operand) + ')');
-    switch (expressions_.op(e)) {
-      case Op::Not: return '!' + parts[0];
-      case Op::Implies: return parts[0] + " -> " + parts[1];
-      case Op::Iff: return parts[0] + " <-> " + parts[1];
-      case Op::Or:
-      case Op::And: return joined(parts, expressions_.op(e) == Op::Or ? " | " : " & ");
-      case Op::Next: return "X " + parts[0];
-      case Op::Eventually: return within(e, "F", parts[0]);
-      case Op::Always: return within(e, "G", parts[0]);
-      case Op::Until: return until(e, parts);
-      case Op::WeakUntil: return unbounded(e, parts[0] + " W " + parts[1]);
-      case Op::Release: return unbounded(e, parts[0] + " R " + parts[1]);
-      default: throw std::invalid_argument("a path formula inside of an expression");
-    }
-  }
-
- private:
-  static std::string joined(const std::vector<std::string>& parts, const std::string& by) {
-    std::string out;
-    for (const std::string& part : parts) out += (out.empty() ? "" : by) + part;
-    return out;
-  }
-
-  std::string condition(Id e) {
-    expressions_.expect_type(e, Type::Bool);
-    const ltl::Span where = expressions_.where(e);
-    std::string name(text_.substr(where.begin, where.end - where.begin));
-    if (name == "true" || name == "false") return name;
-    if (expressions_.op(e) == Op::Name) name += "=true";  // a label may have this name
-    name = on_one_line(name);
-    if (std::none_of(labels_.begin(), labels_.end(), [&](const PrismProgram::Label& l) { return l.name == name; }))
-      labels_.push_back({name, e});
-    return '"' + name + '"';
-  }
-
-  struct Steps {
-    std::size_t least = 0;
-    std::optional<std::size_t> most;
-  };
-  std::optional<Steps> steps(Id e) {
-    const PrismExpressions::Window* window = expressions_.window(e);
-    if (window == nullptr) return std::nullopt;
-    const PrismExpressions::Window bounds = *window;
-    const auto number = [&](Id at) {
-      expressions_.expect_type(at, Type::Int);
-      const double found = expressions_.constant(at);
-      if (!(found >= 0 && found <= 1e9)) throw std::invalid_argument("a bound on steps outside of [0, 10^9]");
-      return static_cast<std::size_t>(found);
-    };
-    Steps out;
-    if (bounds.least) out.least = number(*bounds.least) + (bounds.above_least ? 1 : 0);
-    if (bounds.most) {
-      std::size_t most = number(*bounds.most);
-      if (bounds.below_most && most == 0) throw std::invalid_argument("a bound of fewer than 0 steps");
-      most -= bounds.below_most ? 1 : 0;
-      if (most < out.least) throw std::invalid_argument("a bound on steps that is empty");
-      out.most = most - out.least;
-    }
-    return out;
-  }
-  static std::string nexts(std::size_t n) {
-    std::string out;
-    for (; n > 0; --n) out += "X ";
-    return out;
-  }
-
-  std::string within(Id e, const std::string& op, const std::string& part) {
-    const auto bound = steps(e);
-    if (!bound) return op + ' ' + part;
-    if (bound->least > most_written) throw std::invalid_argument("more steps than are written out");
-    return nexts(bound->least) + (bound->most ? op + "<=" + std::to_string(*bound->most) : op) + ' ' + part;
-  }
-
-  std::string until(Id e, const std::vector<std::string>& parts) {
-    const auto bound = steps(e);
-    if (!bound) return parts[0] + " U " + parts[1];
-    if (bound->least > most_written) throw std::invalid_argument("more steps than are written out");
-    std::string out =
-        '(' + parts[0] + (bound->most ? " U<=" + std::to_string(*bound->most) : " U") + ' ' + parts[1] + ')';
-    for (std::size_t n = bound->least; n > 0; --n) out = '(' + parts[0] + " & X " + out + ')';
-    return out;
-  }
-
-  std::string unbounded(Id e, std::string text) {
-    if (expressions_.window(e) != nullptr) throw std::invalid_argument("W and R with a bound on steps");
-    return text;
-  }
-
-  PrismExpressions& expressions_;
-  std::string_view text_;
-  std::vector<PrismProgram::Label>& labels_;
-};
 
 class PropertiesReader {
  public:
@@ -145,11 +32,12 @@ class PropertiesReader {
   std::vector<PrismProperty> read() {
     define_start();
     expressions_.speak_of(in_);
+    expressions_.read_queries([this] { return query_inside(); });
     while (in_.peek().kind != PrismToken::Kind::End) item();
     expect_given(in_, constants_, program_.given);
     expressions_.speak_of(model_);
-    for (std::size_t i = 0; i < out_.size(); ++i)
-      if (out_[i].fault.empty()) out_[i].model = model(structures_[i], out_[i].instantaneous);
+    for (PrismProperty& p : out_)
+      if (p.fault.empty()) give_model(p);
     return std::move(out_);
   }
 
@@ -185,21 +73,27 @@ class PropertiesReader {
   }
 
   bool at_operator() const {
-    return in_.is("P") || in_.is("Pmin") || in_.is("Pmax") || in_.is("R") || in_.is("Rmin") || in_.is("Rmax");
+    for (const char* word : {"P", "Pmin", "Pmax", "R", "Rmin", "Rmax", "S"})
+      if (in_.is(word)) return true;
+    return (in_.is("filter") || in_.is("multi")) && in_.is("(", 1);
   }
 
   void property() {
     const std::size_t begin = in_.peek().where.begin;
     PrismProperty out;
     out.result = result(std::string_view(text_).substr(from_, begin - from_));
-    structures_.emplace_back();
+    in_property_ = true;
     try {
-      question(out);
+      if (in_.peek().kind == PrismToken::Kind::String && in_.is(":", 1)) in_.next(), in_.next();
+      const std::optional<std::string> said = out.result;
+      out = state_formula();
+      out.result = said;
     } catch (const ltl::SyntaxError& error) {
       out.fault = error.message();
     } catch (const std::invalid_argument& error) {
       out.fault = error.what();
     }
+    in_property_ = false;
     std::size_t end = last_;
     if (!out.fault.empty()) {  // the rest of it is skipped
       const auto line = [&](std::size_t at) { return text_.substr(0, at).rfind('\n'); };
@@ -209,19 +103,111 @@ class PropertiesReader {
         previous = end = in_.next().where.end;
       }
     }
+    if (!out.fault.empty()) inside_.clear();
     out.text = text_.substr(begin, std::max(end, begin) - begin);
     from_ = std::max(end, begin);
     out_.push_back(std::move(out));
   }
 
+  // An operator alone, or a Boolean combination of operators and conditions.
+  PrismProperty state_formula() {
+    const std::vector<PrismProperty> outside = std::exchange(inside_, {});
+    const Id e = expressions_.parse(in_);
+    PrismProperty out;
+    if (expressions_.op(e) == Op::Query && inside_.size() == 1) {
+      out = std::move(inside_[0]);
+    } else {
+      expressions_.expect_type(e, Type::Bool);
+      out.ask = PrismProperty::Ask::States;
+      out.task.formula = formula(e);
+      out.nested = std::move(inside_);
+    }
+    inside_ = outside;
+    last_ = expressions_.where(e).end;
+    return out;
+  }
+
+  std::string formula(Id e) {
+    return path_formula(
+        expressions_, e, [this](Id condition) { return name_of(condition); }, labels_);
+  }
+
+  // An operator among the parts of an expression: it joins `inside_`.
+  std::optional<Id> query_inside() {
+    if (!in_property_ || !at_operator()) return std::nullopt;
+    const std::size_t begin = in_.peek().where.begin;
+    std::vector<PrismProperty> outside = std::exchange(inside_, {});
+    PrismProperty out;
+    in_.is("filter") ? filter(out) : in_.is("multi") ? multi(out) : question(out);
+    const ltl::Span where{begin, last_};
+    out.text = std::string(text_.substr(begin, last_ - begin));
+    if (out.ask != PrismProperty::Ask::Filter && out.ask != PrismProperty::Ask::Multi) out.nested = std::move(inside_);
+    const bool truth = !out.comparison.empty() || out.is_truth();
+    inside_ = std::move(outside);
+    inside_.push_back(std::move(out));
+    return expressions_.query(truth ? Type::Bool : Type::Double, where);
+  }
+
+  // multi(objective, …): P over a path formula and R over C, whose values are asked for or bounded.
+  void multi(PrismProperty& out) {
+    out.ask = PrismProperty::Ask::Multi;
+    in_.next(), in_.next();
+    do {
+      if (!at_operator() || in_.is("filter") || in_.is("multi")) in_.fail("expected P or R");
+      PrismProperty& objective = out.nested.emplace_back();
+      const std::size_t begin = in_.peek().where.begin;
+      question(objective);
+      objective.text = std::string(text_.substr(begin, last_ - begin));
+      if (objective.budget) throw std::invalid_argument("an objective with a budget");
+      if (!inside_.empty()) throw std::invalid_argument("an operator inside of an objective");
+      const bool total = objective.about_rewards && objective.ask == PrismProperty::Ask::Total;
+      if (!total && (objective.about_rewards || objective.ask != PrismProperty::Ask::Task))
+        throw std::invalid_argument("objectives are probabilities and total rewards (C)");
+      // Some strategy is to meet the bound.
+      using Query = CaseTask::Query;
+      const bool greatest = objective.comparison.empty() ? objective.task.query == Query::MaxProbability ||
+                                                               objective.task.query == Query::MaxCost
+                                                         : objective.comparison[0] == '>';
+      objective.task.query = total ? (greatest ? Query::MaxCost : Query::MinCost)
+                                   : (greatest ? Query::MaxProbability : Query::MinProbability);
+    } while (in_.accept(","));
+    last_ = in_.expect(")").where.end;
+    if (out.nested.size() > 2) throw std::invalid_argument("more than two objectives");
+  }
+
+  // filter(summary, what, states)
+  void filter(PrismProperty& out) {
+    static constexpr std::pair<std::string_view, std::string_view> summaries[] = {
+        {"min", "min"},     {"max", "max"},     {"sum", "sum"},       {"+", "sum"},      {"avg", "avg"},
+        {"average", "avg"}, {"count", "count"}, {"forall", "forall"}, {"&", "forall"},   {"exists", "exists"},
+        {"|", "exists"},    {"state", "state"}, {"first", "first"},   {"range", "range"}};
+    out.ask = PrismProperty::Ask::Filter;
+    in_.next(), in_.next();
+    const PrismToken word = in_.next();
+    for (const auto& [name, summary] : summaries)
+      if (name == word.text) out.summary = summary;
+    if (out.summary.empty()) throw std::invalid_argument("a filter that asks for " + std::string(word.text));
+    in_.expect(",");
+    out.nested.push_back(state_formula());
+    PrismProperty all;
+    all.ask = PrismProperty::Ask::States;
+    all.task.formula = "true";
+    out.nested.push_back(in_.accept(",") ? state_formula() : all);
+    if (!out.nested[1].is_truth()) throw std::invalid_argument("the states of a filter are a condition");
+    last_ = in_.expect(")").where.end;
+    const bool of_truths = out.summary == "count" || out.summary == "forall" || out.summary == "exists";
+    const bool any = out.summary == "state" || out.summary == "first";
+    if (!any && of_truths != out.nested[0].is_truth())
+      throw std::invalid_argument("the filter " + out.summary + " of " + (of_truths ? "numbers" : "truth values"));
+  }
+
   void question(PrismProperty& out) {
-    if (in_.peek().kind == PrismToken::Kind::String && in_.is(":", 1)) in_.next(), in_.next();
-    if (!at_operator()) throw std::invalid_argument("this is no P or R operator");
     const std::string_view word = in_.next().text;
-    const bool probability = word[0] == 'P';
+    const bool steady = word == "S", probability = word[0] == 'P' || steady;
     std::string_view optimum = word.substr(1);
+    out.about_rewards = !probability;
     if (!probability && in_.accept("{")) {
-      structures_.back() = std::string(in_.next().text);
+      out.rewards = structure(in_.next());
       in_.expect("}");
     }
     if (optimum.empty() && (in_.is("min") || in_.is("max"))) optimum = in_.next().text;
@@ -236,22 +222,65 @@ class PropertiesReader {
       in_.expect("?");
     }
     in_.expect("[");
-    if (probability || !steps(out)) {
-      const Id path = expressions_.parse_path(in_);
+    if (steady || (!probability && in_.is("S"))) {
+      if (program_.is_mdp) throw std::invalid_argument("the long run of a decision process");
+      out.ask = PrismProperty::Ask::Steady;
+      if (!steady) in_.next();
+    }
+    if (probability || (out.ask == PrismProperty::Ask::Task && !steps(out))) {
+      const Id path = steady ? expressions_.parse(in_) : expressions_.parse_path(in_);
       expressions_.expect_type(path, Type::Bool);
-      out.task.formula = PathWriter(expressions_, text_, labels_).write(path);
+      out.task.formula = spends(path, out) ? budgeted(path) : formula(path);
     }
     last_ = in_.expect("]").where.end;
     out.task.query = query(probability, optimum, out.comparison);
-    if (!probability && structures_.back().empty() && !program_.rewards.empty())
-      structures_.back() = program_.rewards[0].name;
-    if (!probability && !known(structures_.back())) throw std::invalid_argument("there are no rewards of this name");
+    if (!probability && out.rewards.empty() && !program_.rewards.empty()) out.rewards = program_.rewards[0].name;
+    if (!probability && !known(out.rewards)) throw std::invalid_argument("there are no rewards of this name");
   }
 
-  // C<=k and I=k.
+  // F{"r"}<=B φ and φ U{"r"}<=B ψ, alone.
+  bool spends(Id path, PrismProperty& out) {
+    const Op op = expressions_.op(path);
+    const auto* window = op == Op::Eventually || op == Op::Until ? expressions_.window(path) : nullptr;
+    if (window == nullptr || !window->rewards || window->least || !window->most || out.about_rewards) return false;
+    const PrismExpressions::Window bounds = *window;
+    expressions_.expect_type(*bounds.most, Type::Int);
+    const double most = expressions_.constant(*bounds.most) - (bounds.below_most ? 1 : 0);
+    if (!(most >= 0 && most <= 1e9)) throw std::invalid_argument("a bound on rewards outside of [0, 10^9]");
+    if (!known(*bounds.rewards)) throw std::invalid_argument("there are no rewards of this name");
+    out.budget = static_cast<std::uint64_t>(most);
+    out.rewards = *bounds.rewards;
+    return true;
+  }
+  std::string budgeted(Id path) {
+    const std::vector<Id> parts = expressions_.operands(path);
+    const std::string goal = "((" + formula(parts.back()) + ") & \"" + within_budget + "\")";
+    return parts.size() == 1 ? "F " + goal : '(' + formula(parts[0]) + ") U " + goal;
+  }
+
+  std::string structure(const PrismToken& token) const {  // by its name, or its number from 1
+    if (token.kind != PrismToken::Kind::Number) return std::string(token.text);
+    for (std::size_t i = 0; i < program_.rewards.size(); ++i)
+      if (std::to_string(i + 1) == token.text) return program_.rewards[i].name;
+    throw std::invalid_argument("there are no rewards of this number");
+  }
+
+  std::string name_of(Id condition) const {
+    const ltl::Span where = expressions_.where(condition);
+    std::string name(text_.substr(where.begin, where.end - where.begin));
+    if (expressions_.op(condition) == Op::Name) name += "=true";  // a label may have this name
+    return name;
+  }
+
+  // C, C<=k and I=k.
   bool steps(PrismProperty& out) {
-    if (in_.is("S") || (in_.is("C") && !in_.is("<=", 1))) throw std::invalid_argument("rewards of runs without end");
     if (!in_.is("C") && !in_.is("I")) return false;
+    if (in_.is("C") && !in_.is("<=", 1)) {
+      if (in_.is("{", 1)) throw std::invalid_argument("discounted rewards");
+      in_.next();
+      out.ask = PrismProperty::Ask::Total;
+      return true;
+    }
     out.instantaneous = in_.next().text == "I";
     in_.expect(out.instantaneous ? "=" : "<=");
     const Id bound = expressions_.parse(in_);
@@ -307,6 +336,11 @@ class PropertiesReader {
     return true;
   }
 
+  void give_model(PrismProperty& p) {
+    p.model = model(p.rewards, p.instantaneous);
+    for (PrismProperty& inside : p.nested) give_model(inside);
+  }
+
   std::shared_ptr<const PlanningCase> model(const std::string& structure, bool state_rewards_only) {
     std::shared_ptr<const PlanningCase>& made = models_[{structure, state_rewards_only}];
     if (made) return made;
@@ -326,18 +360,12 @@ class PropertiesReader {
   const ltl::Limits& limits_;
   PrismProgram program_;
   std::vector<PrismProgram::Label> labels_;  // that properties speak of
-  std::vector<std::string> structures_;      // of rewards, by property
+  std::vector<PrismProperty> inside_;        // of what is read now, in the order of the text
   std::vector<PrismProperty> out_;
   std::map<std::pair<std::string, bool>, std::shared_ptr<const PlanningCase>> models_;  // by structure
-  std::size_t from_ = 0, last_ = 0;                                                     // where the last property ended
+  bool in_property_ = false;
+  std::size_t from_ = 0, last_ = 0;  // where the last property ended
 };
-
-std::optional<double> number(std::string_view text) {
-  double out = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), out);
-  if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
-  return out;
-}
 
 }  // namespace
 
@@ -346,18 +374,13 @@ std::vector<PrismProperty> parse_prism_properties(const PrismSource& model, cons
   return PropertiesReader(model, properties, constants, limits).read();
 }
 
-std::optional<bool> agrees(const std::string& result, double value, std::optional<bool> verdict) {
-  if (result == "true" || result == "false")
-    return verdict ? std::optional<bool>(*verdict == (result == "true")) : std::nullopt;
-  if (result == "Infinity" || result == "Inf") return value == INFINITY;
-  const std::size_t slash = result.find('/');
-  std::optional<double> expected = number(result.substr(0, slash));
-  if (slash != std::string::npos && expected) {
-    const std::optional<double> below = number(result.substr(slash + 1));
-    expected = below ? std::optional<double>(*expected / *below) : std::nullopt;
-  }
-  if (!expected) return std::nullopt;
-  return std::abs(value - *expected) <= std::max(1e-5 * std::abs(*expected), 1e-7);
+bool PrismProperty::is_truth() const {
+  if (!comparison.empty() || ask == Ask::States) return true;
+  if (ask == Ask::Multi)
+    return std::none_of(nested.begin(), nested.end(), [](const PrismProperty& p) { return p.comparison.empty(); });
+  if (ask != Ask::Filter) return false;
+  return summary == "forall" || summary == "exists" ||
+         ((summary == "state" || summary == "first") && nested[0].is_truth());
 }
 
 }  // namespace waymark::plan

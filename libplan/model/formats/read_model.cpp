@@ -10,6 +10,7 @@
 #include "libplan/model/formats/read_osm.hpp"
 #include "libplan/model/formats/read_streets.hpp"
 #include "libplan/model/formats/read_transition_system.hpp"
+#include "libplan/model/jani/read_jani.hpp"
 #include "libplan/model/prism/read_prism_explicit.hpp"
 #include "libplan/world/json_reader.hpp"
 
@@ -32,7 +33,8 @@ PlanningCase read_model(const std::filesystem::path& file, std::string_view star
   constexpr std::string_view other_kinds[] = {".tra", ".osm", ".geojson", ".graphml", ".json", ".yaml", ".yml"};
   if ((!prism.constants.empty() || !prism.rewards.empty()) &&
       std::find(std::begin(other_kinds), std::end(other_kinds), file.extension().string()) != std::end(other_kinds))
-    throw ltl::FormatError(source, 0, 0, "constants and rewards are chosen for models in the language of PRISM");
+    throw ltl::FormatError(source, 0, 0,
+                           "constants and rewards are chosen for models in the language of PRISM and in JANI");
   if (file.extension() == ".tra") {
     no_start();
     return {name, read_prism_explicit(file), {}};
@@ -46,6 +48,7 @@ PlanningCase read_model(const std::filesystem::path& file, std::string_view star
   if (file.extension() == ".yaml" || file.extension() == ".yml")
     return {name, parse_transition_system(text, source), {}};
   if (file.extension() == ".json") return parse_case(text, source);
+  if (file.extension() == ".jani") return {name, parse_jani(text, source, limits, prism), {}};
   return {name, parse_prism(text, source, limits, prism), {}};
 }
 

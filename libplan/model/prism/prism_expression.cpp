@@ -7,7 +7,7 @@ namespace waymark::plan {
 
 void PrismExpressions::define(const PrismToken& name, const Meaning& meaning) {
   const auto at = static_cast<std::uint32_t>(meanings_.size());
-  if (!names_.emplace(name.text, at).second) tokens_->fail(name.where, "this name has a meaning already");
+  if (!names_.emplace(name.text, at).second) text_->fail(name.where, "this name has a meaning already");
   meanings_.push_back(meaning);
 }
 void PrismExpressions::define_variable(const PrismToken& name, std::uint32_t index, Type type) {
@@ -15,14 +15,30 @@ void PrismExpressions::define_variable(const PrismToken& name, std::uint32_t ind
 }
 void PrismExpressions::define_formula(const PrismToken& name, Id body) { define(name, {.body = body}); }
 void PrismExpressions::define_label(const PrismToken& name, Id body) {
-  if (name.text.empty()) tokens_->fail(name.where, "a label needs a name");
-  if (!labels_.emplace(name.text, body).second) tokens_->fail(name.where, "this label has a meaning already");
+  if (name.text.empty()) text_->fail(name.where, "a label needs a name");
+  if (!labels_.emplace(name.text, body).second) text_->fail(name.where, "this label has a meaning already");
 }
 
-PrismExpressions::Id PrismExpressions::number(double value, Type type) {
-  const Id e = add(Op::Literal, {}, {});
+PrismExpressions::Id PrismExpressions::number(double value, Type type, ltl::Span where) {
+  const Id e = add(Op::Literal, {}, where);
   nodes_[e].value = value;
   nodes_[e].type = type;
+  return e;
+}
+
+PrismExpressions::Id PrismExpressions::variable(std::uint32_t index, Type type, ltl::Span where) {
+  const Id e = add(Op::Name, {}, where);
+  nodes_[e].value = static_cast<double>(meanings_.size());
+  nodes_[e].type = type;
+  nodes_[e].checked = Node::Check::Done;
+  meanings_.push_back({.is_variable = true, .variable = index, .type = type});
+  return e;
+}
+
+PrismExpressions::Id PrismExpressions::query(Type type, ltl::Span where) {
+  const Id e = add(Op::Query, {}, where);
+  nodes_[e].type = type;
+  nodes_[e].temporal = true;
   return e;
 }
 
@@ -52,7 +68,7 @@ const PrismExpressions::Window* PrismExpressions::window(Id e) const {
 PrismExpressions::Type PrismExpressions::type(Id e) {
   using Check = Node::Check;
   if (nodes_[e].checked == Check::Done) return nodes_[e].type;
-  if (nodes_[e].checked == Check::Now) tokens_->fail(where(e), "a formula that needs itself");
+  if (nodes_[e].checked == Check::Now) text_->fail(where(e), "a formula that needs itself");
   const Deeper level(*this, where(e));
   nodes_[e].checked = Check::Now;
   const Type found = find_type(e);
@@ -64,9 +80,9 @@ PrismExpressions::Type PrismExpressions::type(Id e) {
 void PrismExpressions::expect_type(Id e, Type wanted) {
   const Type found = type(e);
   if (found == wanted || (wanted == Type::Double && found == Type::Int)) return;
-  tokens_->fail(where(e), wanted == Type::Bool  ? "expected a condition"
-                          : wanted == Type::Int ? "expected a whole number"
-                                                : "expected a number");
+  text_->fail(where(e), wanted == Type::Bool  ? "expected a condition"
+                        : wanted == Type::Int ? "expected a whole number"
+                                              : "expected a number");
 }
 
 PrismExpressions::Type PrismExpressions::find_type(Id e) {
@@ -91,6 +107,15 @@ PrismExpressions::Type PrismExpressions::find_type(Id e) {
         return Type::Bool;
       }
       return type(operands[1]) == Type::Int ? type(operands[2]) : Type::Double;
+    case Op::Pick: {
+      expect_type(operands[0], Type::Int);
+      Type all_of = type(operands[1]);
+      for (std::size_t i = 2; i < operands.size(); ++i) {
+        if (all_of == Type::Bool || type(operands[i]) == Type::Bool) expect_type(operands[i], all_of);
+        if (type(operands[i]) == Type::Double) all_of = Type::Double;
+      }
+      return all_of;
+    }
     case Op::Implies:
     case Op::Iff:
     case Op::Or:
@@ -102,6 +127,7 @@ PrismExpressions::Type PrismExpressions::find_type(Id e) {
     case Op::Until:
     case Op::WeakUntil:
     case Op::Release: return all(Type::Bool), Type::Bool;
+    case Op::Query: return nodes_[e].type;
     case Op::Equal:
     case Op::Unequal: all(type(operands[0]) == Type::Bool ? Type::Bool : Type::Double); return Type::Bool;
     case Op::Less:
@@ -127,7 +153,7 @@ PrismExpressions::Type PrismExpressions::find_type(Id e) {
 
 PrismExpressions::Type PrismExpressions::type_of_name(Id e) {
   const auto at = names_.find(nodes_[e].name);
-  if (at == names_.end()) tokens_->fail(where(e), "there is no variable, constant or formula '" + nodes_[e].name + "'");
+  if (at == names_.end()) text_->fail(where(e), "there is no variable, constant or formula '" + nodes_[e].name + "'");
   nodes_[e].operands.clear();
   nodes_[e].value = at->second;
   const Meaning meaning = meanings_[at->second];
@@ -136,7 +162,7 @@ PrismExpressions::Type PrismExpressions::type_of_name(Id e) {
 
 PrismExpressions::Type PrismExpressions::type_of_label(Id e) {
   const auto at = labels_.find(nodes_[e].name);
-  if (at == labels_.end()) tokens_->fail(where(e), "there is no label \"" + nodes_[e].name + '"');
+  if (at == labels_.end()) text_->fail(where(e), "there is no label \"" + nodes_[e].name + '"');
   nodes_[e].operands = {at->second};
   expect_type(at->second, Type::Bool);
   return Type::Bool;
@@ -145,7 +171,7 @@ PrismExpressions::Type PrismExpressions::type_of_label(Id e) {
 double PrismExpressions::value_of_name(const Node& node, const PrismValues& values) {
   Meaning& meaning = meanings_[static_cast<std::size_t>(node.value)];
   if (meaning.is_variable) {
-    if (meaning.variable >= values.size()) tokens_->fail(node.where, "a variable where a constant is expected");
+    if (meaning.variable >= values.size()) text_->fail(node.where, "a variable where a constant is expected");
     return values[meaning.variable];
   }
   if (meaning.known_at != now_) {
@@ -165,6 +191,7 @@ double PrismExpressions::value(Id e, const PrismValues& values) {
     case Op::Name: return value_of_name(node, values);
     case Op::Label: return operand(0);
     case Op::Choose: return operand(0) != 0 ? operand(1) : operand(2);
+    case Op::Pick: return operand(1 + static_cast<std::size_t>(operand(0)));
     case Op::Implies: return operand(0) != 0 ? operand(1) : 1;
     case Op::Iff:
     case Op::Equal: return truth(operand(0) == operand(1));
@@ -199,7 +226,7 @@ double PrismExpressions::value(Id e, const PrismValues& values) {
     }
     case Op::Mod: {  // never negative, as in PRISM
       const double a = operand(0), b = operand(1);
-      if (!(b > 0)) tokens_->fail(node.where, "mod by a number that is not positive");
+      if (!(b > 0)) text_->fail(node.where, "mod by a number that is not positive");
       return a - b * std::floor(a / b);
     }
     case Op::Floor: return std::floor(operand(0));
@@ -212,9 +239,10 @@ double PrismExpressions::value(Id e, const PrismValues& values) {
     case Op::Always:
     case Op::Until:
     case Op::WeakUntil:
-    case Op::Release: break;
+    case Op::Release:
+    case Op::Query: break;
   }
-  tokens_->fail(node.where, "a path formula where an expression is expected");
+  text_->fail(node.where, "a path formula where an expression is expected");
 }
 
 double PrismExpressions::constant(Id e) {

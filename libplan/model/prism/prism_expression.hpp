@@ -5,6 +5,7 @@
 // doubles, exact up to 2⁵³.
 #pragma once
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <optional>
 #include <string>
@@ -23,8 +24,14 @@ class PrismExpressions {  // all expressions of a file
  public:
   using Id = std::uint32_t;                              // of an expression
   enum class Type : std::uint8_t { Bool, Int, Double };  // of a value
+  using Op = PrismOp;                                    // what an expression does
+  struct Window {                                        // of the steps of a temporal operator: absent where unbounded
+    std::optional<Id> least, most;                       // expressions
+    bool above_least = false, below_most = false;        // > and <
+    std::optional<std::string> rewards;                  // of a structure, in the place of steps
+  };
 
-  explicit PrismExpressions(const PrismTokens& tokens) : tokens_(&tokens) {}
+  explicit PrismExpressions(const ModelText& text) : text_(&text) {}
   Id parse(PrismTokens& in);                               // the longest expression that stands here
   Id parse_path(PrismTokens& in);                          // the same with X, F, G, U, W, R and their bounds
   ltl::Span where(Id e) const { return nodes_[e].where; }  // its bytes
@@ -35,8 +42,14 @@ class PrismExpressions {  // all expressions of a file
   // Names must be known before types and values are asked for; one name has one meaning.
   void define_variable(const PrismToken& name, std::uint32_t index, Type type);
   void define_formula(const PrismToken& name, Id body);
-  void define_label(const PrismToken& name, Id body);  // a name in quotes
-  Id number(double value, Type type);                  // a literal that stands nowhere
+  void define_label(const PrismToken& name, Id body);            // a name in quotes
+  Id number(double value, Type type, ltl::Span where = {});      // a literal
+  Id variable(std::uint32_t index, Type type, ltl::Span where);  // one that needs no name
+  Id add(Op op, std::vector<Id> operands, ltl::Span where);      // with its operands; their number is the caller's care
+  Id add_path(Op op, std::vector<Id> operands, std::optional<Window> window, ltl::Span where);  // a temporal one
+  // What reads operators of properties among expressions, or leaves them: `query` makes one of what it read.
+  void read_queries(std::function<std::optional<Id>()> reader) { queries_ = std::move(reader); }
+  Id query(Type type, ltl::Span where);
   // The same expression with other names for variables; formulas that use one are written out. Everything must have
   // been read.
   Id renamed(Id e, const std::map<std::string, std::string, std::less<>>& names);
@@ -51,14 +64,9 @@ class PrismExpressions {  // all expressions of a file
   double constant(Id e);  // throws ltl::SyntaxError where a variable is read
 
   // Errors are about this text from now on; what was spoken of before.
-  const PrismTokens& speak_of(const PrismTokens& tokens) { return *std::exchange(tokens_, &tokens); }
+  const ModelText& speak_of(const ModelText& text) { return *std::exchange(text_, &text); }
 
   // Of path formulas.
-  using Op = PrismOp;                              // what an expression does
-  struct Window {                                  // of steps: absent where there is no bound
-    std::optional<Id> least, most;                 // expressions
-    bool above_least = false, below_most = false;  // > and <
-  };
   Op op(Id e) const { return nodes_[e].op; }                                  // the outermost operator
   const std::vector<Id>& operands(Id e) const { return nodes_[e].operands; }  // of a name: none
   const Window* window(Id e) const;                            // of a temporal operator that has bounds; else none
@@ -86,7 +94,6 @@ class PrismExpressions {  // all expressions of a file
     double value = 0;
   };
 
-  Id add(Op op, std::vector<Id> operands, ltl::Span where);
   static constexpr std::size_t negation = 4;  // the level of !, which binds tighter than & and looser than =
   Id parse_level(PrismTokens& in, std::size_t loosest);
   Id parse_negation(PrismTokens& in);
@@ -95,7 +102,6 @@ class PrismExpressions {  // all expressions of a file
   Id parse_call(PrismTokens& in);
   Id parse_temporal(PrismTokens& in);
   std::optional<Window> parse_window(PrismTokens& in);
-  Id temporal(Op op, std::vector<Id> operands, std::optional<Window> window, std::size_t begin);
   void define(const PrismToken& name, const Meaning& meaning);
   Type find_type(Id e);
   Type type_of_name(Id e);
@@ -105,7 +111,7 @@ class PrismExpressions {  // all expressions of a file
   class Deeper {  // a level of recursion, counted
    public:
     Deeper(PrismExpressions& all, ltl::Span where) : depth_(all.depth_) {
-      if (depth_ >= deepest) all.tokens_->fail(where, "this is nested too deeply");
+      if (depth_ >= deepest) all.text_->fail(where, "this is nested too deeply");
       ++depth_;
     }
     ~Deeper() { --depth_; }
@@ -116,7 +122,7 @@ class PrismExpressions {  // all expressions of a file
     std::size_t& depth_;
   };
 
-  const PrismTokens* tokens_;
+  const ModelText* text_;
   std::size_t depth_ = 0;
   std::vector<Node> nodes_;
   std::vector<Meaning> meanings_;
@@ -124,6 +130,7 @@ class PrismExpressions {  // all expressions of a file
   std::map<std::string, std::uint32_t, std::less<>> names_;
   std::map<std::string, Id, std::less<>> labels_;
   bool in_path_ = false;  // parentheses hold path formulas
+  std::function<std::optional<Id>()> queries_;
   std::uint64_t now_ = 1;
 };
 

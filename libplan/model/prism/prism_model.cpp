@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "libplan/model/prism/prism_states.hpp"
 
@@ -15,16 +16,20 @@ using Step = std::vector<const Command*>;
 
 class Explorer {
  public:
-  Explorer(const PrismProgram& program, PrismExpressions& expressions, const PrismTokens& tokens, const PrismView& view,
+  Explorer(const PrismProgram& program, PrismExpressions& expressions, const ModelText& text, const PrismView& view,
            const ltl::Limits& limits)
       : program_(program),
         expressions_(expressions),
-        tokens_(tokens),
+        text_(text),
         view_(view),
         limits_(limits),
         states_(program.variables) {
-    for (std::size_t m = 0; m < program.modules.size(); ++m)
-      for (const Command& command : program.modules[m].commands) lead(m, command);
+    for (std::size_t m = 0; m < program.modules.size(); ++m) place(m);
+    for (const PrismProgram::Module& module : program.modules)
+      for (const Command& command : module.commands)
+        for (const PrismProgram::Update& update : command.updates)
+          for (const PrismProgram::Assignment& a : update.assignments) rounds_.insert(a.round);
+    if (view.rewards && !view.state_rewards_only) step_reward_ = program.rewards[*view.rewards].step;
   }
 
   Mdp explore() {
@@ -34,7 +39,7 @@ class Explorer {
     PrismValues values;
     for (std::uint32_t s = 0; s < states_.size(); ++s) {
       if (limits_.stop.stop_requested()) throw ReadingStopped{};
-      if (states_.size() > limits_.states) tokens_.fail(program_.variables[0].where, "more states than the limit");
+      if (states_.size() > limits_.states) text_.fail(program_.variables[0].where, "more states than the limit");
       states_.read(s, values);
       builder.add_state(show(values));
       add_choices(builder, s, values);
@@ -53,56 +58,82 @@ class Explorer {
     double cost = 0;
     std::vector<Outcome> outcomes;
   };
-  struct Lead {  // a command, and the other modules that must take part
-    std::size_t module;
+  struct Lead {  // the other modules that must take part, each with its action
+    const std::string* action;
+    std::vector<std::pair<std::size_t, std::string>> others;
+  };
+  struct Placed {  // a command, and the steps that it leads
     const Command* command;
-    std::vector<std::size_t> others;
+    std::vector<Lead> leads;
   };
 
+  void place(std::size_t m) {
+    const PrismProgram::Module& module = program_.modules[m];
+    auto& by_location = commands_.emplace_back();
+    const bool one = !module.location;
+    by_location.resize(one ? 1 : static_cast<std::size_t>(program_.variables[*module.location].to) + 1);
+    for (const Command& command : module.commands)
+      by_location[one ? 0 : command.location].push_back(
+          {&command, program_.synchronisations ? leads(*program_.synchronisations, m, command) : leads(m, command)});
+  }
+  const std::vector<Placed>& commands(std::size_t m, const PrismValues& values) const {
+    const std::optional<std::uint32_t>& variable = program_.modules[m].location;
+    return commands_[m][variable ? static_cast<std::size_t>(values[*variable]) : 0];
+  }
+
   // An action of several modules is led by the first that has it.
-  void lead(std::size_t module, const Command& command) {
-    Lead& made = leads_.emplace_back(Lead{module, &command, {}});
-    if (command.action.empty()) return;
+  std::vector<Lead> leads(std::size_t module, const Command& command) const {
+    Lead made{&command.action, {}};
+    if (command.action.empty()) return {made};
     for (std::size_t m = 0; m < program_.modules.size(); ++m) {
       if (m == module || !program_.modules[m].has(command.action)) continue;
-      if (m < module) {
-        leads_.pop_back();
-        return;
-      }
-      made.others.push_back(m);
+      if (m < module) return {};
+      made.others.emplace_back(m, command.action);
     }
+    return {made};
+  }
+  static std::vector<Lead> leads(const std::vector<PrismProgram::Synchronisation>& all, std::size_t module,
+                                 const Command& command) {
+    if (command.action.empty()) return {{&command.action, {}}};
+    std::vector<Lead> out;
+    for (const PrismProgram::Synchronisation& one : all)
+      if (one.each[0] == std::pair{module, command.action})
+        out.push_back({&one.result, {one.each.begin() + 1, one.each.end()}});
+    return out;
   }
 
   // The values with which a run begins: the only ones that satisfy init … endinit, or the first of each variable.
   PrismValues start() {
     PrismValues values;
-    for (const PrismProgram::Variable& v : program_.variables) values.push_back(program_.start ? v.from : v.first);
+    for (const PrismProgram::Variable& v : program_.variables)
+      values.push_back(program_.start && !v.fixed ? v.from : v.first);
     if (!program_.start) return values;
     const ltl::Span where = expressions_.where(*program_.start);
     std::optional<PrismValues> found;
     for (std::size_t tried = 0;; ++tried) {
-      if (tried == most_tried) tokens_.fail(where, "more than a million values to try for the start");
+      if (tried == most_tried) text_.fail(where, "more than a million values to try for the start");
       if (tried % 1024 == 0 && limits_.stop.stop_requested()) throw ReadingStopped{};
       expressions_.next_state();
       if (expressions_.value(*program_.start, values) != 0) {
-        if (found) tokens_.fail(where, "several initial states: models with one are read");
+        if (found) text_.fail(where, "several initial states: models with one are read");
         found = values;
       }
       std::size_t v = 0;
-      while (v < values.size() && values[v] == program_.variables[v].to) {
-        values[v] = program_.variables[v].from;
+      while (v < values.size() && (program_.variables[v].fixed || values[v] == program_.variables[v].to)) {
+        if (!program_.variables[v].fixed) values[v] = program_.variables[v].from;
         ++v;
       }
       if (v == values.size()) break;
       ++values[v];
     }
-    if (!found) tokens_.fail(where, "no state satisfies this");
+    if (!found) text_.fail(where, "no state satisfies this");
     return *found;
   }
 
-  static std::string show(const PrismValues& values) {
+  std::string show(const PrismValues& values) const {
     std::string out;
-    for (double value : values) out += (out.empty() ? "" : ",") + std::to_string(static_cast<std::int64_t>(value));
+    for (std::size_t v = 0; v < program_.variables.size(); ++v)
+      out += (v == 0 ? "" : ",") + std::to_string(static_cast<std::int64_t>(values[v]));
     return out;
   }
 
@@ -112,7 +143,7 @@ class Explorer {
       states_.read(static_cast<std::uint32_t>(letters_.size()), values);
       expressions_.next_state();
       ltl::Letter out;
-      const PrismTokens& before = expressions_.speak_of(view_.labelled_by != nullptr ? *view_.labelled_by : tokens_);
+      const ModelText& before = expressions_.speak_of(view_.labelled_by != nullptr ? *view_.labelled_by : text_);
       for (std::uint32_t i = 0; i < view_.labels.size(); ++i)
         if (expressions_.value(view_.labels[i].holds, values) != 0) out.insert(vocabulary_.add(view_.labels[i].name));
       expressions_.speak_of(before);
@@ -128,18 +159,49 @@ class Explorer {
       if ((!r.action || (*r.action == action && !view_.state_rewards_only)) && expressions_.value(r.guard, values) != 0)
         out += expressions_.value(r.value, values);
     if (!(out >= 0) || std::isinf(out))
-      tokens_.fail(where, "a reward that is negative or infinite in state " + show(values));
+      text_.fail(where, "a reward that is negative or infinite in state " + show(values));
     return out;
   }
 
-  void assign(const PrismProgram::Update& update, const PrismValues& values, PrismValues& out) {
+  // The assignments of one round of an update, over the values before it.
+  void assign(const PrismProgram::Update& update, std::uint32_t round, const PrismValues& values, PrismValues& out) {
     for (const PrismProgram::Assignment& a : update.assignments) {
-      const PrismProgram::Variable& v = program_.variables[a.variable];
+      if (a.round != round) continue;
       const double value = expressions_.value(a.value, values);
-      if (!(value >= v.from && value <= v.to))
-        tokens_.fail(expressions_.where(a.value), "the variable leaves its range in state " + show(values));
+      if (a.variable < program_.variables.size()) {
+        const PrismProgram::Variable& v = program_.variables[a.variable];
+        if (!(value >= v.from && value <= v.to))
+          text_.fail(expressions_.where(a.value), "the variable leaves its range in state " + show(values));
+      }
+      if (program_.synchronisations) {
+        if (assigned_.size() < out.size()) assigned_.resize(out.size());
+        if (assigned_[a.variable] == now_) text_.fail(a.where, "two automata assign this variable at once");
+        assigned_[a.variable] = now_;
+      }
       out[a.variable] = value;
     }
+  }
+
+  // Round after round, each at once for all commands of the step: `next` begins as the values before.
+  void assign(const Step& step, const std::vector<std::size_t>& at, PrismValues& next) {
+    next.insert(next.end(), program_.transient.begin(), program_.transient.end());
+    for (const std::uint32_t round : rounds_) {
+      before_ = next;
+      ++now_;
+      if (rounds_.size() > 1) expressions_.next_state();
+      for (std::size_t i = 0; i < step.size(); ++i) assign(step[i]->updates[at[i]], round, before_, next);
+    }
+    if (rounds_.size() > 1) expressions_.next_state();
+  }
+
+  double step_reward(const Step& step, const PrismValues& next) {
+    if (!step_reward_) return 0;
+    expressions_.next_state();
+    const double out = expressions_.value(*step_reward_, next);
+    expressions_.next_state();
+    if (!(out >= 0) || std::isinf(out))
+      text_.fail(step[0]->where, "a reward that is negative or infinite on a step into state " + show(next));
+    return out;
   }
 
   // The chances of the updates of a command.
@@ -149,69 +211,72 @@ class Explorer {
     for (const PrismProgram::Update& u : command.updates) {
       const double probability = u.probability ? expressions_.value(*u.probability, values) : 1;
       if (!(probability >= 0 && probability <= 1))
-        tokens_.fail(expressions_.where(*u.probability), "a probability outside of [0, 1] in state " + show(values));
+        text_.fail(expressions_.where(*u.probability), "a probability outside of [0, 1] in state " + show(values));
       sum += probability;
       out.push_back(probability);
     }
     if (!(std::abs(sum - 1) <= 1e-9))
-      tokens_.fail(command.where, "the probabilities do not add up to 1 in state " + show(values));
+      text_.fail(command.where, "the probabilities do not add up to 1 in state " + show(values));
     return out;
   }
 
   // `begin` a choice first; outcomes with one target are one.
   void begin() { ++choice_; }
   void add(std::vector<Outcome>& out, std::uint32_t target, double probability) {
-    if (placed_.size() <= target) placed_.resize(std::max<std::size_t>(states_.size(), 2 * placed_.size()));
-    Placed& placed = placed_[target];
-    if (placed.choice != choice_) {
-      placed = {choice_, out.size()};
+    if (collected_.size() <= target) collected_.resize(std::max<std::size_t>(states_.size(), 2 * collected_.size()));
+    Collected& collected = collected_[target];
+    if (collected.choice != choice_) {
+      collected = {choice_, out.size()};
       out.push_back({target, probability});
     } else {
-      Outcome& same = out[placed.at];
+      Outcome& same = out[collected.at];
       same.probability = std::min(1.0, same.probability + probability);
     }
   }
 
-  // All combinations of one update of each command; all expressions are over the values before.
-  void outcomes(const Step& step, const PrismValues& values, std::vector<Outcome>& out) {
+  // All combinations of one update of each command. Returns the expected reward of the step.
+  double outcomes(const Step& step, const PrismValues& values, std::vector<Outcome>& out) {
     std::vector<std::vector<double>> each;
     for (const Command* command : step) each.push_back(chances(*command, values));
     std::vector<std::size_t> at(step.size(), 0);
     begin();
+    double reward = 0;
     for (std::size_t tried = 0;; ++tried) {
       watch(tried, step[0]->where);
       double probability = 1;
       for (std::size_t i = 0; i < step.size(); ++i) probability *= each[i][at[i]];
       if (probability > 0) {
         PrismValues next = values;
-        for (std::size_t i = 0; i < step.size(); ++i) assign(step[i]->updates[at[i]], values, next);
+        assign(step, at, next);
+        reward += probability * step_reward(step, next);
         add(out, states_.add(next), probability);
       }
       std::size_t i = step.size();
       while (i > 0 && ++at[i - 1] == each[i - 1].size()) at[--i] = 0;
-      if (i == 0) return;
+      if (i == 0) return reward;
     }
   }
 
   // Modules that meet in one action multiply.
   void watch(std::size_t tried, ltl::Span where) const {
-    if (tried == most_combined) tokens_.fail(where, "modules meet here in more than 100,000 ways");
+    if (tried == most_combined) text_.fail(where, "modules meet here in more than 100,000 ways");
     if (tried % 1024 == 1023 && limits_.stop.stop_requested()) throw ReadingStopped{};
   }
 
   // Every way to combine the command with enabled ones of the other modules.
   template <class Visit>
-  void for_each_step(const Lead& lead, const PrismValues& values, const Visit& visit) {
-    std::vector<Step> enabled{{lead.command}};
-    for (const std::size_t m : lead.others) {
+  void for_each_step(const Command& command, const Lead& lead, const PrismValues& values, const Visit& visit) {
+    std::vector<Step> enabled{{&command}};
+    for (const auto& [module, action] : lead.others) {
       Step& other = enabled.emplace_back();
-      for (const Command& c : program_.modules[m].commands)
-        if (c.action == lead.command->action && expressions_.value(c.guard, values) != 0) other.push_back(&c);
+      for (const Placed& c : commands(module, values))
+        if (c.command->action == action && expressions_.value(c.command->guard, values) != 0)
+          other.push_back(c.command);
       if (other.empty()) return;
     }
     std::vector<std::size_t> at(enabled.size(), 0);
     for (std::size_t tried = 0;; ++tried) {
-      watch(tried, lead.command->where);
+      watch(tried, command.where);
       Step step;
       for (std::size_t i = 0; i < enabled.size(); ++i) step.push_back(enabled[i][at[i]]);
       visit(step);
@@ -224,14 +289,15 @@ class Explorer {
   std::vector<Choice> choices(const PrismValues& values) {
     std::vector<Choice> out;
     expressions_.next_state();
-    for (const Lead& lead : leads_) {
-      if (expressions_.value(lead.command->guard, values) == 0) continue;
-      for_each_step(lead, values, [&](const Step& step) {
-        const std::string& action = lead.command->action;
-        out.push_back({action, cost(action, values, lead.command->where), {}});
-        outcomes(step, values, out.back().outcomes);
-      });
-    }
+    for (std::size_t m = 0; m < program_.modules.size(); ++m)
+      for (const Placed& c : commands(m, values)) {
+        if (c.leads.empty() || expressions_.value(c.command->guard, values) == 0) continue;
+        for (const Lead& lead : c.leads)
+          for_each_step(*c.command, lead, values, [&](const Step& step) {
+            out.push_back({*lead.action, cost(*lead.action, values, c.command->where), {}});
+            out.back().cost += outcomes(step, values, out.back().outcomes);
+          });
+      }
     return out;
   }
 
@@ -258,7 +324,7 @@ class Explorer {
     }
   }
 
-  struct Placed {
+  struct Collected {
     std::uint64_t choice = 0;
     std::size_t at = 0;
   };
@@ -266,22 +332,27 @@ class Explorer {
 
   const PrismProgram& program_;
   PrismExpressions& expressions_;
-  const PrismTokens& tokens_;
+  const ModelText& text_;
   const PrismView& view_;
   const ltl::Limits& limits_;
-  std::vector<Lead> leads_;
+  std::vector<std::vector<std::vector<Placed>>> commands_;  // by module and its location
   ltl::Vocabulary vocabulary_;
   PrismStates states_;
-  std::uint64_t choice_ = 0;       // the one whose outcomes are collected
-  std::vector<Placed> placed_;     // by target: where it stands among them
-  std::vector<LetterId> letters_;  // by state, for those whose values were looked at
+  std::set<std::uint32_t> rounds_;  // of all assignments
+  std::optional<PrismProgram::Id> step_reward_;
+  PrismValues before_;                   // a round
+  std::uint64_t now_ = 0;                // the round that is made
+  std::vector<std::uint64_t> assigned_;  // by variable: the last round that assigned it, where automata may share it
+  std::uint64_t choice_ = 0;             // the one whose outcomes are collected
+  std::vector<Collected> collected_;     // by target: where it stands among them
+  std::vector<LetterId> letters_;        // by state, for those whose values were looked at
 };
 
 }  // namespace
 
-Mdp explore(const PrismProgram& program, PrismExpressions& expressions, const PrismTokens& tokens,
-            const PrismView& view, const ltl::Limits& limits) {
-  return Explorer(program, expressions, tokens, view, limits).explore();
+Mdp explore(const PrismProgram& program, PrismExpressions& expressions, const ModelText& text, const PrismView& view,
+            const ltl::Limits& limits) {
+  return Explorer(program, expressions, text, view, limits).explore();
 }
 
 }  // namespace waymark::plan

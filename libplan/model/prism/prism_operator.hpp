@@ -9,6 +9,7 @@ enum class PrismOp : std::uint8_t {  // named as in prism_syntax.cpp
   Name,
   Label,
   Choose,
+  Pick,  // the operand behind the first whose number the first is, from 0; JANI's locations
   Implies,
   Iff,
   Or,
@@ -39,6 +40,7 @@ enum class PrismOp : std::uint8_t {  // named as in prism_syntax.cpp
   Until,
   WeakUntil,
   Release,
+  Query,  // an operator of properties
 };
 
 }  // namespace waymark::plan

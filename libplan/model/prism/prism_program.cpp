@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <utility>
 
 namespace waymark::plan {
@@ -37,6 +38,8 @@ class ProgramReader {
 
   void kind() {
     if (in_.accept("mdp") || in_.accept("nondeterministic")) return;
+    for (const char* first : {"module", "const", "formula", "global", "label", "rewards", "init"})
+      if (in_.is(first)) return;  // a model of no kind is a decision process
     if (!in_.accept("dtmc") && !in_.accept("probabilistic"))
       in_.fail("expected 'mdp' or 'dtmc': models of these kinds are read");
     out_.is_mdp = false;
@@ -331,15 +334,21 @@ void read_prism_constant(PrismTokens& in, PrismExpressions& expressions, const P
     in.fail(name.where, "the constant " + std::string(name.text) + " has no value: give one with --const");
   in.expect(";");
   taken.push_back(given->first);
-  const std::string& text = given->second;
-  if (type == Type::Bool && (text == "true" || text == "false"))
-    return expressions.define_formula(name, expressions.number(text == "true" ? 1 : 0, Type::Bool));
+  const std::optional<Id> literal = prism_literal(expressions, given->second, type);
+  if (!literal) in.fail(name.where, "the value " + given->second + " given for the constant is of another type");
+  expressions.define_formula(name, *literal);
+}
+
+std::optional<Id> prism_literal(PrismExpressions& expressions, const std::string& text, std::optional<Type> type) {
+  if (type == Type::Bool)
+    return text == "true" || text == "false" ? std::optional(expressions.number(text == "true" ? 1 : 0, Type::Bool))
+                                             : std::nullopt;
   double value = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   const bool whole = text.find_first_of(".eE") == std::string::npos;
-  if (type == Type::Bool || error != std::errc() || end != text.data() + text.size() || (type == Type::Int && !whole))
-    in.fail(name.where, "the value " + text + " given for the constant is of another type");
-  expressions.define_formula(name, expressions.number(value, whole ? Type::Int : Type::Double));
+  if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(value)) return std::nullopt;
+  if (type == Type::Int && !whole) return std::nullopt;
+  return expressions.number(value, whole ? Type::Int : Type::Double);
 }
 
 void expect_given(const PrismTokens& in, const PrismConstants& constants, const std::vector<std::string>& given) {

@@ -25,7 +25,7 @@ std::optional<Op> infix_operator(const PrismTokens& in) {
 PrismExpressions::Id PrismExpressions::add(Op op, std::vector<Id> operands, ltl::Span where) {
   std::uint32_t height = 1;
   for (const Id operand : operands) height = std::max(height, nodes_[operand].height + 1);
-  if (height > deepest) tokens_->fail(where, "this is nested too deeply");
+  if (height > deepest) text_->fail(where, "this is nested too deeply");
   Node& node = nodes_.emplace_back();
   node.op = op;
   node.operands = std::move(operands);
@@ -106,6 +106,12 @@ PrismExpressions::Id PrismExpressions::parse_unary(PrismTokens& in) {
 }
 
 PrismExpressions::Id PrismExpressions::parse_primary(PrismTokens& in) {
+  if (queries_) {
+    const bool in_path = std::exchange(in_path_, false);
+    const std::optional<Id> query = queries_();
+    in_path_ = in_path;
+    if (query) return *query;
+  }
   if (in.accept("(")) {
     const Id inner = in_path_ ? parse_temporal(in) : parse(in);
     in.expect(")");
@@ -170,10 +176,17 @@ PrismExpressions::Id PrismExpressions::parse_call(PrismTokens& in) {
 }
 
 PrismExpressions::Id PrismExpressions::parse_path(PrismTokens& in) {
-  in_path_ = true;
-  const Id out = parse_temporal(in);
-  in_path_ = false;
-  return out;
+  struct Inside {  // errors leave it, too
+    explicit Inside(bool& flag) : flag_(flag), before_(std::exchange(flag, true)) {}
+    ~Inside() { flag_ = before_; }
+    Inside(const Inside&) = delete;
+    Inside& operator=(const Inside&) = delete;
+
+   private:
+    bool& flag_;
+    bool before_;
+  } const inside(in_path_);
+  return parse_temporal(in);
 }
 
 // U, W and R bind loosest, then X, F and G, then everything else; U, W and R associate to the left.
@@ -186,21 +199,28 @@ PrismExpressions::Id PrismExpressions::parse_temporal(PrismTokens& in) {
     const Deeper deeper(*this, in.peek().where);
     const std::size_t from = in.next().where.begin;
     const std::optional<Window> window = *prefix == Op::Next ? std::nullopt : parse_window(in);
-    return temporal(*prefix, {self(self)}, window, from);
+    const Id inner = self(self);
+    return add_path(*prefix, {inner}, window, {from, where(inner).end});
   };
   Id left = operand(operand);
   while (const std::optional<Op> infix = infix_operator(in)) {
     in.next();
     const std::optional<Window> window = parse_window(in);
     const Id right = operand(operand);
-    left = temporal(*infix, {left, right}, window, begin);
+    left = add_path(*infix, {left, right}, window, {begin, where(right).end});
   }
   return left;
 }
 
-// <=k, <k, >=k, >k, =k or [j,k].
+// <=k, <k, >=k, >k, =k or [j,k], of steps or, behind {"name"}, of rewards.
 std::optional<PrismExpressions::Window> PrismExpressions::parse_window(PrismTokens& in) {
   Window out;
+  if (in.is("{")) {
+    in.next();
+    if (in.peek().kind != PrismToken::Kind::String) in.fail("expected the name of rewards in quotes");
+    out.rewards = std::string(in.next().text);
+    in.expect("}");
+  }
   const auto number = [&] { return parse_level(in, negation + 2); };
   if (in.accept("<=")) {
     out.most = number();
@@ -220,15 +240,15 @@ std::optional<PrismExpressions::Window> PrismExpressions::parse_window(PrismToke
     out.most = parse(in);
     in.expect("]");
   } else {
+    if (out.rewards) in.fail("expected a bound on rewards");
     return std::nullopt;
   }
   return out;
 }
 
-PrismExpressions::Id PrismExpressions::temporal(Op op, std::vector<Id> operands, std::optional<Window> window,
-                                                std::size_t begin) {
-  const std::size_t end = where(operands.back()).end;
-  const Id e = add(op, std::move(operands), {begin, end});
+PrismExpressions::Id PrismExpressions::add_path(Op op, std::vector<Id> operands, std::optional<Window> window,
+                                                ltl::Span where) {
+  const Id e = add(op, std::move(operands), where);
   nodes_[e].temporal = true;
   if (!window) return e;
   nodes_[e].window = static_cast<std::uint32_t>(windows_.size());

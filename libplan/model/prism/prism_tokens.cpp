@@ -88,8 +88,8 @@ const PrismToken& PrismTokens::expect_name(std::string_view what) {
     fail("expected the name of " + std::string(what));
   return next();
 }
-void PrismTokens::fail(ltl::Span where, const std::string& message) const {
-  throw ltl::SyntaxError(text_, where, message, source_);
+std::exception_ptr PrismTokens::error(ltl::Span where, const std::string& message) const {
+  return std::make_exception_ptr(ltl::SyntaxError(text_, where, message, source_));
 }
 
 }  // namespace waymark::plan

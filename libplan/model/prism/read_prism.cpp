@@ -3,10 +3,9 @@
 #include <algorithm>
 
 namespace waymark::plan {
-namespace {
 
-// The structure that becomes costs: the one asked for; else "cost" or "steps" before others, the first of equals.
-std::optional<std::size_t> structure(const PrismProgram& program, const std::string& wanted, const PrismTokens& in) {
+std::optional<std::size_t> cost_structure(const PrismProgram& program, const std::string& wanted,
+                                          const ModelText& text) {
   const auto named = [&](auto matches) -> std::optional<std::size_t> {
     const auto found = std::find_if(program.rewards.begin(), program.rewards.end(), matches);
     if (found == program.rewards.end()) return std::nullopt;
@@ -14,14 +13,12 @@ std::optional<std::size_t> structure(const PrismProgram& program, const std::str
   };
   if (!wanted.empty()) {
     const auto found = named([&](const PrismProgram::Rewards& r) { return r.name == wanted; });
-    if (!found) in.fail("there are no rewards of the name \"" + wanted + '"');
+    if (!found) text.fail(text.end(), "there are no rewards of the name \"" + wanted + '"');
     return found;
   }
   const auto usual = named([](const PrismProgram::Rewards& r) { return r.name == "cost" || r.name == "steps"; });
   return usual || program.rewards.empty() ? usual : std::optional<std::size_t>(0);
 }
-
-}  // namespace
 
 Mdp parse_prism(std::string_view text, std::string_view source, const ltl::Limits& limits,
                 const PrismOptions& options) {
@@ -29,7 +26,7 @@ Mdp parse_prism(std::string_view text, std::string_view source, const ltl::Limit
   PrismExpressions expressions(in);
   const PrismProgram program = read_prism_program(in, expressions, options.constants);
   expect_given(in, options.constants, program.given);
-  return explore(program, expressions, in, {program.labels, structure(program, options.rewards, in)}, limits);
+  return explore(program, expressions, in, {program.labels, cost_structure(program, options.rewards, in)}, limits);
 }
 
 }  // namespace waymark::plan

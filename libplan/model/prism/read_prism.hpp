@@ -6,6 +6,7 @@
 // command is enabled gets a choice that stays, "stay", as in PRISM.
 #pragma once
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -26,5 +27,10 @@ struct PrismOptions {        // of reading a model
 // for what PRISM has and this reader has not, and for more states than the limit; ReadingStopped.
 Mdp parse_prism(std::string_view text, std::string_view source = "",
                 const ltl::Limits& limits = {.states = most_model_states}, const PrismOptions& options = {});
+
+// The structure that becomes costs: the one asked for; else "cost" or "steps" before others, the first of equals.
+// Throws the error of the text where there is none of the name.
+std::optional<std::size_t> cost_structure(const PrismProgram& program, const std::string& wanted,
+                                          const ModelText& text);
 
 }  // namespace waymark::plan

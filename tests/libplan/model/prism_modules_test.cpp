@@ -5,6 +5,7 @@
 
 #include "libltl/diagnostic.hpp"
 #include "libplan/model/formats/prism_properties.hpp"
+#include "libplan/model/formats/result_comment.hpp"
 #include "libplan/solve/case_task.hpp"
 #include "libplan/solve/finite_horizon.hpp"
 #include "tests/libplan/model/models.hpp"
@@ -183,7 +184,7 @@ TEST(PrismProperties, HaveResultsComparisonsAndFaults) {
   const std::vector<PrismProperty> p = asked(
       "const int k = 3; label \"far\" = x>k;\n// RESULT (n=4): 7\n"
       "// RESULT (n=5): 1/2\n\"name\": Pmax=? [ F \"far\" & x!=5 ];\n"
-      "P>=0.5 [ F \"init\" ]\n// RESULT: true\nS=? [ x=1 ]; Pmax=? [ F P>=1 [ X x=0 ] ]\n"
+      "P>=0.5 [ F \"init\" ]\n// RESULT: true\nS=? [ x=1 ]; Pmax=? [ F P=? [ X x=0 ] ]\n"
       "P=? [ F x=5 ]; Pmin=? [ !F x=5 ]; R{\"none\"}min=? [ F x=5 ]; Pmin=?[ F (x=1");
   ASSERT_EQ(p.size(), 8U);
   EXPECT_EQ(p[0].result, "1/2");

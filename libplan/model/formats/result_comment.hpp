@@ -1,0 +1,14 @@
+// What the comment "RESULT: …" before a property of PRISM says.
+#pragma once
+#include <optional>
+#include <string>
+
+namespace waymark::plan {
+
+// Does the value agree with what a RESULT comment says: a number, a fraction, Infinity, true or false? Numbers agree
+// up to a relative difference of 10⁻⁵, PRISM's own measure, or an absolute one of 10⁻⁷. nullopt: the comment says
+// something else.
+std::optional<bool> agrees(const std::string& result, double value, std::optional<bool> verdict,
+                           std::optional<double> range = {});
+
+}  // namespace waymark::plan
