@@ -146,8 +146,9 @@ bool is_rank_of_a_farm(std::span<char* const> arguments) {
 [[noreturn]] void become_rank(char** argv) {
   const auto program = helper("waymark-farm");
   if (program.empty())
-    throw UsageError("waymark-farm, which shares work among the ranks of mpirun, is not built; to build it: ./dev "
-                     "setup mpi && cmake --preset release -DWAYMARK_WITH_MPI=ON && cmake --build --preset release");
+    throw UsageError(
+        "waymark-farm, which shares work among the ranks of mpirun, is not built; to build it: ./dev "
+        "setup mpi && cmake --preset release -DWAYMARK_WITH_MPI=ON && cmake --build --preset release");
   std::string path = executable().string();
   argv[0] = path.data();
   ::execv(program.c_str(), argv);

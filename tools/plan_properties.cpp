@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <iomanip>
-#include <iostream>
 #include <optional>
 #include <sstream>
 #include <variant>
@@ -13,6 +12,7 @@
 #include "tools/shell/batch.hpp"
 #include "tools/shell/json.hpp"
 #include "tools/shell/output.hpp"
+#include "tools/shell/rounded.hpp"
 
 namespace waymark::tools {
 namespace {
@@ -28,33 +28,33 @@ class Properties {
  public:
   Properties(const CaseChoice& choice, const Session& session) : choice_(choice), session_(session) {}
 
-  ExitCode answer(const PrismProperty& property) {
+  Reply answer(const PrismProperty& property, const TextWatch& watch) const {
     if (!property.fault.empty()) return unanswered(property, property.fault);
     Answered found;
     try {
-      found = solved(property);
+      found = solved(property, watch);
     } catch (const std::invalid_argument& error) {
       return unanswered(property, error.what());
     }
+    std::ostringstream out;
     if (choice_.json)
-      std::cout << json(property, found).text() << '\n';
+      out << json(property, found).text() << '\n';
     else
-      print(property, found);
-    if (found.answer.status == CaseAnswer::Status::Exhausted) return ExitCode::GaveUp;
-    return found.agrees.value_or(found.verdict.value_or(true)) ? ExitCode::Done : ExitCode::No;
+      print(property, found, out);
+    if (found.answer.status == CaseAnswer::Status::Exhausted) {
+      if (session_.stop.stop_requested()) throw Interrupted();
+      return {ExitCode::GaveUp, out.str()};
+    }
+    return {found.agrees.value_or(found.verdict.value_or(true)) ? ExitCode::Done : ExitCode::No, out.str()};
   }
 
  private:
-  ExitCode unanswered(const PrismProperty& property, const std::string& reason) const {
-    if (choice_.json)
-      std::cout << begun(property).add("status", "not answered").add("reason", reason).text() << '\n';
-    else
-      std::cout << property.text << "  not answered: " << reason << '\n';
-    return ExitCode::BadInput;
+  Reply unanswered(const PrismProperty& property, const std::string& reason) const {
+    if (!choice_.json) return {ExitCode::BadInput, property.text + "  not answered: " + reason + '\n'};
+    return {ExitCode::BadInput, begun(property).add("status", "not answered").add("reason", reason).text() + '\n'};
   }
 
-  Answered solved(const PrismProperty& property) const {
-    const ltl::Watch watch(granted(choice_.parallel.limits), session_.stop);
+  Answered solved(const PrismProperty& property, const TextWatch& watch) const {
     const plan::CaseOptions options{.tolerance = choice_.tolerance, .explain = false, .stop = watch.token()};
     Answered out{plan::answer(property, options), {}};
     if (out.answer.status == CaseAnswer::Status::Exhausted) {
@@ -94,37 +94,37 @@ class Properties {
     return out;
   }
 
-  static void print(const PrismProperty& property, const Answered& found) {
-    std::cout << property.text << "  ";
+  static void print(const PrismProperty& property, const Answered& found, std::ostream& out) {
+    out << property.text << "  ";
     if (found.answer.status == CaseAnswer::Status::Exhausted) {
-      std::cout << "gave up: " << found.answer.reason << '\n';
+      out << "gave up: " << found.answer.reason << '\n';
       return;
     }
     if (found.verdict)
-      std::cout << (*found.verdict ? "true" : "false");
+      out << (*found.verdict ? "true" : "false");
     else if (!property.comparison.empty())
-      std::cout << "undecided";
+      out << "undecided";
     if (is_curve(property)) {
       for (const plan::ParetoPoint& point : found.curve)
-        std::cout << (&point == found.curve.data() ? "" : "  ") << text(point);
-      if (found.curve.empty()) std::cout << "no strategy has finite rewards";
+        out << (&point == found.curve.data() ? "" : "  ") << text(point);
+      if (found.curve.empty()) out << "no strategy has finite rewards";
     } else if (found.answer.status == CaseAnswer::Status::Infeasible && !found.answer.reason.empty() &&
                !found.curve.empty()) {
-      std::cout << "infeasible: " << found.answer.reason;
+      out << "infeasible: " << found.answer.reason;
     } else if (!property.is_truth() || !property.comparison.empty()) {  // there is a number
-      if (property.is_truth()) std::cout << ": ";
-      show(found.answer.value);
+      if (property.is_truth()) out << ": ";
+      show(found.answer.value, out);
       if (found.range) {
-        std::cout << "  to  ";
-        show(*found.range);
+        out << "  to  ";
+        show(*found.range, out);
       }
     }
     if (property.result)
-      std::cout << "  RESULT " << *property.result << ": "
-                << (!found.agrees   ? "not compared"
-                    : *found.agrees ? "agrees"
-                                    : "DIFFERS");
-    std::cout << '\n';
+      out << "  RESULT " << *property.result << ": "
+          << (!found.agrees   ? "not compared"
+              : *found.agrees ? "agrees"
+                              : "DIFFERS");
+    out << '\n';
   }
 
   // Both objectives are asked for.
@@ -151,9 +151,9 @@ class Properties {
     return out;
   }
 
-  static void show(const plan::Bounds& value) {
-    std::cout << std::setprecision(12) << value.middle();
-    if (value.lower != value.upper) std::cout << "  in [" << value.lower << ", " << value.upper << ']';
+  static void show(const plan::Bounds& value, std::ostream& out) {
+    out << std::setprecision(12) << value.middle();
+    if (value.lower != value.upper) out << "  " << between(value.lower, value.upper);
   }
 
   const CaseChoice& choice_;
@@ -185,14 +185,10 @@ ExitCode plan_properties(const CaseChoice& choice, const Session& session) {
                  amount(watch.overrun(), choice.parallel.limits));
   }
   if (properties.empty()) throw UsageError(choice.properties + " has no properties");
-  Properties answers(choice, session);
-  ExitCode worst = ExitCode::Done;
-  for (const PrismProperty& property : properties) {
-    if (session.stop.stop_requested()) throw Interrupted();
-    worst = std::max(worst, answers.answer(property));
-    std::cout.flush();
-  }
-  return worst;
+  const Properties answers(choice, session);
+  return answer_in_parallel(
+      properties.size(), session.stop, choice.parallel,
+      [&](std::size_t job, const TextWatch& watch) { return answers.answer(properties[job], watch); });
 }
 
 }  // namespace waymark::tools
