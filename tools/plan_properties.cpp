@@ -172,18 +172,22 @@ std::vector<PrismProperty> read_properties(const CaseChoice& choice, const ltl::
                                       limits);
 }
 
-}  // namespace
-
-ExitCode plan_properties(const CaseChoice& choice, const Session& session) {
-  const ltl::Watch watch(granted(choice.parallel.limits), session.stop);
-  std::vector<PrismProperty> properties;
+// Within the limits of a property.
+std::vector<PrismProperty> properties_of(const CaseChoice& choice, const std::stop_token& stop) {
+  const ltl::Watch watch(granted(choice.parallel.limits), stop);
   try {
-    properties = read_properties(choice, {.states = plan::most_model_states, .stop = watch.token()});
+    return read_properties(choice, {.states = plan::most_model_states, .stop = watch.token()});
   } catch (const plan::ReadingStopped&) {
     if (watch.overrun() == ltl::Overrun::None) throw Interrupted();
     throw GaveUp("gave up: " + choice.model + " has more states than were found in " +
                  amount(watch.overrun(), choice.parallel.limits));
   }
+}
+
+}  // namespace
+
+ExitCode plan_properties(const CaseChoice& choice, const Session& session) {
+  const std::vector<PrismProperty> properties = properties_of(choice, session.stop);
   if (properties.empty()) throw UsageError(choice.properties + " has no properties");
   const Properties answers(choice, session);
   return answer_in_parallel(

@@ -12,14 +12,25 @@ struct Plain {  // the model as end_components asks for it
   struct State {
     std::uint32_t index;
   };
+  using Compact = State;
   static constexpr std::uint32_t trap = UINT32_MAX;
   const Mdp& mdp;
   std::uint32_t states() const { return static_cast<std::uint32_t>(mdp.states()); }
   static State state(std::uint32_t i) { return {i}; }
+  static State state(State s) { return s; }
+  static State compact(State s) { return s; }
   std::uint32_t choices(State s) const { return mdp.choices(s.index); }
   template <class Visit>
   void for_each_outcome(State s, std::uint32_t k, Visit&& visit) const {
     for (const ModelOutcome& o : mdp.outcomes(s.index, k)) visit(o.target, o.probability, false);
+  }
+  template <class Visit>
+  void for_each_state(Visit&& visit) const {
+    for (std::uint32_t i = 0; i < states(); ++i) visit(State{i});
+  }
+  template <class Visit>
+  void for_each_predecessor(State s, Visit&& visit) const {
+    mdp.for_each_predecessor(s.index, [&](std::uint32_t source) { visit(State{source}); });
   }
 };
 
