@@ -2,6 +2,7 @@
 
 #include <sys/resource.h>
 
+#include <atomic>
 #include <iomanip>
 #include <map>
 #include <mutex>
@@ -202,9 +203,8 @@ std::string written(const plan::PlanningCase& planning_case, const plan::CaseTas
 // Answers tasks side by side; what they share is told once.
 class TaskAnswers {
  public:
-  // alone: there is one task only, which then sweeps on all cores
-  TaskAnswers(const plan::PlanningCase& planning_case, const CaseChoice& choice, bool alone, const Session& session)
-      : case_(planning_case), choice_(choice), alone_(alone), session_(session) {}
+  TaskAnswers(const plan::PlanningCase& planning_case, const CaseChoice& choice, const Session& session)
+      : case_(planning_case), choice_(choice), session_(session) {}
 
   // `place`: of its strategy among all of them. Throws as plan::answer.
   Reply answer(const plan::CaseTask& task, std::size_t place, const TextWatch& watch,
@@ -216,8 +216,9 @@ class TaskAnswers {
                                     .top = choice_.top,
                                     .route = !choice_.model.empty(),
                                     .strategy = !choice_.strategy.empty(),
-                                    .threads = alone_ ? threads() : 1,
+                                    .sweepers = {threads(), &working_},
                                     .stop = watch.token()};
+    const AtWork at_work(working_);
     CaseAnswer answer =
         given != nullptr ? plan::answer(case_, task, *given, options) : plan::answer(case_, task, options);
     if (answer.status == Status::Exhausted && session_.stop.stop_requested()) throw Interrupted();
@@ -252,14 +253,24 @@ class TaskAnswers {
   }
 
  private:
+  class AtWork {  // where a task has ended, its thread may sweep for others
+   public:
+    explicit AtWork(std::atomic<std::size_t>& working) : working_(working) { ++working_; }
+    ~AtWork() { --working_; }
+    AtWork(const AtWork&) = delete;
+    AtWork& operator=(const AtWork&) = delete;
+
+   private:
+    std::atomic<std::size_t>& working_;
+  };
   std::size_t threads() const {
     return choice_.parallel.threads > 0 ? choice_.parallel.threads : ltl::hardware_threads();
   }
 
   const plan::PlanningCase& case_;
   const CaseChoice& choice_;
-  const bool alone_;
   const Session& session_;
+  std::atomic<std::size_t> working_{0};  // tasks
   std::mutex mutex_;
   std::map<std::size_t, std::string> strategies_;  // by place
 };
@@ -302,7 +313,7 @@ ExitCode plan_case(const CaseChoice& choice, const Session& session) {
   if (chosen.empty())
     throw UsageError(choice.task.empty() ? choice.file + " has no tasks"
                                          : choice.file + " has no task '" + choice.task + "'");
-  TaskAnswers answers(planning_case, choice, chosen.size() == 1, session);
+  TaskAnswers answers(planning_case, choice, session);
   const ExitCode worst = answer_in_parallel(
       chosen.size(), session.stop, choice.parallel,
       [&](std::size_t job, const TextWatch& watch) { return answers.try_task(*chosen[job], job, watch); });
@@ -313,9 +324,7 @@ ExitCode plan_case(const CaseChoice& choice, const Session& session) {
 ExitCode plan_model(plan::PlanningCase free, const CaseChoice& choice, const TextOptions& formulas,
                     const Session& session) {
   const plan::PlanningCase model = scheduled(std::move(free), choice.scheduler);
-  std::optional<TextReader> texts;
-  if (choice.automaton.empty()) texts.emplace(formulas, "formula");
-  TaskAnswers answers(model, choice, !texts || !texts->is_batch(), session);
+  TaskAnswers answers(model, choice, session);
   const auto answered = [&](const plan::CaseTask& task, const Text& text, const TextWatch& watch,
                             const plan::GivenAutomaton* given) {
     try {
@@ -335,8 +344,9 @@ ExitCode plan_model(plan::PlanningCase free, const CaseChoice& choice, const Tex
       return answered(task_of(none, choice), none, watch, &given);
     });
   } else {
+    TextReader texts(formulas, "formula");
     code = answer_in_parallel(
-        *texts, session.stop, choice.parallel,
+        texts, session.stop, choice.parallel,
         [&](const Text& text, const TextWatch& watch) {
           try {
             ltl::Arena arena(known);

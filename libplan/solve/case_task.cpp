@@ -249,7 +249,7 @@ class TaskSolver {
   std::optional<Decided> decided(const ProductMdp<Model>& product, bool negated) const {
     const IterationOptions limits{.tolerance = options_.tolerance,
                                   .policy_iteration = options_.method == CaseMethod::PolicyIteration,
-                                  .threads = options_.threads,
+                                  .sweepers = options_.sweepers,
                                   .stop = options_.stop};
     if (is_cost()) return least_cost(product, limits);
     if (task_.query == Query::Discounted) return greatest_discounted(product, options_.discount, limits);

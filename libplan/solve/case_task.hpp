@@ -32,7 +32,7 @@ struct CaseOptions {                      // how a task is solved
   std::size_t top = 1;                    // routes of a search
   bool route = false;                     // of a search: tell the cheapest, also when it is the only one asked for
   bool strategy = false;                  // write it down
-  std::size_t threads = 1;                // of value iteration; of no influence on any number
+  Sweepers sweepers = {};                 // of value iteration; of no influence on any number
   std::stop_token stop = {};              // ends with Exhausted when it is asked for
 };
 

@@ -92,8 +92,9 @@ void Equations::guess(double tolerance) {
 
 bool Equations::prove(std::uint64_t sweeps, const IterationOptions& options) {
   const std::uint64_t most = by_policies_ ? most_tries : sweeps + most_tries;
-  if (close_in_sweeps(0, most, options.threads)) return true;
-  return by_policies_ && measure_ == Measure::MaxProbability && prove_with_slack(options.tolerance, options.threads);
+  if (close_in_sweeps(0, most, options.sweepers.free())) return true;
+  return by_policies_ && measure_ == Measure::MaxProbability &&
+         prove_with_slack(options.tolerance, options.sweepers.free());
 }
 
 // Where runs linger, nothing in a row tells its bound from those of the rows around it but rounding. A sweep from the
@@ -142,7 +143,7 @@ bool Equations::refine(double change, const IterationOptions& options) {
       ++x_.sweeps;
       return pass;
     };
-    pipelined_passes(reach_, options.threads, {0, reach_.chunks()}, work, after);
+    pipelined_passes(reach_, options.sweepers.free(), {0, reach_.chunks()}, work, after);
   }
   return true;
 }
@@ -153,7 +154,7 @@ std::optional<Equations::Solution> Equations::solve(const IterationOptions& opti
   x_.lower.assign(rows(), 0);
   x_.upper.assign(rows(), 0);
   if (measure_ == Measure::MinCost) start_from_best_luck();
-  make_chunks(options.threads);
+  make_chunks(options.sweepers.threads);
   linear_ = measure_ != Measure::MinProbability && rows() <= factored;
   patience_ = options.policy_iteration ? 0 : 100;
   if (iterate_optimistically(*this, options, options.tolerance / 16) != IterationEnd::Proved) return std::nullopt;

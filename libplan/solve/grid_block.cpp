@@ -283,7 +283,7 @@ bool GridBlock::refine(double change, const IterationOptions& options) {
     fronts = unsettled < chunks;
     return fronts ? between(unsettled) : Pass{0, chunks};
   };
-  pipelined_passes(reach_, options.threads, between(0), work, after);
+  pipelined_passes(reach_, options.sweepers.free(), between(0), work, after);
   return settled;
 }
 
@@ -329,7 +329,7 @@ bool GridBlock::close(const Close& close_chunk, std::uint64_t most, const Iterat
     return inductive || ++tries == most ? std::nullopt : std::optional(pass);
   };
   const auto work = [&](std::size_t chunk, const Pass&) { return close_chunk(chunk); };
-  pipelined_passes(reach_, options.threads, {0, reach_.chunks()}, work, after);
+  pipelined_passes(reach_, options.sweepers.free(), {0, reach_.chunks()}, work, after);
   return inductive;
 }
 

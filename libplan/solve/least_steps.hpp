@@ -91,7 +91,7 @@ bool hurry(const Product& product, const std::vector<std::uint32_t>& order, cons
     return done || ++sweeps > most_sweeps || limits.stop.stop_requested() ? std::nullopt : std::optional(pass);
   };
   const ChunkReach reach = written.reach();
-  pipelined_passes(reach, limits.threads, {0, reach.chunks()}, work, after);
+  pipelined_passes(reach, limits.sweepers.free(), {0, reach.chunks()}, work, after);
   for (std::size_t i = 0; i < order.size(); ++i)
     if (swiftest[i] != UINT32_MAX) strategy.choice.set(order[i], written.choice[swiftest[i]]);
   return done;

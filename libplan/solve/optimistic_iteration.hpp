@@ -4,6 +4,8 @@
 // them, and proves the guess by sweeps: u with Φ(u) ≤ u lies above the least fixpoint of Φ, which is the value. Three
 // backends: Equations (written out), GridBlock (a window of a grid), SweptBlock (anything else, state by state).
 #pragma once
+#include <algorithm>
+#include <atomic>
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
@@ -14,6 +16,16 @@ namespace waymark::plan {
 enum class Measure : std::uint8_t { MaxProbability, MinProbability, MinCost };          // what is optimised
 constexpr bool is_probability(Measure measure) { return measure != Measure::MinCost; }  // else a cost
 
+struct Sweepers {           // threads that may sweep
+  std::size_t threads = 1;  // at most
+  // How many of them are at work, the one that asks among them; the others may help it.
+  const std::atomic<std::size_t>* working = nullptr;
+  std::size_t free() const {
+    const std::size_t others = working != nullptr ? std::max<std::size_t>(*working, 1) - 1 : 0;
+    return threads > others ? threads - others : 1;
+  }
+};
+
 struct IterationOptions {             // what is proved, and at which price
   double tolerance = 1e-6;            // upper − lower, proved: absolute for probabilities, relative for costs
   bool policy_iteration = false;      // linear solves from the start, not only where sweeps are slow
@@ -22,7 +34,7 @@ struct IterationOptions {             // what is proved, and at which price
   std::size_t on_grid = 2'000;  // unknowns of a block of a grid from which it is swept in place, where its kind allows
   bool second_way = true;       // blocks of grids that sweeps do not solve are written out then, if they are small
   bool keep_values = false;     // of all states, in the answer
-  std::size_t threads = 1;      // that sweep; of no influence on any number
+  Sweepers sweepers = {};       // of no influence on any number
   std::stop_token stop = {};    // polled between sweeps
 };
 

@@ -110,7 +110,7 @@ class PipelinedPasses {
 
   template <class Enough>
   static std::size_t wait(std::atomic<std::size_t>& number, const Enough& enough) {
-    constexpr int spins = 256;
+    constexpr int spins = 20'000;  // some microseconds: about a chunk
     std::size_t now = number.load(std::memory_order_acquire);
     for (int spin = 0; !enough(now); now = number.load(std::memory_order_acquire)) {
       if (++spin < spins) continue;

@@ -138,7 +138,7 @@ TEST(PipelinedPasses, DecideAsOneThreadDoes) {
     ASSERT_GT(product->states(), 8'000U) << "too small for equations to be shared";
     for (const std::size_t on_grid : {std::size_t{0}, SIZE_MAX}) {
       const auto solved = [&](std::size_t threads) {
-        const IterationOptions options{.on_grid = on_grid, .threads = threads};
+        const IterationOptions options{.on_grid = on_grid, .sweepers = {.threads = threads}};
         return told(greatest_probability(*product, options), product->states()) + '\n' +
                told(least_cost(*product, options), product->states());
       };
