@@ -56,7 +56,7 @@ struct GoodChoices {
   }
 
   static constexpr std::size_t chunk = 1'024;  // states that are swept by one thread
-  ChunkReach reach() const {
+  ChunkReach reach() const {                   // of chunks of so many states
     ChunkReach out((first_choice.size() - 1 + chunk - 1) / chunk);
     for (std::size_t i = 0; i + 1 < first_choice.size(); ++i)
       for (std::uint32_t o = first_outcome[first_choice[i]]; o < first_outcome[first_choice[i + 1]]; ++o)

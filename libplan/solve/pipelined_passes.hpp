@@ -28,7 +28,7 @@ class ChunkReach {
     last = std::max(last, std::max(a, b));
   }
   std::size_t operator[](std::size_t chunk) const { return last_[chunk]; }
-  std::size_t chunks() const { return last_.size(); }
+  std::size_t chunks() const { return last_.size(); }  // how many there are
 
  private:
   std::vector<std::size_t> last_;
@@ -50,7 +50,7 @@ class PipelinedPasses {
   PipelinedPasses(const ChunkReach& reach, std::size_t threads, const Work& work, Next& next)
       : reach_(reach), threads_(threads), work_(work), next_(next), slots_(2 * threads + 2) {}
 
-  void run(const Pass& first) {
+  void run(const Pass& first) {  // until there are no more
     publish(0, first);
     ltl::parallel_for(threads_, threads_, [this](std::size_t, std::size_t) { run_passes(); });
   }
@@ -128,6 +128,7 @@ class PipelinedPasses {
   std::atomic<std::size_t> taken_{0}, published_{0};
 };
 
+// The same in one call.
 template <class Work, class Next>
 void pipelined_passes(const ChunkReach& reach, std::size_t threads, const Pass& first, const Work& work, Next next) {
   PipelinedPasses<Work, Next>(reach, std::max<std::size_t>(threads, 1), work, next).run(first);

@@ -10,25 +10,25 @@
 
 namespace waymark::plan {
 
-struct ExplicitRow {
+struct ExplicitRow {                                             // an outcome
   std::uint32_t source = 0, choice = 0, target = 0, action = 0;  // action: its number
-  double probability = 0;
+  double probability = 0;                                        // of the target
 };
 
 // Rows as they are read: sixteen bytes a row and a choice while they come in order, and they do from PRISM.
 class ExplicitRows {
  public:
-  struct Choice {
-    std::uint32_t source, number, action, first_row;
+  struct Choice {                                     // of a state
+    std::uint32_t source, number, action, first_row;  // its rows end where those of the next one begin
   };
-  void add(const ExplicitRow& row) {
+  void add(const ExplicitRow& row) {  // in any order
     if (in_order_ && !choices_.empty() && place(row) < place(choices_.back())) spread();
     if (in_order_)
       append(row);
     else
       rows_.push_back(row);
   }
-  void sort() {
+  void sort() {  // once all were added
     std::stable_sort(rows_.begin(), rows_.end(),
                      [](const ExplicitRow& a, const ExplicitRow& b) { return place(a) < place(b); });
     for (const ExplicitRow& row : rows_) append(row);
