@@ -225,7 +225,10 @@ void GridBlock::make_chunks() {
   if (chunk_size_ != 0) return;
   chunk_size_ = chunk_size();
   reach_ = ChunkReach((cells_.size() + chunk_size_ - 1) / chunk_size_);
-  for (std::size_t i = 0; i < cells_.size(); ++i) upper_[cells_[i] + margin_] = static_cast<double>(i / chunk_size_);
+  for (std::size_t i = 0; i < cells_.size(); ++i) {
+    const std::size_t chunk = i / chunk_size_;
+    upper_[cells_[i] + margin_] = static_cast<double>(chunk);
+  }
   for (std::size_t i = 0; i < cells_.size(); ++i)
     for (std::uint32_t d = 0; d < 4; ++d)
       if (const std::uint32_t to = product_.model().move(cells_[i], d); unknown_[to])
