@@ -2,8 +2,8 @@
 
 jobs.py DIRECTORY_OF_PROGRAMS [--seed S]
 
-Scenes: array (the script for a Slurm array, each of its tasks in a shell with Slurm's variables, some killed and started
-again), experiment_array (the same of an experiment, all tasks at once), snakemake (with its local executor; skipped,
+Scenes: array (the script for a Slurm array, each of its tasks in a shell with Slurm's variables, some killed and
+started again), experiment_array (the same of an experiment, all tasks at once), snakemake (with its local executor; skipped,
 with a word, where snakemake is not installed).
 """
 import os
@@ -80,7 +80,8 @@ class Jobs:
         self.trials.counts["array: tasks killed and started again"] += kills
 
     def experiment_array(self):
-        self.programs.prepare(["generate", "corpus", "--out", "corpus", "--paragraphs", "6", "--seed", "1"], self.folder)
+        corpus = ["generate", "corpus", "--out", "corpus", "--paragraphs", "6", "--seed", "1"]
+        self.programs.prepare(corpus, self.folder)
         grid = ["tune", "--corpus", "corpus", "--grid", "epochs=1,2", "--grid", "rate=0.1,0.2", "--threads", "1"]
         whole = self.programs.prepare(grid, self.folder).out
         count = self.script("tune.sbatch")
