@@ -59,14 +59,14 @@ class PipelinedPasses {
   static constexpr std::size_t finished = SIZE_MAX, none = SIZE_MAX;
   struct Slot {
     Pass pass;
-    std::atomic<std::size_t> done{0};  // chunks before this one are
+    std::atomic<std::size_t> done{0};  // this pass and those before it have left the chunks before this one
   };
   Slot& slot(std::size_t number) { return slots_[number % slots_.size()]; }
 
   void publish(std::size_t number, const Pass& pass) {
     Slot& own = slot(number);
     own.pass = pass;
-    own.done.store(pass.begin, std::memory_order_relaxed);
+    own.done.store(0, std::memory_order_relaxed);
     published_.store(number + 1, std::memory_order_release);
     published_.notify_all();
   }
@@ -90,6 +90,8 @@ class PipelinedPasses {
     }
   }
 
+  // Passes finish in their order. So those at work are neighbours, and the slot of a new one is that of a pass which
+  // neither its own thread nor that of its follower will look at again.
   void run_pass(std::size_t number) {
     Slot& own = slot(number);
     const Pass pass = own.pass;
@@ -103,6 +105,7 @@ class PipelinedPasses {
       decided = true;
       decide(number, chunk);
     }
+    if (number > 0) wait(slot(number - 1).done, [](std::size_t done) { return done == finished; });
     own.done.store(finished, std::memory_order_release);
     own.done.notify_all();
     if (!decided) decide(number, pass.end);
