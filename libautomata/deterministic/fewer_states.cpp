@@ -4,21 +4,21 @@
 #include <map>
 #include <numeric>
 #include <optional>
-#include <span>
 #include <utility>
 #include <vector>
 
 #include "libautomata/bdd/joint_choices.hpp"
+#include "libautomata/deterministic/branch_colouring.hpp"
 #include "libautomata/deterministic/colours.hpp"
 #include "libautomata/deterministic/one_language.hpp"
-#include "libautomata/graph/scc.hpp"
 
 namespace waymark::automata {
 namespace {
 
 using Node = Mtbdd::Node;
+using Colours = BranchColouring::Colours;
 constexpr std::uint32_t unset = UINT32_MAX;
-constexpr std::size_t first_part = 8;  // pairs of a product
+constexpr std::size_t least_part = 8, part_growth = 4;  // pairs of a product
 
 struct Step {  // of the automaton of before
   std::uint32_t target, colour;
@@ -35,8 +35,6 @@ struct Class {
 
   const Step* of(std::uint32_t tuple) const { return &steps[tuple * states.size()]; }
 };
-
-using Colours = std::vector<std::uint32_t>;  // by branch, a state and a tuple of its class; unset: of states that went
 
 class Merging {
  public:
@@ -61,17 +59,27 @@ class Merging {
       pairs_ += static_cast<std::uint32_t>(one.states.size() * one.states.size());
       tell_apart(one, roots);
     }
+    number_.assign(pairs_, unset);
     for (const std::uint32_t c : class_of_) {
       first_branch_.push_back(branches_);
       branches_ += classes_[c].tuples;
     }
+    colouring_.emplace(branches_, from_.acceptance.sets, budget_);
   }
 
+  // Every pair is tried after the last merging, too: a merging can make another possible, which was not.
   void run() {
+    std::vector<Pair> tries;
     for (const Class& one : classes_)
       for (std::uint32_t q : one.states)
         for (std::uint32_t r : one.states)
-          if (q != r && image_[q] == q && image_[r] == r && redirected(q, r)) merged_ = true;
+          if (q != r) tries.emplace_back(q, r);
+    for (std::size_t i = 0, idle = 0; idle < tries.size(); i = (i + 1) % tries.size(), ++idle) {
+      const auto [q, r] = tries[i];
+      if (image_[q] != q || image_[r] != r || !redirected(q, r)) continue;
+      merged_ = true;
+      idle = 0;
+    }
   }
   // The structure, coloured; nullopt when nothing was merged. States that went, and those that nothing reaches, have
   // no branches.
@@ -90,42 +98,11 @@ class Merging {
   }
 
  private:
-  struct Edge {  // of the product
-    std::uint32_t source, target;
-    std::uint32_t colour;  // in the automaton of before
-    std::uint32_t branch;  // of the structure
-  };
-
   using Pair = std::pair<std::uint32_t, std::uint32_t>;  // state of the structure, state of before
   struct Product {                                       // or a part of it
     std::vector<Pair> pairs;
-    std::vector<Edge> edges;  // sources ascending
-    bool is_closed = true;    // no edge leads out of it
-  };
-
-  class Graph {  // of the edges with at least a colour
-   public:
-    Graph(const std::vector<Edge>& edges, std::uint32_t least) {
-      std::uint32_t size = 0;
-      for (const Edge& e : edges) size = std::max({size, e.source + 1, e.target + 1});
-      begin_.reserve(size + 1);
-      std::vector<std::uint32_t> last(size, unset);  // by target: the source that an edge was added for; once is enough
-      for (const Edge& e : edges) {
-        if (e.colour < least || last[e.target] == e.source) continue;
-        last[e.target] = e.source;
-        while (begin_.size() <= e.source) begin_.push_back(targets_.size());
-        targets_.push_back(e.target);
-      }
-      begin_.resize(size + 1, targets_.size());
-    }
-    std::size_t size() const { return begin_.size() - 1; }
-    std::span<const std::uint32_t> successors(std::uint32_t v) const {
-      return {targets_.data() + begin_[v], begin_[v + 1] - begin_[v]};
-    }
-
-   private:
-    std::vector<std::size_t> begin_;
-    std::vector<std::uint32_t> targets_;
+    std::vector<ProductEdge> edges;  // sources ascending
+    std::size_t explored = 0;        // pairs whose edges it has
   };
 
   void tell_apart(Class& one, const std::vector<Node>& roots) {
@@ -147,24 +124,33 @@ class Merging {
     joint_.settled(one.letters, number);
   }
 
-  // Where no colours exist this mostly shows near a pair (r, d): small parts of the product are looked at first.
   bool redirected(std::uint32_t q, std::uint32_t r) {
     std::vector<std::uint32_t> image = image_;
     std::replace(image.begin(), image.end(), q, r);
-    if (met_with_[q] != unset) {
-      const Pair redirected{r, met_with_[q]};
-      for (std::size_t most = first_part;; most *= 4) {
-        const Product part = product(image, redirected, most);
-        if (!colours(part)) return false;
-        if (part.is_closed) break;
-      }
-    }
-    const Product whole = product(image, {image[from_.initial], from_.initial}, SIZE_MAX);
-    std::optional<Colours> found = colours(whole);
+    if (met_with_[q] != unset && !near({r, met_with_[q]}, image)) return false;
+    Product whole = begin({image[from_.initial], from_.initial});
+    explore(whole, image, SIZE_MAX);
+    std::optional<Colours> found = colouring_->colours(whole.edges);
     if (!found) return false;
     image_ = std::move(image);
     colours_ = *std::move(found);
     meet(whole);
+    return true;
+  }
+
+  // Are there colours near this pair? Where none exist this mostly shows there: parts of the product that grow are
+  // looked at, the first of the size that told the last time, or of one less.
+  bool near(const Pair& pair, const std::vector<std::uint32_t>& image) {
+    Product part = begin(pair);
+    const std::size_t first = first_part_;
+    for (std::size_t most = first; part.explored < part.pairs.size(); most *= part_growth) {
+      explore(part, image, most);
+      std::vector<ProductEdge> inside = part.edges;
+      std::erase_if(inside, [&](const ProductEdge& e) { return e.target >= part.explored; });
+      if (colouring_->colours(std::move(inside))) continue;
+      first_part_ = most == first ? std::max(least_part, most / part_growth) : most;
+      return false;
+    }
     return true;
   }
 
@@ -175,72 +161,43 @@ class Merging {
       if (met_with_[s] == unset) met_with_[s] = d;
   }
 
-  // The pairs that some word leads to from this one, breadth first, and the edges between them.
-  Product product(const std::vector<std::uint32_t>& image, const Pair& first, std::size_t most) {
-    std::vector<std::uint32_t> number(pairs_, unset);
+  std::uint32_t pair_id(const Pair& pair) const {
+    const Class& one = classes_[class_of_[pair.first]];
+    return one.first_pair + position_[pair.first] * static_cast<std::uint32_t>(one.states.size()) +
+           position_[pair.second];
+  }
+
+  // The product that was begun before is not explored any more.
+  Product begin(const Pair& first) {
+    for (const std::uint32_t id : numbered_) number_[id] = unset;
+    numbered_.clear();
     Product out;
-    const auto of = [&](std::uint32_t s, std::uint32_t d) {
-      const Class& one = classes_[class_of_[s]];
-      std::uint32_t& known =
-          number[one.first_pair + position_[s] * static_cast<std::uint32_t>(one.states.size()) + position_[d]];
-      if (known == unset && out.pairs.size() < most) {
-        known = static_cast<std::uint32_t>(out.pairs.size());
-        out.pairs.emplace_back(s, d);
-      }
-      return known;
-    };
-    of(first.first, first.second);
-    for (std::uint32_t i = 0; i < out.pairs.size(); ++i) {  // the pairs double as the queue
-      const auto [s, d] = out.pairs[i];
+    out.pairs.push_back(first);
+    numbered_.push_back(pair_id(first));
+    number_[numbered_.back()] = 0;
+    return out;
+  }
+
+  // The edges of so many pairs, breadth first, or of all that some word leads to.
+  void explore(Product& out, const std::vector<std::uint32_t>& image, std::size_t most) {
+    for (; out.explored < std::min(most, out.pairs.size()); ++out.explored) {
+      const auto [s, d] = out.pairs[out.explored];
       const Class& one = classes_[class_of_[s]];
       budget_.step(one.tuples);
       for (std::uint32_t t = 0; t < one.tuples; ++t) {
         const Step& mine = one.of(t)[position_[s]];
         const Step& theirs = one.of(t)[position_[d]];
-        const std::uint32_t target = of(image[mine.target], theirs.target);
-        if (target == unset)
-          out.is_closed = false;
-        else
-          out.edges.push_back({i, target, theirs.colour, first_branch_[s] + t});
+        const Pair target{image[mine.target], theirs.target};
+        const std::uint32_t id = pair_id(target);
+        if (number_[id] == unset) {
+          number_[id] = static_cast<std::uint32_t>(out.pairs.size());
+          numbered_.push_back(id);
+          out.pairs.push_back(target);
+        }
+        out.edges.push_back(
+            {static_cast<std::uint32_t>(out.explored), number_[id], theirs.colour, first_branch_[s] + t});
       }
     }
-    return out;
-  }
-
-  // Marks the branches of the edges, sources ascending, that lie on a cycle whose least colour has this parity.
-  std::vector<bool> on_cycles(const std::vector<Edge>& edges, std::uint32_t parity) {
-    std::vector<bool> out(branches_, false);
-    for (std::uint32_t least = parity; least <= from_.acceptance.sets; least += 2) {
-      budget_.step(edges.size());
-      if (std::none_of(edges.begin(), edges.end(), [&](const Edge& e) { return e.colour == least; })) continue;
-      const Components found = components(Graph(edges, least));
-      const auto inside = [&](const Edge& e) { return e.colour >= least && found.of[e.source] == found.of[e.target]; };
-      std::vector<bool> has_least(found.count, false);
-      for (const Edge& e : edges)
-        if (e.colour == least && inside(e)) has_least[found.of[e.source]] = true;
-      for (const Edge& e : edges)
-        if (inside(e) && has_least[found.of[e.source]]) out[e.branch] = true;
-    }
-    return out;
-  }
-
-  std::optional<Colours> colours(const Product& product) {
-    std::vector<Edge> edges = product.edges;
-    Colours out(branches_, unset);
-    std::uint32_t idle = 0;
-    for (std::uint32_t colour = 0; !edges.empty(); ++colour) {
-      if (colour + 3 > Marks::most || idle == 2) return std::nullopt;
-      const std::vector<bool> blocked = on_cycles(edges, 1 - colour % 2);
-      const std::size_t before = edges.size();
-      edges.erase(std::remove_if(edges.begin(), edges.end(),
-                                 [&](const Edge& e) {
-                                   if (!blocked[e.branch]) out[e.branch] = colour;
-                                   return !blocked[e.branch];
-                                 }),
-                  edges.end());
-      idle = edges.size() == before ? idle + 1 : 0;
-    }
-    return out;
   }
 
   Node coloured(std::uint32_t s, std::uint32_t sets, TransitionRelation& out) const {
@@ -264,8 +221,12 @@ class Merging {
   std::vector<std::uint32_t> image_;                // by state: where branches to it lead
   std::vector<std::uint32_t> first_branch_;         // by state
   std::uint32_t branches_ = 0;                      // of all states
-  std::vector<std::uint32_t> met_with_;             // by state: the state of before in its first pair
+  std::optional<BranchColouring> colouring_;
+  std::vector<std::uint32_t> met_with_;  // by state: the state of before in its first pair
+  std::vector<std::uint32_t> number_;    // by pair_id: in the product that grows
+  std::vector<std::uint32_t> numbered_;  // the pair_ids with a number
   Colours colours_;
+  std::size_t first_part_ = least_part;
   bool merged_ = false;
 };
 

@@ -96,11 +96,12 @@ Reduced reduce_parity(const TransitionRelation& automaton, Budget& budget, std::
   Reduced out{trim(automaton), true};
   TransitionRelation& live = out.automaton;
   try {
-    while (true) {
+    for (bool merged_all = false;;) {
       const std::size_t states = live.states();
       const Recoloured coloured = with_fewest_colours(live);
       if (coloured.weak) return {with_fewest_colours(minimal_weak(coloured.automaton, budget)).automaton, true};
       live = canonical(bisimulation_quotient(coloured.automaton, budget));
+      if (merged_all && live.states() == states) break;  // the structure of which all mergings were tried
       if (live.states() > compared || 2 * live.acceptance.sets > Marks::most) {
         if (live.states() == states) break;
         continue;
@@ -113,7 +114,7 @@ Reduced reduce_parity(const TransitionRelation& automaton, Budget& budget, std::
       Budget some = budget.at_most(merging_steps);
       Reduced merged = moved ? with_fewer_states(live, some) : with_fewer_states(complete, language, some);
       live = trim(merged.automaton);
-      out.complete = merged.complete;
+      out.complete = merged_all = merged.complete;
       if (live.states() == states) break;
     }
     live = with_fewest_colours(live).automaton;
