@@ -30,6 +30,10 @@ void add_answer_options(Command command, CaseChoice& choice) {
       .one_of({"waymark", "prism", "storm"})
       .show_default();
   command
+      .add_option("--values-in", choice.values_in,
+                  "with --case: keep the values of large grids in files in this folder, where memory does not suffice")
+      .type_name("DIR");
+  command
       .add_option("--scheduler", choice.scheduler,
                   "with --model: the value of this scheduler of PRISM or Storm, as a Markov chain")
       .type_name("FILE");

@@ -21,6 +21,7 @@ struct CaseChoice {
   std::size_t top = 1;
   double discount = 0.9;
   double tolerance = 1e-6;
+  std::string values_in;     // a folder for the values of large grids; empty: memory
   ParallelOptions parallel;  // formulas or tasks; limits of each of them, and of reading a model
   bool json = false;
 };

@@ -17,6 +17,7 @@
 #include "libltl/text/parse.hpp"
 #include "libplan/model/formats/read_model.hpp"
 #include "libplan/solve/case_task.hpp"
+#include "libplan/solve/mapped_files.hpp"
 #include "tools/automaton_output.hpp"
 #include "tools/case_scheduler.hpp"
 #include "tools/shell/batch.hpp"
@@ -204,7 +205,9 @@ std::string written(const plan::PlanningCase& planning_case, const plan::CaseTas
 class TaskAnswers {
  public:
   TaskAnswers(const plan::PlanningCase& planning_case, const CaseChoice& choice, const Session& session)
-      : case_(planning_case), choice_(choice), session_(session) {}
+      : case_(planning_case), choice_(choice), session_(session) {
+    if (!choice.values_in.empty()) files_.emplace(choice.values_in);
+  }
 
   // `place`: of its strategy among all of them. Throws as plan::answer.
   Reply answer(const plan::CaseTask& task, std::size_t place, const TextWatch& watch,
@@ -217,10 +220,10 @@ class TaskAnswers {
                                     .route = !choice_.model.empty(),
                                     .strategy = !choice_.strategy.empty(),
                                     .sweepers = {threads(), &working_},
+                                    .memory = memory(),
                                     .stop = watch.token()};
     const AtWork at_work(working_);
-    CaseAnswer answer =
-        given != nullptr ? plan::answer(case_, task, *given, options) : plan::answer(case_, task, options);
+    CaseAnswer answer = given != nullptr ? plan::answer(case_, task, *given, options) : answered(task, options);
     if (answer.status == Status::Exhausted && session_.stop.stop_requested()) throw Interrupted();
     if (answer.status == Status::Exhausted && watch.overrun() != ltl::Overrun::None)
       answer.reason += " (" + amount(watch.overrun(), choice_.parallel.limits) + ')';
@@ -253,6 +256,13 @@ class TaskAnswers {
   }
 
  private:
+  CaseAnswer answered(const plan::CaseTask& task, const plan::CaseOptions& options) const {
+    try {
+      return plan::answer(case_, task, options);
+    } catch (const plan::MappedFiles::Full& full) {
+      throw GaveUp(full.what());
+    }
+  }
   class AtWork {  // where a task has ended, its thread may sweep for others
    public:
     explicit AtWork(std::atomic<std::size_t>& working) : working_(working) { ++working_; }
@@ -263,6 +273,9 @@ class TaskAnswers {
    private:
     std::atomic<std::size_t>& working_;
   };
+  std::pmr::memory_resource* memory() {
+    return files_ ? static_cast<std::pmr::memory_resource*>(&*files_) : std::pmr::get_default_resource();
+  }
   std::size_t threads() const {
     return choice_.parallel.threads > 0 ? choice_.parallel.threads : ltl::hardware_threads();
   }
@@ -270,6 +283,7 @@ class TaskAnswers {
   const plan::PlanningCase& case_;
   const CaseChoice& choice_;
   const Session& session_;
+  std::optional<plan::MappedFiles> files_;
   std::atomic<std::size_t> working_{0};  // tasks
   std::mutex mutex_;
   std::map<std::size_t, std::string> strategies_;  // by place

@@ -250,6 +250,7 @@ class TaskSolver {
     const IterationOptions limits{.tolerance = options_.tolerance,
                                   .policy_iteration = options_.method == CaseMethod::PolicyIteration,
                                   .sweepers = options_.sweepers,
+                                  .memory = options_.memory,
                                   .stop = options_.stop};
     if (is_cost()) return least_cost(product, limits);
     if (task_.query == Query::Discounted) return greatest_discounted(product, options_.discount, limits);

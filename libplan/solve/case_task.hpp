@@ -1,6 +1,7 @@
 // The solution of one task on any model: formula or automaton → product → value between proved bounds, or a reason.
 #pragma once
 #include <cstdint>
+#include <memory_resource>
 #include <optional>
 #include <stop_token>
 #include <string>
@@ -33,7 +34,8 @@ struct CaseOptions {                      // how a task is solved
   bool route = false;                     // of a search: tell the cheapest, also when it is the only one asked for
   bool strategy = false;                  // write it down
   Sweepers sweepers = {};                 // of value iteration; of no influence on any number
-  std::stop_token stop = {};              // ends with Exhausted when it is asked for
+  std::pmr::memory_resource* memory = std::pmr::get_default_resource();  // as in IterationOptions
+  std::stop_token stop = {};                                             // ends with Exhausted when it is asked for
 };
 
 struct CaseAnswer {                                                    // what solving comes to

@@ -115,7 +115,7 @@ void play_for_ever(const Product& product, const WinningRegion<Product>& winning
 
 template <Measure measure, class Product>
 double action_value(const Product& product, const typename Product::State& s, std::uint32_t k, const Unknowns& unknowns,
-                    const std::vector<double>& values) {
+                    std::span<const double> values) {
   double sum = measure == Measure::MinCost ? product.cost(s, k) : 0;
   product.for_each_outcome(s, k, [&](std::uint32_t t, double p, bool) {
     if (t != Product::trap && (measure == Measure::MaxProbability || unknowns.unknown[t] || unknowns.targets[t]))
@@ -131,8 +131,8 @@ enum class Among : std::uint8_t { Nearest, Swiftest };  // which of the good cho
 // The choices of the unknown states: worth their value but for a little slack, and making progress. False: there are
 // states from which no such choice does.
 template <Measure measure, class Product>
-bool choose(const Product& product, const Unknowns& unknowns, const std::vector<double>& values, Among among,
-            double slack, const IterationOptions& limits, Strategy& strategy) {
+bool choose(const Product& product, const Unknowns& unknowns, std::span<const double> values, Among among, double slack,
+            const IterationOptions& limits, Strategy& strategy) {
   const auto good = [&](const auto& s, std::uint32_t k) {
     if (!unknowns.unknown[s.index]) return false;
     const double value = values[s.index], offered = action_value<measure>(product, s, k, unknowns, values);
@@ -148,7 +148,7 @@ bool choose(const Product& product, const Unknowns& unknowns, const std::vector<
 
 // The choice of least probability, of every unknown state: any that attains it will do.
 template <class Product>
-void choose_least(const Product& product, const Unknowns& unknowns, const std::vector<double>& values,
+void choose_least(const Product& product, const Unknowns& unknowns, std::span<const double> values,
                   Strategy& strategy) {
   product.for_each_state([&](const auto& s) {
     double best = INFINITY;
@@ -171,9 +171,14 @@ std::uint32_t first_of_best(const Product& product, const Value& value, bool lea
 // Between which unknown states one moves at will (probabilities), or at will and for nothing (costs).
 template <Measure measure, class Product>
 EndComponents merged(const Product& product, const StateSet& unknown) {
-  return end_components(product, unknown, [&](const auto& s, std::uint32_t k) {
+  const auto moves = [&](const auto& s, std::uint32_t k) {
     return measure == Measure::MaxProbability || product.cost(s, k) == 0;
+  };
+  bool any = false;
+  product.for_each_state([&](const auto& s) {
+    for (std::uint32_t k = 0; k < product.choices(s) && !any && unknown[s.index]; ++k) any = moves(s, k);
   });
+  return any ? end_components(product, unknown, moves) : EndComponents{};
 }
 
 // Least probabilities are 1 where no strategy has a chance of staying for ever away from the targets, nor of ending in
@@ -223,7 +228,7 @@ Unknowns unknowns_of(const Product& product, const StateSet& targets) {
 // `kept`: the entries of the product, its starts among them. `claimed`: values of the best strategy, to begin with.
 template <Measure measure, class Product>
 std::optional<Bounds> evaluate(const Product& product, const Strategy& strategy, const StateSet& kept,
-                               const IterationOptions& options, const std::vector<double>* claimed = nullptr) {
+                               const IterationOptions& options, std::span<const double> claimed = {}) {
   using Chain = StrategyChain<Product>;
   const Chain chain(product, strategy);
   const Unknowns unknowns = unknowns_in<measure>(chain, WinningRegion<Chain>(chain).states);
@@ -258,7 +263,7 @@ void tighten(Decided& decided) {
 // strategy that was evaluated and found good that counts. A good one is evaluated in about as many sweeps as the values
 // took; those that take many more are looked at again when there is no such.
 template <Measure measure, class Product>
-bool choose_and_evaluate(const Product& product, const Unknowns& unknowns, const std::vector<double>& attained,
+bool choose_and_evaluate(const Product& product, const Unknowns& unknowns, std::span<const double> attained,
                          const StateSet& kept, const IterationOptions& limits, bool last, Decided& out) {
   IterationOptions limited = limits;
   constexpr std::uint64_t most_sweeps = 20'000;
@@ -270,7 +275,7 @@ bool choose_and_evaluate(const Product& product, const Unknowns& unknowns, const
       {Among::Nearest, 1e-7},  {Among::Nearest, 1e-6},   {Among::Nearest, 1e-5}};
   const auto succeeds = [&](Among among, double slack) {
     if (!choose<measure>(product, unknowns, attained, among, slack, limits, tried)) return false;
-    const auto found = evaluate<measure>(product, tried, kept, limited, &attained);
+    const auto found = evaluate<measure>(product, tried, kept, limited, attained);
     if (!found) return false;
     const bool better = measure == Measure::MaxProbability ? found->lower > out.re_evaluated.lower
                                                            : found->upper < out.re_evaluated.upper;
@@ -348,7 +353,7 @@ std::optional<Decided> decide(const Product& product, const WinningRegion<Produc
       return std::nullopt;
     out.re_evaluated.lower = std::max(0.0, out.re_evaluated.lower);
   }
-  if (limits.keep_values) out.values = std::move(values->attained);
+  if (limits.keep_values) out.values.assign(values->attained.begin(), values->attained.end());
   return out;
 }
 

@@ -9,8 +9,14 @@
 
 namespace waymark::plan {
 
-GridBlock::GridBlock(const Product& product, Measure measure, Order order, const Strategy* only)
-    : product_(product), measure_(measure), only_(only), margin_(product.model().width()) {
+GridBlock::GridBlock(const Product& product, Measure measure, Order order, const Strategy* only,
+                     std::pmr::memory_resource* memory)
+    : product_(product),
+      measure_(measure),
+      only_(only),
+      margin_(product.model().width()),
+      lower_(memory),
+      upper_(memory) {
   const std::size_t cells = product.model().states();
   task_ = order.front().task;
   cells_.reserve(order.size());
@@ -21,17 +27,18 @@ GridBlock::GridBlock(const Product& product, Measure measure, Order order, const
   unknown_.assign(cells, false);
   for (std::uint32_t cell : cells_) unknown_[cell] = true;
   lower_.assign(cells + 2 * std::size_t{margin_}, 0);
-  upper_ = lower_;
+  upper_.assign(lower_.size(), 0);
 }
 
 std::optional<GridBlock> GridBlock::of(const Product& product, const Unknowns& unknowns, Measure measure, Order order,
-                                       const KeptBounds& known, const Strategy* only) {
+                                       const KeptBounds& known, const Strategy* only,
+                                       std::pmr::memory_resource* memory) {
   if (measure == Measure::MinProbability || !product.task().jumps(order.front().task).empty()) return std::nullopt;
   for (const auto& c : order) {
     const bool merged = unknowns.merged.count > 0 && unknowns.merged.of[product.state(c).index] != EndComponents::none;
     if (merged || c.task != order.front().task) return std::nullopt;
   }
-  GridBlock block(product, measure, std::move(order), only);
+  GridBlock block(product, measure, std::move(order), only, memory);
   if (!block.read(unknowns, known)) return std::nullopt;
   block.tabulate();
   return block;
@@ -124,13 +131,13 @@ void GridBlock::tabulate() {
 }
 
 // The neighbours' values; the cell's own where a move is barred.
-inline std::array<double, 4> GridBlock::around(std::uint32_t cell, const std::vector<double>& x) const {
+inline std::array<double, 4> GridBlock::around(std::uint32_t cell, const Values& x) const {
   const double* here = x.data() + cell + margin_;
   const std::array<std::int32_t, 4>& to = steps_[code_[cell] & 15U];
   return {here[to[0]], here[to[1]], here[to[2]], here[to[3]]};
 }
 
-inline double GridBlock::of_strategy(std::uint32_t cell, const std::vector<double>& x) const {
+inline double GridBlock::of_strategy(std::uint32_t cell, const Values& x) const {
   const Only& row = only_rows_[code_[cell]];
   const std::array<double, 4> values = around(cell, x);
   double sum = row.cost;
@@ -138,7 +145,7 @@ inline double GridBlock::of_strategy(std::uint32_t cell, const std::vector<doubl
   return sum;
 }
 
-inline double GridBlock::best(std::uint32_t cell, const std::vector<double>& x) const {
+inline double GridBlock::best(std::uint32_t cell, const Values& x) const {
   if (only_ != nullptr) return of_strategy(cell, x);
   const Row& row = rows_[code_[cell]];
   const std::array<double, 4> values = around(cell, x);
@@ -189,7 +196,7 @@ void GridBlock::set_around(Side side) {
   }
 }
 
-void GridBlock::start_from(const std::vector<double>& attained, double tolerance) {
+void GridBlock::start_from(std::span<const double> attained, double tolerance) {
   const double gap = tolerance / 4;  // by which bounds are guessed
   for (std::uint32_t cell : cells_) {
     const double bound = attained[product_.state(Product::Compact{cell, task_}).index];

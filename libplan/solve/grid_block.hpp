@@ -16,7 +16,9 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <memory_resource>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "libplan/model/grid_world.hpp"
@@ -34,14 +36,15 @@ class GridBlock {
   using Product = ProductMdp<GridWorld>;        // that is swept
   using Order = std::vector<Product::Compact>;  // in which the unknowns of the block are swept
 
-  // `known` holds the bounds of other blocks' entries. With a strategy: of its choices only. nullopt: a
-  // block of another kind.
+  // `known` holds the bounds of other blocks' entries. With a strategy: of its choices only. `memory` holds the values.
+  // nullopt: a block of another kind.
   static std::optional<GridBlock> of(const Product& product, const Unknowns& unknowns, Measure measure, Order order,
-                                     const KeptBounds& known, const Strategy* only = nullptr);
+                                     const KeptBounds& known, const Strategy* only = nullptr,
+                                     std::pmr::memory_resource* memory = std::pmr::get_default_resource());
 
   // Values to begin with: the bound, by state, that a strategy like this one attains, proved with this tolerance. The
   // nearer to the truth they are, from whichever side, the sooner it is found.
-  void start_from(const std::vector<double>& attained, double tolerance);
+  void start_from(std::span<const double> attained, double tolerance);
   // nullopt: stopped, out of sweeps, or the bounds do not meet in doubles.
   std::optional<std::uint64_t> solve(const IterationOptions& options);
   template <class Visit>  // visit(state, lower, upper), once they are solved
@@ -65,15 +68,17 @@ class GridBlock {
     std::array<double, 4> chance;
     double cost;
   };
-  GridBlock(const Product& product, Measure measure, Order order, const Strategy* only);
+  GridBlock(const Product& product, Measure measure, Order order, const Strategy* only,
+            std::pmr::memory_resource* memory);
+  using Values = std::pmr::vector<double>;  // by cell
   bool read(const Unknowns& unknowns, const KeptBounds& known);
   bool read_cell(std::uint32_t cell, const Unknowns& unknowns, const KeptBounds& known);
   std::uint32_t counted(std::uint32_t open, std::uint32_t good) const;
   void tabulate();
   double chance(std::uint32_t choice, std::uint32_t direction) const;
-  std::array<double, 4> around(std::uint32_t cell, const std::vector<double>& x) const;
-  double best(std::uint32_t cell, const std::vector<double>& x) const;
-  double of_strategy(std::uint32_t cell, const std::vector<double>& x) const;
+  std::array<double, 4> around(std::uint32_t cell, const Values& x) const;
+  double best(std::uint32_t cell, const Values& x) const;
+  double of_strategy(std::uint32_t cell, const Values& x) const;
   struct Around {  // a cell next to the block
     std::uint32_t cell;
     double lower, upper;
@@ -106,7 +111,7 @@ class GridBlock {
   std::array<std::array<std::int32_t, 4>, 16> steps_{};  // by open moves: where the neighbour by direction lies
   std::vector<Row> rows_;                                // by code
   std::vector<Only> only_rows_;                          // by code, of strategies
-  std::vector<double> lower_, upper_;
+  Values lower_, upper_;
   std::size_t chunk_size_ = 0;  // cells, but for the last chunk; 0: not made yet
   ChunkReach reach_{0};         // of chunks
   double over_relaxation_ = 1;  // what a step is multiplied by

@@ -1,6 +1,7 @@
 // Bounds of values, by state: of all states, or of those alone that somebody will ask for again.
 #pragma once
 #include <cstdint>
+#include <memory_resource>
 #include <optional>
 #include <vector>
 
@@ -40,6 +41,18 @@ class KeptBounds {
   std::uint32_t place(std::uint32_t state) const { return kept_ ? kept_->rank(state) : state; }
   std::optional<RankedSet> kept_;
   std::vector<double> lower_, upper_;
+};
+
+struct Values {                       // the answer
+  KeptBounds bounds;                  // of targets 1 (probability) or 0 (cost)
+  std::pmr::vector<double> attained;  // by state: the bound that a choice attains, the lower one of probabilities
+  std::uint64_t sweeps = 0;           // over all blocks
+};
+
+// What is remembered of states whose block has been solved.
+struct Keep {
+  const StateSet* bounds = nullptr;  // of these states, which include those that other blocks lead into; none: of all
+  bool attained = false;             // also the attained values
 };
 
 // The unknown states that outcomes lead into from a block above theirs, and the starts: whose values are asked for

@@ -9,6 +9,7 @@
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
+#include <memory_resource>
 #include <stop_token>
 
 namespace waymark::plan {
@@ -35,7 +36,8 @@ struct IterationOptions {             // what is proved, and at which price
   bool second_way = true;       // blocks of grids that sweeps do not solve are written out then, if they are small
   bool keep_values = false;     // of all states, in the answer
   Sweepers sweepers = {};       // of no influence on any number
-  std::stop_token stop = {};    // polled between sweeps
+  std::pmr::memory_resource* memory = std::pmr::get_default_resource();  // for the arrays of values of large grids
+  std::stop_token stop = {};                                             // polled between sweeps
 };
 
 // Does a sweep that turns `before` into `after` raise it, by more than the rounding of a sum?

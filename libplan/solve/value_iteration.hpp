@@ -10,7 +10,9 @@
 #pragma once
 #include <algorithm>
 #include <cstdint>
+#include <memory_resource>
 #include <optional>
+#include <span>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -24,24 +26,12 @@
 
 namespace waymark::plan {
 
-struct Values {                  // the answer
-  KeptBounds bounds;             // of targets 1 (probability) or 0 (cost)
-  std::vector<double> attained;  // by state: the bound that a choice attains, the lower one of probabilities
-  std::uint64_t sweeps = 0;      // over all blocks
-};
-
-// What is remembered of states whose block has been solved.
-struct Keep {
-  const StateSet* bounds = nullptr;  // of these states, which include those that other blocks lead into; none: of all
-  bool attained = false;             // also the attained values
-};
-
 template <class Product, Measure measure>
 class ValueIteration {
  public:
-  // claimed: values by state that blocks of grids may begin with (GridBlock::start_from), or nothing
+  // claimed: values by state that blocks of grids may begin with (GridBlock::start_from), or none
   ValueIteration(const Product& product, const Unknowns& unknowns, const IterationOptions& limits,
-                 const Keep& keep = {}, const std::vector<double>* claimed = nullptr)
+                 const Keep& keep = {}, std::span<const double> claimed = {})
       : product_(product),
         unknowns_(unknowns),
         limits_(limits),
@@ -94,18 +84,20 @@ class ValueIteration {
   }
 
   std::optional<GridBlock> grid_block(std::vector<Compact> order) const {
+    const auto of = [&](const GridBlock::Product& product, const Strategy* only) {
+      return GridBlock::of(product, unknowns_, measure, std::move(order), values_.bounds, only, limits_.memory);
+    };
     if constexpr (std::is_same_v<Product, GridBlock::Product>)
-      return GridBlock::of(product_, unknowns_, measure, std::move(order), values_.bounds);
+      return of(product_, nullptr);
     else
-      return GridBlock::of(product_.product(), unknowns_, measure, std::move(order), values_.bounds,
-                           &product_.strategy());
+      return of(product_.product(), &product_.strategy());
   }
 
   bool solve_on_grid(GridBlock& block, bool another_way) {
     constexpr std::uint64_t patience = 1'000;  // sweeps; where they crawl, equations are solved sooner
     IterationOptions limits = limits_;
     if (another_way) limits.sweeps = std::min(limits.sweeps, patience);
-    if (claimed_ != nullptr) block.start_from(*claimed_, limits.tolerance);
+    if (!claimed_.empty()) block.start_from(claimed_, limits.tolerance);
     const auto sweeps = block.solve(limits);
     if (!sweeps) return false;
     block.for_each([&](std::uint32_t i, double lower, double upper) { set(i, lower, upper); });
@@ -143,8 +135,8 @@ class ValueIteration {
   const IterationOptions& limits_;
   const EndComponentQuotient<Product> merged_;
   const BellmanOperator<Product, measure> best_;
-  const std::vector<double>* claimed_;
-  Values values_;
+  const std::span<const double> claimed_;
+  Values values_{{}, std::pmr::vector<double>(limits_.memory)};
 };
 
 }  // namespace waymark::plan

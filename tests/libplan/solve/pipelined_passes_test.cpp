@@ -13,6 +13,7 @@
 #include "libplan/model/formats/generate_grid.hpp"
 #include "libplan/model/formats/read_case.hpp"
 #include "libplan/solve/decide.hpp"
+#include "libplan/solve/mapped_files.hpp"
 
 namespace waymark::plan {
 namespace {
@@ -146,6 +147,27 @@ TEST(PipelinedPasses, DecideAsOneThreadDoes) {
       EXPECT_EQ(solved(2), alone) << name(kind);
       EXPECT_EQ(solved(3), alone) << name(kind);
     }
+  }
+}
+
+// Values in files are those in memory.
+TEST(MappedFiles, ChangeNoNumber) {
+  for (const GridKind kind : {GridKind::Rooms, GridKind::Bridge}) {
+    std::ostringstream text;
+    write_case(text, generate_grid({.kind = kind, .width = 60, .height = 50, .noise = 0.1, .seed = 2}));
+    const PlanningCase read = parse_case(text.str());
+    const auto& grid = std::get<GridWorld>(read.model);
+    ltl::Arena arena(grid.letters().vocabulary());
+    const TaskTable task(automata::ltlf_to_dfa(ltl::parse("!x U (a & (!x U b))", arena)), grid.letters());
+    const auto product = ProductMdp<GridWorld>::explore(grid, task);
+    MappedFiles files(::testing::TempDir(), 1'000);
+    IterationOptions in_memory{.on_grid = 100}, in_files = in_memory;
+    in_files.memory = &files;
+    EXPECT_EQ(told(greatest_probability(*product, in_files), product->states()),
+              told(greatest_probability(*product, in_memory), product->states()));
+    EXPECT_EQ(told(least_cost(*product, in_files), product->states()),
+              told(least_cost(*product, in_memory), product->states()));
+    EXPECT_GE(files.most(), 16 * product->states()) << "the values were not there";
   }
 }
 

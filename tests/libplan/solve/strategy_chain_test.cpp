@@ -120,9 +120,9 @@ void claim(const Product& product, const Strategy& strategy, const std::string& 
   const auto exact = ValueIteration<Chain, measure>(chain, unknowns, limits, {.attained = true}).run();
   if (!exact) return;
   for (double wrong : {0.5, 1.0, 2.0}) {
-    std::vector<double> claimed = exact->attained;
+    std::pmr::vector<double> claimed = exact->attained;
     for (double& x : claimed) x = is_probability(measure) ? std::min(x * wrong, 1.0) : x * wrong;
-    const auto found = ValueIteration<Chain, measure>(chain, unknowns, limits, {}, &claimed).run();
+    const auto found = ValueIteration<Chain, measure>(chain, unknowns, limits, {}, claimed).run();
     ASSERT_TRUE(found) << what;
     for (std::uint32_t i = 0; i < product.states(); ++i) {
       const double lower = found->bounds.lower(i), upper = found->bounds.upper(i);
