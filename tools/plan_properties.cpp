@@ -4,10 +4,15 @@
 #include <iomanip>
 #include <optional>
 #include <sstream>
+#include <string>
+#include <string_view>
 #include <variant>
 
 #include "libltl/diagnostic.hpp"
 #include "libplan/model/formats/jani_properties.hpp"
+#include "libplan/model/formats/read_model.hpp"
+#include "libplan/model/prism/state_labels.hpp"
+#include "libplan/model/prism/write_prism.hpp"
 #include "libplan/solve/property_answer.hpp"
 #include "tools/shell/batch.hpp"
 #include "tools/shell/json.hpp"
@@ -160,8 +165,22 @@ class Properties {
   const Session& session_;
 };
 
+bool is_in_prism(const std::string& file) {
+  constexpr std::string_view others[] = {".json", ".yaml", ".yml", ".tra", ".osm", ".geojson", ".graphml"};
+  return std::none_of(std::begin(others), std::end(others),
+                      [&](std::string_view end) { return file.ends_with(end); });
+}
+
+// In PRISM's language, which properties speak: propositions are labels, costs the rewards "cost".
+std::string model_text(const CaseChoice& choice, const ltl::Limits& limits) {
+  if (is_in_prism(choice.model)) return read_file(choice.model);
+  const plan::PlanningCase read = plan::read_model(choice.model, "", limits);
+  if (const auto* grid = std::get_if<plan::GridWorld>(&read.model)) return plan::write_prism(*grid);
+  return plan::write_prism(plan::with_labels_on_states(std::get<plan::Mdp>(read.model)));
+}
+
 std::vector<PrismProperty> read_properties(const CaseChoice& choice, const ltl::Limits& limits) {
-  const std::string model = read_file(choice.model);
+  const std::string model = choice.model.ends_with(".jani") ? read_file(choice.model) : model_text(choice, limits);
   if (choice.model.ends_with(".jani")) {
     if (choice.properties != choice.model)
       throw UsageError("the properties of a model in JANI are those of its document: --properties " + choice.model);

@@ -213,6 +213,7 @@ class WeightedSolver {
       const double slack = 1e-5 * std::max(1.0, std::abs(again.upper));
       if (out.values[i] < again.lower - slack || out.values[i] > again.upper + slack)
         throw std::logic_error("a point of two objectives whose strategy does not attain it");
+      out.values[i] = std::clamp(out.values[i], again.lower, again.upper);
     }
     return out;
   }
