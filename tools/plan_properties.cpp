@@ -167,8 +167,7 @@ class Properties {
 
 bool is_in_prism(const std::string& file) {
   constexpr std::string_view others[] = {".json", ".yaml", ".yml", ".tra", ".osm", ".geojson", ".graphml"};
-  return std::none_of(std::begin(others), std::end(others),
-                      [&](std::string_view end) { return file.ends_with(end); });
+  return std::none_of(std::begin(others), std::end(others), [&](std::string_view end) { return file.ends_with(end); });
 }
 
 // In PRISM's language, which properties speak: propositions are labels, costs the rewards "cost".

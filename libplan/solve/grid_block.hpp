@@ -85,6 +85,7 @@ class GridBlock {
   };
   enum class Side : std::uint8_t { Middle, Bounds };
   void set_around(Side side);
+  bool bound_by_around(double tolerance);
   void guess_costs();
   void start_from_nothing(bool guess);
   std::size_t chunk_size();

@@ -55,10 +55,23 @@ struct GoodChoices {
     return change;
   }
 
-  static constexpr std::size_t chunk = 1'024;  // states that are swept by one thread
-  ChunkReach reach() const {                   // of chunks of so many states
-    ChunkReach out((first_choice.size() - 1 + chunk - 1) / chunk);
-    for (std::size_t i = 0; i + 1 < first_choice.size(); ++i)
+  std::size_t states() const { return first_choice.size() - 1; }
+  // States of four layers, on average: how far news travels in two sweeps. A layer is one outcome farther away.
+  std::size_t chunk_size() const {
+    std::vector<std::uint32_t> layer(states(), 0);
+    std::uint32_t layers = 1;
+    for (std::uint32_t i = 0; i < states(); ++i) {
+      std::uint32_t nearest = UINT32_MAX;
+      for (std::uint32_t o = first_outcome[first_choice[i]]; o < first_outcome[first_choice[i + 1]]; ++o)
+        if (target[o] < i) nearest = std::min(nearest, layer[target[o]]);
+      layer[i] = nearest == UINT32_MAX ? 0 : nearest + 1;
+      layers = std::max(layers, layer[i] + 1);
+    }
+    return std::max<std::size_t>(64, 4 * states() / layers);
+  }
+  ChunkReach reach(std::size_t chunk) const {  // of chunks of so many states
+    ChunkReach out((states() + chunk - 1) / chunk);
+    for (std::size_t i = 0; i < states(); ++i)
       for (std::uint32_t o = first_outcome[first_choice[i]]; o < first_outcome[first_choice[i + 1]]; ++o)
         out.relate(i / chunk, target[o] / chunk);
     return out;
@@ -72,26 +85,36 @@ struct GoodChoices {
 template <class Product, class Good>
 bool hurry(const Product& product, const std::vector<std::uint32_t>& order, const Good& good,
            const IterationOptions& limits, Strategy& strategy) {
-  constexpr int most_sweeps = 4'000;  // about as many as a run has steps
+  constexpr std::size_t most_sweeps = 4'000;  // of all states: about as many as a run has steps
   constexpr float settled = 2e-4F;
   constexpr std::size_t most_outcomes = 500'000'000;
   GoodChoices written;
   if (!written.write(product, order, good, most_outcomes)) return false;
   std::vector<float> steps(order.size(), 0);
   std::vector<std::uint32_t> swiftest(order.size(), UINT32_MAX);
+  const std::size_t size = written.chunk_size();
+  const ChunkReach reach = written.reach(size);
+  const std::size_t chunks = reach.chunks();
   bool done = false;
   const auto work = [&](std::size_t chunk, const Pass&) {
-    const std::size_t first = chunk * GoodChoices::chunk, last = std::min(order.size(), first + GoodChoices::chunk);
+    const std::size_t first = chunk * size, last = std::min(order.size(), first + size);
     float change = 0;
     for (std::size_t i = first; i < last; ++i) change = std::max(change, written.sweep(i, steps, swiftest[i]));
     return change <= settled;
   };
-  const auto after = [&, sweeps = 1](const Pass& pass, std::size_t unsettled) mutable {
-    done = unsettled == pass.end;
-    return done || ++sweeps > most_sweeps || limits.stop.stop_requested() ? std::nullopt : std::optional(pass);
+  // Behind a first front states have settled; a second one moves on as fast as news travels. Then all are swept.
+  const auto after = [&, swept = std::size_t{0}, reached = std::size_t{1}, whole = chunks <= 1](
+                         const Pass& pass, std::size_t unsettled) mutable -> std::optional<Pass> {
+    swept += pass.end - pass.begin;
+    done = whole && unsettled == pass.end;
+    if (done || swept / std::max<std::size_t>(chunks, 1) >= most_sweeps || limits.stop.stop_requested())
+      return std::nullopt;
+    whole = whole || unsettled == chunks;
+    if (whole) return Pass{0, chunks};
+    ++reached;
+    return Pass{unsettled, std::clamp((reached + 1) / 2, unsettled + 1, chunks)};
   };
-  const ChunkReach reach = written.reach();
-  pipelined_passes(reach, limits.sweepers.free(), {0, reach.chunks()}, work, after);
+  pipelined_passes(reach, limits.sweepers.free(), {0, std::min<std::size_t>(1, chunks)}, work, after);
   for (std::size_t i = 0; i < order.size(); ++i)
     if (swiftest[i] != UINT32_MAX) strategy.choice.set(order[i], written.choice[swiftest[i]]);
   return done;

@@ -185,6 +185,34 @@ TEST(GridBlock, BoundsHoldWhateverIsClaimed) {
   }
 }
 
+// Along a row between hazards there and back: who comes there has next to no chance of coming back, and that bounds
+// what he had before.
+TEST(GridBlock, TakesWhatIsAroundForABoundWhereItIsSmall) {
+  constexpr std::uint32_t length = 40;
+  const ltl::Vocabulary names({"a", "b", "x"});
+  std::vector<std::uint16_t> cells(std::size_t{3} * length, 3);
+  std::fill_n(cells.begin() + length, length, std::uint16_t{0});
+  cells[length] = 2;
+  cells[2 * length - 1] = 1;
+  std::vector<GridCell> palette{{}};
+  for (std::uint32_t p = 0; p < 3; ++p) palette.push_back({.label = {ltl::Proposition{p}}});
+  constexpr SlipChances slips{.forward = 0.6, .left = 0.2, .right = 0.2};
+  const GridWorld grid({.width = length, .height = 3, .motion = {slips, slips, slips, slips}}, names, palette, cells,
+                       length + 2);
+  ltl::Arena arena(names);
+  const TaskTable task(automata::ltlf_to_dfa(ltl::parse("!x U (a & (!x U b))", arena)), grid.letters());
+  const auto product = GridBlock::Product::explore(grid, task);
+  const auto found = greatest_probability(*product, {.on_grid = 0}),
+             written = greatest_probability(*product, {.on_grid = SIZE_MAX});
+  ASSERT_TRUE(found && written);
+  EXPECT_EQ(found->value.lower, 0);
+  EXPECT_GT(found->value.upper, 0);
+  EXPECT_LE(found->value.upper, 1e-6);
+  EXPECT_LE(written->value.lower, found->value.upper);
+  EXPECT_GT(written->value.lower, 0);
+  EXPECT_LT(found->sweeps, 1'000U);
+}
+
 // Fewer sweeps than it takes: no answer; with as many the same answer, as soon as there is one.
 TEST(GridBlock, GivesUpWhenItIsOutOfSweeps) {
   const FairWalk walk(12);
