@@ -18,7 +18,7 @@ namespace waymark::plan {
 
 class Equations {
  public:
-  static constexpr std::uint32_t factored = 20'000;  // rows up to which LU factors are made
+  static constexpr std::uint32_t factored = 100'000;  // rows up to which LU factors are made
   explicit Equations(Measure measure) : measure_(measure) {}
 
   // Row after row, choice after choice, in the order in which they are to be swept.
