@@ -75,7 +75,7 @@ class ValueIteration {
         const std::size_t size = order.size();
         const bool another_way = size <= Equations::factored && limits_.second_way;
         if (auto block = grid_block(std::move(order))) {
-          if (solve_on_grid(*block, another_way)) return true;
+          if (solve_on_grid(*block, size, another_way)) return true;
           if (!another_way || limits_.stop.stop_requested()) return false;
         }
         order = merged_.in_order(first, last);
@@ -93,8 +93,9 @@ class ValueIteration {
       return of(product_.product(), &product_.strategy());
   }
 
-  bool solve_on_grid(GridBlock& block, bool another_way) {
-    constexpr std::uint64_t patience = 1'000;  // sweeps; where they crawl, equations are solved sooner
+  bool solve_on_grid(GridBlock& block, std::size_t size, bool another_way) {
+    // Sweeps; where they crawl, equations are solved sooner, though factors of large blocks cost more.
+    const std::uint64_t patience = size > 20'000 ? 4'000 : 1'000;
     IterationOptions limits = limits_;
     if (another_way) limits.sweeps = std::min(limits.sweeps, patience);
     if (!claimed_.empty()) block.start_from(claimed_, limits.tolerance);
