@@ -80,8 +80,12 @@ void add_case_options(Command command, CaseChoice& choice) {
   command
       .add_option(
           "--model", choice.model,
-          "a formula's value on another model than a map: PRISM's FILE.nm or FILE.tra, FILE.jani, roads (FILE.osm, "
+          "a formula's value on another model than a map: PRISM's FILE.nm or FILE.tra, FILE.jani, roads (FILE.gr, FILE.osm, "
           "FILE.geojson, FILE.graphml), a street graph or planning case (JSON), a transition system (YAML)")
+      .type_name("FILE");
+  command
+      .add_option("--hierarchy", choice.hierarchy,
+                  "with --model FILE.gr: what waymark preprocess made of it; none: search the product instead")
       .type_name("FILE");
   command
       .add_option("--query", choice.query,

@@ -10,7 +10,7 @@
 namespace waymark::plan {
 
 // FILE.tra: PRISM's explicit files with that prefix. FILE.json: a planning case (its tasks come with it), or a street
-// graph. FILE.osm, FILE.geojson, FILE.graphml: roads with landmarks. FILE.yaml: a transition system. FILE.jani: JANI.
+// graph. FILE.gr: roads of DIMACS. FILE.osm, FILE.geojson, FILE.graphml: roads with landmarks. FILE.yaml: a transition system. FILE.jani: JANI.
 // Anything else: the language of PRISM; both are read as `prism` says. The name is that of the case, else that of the
 // file without its end.
 // `start`: of street graphs and roads only. Throws ltl::FormatError and ltl::SyntaxError; of the language of PRISM and
