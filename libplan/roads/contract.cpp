@@ -52,25 +52,43 @@ class Found {
   void clear() {
     for (const std::size_t at : used_) keys_[at] = empty;
     used_.clear();
+    wanted_ = 0;
   }
-  std::uint64_t& operator[](std::uint32_t node) {  // UINT64_MAX when it is new
-    std::size_t at = (node * 0x9E3779B1U) >> (32 - bits);
-    while (keys_[at] != node && keys_[at] != empty) at = (at + 1) % keys_.size();
-    if (keys_[at] == empty) {
-      keys_[at] = node;
-      values_[at] = UINT64_MAX;
-      used_.push_back(at);
-    }
-    return values_[at];
+  std::uint64_t& operator[](std::uint32_t node) { return values_[place(node)]; }  // UINT64_MAX when it is new
+  void want(std::uint32_t node) {
+    const std::size_t at = place(node);
+    wanted_ += is_wanted_[at] ? 0 : 1;
+    is_wanted_[at] = true;
   }
+  bool settle(std::uint32_t node) {  // was it wanted?
+    const std::size_t at = place(node);
+    const bool was = is_wanted_[at];
+    wanted_ -= was ? 1 : 0;
+    is_wanted_[at] = false;
+    return was;
+  }
+  std::size_t wanted() const { return wanted_; }  // and not settled
   bool is_full() const { return used_.size() > keys_.size() / 2; }
 
  private:
   static constexpr unsigned bits = 13;
   static constexpr std::uint32_t empty = UINT32_MAX;
+  std::size_t place(std::uint32_t node) {
+    std::size_t at = (node * 0x9E3779B1U) >> (32 - bits);
+    while (keys_[at] != node && keys_[at] != empty) at = (at + 1) % keys_.size();
+    if (keys_[at] == empty) {
+      keys_[at] = node;
+      values_[at] = UINT64_MAX;
+      is_wanted_[at] = false;
+      used_.push_back(at);
+    }
+    return at;
+  }
   std::vector<std::uint32_t> keys_ = std::vector<std::uint32_t>(std::size_t{1} << bits, empty);
   std::vector<std::uint64_t> values_ = std::vector<std::uint64_t>(std::size_t{1} << bits, UINT64_MAX);
+  std::vector<bool> is_wanted_ = std::vector<bool>(std::size_t{1} << bits, false);
   std::vector<std::size_t> used_;
+  std::size_t wanted_ = 0;
 };
 
 class Contraction {
@@ -115,7 +133,7 @@ class Contraction {
           continue;
         }
         for (const Arc& arc : roads_.arcs(v)) touched[arc.head] = true;
-        contract_node(v, false);
+        contract_node(v, 0);
         for (const Arc& arc : roads_.arcs(v))
           if (may_contract(arc.head) && is_line(arc.head)) next.push_back(arc.head);
       }
@@ -145,7 +163,7 @@ class Contraction {
         continue;
       }
       if (roads_.arcs(v).size() > options_.most_degree) return true;
-      contract_node(v, true);
+      contract_node(v, options_.settled);
     }
     return true;
   }
@@ -154,11 +172,12 @@ class Contraction {
   std::uint32_t priority(std::uint32_t v) {
     std::uint32_t added = 0, removed = 0;
     for (const Arc& arc : roads_.arcs(v)) removed += (arc.ways & 1U) + (arc.ways >> 1U);
-    for_each_shortcut(v, true, [&](std::uint32_t, std::uint32_t, std::uint64_t, std::uint64_t) { ++added; });
+    for_each_shortcut(v, options_.settled_to_rank,
+                      [&](std::uint32_t, std::uint32_t, std::uint64_t, std::uint64_t) { ++added; });
     return 1000U * level_[v] + 1000U * (added + 1) / (removed + 1);
   }
 
-  void contract_node(std::uint32_t v, bool search) {
+  void contract_node(std::uint32_t v, std::uint32_t settled) {
     rank_[v] = static_cast<std::uint32_t>(order_.size());
     order_.push_back(v);
     struct Shortcut {
@@ -166,7 +185,7 @@ class Contraction {
       std::uint16_t passed;
     };
     std::vector<Shortcut> shortcuts;
-    for_each_shortcut(v, search, [&](std::uint32_t u, std::uint32_t w, std::uint64_t cost, std::uint64_t set) {
+    for_each_shortcut(v, settled, [&](std::uint32_t u, std::uint32_t w, std::uint64_t cost, std::uint64_t set) {
       if (cost > UINT32_MAX) throw std::invalid_argument("costs of roads add up to 2^32");
       shortcuts.push_back({u, w, static_cast<std::uint32_t>(cost), roads_.sets().number(set)});
     });
@@ -178,7 +197,7 @@ class Contraction {
 
   // visit(from, to, cost, letters passed): the pairs of arcs through v that no witness replaces.
   template <class Visit>
-  void for_each_shortcut(std::uint32_t v, bool search, const Visit& visit) {
+  void for_each_shortcut(std::uint32_t v, std::uint32_t settled, const Visit& visit) {
     const std::uint64_t here = letters_.set(graph_.letter(v));
     const auto arcs = roads_.arcs(v);
     for (const Arc& in : arcs) {
@@ -193,28 +212,33 @@ class Contraction {
         }
       if (wanted == 0) continue;
       found_.clear();
-      if (search) find_witnesses(in.head, v, passed, most);
+      if (settled > 0) {
+        for (const Arc& out : arcs)
+          if (out.head != in.head && (out.ways & RoadHierarchy::forward) != 0) found_.want(out.head);
+        find_witnesses(in.head, v, passed, most, settled);
+      }
       for (const Arc& out : arcs) {
         if (out.head == in.head || (out.ways & RoadHierarchy::forward) == 0) continue;
         const std::uint64_t cost = std::uint64_t{in.cost} + out.cost;
-        if (!search || found_[out.head] > cost) visit(in.head, out.head, cost, passed | roads_.sets()[out.passed]);
+        if (settled == 0 || found_[out.head] > cost) visit(in.head, out.head, cost, passed | roads_.sets()[out.passed]);
       }
     }
   }
 
   // Costs of ways from u that pass neither v nor letters besides those given, up to `most`: upper bounds, in found_.
-  void find_witnesses(std::uint32_t u, std::uint32_t v, std::uint64_t passed, std::uint64_t most) {
+  void find_witnesses(std::uint32_t u, std::uint32_t v, std::uint64_t passed, std::uint64_t most,
+                      std::uint32_t settled) {
     const LetterSets& sets = roads_.sets();
     open_.clear();
     found_[u] = 0;
     open_.emplace_back(0, u);
-    for (std::uint32_t settled = 0; !open_.empty() && settled < options_.settled && !found_.is_full();) {
+    for (; !open_.empty() && settled > 0 && !found_.is_full(); --settled) {
       std::pop_heap(open_.begin(), open_.end(), std::greater<>());
       const auto [cost, at] = open_.back();
       open_.pop_back();
       if (cost > most) return;
       if (cost > found_[at]) continue;
-      ++settled;
+      if (found_.settle(at) && found_.wanted() == 0) return;
       const LetterId letter = graph_.letter(at);
       if (at != u && (letters_.of(letter) == LetterBits::core || (letters_.set(letter) & ~passed) != 0)) continue;
       for (const Arc& arc : roads_.arcs(at)) {

@@ -69,6 +69,7 @@ inline std::vector<ContractionOptions> all_contractions() {
   ContractionOptions all, lines, core, bits, early;
   lines.lines_only = true;
   core.rare = 1000;
+  core.most_rare = 1000;
   bits.rare = 0;
   early.settled = 2;
   early.rare = 1;

@@ -3,10 +3,12 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <sstream>
 
 #include "libltl/diagnostic.hpp"
 #include "libplan/roads/contract.hpp"
+#include "libplan/roads/road_legs.hpp"
 #include "tests/libplan/roads/random_roads.hpp"
 
 namespace waymark::plan {
@@ -52,6 +54,57 @@ TEST(RoadHierarchy, KeepsEveryArcAndUnpacksShortcuts) {
           ASSERT_EQ(cost, arc.cost) << show(graph);
           ASSERT_EQ(passed & ~h->sets()[arc.passed], 0U) << show(graph);
         }
+    }
+  }
+}
+
+// The definition of a leg, by Bellman's equation: least costs from one node past nodes that may be passed.
+std::vector<std::uint64_t> leg_costs(const RoadGraph& graph, const std::vector<RoadLegs::Role>& role,
+                                     std::uint32_t source) {
+  std::vector<std::uint64_t> cost(graph.nodes(), UINT64_MAX);
+  cost[source] = 0;
+  for (bool changed = true; changed;) {
+    changed = false;
+    for (std::uint32_t v = 0; v < graph.nodes(); ++v) {
+      if (cost[v] == UINT64_MAX || role[graph.letter(v).index] != RoadLegs::Role::Passed) continue;
+      for (const RoadGraph::Arc& arc : graph.arcs(v)) {
+        if (cost[v] + arc.cost >= cost[arc.to]) continue;
+        cost[arc.to] = cost[v] + arc.cost;
+        changed = true;
+      }
+    }
+  }
+  return cost;
+}
+
+TEST(RoadLegs, AreTheLeastInEverySubgraphThatBarriersLeave) {
+  using Role = RoadLegs::Role;
+  ltl::Random random(9);
+  for (int i = 0; i < 1500; ++i) {
+    const auto nodes = static_cast<std::uint32_t>(6 + random.below(20));
+    const RoadGraph graph = random_roads(
+        random,
+        {.nodes = nodes, .arcs = nodes + random.below(nodes), .labelled = 0.05 + 0.2 * random.unit(), .most_cost = 6});
+    for (const ContractionOptions& options : all_contractions()) {
+      const auto hierarchy = contract(graph, options);
+      RoadLegs legs(graph, *hierarchy, {});
+      for (int k = 0; k < 6; ++k) {
+        std::vector<Role> role(graph.letters().size(), Role::Passed);
+        for (std::size_t l = 1; l < role.size(); ++l)
+          role[l] = std::array{Role::Passed, Role::Closed, Role::Leads}[random.below(3)];
+        const auto source = static_cast<std::uint32_t>(random.below(nodes));
+        if (role[graph.letter(source).index] != Role::Passed) continue;
+        legs.begin(role);
+        legs.add_source(source, 0, 0);
+        ASSERT_TRUE(legs.run(UINT64_MAX));
+        std::vector<std::uint64_t> found(nodes, UINT64_MAX), expected = leg_costs(graph, role, source);
+        legs.for_each_reached([&](std::uint32_t node, std::uint64_t cost) { found[node] = cost; });
+        for (std::uint32_t v = 0; v < nodes; ++v)
+          if (role[graph.letter(v).index] == Role::Leads) {
+            ASSERT_EQ(found[v], expected[v]) << "case " << i << ", from " << RoadGraph::name(source) << " to "
+                                             << RoadGraph::name(v) << '\n' << show(graph);
+          }
+      }
     }
   }
 }
