@@ -26,10 +26,10 @@ class RoadPlanning {
     graph_.emplace(plan::read_dimacs(choice.model, start));
     read_ = watch.lap();
     if (choice.hierarchy.empty()) {
-      plan::ContractionOptions lines;
-      lines.lines_only = true;
-      lines.stop = session.stop;
-      hierarchy_.emplace(hierarchy_of(*graph_, lines));
+      plan::ContractionOptions quick;
+      quick.quick = true;
+      quick.stop = session.stop;
+      hierarchy_.emplace(hierarchy_of(*graph_, quick));
     } else {
       auto file = ltl::open_text(choice.hierarchy);
       hierarchy_.emplace(plan::read_hierarchy(file, choice.hierarchy, *graph_));

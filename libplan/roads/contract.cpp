@@ -20,7 +20,6 @@ class LetterBits {
 
   LetterBits(const RoadGraph& graph, const ContractionOptions& options) : of_(graph.letters().size(), core) {
     of_[0] = none;
-    if (options.lines_only) return;
     std::vector<std::uint32_t> order(of_.size() - 1);
     std::iota(order.begin(), order.end(), 1U);
     std::stable_sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
@@ -102,8 +101,8 @@ class Contraction {
         level_(graph.nodes(), 0) {}
 
   std::optional<RoadHierarchy> run() {
-    if (!contract_lines()) return std::nullopt;
-    if (!options_.lines_only && !contract_by_priority()) return std::nullopt;
+    if (!contract_rounds(2)) return std::nullopt;
+    if (!(options_.quick ? contract_rounds(3) && contract_rounds(4) : contract_by_priority())) return std::nullopt;
     return hierarchy();
   }
 
@@ -114,20 +113,20 @@ class Contraction {
   bool may_contract(std::uint32_t v) const {
     return rank_[v] == remaining && letters_.of(graph_.letter(v)) != LetterBits::core;
   }
-  // More than two neighbours, or several arcs to one of them?
-  bool is_line(std::uint32_t v) const { return roads_.arcs(v).size() <= 2; }
 
-  bool contract_lines() {
+  // Nodes of so many arcs at most, as long as there are any; no two neighbours in one round.
+  bool contract_rounds(std::size_t most_arcs) {
+    const auto is_due = [&](std::uint32_t v) { return may_contract(v) && roads_.arcs(v).size() <= most_arcs; };
     std::vector<std::uint32_t> open, next;
     for (std::uint32_t v = 0; v < graph_.nodes(); ++v)
-      if (may_contract(v) && is_line(v)) open.push_back(v);
+      if (is_due(v)) open.push_back(v);
     std::vector<bool> touched(graph_.nodes(), false);
     while (!open.empty()) {
       if (options_.stop.stop_requested()) return false;
       next.clear();
       std::fill(touched.begin(), touched.end(), false);
       for (const std::uint32_t v : open) {
-        if (!may_contract(v) || !is_line(v)) continue;
+        if (!is_due(v)) continue;
         if (touched[v]) {
           next.push_back(v);
           continue;
@@ -135,7 +134,7 @@ class Contraction {
         for (const Arc& arc : roads_.arcs(v)) touched[arc.head] = true;
         contract_node(v, 0);
         for (const Arc& arc : roads_.arcs(v))
-          if (may_contract(arc.head) && is_line(arc.head)) next.push_back(arc.head);
+          if (is_due(arc.head)) next.push_back(arc.head);
       }
       std::sort(next.begin(), next.end());
       next.erase(std::unique(next.begin(), next.end()), next.end());
@@ -263,20 +262,21 @@ class Contraction {
         order_.push_back(v);
       }
     level_ = {};
-    std::size_t arcs = 0;
-    for (std::uint32_t v = 0; v < graph_.nodes(); ++v) arcs += roads_.arcs(v).size();
-    if (arcs >= UINT32_MAX) throw std::invalid_argument("too many shortcuts for a hierarchy");
-    parts.first.reserve(order_.size() + 1);
-    parts.arcs.reserve(arcs);
-    for (const std::uint32_t v : order_) {
-      parts.first.push_back(static_cast<std::uint32_t>(parts.arcs.size()));
-      for (const Arc& arc : roads_.arcs(v))
-        parts.arcs.push_back({rank_[arc.head], arc.cost, arc.middle == RoadHierarchy::road ? arc.middle : rank_[arc.middle],
-                              arc.passed, arc.ways});
-    }
-    parts.first.push_back(static_cast<std::uint32_t>(parts.arcs.size()));
-    parts.rank = std::move(rank_);
+    parts.rows.reserve(order_.size());
+    for (const std::uint32_t v : order_)
+      parts.rows.push_back({roads_.begin(v), static_cast<std::uint16_t>(roads_.arcs(v).size()),
+                            static_cast<std::uint16_t>(graph_.letter(v).index)});
+    order_ = {};
+    parts.arcs = roads_.take_arcs();
     parts.sets = roads_.sets().all();
+    roads_ = RemainingRoads();
+    for (const RoadHierarchy::Row& row : parts.rows)
+      for (std::uint32_t a = row.begin; a < row.begin + row.size; ++a) {
+        Arc& arc = parts.arcs[a];
+        arc.head = rank_[arc.head];
+        if (arc.middle != RoadHierarchy::road) arc.middle = rank_[arc.middle];
+      }
+    parts.rank = std::move(rank_);
     parts.bits = letters_.letters();
     return RoadHierarchy(std::move(parts));
   }

@@ -10,9 +10,9 @@
 namespace waymark::plan {
 
 struct ContractionOptions {
-  // Nodes with two neighbours at most alone, and of those none with a label: what 10⁷ nodes take seconds for. The rest
-  // is the core.
-  bool lines_only = false;
+  // Nodes with four arcs at most alone, in rounds and without a search: what 10⁷ nodes take seconds for. The rest is
+  // the core.
+  bool quick = false;
   std::uint32_t rare = 16;          // letters of no more nodes than this stay in the core,
   std::uint32_t most_rare = 256;    // as long as these are no more nodes in all
   std::uint32_t settled = 300;      // by a search for a witness when a node is contracted,

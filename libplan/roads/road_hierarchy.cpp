@@ -16,6 +16,8 @@ namespace waymark::plan {
 namespace {
 
 constexpr std::string_view heading = "waymark roads 1\n";
+constexpr std::size_t arcs_a_block = std::size_t{1} << 18U;
+constexpr std::size_t most_believed = std::size_t{1} << 26U;  // entries, in advance
 
 static_assert(sizeof(RoadHierarchy::Arc) == 16, "arcs are written as they are stored");
 
@@ -45,7 +47,7 @@ class ListReader {
     constexpr std::size_t block = std::size_t{1} << 22U;  // a length that lies costs no more memory than the file has
     while (out.size() < sizes[0]) {
       const std::size_t size = out.size(), more = std::min<std::size_t>(block, sizes[0] - size);
-      if (size == 0) out.reserve(std::min<std::size_t>(sizes[0], most_reserved));
+      if (size == 0) out.reserve(std::min<std::size_t>(sizes[0], most_believed));
       out.resize(size + more);
       take(reinterpret_cast<char*>(out.data() + size), more * sizeof(T));
     }
@@ -58,7 +60,6 @@ class ListReader {
   }
 
  private:
-  static constexpr std::size_t most_reserved = std::size_t{1} << 26U;  // entries that are believed in advance
   void take(char* to, std::size_t bytes) {
     in_.read(to, static_cast<std::streamsize>(bytes));
     if (static_cast<std::size_t>(in_.gcount()) != bytes) fail("the hierarchy is cut short");
@@ -81,11 +82,11 @@ RoadHierarchy::RoadHierarchy(Parts parts) : parts_(std::move(parts)), node_(part
   }
   expect(parts_.core <= nodes && parts_.bits.size() <= most_bits, "a core or bits out of range");
   expect(!parts_.sets.empty() && parts_.sets[0] == 0, "a first set that is not empty");
-  expect(parts_.first.size() == nodes + 1 && parts_.first[0] == 0 && parts_.first[nodes] == parts_.arcs.size(),
-         "rows that do not cover the arcs");
+  expect(parts_.rows.size() == nodes, "rows of other ranks");
   for (std::uint32_t r = 0; r < nodes; ++r) {
-    expect(parts_.first[r] <= parts_.first[r + 1], "rows out of order");
-    for (std::uint32_t a = parts_.first[r]; a < parts_.first[r + 1]; ++a) {
+    expect(std::size_t{parts_.rows[r].begin} + parts_.rows[r].size <= parts_.arcs.size(), "rows out of range");
+    arcs_ += parts_.rows[r].size;
+    for (std::uint32_t a = begin_arcs(r); a < end_arcs(r); ++a) {
       const Arc& arc = parts_.arcs[a];
       expect(arc.head < nodes && (r < parts_.core ? arc.head > r : arc.head >= parts_.core), "an arc that leads down");
       expect(arc.middle == road || arc.middle < std::min({r, arc.head, parts_.core}), "a middle above an end");
@@ -98,7 +99,7 @@ RoadHierarchy::RoadHierarchy(Parts parts) : parts_(std::move(parts)), node_(part
 // From the middle of a shortcut to its end, at this cost, past no letters but those of the shortcut.
 const RoadHierarchy::Arc* RoadHierarchy::way_out(std::uint32_t middle, std::uint32_t end, std::uint32_t cost,
                                                  const Arc& whole) const {
-  for (std::uint32_t a = parts_.first[middle]; a < parts_.first[middle + 1]; ++a) {
+  for (std::uint32_t a = begin_arcs(middle); a < end_arcs(middle); ++a) {
     const Arc& arc = parts_.arcs[a];
     if (arc.head == end && (arc.ways & forward) != 0 && arc.cost == cost &&
         (parts_.sets[arc.passed] & ~parts_.sets[whole.passed]) == 0)
@@ -123,7 +124,7 @@ void RoadHierarchy::unpack(std::uint32_t from, std::uint32_t to, const Arc& whol
     }
     const std::uint32_t middle = piece.arc.middle;
     const Arc *in = nullptr, *out = nullptr;
-    for (std::uint32_t a = parts_.first[middle]; a < parts_.first[middle + 1] && out == nullptr; ++a) {
+    for (std::uint32_t a = begin_arcs(middle); a < end_arcs(middle) && out == nullptr; ++a) {
       in = &parts_.arcs[a];
       if (in->head != piece.from || (in->ways & backward) == 0 || in->cost > piece.arc.cost) continue;
       if ((parts_.sets[in->passed] & ~parts_.sets[piece.arc.passed]) != 0) continue;
@@ -140,8 +141,17 @@ void write_hierarchy(std::ostream& out, const RoadHierarchy& hierarchy) {
   out << heading;
   write_list(out, std::vector<std::uint64_t>{parts.map, parts.core});
   write_list(out, parts.rank);
-  write_list(out, parts.first);
-  write_list(out, parts.arcs);
+  std::vector<std::uint16_t> sizes;
+  for (const RoadHierarchy::Row& row : parts.rows) sizes.push_back(row.size);
+  write_list(out, sizes);
+  std::vector<RoadHierarchy::Arc> block;  // rows in the order of ranks, in blocks of whole rows
+  for (const RoadHierarchy::Row& row : parts.rows) {
+    block.insert(block.end(), parts.arcs.begin() + row.begin, parts.arcs.begin() + row.begin + row.size);
+    if (block.size() < arcs_a_block) continue;
+    write_list(out, block);
+    block.clear();
+  }
+  write_list(out, block);
   write_list(out, parts.sets);
   write_list(out, parts.bits);
 }
@@ -156,12 +166,28 @@ RoadHierarchy read_hierarchy(std::istream& in, std::string_view source, const Ro
   parts.map = numbers[0];
   parts.core = static_cast<std::uint32_t>(numbers[1]);
   parts.rank = reader.list<std::uint32_t>(map.nodes());
-  parts.first = reader.list<std::uint32_t>(map.nodes() + 1);
-  parts.arcs = reader.list<RoadHierarchy::Arc>(UINT32_MAX - 1);
+  const auto sizes = reader.list<std::uint16_t>(map.nodes());
+  if (parts.rank.size() != map.nodes() || sizes.size() != map.nodes())
+    reader.fail("the hierarchy is damaged: it has another number of nodes");
+  parts.rows.resize(sizes.size());
+  std::size_t arcs = 0;
+  for (std::size_t r = 0; r < sizes.size(); ++r) {
+    parts.rows[r] = {static_cast<std::uint32_t>(arcs), sizes[r], 0};
+    arcs += sizes[r];
+    if (arcs >= UINT32_MAX) reader.fail("the hierarchy is damaged: it has too many arcs");
+  }
+  for (std::uint32_t v = 0; v < map.nodes(); ++v)
+    if (parts.rank[v] < map.nodes()) parts.rows[parts.rank[v]].letter = static_cast<std::uint16_t>(map.letter(v).index);
+  for (bool more = true; more;) {
+    const auto block = reader.list<RoadHierarchy::Arc>(arcs_a_block + UINT16_MAX);
+    if (parts.arcs.empty()) parts.arcs.reserve(std::min(arcs, most_believed));
+    parts.arcs.insert(parts.arcs.end(), block.begin(), block.end());
+    more = block.size() >= arcs_a_block;
+  }
+  if (parts.arcs.size() != arcs) reader.fail("the hierarchy is damaged: it has another number of arcs");
   parts.sets = reader.list<std::uint64_t>(std::size_t{1} << 16U);
   parts.bits = reader.list<std::uint32_t>(RoadHierarchy::most_bits);
   reader.expect_end();
-  if (parts.rank.size() != map.nodes()) reader.fail("the hierarchy is damaged: it has another number of nodes");
   for (const std::uint32_t letter : parts.bits)
     if (letter == 0 || letter >= map.letters().size()) reader.fail("the hierarchy is damaged: an unknown letter");
   try {

@@ -33,12 +33,17 @@ class RoadHierarchy {
     std::uint16_t passed = 0;  // number of a set of letters, those between the ends
     std::uint16_t ways = 0;    // forward: to the head; backward: from it; or both
   };
+  struct Row {                 // of a rank: its arcs stand together, anywhere
+    std::uint32_t begin = 0;   // number of the first
+    std::uint16_t size = 0;    // arcs
+    std::uint16_t letter = 0;  // LetterId of the node
+  };
   struct Parts {                          // what a hierarchy is made of
     std::uint64_t map = 0;                // RoadGraph::checksum
     std::uint32_t core = 0;               // the first rank that is not contracted
     std::vector<std::uint32_t> rank;      // by node
-    std::vector<std::uint32_t> first;     // by rank; one more entry
-    std::vector<Arc> arcs;                // by rank
+    std::vector<Row> rows;                // by rank
+    std::vector<Arc> arcs;                // by number; those of no row mean nothing
     std::vector<std::uint64_t> sets;      // by number: the letters passed, as bits; set 0 is empty
     std::vector<std::uint32_t> bits;      // by bit: the LetterId
   };
@@ -49,12 +54,15 @@ class RoadHierarchy {
   explicit RoadHierarchy(Parts parts);
 
   std::size_t nodes() const { return parts_.rank.size(); }   // of the map
-  std::size_t arcs() const { return parts_.arcs.size(); }    // with shortcuts
+  std::size_t arcs() const { return arcs_; }                 // with shortcuts
   std::uint32_t core() const { return parts_.core; }         // ranks from here on are the core
   std::uint64_t map() const { return parts_.map; }           // checksum of the map it was made of
   std::uint32_t rank(std::uint32_t node) const { return parts_.rank[node]; }
   std::uint32_t node(std::uint32_t rank) const { return node_[rank]; }
-  std::uint32_t first_arc(std::uint32_t rank) const { return parts_.first[rank]; }  // numbers of arcs are consecutive
+  LetterId letter(std::uint32_t rank) const { return {parts_.rows[rank].letter}; }
+  // Numbers of the arcs of a rank are consecutive: begin … end − 1.
+  std::uint32_t begin_arcs(std::uint32_t rank) const { return parts_.rows[rank].begin; }
+  std::uint32_t end_arcs(std::uint32_t rank) const { return parts_.rows[rank].begin + parts_.rows[rank].size; }
   const Arc& arc(std::uint32_t number) const { return parts_.arcs[number]; }
   const std::vector<std::uint64_t>& sets() const { return parts_.sets; }   // by number
   const std::vector<std::uint32_t>& bits() const { return parts_.bits; }   // by bit: the LetterId
@@ -68,6 +76,7 @@ class RoadHierarchy {
   const Arc* way_out(std::uint32_t middle, std::uint32_t end, std::uint32_t cost, const Arc& whole) const;
   Parts parts_;
   std::vector<std::uint32_t> node_;  // by rank
+  std::size_t arcs_ = 0;             // of rows
 };
 
 // Bytes, little endian: a heading, then every list with its length and XXH64 (docs/formats/roads.md).

@@ -69,7 +69,7 @@ std::size_t RoadLegs::count(Role role) const {
 
 bool RoadLegs::run(std::uint64_t limit, std::uint32_t target) {
   if (visits_.empty()) return true;
-  if (count(Role::Passed) <= count(Role::Leads)) return cross_passed(limit);
+  if (role_[0] != Role::Passed || count(Role::Passed) <= count(Role::Leads)) return cross_passed(limit);
   collect_up();
   collect_down(target);
   sweep_up();
@@ -84,7 +84,7 @@ void RoadLegs::collect_up() {
     const Visited v = visits_[i];
     if (v.rank >= hierarchy_.core() || !v.passed) continue;
     up_.push_back(i);
-    for (std::uint32_t a = hierarchy_.first_arc(v.rank); a < hierarchy_.first_arc(v.rank + 1); ++a) {
+    for (std::uint32_t a = hierarchy_.begin_arcs(v.rank); a < hierarchy_.end_arcs(v.rank); ++a) {
       const RoadHierarchy::Arc& arc = hierarchy_.arc(a);
       if (!usable(arc, RoadHierarchy::forward)) continue;
       if (const Role r = role(arc.head); r != Role::Closed) meet(arc.head, r);
@@ -120,7 +120,7 @@ void RoadLegs::collect_down(std::uint32_t target) {
     open.pop_back();
     down_.push_back(i);
     const std::uint32_t rank = visits_[i].rank;
-    for (std::uint32_t a = hierarchy_.first_arc(rank); a < hierarchy_.first_arc(rank + 1); ++a) {
+    for (std::uint32_t a = hierarchy_.begin_arcs(rank); a < hierarchy_.end_arcs(rank); ++a) {
       const RoadHierarchy::Arc& arc = hierarchy_.arc(a);
       if (usable(arc, RoadHierarchy::backward) && role(arc.head) == Role::Passed) take(meet(arc.head, Role::Passed));
     }
@@ -132,7 +132,7 @@ void RoadLegs::sweep_up() {
   for (const std::uint32_t i : up_) {
     const Visited v = visits_[i];
     if (v.cost == unreached) continue;
-    for (std::uint32_t a = hierarchy_.first_arc(v.rank); a < hierarchy_.first_arc(v.rank + 1); ++a) {
+    for (std::uint32_t a = hierarchy_.begin_arcs(v.rank); a < hierarchy_.end_arcs(v.rank); ++a) {
       const RoadHierarchy::Arc& arc = hierarchy_.arc(a);
       ++statistics_.edges;
       if (usable(arc, RoadHierarchy::forward) && met(arc.head) != 0) relax(i, met(arc.head) - 1, v.cost + arc.cost, a);
@@ -162,7 +162,7 @@ bool RoadLegs::cross_core(std::uint64_t limit, std::uint32_t target) {
       --wanted;
     }
     if (!v.passed) continue;
-    for (std::uint32_t a = hierarchy_.first_arc(v.rank); a < hierarchy_.first_arc(v.rank + 1); ++a) {
+    for (std::uint32_t a = hierarchy_.begin_arcs(v.rank); a < hierarchy_.end_arcs(v.rank); ++a) {
       const RoadHierarchy::Arc& arc = hierarchy_.arc(a);
       ++statistics_.edges;
       if (!usable(arc, RoadHierarchy::forward)) continue;
@@ -180,7 +180,7 @@ bool RoadLegs::cross_core(std::uint64_t limit, std::uint32_t target) {
 void RoadLegs::sweep_down() {
   for (const std::uint32_t i : down_) {
     const std::uint32_t rank = visits_[i].rank;
-    for (std::uint32_t a = hierarchy_.first_arc(rank); a < hierarchy_.first_arc(rank + 1); ++a) {
+    for (std::uint32_t a = hierarchy_.begin_arcs(rank); a < hierarchy_.end_arcs(rank); ++a) {
       const RoadHierarchy::Arc& arc = hierarchy_.arc(a);
       ++statistics_.edges;
       if (!usable(arc, RoadHierarchy::backward) || met(arc.head) == 0) continue;
@@ -190,7 +190,7 @@ void RoadLegs::sweep_down() {
   }
 }
 
-// Where few nodes may be passed: a plain Dijkstra among them, on the map.
+// Where few nodes may be passed, and none without a label, of which shortcuts do not tell: a plain Dijkstra among them, on the map.
 bool RoadLegs::cross_passed(std::uint64_t limit) {
   Heap heap;
   for (std::uint32_t i = 0; i < visits_.size(); ++i) heap.emplace(visits_[i].cost, i);

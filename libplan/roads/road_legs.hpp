@@ -53,7 +53,7 @@ class RoadLegs {
     bool wanted = false;        // in the core: its cost matters below it
     std::uint64_t cost = unreached;
   };
-  Role role(std::uint32_t rank) const { return role_[graph_.letter(hierarchy_.node(rank)).index]; }
+  Role role(std::uint32_t rank) const { return role_[hierarchy_.letter(rank).index]; }
   bool usable(const RoadHierarchy::Arc& arc, std::uint16_t way) const {
     return (arc.ways & way) != 0 && (hierarchy_.sets()[arc.passed] & barriers_) == 0;
   }

@@ -40,6 +40,7 @@ class RoadSearch {
 
  private:
   static constexpr std::uint32_t none = UINT32_MAX;
+  static constexpr std::size_t nodes_looked_at = 64;  // of a letter
   struct Entry {  // a node where a state of the task is entered
     std::uint32_t node = 0, state = 0;
     std::uint64_t cost = UINT64_MAX;
@@ -106,9 +107,35 @@ class RoadSearch {
     return out;
   }
 
+  // Could an entry of the state, at this cost or more, make another entry cheaper? Not where all nodes that lead on from
+  // it were entered at no more than that: as after a landmark, when a task falls back to before it.
+  bool matters(std::uint32_t state, std::uint64_t cost) const {
+    if (task_.is_goal(state)) return cost < limit();
+    for (std::uint32_t l = 0; l < graph_.letters().size(); ++l) {
+      const std::uint32_t next = task_.next(state, LetterId{l}).target;
+      if (next == state || next == TaskTable::trap) continue;
+      if (l == 0 || graph_.count(LetterId{l}) > nodes_looked_at) return true;
+      for (const std::uint32_t node : graph_.nodes_of(LetterId{l})) {
+        const auto found = at_[next].find(node);
+        if (found == at_[next].end() || entries_[found->second].cost > cost) return true;
+      }
+    }
+    return false;
+  }
+  // Letters whose entries would not matter are closed.
+  std::vector<RoadLegs::Role> roles_that_matter(std::uint32_t state, std::uint64_t cost) const {
+    std::vector<RoadLegs::Role> out = roles(state);
+    for (std::uint32_t l = 0; l < out.size(); ++l)
+      if (out[l] == RoadLegs::Role::Leads && !matters(task_.next(state, LetterId{l}).target, cost))
+        out[l] = RoadLegs::Role::Closed;
+    return out;
+  }
+
   // The first arc of every leg is one of the map; it may lead on at once.
   bool search_from(std::uint32_t state, const std::vector<std::uint32_t>& from) {
-    legs_.begin(roles(state));
+    std::uint64_t least = UINT64_MAX;
+    for (const std::uint32_t e : from) least = std::min(least, entries_[e].cost);
+    legs_.begin(roles_that_matter(state, least));
     for (const std::uint32_t e : from) {
       const std::uint64_t cost = entries_[e].cost;
       const std::uint32_t node = entries_[e].node;

@@ -5,7 +5,8 @@
 // the shortest path in the subgraph without all other nodes, of which the hierarchy knows least costs: up from the
 // entries in the order of ranks, through the core by Dijkstra [Dij59], down to the nodes that lead on [DGNW13, RPHAST].
 // Legs from all entries of a state are searched for at once. States are taken from the first component of the
-// automaton to the last; within a component, entries that became cheaper are searched from again.
+// automaton to the last; within a component, entries that became cheaper are searched from again. A letter does not
+// count where the entries it leads to could make no other entry cheaper.
 #pragma once
 #include <cstddef>
 #include <cstdint>
@@ -35,8 +36,8 @@ struct RoadSearchOptions {       // of influence on time and memory only
 
 // The hierarchy is one of this map: std::invalid_argument where sizes differ. Of routes of equal cost it is always the
 // same one, but not the one of docs/conventions.md 4. A leg takes time for what lies above its ends in the hierarchy,
-// and for the part of the core that is nearer than its ends; where the nodes that may be passed are fewer than those
-// that lead on, a plain Dijkstra among them.
+// and for the part of the core that is nearer than its ends. A plain Dijkstra among the nodes that may be passed takes
+// their place where these are fewer than those that lead on, and where nodes without a label may not be passed.
 std::optional<RoadAnswer> least_route(const RoadGraph& graph, const RoadHierarchy& hierarchy, const TaskTable& task,
                                       const RoadSearchOptions& options = {});
 

@@ -29,7 +29,7 @@ void for_each_road(const RoadGraph& graph, std::uint32_t u, const Visit& visit) 
 
 }  // namespace
 
-std::uint16_t LetterSets::number(std::uint64_t set) {
+std::uint16_t LetterSets::known(std::uint64_t set) {
   const auto [found, fresh] = numbers_.try_emplace(set, static_cast<std::uint16_t>(sets_.size()));
   if (!fresh) return found->second;
   if (sets_.size() > UINT16_MAX) throw std::invalid_argument("shortcuts pass over more than 65,536 sets of letters");

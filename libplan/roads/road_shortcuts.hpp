@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <span>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 #include "libplan/model/road_graph.hpp"
@@ -18,7 +19,7 @@ namespace waymark::plan {
 class LetterSets {
  public:
   LetterSets() : sets_{0}, numbers_{{0, 0}} {}
-  std::uint16_t number(std::uint64_t set);                         // new or not
+  std::uint16_t number(std::uint64_t set) { return set == 0 ? 0 : known(set); }  // new or not
   std::uint64_t operator[](std::uint16_t n) const { return sets_[n]; }
   bool contains(std::uint16_t whole, std::uint16_t part) const {  // every letter of the part?
     return part == 0 || part == whole || (sets_[part] & ~sets_[whole]) == 0;
@@ -26,6 +27,7 @@ class LetterSets {
   const std::vector<std::uint64_t>& all() const { return sets_; }  // by number
 
  private:
+  std::uint16_t known(std::uint64_t set);
   std::vector<std::uint64_t> sets_;
   std::unordered_map<std::uint64_t, std::uint16_t> numbers_;
 };
@@ -35,6 +37,7 @@ class RemainingRoads {
   using Arc = RoadHierarchy::Arc;  // heads and middles are nodes here, not ranks
 
   // Loops are left out, and of several equal arcs all but one. O(arcs · degree).
+  RemainingRoads() = default;  // of no nodes
   explicit RemainingRoads(const RoadGraph& graph);
 
   LetterSets& sets() { return sets_; }
@@ -43,6 +46,8 @@ class RemainingRoads {
   }
   // An arc from u to w, along `arc.ways`, with arc.head = w; nothing where it is dominated. O(degree).
   void add(std::uint32_t u, const Arc& arc);
+  std::uint32_t begin(std::uint32_t node) const { return rows_[node].begin; }  // of its row among all arcs
+  std::vector<Arc> take_arcs() { return std::move(pool_); }                    // those of rows, and some of none
   // Takes a node out of its neighbours' rows; its own stays. O(sum of their degrees).
   void detach(std::uint32_t node);
 

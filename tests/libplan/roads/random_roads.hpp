@@ -66,15 +66,15 @@ inline std::optional<double> least_cost_on_product(const RoadGraph& graph, const
 
 // Ways to build a hierarchy, none of which may change an answer.
 inline std::vector<ContractionOptions> all_contractions() {
-  ContractionOptions all, lines, core, bits, early;
-  lines.lines_only = true;
+  ContractionOptions all, quick, core, bits, early;
+  quick.quick = true;
   core.rare = 1000;
   core.most_rare = 1000;
   bits.rare = 0;
   early.settled = 2;
   early.rare = 1;
   early.most_degree = 4;
-  return {all, lines, core, bits, early};
+  return {all, quick, core, bits, early};
 }
 
 }  // namespace waymark::plan::testing
