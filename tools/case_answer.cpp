@@ -77,9 +77,7 @@ JsonObject case_json(const std::string& model, const plan::CaseTask& task, const
   const bool valued = answer.status != Status::Exhausted;
   const auto number = [&](double value) { return valued ? Json(value) : Json(); };
   JsonObject out;
-  out.add("case", model)
-      .add("task", task.id.empty() ? "formula" : task.id)
-      .add("query", plan::name(task.query));
+  out.add("case", model).add("task", task.id.empty() ? "formula" : task.id).add("query", plan::name(task.query));
   using Logic = plan::CaseTask::Logic;
   if (!task.formula.empty()) out.add("formula", task.formula);
   if (!task.formula.empty() && (task.logic == Logic::Ltl || task.logic == Logic::Ltlf))

@@ -78,10 +78,10 @@ void add_case_options(Command command, CaseChoice& choice) {
   command.add_option("--case", choice.file, "a planning case (ltlgrid/1 or ltlmap/1) instead of a formula and a map")
       .type_name("FILE");
   command
-      .add_option(
-          "--model", choice.model,
-          "a formula's value on another model than a map: PRISM's FILE.nm or FILE.tra, FILE.jani, roads (FILE.gr, FILE.osm, "
-          "FILE.geojson, FILE.graphml), a street graph or planning case (JSON), a transition system (YAML)")
+      .add_option("--model", choice.model,
+                  "a formula's value on another model than a map: PRISM's FILE.nm or FILE.tra, FILE.jani, roads "
+                  "(FILE.gr, FILE.osm, "
+                  "FILE.geojson, FILE.graphml), a street graph or planning case (JSON), a transition system (YAML)")
       .type_name("FILE");
   command
       .add_option("--hierarchy", choice.hierarchy,

@@ -14,8 +14,9 @@ struct GraphOutput {
   bool graph = false;           // json: not only the sizes
   std::string svg = {};         // a file for the picture; empty: none
   // The whole model for another tool, one product at a time.
-  bool writes_model() const { return format == "prism" || format == "explicit" || format == "jani" || format == "dimacs" ||
-           is_game(); }
+  bool writes_model() const {
+    return format == "prism" || format == "explicit" || format == "jani" || format == "dimacs" || is_game();
+  }
   bool is_game() const { return format == "pgsolver"; }
 };
 

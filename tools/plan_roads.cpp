@@ -47,15 +47,13 @@ class RoadPlanning {
     const double seconds = whole.lap();
     if (!choice_.json) return {exit_code(answer.status), in_words(task, answer)};
     JsonObject json = case_json(name_, task, answer);
-    json.add("roads", JsonObject()
-                          .add("nodes", graph_->nodes())
-                          .add("arcs", graph_->arcs())
-                          .add("core", graph_->nodes() - hierarchy_->core())
-                          .add("hierarchy_arcs", hierarchy_->arcs())
-                          .add("seconds", JsonObject()
-                                              .add("read", read_)
-                                              .add("hierarchy", prepared_)
-                                              .add("task", seconds)));
+    json.add("roads",
+             JsonObject()
+                 .add("nodes", graph_->nodes())
+                 .add("arcs", graph_->arcs())
+                 .add("core", graph_->nodes() - hierarchy_->core())
+                 .add("hierarchy_arcs", hierarchy_->arcs())
+                 .add("seconds", JsonObject().add("read", read_).add("hierarchy", prepared_).add("task", seconds)));
     return {exit_code(answer.status), json.text() + '\n'};
   }
   const ltl::Vocabulary& vocabulary() const { return graph_->letters().vocabulary(); }

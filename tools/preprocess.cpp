@@ -54,7 +54,9 @@ ExitCode run_preprocess(const PreprocessOptions& options, const Session& session
 
 Runner setup_preprocess(Command command) {
   const auto options = std::make_shared<PreprocessOptions>();
-  command.add_option("roads", options->roads, "roads of DIMACS, with labels beside them").type_name("FILE.gr").required();
+  command.add_option("roads", options->roads, "roads of DIMACS, with labels beside them")
+      .type_name("FILE.gr")
+      .required();
   command.add_option("--out", options->out, "write the hierarchy there").type_name("FILE");
   command.add_flag("--json", options->json, "one JSON object");
   return [options](const Session& session) { return run_preprocess(*options, session); };

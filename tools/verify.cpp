@@ -275,7 +275,8 @@ ExitCode verify_one(const Text& text, const VerifyOptions& options, const plan::
     std::cout << JsonObject().add("verdict", verdict_in_words(verdict)).add("claims", list).text() << '\n';
     return verdict;
   }
-  std::cout << session.out.paint(verdict == ExitCode::Done ? Paint::Green : Paint::Red, verdict_in_words(verdict)) << '\n';
+  std::cout << session.out.paint(verdict == ExitCode::Done ? Paint::Green : Paint::Red, verdict_in_words(verdict))
+            << '\n';
   for (const Claim& claim : claims)
     std::cout << "  " << (claim.holds ? (*claim.holds ? "true   " : "false  ") : "?      ") << claim.text << '\n';
   return verdict;

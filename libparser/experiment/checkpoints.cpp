@@ -12,9 +12,9 @@
 #include <sstream>
 
 #include "libltl/diagnostic.hpp"
+#include "libltl/text/xxhash.hpp"
 #include "libparser/model/weights_bytes.hpp"
 #include "libparser/model/whole_file.hpp"
-#include "libltl/text/xxhash.hpp"
 
 namespace waymark::parser {
 namespace {

@@ -37,9 +37,11 @@ class RoadGraph {
   // end that is no node, a cost above most_arc_cost, no node, a first letter that is not empty.
   explicit RoadGraph(Parts parts);
 
-  std::size_t nodes() const { return letter_.size(); }  // at least one
-  std::size_t arcs() const { return arcs_.size(); }     // directed
-  std::span<const Arc> arcs(std::uint32_t node) const { return {&arcs_[first_[node]], &arcs_[first_[node + 1]]}; }
+  std::size_t nodes() const { return letter_.size(); }   // at least one
+  std::size_t arcs() const { return arcs_.size() - 1; }  // directed
+  std::span<const Arc> arcs(std::uint32_t node) const {
+    return {arcs_.data() + first_[node], arcs_.data() + first_[node + 1]};
+  }
   LetterId letter(std::uint32_t node) const { return {letter_[node]}; }
   const Letters& letters() const { return letters_; }
   std::uint32_t start() const { return start_; }

@@ -13,12 +13,12 @@ struct ContractionOptions {
   // Nodes with four arcs at most alone, in rounds and without a search: what 10⁷ nodes take seconds for. The rest is
   // the core.
   bool quick = false;
-  std::uint32_t rare = 16;          // letters of no more nodes than this stay in the core,
-  std::uint32_t most_rare = 256;    // as long as these are no more nodes in all
-  std::uint32_t settled = 300;      // by a search for a witness when a node is contracted,
+  std::uint32_t rare = 16;             // letters of no more nodes than this stay in the core,
+  std::uint32_t most_rare = 256;       // as long as these are no more nodes in all
+  std::uint32_t settled = 300;         // by a search for a witness when a node is contracted,
   std::uint32_t settled_to_rank = 30;  // and when its priority is looked at
-  std::uint32_t most_degree = 400;  // a node with more arcs, and all that would follow it, stays in the core
-  std::stop_token stop = {};        // ends with nullopt when it is asked for
+  std::uint32_t most_degree = 400;     // a node with more arcs, and all that would follow it, stays in the core
+  std::stop_token stop = {};           // ends with nullopt when it is asked for
 };
 
 // Least costs of the map in every subgraph from which the nodes of some letters are taken, whatever the options; they

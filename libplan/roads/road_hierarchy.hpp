@@ -38,14 +38,14 @@ class RoadHierarchy {
     std::uint16_t size = 0;    // arcs
     std::uint16_t letter = 0;  // LetterId of the node
   };
-  struct Parts {                          // what a hierarchy is made of
-    std::uint64_t map = 0;                // RoadGraph::checksum
-    std::uint32_t core = 0;               // the first rank that is not contracted
-    std::vector<std::uint32_t> rank;      // by node
-    std::vector<Row> rows;                // by rank
-    std::vector<Arc> arcs;                // by number; those of no row mean nothing
-    std::vector<std::uint64_t> sets;      // by number: the letters passed, as bits; set 0 is empty
-    std::vector<std::uint32_t> bits;      // by bit: the LetterId
+  struct Parts {                      // what a hierarchy is made of
+    std::uint64_t map = 0;            // RoadGraph::checksum
+    std::uint32_t core = 0;           // the first rank that is not contracted
+    std::vector<std::uint32_t> rank;  // by node
+    std::vector<Row> rows;            // by rank
+    std::vector<Arc> arcs;            // by number; those of no row mean nothing
+    std::vector<std::uint64_t> sets;  // by number: the letters passed, as bits; set 0 is empty
+    std::vector<std::uint32_t> bits;  // by bit: the LetterId
   };
   static constexpr std::size_t most_bits = 64;
 
@@ -53,10 +53,10 @@ class RoadHierarchy {
   // down, a middle that is not below both ends, an unknown set. O(nodes + arcs).
   explicit RoadHierarchy(Parts parts);
 
-  std::size_t nodes() const { return parts_.rank.size(); }   // of the map
-  std::size_t arcs() const { return arcs_; }                 // with shortcuts
-  std::uint32_t core() const { return parts_.core; }         // ranks from here on are the core
-  std::uint64_t map() const { return parts_.map; }           // checksum of the map it was made of
+  std::size_t nodes() const { return parts_.rank.size(); }  // of the map
+  std::size_t arcs() const { return arcs_; }                // with shortcuts
+  std::uint32_t core() const { return parts_.core; }        // ranks from here on are the core
+  std::uint64_t map() const { return parts_.map; }          // checksum of the map it was made of
   std::uint32_t rank(std::uint32_t node) const { return parts_.rank[node]; }
   std::uint32_t node(std::uint32_t rank) const { return node_[rank]; }
   LetterId letter(std::uint32_t rank) const { return {parts_.rows[rank].letter}; }
@@ -64,8 +64,8 @@ class RoadHierarchy {
   std::uint32_t begin_arcs(std::uint32_t rank) const { return parts_.rows[rank].begin; }
   std::uint32_t end_arcs(std::uint32_t rank) const { return parts_.rows[rank].begin + parts_.rows[rank].size; }
   const Arc& arc(std::uint32_t number) const { return parts_.arcs[number]; }
-  const std::vector<std::uint64_t>& sets() const { return parts_.sets; }   // by number
-  const std::vector<std::uint32_t>& bits() const { return parts_.bits; }   // by bit: the LetterId
+  const std::vector<std::uint64_t>& sets() const { return parts_.sets; }  // by number
+  const std::vector<std::uint32_t>& bits() const { return parts_.bits; }  // by bit: the LetterId
 
   // Appends the nodes of the map after `from` up to `to`, both ranks, that an arc between them stands for. O(nodes
   // appended · degree). Throws std::logic_error for a shortcut without halves.

@@ -190,7 +190,8 @@ void RoadLegs::sweep_down() {
   }
 }
 
-// Where few nodes may be passed, and none without a label, of which shortcuts do not tell: a plain Dijkstra among them, on the map.
+// Where few nodes may be passed, or none without a label, of which shortcuts do not tell: a plain Dijkstra among them,
+// on the map.
 bool RoadLegs::cross_passed(std::uint64_t limit) {
   Heap heap;
   for (std::uint32_t i = 0; i < visits_.size(); ++i) heap.emplace(visits_[i].cost, i);

@@ -8,17 +8,17 @@
 #include <vector>
 
 #include "libplan/model/road_graph.hpp"
-#include "libplan/solve/dijkstra.hpp"
 #include "libplan/roads/road_hierarchy.hpp"
+#include "libplan/solve/dijkstra.hpp"
 
 namespace waymark::plan {
 
 class RoadLegs {
  public:
   enum class Role : std::uint8_t { Passed, Leads, Closed };  // of the nodes of a letter, in the state
-  struct Hop {                 // a part of a leg
-    std::uint32_t from, to;    // ranks
-    std::uint32_t arc;         // of the hierarchy, or `by_road`: an arc of the map
+  struct Hop {                                               // a part of a leg
+    std::uint32_t from, to;                                  // ranks
+    std::uint32_t arc;                                       // of the hierarchy, or `by_road`: an arc of the map
   };
   static constexpr std::uint32_t by_road = UINT32_MAX;
 

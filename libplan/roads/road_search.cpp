@@ -41,7 +41,7 @@ class RoadSearch {
  private:
   static constexpr std::uint32_t none = UINT32_MAX;
   static constexpr std::size_t nodes_looked_at = 64;  // of a letter
-  struct Entry {  // a node where a state of the task is entered
+  struct Entry {                                      // a node where a state of the task is entered
     std::uint32_t node = 0, state = 0;
     std::uint64_t cost = UINT64_MAX;
     std::uint32_t before = none;     // the entry it is reached from
@@ -107,8 +107,8 @@ class RoadSearch {
     return out;
   }
 
-  // Could an entry of the state, at this cost or more, make another entry cheaper? Not where all nodes that lead on from
-  // it were entered at no more than that: as after a landmark, when a task falls back to before it.
+  // Could an entry of the state, at this cost or more, make another entry cheaper? Not where all nodes that lead on
+  // from it were entered at no more than that: as after a landmark, when a task falls back to before it.
   bool matters(std::uint32_t state, std::uint64_t cost) const {
     if (task_.is_goal(state)) return cost < limit();
     for (std::uint32_t l = 0; l < graph_.letters().size(); ++l) {
@@ -202,7 +202,8 @@ class RoadSearch {
       }
     }
     out.cost = cost_of(out.nodes);
-    if (out.cost != entries_[goal_].cost) throw std::logic_error("a route on roads whose steps cost other than claimed");
+    if (out.cost != entries_[goal_].cost)
+      throw std::logic_error("a route on roads whose steps cost other than claimed");
     return out;
   }
 

@@ -3,7 +3,7 @@
 // While the automaton waits in a state q, a route passes only nodes whose letters leave q where it is. The product
 // falls apart into legs: from the node where q was entered, past such nodes, to a node whose letter leads on. A leg is
 // the shortest path in the subgraph without all other nodes, of which the hierarchy knows least costs: up from the
-// entries in the order of ranks, through the core by Dijkstra [Dij59], down to the nodes that lead on [DGNW13, RPHAST].
+// entries in the order of ranks, through the core by Dijkstra [Dij59], down to the nodes that lead on [DGNW13].
 // Legs from all entries of a state are searched for at once. States are taken from the first component of the
 // automaton to the last; within a component, entries that became cheaper are searched from again. A letter does not
 // count where the entries it leads to could make no other entry cheaper.
@@ -16,22 +16,22 @@
 
 #include "libplan/model/road_graph.hpp"
 #include "libplan/product/task_table.hpp"
-#include "libplan/solve/dijkstra.hpp"
 #include "libplan/roads/road_hierarchy.hpp"
+#include "libplan/solve/dijkstra.hpp"
 
 namespace waymark::plan {
 
-struct RoadRoute {                    // on the map
-  std::vector<std::uint32_t> nodes;   // from the start; consecutive ones have an arc
-  std::uint64_t cost = 0;             // the sum of the cheapest such arcs
+struct RoadRoute {                   // on the map
+  std::vector<std::uint32_t> nodes;  // from the start; consecutive ones have an arc
+  std::uint64_t cost = 0;            // the sum of the cheapest such arcs
 };
-struct RoadAnswer {                 // a route, and what it took
-  std::optional<RoadRoute> route;   // nullopt: proved that there is none
-  SearchStatistics statistics;      // nodes met in all legs; arcs looked at
+struct RoadAnswer {                // a route, and what it took
+  std::optional<RoadRoute> route;  // nullopt: proved that there is none
+  SearchStatistics statistics;     // nodes met in all legs; arcs looked at
 };
-struct RoadSearchOptions {       // of influence on time and memory only
-  std::size_t kept_legs = 256;   // of a search: more of them are searched for again where the route needs one
-  std::stop_token stop = {};     // ends with nullopt when it is asked for
+struct RoadSearchOptions {      // of influence on time and memory only
+  std::size_t kept_legs = 256;  // of a search: more of them are searched for again where the route needs one
+  std::stop_token stop = {};    // ends with nullopt when it is asked for
 };
 
 // The hierarchy is one of this map: std::invalid_argument where sizes differ. Of routes of equal cost it is always the

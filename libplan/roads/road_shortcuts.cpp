@@ -57,7 +57,9 @@ RemainingRoads::RemainingRoads(const RoadGraph& graph) : rows_(graph.nodes()) {
   for (std::uint32_t u = 0; u < graph.nodes(); ++u)
     for_each_road(graph, u, [&](std::uint32_t v, std::uint32_t cost) {
       const bool both = cheapest(graph, v, u) == cost;
-      append(u, {v, cost, RoadHierarchy::road, 0, static_cast<std::uint16_t>(both ? RoadHierarchy::forward | RoadHierarchy::backward : RoadHierarchy::forward)});
+      append(u, {v, cost, RoadHierarchy::road, 0,
+                 static_cast<std::uint16_t>(both ? RoadHierarchy::forward | RoadHierarchy::backward
+                                                 : RoadHierarchy::forward)});
       if (!both) append(v, {u, cost, RoadHierarchy::road, 0, RoadHierarchy::backward});
     });
 }

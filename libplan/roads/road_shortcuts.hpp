@@ -41,9 +41,7 @@ class RemainingRoads {
   explicit RemainingRoads(const RoadGraph& graph);
 
   LetterSets& sets() { return sets_; }
-  std::span<const Arc> arcs(std::uint32_t node) const {
-    return {pool_.data() + rows_[node].begin, rows_[node].size};
-  }
+  std::span<const Arc> arcs(std::uint32_t node) const { return {pool_.data() + rows_[node].begin, rows_[node].size}; }
   // An arc from u to w, along `arc.ways`, with arc.head = w; nothing where it is dominated. O(degree).
   void add(std::uint32_t u, const Arc& arc);
   std::uint32_t begin(std::uint32_t node) const { return rows_[node].begin; }  // of its row among all arcs

@@ -116,7 +116,9 @@ class RoadTask {
     const Violation violation = fewest_dropped(*f, possible);
     answer_.reason = "no route satisfies ";
     for (std::size_t i = 0; i < violation.conflict.size(); ++i)
-      answer_.reason += (i == 0 ? "" : i + 1 == violation.conflict.size() ? " and " : ", ") +
+      answer_.reason += (i == 0                               ? ""
+                         : i + 1 == violation.conflict.size() ? " and "
+                                                              : ", ") +
                         ltl::print(violation.conflict[i]);
     if (violation.conflict.size() > 1) answer_.reason += " together";
     for (const ltl::Formula part : violation.dropped) answer_.dropped.push_back(ltl::print(part));

@@ -1,9 +1,9 @@
 // One task on a road graph: formula or automaton → legs in the hierarchy → a certified route of least cost, or none.
 #pragma once
 #include "libplan/model/road_graph.hpp"
-#include "libplan/solve/case_task.hpp"
 #include "libplan/roads/road_hierarchy.hpp"
 #include "libplan/roads/road_search.hpp"
+#include "libplan/solve/case_task.hpp"
 #include "libplan/solve/task_automaton.hpp"
 
 namespace waymark::plan {
@@ -12,8 +12,8 @@ namespace waymark::plan {
 // strategy; anything else asks for an Mdp (model_of).
 bool is_road_task(const CaseTask& task, const CaseOptions& options);
 
-// As `answer` of case_task.hpp, for such tasks. The word of the route is checked by the definition on the map, and so is
-// every step; reasons of infeasible tasks name conjuncts. Throws as there.
+// As `answer` of case_task.hpp, for such tasks. The word of the route is checked by the definition on the map, and so
+// is every step; reasons of infeasible tasks name conjuncts. Throws as there.
 CaseAnswer answer(const RoadGraph& graph, const RoadHierarchy& hierarchy, const CaseTask& task,
                   const CaseOptions& options = {}, const GivenAutomaton* given = nullptr);
 

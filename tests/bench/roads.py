@@ -1,9 +1,9 @@
-"""Landmarks in order past areas to avoid, on roads of a made-up country: by a hierarchy, without one, and on the product.
+"""Landmarks in order past areas to avoid, on roads of a country: by a hierarchy, without one, and on the product.
 
 roads.py WAYMARK [--nodes N,N,…] [--tasks N] [--seed S] [--rounds N] [--product N] [--folder DIR]
 
-A country is drawn by `waymark generate roads` and preprocessed. A task goes to six landmarks in an order drawn at random
-and avoids x all the way, `!x U (a & (!x U (b & …)))`; every other task also stays out of y from its third landmark on.
+A country is drawn by `waymark generate roads` and preprocessed. A task goes to six landmarks in a random order and
+avoids x all the way, `!x U (a & (!x U (b & …)))`; every other task also stays out of y from its third landmark on.
 Each task is planned with the hierarchy in a file, after reading the roads alone, and, where the country has no more
 nodes than --product says, by Dijkstra over the product with the same roads as an explicit model. Values must be equal.
 Prints medians over tasks and rounds; seconds of a task are those of the process after loading, formula to certified
@@ -70,7 +70,8 @@ def measure(chosen, nodes, prefix):
     text, wall, peak = run([chosen.waymark, "preprocess", roads, "--out", hierarchy, "--json"])
     made = json.loads(text)
     print(f"| {nodes:,} | preprocess, once: {made['hierarchy_arcs']:,} arcs, core {made['core']:,} "
-          f"| {made['seconds']['read']:.2f} | {made['seconds']['contract']:.1f} | – | – | {peak / nodes:.0f} |", flush=True)
+          f"| {made['seconds']['read']:.2f} | {made['seconds']['contract']:.1f} | – | – | {peak / nodes:.0f} |",
+          flush=True)
     rng = random.Random(chosen.seed)
     ways = {"hierarchy in a file": ["--hierarchy", hierarchy], "roads alone": []}
     if nodes <= chosen.product:

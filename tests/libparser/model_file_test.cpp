@@ -11,8 +11,8 @@
 #include <variant>
 
 #include "libltl/diagnostic.hpp"
-#include "libparser/model/weights_bytes.hpp"
 #include "libltl/text/xxhash.hpp"
+#include "libparser/model/weights_bytes.hpp"
 
 namespace waymark::parser {
 namespace {

@@ -3,8 +3,8 @@
 
 #include <iostream>
 
-#include "libparser/experiment/evaluate.hpp"
 #include "libltl/text/xxhash.hpp"
+#include "libparser/experiment/evaluate.hpp"
 #include "tools/shell/input.hpp"
 #include "tools/shell/learning.hpp"
 #include "tools/shell/models.hpp"

@@ -21,8 +21,8 @@
 #include <vector>
 
 #include "libltl/diagnostic.hpp"
-#include "libltl/vocabulary.hpp"
 #include "libltl/text/xxhash.hpp"
+#include "libltl/vocabulary.hpp"
 #include "tools/shell/help_page.hpp"
 #include "tools/shell/input.hpp"
 #include "tools/shell/interrupt.hpp"
@@ -160,8 +160,7 @@ std::string settings_of(const CLI::App& command, const std::set<std::string>& wi
       out << '\n';
     }
   }
-  out << "version " << WAYMARK_VERSION << "\nprogram " << hexadecimal(ltl::xxh64(read_file("/proc/self/exe")))
-      << '\n';
+  out << "version " << WAYMARK_VERSION << "\nprogram " << hexadecimal(ltl::xxh64(read_file("/proc/self/exe"))) << '\n';
   return out.str();
 }
 

@@ -78,9 +78,12 @@ class Country {
 
   void write(std::ostream& gr, std::ostream& co, std::ostream& lab) const {
     std::size_t arcs = 0;
-    for (std::size_t s = 0; s < mesh_.streets.size(); ++s) arcs += (shapes_[s] + 1U) * (mesh_.streets[s].one_way ? 1 : 2);
+    for (std::size_t s = 0; s < mesh_.streets.size(); ++s)
+      arcs += (shapes_[s] + 1U) * (mesh_.streets[s].one_way ? 1 : 2);
     NumberLines roads(gr), places(co), labels(lab);
-    roads.word("c a country of waymark generate roads, seed ").number(recipe_.seed).word("; costs in tenths of seconds");
+    roads.word("c a country of waymark generate roads, seed ")
+        .number(recipe_.seed)
+        .word("; costs in tenths of seconds");
     roads.end();
     roads.word("p sp ").number(recipe_.nodes).word(" ").number(arcs).end();
     places.word("p aux sp co ").number(recipe_.nodes).end();
@@ -124,7 +127,8 @@ class Country {
   }
 
   std::pair<double, double> place(std::size_t street, std::uint32_t shape) const {
-    const RoadMesh::Junction &a = mesh_.junctions[mesh_.streets[street].a], &b = mesh_.junctions[mesh_.streets[street].b];
+    const RoadMesh::Junction &a = mesh_.junctions[mesh_.streets[street].a],
+                             &b = mesh_.junctions[mesh_.streets[street].b];
     const double t = static_cast<double>(shape) / (shapes_[street] + 1);
     return {a.x + t * (b.x - a.x), a.y + t * (b.y - a.y)};
   }
@@ -158,7 +162,8 @@ class Country {
     }
   }
 
-  void write_place(std::uint32_t node, double x, double y, std::uint32_t junction, NumberLines& places, NumberLines& labels) const {
+  void write_place(std::uint32_t node, double x, double y, std::uint32_t junction, NumberLines& places,
+                   NumberLines& labels) const {
     places.word("v ").number(node).word(" ").number(static_cast<std::uint64_t>(x)).word(" ");
     places.number(static_cast<std::uint64_t>(y)).end();
     const auto stop = junction == none ? stops_.end() : std::find(stops_.begin(), stops_.end(), junction);
@@ -180,8 +185,8 @@ class Country {
     const std::uint32_t pieces = shapes_[s] + 1U;
     // Streets bend: up to a third longer than straight lines, by a number that belongs to the street.
     const double bend = 1 + static_cast<double>((s * 2654435761U) % 1000U) / 3000;
-    const double tenths = 10 * bend * std::hypot(b.x - a.x, b.y - a.y) / pieces /
-                          metres_a_second[static_cast<std::size_t>(street.kind)];
+    const double tenths =
+        10 * bend * std::hypot(b.x - a.x, b.y - a.y) / pieces / metres_a_second[static_cast<std::size_t>(street.kind)];
     const auto cost = static_cast<std::uint64_t>(std::max(1.0, std::nearbyint(tenths)));
     // Its shape points follow those of the streets before it that begin at the same junction.
     std::uint32_t first = number_[street.a] + 1;
@@ -210,7 +215,8 @@ class Country {
 }  // namespace
 
 void generate_roads(const RoadRecipe& recipe, std::ostream& gr, std::ostream& co, std::ostream& lab) {
-  if (recipe.nodes < 100 || recipe.nodes > 500'000'000) throw std::invalid_argument("expected 100 to 500,000,000 nodes");
+  if (recipe.nodes < 100 || recipe.nodes > 500'000'000)
+    throw std::invalid_argument("expected 100 to 500,000,000 nodes");
   if (recipe.landmarks > RoadRecipe::most_landmarks) throw std::invalid_argument("expected at most 20 landmarks");
   if (!(recipe.avoided >= 0 && recipe.avoided <= 0.3)) throw std::invalid_argument("expected a part from 0 to 0.3");
   Country(recipe).write(gr, co, lab);

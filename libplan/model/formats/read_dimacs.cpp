@@ -151,8 +151,9 @@ void read_labels(std::istream& lab, const std::string& source, std::string_view 
   parts.letters = Letters(vocabulary);
   parts.letters.intern({});
   std::uint64_t number = 0;
-  const bool numbered = std::from_chars(start.data(), start.data() + start.size(), number).ptr ==
-                            start.data() + start.size() && !start.empty();
+  const bool numbered =
+      std::from_chars(start.data(), start.data() + start.size(), number).ptr == start.data() + start.size() &&
+      !start.empty();
   std::optional<std::uint32_t> named, first;
   const std::string_view wanted = start.empty() ? "init" : start;
   while (in.next()) {
@@ -200,13 +201,15 @@ RoadGraph read_dimacs(const std::filesystem::path& gr, std::string_view start) {
 
 void write_dimacs(std::ostream& gr, std::ostream& lab, const StateLabelled& model) {
   const Mdp& mdp = model.mdp;
-  if (!mdp.is_deterministic()) throw std::invalid_argument("DIMACS roads have no chances: the model is not deterministic");
+  if (!mdp.is_deterministic())
+    throw std::invalid_argument("DIMACS roads have no chances: the model is not deterministic");
   bool whole = true;
   for (std::uint32_t s = 0; s < mdp.states(); ++s)
-    for (std::uint32_t k = 0; k < mdp.choices(s); ++k) whole = whole && std::nearbyint(mdp.cost(s, k)) == mdp.cost(s, k);
+    for (std::uint32_t k = 0; k < mdp.choices(s); ++k)
+      whole = whole && std::nearbyint(mdp.cost(s, k)) == mdp.cost(s, k);
   const double scale = whole ? 1 : 100;
-  gr << "c nodes are the states of the model, counted from 1; costs in " << (whole ? "its unit" : "hundredths of its unit")
-     << "\np sp " << mdp.states() << ' ' << mdp.choices() << '\n';
+  gr << "c nodes are the states of the model, counted from 1; costs in "
+     << (whole ? "its unit" : "hundredths of its unit") << "\np sp " << mdp.states() << ' ' << mdp.choices() << '\n';
   lab << "0=\"init\"";
   const ltl::Vocabulary& names = mdp.letters().vocabulary();
   for (std::size_t p = 0; p < names.size(); ++p) lab << ' ' << p + 1 << "=\"" << names.names()[p] << '"';

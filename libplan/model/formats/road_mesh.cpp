@@ -9,18 +9,18 @@
 namespace waymark::plan {
 namespace {
 
-constexpr unsigned deepest = 16;                    // divisions: the sides of squares are 2^(16 − depth) units
-constexpr std::uint32_t units = 1U << deepest;      // of the whole side
-constexpr std::uint32_t raster = 256;               // squares a side in which density is constant
-constexpr double country_block = 900;               // metres between junctions far from towns
-constexpr double kept_besides_tree = 0.37;          // chance of a street that the tree does not need
-constexpr double one_way = 0.06;                    // chance of such a street in a town
+constexpr unsigned deepest = 16;                // divisions: the sides of squares are 2^(16 − depth) units
+constexpr std::uint32_t units = 1U << deepest;  // of the whole side
+constexpr std::uint32_t raster = 256;           // squares a side in which density is constant
+constexpr double country_block = 900;           // metres between junctions far from towns
+constexpr double kept_besides_tree = 0.37;      // chance of a street that the tree does not need
+constexpr double one_way = 0.06;                // chance of such a street in a town
 constexpr double junctions_a_town = 4000;
 
 struct Town {
-  double x, y;      // of the side
-  double radius;    // of the side
-  double divisions; // more in its middle
+  double x, y;       // of the side
+  double radius;     // of the side
+  double divisions;  // more in its middle
 };
 
 struct Square {
@@ -72,9 +72,10 @@ class Mesh {
     const auto count = static_cast<std::size_t>(std::max(4.0, junctions / junctions_a_town));
     for (std::size_t i = 0; i < count; ++i) {
       const double size = 1 / std::sqrt(static_cast<double>(i + 1));
-      towns_.push_back({0.02 + 0.96 * random_.unit(), 0.02 + 0.96 * random_.unit(),
-                        0.35 * size / std::sqrt(static_cast<double>(count)) + 0.08 / std::sqrt(static_cast<double>(count)),
-                        2.5 + 1.5 * size});
+      towns_.push_back(
+          {0.02 + 0.96 * random_.unit(), 0.02 + 0.96 * random_.unit(),
+           0.35 * size / std::sqrt(static_cast<double>(count)) + 0.08 / std::sqrt(static_cast<double>(count)),
+           2.5 + 1.5 * size});
     }
     denser_.assign(std::size_t{raster} * raster, 0);
     for (const Town& town : towns_)

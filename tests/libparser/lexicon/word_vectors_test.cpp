@@ -6,9 +6,9 @@
 #include <optional>
 
 #include "libltl/diagnostic.hpp"
+#include "libltl/text/xxhash.hpp"
 #include "libparser/model/mapped_file.hpp"
 #include "libparser/model/whole_file.hpp"
-#include "libltl/text/xxhash.hpp"
 #include "tests/libparser/lifted/few_words.hpp"
 
 namespace waymark::parser {

@@ -61,8 +61,8 @@ TEST(Dimacs, RefusesWithTheLine) {
   for (const auto& [gr, line] : wrong) EXPECT_EQ(message(gr, lab).substr(0, line.size()), line) << gr;
   const std::string gr = "p sp 2 1\na 1 2 1\n";
   EXPECT_EQ(message(gr, lab), "read");
-  for (const char* labels : {"", "0=\"init\"\n1: 0\n", "1=\"a\"\n3: 1\n", "1=\"a\"\n0: 1\n", "1=\"a\"\n1: 2\n", "1=\"a\"\n",
-                             "1=\"a\" 1=\"b\"\n1: 1\n"})
+  for (const char* labels : {"", "0=\"init\"\n1: 0\n", "1=\"a\"\n3: 1\n", "1=\"a\"\n0: 1\n", "1=\"a\"\n1: 2\n",
+                             "1=\"a\"\n", "1=\"a\" 1=\"b\"\n1: 1\n"})
     EXPECT_NE(message(gr, labels), "read") << labels;
   EXPECT_NE(message(gr, lab, "b").find("did you mean 'a'?"), std::string::npos);
   EXPECT_NE(message(gr, lab, "3").find("no node or label"), std::string::npos);
@@ -80,7 +80,8 @@ TEST(Dimacs, WritesWhatItReads) {
     for (const char* formula : {"F a", "!x U (a & F b)", "F x & F b"}) {
       const CaseTask task{"", formula, CaseTask::Logic::Ltlf, CaseTask::Query::MinSteps};
       EXPECT_EQ(answer(again, *contract(again), task).value.upper, answer(graph, *contract(graph), task).value.upper)
-          << formula << '\n' << show(graph);
+          << formula << '\n'
+          << show(graph);
     }
   }
 }

@@ -39,7 +39,8 @@ inline RoadGraph random_roads(ltl::Random& random, const RandomRoads& shape) {
     parts.arcs.push_back({static_cast<std::uint32_t>(v), static_cast<std::uint32_t>(cost)});
   };
   while (parts.arcs.size() < shape.arcs) {
-    const std::size_t u = random.below(shape.nodes), v = random.below(shape.nodes), cost = random.below(shape.most_cost);
+    const std::size_t u = random.below(shape.nodes), v = random.below(shape.nodes),
+                      cost = random.below(shape.most_cost);
     add(u, v, cost);
     if (random.chance(shape.two_way)) add(v, u, cost);
   }

@@ -101,8 +101,9 @@ TEST(RoadLegs, AreTheLeastInEverySubgraphThatBarriersLeave) {
         legs.for_each_reached([&](std::uint32_t node, std::uint64_t cost) { found[node] = cost; });
         for (std::uint32_t v = 0; v < nodes; ++v)
           if (role[graph.letter(v).index] == Role::Leads) {
-            ASSERT_EQ(found[v], expected[v]) << "case " << i << ", from " << RoadGraph::name(source) << " to "
-                                             << RoadGraph::name(v) << '\n' << show(graph);
+            ASSERT_EQ(found[v], expected[v])
+                << "case " << i << ", from " << RoadGraph::name(source) << " to " << RoadGraph::name(v) << '\n'
+                << show(graph);
           }
       }
     }

@@ -88,7 +88,8 @@ TEST(RoadSearch, AgreesOnToursWithOrderAndAvoidance) {
 
 // All graphs of three nodes with a line and labels from {∅, a, x}: every arc there or not, costs 1 to 3 by position.
 TEST(RoadSearch, AgreesOnAllSmallGraphs) {
-  const std::vector<std::string> tasks{"!x U a", "F(a & X F a)", "F a & G !x", "F(a & X(!a U x))", "X X a", "F x & F a"};
+  const std::vector<std::string> tasks{"!x U a",           "F(a & X F a)", "F a & G !x",
+                                       "F(a & X(!a U x))", "X X a",        "F x & F a"};
   for (std::uint32_t arcs = 0; arcs < 64; ++arcs)
     for (std::uint32_t labels = 0; labels < 27; ++labels) {
       RoadGraph::Parts parts;
@@ -118,14 +119,15 @@ TEST(RoadSearch, AgreesOnAllSmallGraphs) {
 TEST(RoadTask, AnswersAsOnTheModel) {
   ltl::Random random(3);
   for (int i = 0; i < 300; ++i) {
-    const RoadGraph graph = random_roads(random, {.nodes = static_cast<std::uint32_t>(2 + random.below(12)), .arcs = 20});
+    const RoadGraph graph =
+        random_roads(random, {.nodes = static_cast<std::uint32_t>(2 + random.below(12)), .arcs = 20});
     const auto hierarchy = contract(graph);
     const PlanningCase model{"roads", model_of(graph), {}};
     ltl::Arena arena(graph.letters().vocabulary());
     const ltl::Formula f = ltl::random_formula(random, arena, {.size = 1 + random.below(8), .atoms = 3});
     for (const auto query : {CaseTask::Query::MinCost, CaseTask::Query::MinSteps}) {
-      const CaseTask task{"", ltl::print(f), query == CaseTask::Query::MinCost ? CaseTask::Logic::Ltl : CaseTask::Logic::Ltlf,
-                          query};
+      const CaseTask task{"", ltl::print(f),
+                          query == CaseTask::Query::MinCost ? CaseTask::Logic::Ltl : CaseTask::Logic::Ltlf, query};
       const CaseAnswer expected = answer(model, task, {.method = CaseMethod::Search});
       const CaseAnswer found = answer(graph, *hierarchy, task, {.method = CaseMethod::Search, .route = true});
       ASSERT_EQ(found.status, expected.status) << task.formula << '\n' << show(graph);
