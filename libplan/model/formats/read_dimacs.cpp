@@ -62,6 +62,8 @@ class ArcReader {
     if (nodes_ == 0) fail("expected a line p sp NODES ARCS");
     if (parts_.arcs.size() != arcs_)
       fail("expected " + std::to_string(arcs_) + " arcs, there are " + std::to_string(parts_.arcs.size()));
+    if (nodes_ > 1'000'000 + 16 * arcs_)
+      fail("expected at most a million nodes, and 16 more for each arc");  // memory for nodes that a small file claims
     parts_.letter.assign(nodes_, 0);
     return std::move(parts_);
   }

@@ -16,7 +16,8 @@ namespace waymark::plan {
 
 // `start`: a number of a node, or a label; empty: the node with the label "init", else the first with any label.
 // O(bytes), 26 bytes an arc at most. Throws ltl::FormatError with the line: no such file, a line of another kind, an
-// arc between nodes that do not exist, another number of arcs than promised, no label at all, no such start.
+// arc between nodes that do not exist, another number of arcs than promised, many more nodes than arcs, no label at
+// all, no such start.
 RoadGraph read_dimacs(const std::filesystem::path& gr, std::string_view start = "");
 // The same from streams; `source` names the roads in errors.
 RoadGraph parse_dimacs(std::istream& gr, std::istream& lab, std::string_view source, std::string_view start = "");

@@ -54,6 +54,7 @@ TEST(Dimacs, RefusesWithTheLine) {
       {"p sp 2 0\na 1 2 1\n", "2: "},
       {"p sp 0 0\n", "1: "},
       {"p sp 2000000000 0\n", "1: "},
+      {"p sp 1000000000 0\n", "2: "},
       {"p max 2 0\n", "1: "},
       {"p sp 2 0\np sp 2 0\n", "2: "},
       {"p sp 2 0\nx\n", "2: "},
