@@ -77,7 +77,7 @@ bool is_on_roads(const CaseChoice& choice) {
          (choice.constants + choice.rewards).empty() && (choice.method == "best" || choice.method == "search");
 }
 
-plan::RoadHierarchy hierarchy_of(const plan::RoadGraph& graph, plan::ContractionOptions options) {
+plan::RoadHierarchy hierarchy_of(const plan::RoadGraph& graph, const plan::ContractionOptions& options) {
   try {
     auto hierarchy = plan::contract(graph, options);
     if (!hierarchy) throw Interrupted();

@@ -18,7 +18,7 @@ bool is_road_file(const CaseChoice& choice);  // is the model FILE.gr?
 bool is_on_roads(const CaseChoice& choice);
 
 // Throws Interrupted; UsageError for roads whose costs are too large.
-plan::RoadHierarchy hierarchy_of(const plan::RoadGraph& graph, plan::ContractionOptions options);
+plan::RoadHierarchy hierarchy_of(const plan::RoadGraph& graph, const plan::ContractionOptions& options);
 
 ExitCode plan_roads(const CaseChoice& choice, const std::string& start, const TextOptions& formulas,
                     const Session& session);

@@ -79,7 +79,7 @@ class Country {
   void write(std::ostream& gr, std::ostream& co, std::ostream& lab) const {
     std::size_t arcs = 0;
     for (std::size_t s = 0; s < mesh_.streets.size(); ++s)
-      arcs += (shapes_[s] + 1U) * (mesh_.streets[s].one_way ? 1 : 2);
+      arcs += (std::size_t{shapes_[s]} + 1) * (mesh_.streets[s].one_way ? 1 : 2);
     NumberLines roads(gr), places(co), labels(lab);
     roads.word("c a country of waymark generate roads, seed ")
         .number(recipe_.seed)
