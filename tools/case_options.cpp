@@ -82,10 +82,14 @@ void add_case_options(Command command, CaseChoice& choice) {
   command.add_option("--case", choice.file, "a planning case (ltlgrid/1 or ltlmap/1) instead of a formula and a map")
       .type_name("FILE");
   command
-      .add_option(
-          "--model", choice.model,
-          "a formula's value on another model than a map: PRISM's FILE.nm or FILE.tra, FILE.jani, roads (FILE.osm, "
-          "FILE.geojson, FILE.graphml), a street graph or planning case (JSON), a transition system (YAML)")
+      .add_option("--model", choice.model,
+                  "a formula's value on another model than a map: PRISM's FILE.nm or FILE.tra, FILE.jani, roads "
+                  "(FILE.gr, FILE.osm, "
+                  "FILE.geojson, FILE.graphml), a street graph or planning case (JSON), a transition system (YAML)")
+      .type_name("FILE");
+  command
+      .add_option("--hierarchy", choice.hierarchy,
+                  "with --model FILE.gr: what waymark preprocess made of it; none: search the product instead")
       .type_name("FILE");
   command
       .add_option("--query", choice.query,

@@ -16,6 +16,7 @@ struct CaseChoice {
   std::string strategy;                 // a file for it; empty: none
   std::string strategy_format = "waymark";
   std::string constants, rewards, properties;  // of a model in the language of PRISM
+  std::string hierarchy;                       // of a model of roads: a file; "none"; empty: made after reading
   std::string scheduler;                       // a file to read: the model's choices; empty: they are free
   std::string order = "prefix";                // of lassos
   std::size_t top = 1;

@@ -256,7 +256,7 @@ Runner setup_compose(Command command) {
       .add_option("--format", options->output.format,
                   "sizes for people, sizes as JSON, or the graph: for Graphviz, in PRISM's language, as PRISM's "
                   "explicit files, as JANI; as the parity game of infinite words")
-      .one_of({"text", "json", "dot", "prism", "explicit", "jani", "pgsolver"})
+      .one_of({"text", "json", "dot", "prism", "explicit", "jani", "dimacs", "pgsolver"})
       .show_default();
   command.add_flag("--graph", options->output.graph, "with --format json: states and choices as well");
   command

@@ -1,10 +1,13 @@
 #include "tools/compose_model.hpp"
 
 #include <ostream>
+#include <sstream>
+#include <stdexcept>
 #include <variant>
 
 #include "libautomata/translation/ltl_to_parity.hpp"
 #include "libltl/rewriting/simplify.hpp"
+#include "libplan/model/formats/read_dimacs.hpp"
 #include "libplan/model/formats/write_jani.hpp"
 #include "libplan/model/prism/write_prism.hpp"
 #include "libplan/product/explicit_product.hpp"
@@ -80,6 +83,18 @@ void write_explicit(const StateLabelled& model, const std::string& prefix) {
   write_file(prefix + (files.rewards_on_states ? ".srew" : ".trew"), files.rewards);
 }
 
+void write_roads(const StateLabelled& model, const std::string& prefix) {
+  if (prefix.empty()) throw UsageError("--format dimacs is two files: give their prefix by --out");
+  std::ostringstream roads, labels;
+  try {
+    plan::write_dimacs(roads, labels, model);
+  } catch (const std::invalid_argument& error) {
+    throw UsageError(error.what());
+  }
+  write_file(prefix + ".gr", roads.str());
+  write_file(prefix + ".lab", labels.str());
+}
+
 void write_text(const std::string& text, const std::string& prefix, const char* suffix, std::ostream& out) {
   if (prefix.empty())
     out << text;
@@ -92,6 +107,7 @@ void write_graph(const StateLabelled& model, const std::string& name, const Grap
   if (output.format == "dot") print_dot(model, out);
   if (output.format == "explicit") write_explicit(model, output.out);
   if (output.format == "prism") write_text(plan::write_prism(model), output.out, ".nm", out);
+  if (output.format == "dimacs") write_roads(model, output.out);
   if (output.format == "jani") write_text(plan::write_jani(model, name), output.out, ".jani", out);
 }
 

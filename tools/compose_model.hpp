@@ -9,12 +9,14 @@
 namespace waymark::tools {
 
 struct GraphOutput {
-  std::string format = "text";  // text, json, dot, prism, explicit, jani, pgsolver
+  std::string format = "text";  // text, json, dot, prism, explicit, jani, dimacs, pgsolver
   std::string out;              // a prefix of files
   bool graph = false;           // json: not only the sizes
   std::string svg = {};         // a file for the picture; empty: none
   // The whole model for another tool, one product at a time.
-  bool writes_model() const { return format == "prism" || format == "explicit" || format == "jani" || is_game(); }
+  bool writes_model() const {
+    return format == "prism" || format == "explicit" || format == "jani" || format == "dimacs" || is_game();
+  }
   bool is_game() const { return format == "pgsolver"; }
 };
 

@@ -37,6 +37,7 @@ Runner setup_corpus(Command);
 Runner setup_move(Command);
 Runner setup_map(Command);
 Runner setup_generate(Command);
+Runner setup_preprocess(Command);
 Runner setup_draw(Command);
 Runner setup_patterns(Command);
 Runner setup_random(Command);
@@ -110,6 +111,10 @@ constexpr std::array rows{
     Subcommand{"generate", generate_summary, setup_generate,
                "generate map --kind maze --width 20 --height 20 --seed 3\n"
                "generate map --kind hallway --landmarks 4"},
+    Subcommand{"preprocess", "roads → a contraction hierarchy, by which tasks on them are planned in milliseconds",
+               setup_preprocess,
+               "preprocess country.gr --out country.ch\n"
+               "preprocess town.gr --json"},
     Subcommand{"patterns", "specification patterns by name → formula", setup_patterns,
                "patterns --list\n"
                "patterns response-globally p s"},

@@ -14,6 +14,7 @@
 #include "tools/picture.hpp"
 #include "tools/plan_case.hpp"
 #include "tools/plan_properties.hpp"
+#include "tools/plan_roads.hpp"
 #include "tools/plan_walk.hpp"
 #include "tools/shell/batch.hpp"
 #include "tools/shell/noise.hpp"
@@ -172,6 +173,9 @@ void check(const PlanCommandOptions& options) {
     throw UsageError("--strategy-format prism and storm, and --scheduler, go with --model");
   if (choice.model.empty() && !(choice.constants + choice.rewards + choice.properties).empty())
     throw UsageError("--const, --rewards and --properties go with --model");
+  if (!choice.hierarchy.empty() && !is_road_file(choice)) throw UsageError("--hierarchy goes with --model FILE.gr");
+  if (!choice.hierarchy.empty() && choice.hierarchy != "none" && !is_on_roads(choice))
+    throw UsageError("--hierarchy goes with --query rmin and steps, for one route found by search");
   if (!choice.properties.empty() &&
       (gives_formula(options) || !options.automaton.empty() || !choice.query.empty() || !choice.rewards.empty() ||
        !choice.strategy.empty() || !choice.scheduler.empty() || choice.top > 1))
@@ -194,6 +198,7 @@ ExitCode run_plan(const PlanCommandOptions& options, const Session& session) {
     return plan_case(choice, session);
   }
   if (!choice.properties.empty()) return plan_properties(choice, session);
+  if (is_on_roads(choice)) return plan_roads(choice, options.start, options.text, session);
   if (!choice.model.empty())
     return plan_model(read_model(choice, options.start, session.stop), choice, options.text, session);
   if (options.noise.given()) return plan_model(noisy_map(options), choice, options.text, session);

@@ -4,12 +4,17 @@
 #include <string>
 
 #include "libplan/model/formats/read_case.hpp"
+#include "libplan/solve/case_task.hpp"
 #include "tools/case_options.hpp"
 #include "tools/shell/exit_code.hpp"
 #include "tools/shell/input.hpp"
 #include "tools/shell/subcommand.hpp"
 
 namespace waymark::tools {
+
+plan::CaseMethod method_of(const std::string& name);  // "best", "search", "vi", "pi"
+// A formula as a task, by the query that was chosen.
+plan::CaseTask task_of(const Text& text, const CaseChoice& choice);
 
 ExitCode plan_case(const CaseChoice& choice, const Session& session);
 // --model of a choice within its seconds. Throws as plan::read_model, GaveUp and Interrupted.

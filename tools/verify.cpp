@@ -257,7 +257,7 @@ ExitCode verdict_of(const std::vector<Claim>& claims) {
   return code;
 }
 
-const char* in_words(ExitCode verdict) {
+const char* verdict_in_words(ExitCode verdict) {
   if (verdict == ExitCode::Done) return "verified";
   return verdict == ExitCode::No ? "refuted" : "undecided";
 }
@@ -272,10 +272,11 @@ ExitCode verify_one(const Text& text, const VerifyOptions& options, const plan::
     JsonArray list;
     for (const Claim& claim : claims)
       list.add(JsonObject().add("claim", claim.text).add("holds", claim.holds ? Json(*claim.holds) : Json()));
-    std::cout << JsonObject().add("verdict", in_words(verdict)).add("claims", list).text() << '\n';
+    std::cout << JsonObject().add("verdict", verdict_in_words(verdict)).add("claims", list).text() << '\n';
     return verdict;
   }
-  std::cout << session.out.paint(verdict == ExitCode::Done ? Paint::Green : Paint::Red, in_words(verdict)) << '\n';
+  std::cout << session.out.paint(verdict == ExitCode::Done ? Paint::Green : Paint::Red, verdict_in_words(verdict))
+            << '\n';
   for (const Claim& claim : claims)
     std::cout << "  " << (claim.holds ? (*claim.holds ? "true   " : "false  ") : "?      ") << claim.text << '\n';
   return verdict;

@@ -12,9 +12,9 @@
 #include <sstream>
 
 #include "libltl/diagnostic.hpp"
+#include "libltl/text/xxhash.hpp"
 #include "libparser/model/weights_bytes.hpp"
 #include "libparser/model/whole_file.hpp"
-#include "libparser/model/xxhash.hpp"
 
 namespace waymark::parser {
 namespace {
@@ -23,7 +23,7 @@ constexpr const char *settings_name = "settings.txt", *claims_name = "claims";
 
 std::string checked(const std::string& text) {
   std::array<char, 16> digits{};
-  const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), xxh64(text), 16).ptr;
+  const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), ltl::xxh64(text), 16).ptr;
   return "xxh64 " + std::string(digits.data(), end) + '\n' + text;
 }
 
@@ -80,7 +80,7 @@ std::optional<Claim> Checkpoints::claim(const std::string& name) const {
   struct flock lock {};
   lock.l_type = F_WRLCK;
   lock.l_whence = SEEK_SET;
-  lock.l_start = static_cast<off_t>(xxh64(name) >> 2U);
+  lock.l_start = static_cast<off_t>(ltl::xxh64(name) >> 2U);
   lock.l_len = 1;
   if (claim.file_ >= 0 && ::fcntl(claim.file_, F_OFD_SETLK, &lock) != 0 && (errno == EAGAIN || errno == EACCES))
     return std::nullopt;

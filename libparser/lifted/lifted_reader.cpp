@@ -7,7 +7,7 @@
 #include <map>
 
 #include "libltl/diagnostic.hpp"
-#include "libparser/model/xxhash.hpp"
+#include "libltl/text/xxhash.hpp"
 
 namespace waymark::parser {
 namespace {
@@ -23,7 +23,7 @@ std::string_view unsealed(std::string_view bytes, std::string_view source) {
   if (bytes.size() < seal || bytes.substr(bytes.size() - seal, word.size()) != word) return bytes;
   std::memcpy(&sum, bytes.data() + bytes.size() - sizeof sum, sizeof sum);
   bytes.remove_suffix(seal);
-  if (sum != xxh64(bytes))
+  if (sum != ltl::xxh64(bytes))
     throw ltl::FormatError(std::string(source), 0, 0, "the word vectors are damaged: their checksum does not fit");
   return bytes;
 }

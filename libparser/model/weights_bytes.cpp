@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "libltl/diagnostic.hpp"
-#include "libparser/model/xxhash.hpp"
+#include "libltl/text/xxhash.hpp"
 
 namespace waymark::parser {
 namespace {
@@ -129,7 +129,7 @@ void WeightsWriter::table(const WeightTable& table, double threshold) {
 }
 
 std::string WeightsWriter::finish() {
-  number(xxh64(bytes_));
+  number(ltl::xxh64(bytes_));
   return std::move(bytes_);
 }
 
@@ -143,7 +143,7 @@ WeightsReader::WeightsReader(std::shared_ptr<const MappedFile> file, std::string
          std::to_string(ModelHeader::version) + ": train the model again with waymark train");
   const auto sum = read_at<std::uint64_t>(bytes_, bytes_.size() - checksum_bytes);
   bytes_.remove_suffix(checksum_bytes);
-  if (bytes_.size() % 8 != 0 || sum != xxh64(bytes_)) fail("the model file is damaged: its checksum does not fit");
+  if (bytes_.size() % 8 != 0 || sum != ltl::xxh64(bytes_)) fail("the model file is damaged: its checksum does not fit");
   const auto kind = read_at<std::uint16_t>(bytes_, 12), dialect = read_at<std::uint16_t>(bytes_, 14);
   if (dialect > 1) fail("is a model file of an unknown kind");
   header_ = {kind, static_cast<Dialect>(dialect)};

@@ -9,13 +9,10 @@
 
 #include "libautomata/finite/dfa.hpp"
 #include "libltl/limits.hpp"
-#include "libltl/meaning/semantics.hpp"
-#include "libltl/meaning/trace_check.hpp"
 #include "libltl/rewriting/simplify.hpp"
-#include "libltl/structure/fragment.hpp"
 #include "libltl/text/parse.hpp"
 #include "libltl/text/print.hpp"
-#include "libplan/product/alphabet_classes.hpp"
+#include "libplan/solve/certify_word.hpp"
 #include "libplan/solve/discounted.hpp"
 #include "libplan/solve/drop_conjuncts.hpp"
 #include "libplan/solve/greatest_cost.hpp"
@@ -162,7 +159,7 @@ class TaskSolver {
     answer_.value = {tour.cost, tour.cost};
     if (!options_.route || !f) return;
     const ChoiceRoute route = walk(model_, tour);
-    certify_walk(route, *f);
+    certify_word(word_of(model_, route), *f, task_.logic);
     answer_.routes.push_back(named(model_, route));
   }
 
@@ -198,26 +195,9 @@ class TaskSolver {
 
   // Without a formula by a run of the automaton.
   void certify_route(const ChoiceRoute& route, const TaskAutomaton& automaton, std::optional<ltl::Formula> f) const {
-    if (f) return certify_walk(route, *f);
     const ltl::Trace word = word_of(model_, route);
-    const auto& dfa = std::get<automata::Dfa>(automaton);
-    const ltl::Trace read(as_read({word.begin(), word.end()}, arena_.vocabulary(), dfa.vocabulary(), dfa.reads()));
-    if (!automata::accepts(dfa, read)) throw std::logic_error("a route that the automaton does not accept");
-  }
-
-  // By the definition, not by the automaton: the finite word satisfies f, and so, of a co-safe f without X, does all
-  // that begins with it. Of another good prefix the word that stands still in its last letter is tried.
-  void certify_walk(const ChoiceRoute& route, ltl::Formula f) const {
-    const ltl::Trace word = word_of(model_, route);
-    const std::vector<ltl::Letter> letters(word.begin(), word.end());
-    const bool finite =
-        is_finite(f) && (task_.logic != Logic::Ltl || ltl::fragments(f, ltl::Semantics::Infinite).next_free);
-    const auto holds_of_word = [&] {
-      if (ltl::has_past(f)) return ltl::holds(word, f);
-      return ltl::TraceCheck(f)(ltl::Columns(word, arena_.vocabulary().size()));
-    };
-    const bool holds = finite ? holds_of_word() : ltl::holds(ltl::Lasso(letters, {letters.back()}), f);
-    if (!holds) throw std::logic_error("a route whose word does not satisfy " + ltl::print(f));
+    if (f) return certify_word(word, *f, task_.logic);
+    certify_word(word, arena_.vocabulary(), std::get<automata::Dfa>(automaton));
   }
 
   void lasso(const automata::Automaton& automaton, std::optional<ltl::Formula> f, Clock& clock) {

@@ -7,7 +7,7 @@
 #include <string_view>
 
 #include "libltl/diagnostic.hpp"
-#include "libparser/model/xxhash.hpp"
+#include "libltl/text/xxhash.hpp"
 #include "libparser/model_file.hpp"
 
 namespace {
@@ -16,7 +16,7 @@ using namespace waymark;
 
 // With the checksum that the reader asks for.
 std::string sealed(std::string body) {
-  const std::uint64_t sum = parser::xxh64(body);
+  const std::uint64_t sum = ltl::xxh64(body);
   for (std::size_t k = 0; k < 8; ++k) body += static_cast<char>(sum >> (8 * k) & 0xFFU);
   return body;
 }

@@ -11,8 +11,8 @@
 #include <variant>
 
 #include "libltl/diagnostic.hpp"
+#include "libltl/text/xxhash.hpp"
 #include "libparser/model/weights_bytes.hpp"
-#include "libparser/model/xxhash.hpp"
 
 namespace waymark::parser {
 namespace {
@@ -131,10 +131,10 @@ TEST(WeightsFile, FindsTheFeaturesThatAreThereAndNoOthers) {
 }
 
 TEST(WeightsFile, TheChecksumIsXxh64) {  // against values of the reference implementation
-  EXPECT_EQ(xxh64(""), 0xEF46DB3751D8E999U);
-  EXPECT_EQ(xxh64("a"), 0xD24EC4F1A98C6E5BU);
-  EXPECT_EQ(xxh64("abc"), 0x44BC2CF5AD770999U);
-  EXPECT_EQ(xxh64("Nobody inspects the spammish repetition"), 0xFBCEA83C8A378BF1U);
+  EXPECT_EQ(ltl::xxh64(""), 0xEF46DB3751D8E999U);
+  EXPECT_EQ(ltl::xxh64("a"), 0xD24EC4F1A98C6E5BU);
+  EXPECT_EQ(ltl::xxh64("abc"), 0x44BC2CF5AD770999U);
+  EXPECT_EQ(ltl::xxh64("Nobody inspects the spammish repetition"), 0xFBCEA83C8A378BF1U);
 }
 
 TEST(WeightsFile, WithoutAThresholdWhatIsNotZeroIsKept) {

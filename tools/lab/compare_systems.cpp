@@ -3,8 +3,8 @@
 
 #include <iostream>
 
+#include "libltl/text/xxhash.hpp"
 #include "libparser/experiment/evaluate.hpp"
-#include "libparser/model/xxhash.hpp"
 #include "tools/shell/input.hpp"
 #include "tools/shell/learning.hpp"
 #include "tools/shell/models.hpp"
@@ -43,7 +43,7 @@ std::string settings_of(const CompareSystemsOptions& options, const Held& held) 
   if (options.epochs > 0) out += "epochs " + std::to_string(options.epochs) + '\n';
   out += "place numbers " + told_or_hidden(options.tell_place_numbers) + '\n';
   out += "version " + std::string(WAYMARK_VERSION) + '\n';
-  out += "program " + hexadecimal(parser::xxh64(read_file("/proc/self/exe"))) + '\n';
+  out += "program " + hexadecimal(ltl::xxh64(read_file("/proc/self/exe"))) + '\n';
   return out;
 }
 

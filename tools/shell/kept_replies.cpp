@@ -6,7 +6,7 @@
 #include <iterator>
 
 #include "libltl/diagnostic.hpp"
-#include "libparser/model/xxhash.hpp"
+#include "libltl/text/xxhash.hpp"
 #include "tools/shell/packed.hpp"
 
 namespace waymark::tools {
@@ -38,7 +38,7 @@ std::optional<Range> range_of(std::string_view name) {
 std::uint64_t checksum(std::span<const Text> texts) {
   Packed all;
   for (const Text& text : texts) all.number(text.line).text(text.text);
-  return parser::xxh64(all.bytes());
+  return ltl::xxh64(all.bytes());
 }
 
 }  // namespace

@@ -3,7 +3,7 @@
 #include <map>
 
 #include "libltl/diagnostic.hpp"
-#include "libparser/model/xxhash.hpp"
+#include "libltl/text/xxhash.hpp"
 #include "libparser/model_file.hpp"
 #include "libplan/world/read_map.hpp"
 #include "tools/shell/data_directory.hpp"
@@ -28,7 +28,7 @@ std::string file_of(const ModelOptions& options, const std::string& data) {
 
 std::string checksum_of_model(const ModelOptions& options, const std::string& data) {
   const std::string file = file_of(options, data);
-  return file == "-" ? file : hexadecimal(parser::xxh64(read_file(file)));
+  return file == "-" ? file : hexadecimal(ltl::xxh64(read_file(file)));
 }
 
 parser::Grounder read_model(const ModelOptions& options, const std::string& data) {

@@ -21,8 +21,8 @@
 #include <vector>
 
 #include "libltl/diagnostic.hpp"
+#include "libltl/text/xxhash.hpp"
 #include "libltl/vocabulary.hpp"
-#include "libparser/model/xxhash.hpp"
 #include "tools/shell/help_page.hpp"
 #include "tools/shell/input.hpp"
 #include "tools/shell/interrupt.hpp"
@@ -156,12 +156,11 @@ std::string settings_of(const CLI::App& command, const std::set<std::string>& wi
     for (const std::string& value : option->results()) {
       out << option->get_name() << ' ' << value;
       const bool is_read = option->get_name() != "--file" && std::filesystem::is_regular_file(value, ignored);
-      if (is_read) out << ' ' << hexadecimal(parser::xxh64(read_file(value)));
+      if (is_read) out << ' ' << hexadecimal(ltl::xxh64(read_file(value)));
       out << '\n';
     }
   }
-  out << "version " << WAYMARK_VERSION << "\nprogram " << hexadecimal(parser::xxh64(read_file("/proc/self/exe")))
-      << '\n';
+  out << "version " << WAYMARK_VERSION << "\nprogram " << hexadecimal(ltl::xxh64(read_file("/proc/self/exe"))) << '\n';
   return out.str();
 }
 

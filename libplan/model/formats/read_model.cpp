@@ -5,6 +5,7 @@
 
 #include "libltl/diagnostic.hpp"
 #include "libltl/text/read_text.hpp"
+#include "libplan/model/formats/read_dimacs.hpp"
 #include "libplan/model/formats/read_geojson.hpp"
 #include "libplan/model/formats/read_graphml.hpp"
 #include "libplan/model/formats/read_osm.hpp"
@@ -30,7 +31,7 @@ PlanningCase read_model(const std::filesystem::path& file, std::string_view star
   const auto no_start = [&] {
     if (!start.empty()) throw ltl::FormatError(source, 0, 0, "this model says itself where it starts");
   };
-  constexpr std::string_view other_kinds[] = {".tra", ".osm", ".geojson", ".graphml", ".json", ".yaml", ".yml"};
+  constexpr std::string_view other_kinds[] = {".tra", ".gr", ".osm", ".geojson", ".graphml", ".json", ".yaml", ".yml"};
   if ((!prism.constants.empty() || !prism.rewards.empty()) &&
       std::find(std::begin(other_kinds), std::end(other_kinds), file.extension().string()) != std::end(other_kinds))
     throw ltl::FormatError(source, 0, 0,
@@ -39,6 +40,7 @@ PlanningCase read_model(const std::filesystem::path& file, std::string_view star
     no_start();
     return {name, read_prism_explicit(file), {}};
   }
+  if (file.extension() == ".gr") return {name, model_of(read_dimacs(file, start)), {}};
   const std::string text = ltl::read_text(file);
   if (file.extension() == ".osm") return {name, parse_osm(text, source, start), {}};
   if (file.extension() == ".geojson") return {name, parse_geojson(text, source, start), {}};

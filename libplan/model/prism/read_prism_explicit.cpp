@@ -16,102 +16,14 @@
 
 #include "libltl/diagnostic.hpp"
 #include "libltl/text/read_text.hpp"
+#include "libplan/model/prism/explicit_lines.hpp"
 #include "libplan/model/prism/explicit_rows.hpp"
 
 namespace waymark::plan {
 namespace {
 
-constexpr std::size_t most_explicit_bytes = std::size_t{64} << 30U;  // of one file
-
 struct PrismStreams {  // those that may be missing are nullptr then
   std::istream *transitions, *labels, *states, *state_rewards, *transition_rewards;
-};
-
-// One file, read line by line and word by word.
-class Lines {
- public:
-  Lines(std::istream& in, const std::string& source) : reader_(in, source), source_(source) {}
-
-  bool next() {  // the next line that is neither blank nor a comment
-    while (reader_.next(text_)) {
-      at_ = 0;
-      bytes_ += text_.size() + 1;
-      if (bytes_ > most_explicit_bytes) fail("expected at most " + std::to_string(most_explicit_bytes >> 30U) + " GiB");
-      if (!at_end() && text_[at_] != '#') return true;
-    }
-    text_.clear();
-    at_ = 0;
-    return false;
-  }
-  bool at_end() {
-    skip_blanks();
-    return at_ == text_.size();
-  }
-  std::string_view word() {  // up to a blank
-    skip_blanks();
-    const std::size_t begin = at_;
-    while (at_ < text_.size() && !is_blank(text_[at_])) ++at_;
-    if (begin == at_) fail("expected more on this line");
-    return std::string_view(text_).substr(begin, at_ - begin);
-  }
-  std::uint32_t index() {
-    skip_blanks();
-    std::uint32_t out = 0;
-    const auto [rest, error] = std::from_chars(text_.data() + at_, text_.data() + text_.size(), out);
-    if (error != std::errc()) fail("expected a whole number from 0 on");
-    at_ = static_cast<std::size_t>(rest - text_.data());
-    return out;
-  }
-  std::uint32_t index_below(std::size_t bound, const char* what) {
-    skip_blanks();
-    const std::size_t begin = at_;
-    const std::uint32_t out = index();
-    if (out >= bound) {
-      at_ = begin;
-      fail(std::string("there is no ") + what + ' ' + std::to_string(out));
-    }
-    return out;
-  }
-  double number() {
-    skip_blanks();
-    const std::size_t begin = at_;
-    double out = 0;
-    const auto [rest, error] = std::from_chars(text_.data() + at_, text_.data() + text_.size(), out);
-    at_ = static_cast<std::size_t>(rest - text_.data());
-    if (error == std::errc() && std::isfinite(out) && (at_ == text_.size() || is_blank(text_[at_]))) return out;
-    at_ = begin;
-    fail("expected a number");
-  }
-  void expect(char c) {
-    skip_blanks();
-    if (at_ == text_.size() || text_[at_] != c) fail(std::string("expected '") + c + '\'');
-    ++at_;
-  }
-  std::string_view until(char c) {
-    const std::size_t begin = at_;
-    at_ = text_.find(c, at_);
-    if (at_ == std::string::npos) {
-      at_ = begin;
-      fail(std::string("expected '") + c + "' later on this line");
-    }
-    return std::string_view(text_).substr(begin, at_++ - begin);
-  }
-  void expect_end() {
-    if (!at_end()) fail("expected the end of the line");
-  }
-  [[noreturn]] void fail(const std::string& message) const {
-    throw ltl::FormatError(source_, std::max<std::size_t>(reader_.number(), 1),
-                           ltl::utf8_length(std::string_view(text_).substr(0, at_)) + 1, message);
-  }
-
- private:
-  static bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r'; }
-  void skip_blanks() {
-    while (at_ < text_.size() && is_blank(text_[at_])) ++at_;
-  }
-  ltl::LineReader reader_;
-  std::string source_, text_;
-  std::size_t at_ = 0, bytes_ = 0;
 };
 
 class ExplicitReader {
@@ -132,10 +44,10 @@ class ExplicitReader {
   }
 
  private:
-  Lines lines(std::istream* in, const char* extension) const { return {*in, prefix_ + extension}; }
+  ExplicitLines lines(std::istream* in, const char* extension) const { return {*in, prefix_ + extension}; }
 
   void read_transitions() {
-    Lines in = lines(files_.transitions, ".tra");
+    ExplicitLines in = lines(files_.transitions, ".tra");
     if (!in.next()) in.fail("expected the numbers of states, choices and transitions");
     states_ = in.index();
     const std::uint32_t choices = in.index();
@@ -179,7 +91,7 @@ class ExplicitReader {
   }
 
   void read_labels() {
-    Lines in = lines(files_.labels, ".lab");
+    ExplicitLines in = lines(files_.labels, ".lab");
     if (!in.next()) in.fail(R"(expected the labels, such as 0="init" 1="a")");
     std::map<std::uint32_t, std::optional<ltl::Proposition>> labels;  // nullopt: init and deadlock
     std::optional<std::uint32_t> init;
@@ -213,7 +125,7 @@ class ExplicitReader {
   }
 
   void read_names() {
-    Lines in = lines(files_.states, ".sta");
+    ExplicitLines in = lines(files_.states, ".sta");
     if (!in.next()) in.fail("expected the names of the variables, such as (x,y)");
     names_.resize(states_);
     while (in.next()) {
@@ -226,7 +138,7 @@ class ExplicitReader {
   }
 
   void read_state_rewards() {
-    Lines in = lines(files_.state_rewards, ".srew");
+    ExplicitLines in = lines(files_.state_rewards, ".srew");
     if (!in.next()) in.fail("expected the numbers of states and rewards");
     if (in.index() != states_) in.fail("a file about another number of states");
     state_rewards_.resize(states_);
@@ -238,7 +150,7 @@ class ExplicitReader {
   }
 
   void read_transition_rewards() {
-    Lines in = lines(files_.transition_rewards, ".trew");
+    ExplicitLines in = lines(files_.transition_rewards, ".trew");
     if (!in.next()) in.fail("expected the numbers of states, choices and rewards");
     if (in.index() != states_) in.fail("a file about another number of states");
     while (in.next()) {

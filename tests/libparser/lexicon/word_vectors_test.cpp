@@ -6,9 +6,9 @@
 #include <optional>
 
 #include "libltl/diagnostic.hpp"
+#include "libltl/text/xxhash.hpp"
 #include "libparser/model/mapped_file.hpp"
 #include "libparser/model/whole_file.hpp"
-#include "libparser/model/xxhash.hpp"
 #include "tests/libparser/lifted/few_words.hpp"
 
 namespace waymark::parser {
@@ -83,7 +83,7 @@ std::optional<std::string> loaded(const std::string& bytes) {
 TEST(WordVectors, OfASealedFileAreRefusedWhereAnyByteIsAnother) {
   const std::string bare = bytes_of_vectors(words);
   std::string seal = "checksum";
-  for (std::uint64_t sum = xxh64(bare), k = 0; k < 8; ++k, sum >>= 8U) seal += static_cast<char>(sum & 0xFFU);
+  for (std::uint64_t sum = ltl::xxh64(bare), k = 0; k < 8; ++k, sum >>= 8U) seal += static_cast<char>(sum & 0xFFU);
   const std::string whole = bare + seal;
   EXPECT_EQ(loaded(bare), bare);
   EXPECT_EQ(loaded(whole), bare);

@@ -1,10 +1,10 @@
-#include "libparser/model/xxhash.hpp"
+#include "libltl/text/xxhash.hpp"
 
 #include <array>
 #include <bit>
 #include <cstring>
 
-namespace waymark::parser {
+namespace waymark::ltl {
 namespace {
 
 static_assert(std::endian::native == std::endian::little, "model files are little endian and read in place");
@@ -46,4 +46,4 @@ std::uint64_t xxh64(std::string_view bytes) {
   return hash ^ hash >> 32U;
 }
 
-}  // namespace waymark::parser
+}  // namespace waymark::ltl
