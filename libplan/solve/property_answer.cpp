@@ -1,7 +1,6 @@
 #include "libplan/solve/property_answer.hpp"
 
 #include <algorithm>
-#include <limits>
 #include <map>
 #include <stdexcept>
 
@@ -18,7 +17,6 @@ namespace {
 using Ask = PrismProperty::Ask;
 using Status = CaseAnswer::Status;
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr std::size_t most_unfolded = 20'000'000;
 
 struct NoAnswer {  // thrown
@@ -182,7 +180,7 @@ class Solver {
     const EndComponents components = end_components_of(model);
     for (std::uint32_t s = 0; s < model.states(); ++s)
       for (std::uint32_t k = 0; k < model.choices(s); ++k)
-        if (model.cost(s, k) > 0 && !leaves(model, s, k, components)) return solved(infinity);
+        if (model.cost(s, k) > 0 && !leaves(model, s, k, components)) return solved(INFINITY);
     return task(std::make_shared<const PlanningCase>(PlanningCase{"", ending_in_components(model, components), {}}),
                 {"", "F end", CaseTask::Logic::Ltl, query});
   }
@@ -214,8 +212,8 @@ class Solver {
     const auto value = [&](const ParetoPoint& point, std::size_t i) { return oriented(i, point.values[i]); };
     const bool alone = p.nested.size() == 1;
     constexpr double rounding = 1e-9;
-    const double bound = alone ? -infinity : oriented(y, p.nested[y].bound);
-    double best = -infinity;
+    const double bound = alone ? -INFINITY : oriented(y, p.nested[y].bound);
+    double best = -INFINITY;
     for (const ParetoPoint& a : out.curve)
       for (const ParetoPoint& b : out.curve) {
         if (alone || value(a, y) >= bound - rounding) best = std::max(best, value(a, x));
@@ -226,7 +224,7 @@ class Solver {
     if (asked.empty()) {
       out.verdict = best >= oriented(x, wanted->bound) - rounding;
       out.answer.value = *out.verdict ? Bounds{1, 1} : Bounds{0, 0};
-    } else if (best == -infinity) {
+    } else if (best == -INFINITY) {
       out.answer.status = Status::Infeasible;
       out.answer.reason = "no strategy meets the bound";
     } else {
