@@ -29,9 +29,9 @@ class RoadGraph {
     std::vector<std::uint16_t> letter;  // by node
     std::uint32_t start = 0;            // where runs begin
   };
-  static constexpr std::size_t most_nodes = std::size_t{1} << 30U;
-  static constexpr std::uint32_t most_arc_cost = UINT32_MAX / 2;
-  static constexpr std::size_t most_letters = std::size_t{1} << 16U;
+  static constexpr std::size_t most_nodes = std::size_t{1} << 30U;    // of a graph
+  static constexpr std::uint32_t most_arc_cost = UINT32_MAX / 2;      // of one arc
+  static constexpr std::size_t most_letters = std::size_t{1} << 16U;  // different ones
 
   // Arcs of a node keep their order. O(nodes + arcs); sorted tails are not copied. Throws std::invalid_argument: an
   // end that is no node, a cost above most_arc_cost, no node, a first letter that is not empty.
@@ -39,12 +39,12 @@ class RoadGraph {
 
   std::size_t nodes() const { return letter_.size(); }   // at least one
   std::size_t arcs() const { return arcs_.size() - 1; }  // directed
-  std::span<const Arc> arcs(std::uint32_t node) const {
+  std::span<const Arc> arcs(std::uint32_t node) const {  // that leave the node
     return {arcs_.data() + first_[node], arcs_.data() + first_[node + 1]};
   }
-  LetterId letter(std::uint32_t node) const { return {letter_[node]}; }
-  const Letters& letters() const { return letters_; }
-  std::uint32_t start() const { return start_; }
+  LetterId letter(std::uint32_t node) const { return {letter_[node]}; }             // of the node
+  const Letters& letters() const { return letters_; }                               // that nodes have
+  std::uint32_t start() const { return start_; }                                    // where runs begin
   static std::string name(std::uint32_t node) { return std::to_string(node + 1); }  // as files number nodes, from 1
 
   // The nodes of a letter that is not empty, ascending.

@@ -9,7 +9,7 @@
 
 namespace waymark::plan {
 
-struct ContractionOptions {
+struct ContractionOptions {  // what is contracted, and how hard witnesses are searched for
   // Nodes with four arcs at most alone, in rounds and without a search: what 10⁷ nodes take seconds for. The rest is
   // the core.
   bool quick = false;

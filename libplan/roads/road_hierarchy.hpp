@@ -23,8 +23,8 @@ namespace waymark::plan {
 
 class RoadHierarchy {
  public:
-  static constexpr std::uint16_t forward = 1, backward = 2;
-  static constexpr std::uint32_t road = UINT32_MAX;  // the middle of an arc of the map
+  static constexpr std::uint16_t forward = 1, backward = 2;  // bits of `ways`
+  static constexpr std::uint32_t road = UINT32_MAX;          // the middle of an arc of the map
 
   struct Arc {                 // between a node and one of higher rank; within the core, stored at both ends
     std::uint32_t head = 0;    // the other end
@@ -47,19 +47,19 @@ class RoadHierarchy {
     std::vector<std::uint64_t> sets;  // by number: the letters passed, as bits; set 0 is empty
     std::vector<std::uint32_t> bits;  // by bit: the LetterId
   };
-  static constexpr std::size_t most_bits = 64;
+  static constexpr std::size_t most_bits = 64;  // of a set of letters
 
   // Throws std::invalid_argument when the parts do not fit together: ranks that are no permutation, an arc that leads
   // down, a middle that is not below both ends, an unknown set. O(nodes + arcs).
   explicit RoadHierarchy(Parts parts);
 
-  std::size_t nodes() const { return parts_.rank.size(); }  // of the map
-  std::size_t arcs() const { return arcs_; }                // with shortcuts
-  std::uint32_t core() const { return parts_.core; }        // ranks from here on are the core
-  std::uint64_t map() const { return parts_.map; }          // checksum of the map it was made of
-  std::uint32_t rank(std::uint32_t node) const { return parts_.rank[node]; }
+  std::size_t nodes() const { return parts_.rank.size(); }                    // of the map
+  std::size_t arcs() const { return arcs_; }                                  // with shortcuts
+  std::uint32_t core() const { return parts_.core; }                          // ranks from here on are the core
+  std::uint64_t map() const { return parts_.map; }                            // checksum of the map it was made of
+  std::uint32_t rank(std::uint32_t node) const { return parts_.rank[node]; }  // of a node of the map
   std::uint32_t node(std::uint32_t rank) const { return node_[rank]; }
-  LetterId letter(std::uint32_t rank) const { return {parts_.rows[rank].letter}; }
+  LetterId letter(std::uint32_t rank) const { return {parts_.rows[rank].letter}; }  // of its node
   // Numbers of the arcs of a rank are consecutive: begin … end − 1.
   std::uint32_t begin_arcs(std::uint32_t rank) const { return parts_.rows[rank].begin; }
   std::uint32_t end_arcs(std::uint32_t rank) const { return parts_.rows[rank].begin + parts_.rows[rank].size; }

@@ -20,7 +20,7 @@ class RoadLegs {
     std::uint32_t from, to;                                  // ranks
     std::uint32_t arc;                                       // of the hierarchy, or `by_road`: an arc of the map
   };
-  static constexpr std::uint32_t by_road = UINT32_MAX;
+  static constexpr std::uint32_t by_road = UINT32_MAX;  // no arc of the hierarchy
 
   RoadLegs(const RoadGraph& graph, const RoadHierarchy& hierarchy, std::stop_token stop);
 

@@ -32,7 +32,7 @@ class LetterSets {
   std::unordered_map<std::uint64_t, std::uint16_t> numbers_;
 };
 
-class RemainingRoads {
+class RemainingRoads {  // the arcs between nodes that are not contracted yet
  public:
   using Arc = RoadHierarchy::Arc;  // heads and middles are nodes here, not ranks
 
@@ -40,7 +40,8 @@ class RemainingRoads {
   RemainingRoads() = default;  // of no nodes
   explicit RemainingRoads(const RoadGraph& graph);
 
-  LetterSets& sets() { return sets_; }
+  LetterSets& sets() { return sets_; }  // of the letters that arcs pass over
+  // Those that are left, or were left when the node was contracted.
   std::span<const Arc> arcs(std::uint32_t node) const { return {pool_.data() + rows_[node].begin, rows_[node].size}; }
   // An arc from u to w, along `arc.ways`, with arc.head = w; nothing where it is dominated. O(degree).
   void add(std::uint32_t u, const Arc& arc);

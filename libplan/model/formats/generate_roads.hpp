@@ -12,9 +12,9 @@ namespace waymark::plan {
 struct RoadRecipe {                                    // what is drawn
   static constexpr std::uint32_t most_landmarks = 20;  // a … t
   std::uint32_t nodes = 10'000;                        // junctions and shape points, at least 100
-  std::uint32_t landmarks = 6;
-  double avoided = 0.03;  // part of the country that is x, and that is y
-  std::uint64_t seed = 1;
+  std::uint32_t landmarks = 6;                         // named a, b, …
+  double avoided = 0.03;                               // part of the country that is x, and that is y
+  std::uint64_t seed = 1;                              // of all that is drawn
 };
 
 // Exactly so many nodes, the same bytes on every machine: arcs, positions (metres) and labels. O(nodes log nodes).

@@ -15,13 +15,13 @@ namespace waymark::plan {
 
 struct RoadMesh {
   enum class Kind : std::uint8_t { Motorway, Main, Country, Town };  // of a street
-  struct Junction {
-    double x = 0, y = 0;  // metres, eastwards and northwards
+  struct Junction {                                                  // where streets meet
+    double x = 0, y = 0;                                             // metres, eastwards and northwards
   };
-  struct Street {
+  struct Street {                // between two junctions
     std::uint32_t a = 0, b = 0;  // junctions, a < b
-    Kind kind = Kind::Country;
-    bool one_way = false;  // from a to b
+    Kind kind = Kind::Country;   // decides the speed
+    bool one_way = false;        // from a to b
   };
   double side = 0;                  // of the country, metres
   std::vector<Junction> junctions;  // in the order of a space-filling curve

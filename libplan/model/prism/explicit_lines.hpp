@@ -29,7 +29,7 @@ class ExplicitLines {
     at_ = 0;
     return false;
   }
-  bool at_end() {
+  bool at_end() {  // of the line
     skip_blanks();
     return at_ == text_.size();
   }
@@ -40,7 +40,7 @@ class ExplicitLines {
     if (begin == at_) fail("expected more on this line");
     return std::string_view(text_).substr(begin, at_ - begin);
   }
-  std::uint32_t index() {
+  std::uint32_t index() {  // a whole number from 0 on
     skip_blanks();
     std::uint32_t out = 0;
     const auto [rest, error] = std::from_chars(text_.data() + at_, text_.data() + text_.size(), out);
@@ -48,7 +48,7 @@ class ExplicitLines {
     at_ = static_cast<std::size_t>(rest - text_.data());
     return out;
   }
-  std::uint32_t index_below(std::size_t bound, const char* what) {
+  std::uint32_t index_below(std::size_t bound, const char* what) {  // the same, below a bound; `what` is told in errors
     skip_blanks();
     const std::size_t begin = at_;
     const std::uint32_t out = index();
@@ -58,7 +58,7 @@ class ExplicitLines {
     }
     return out;
   }
-  double number() {
+  double number() {  // finite
     skip_blanks();
     const std::size_t begin = at_;
     double out = 0;
@@ -68,12 +68,12 @@ class ExplicitLines {
     at_ = begin;
     fail("expected a number");
   }
-  void expect(char c) {
+  void expect(char c) {  // next, past blanks
     skip_blanks();
     if (at_ == text_.size() || text_[at_] != c) fail(std::string("expected '") + c + '\'');
     ++at_;
   }
-  std::string_view until(char c) {
+  std::string_view until(char c) {  // up to the character, which is passed over
     const std::size_t begin = at_;
     at_ = text_.find(c, at_);
     if (at_ == std::string::npos) {
@@ -82,10 +82,10 @@ class ExplicitLines {
     }
     return std::string_view(text_).substr(begin, at_++ - begin);
   }
-  void expect_end() {
+  void expect_end() {  // of the line
     if (!at_end()) fail("expected the end of the line");
   }
-  [[noreturn]] void fail(const std::string& message) const {
+  [[noreturn]] void fail(const std::string& message) const {  // throws ltl::FormatError at the place that is read
     throw ltl::FormatError(source_, std::max<std::size_t>(reader_.number(), 1),
                            ltl::utf8_length(std::string_view(text_).substr(0, at_)) + 1, message);
   }
