@@ -69,13 +69,11 @@ JsonObject case_json(const plan::NamedRoute& route) {
   return JsonObject().add("places", places).add("actions", actions).add("cost", route.cost);
 }
 
-JsonObject case_json(const plan::PlanningCase& planning_case, const plan::CaseTask& task, const CaseAnswer& answer) {
+JsonObject case_json(const std::string& case_name, const plan::CaseTask& task, const CaseAnswer& answer) {
   const bool valued = answer.status != Status::Exhausted;
   const auto number = [&](double value) { return valued ? Json(value) : Json(); };
   JsonObject out;
-  out.add("case", planning_case.name)
-      .add("task", task.id.empty() ? "formula" : task.id)
-      .add("query", plan::name(task.query));
+  out.add("case", case_name).add("task", task.id.empty() ? "formula" : task.id).add("query", plan::name(task.query));
   using Logic = plan::CaseTask::Logic;
   if (!task.formula.empty()) out.add("formula", task.formula);
   if (!task.formula.empty() && (task.logic == Logic::Ltl || task.logic == Logic::Ltlf))
@@ -230,8 +228,7 @@ class TaskAnswers {
       const std::lock_guard lock(mutex_);
       strategies_[place] = std::move(text);
     }
-    return {exit_code(answer.status),
-            choice_.json ? case_json(case_, task, answer).text() + '\n' : in_words(task, answer)};
+    return told(case_.name, task, answer, choice_.json);
   }
 
   // What is wrong with the formula or query of a task is reported like any other bad line.
@@ -292,6 +289,10 @@ plan::CaseTask task_of(const Text& text, const CaseChoice& choice) {
 }
 
 }  // namespace
+
+Reply told(const std::string& case_name, const plan::CaseTask& task, const CaseAnswer& answer, bool json) {
+  return {exit_code(answer.status), json ? case_json(case_name, task, answer).text() + '\n' : in_words(task, answer)};
+}
 
 plan::PlanningCase read_model(const CaseChoice& choice, const std::string& start, const std::stop_token& stop) {
   const ltl::Watch watch(granted(choice.parallel.limits), stop);

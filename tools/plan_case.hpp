@@ -4,14 +4,18 @@
 #include <string>
 
 #include "libplan/model/formats/read_case.hpp"
+#include "libplan/solve/case_task.hpp"
 #include "tools/case_options.hpp"
 #include "tools/shell/exit_code.hpp"
 #include "tools/shell/input.hpp"
+#include "tools/shell/reply.hpp"
 #include "tools/shell/subcommand.hpp"
 
 namespace waymark::tools {
 
 ExitCode plan_case(const CaseChoice& choice, const Session& session);
+// The answer as plan_case prints it, with its exit code.
+Reply told(const std::string& case_name, const plan::CaseTask& task, const plan::CaseAnswer& answer, bool json);
 // --model of a choice within its seconds. Throws as plan::read_model, GaveUp and Interrupted.
 plan::PlanningCase read_model(const CaseChoice& choice, const std::string& start, const std::stop_token& stop);
 // Formulas, or the automaton that was chosen, on a model of any kind.
