@@ -140,6 +140,10 @@ class Distributed:
                 continue
         return sorted(found)
 
+    def has_proved(self):
+        kept = self.folder / "kept"
+        return kept.exists() and any(file.suffix == ".proved" for file in kept.iterdir())
+
     def killed(self):
         self.write_case(["generate", "map", "--kind", "rooms", "--width", 200, "--height", 200, "--landmarks", 3,
                          "--noise", 0.1, "--seed", self.options.seed, "--tasks"], "case.json", MORE_TASKS[:3])
@@ -156,7 +160,10 @@ class Distributed:
                 ranks = random.randint(2, 4)
                 kept = ["--checkpoints", "kept", "--checkpoint-seconds", "0.02", "--statistics", "done"]
                 process = self.start(ranks, arguments + kept)
-                time.sleep(random.uniform(0.2, 1.5))
+                end = time.monotonic() + (PATIENCE if random.random() < 0.5 else 0)  # or before anything is kept
+                while time.monotonic() < end and process.poll() is None and not self.has_proved():
+                    time.sleep(0.01)
+                time.sleep(random.uniform(0, 0.8))
                 alive = self.ranks_of(process)
                 if alive and kills < self.options.trials and process.poll() is None:
                     os.kill(random.choice(alive), signal.SIGKILL)
