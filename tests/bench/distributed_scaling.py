@@ -6,9 +6,9 @@ A solve is R rounds; in each, a rank makes U / n / R updates of t seconds, and e
 
     T(n) = U(n) t / min(n, cores) + R(n) (α + β b)
 
-t is measured on one rank; α and β are fitted to two ranks on maps of several widths, of eight rows, by the least
-that a rank spent in exchanges and reductions in 3 N runs: there least of the other's work is waited for. R and U are lines through the measured
-numbers at 1, 2 and 4 ranks. The prediction for 64 nodes takes --latency and --bandwidth of a network, which are assumed
+t is measured on one rank; α and β are fitted to two ranks on maps of several widths, of eight rows, by the least that a
+rank spent in exchanges and reductions in 3 N runs: there least of the other's work is waited for. R and U are lines
+through the measured numbers at 1, 2 and 4 ranks. The prediction for 64 nodes takes --latency and --bandwidth of a network, which are assumed
 and not measured, and log₂ n latencies for the reduction.
 """
 import argparse

@@ -140,7 +140,8 @@ TEST(Discounted, AgreesWithPolicyIterationOverPetsc) {
     const Mdp mdp = testing::random_model(random, {.states = i % 4 == 3 ? 400U : 6U});
     ltl::Arena arena(testing::vocabulary_ab());
     const char* const text = std::array{"F a", "F (a & X b)", "(!a) U b", "F (a & X F b)"}[random.below(4)];
-    const auto automaton = task_automaton(ltl::parse(text, arena), CaseTask::Logic::Ltl, CaseTask::Query::Discounted, {});
+    const auto automaton =
+        task_automaton(ltl::parse(text, arena), CaseTask::Logic::Ltl, CaseTask::Query::Discounted, {});
     const TaskTable task(std::get<automata::Dfa>(*automaton), mdp.letters());
     const auto product = Product::explore(mdp, task);
     ASSERT_TRUE(product);
