@@ -39,6 +39,18 @@ ${about}
 This package has the program that waymark becomes under mpirun.")
 endif()
 
+if(TARGET waymark-distributed)
+  list(APPEND CPACK_COMPONENTS_ALL distributed)
+  list(APPEND packages "distributed=waymark-distributed")
+  set(CPACK_DEBIAN_DISTRIBUTED_PACKAGE_NAME waymark-distributed)
+  set(CPACK_DEBIAN_DISTRIBUTED_PACKAGE_SECTION science)
+  set(CPACK_DEBIAN_DISTRIBUTED_PACKAGE_SHLIBDEPS ON)
+  set(CPACK_DEBIAN_DISTRIBUTED_PACKAGE_DEPENDS "waymark (= ${PROJECT_VERSION}), openmpi-bin")
+  set(CPACK_COMPONENT_DISTRIBUTED_DESCRIPTION "planning cases of waymark among the ranks of mpirun
+${about}
+This package has the program that waymark plan --case becomes under mpirun.")
+endif()
+
 set(CPACK_DEBIAN_DEV_PACKAGE_NAME libwaymark-dev)
 set(CPACK_DEBIAN_DEV_PACKAGE_SECTION libdevel)
 set(needed "")

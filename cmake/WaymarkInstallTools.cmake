@@ -22,6 +22,9 @@ endforeach()
 if(TARGET waymark-farm)  # a package of its own: nobody gets MPI who does not ask for it
   install(TARGETS waymark-farm RUNTIME DESTINATION ${CMAKE_INSTALL_LIBEXECDIR}/waymark COMPONENT farm)
 endif()
+if(TARGET waymark-distributed)  # the same of PETSc
+  install(TARGETS waymark-distributed RUNTIME DESTINATION ${CMAKE_INSTALL_LIBEXECDIR}/waymark COMPONENT distributed)
+endif()
 install(DIRECTORY data/maps data/models data/words data/language data/schemas data/workspaces
                   data/experiments
   DESTINATION ${CMAKE_INSTALL_DATADIR}/waymark COMPONENT tools PATTERN fetch EXCLUDE)

@@ -144,4 +144,8 @@ std::string in_words(const plan::CaseTask& task, const CaseAnswer& answer) {
   return out.str();
 }
 
+Reply told(const std::string& model, const plan::CaseTask& task, const CaseAnswer& answer, bool json) {
+  return {exit_code(answer.status), json ? case_json(model, task, answer).text() + '\n' : in_words(task, answer)};
+}
+
 }  // namespace waymark::tools

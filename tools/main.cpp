@@ -137,14 +137,26 @@ bool is_for_the_lab(std::span<char* const> arguments) {
          (command == "generate" && arguments.size() > 2 && std::string_view(arguments[2]) == "corpus");
 }
 
-// Was this process started by mpirun, or by another that starts ranks, for work that ranks can share? A process that a
-// rank started has a seat and is none.
-bool is_rank_of_a_farm(std::span<char* const> arguments) {
-  if (arguments.size() < 2 || std::getenv(seat_variable) != nullptr) return false;
-  const std::string_view command = arguments[1];
-  if (command != "translate" && command != "ground" && command != "experiment" && command != "tune") return false;
+// Was this process started by mpirun, or by another that starts ranks? A process that a rank started has a seat and is
+// none.
+bool is_rank() {
+  if (std::getenv(seat_variable) != nullptr) return false;
   return std::getenv("OMPI_COMM_WORLD_RANK") != nullptr || std::getenv("PMIX_RANK") != nullptr ||
          std::getenv("PMI_RANK") != nullptr;
+}
+
+// Texts and experiments, which ranks deal out.
+bool is_for_the_farm(std::span<char* const> arguments) {
+  if (arguments.size() < 2) return false;
+  const std::string_view command = arguments[1];
+  return command == "translate" || command == "ground" || command == "experiment" || command == "tune";
+}
+
+// Planning cases, which ranks solve together.
+bool is_distributed(std::span<char* const> arguments) {
+  return arguments.size() > 2 && std::string_view(arguments[1]) == "plan" &&
+         std::any_of(arguments.begin() + 2, arguments.end(),
+                     [](std::string_view argument) { return argument == "--case" || argument.starts_with("--case="); });
 }
 
 // waymark-farm starts this program again, which it knows by its argv[0].
@@ -172,6 +184,14 @@ bool is_subcommand(std::string_view name) {
   throw std::system_error(errno, std::generic_category(), "cannot start " + program.string());
 }
 
+[[noreturn]] void become_solver(char** argv) {
+  if (helper("waymark-distributed").empty())
+    throw UsageError(
+        "waymark-distributed, which solves planning cases among the ranks of mpirun, is not built; to build it: ./dev "
+        "setup petsc && cmake --preset release -DWAYMARK_WITH_PETSC=ON && cmake --build --preset release");
+  become("waymark-distributed", "solves planning cases among the ranks of mpirun", argv);
+}
+
 }  // namespace
 }  // namespace waymark::tools
 
@@ -179,8 +199,10 @@ int main(int argc, char** argv) {
   using namespace waymark::tools;
   std::ios::sync_with_stdio(false);
   return static_cast<int>(guarded([&] {
-    if (is_rank_of_a_farm({argv, static_cast<std::size_t>(argc)})) become_rank(argv);
-    if (is_for_the_lab({argv, static_cast<std::size_t>(argc)})) become("waymark-lab", "runs experiments", argv);
+    const std::span<char* const> arguments(argv, static_cast<std::size_t>(argc));
+    if (is_for_the_farm(arguments) && is_rank()) become_rank(argv);
+    if (is_distributed(arguments) && is_rank()) become_solver(argv);
+    if (is_for_the_lab(arguments)) become("waymark-lab", "runs experiments", argv);
     if (argc > 1 && std::string_view(argv[1]) == "serve")
       become("waymark-serve", "serves the studio (it needs libcpp-httplib-dev)", argv);
     if (argc == 3 && std::string_view(argv[1]) == "help" && find_topic(argv[2]) == nullptr && is_subcommand(argv[2])) {

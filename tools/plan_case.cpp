@@ -92,8 +92,7 @@ class TaskAnswers {
       const std::lock_guard lock(mutex_);
       strategies_[place] = std::move(text);
     }
-    return {exit_code(answer.status),
-            choice_.json ? case_json(case_.name, task, answer).text() + '\n' : in_words(task, answer)};
+    return told(case_.name, task, answer, choice_.json);
   }
 
   // What is wrong with the formula or query of a task is reported like any other bad line.

@@ -299,10 +299,7 @@ class TaskSolver {
   }
 
   std::string reason(const Violation& violation) const {
-    std::string out = is_cost() ? "no strategy is sure to satisfy " : "no strategy has a chance to satisfy ";
-    for (std::size_t i = 0; i < violation.conflict.size(); ++i)
-      out += (i == 0 ? "" : i + 1 == violation.conflict.size() ? " and " : ", ") + ltl::print(violation.conflict[i]);
-    if (violation.conflict.size() > 1) out += " together";
+    std::string out = in_words(violation, is_cost());
     const std::vector<std::string> unseen = never_seen(model_, violation.conflict);
     for (std::size_t i = 0; i < unseen.size(); ++i)
       out += (i == 0 ? "; never seen from the start: " : ", ") + unseen[i];

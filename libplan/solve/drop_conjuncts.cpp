@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "libltl/text/print.hpp"
+
 namespace waymark::plan {
 namespace {
 
@@ -82,6 +84,13 @@ class Dropping {
 
 Violation fewest_dropped(ltl::Formula f, const std::function<bool(ltl::Formula)>& is_possible) {
   return Dropping(f, is_possible).run();
+}
+
+std::string in_words(const Violation& violation, bool must_be_sure) {
+  std::string out = must_be_sure ? "no strategy is sure to satisfy " : "no strategy has a chance to satisfy ";
+  for (std::size_t i = 0; i < violation.conflict.size(); ++i)
+    out += (i == 0 ? "" : i + 1 == violation.conflict.size() ? " and " : ", ") + ltl::print(violation.conflict[i]);
+  return violation.conflict.size() > 1 ? out + " together" : out;
 }
 
 std::vector<std::string> absent(const ltl::Letter& seen, const ltl::Vocabulary& vocabulary,

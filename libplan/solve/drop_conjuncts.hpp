@@ -22,6 +22,9 @@ struct Violation {                     // why a conjunction cannot be satisfied
 constexpr std::size_t most_sets = 512;
 Violation fewest_dropped(ltl::Formula f, const std::function<bool(ltl::Formula)>& is_possible);
 
+// "no strategy is sure to satisfy F a and G !a together"; where it need not be sure: "has a chance to satisfy".
+std::string in_words(const Violation& violation, bool must_be_sure);
+
 // Propositions of the formulas that no letter within reach of the start carries, sorted.
 template <class Model>
 std::vector<std::string> never_seen(const Model& model, const std::vector<ltl::Formula>& formulas);

@@ -3,7 +3,7 @@
 cmake_minimum_required(VERSION 3.25)
 file(REMOVE_RECURSE ${SCRATCH})
 set(off "")
-foreach(option WAYMARK_TESTS WAYMARK_WITH_MPI WAYMARK_WITH_OMPL WAYMARK_WITH_GRAPHVIZ WAYMARK_WITH_CAIRO WAYMARK_WITH_STUDIO
+foreach(option WAYMARK_TESTS WAYMARK_WITH_MPI WAYMARK_WITH_PETSC WAYMARK_WITH_OMPL WAYMARK_WITH_GRAPHVIZ WAYMARK_WITH_CAIRO WAYMARK_WITH_STUDIO
                WAYMARK_WITH_PYTHON)
   list(APPEND off -D${option}=OFF)
 endforeach()
@@ -14,7 +14,7 @@ execute_process(COMMAND ${CMAKE_COMMAND} -S ${WAYMARK} -B ${SCRATCH}/build -G ${
   -DCMAKE_CXX_COMPILER=${COMPILER} COMMAND_ERROR_IS_FATAL ANY OUTPUT_QUIET)
 execute_process(COMMAND ${CMAKE_COMMAND} --build ${SCRATCH}/build --target help OUTPUT_VARIABLE targets
   COMMAND_ERROR_IS_FATAL ANY)
-if(NOT targets MATCHES "waymark-lab" OR targets MATCHES "waymark-(layout|convert|motion|serve|farm)|test_libltl")
+if(NOT targets MATCHES "waymark-lab" OR targets MATCHES "waymark-(layout|convert|motion|serve|farm|distributed)|test_libltl")
   message(FATAL_ERROR "the build without options has these targets:\n${targets}")
 endif()
 
@@ -28,6 +28,7 @@ function(refused by)
 endfunction()
 set(ENV{OMPI_COMM_WORLD_RANK} 0)  # as mpirun sets it
 refused(waymark-farm translate "F a" --to dfa)
+refused(waymark-distributed plan --case absent.json)
 unset(ENV{OMPI_COMM_WORLD_RANK})
 refused(waymark-motion move "F chair" --map grid --start 1,9,0)
 refused(waymark-serve serve)

@@ -11,7 +11,7 @@ LICENCES = {"MIT", "X11", "BSL-1.0", "MPL-2.0", "BSD-3-Clause", "EPL-1.0", "PDDL
             "LGPL-2.0-or-later", "LGPL-2.1-only OR MPL-1.1", "LicenseRef-WordNet-3.0",
             "GPL-3.0-or-later WITH GCC-exception-3.1"}
 EXECUTABLES = ("waymark", "waymark-layout", "waymark-lab", "waymark-motion", "waymark-serve", "waymark-convert",
-               "waymark-farm")
+               "waymark-farm", "waymark-distributed")
 faults = []
 
 
