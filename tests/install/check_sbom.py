@@ -7,8 +7,8 @@ import subprocess
 import sys
 from pathlib import Path
 
-LICENCES = {"MIT", "X11", "BSL-1.0", "MPL-2.0", "BSD-3-Clause", "EPL-1.0", "PDDL-1.0", "LGPL-2.1-or-later",
-            "LGPL-2.0-or-later", "LGPL-2.1-only OR MPL-1.1", "LicenseRef-WordNet-3.0",
+LICENCES = {"MIT", "X11", "BSL-1.0", "MPL-2.0", "BSD-2-Clause", "BSD-3-Clause", "EPL-1.0", "PDDL-1.0",
+            "LGPL-2.1-or-later", "LGPL-2.0-or-later", "LGPL-2.1-only OR MPL-1.1", "LicenseRef-WordNet-3.0",
             "GPL-3.0-or-later WITH GCC-exception-3.1"}
 EXECUTABLES = ("waymark", "waymark-layout", "waymark-lab", "waymark-motion", "waymark-serve", "waymark-convert",
                "waymark-farm", "waymark-distributed")
@@ -25,7 +25,8 @@ def said(*command):
 
 
 def owner(library):
-    for path in (library, str(Path(library).resolve()), str(Path(library).resolve()).removeprefix("/usr")):
+    real = str(Path(library).resolve())  # what a package for development links to
+    for path in (real, real.removeprefix("/usr"), library):
         if match := re.match(r"([a-z0-9+.-]+)", said("dpkg-query", "-S", path)):
             return match[1]
     return library
