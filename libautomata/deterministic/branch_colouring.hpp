@@ -8,7 +8,7 @@
 
 namespace waymark::automata {
 
-struct ProductEdge {
+struct ProductEdge {             // of a product of the structure and the automaton
   std::uint32_t source, target;  // pairs
   std::uint32_t colour;          // in the automaton
   std::uint32_t branch;          // of the structure
@@ -16,8 +16,8 @@ struct ProductEdge {
 
 class BranchColouring {
  public:
-  using Colours = std::vector<std::uint32_t>;  // by branch; unset: of branches without an edge
-  static constexpr std::uint32_t unset = UINT32_MAX;
+  using Colours = std::vector<std::uint32_t>;         // by branch; unset: of branches without an edge
+  static constexpr std::uint32_t unset = UINT32_MAX;  // no colour
 
   // Of a structure with so many branches, and a min-even automaton with so many sets.
   BranchColouring(std::uint32_t branches, std::uint32_t sets, Budget& budget)

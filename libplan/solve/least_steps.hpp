@@ -55,7 +55,7 @@ struct GoodChoices {
     return change;
   }
 
-  std::size_t states() const { return first_choice.size() - 1; }
+  std::size_t states() const { return first_choice.size() - 1; }  // that were written
   // States of four layers, on average: how far news travels in two sweeps. A layer is one outcome farther away.
   std::size_t chunk_size() const {
     std::vector<std::uint32_t> layer(states(), 0);
