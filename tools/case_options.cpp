@@ -31,7 +31,7 @@ void add_answer_options(Command command, CaseChoice& choice) {
       .show_default();
   command
       .add_option("--values-in", choice.values_in,
-                  "with --case: keep the values of large grids in files in this folder, where memory does not suffice")
+                  "keep the values of large grids in files in this folder, where memory does not suffice")
       .type_name("DIR");
   command
       .add_option("--scheduler", choice.scheduler,

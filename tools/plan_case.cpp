@@ -1,6 +1,7 @@
 #include "tools/plan_case.hpp"
 
 #include <atomic>
+#include <filesystem>
 #include <map>
 #include <mutex>
 #include <stdexcept>
@@ -65,7 +66,10 @@ class TaskAnswers {
  public:
   TaskAnswers(const plan::PlanningCase& planning_case, const CaseChoice& choice, const Session& session)
       : case_(planning_case), choice_(choice), session_(session) {
-    if (!choice.values_in.empty()) files_.emplace(choice.values_in);
+    if (choice.values_in.empty()) return;
+    if (!std::filesystem::is_directory(choice.values_in))
+      throw UsageError("--values-in: " + choice.values_in + " is no folder");
+    files_.emplace(choice.values_in);
   }
 
   // `place`: of its strategy among all of them. Throws as plan::answer.

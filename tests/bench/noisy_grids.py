@@ -3,8 +3,9 @@
 noisy_grids.py WAYMARK [--side N] [--rounds N] [--only FAMILY]
 
 A family is a kind of map with its tasks, all of which are solved with proved bounds: rooms, scattered obstacles, two
-halves and a bridge, rooms with one-way doors (no noise), and a bridge between lava (tests/claims/passage.py). Prints seconds of processor time on one thread, wall-clock seconds on one and on all, their ratio, and the tasks that
-were not solved. Values are compared: they are the same to the last digit that is printed.
+halves and a bridge, rooms with one-way doors (no noise), and a bridge between lava (tests/claims/passage.py). Prints
+seconds of processor time on one thread, wall-clock seconds on one and on all, their ratio, and the tasks that were not
+solved. Values are compared: they are the same to the last digit that is printed.
 """
 import argparse
 import os

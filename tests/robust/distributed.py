@@ -1,4 +1,5 @@
-"""Planning cases among the ranks of mpirun: the values of one process, whatever the number of ranks and whoever is killed.
+"""Planning cases among the ranks of mpirun: the values of one process, whatever the number of ranks and whoever
+is killed.
 
 distributed.py DIRECTORY_OF_PROGRAMS [--trials N] [--only SCENE] [--side N] [--seed S]
 
@@ -26,7 +27,8 @@ SAME_KEYS = ["case", "task", "query", "formula", "semantics", "automaton_states"
 SHARED = ("pmax", "pmin", "rmin", "discounted")
 MORE_TASKS = [
     ("least", "ltl", "F a", "pmin"), ("avoid_least", "ltl", "(!b) U a", "pmin"),
-    ("soon", "ltl", "F (a & F b)", "discounted"), ("for_ever", "ltl", "G F a & G !b", "pmax"), ("least_for_ever", "ltl", "F G !a", "pmin"),
+    ("soon", "ltl", "F (a & F b)", "discounted"), ("for_ever", "ltl", "G F a & G !b", "pmax"),
+    ("least_for_ever", "ltl", "F G !a", "pmin"),
     ("persist", "ltl", "F G (!a & !b)", "pmax"), ("careful", "ltl", "(!b) U a", "rmin"),
     ("both", "ltl", "G F a & F G !a", "pmax"), ("not_seen", "ltl", "F nowhere", "pmax"),
     ("finite", "ltlf", "F (a & X F b)", "pmax"), ("bounded", "pctl", "F<=9 a", "pmax")]
