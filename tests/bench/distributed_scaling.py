@@ -1,4 +1,5 @@
-"""Strong and weak scaling of `mpirun … waymark plan --case`, and a model of its communication: tables of docs/scaling.md.
+"""Strong and weak scaling of `mpirun … waymark plan --case`, and a model of its communication: tables of
+docs/scaling.md.
 
 distributed_scaling.py DIRECTORY_OF_PROGRAMS [--side N] [--rounds N] [--latency S] [--bandwidth B] [--cores N]
 
@@ -8,7 +9,8 @@ A solve is R rounds; in each, a rank makes U / n / R updates of t seconds, and e
 
 t is measured on one rank; α and β are fitted to two ranks on maps of several widths, of eight rows, by the least that a
 rank spent in exchanges and reductions in 3 N runs: there least of the other's work is waited for. R and U are lines
-through the measured numbers at 1, 2 and 4 ranks. The prediction for 64 nodes takes --latency and --bandwidth of a network, which are assumed
+through the measured numbers at 1, 2 and 4 ranks. The prediction for 64 nodes takes
+--latency and --bandwidth of a network, which are assumed
 and not measured, and log₂ n latencies for the reduction.
 """
 import argparse
@@ -43,7 +45,8 @@ class Runs:
         if not file.exists():
             with open(file, "wb") as out:
                 subprocess.run([self.waymark, "generate", "map", "--kind", "scatter", "--width", str(width), "--height",
-                                str(height), "--landmarks", "3", "--noise", "0.1", "--seed", "7", "--tasks"], stdout=out,
+                                str(height), "--landmarks", "3", "--noise", "0.1", "--seed", "7", "--tasks"],
+                               stdout=out,
                                check=True)
         return file
 

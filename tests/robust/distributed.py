@@ -44,7 +44,8 @@ class Distributed:
     def start(self, ranks, arguments):
         command = ["mpirun", "--oversubscribe", "-np", str(ranks), *self.programs.command(arguments)]
         with open(self.folder / "out", "wb") as out, open(self.folder / "err", "wb") as err:
-            return subprocess.Popen(command, cwd=self.folder, env=self.environment, stdin=subprocess.DEVNULL, stdout=out,
+            return subprocess.Popen(command, cwd=self.folder, env=self.environment, stdin=subprocess.DEVNULL,
+                                    stdout=out,
                                     stderr=err)
 
     def finish(self, process):
@@ -114,7 +115,8 @@ class Distributed:
             whole = self.programs.run([*arguments, "--method", "vi", *ALONE], self.folder, seconds=PATIENCE)
             for ranks in (1, 2, 3, 4):
                 local = ["--local-sweeps", str(random.choice([1, 2, 5]))]
-                self.compare(f"same, {kind}", arguments, whole, self.finish(self.start(ranks, arguments + local)), ranks)
+                result = self.finish(self.start(ranks, arguments + local))
+                self.compare(f"same, {kind}", arguments, whole, result, ranks)
 
     def passage(self):
         for side, width, noise in ((30, 1, 0.05), (40, 2, 0.05), (50, 1, 0.05), (50, 3, 0.02)):
