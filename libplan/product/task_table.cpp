@@ -12,18 +12,23 @@ struct TaskTable::Unordered {
   std::vector<bool> goal;
 };
 
-TaskTable::TaskTable(const automata::Dfa& dfa, const Letters& letters)
+TaskTable::TaskTable(const automata::Dfa& dfa, const Letters& letters) : TaskTable(dfa, letters, false) {}
+
+TaskTable TaskTable::never(const automata::Dfa& dfa, const Letters& letters) { return {dfa, letters, true}; }
+
+TaskTable::TaskTable(const automata::Dfa& dfa, const Letters& letters, bool never)
     : classes_(letters, dfa.vocabulary(), dfa.reads(), UnknownProposition::NeverHolds),
       row_(static_cast<std::uint32_t>(classes_.size())) {
+  const auto leads_nowhere = [&](StateId q) { return never ? dfa.is_accepting(q) : dfa.is_trap(q); };
   Unordered out;
-  out.initial = dfa.is_trap(dfa.initial()) ? trap : dfa.initial().index;
+  out.initial = leads_nowhere(dfa.initial()) ? trap : dfa.initial().index;
   out.jumps.resize(dfa.states());
   for (std::uint32_t q = 0; q < dfa.states(); ++q) {
-    out.goal.push_back(dfa.is_accepting(StateId{q}));
+    out.goal.push_back(never ? dfa.is_trap(StateId{q}) : dfa.is_accepting(StateId{q}));
     std::vector<std::uint32_t>& row = out.steps.emplace_back();
     for (const ltl::Letter& letter : classes_.representatives()) {
       const StateId target = out.goal[q] ? StateId{q} : dfa.next(StateId{q}, letter);
-      row.push_back(dfa.is_trap(target) ? trap : target.index);
+      row.push_back(leads_nowhere(target) ? trap : target.index | (never ? marked : 0));
     }
   }
   adopt(out);

@@ -26,6 +26,8 @@ class TaskTable {
 
   // A finite task: states that accept are goals, nothing is asked after them. O(states · classes · |reads|).
   TaskTable(const automata::Dfa& dfa, const Letters& letters);
+  // The opposite, that it is never accepted: traps are the goals, accepting states lead nowhere, edges are marked.
+  static TaskTable never(const automata::Dfa& dfa, const Letters& letters);
   // An infinite task: edges are marked, and a run may jump.
   TaskTable(const automata::MdpSafe& automaton, const Letters& letters);
 
@@ -57,6 +59,7 @@ class TaskTable {
     std::vector<std::uint32_t> first, values;
   };
   struct Unordered;  // the same before it is renumbered
+  TaskTable(const automata::Dfa& dfa, const Letters& letters, bool never);
   static std::span<const std::uint32_t> list(const Lists& lists, std::uint32_t q) {
     return {lists.values.data() + lists.first[q], lists.values.data() + lists.first[q + 1]};
   }

@@ -39,10 +39,8 @@ class BellmanOperator {  // all of them must outlive it
         }
       });
       if (!counts) continue;
-      if (stays < 1 - 1e-12)
-        sum /= 1 - stays;
-      else if (measure != Measure::MinProbability)
-        continue;  // never leaves: worth something only where that is what is wanted
+      if (!(stays < 1 - 1e-12)) continue;  // never leaves
+      sum /= 1 - stays;
       if (better(sum, best)) best = sum;
     }
     return best;

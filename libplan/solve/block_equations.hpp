@@ -85,10 +85,9 @@ class BlockEquations {  // all of them must outlive it
         }
       });
       if (!counts) continue;
-      const bool leaves = stays < 1 - 1e-12;
-      if (!leaves && measure != Measure::MinProbability) continue;
+      if (!(stays < 1 - 1e-12)) continue;
       equations.add_choice();
-      const double scale = leaves ? 1 / (1 - stays) : 0;
+      const double scale = 1 / (1 - stays);
       product_.for_each_outcome(s, k, [&](std::uint32_t t, double p, bool) {
         if (t != Product::trap && row(t) != no_row && row(t) != own) equations.add_term(row(t), p * scale);
       });

@@ -85,7 +85,9 @@ class TaskSolver {
     if (!automaton) throw Spent{"no automaton within the limits"};
     return std::move(*automaton);
   }
-  TaskTable table_of(const TaskAutomaton& automaton) const {
+  enum class Asked : std::uint8_t { Itself, Opposite };
+  TaskTable table_of(const TaskAutomaton& automaton, Asked asked = Asked::Itself) const {
+    if (asked == Asked::Opposite) return TaskTable::never(std::get<automata::Dfa>(automaton), model_.letters());
     return std::visit([&](const auto& found) { return TaskTable(found, model_.letters()); }, automaton);
   }
 
@@ -100,10 +102,11 @@ class TaskSolver {
     if (const auto landmarks = visits(f);
         landmarks && by_search() && options_.top == 1 && !options_.strategy && model_.states() >= worth_compressing)
       return visit(*landmarks, f);
-    const bool negated = task_.query == Query::MinProbability && !is_finite(f);
+    // Least probabilities are greatest ones of the opposite.
+    const bool finite = is_finite(f), negated = is_least() && !finite;
     solve(made(task_automaton(negated ? ltl::simplify(ltl::negate(f), ltl::Semantics::Infinite) : f, task_.logic,
                               task_.query, automaton_limit())),
-          f, negated, clock);
+          is_least() && finite ? Asked::Opposite : Asked::Itself, f, clock);
     if (answer_.status == Status::Infeasible && options_.explain) explain(asked);
   }
 
@@ -111,21 +114,22 @@ class TaskSolver {
     Clock clock;
     if (task_.query == Query::LeastLasso)
       return lasso(made(lasso_automaton(*given_, automaton_limit())), std::nullopt, clock);
-    const bool negated = task_.query == Query::MinProbability && !std::holds_alternative<automata::Dfa>(*given_);
-    solve(made(task_automaton(*given_, task_.query, automaton_limit())), std::nullopt, negated, clock);
+    const bool finite = std::holds_alternative<automata::Dfa>(*given_);
+    solve(made(task_automaton(*given_, task_.query, automaton_limit())),
+          is_least() && finite ? Asked::Opposite : Asked::Itself, std::nullopt, clock);
     if (answer_.status == Status::Infeasible)
       answer_.reason = is_cost() ? "no strategy is sure to be accepted by the automaton"
                                  : "no strategy has a chance to be accepted by the automaton";
   }
 
-  void solve(const TaskAutomaton& automaton, std::optional<ltl::Formula> f, bool negated, Clock& clock) {
+  void solve(const TaskAutomaton& automaton, Asked asked, std::optional<ltl::Formula> f, Clock& clock) {
     answer_.automaton_states = std::visit([](const auto& a) { return a.states(); }, automaton);
-    const TaskTable task = table_of(automaton);
+    const TaskTable task = table_of(automaton, asked);
     answer_.seconds.automaton = clock.lap();
     if (by_search())
       find_routes(task, automaton, f, clock);
     else
-      decide(task, automaton, negated, clock);
+      decide(task, automaton, clock);
   }
 
   bool by_search() const { return is_cost() && model_.is_deterministic() && options_.method <= CaseMethod::Search; }
@@ -163,6 +167,7 @@ class TaskSolver {
     answer_.routes.push_back(named(model_, route));
   }
 
+  bool is_least() const { return task_.query == Query::MinProbability; }
   bool is_cost() const { return task_.query == Query::MinCost || task_.query == Query::MinSteps; }
 
   void find_routes(const TaskTable& task, const TaskAutomaton& automaton, std::optional<ltl::Formula> f, Clock& clock) {
@@ -226,7 +231,7 @@ class TaskSolver {
     answer_.value = {value, value};
   }
 
-  std::optional<Decided> decided(const ProductMdp<Model>& product, bool negated) const {
+  std::optional<Decided> decided(const ProductMdp<Model>& product) const {
     const IterationOptions limits{.tolerance = options_.tolerance,
                                   .policy_iteration = options_.method == CaseMethod::PolicyIteration,
                                   .sweepers = options_.sweepers,
@@ -234,11 +239,10 @@ class TaskSolver {
                                   .stop = options_.stop};
     if (is_cost()) return least_cost(product, limits);
     if (task_.query == Query::Discounted) return greatest_discounted(product, options_.discount, limits);
-    return task_.query == Query::MaxProbability || negated ? greatest_probability(product, limits)
-                                                           : least_probability(product, limits);
+    return greatest_probability(product, limits);
   }
 
-  void decide(const TaskTable& task, const TaskAutomaton& automaton, bool negated, Clock& clock) {
+  void decide(const TaskTable& task, const TaskAutomaton& automaton, Clock& clock) {
     const auto product = ProductMdp<Model>::explore(model_, task, limit());
     answer_.seconds.product = clock.lap();
     if (!product) throw Spent{"the product met its limit"};
@@ -249,11 +253,11 @@ class TaskSolver {
     answer_.method =
         options_.method == CaseMethod::PolicyIteration ? CaseMethod::PolicyIteration : CaseMethod::ValueIteration;
     if (task_.query == Query::MaxCost) return tell_greatest_cost(*product, clock);
-    const auto found = decided(*product, negated);
+    const auto found = decided(*product);
     answer_.seconds.solve = clock.lap();
     if (!found) throw Spent{"the bounds did not meet within the limits"};
     answer_.status = Status::Solved;
-    const auto told = [&](const Bounds& b) { return negated ? Bounds{1 - b.upper, 1 - b.lower} : b; };
+    const auto told = [&](const Bounds& b) { return is_least() ? Bounds{1 - b.upper, 1 - b.lower} : b; };
     answer_.value = told(found->value);
     if (found->tolerance > options_.tolerance) answer_.reason = "proved no nearer: here doubles end";
     if (!found->attained) answer_.reason = unattained(told(found->re_evaluated));

@@ -146,20 +146,6 @@ bool choose(const Product& product, const Unknowns& unknowns, std::span<const do
   return among == Among::Nearest || hurry(product, order, good, limits, strategy);
 }
 
-// The choice of least probability, of every unknown state: any that attains it will do.
-template <class Product>
-void choose_least(const Product& product, const Unknowns& unknowns, std::span<const double> values,
-                  Strategy& strategy) {
-  product.for_each_state([&](const auto& s) {
-    double best = INFINITY;
-    for (std::uint32_t k = 0; k < product.choices(s); ++k) {
-      const double offered = action_value<Measure::MaxProbability>(product, s, k, unknowns, values);
-      if (offered < best) strategy.choice.set(s.index, k);
-      best = std::min(best, offered);
-    }
-  });
-}
-
 template <class Product, class Value>
 std::uint32_t first_of_best(const Product& product, const Value& value, bool least) {
   std::uint32_t best = product.starts().front();
@@ -181,28 +167,6 @@ EndComponents merged(const Product& product, const StateSet& unknown) {
   return any ? end_components(product, unknown, moves) : EndComponents{};
 }
 
-// Least probabilities are 1 where no strategy has a chance of staying for ever away from the targets, nor of ending in
-// the trap. By the graph, since sweeps would take as long as a strategy can put off what must come.
-template <class Product>
-Unknowns unknowns_of_least(const Product& product, const StateSet& targets) {
-  StateSet away(product.states());
-  product.for_each_state([&](const auto& s) { away[s.index] = !targets[s.index]; });
-  const EndComponents stays = end_components(product, away, [](const auto&, std::uint32_t) { return true; });
-  product.for_each_state([&](const auto& s) {
-    bool out = stays.of[s.index] != EndComponents::none;
-    for (std::uint32_t k = 0; k < product.choices(s) && !out; ++k)
-      product.for_each_outcome(s, k, [&](std::uint32_t t, double, bool) { out = out || t == Product::trap; });
-    away[s.index] = out;
-  });
-  const StateSet escapes = can_reach(product, away), reaches = can_reach(product, targets);
-  Unknowns unknowns{reaches, targets, {}};
-  for (std::uint32_t i = 0; i < product.states(); ++i) {
-    if (!escapes[i]) unknowns.targets[i] = true;
-    if (unknowns.targets[i]) unknowns.unknown[i] = false;
-  }
-  return unknowns;
-}
-
 // But for what is to be merged.
 template <Measure measure, class Product>
 Unknowns unknowns_in(const Product& product, const StateSet& targets) {
@@ -217,7 +181,6 @@ Unknowns unknowns_in(const Product& product, const StateSet& targets) {
 
 template <Measure measure, class Product>
 Unknowns unknowns_of(const Product& product, const StateSet& targets) {
-  if (measure == Measure::MinProbability) return unknowns_of_least(product, targets);
   Unknowns out = unknowns_in<measure>(product, targets);
   out.merged = merged<measure>(product, out.unknown);
   if (out.merged.count == 0) out.merged.of = std::vector<std::uint32_t>();
@@ -326,15 +289,6 @@ std::optional<Decided> decide(const Product& product, const WinningRegion<Produc
     out.re_evaluated = out.value;
     return out;
   }
-  if (measure == Measure::MinProbability) {
-    choose_least(product, unknowns, values->attained, out.strategy);
-    const auto found = evaluate<Measure::MaxProbability>(product, out.strategy, kept, limits);
-    if (!found) return std::nullopt;
-    out.re_evaluated = *found;
-    if (!delivers<measure>(out, limits.tolerance))
-      throw std::logic_error("a strategy that is not worth what was claimed");
-    return out;
-  }
   play_for_ever(product, winning, out.strategy);
   if (measure == Measure::MaxProbability)  // almost surely: to what is winning, never leaving what is sure
     attractor(product, winning.states, out.strategy,
@@ -370,12 +324,6 @@ Qualitative qualitative(const ProductMdp<Model>& product) {
 }
 
 template <class Model>
-std::optional<Decided> least_probability(const ProductMdp<Model>& product, const IterationOptions& limits) {
-  if (product.starts().empty()) return Decided{};
-  return decide<Measure::MinProbability>(product, WinningRegion<ProductMdp<Model>>(product), limits);
-}
-
-template <class Model>
 std::optional<Decided> greatest_probability(const ProductMdp<Model>& product, const IterationOptions& limits) {
   if (product.starts().empty()) return Decided{};
   return decide<Measure::MaxProbability>(product, WinningRegion<ProductMdp<Model>>(product), limits);
@@ -389,8 +337,6 @@ std::optional<Decided> least_cost(const ProductMdp<Model>& product, const Iterat
 
 template Qualitative qualitative(const ProductMdp<Mdp>&);
 template Qualitative qualitative(const ProductMdp<GridWorld>&);
-template std::optional<Decided> least_probability(const ProductMdp<Mdp>&, const IterationOptions&);
-template std::optional<Decided> least_probability(const ProductMdp<GridWorld>&, const IterationOptions&);
 template std::optional<Decided> greatest_probability(const ProductMdp<Mdp>&, const IterationOptions&);
 template std::optional<Decided> greatest_probability(const ProductMdp<GridWorld>&, const IterationOptions&);
 template std::optional<Decided> least_cost(const ProductMdp<Mdp>&, const IterationOptions&);

@@ -24,8 +24,7 @@ struct Decided {             // the answer
   Strategy strategy;         // attains the value up to the tolerance, or else is the best that was found
   Bounds re_evaluated;       // of the strategy, by the Markov chain that it makes of the product
   std::uint64_t sweeps = 0;  // of value iteration
-  // With keep_values, by state what a choice attains; of costs, 0 where no cost is finite. Not of least
-  // probabilities.
+  // With keep_values, by state what a choice attains; of costs, 0 where no cost is finite.
   std::vector<double> values = {};
   double tolerance = 0;  // of the bounds: coarser than what was asked for where doubles end
   bool attained = true;  // does the strategy attain the value? Doubles may be too coarse to find one that does
@@ -42,10 +41,7 @@ Qualitative qualitative(const ProductMdp<Model>& product);
 template <class Model>
 std::optional<Decided> greatest_probability(const ProductMdp<Model>& product, const IterationOptions& limits = {});
 
-// Pmin: the least probability of reaching a goal of a finite task. Of an infinite one it is 1 − Pmax of the negation.
-template <class Model>
-std::optional<Decided> least_probability(const ProductMdp<Model>& product, const IterationOptions& limits = {});
-
+// Pmin is 1 − Pmax of the opposite: of the negation, or of a finite task by TaskTable::never.
 // Least expected cost until a goal is reached; infinite (lower = upper = ∞) unless some strategy reaches one almost
 // surely.
 template <class Model>

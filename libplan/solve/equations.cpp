@@ -155,7 +155,7 @@ std::optional<Equations::Solution> Equations::solve(const IterationOptions& opti
   x_.upper.assign(rows(), 0);
   if (measure_ == Measure::MinCost) start_from_best_luck();
   make_chunks(options.sweepers.threads);
-  linear_ = measure_ != Measure::MinProbability && rows() <= factored;
+  linear_ = rows() <= factored;
   patience_ = options.policy_iteration ? 0 : 100;
   if (iterate_optimistically(*this, options, options.tolerance / 16) != IterationEnd::Proved) return std::nullopt;
   return std::move(x_);

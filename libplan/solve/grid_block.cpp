@@ -33,7 +33,7 @@ GridBlock::GridBlock(const Product& product, Measure measure, Order order, const
 std::optional<GridBlock> GridBlock::of(const Product& product, const Unknowns& unknowns, Measure measure, Order order,
                                        const KeptBounds& known, const Strategy* only,
                                        std::pmr::memory_resource* memory) {
-  if (measure == Measure::MinProbability || !product.task().jumps(order.front().task).empty()) return std::nullopt;
+  if (!product.task().jumps(order.front().task).empty()) return std::nullopt;
   for (const auto& c : order) {
     const bool merged = unknowns.merged.count > 0 && unknowns.merged.of[product.state(c).index] != EndComponents::none;
     if (merged || c.task != order.front().task) return std::nullopt;

@@ -14,8 +14,8 @@
 
 namespace waymark::plan {
 
-enum class Measure : std::uint8_t { MaxProbability, MinProbability, MinCost };          // what is optimised
-constexpr bool is_probability(Measure measure) { return measure != Measure::MinCost; }  // else a cost
+enum class Measure : std::uint8_t { MaxProbability, MinCost };                                 // what is optimised
+constexpr bool is_probability(Measure measure) { return measure == Measure::MaxProbability; }  // else a cost
 
 struct Sweepers {           // threads that may sweep
   std::size_t threads = 1;  // at most

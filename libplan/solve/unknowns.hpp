@@ -8,8 +8,7 @@
 namespace waymark::plan {
 
 // The unknowns of one question. For probabilities, states that are neither unknown nor targets have value 0; for costs
-// only choices that never leave `unknown` ∪ `targets` count. Nothing is merged for least probabilities: there staying
-// for ever is worth 0.
+// only choices that never leave `unknown` ∪ `targets` count.
 struct Unknowns {
   StateSet unknown, targets;  // without a known value; whose value is 1, or cost 0
   EndComponents merged;       // among the unknown ones

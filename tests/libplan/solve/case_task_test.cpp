@@ -60,6 +60,33 @@ TEST(CaseTask, WhatCanOnlyBePutOffIsCertain) {
   EXPECT_EQ(least.value.lower, 1);
 }
 
+// With noise in all directions, far from both a and b, lingering is worth as much as leaving but for what doubles tell.
+TEST(CaseTask, LeastProbabilitiesAreProvedWhereStrategiesMayLinger) {
+  std::vector<std::string> rows(12, std::string(37, '.'));
+  rows[1][1] = 'b';
+  rows[0][17] = 'a';
+  rows[6][24] = rows[7][24] = rows[4][31] = '#';
+  std::string map;
+  for (const std::string& row : rows) map += (map.empty() ? "\"" : ", \"") + row + "\"";
+  const auto from = [&](const char* start) {
+    return parse_case(R"({"format": "ltlgrid/1", "width": 37, "height": 12, "rows": [)" + map +
+                      R"(], "legend": {"#": {"wall": true}, "a": {"props": ["a"]}, "b": {"props": ["b"]}},
+      "start": )" + start +
+                      R"(, "motion": {"forward": 0.7, "left": 0.1, "right": 0.1, "back": 0.1}})");
+  };
+  for (const char* start : {R"({"x": 6, "y": 5})", R"({"x": 17, "y": 1})", R"({"x": 36, "y": 11})"}) {
+    const auto ask = [&](const char* formula, CaseTask::Query query) {
+      return answer(from(start), {.id = "", .formula = formula, .query = query});
+    };
+    const CaseAnswer least = ask("(!b) U a", CaseTask::Query::MinProbability);
+    const CaseAnswer most = ask("!((!b) U a)", CaseTask::Query::MaxProbability);
+    ASSERT_EQ(least.status, CaseAnswer::Status::Solved) << start;
+    EXPECT_LE(least.value.upper - least.value.lower, 1e-6) << start;
+    EXPECT_LE(1 - most.value.upper, least.value.upper) << start;
+    EXPECT_GE(1 - most.value.lower, least.value.lower) << start;
+  }
+}
+
 // Two halves and a bridge with lava on both sides, noise in all directions: choices that only put off the crossing are
 // worth the same in doubles as those that go on. Against sweeps of the cells from below, written here.
 class Bridge {

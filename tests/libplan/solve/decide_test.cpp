@@ -86,14 +86,16 @@ struct FiniteTask {
         dfa(automata::ltlf_to_dfa(formula)),
         mdp(testing::random_model(random, shape)),
         task(dfa, mdp.letters()),
-        product(ProductMdp<Mdp>::explore(mdp, task)) {}
+        never(TaskTable::never(dfa, mdp.letters())),
+        product(ProductMdp<Mdp>::explore(mdp, task)),
+        without(ProductMdp<Mdp>::explore(mdp, never)) {}
   std::string show() const { return ltl::print(formula) + " on\n" + testing::show(mdp); }
   ltl::Arena arena;
   ltl::Formula formula;
   automata::Dfa dfa;
   Mdp mdp;
-  TaskTable task;
-  std::optional<ProductMdp<Mdp>> product;
+  TaskTable task, never;
+  std::optional<ProductMdp<Mdp>> product, without;  // of the task, and of its opposite
 };
 
 TEST(Decide, ProbabilitiesOfFiniteTasksAgreeWithPlainSweeps) {
@@ -104,12 +106,10 @@ TEST(Decide, ProbabilitiesOfFiniteTasksAgreeWithPlainSweeps) {
     const double greatest = Plainly(t.mdp, t.dfa).probability(Plainly::Best::Greatest);
     const double least = Plainly(t.mdp, t.dfa).probability(Plainly::Best::Least);
     for (const IterationOptions& limits : ways) {
-      const auto most = greatest_probability(*t.product, limits), fewest = least_probability(*t.product, limits);
-      ASSERT_TRUE(most && fewest) << t.show();
-      if (!t.product->starts().empty()) {
-        expect_bounds(*most, greatest, tolerance, t.show());
-        expect_bounds(*fewest, least, tolerance, t.show());
-      }
+      const auto most = greatest_probability(*t.product, limits), none = greatest_probability(*t.without, limits);
+      ASSERT_TRUE(most && none) << t.show();
+      if (!t.product->starts().empty()) expect_bounds(*most, greatest, tolerance, t.show());
+      expect_bounds(*none, 1 - least, tolerance, t.show());
       EXPECT_EQ(most->value.upper == 0, greatest < 1e-9) << t.show();
       ASSERT_FALSE(HasFailure());
     }
