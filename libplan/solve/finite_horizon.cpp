@@ -24,7 +24,8 @@ std::optional<double> expected_cost(const Mdp& mdp, const Horizon& horizon, cons
     for (std::uint32_t s = 0; s < states; ++s)
       now[s] = best(s, [&](std::uint32_t k) {
         double sum = horizon.instantaneous ? 0 : mdp.cost(s, k);
-        mdp.for_each_outcome(s, k, [&](std::uint32_t t, LetterId, double p) { sum += p * later[t]; });
+        mdp.for_each_outcome(s, k,
+                             [&](std::uint32_t t, LetterId, double p) { sum += p * horizon.discount * later[t]; });
         return sum;
       });
   }

@@ -12,6 +12,7 @@ struct Horizon {               // a question about costs
   std::uint64_t steps = 0;     // of the run
   bool instantaneous = false;  // what the choice after the steps costs; else what the steps cost together
   bool greatest = false;       // over all strategies; else the least
+  double discount = 1;         // what a step later counts less by
 };
 
 // The expected cost, exact up to the rounding of a sum. O(steps · outcomes). nullopt: stopped.

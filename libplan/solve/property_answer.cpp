@@ -7,6 +7,7 @@
 #include "libltl/meaning/semantics.hpp"
 #include "libltl/text/parse.hpp"
 #include "libplan/model/formats/path_formula.hpp"
+#include "libplan/solve/discounted_cost.hpp"
 #include "libplan/solve/finite_horizon.hpp"
 #include "libplan/solve/long_run.hpp"
 #include "libplan/solve/state_model.hpp"
@@ -124,9 +125,9 @@ class Solver {
     const Mdp part = whole ? Mdp() : beginning_at(mdp(p), s, letters(p), inside(p));
     const Mdp& from_s = whole ? mdp(p) : part;
     if (p.ask == Ask::Total) return total(from_s, p.task.query);
+    if (p.ask == Ask::Discounted) return discounted(from_s, p);
     if (p.steps) {
-      const auto found =
-          expected_cost(from_s, {*p.steps, p.instantaneous, p.task.query == CaseTask::Query::MaxCost}, options_.stop);
+      const auto found = expected_cost(from_s, {*p.steps, p.instantaneous, is_greatest(p), p.discount}, options_.stop);
       if (!found) throw NoAnswer{"stopped"};
       return solved(*found);
     }
@@ -183,6 +184,19 @@ class Solver {
         if (model.cost(s, k) > 0 && !leaves(model, s, k, components)) return solved(INFINITY);
     return task(std::make_shared<const PlanningCase>(PlanningCase{"", ending_in_components(model, components), {}}),
                 {"", "F end", CaseTask::Logic::Ltl, query});
+  }
+
+  CaseAnswer discounted(const Mdp& model, const PrismProperty& p) const {
+    ltl::Arena arena(model.letters().vocabulary());
+    const ltl::Formula ended = ltl::parse(p.task.formula, arena);
+    DiscountedCosts asked{p.discount, is_greatest(p), {}};
+    for (const LetterId letter : letters_of_states(model))
+      asked.ended.push_back(ltl::holds(ltl::Trace({model.letters()[letter]}), ended));
+    const auto found = discounted_cost(model, asked, options_.tolerance, options_.stop);
+    if (!found) throw NoAnswer{"stopped"};
+    CaseAnswer out = solved(0);
+    out.value = *found;
+    return out;
   }
 
   // ---- several objectives

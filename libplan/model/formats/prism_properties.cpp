@@ -227,7 +227,9 @@ class PropertiesReader {
       out.ask = PrismProperty::Ask::Steady;
       if (!steady) in_.next();
     }
-    if (probability || (out.ask == PrismProperty::Ask::Task && !steps(out))) {
+    if (!probability && in_.is("F") && at_discount()) {
+      discounted_target(out);
+    } else if (probability || (out.ask == PrismProperty::Ask::Task && !steps(out))) {
       const Id path = steady ? expressions_.parse(in_) : expressions_.parse_path(in_);
       expressions_.expect_type(path, Type::Bool);
       out.task.formula = spends(path, out) ? budgeted(path) : formula(path);
@@ -272,16 +274,37 @@ class PropertiesReader {
     return name;
   }
 
-  // C, C<=k and I=k.
+  bool at_discount() { return in_.is("{", 1) && in_.is("discount", 2); }
+  void discount(PrismProperty& out) {  // {discount=γ}
+    for (int i = 0; i < 3; ++i) in_.next();
+    const Id factor = expressions_.parse(in_);
+    expressions_.expect_type(factor, Type::Double);
+    out.discount = expressions_.constant(factor);
+    if (!(out.discount >= 0 && out.discount <= 1)) throw std::invalid_argument("a discount outside of [0, 1]");
+    in_.expect("}");
+  }
+
+  // F{discount=γ} condition
+  void discounted_target(PrismProperty& out) {
+    in_.next(), discount(out);
+    const Id target = expressions_.parse_path(in_);
+    expressions_.expect_type(target, Type::Bool);
+    if (expressions_.is_temporal(target)) throw std::invalid_argument("discounted rewards until a path formula holds");
+    out.ask = out.discount == 1 ? PrismProperty::Ask::Task : PrismProperty::Ask::Discounted;
+    out.task.formula = out.discount == 1 ? "F (" + formula(target) + ')' : formula(target);
+  }
+
+  // C, C<=k and I=k, of which C may be discounted.
   bool steps(PrismProperty& out) {
     if (!in_.is("C") && !in_.is("I")) return false;
-    if (in_.is("C") && !in_.is("<=", 1)) {
-      if (in_.is("{", 1)) throw std::invalid_argument("discounted rewards");
-      in_.next();
-      out.ask = PrismProperty::Ask::Total;
+    const bool discounted = in_.is("C") && at_discount();
+    out.instantaneous = in_.next().text == "I";
+    if (discounted) discount(out);
+    if (!out.instantaneous && !in_.is("<=")) {
+      out.ask = out.discount == 1 ? PrismProperty::Ask::Total : PrismProperty::Ask::Discounted;
+      if (out.ask == PrismProperty::Ask::Discounted) out.task.formula = "false";
       return true;
     }
-    out.instantaneous = in_.next().text == "I";
     in_.expect(out.instantaneous ? "=" : "<=");
     const Id bound = expressions_.parse(in_);
     expressions_.expect_type(bound, Type::Int);
@@ -372,15 +395,6 @@ class PropertiesReader {
 std::vector<PrismProperty> parse_prism_properties(const PrismSource& model, const PrismSource& properties,
                                                   const PrismConstants& constants, const ltl::Limits& limits) {
   return PropertiesReader(model, properties, constants, limits).read();
-}
-
-bool PrismProperty::is_truth() const {
-  if (!comparison.empty() || ask == Ask::States) return true;
-  if (ask == Ask::Multi)
-    return std::none_of(nested.begin(), nested.end(), [](const PrismProperty& p) { return p.comparison.empty(); });
-  if (ask != Ask::Filter) return false;
-  return summary == "forall" || summary == "exists" ||
-         ((summary == "state" || summary == "first") && nested[0].is_truth());
 }
 
 }  // namespace waymark::plan

@@ -17,6 +17,7 @@ struct PrismProperty {             // one question
   enum class Ask : std::uint8_t {  // what is asked
     Task,                          // `task`, or rewards of `steps`
     Total,                         // the rewards of a run without end; its query is MinCost or MaxCost
+    Discounted,                    // the same, a reward after t steps times discount^t, until `task.formula` holds
     Steady,                        // in the long run: the share of `task.formula`, or the mean reward
     States,                        // whether the initial state satisfies `task.formula`, which has no temporal operator
     Multi,                         // nested: objectives that one strategy is to meet; their queries say which way
@@ -28,6 +29,7 @@ struct PrismProperty {             // one question
   CaseTask task;        // about `model`; where there are steps, its query is MinCost or MaxCost alone
   std::optional<std::uint64_t> steps = {};         // C<=k, I=k: rewards of a run up to k, or after k steps
   bool instantaneous = false;                      // I
+  double discount = 1;                             // C{discount=γ}, C{discount=γ}<=k, F{discount=γ} condition
   std::string comparison;                          // >=, >, <=, <; empty where a value is asked for
   double bound = 0;                                // that the value is compared with
   std::optional<std::string> result;               // of the comment "RESULT: …" before it, for these constants

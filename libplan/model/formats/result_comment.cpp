@@ -23,6 +23,9 @@ std::optional<bool> agrees(const std::string& result, double value, std::optiona
     return verdict ? std::optional<bool>(*verdict == (result == "true")) : std::nullopt;
   if (result.starts_with("[") && result.ends_with("]") && result.find(',') != std::string::npos) {
     const std::size_t comma = result.find(',');
+    const std::optional<double> from = number(result.substr(1, comma - 1));
+    const std::optional<double> to = number(result.substr(comma + 1, result.size() - comma - 2));
+    if (!range && from && to && *from < value && value < *to) return true;
     const auto least = agrees(result.substr(1, comma - 1), value, {}, {});
     const auto most = agrees(result.substr(comma + 1, result.size() - comma - 2), range.value_or(value), {}, {});
     return least && most ? std::optional<bool>(*least && *most) : std::nullopt;
