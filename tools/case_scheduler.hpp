@@ -6,8 +6,8 @@
 
 namespace waymark::tools {
 
-// Before the work: throws UsageError where no strategy of the model can be written in the format, a grid's in PRISM's or
-// Storm's.
+// Before the work: throws UsageError where no strategy of the model can be written in the format: that of a grid in
+// PRISM's or Storm's.
 void require_scheduler_of(const plan::PlanningCase& planning_case, const std::string& format);
 
 // The strategy as a scheduler on the states of the model, which needs no memory where every state has one decision.
