@@ -94,12 +94,15 @@ class Toy(unittest.TestCase):
     def test_a_draw_leaves_out_what_others_drew(self):
         mutants = {number: ("one", finding.Mutant("some.cpp", number, 1, "constant", 0, 0, str(number), "8", None,
                                                   False)) for number in range(1, 200)}
-        options = argparse.Namespace(unlike=["1:60", "2:50"], mutants=40, seed=3)
+        options = argparse.Namespace(unlike=["1:60", "2:50"], after=[], mutants=40, seed=3)
         earlier = set(run.sample(mutants, 60, 1)) | set(run.sample(mutants, 50, 2))
         chosen = run.drawn(mutants, options)
         self.assertEqual(len(chosen), 40)
         self.assertFalse(earlier & set(chosen))
-        everything = run.drawn(mutants, argparse.Namespace(unlike=["1:60", "2:50"], mutants=500, seed=3))
+        everything = run.drawn(mutants, argparse.Namespace(unlike=["1:60", "2:50"], after=["3:40"], mutants=500,
+                                                              seed=4))
+        earlier |= set(chosen)
+        self.assertFalse(earlier & set(everything))
         self.assertEqual(set(everything) | earlier, set(mutants))
 
 
