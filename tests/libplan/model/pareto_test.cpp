@@ -134,5 +134,17 @@ TEST(Pareto, IsTheHullOfAllDeterministicStrategies) {
   EXPECT_GT(curves, 50U);
 }
 
+TEST(Pareto, IsOfOneObjectiveOrTwo) {
+  MdpBuilder builder(ltl::Vocabulary({"a"}));
+  const LetterId a = builder.letter({ltl::Proposition{0}});
+  builder.add_state();
+  builder.add_choice("stay");
+  builder.add_outcome(0, a);
+  const Mdp mdp = std::move(builder).build(0, a);
+  EXPECT_THROW(pareto(mdp, {}), std::invalid_argument);
+  EXPECT_THROW(pareto(mdp, {{"F a"}, {"G a"}, {"X a"}}), std::invalid_argument);
+  EXPECT_EQ(pareto(mdp, {{"F a"}, {"X a"}}).value().points.size(), 1U);
+}
+
 }  // namespace
 }  // namespace waymark::plan
