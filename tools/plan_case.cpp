@@ -90,13 +90,9 @@ class TaskAnswers {
     if (answer.status == Status::Exhausted && session_.stop.stop_requested()) throw Interrupted();
     if (answer.status == Status::Exhausted && watch.overrun() != ltl::Overrun::None)
       answer.reason += " (" + amount(watch.overrun(), choice_.parallel.limits) + ')';
-    if (answer.strategy) {
-      std::string text = choice_.strategy_format == "waymark" ? written(case_, task, answer)
-                                                              : scheduler_text(case_, answer, choice_.strategy_format);
-      const std::lock_guard lock(mutex_);
-      strategies_[place] = std::move(text);
-    }
-    return told(case_.name, task, answer, choice_.json);
+    Reply reply = told(case_.name, task, answer, choice_.json);
+    if (answer.strategy) keep_strategy(task, place, answer, reply);
+    return reply;
   }
 
   // What is wrong with the formula or query of a task is reported like any other bad line.
@@ -111,13 +107,26 @@ class TaskAnswers {
   }
 
   void write_strategies() const {
-    if (choice_.strategy.empty()) return;
+    if (choice_.strategy.empty() || (strategies_.empty() && some_refused_)) return;
     std::string all;
     for (const auto& [place, text] : strategies_) all += text;
     write_file(choice_.strategy, all);
   }
 
  private:
+  // The value is told, whether the strategy can be written in the format or not.
+  void keep_strategy(const plan::CaseTask& task, std::size_t place, const CaseAnswer& answer, Reply& reply) {
+    const bool ours = choice_.strategy_format == "waymark";
+    try {
+      std::string text = ours ? written(case_, task, answer) : scheduler_text(case_, answer, choice_.strategy_format);
+      const std::lock_guard lock(mutex_);
+      strategies_[place] = std::move(text);
+    } catch (const UsageError& error) {
+      reply.code = worse(reply.code, ExitCode::Usage);
+      reply.problem = (task.id.empty() ? "" : task.id + ": ") + error.what();
+      some_refused_ = true;
+    }
+  }
   CaseAnswer answered(const plan::CaseTask& task, const plan::CaseOptions& options) const {
     try {
       return plan::answer(case_, task, options);
@@ -149,6 +158,7 @@ class TaskAnswers {
   std::atomic<std::size_t> working_{0};  // tasks
   std::mutex mutex_;
   std::map<std::size_t, std::string> strategies_;  // by place
+  std::atomic<bool> some_refused_{false};          // a strategy that the format does not hold
 };
 
 }  // namespace
@@ -206,6 +216,7 @@ ExitCode plan_case(const CaseChoice& choice, const Session& session) {
 
 ExitCode plan_model(plan::PlanningCase free, const CaseChoice& choice, const TextOptions& formulas,
                     const Session& session) {
+  if (!choice.strategy.empty()) require_scheduler_of(free, choice.strategy_format);
   const plan::PlanningCase model = scheduled(std::move(free), choice.scheduler);
   TaskAnswers answers(model, choice, session);
   const auto answered = [&](const plan::CaseTask& task, const Text& text, const TextWatch& watch,

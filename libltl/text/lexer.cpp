@@ -89,6 +89,11 @@ std::optional<bool> constant_word(std::string_view word, Notation notation) {
   return std::nullopt;
 }
 
+// Where the character that begins at the offset ends; a byte that is no UTF-8 is one.
+std::size_t character_end(std::string_view text, std::size_t at) {
+  return at + std::max<std::size_t>(1, utf8_character(text, at));
+}
+
 bool is_unary_run(std::string_view word) {
   return std::all_of(word.begin(), word.end(), [](char c) { return unary_letter(c).has_value(); });
 }
@@ -194,7 +199,7 @@ Token Lexer::quoted() {
     if (text_[at_] == '\\') {
       if (++at_ == text_.size()) break;
       if (text_[at_] != '"' && text_[at_] != '\\' && text_[at_] != 'n')
-        fail({at_ - 1, at_ + 1}, "expected \\\", \\\\ or \\n in a quoted name");
+        fail({at_ - 1, character_end(text_, at_)}, "expected \\\", \\\\ or \\n in a quoted name");
       name += text_[at_] == 'n' ? '\n' : text_[at_];
     } else {
       name += text_[at_];
@@ -208,10 +213,8 @@ Token Lexer::quoted() {
 }
 
 void Lexer::fail_on_character() const {
-  std::size_t end = at_ + 1;
-  while (end < text_.size() && (static_cast<unsigned char>(text_[end]) & 0xC0U) == 0x80U) ++end;
-  const Span where{at_, end};
-  const std::string shown(text_.substr(at_, end - at_));
+  const Span where{at_, character_end(text_, at_)};
+  const std::string shown(text_.substr(at_, where.end - at_));
   if (is_digit(text_[at_])) fail(where, "expected a formula; numbers other than 0 and 1 must follow F<=, G<= or U<=");
   if (text_[at_] == '[')
     fail(where, "'[' starts no part of a formula; bounds stand right behind F, G or U: F[0:3], G<=3, U[1:3], F[2:]");

@@ -14,6 +14,7 @@ namespace {
 
 constexpr double rounding = 1e-15;   // of the sum of a row
 constexpr double most_error = 1e-9;  // of a probability
+constexpr double most_steps = 1e12;  // of a policy whose costs are bounds: rounding adds up
 
 }  // namespace
 
@@ -279,11 +280,11 @@ bool Equations::evaluate(const Policy& policy, std::vector<double>& x) {
   Eigen::VectorXd solved = factors.solve(right);
   solved +=
       factors.solve(right - matrix * solved);  // one step of refinement: the residual is what bounds are proved by
+  const Eigen::VectorXd steps = factors.solve(Eigen::VectorXd::Ones(rows()));
+  steps_ = steps.minCoeff() >= 0.5 ? steps.maxCoeff() : INFINITY;
   if (measure_ == Measure::MaxProbability) {
-    const Eigen::VectorXd steps = factors.solve(Eigen::VectorXd::Ones(rows()));
     const double residual = (right - matrix * solved).cwiseAbs().maxCoeff() + rounding;
-    steps_ = steps.maxCoeff();
-    if (!(steps.minCoeff() >= 0.5) || !(residual * steps_ <= most_error)) return false;
+    if (!(residual * steps_ <= most_error)) return false;
   }
   x.assign(solved.data(), solved.data() + solved.size());
   for (double& v : x) {
@@ -295,7 +296,9 @@ bool Equations::evaluate(const Policy& policy, std::vector<double>& x) {
 
 // The values of a policy that no single change of a choice betters, as lower bounds. Greatest probabilities are no less
 // than those of any policy. Least costs are: so what is taken is proved by a sweep that lowers nothing, and is a
-// billionth less where rounding keeps the values themselves from being proved. False: no such policy, or no proof.
+// billionth less where rounding keeps the values themselves from being proved. A policy of more than 10¹² expected
+// steps is refused: the linear system is all but singular in doubles, its solution may be any number, and a sweep in
+// doubles does not tell. False: no such policy, or no proof.
 bool Equations::iterate_policies(const IterationOptions& limits) {
   std::vector<double> x = x_.lower;
   Policy policy = x_.sweeps > 0 ? greedy() : progress();
@@ -317,6 +320,7 @@ bool Equations::iterate_policies(const IterationOptions& limits) {
       }
     }
   }
+  if (!(steps_ <= most_steps)) return false;
   for (double less : {0.0, 1e-9}) {
     std::vector<double> candidate = x;
     for (double& v : candidate) v *= 1 - less;

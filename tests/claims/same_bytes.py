@@ -54,8 +54,27 @@ def journeys(motion):
         yield ["ground", said, "--map", name, "--top", "5", "--json"], b""
         yield ["run", said, "--map", name, "--svg", f"{name}.svg"], b""
     yield ["compare", "F sofa", "--map", "grid", "--seeds", "2", "--steps", "2000"], b""
-    if motion:
-        yield ["move", "F sofa", "--map", "grid", "--seed", "3", "--json"], b""
+    for name, seed in [("grid", "3"), ("grid", "4"), ("jelly", "1"), ("l", "2")] if motion else []:
+        yield ["move", "F sofa", "--map", name, "--seed", seed, "--json"], b""
+
+
+def others(formulas):
+    """The subcommands that stand nowhere else, of what was printed before them too."""
+    yield ["compose", "F easel", "--map", "grid", "--start", "1,9,0", "--json"], b""
+    yield ["plan", "F easel & G !sofa", "--map", "grid", "--start", "1,9,0", "--json"], b""
+    yield ["check", "F easel", "--trajectory", "printed"], b""
+    yield ["plan", "F easel & G !sofa", "--map", "grid", "--start", "1,9,0", "--json"], b""
+    yield ["verify", "printed"], b""
+    yield ["plan", "G F sofa & G F chair", "--semantics", "infinite", "--start", "1,9,0", "--json"], b""
+    yield ["draw", "--map", "grid", "--svg", "map.svg"], b""
+    yield ["draw", "automaton", "--formula", "F (sofa & X F lamp)", "--svg", "automaton.svg"], b""
+    yield ["monitor", "G(a -> F b)"], b"{a}\n{b}\n{}\n"
+    yield ["compare-formulas", "F a & F b", "F(a & F b) | F(b & F a)"], b""
+    yield ["translate", "-F", "-", "--to", "tgba", "--one-line", "--limit-states", "2000"], formulas["infinite"]
+    yield ["automaton", "printed", "--to", "never"], b""
+    yield ["map", "grid", "--json"], b""
+    yield ["patterns", "--list"], b""
+    yield ["help", "conventions"], b""
 
 
 def cases():
@@ -101,7 +120,7 @@ def main():
                  for words in ("infinite", "finite")}
         formulas = {words: first.run(arguments)["stdout"] for words, arguments in drawn.items()}
         jobs = [(arguments, b"") for arguments in drawn.values()]
-        jobs += [*translations(formulas), *cases(), *journeys("motion" not in left_out)]
+        jobs += [*translations(formulas), *cases(), *journeys("motion" not in left_out), *others(formulas)]
         jobs += [] if "train" in left_out else learning()
         found = list(differences(first, other, jobs))
     print(f"{len(found)} commands, {sum(found)} differ or fail")

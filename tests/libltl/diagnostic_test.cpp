@@ -2,7 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cstdint>
 #include <string>
+#include <vector>
 
 namespace waymark::ltl {
 namespace {
@@ -59,6 +62,47 @@ TEST(SyntaxError, ShowsAPartOfALongLine) {
   EXPECT_EQ(SyntaxError(text, {150, 151}, "m").what(), expected(0, false, false, 150));
 }
 
+// The same of characters of one to four bytes, told by their numbers: every place in lines around the longest.
+TEST(SyntaxError, CutsLongLinesBetweenCharacters) {
+  const std::vector<std::string> alphabet{"a", "é", "◇", "𝒰", "z", "\uFFFD"};
+  for (const std::size_t length : {199U, 200U, 201U, 259U, 260U, 261U, 330U}) {
+    std::vector<std::string> characters;
+    std::string text = "one ◇ before\n";
+    std::vector<std::size_t> begins;
+    for (std::size_t i = 0; i < length; ++i) {
+      characters.push_back(alphabet[(i * i + i / 7) % alphabet.size()]);
+      begins.push_back(text.size());
+      text += characters.back();
+    }
+    begins.push_back(text.size());
+    text += "\none 𝒰 after";
+    for (std::size_t at = 0; at < length; ++at) {
+      const std::size_t first = length <= 200 || at < 60 ? 0 : at - 60;
+      const std::size_t last = length <= 200 ? length : std::min(length, first + 200);
+      for (const std::size_t wide : {1U, 3U}) {
+        std::string expected = "m\n  2 | ";
+        if (first > 0) expected += "…";
+        for (std::size_t i = first; i < last; ++i) expected += characters[i];
+        if (last < length) expected += "…";
+        const std::size_t until = std::min(at + wide, length);
+        expected += "\n    | " + std::string(at - first + (first > 0 ? 1 : 0), ' ') + std::string(until - at, '^');
+        ASSERT_EQ(SyntaxError(text, {begins[at], begins[until]}, "m").what(), expected)
+            << length << " characters, at " << at;
+      }
+    }
+  }
+}
+
+TEST(Diagnostics, ShowAThousandCharactersOfAMessage) {
+  for (const std::string character : {"a", "é", "◇", "𝒰"}) {
+    std::string message;
+    for (int i = 0; i < 1'000; ++i) message += character;
+    EXPECT_EQ(FormatError("", 0, 0, message).what(), message);
+    EXPECT_EQ(FormatError("", 0, 0, message + character).what(), message + "…");
+    EXPECT_EQ(FormatError("", 0, 0, message + message).what(), message + "…");
+  }
+}
+
 TEST(SyntaxError, ShowsControlCharactersAsSpaces) {
   EXPECT_STREQ(SyntaxError("a\x01\x1F\x7F b", {4, 5}, "m").what(), "m\n  1 | a    b\n    |     ^");
 }
@@ -100,6 +144,43 @@ TEST(Utf8, CountsCharacters) {
   EXPECT_EQ(utf8_character("", 0), 0U);
   EXPECT_EQ(utf8_character("a◇", 1), 3U);
   EXPECT_EQ(utf8_character("a◇", 2), 0U);
+}
+
+// The bytes of a code point, from the definition of UTF-8.
+std::string encoded(std::uint32_t point) {
+  const auto six = [&](unsigned shift) { return static_cast<char>(0x80U | ((point >> shift) & 0x3FU)); };
+  if (point < 0x80) return {static_cast<char>(point)};
+  if (point < 0x800) return {static_cast<char>(0xC0U | point >> 6U), six(0)};
+  if (point < 0x10000) return {static_cast<char>(0xE0U | point >> 12U), six(6), six(0)};
+  return {static_cast<char>(0xF0U | point >> 18U), six(12), six(6), six(0)};
+}
+
+bool is_encoded_point(std::string_view text) {
+  std::uint32_t point = static_cast<unsigned char>(text[0]) & (0x7FU >> text.size());
+  for (const char c : text.substr(1)) point = point << 6U | (static_cast<unsigned char>(c) & 0x3FU);
+  return point < 0x110000 && (point < 0xD800 || point > 0xDFFF) && encoded(point) == text;
+}
+
+// All code points; of four bytes those that differ in the first two, or in the others around the limits.
+TEST(Utf8, CharactersAreTheEncodedCodePoints) {
+  for (std::uint32_t point = 0; point < 0x110000; ++point) {
+    const std::string text = encoded(point);
+    const bool is_surrogate = point >= 0xD800 && point <= 0xDFFF;
+    ASSERT_EQ(utf8_character(text, 0), is_surrogate ? 0 : text.size()) << point;
+    ASSERT_EQ(utf8_character(std::string_view(text).substr(0, text.size() - 1), 0), 0U) << point;
+  }
+  const std::vector<int> around{0x00, 0x7F, 0x80, 0xBF, 0xC0, 0xFF};
+  for (int first = 0x80; first < 0x100; ++first)
+    for (int second = 0; second < 0x100; ++second)
+      for (const int third : around)
+        for (const int fourth : around) {
+          const std::string text{static_cast<char>(first), static_cast<char>(second), static_cast<char>(third),
+                                 static_cast<char>(fourth)};
+          std::size_t expected = 0;
+          for (std::size_t n = 2; n <= 4; ++n)
+            if (is_encoded_point(std::string_view(text).substr(0, n))) expected = n;
+          ASSERT_EQ(utf8_character(text, 0), expected) << printable(text);
+        }
 }
 
 }  // namespace

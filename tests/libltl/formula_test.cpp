@@ -30,6 +30,20 @@ TEST(Formula, ConstructorsFoldPropositionalIdentitiesOnly) {
   EXPECT_NE(next(no), no);
 }
 
+// Constants are folded where every semantics folds them, each operand by itself.
+TEST(Formula, PastOperatorsFoldConstants) {
+  Arena arena;
+  const Formula a = arena.atom("a"), no = arena.constant(false), yes = arena.constant(true);
+  EXPECT_EQ(yesterday(no), no);
+  EXPECT_NE(yesterday(yes), yes) << "there is no yesterday at the first position";
+  for (const Formula right : {a, no, yes}) EXPECT_EQ(since(no, right), right) << "false S φ = φ";
+  for (const Formula left : {a, no, yes}) {
+    EXPECT_EQ(since(left, no), no);
+    EXPECT_EQ(since(left, yes), yes);
+  }
+  EXPECT_EQ(since(yes, a).op(), Op::Since);
+}
+
 TEST(Formula, TransferKeepsStructure) {
   Arena from, to;
   to.atom("b");

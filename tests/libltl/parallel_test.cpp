@@ -25,6 +25,18 @@ TEST(ParallelFor, RunsEachJobOnceAtAnyNumberOfThreads) {
   parallel_for(0, 2, [](std::size_t, std::size_t) { FAIL(); });
 }
 
+// No two jobs run at the same time under one number, so the numbers can be places for what a thread keeps.
+TEST(ParallelFor, NumbersOfThreadsAreTheirOwn) {
+  for (const std::size_t threads : {2U, 3U, 5U}) {
+    std::vector<std::atomic<int>> at_work(threads);
+    parallel_for(40, threads, [&](std::size_t, std::size_t thread) {
+      EXPECT_EQ(at_work[thread]++, 0) << thread << " of " << threads;
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+      --at_work[thread];
+    });
+  }
+}
+
 TEST(ParallelFor, ThreadZeroIsTheCaller) {
   const auto caller = std::this_thread::get_id();
   parallel_for(50, 3,

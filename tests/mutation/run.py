@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""run.py SCRATCH [--mutants 2100] [--seed 1] [--area FOLDER...] [--seconds-a-mutant 8]: mutation tests.
+"""run.py SCRATCH [--mutants 2100] [--seed 1] [--unlike SEED:N...] [--after SEED:N...] [--area FOLDER...]
+[--seconds-a-mutant 8]: mutation tests.
 
 Operators, constants and conditions of the sources are changed one at a time, and the unit tests have to notice. SCRATCH
 holds a copy of the tree in which every mutated expression asks whether its mutant is the active one, a build of the
@@ -74,6 +75,18 @@ def sample(mutants, wanted, seed):
     return [number for _, number in sorted(chosen)]
 
 
+def drawn(mutants, options):
+    """The sample, of the mutants that no draw of `--unlike SEED:N` has, nor those of `--after SEED:N` among these."""
+    draws = [tuple(map(int, draw.split(":"))) for draw in options.unlike]
+    others = {number for seed, many in draws for number in sample(mutants, many, seed)}
+    left = {number: mutant for number, mutant in mutants.items() if number not in others}
+    for draw in options.after:
+        seed, many = map(int, draw.split(":"))
+        earlier = set(sample(left, many, seed))
+        left = {number: mutant for number, mutant in left.items() if number not in earlier}
+    return sample(left, options.mutants, options.seed)
+
+
 def counted(subject, chosen, results, explained):
     """By area: how many mutants have which verdict, how many survivors a reason, and minutes."""
     rows = collections.defaultdict(collections.Counter)
@@ -120,7 +133,7 @@ def hunt(subject, options, results, explained):
     hunter = running.Hunt(programs, tests, options.seconds_a_mutant, options.longest_test)
     print(f"{len(tests)} tests, {sum(test.seconds for test in tests):.0f} s; too long to be run: "
           f"{', '.join(f'{t.program}: {t.name} ({t.seconds:.0f} s)' for t in hunter.too_long) or 'none'}", flush=True)
-    chosen = sample(subject.mutants, options.mutants, options.seed)
+    chosen = drawn(subject.mutants, options)
     again = set(options.again.split(",")) if options.again else set()
     waiting = []
     for number in chosen:
@@ -148,6 +161,10 @@ def main():
     options.add_argument("scratch", type=Path, metavar="SCRATCH")
     options.add_argument("--mutants", type=int, default=2100, metavar="N", help="at most so many are run [2100]")
     options.add_argument("--seed", type=int, default=1, metavar="S", help="of which are run [1]")
+    options.add_argument("--unlike", nargs="+", default=[], metavar="SEED:N",
+                         help="none of those that these draws of N mutants have")
+    options.add_argument("--after", nargs="+", default=[], metavar="SEED:N",
+                         help="nor those of these draws, which had the same --unlike and --after those before")
     options.add_argument("--area", nargs="+", default=list(subjects.AREAS), choices=subjects.AREAS, metavar="FOLDER")
     options.add_argument("--seconds-a-mutant", type=float, default=8, metavar="T", help="of tests [8]")
     options.add_argument("--longest-test", type=float, default=10, metavar="T", help="longer tests are not run [10]")

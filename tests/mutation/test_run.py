@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """test_run.py: the mutation tests on a toy source, whose mutants are known: what is killed, what survives, what is not
 reached. Exit code 77: libclang or GoogleTest is missing."""
+import argparse
 import subprocess
 import sys
 import tempfile
@@ -89,6 +90,20 @@ class Toy(unittest.TestCase):
         self.assertEqual(sum(number < 50 for number in chosen), 49)  # no more than there are
         moved = {number + 10: (area, m._replace(line=m.line + 3)) for number, (area, m) in mutants.items()}
         self.assertEqual([number + 10 for number in chosen], run.sample(moved, 120, 1))
+
+    def test_a_draw_leaves_out_what_others_drew(self):
+        mutants = {number: ("one", finding.Mutant("some.cpp", number, 1, "constant", 0, 0, str(number), "8", None,
+                                                  False)) for number in range(1, 200)}
+        options = argparse.Namespace(unlike=["1:60", "2:50"], after=[], mutants=40, seed=3)
+        earlier = set(run.sample(mutants, 60, 1)) | set(run.sample(mutants, 50, 2))
+        chosen = run.drawn(mutants, options)
+        self.assertEqual(len(chosen), 40)
+        self.assertFalse(earlier & set(chosen))
+        everything = run.drawn(mutants, argparse.Namespace(unlike=["1:60", "2:50"], after=["3:40"], mutants=500,
+                                                              seed=4))
+        earlier |= set(chosen)
+        self.assertFalse(earlier & set(everything))
+        self.assertEqual(set(everything) | earlier, set(mutants))
 
 
 if __name__ == "__main__":

@@ -152,6 +152,32 @@ TEST(Minimize, KeepsTheLanguageAndCannotBeRepeated) {
   }
 }
 
+// The initial state is the last one or any other: what is made has as many states as there are classes, and the words.
+TEST(Minimize, BeginsAnywhere) {
+  ltl::Random random(17);
+  for (int i = 0; i < 400; ++i) {
+    const auto states = 1 + static_cast<std::uint32_t>(random.below(8));
+    const Table drawn = random_table(random, states, random.chance(0.3));
+    for (std::uint32_t first = 0; first < states; ++first) {
+      Table table = drawn;
+      table.accepting[first] = false;
+      Transitions automaton = symbolic(table);
+      automaton.initial = first;
+      Budget unlimited;
+      const Transitions made = minimize(automaton, unlimited);
+      const std::vector<std::size_t> classes = moore(table);
+      ASSERT_EQ(made.roots.size(), std::set(classes.begin(), classes.end()).size()) << "automaton " << i;
+      const ltl::Vocabulary names({"a", "b"});
+      const Dfa before = as_dfa(automaton, names, {{0}, {1}}), after = as_dfa(made, names, {{0}, {1}});
+      ASSERT_EQ(before.initial().index, first);
+      ASSERT_FALSE(difference(before, after).has_value()) << "automaton " << i << " from " << first;
+      const Dfa smallest = minimize(before);
+      ASSERT_FALSE(difference(before, smallest).has_value()) << "automaton " << i << " from " << first;
+      ASSERT_LE(smallest.states(), after.states());
+    }
+  }
+}
+
 TEST(Minimize, EndsWhenItsEffortIsSpent) {
   // A cycle: refined, not done in one pass.
   const Table third{{{1, 1, 1, 1}, {2, 2, 2, 2}, {0, 0, 0, 0}}, {true, false, false}};

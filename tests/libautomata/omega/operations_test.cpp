@@ -87,6 +87,7 @@ TEST(RandomAutomaton, RefusesWhatNoAutomatonIs) {
   EXPECT_THROW(random_automaton(random, ab, {.branches = 0}), std::invalid_argument);
   EXPECT_THROW(random_automaton(random, ab, {.atoms = 3}), std::invalid_argument);
   EXPECT_THROW(random_automaton(random, ab, {.sets = Marks::most + 1}), std::invalid_argument);
+  EXPECT_EQ(random_automaton(random, ab, {.sets = Marks::most, .generic = false}).acceptance().sets, Marks::most);
 }
 
 TEST(OmegaOperations, StopAtTheLimits) {

@@ -88,6 +88,30 @@ TEST(TraceCheck, SharesWhatItsFormulasShare) {
   EXPECT_EQ(verdicts, (std::array<bool, 3>{true, false, false}));
 }
 
+// Several formulas at once, words on both sides of a block of 64 positions.
+TEST(TraceCheck, TellsEveryFormulaOfLongWords) {
+  Arena arena(testing::letters_vocabulary(2));
+  Random random(19);
+  std::vector<Formula> formulas;
+  for (int i = 0; i < 40; ++i) formulas.push_back(random_formula(random, arena, {.size = 9, .atoms = 2}));
+  TraceCheck together(formulas);
+  std::vector<std::size_t> lengths;
+  for (std::size_t n = 1; n <= 8; ++n) lengths.push_back(n);
+  for (const std::size_t n : {62U, 63U, 64U, 65U, 66U, 67U, 127U, 128U, 129U, 130U}) lengths.push_back(n);
+  const auto verdicts = std::make_unique<bool[]>(formulas.size());
+  for (const std::size_t length : lengths)
+    for (int trial = 0; trial < 5; ++trial) {
+      std::vector<Letter> letters(length);
+      for (Letter& letter : letters)
+        for (const Proposition p : {Proposition{0}, Proposition{1}})
+          if (random.chance(0.5)) letter.insert(p);
+      const Trace word(letters);
+      together.check(Columns(word, 2), std::span(verdicts.get(), formulas.size()));
+      for (std::size_t i = 0; i < formulas.size(); ++i)
+        ASSERT_EQ(verdicts[i], holds(word, formulas[i])) << show(formulas[i], word);
+    }
+}
+
 TEST(TraceCheck, RefusesWhatItCannotRead) {
   Arena arena;
   TraceCheck check(parse("a & b", arena));

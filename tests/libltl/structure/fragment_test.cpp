@@ -39,6 +39,8 @@ TEST(Fragments, AreReadOffTheSyntax) {
       {"a <-> F b", "nore", "n"},    {"a <-> X b", "score", ""},     {"G a U b", "nore", "n"},
       {"a W F b", "nore", "n"},      {"(F a) M (G b)", "nore", "n"}, {"F<=2 a", "score", "c"},
       {"Y a", "score", "sc"},        {"a S b", "nscore", "nsc"},     {"O a", "nscore", "nsc"},
+      {"a W G F b", "nr", "n"},      {"a W F G b", "ne", "n"},       {"F a W F G b", "n", "n"},
+      {"F a W b", "nr", "n"},        {"F G a W b", "n", "n"},        {"G a M F b", "ne", "n"},
       {"F Y a", "core", "c"},        {"G(a S b)", "nsore", "ns"},
   };
   for (const auto& row : table) {

@@ -32,6 +32,21 @@ TEST(Shape, ForgetsNamesAndNothingElse) {
   EXPECT_NE(shape(f), shape(g));
 }
 
+// Numbers of more than seven bits: operands, propositions and the formula itself, one step apart or 128.
+TEST(Shape, TellsLargeNumbersApart) {
+  std::map<std::string, std::size_t> known;
+  Arena arena;
+  std::vector<Formula> atoms;
+  for (std::size_t i = 0; i < 400; ++i) atoms.push_back(arena.atom("p" + std::to_string(i)));
+  for (const Formula f : atoms) EXPECT_TRUE(known.emplace(shape(f), f.id()).second) << print(f);
+  for (const std::size_t last : {1U, 127U, 128U, 129U, 255U, 256U, 257U, 384U}) {
+    Arena other;
+    for (std::size_t i = 0; i < 400; ++i) other.atom("q" + std::to_string(i));
+    const Formula f = until(other.atom("q0"), other.atom("q" + std::to_string(last)));
+    EXPECT_TRUE(known.emplace(shape(f), last).second) << last;
+  }
+}
+
 // Each proposition as pᵢ, i its place in the vocabulary.
 std::string anonymous(const std::string& text, const Vocabulary& vocabulary) {
   return testing::with_letters(text,

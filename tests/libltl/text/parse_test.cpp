@@ -197,6 +197,31 @@ TEST(Parse, ErrorsNameWhatWasExpectedAndWhere) {
   }
 }
 
+// The bytes that an error is about are whole characters, all of them.
+TEST(Parse, ErrorsMarkWholeCharacters) {
+  const struct {
+    std::string_view before, wrong, behind;
+  } table[] = {
+      {"a & \"b", "\\t", "c\""}, {"a & \"b", "\\é", "c\""}, {"a & \"b", "\\◇", "c\""},
+      {"a & \"b", "\\𝒰", "\""},  {"\"é", "\\\xC3", "\""},   {"a & ", "\"", "b\\\""},
+      {"a & ", "\"", "b\\"},     {"F ", "\"\"", ""},        {"", "é", "◇"},
+      {"◇ ", "♠", " a"},         {"◇ ", "𝒳", "b"},          {"◇ ", "\xF0", "\x9D b"},
+      {"◇ ", "\x80", "\x80"},    {"F ", "7", "7"},          {"a & ", "[", "0:3] b"},
+      {"F", "[3:1]", " a"},      {"G ", "[10,9]", "a"},
+  };
+  for (const auto& row : table) {
+    const std::string text = std::string(row.before) + std::string(row.wrong) + std::string(row.behind);
+    Arena arena;
+    try {
+      parse(text, arena);
+      ADD_FAILURE() << text << " was read";
+    } catch (const SyntaxError& error) {
+      EXPECT_EQ(error.where().begin, row.before.size()) << error.what();
+      EXPECT_EQ(error.where().end, row.before.size() + row.wrong.size()) << error.what();
+    }
+  }
+}
+
 TEST(Parse, UnknownPropositionsAreRejectedWithTheNearestName) {
   Arena arena(Vocabulary({"chair", "sofa"}));
   try {

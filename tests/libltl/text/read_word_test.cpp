@@ -59,6 +59,8 @@ TEST(ReadWord, SaysWhatIsWrongAndWhere) {
       {"\"a", "expected '\"' at the end of the name", 3},
       {"\"a\\", "expected '\"' at the end of the name", 4},
       {"\"\"", "a name is never empty", 3},
+      {"\"a\\\"", "expected '\"' at the end of the name", 5},
+      {"\"\\\"", "expected '\"' at the end of the name", 4},
   };
   for (const auto& row : rows) {
     Vocabulary names;
@@ -68,6 +70,8 @@ TEST(ReadWord, SaysWhatIsWrongAndWhere) {
     } catch (const SyntaxError& error) {
       EXPECT_EQ(error.message(), row.message) << row.text;
       EXPECT_EQ(error.column(), row.column) << row.text;
+      const std::size_t size = std::string_view(row.text).size();
+      EXPECT_EQ(error.where().end, std::min(error.where().begin + 1, size)) << row.text;
     }
   }
 }

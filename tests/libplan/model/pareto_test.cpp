@@ -5,12 +5,15 @@
 
 #include <array>
 #include <cmath>
+#include <limits>
 #include <random>
 
 #include "libplan/solve/property_answer.hpp"
 
 namespace waymark::plan {
 namespace {
+
+constexpr double nothing = -std::numeric_limits<double>::infinity();
 
 constexpr std::uint32_t four = 4;  // states
 
@@ -109,7 +112,7 @@ TEST(Pareto, IsTheHullOfAllDeterministicStrategies) {
       };
       for (int w = 0; w <= 20; ++w) {
         const double weight = w / 20.0;
-        double best = -INFINITY, front = -INFINITY;
+        double best = nothing, front = nothing;
         for (const Attained& o : all) {
           if (costs && std::isinf(o.cost)) continue;
           const auto [x, y] = pair(o);
@@ -119,7 +122,7 @@ TEST(Pareto, IsTheHullOfAllDeterministicStrategies) {
           const double x = kind == 2 ? -p.values[0] : p.values[0], y = costs ? -p.values[1] : p.values[1];
           front = std::max(front, weight * x + (1 - weight) * y);
         }
-        if (best == -INFINITY || front == -INFINITY) {
+        if (best == nothing || front == nothing) {
           EXPECT_EQ(best, front) << i << ' ' << kind;
           continue;
         }
@@ -132,6 +135,18 @@ TEST(Pareto, IsTheHullOfAllDeterministicStrategies) {
     }
   }
   EXPECT_GT(curves, 50U);
+}
+
+TEST(Pareto, IsOfOneObjectiveOrTwo) {
+  MdpBuilder builder(ltl::Vocabulary({"a"}));
+  const LetterId a = builder.letter({ltl::Proposition{0}});
+  builder.add_state();
+  builder.add_choice("stay");
+  builder.add_outcome(0, a);
+  const Mdp mdp = std::move(builder).build(0, a);
+  EXPECT_THROW(pareto(mdp, {}), std::invalid_argument);
+  EXPECT_THROW(pareto(mdp, {{"F a"}, {"G a"}, {"X a"}}), std::invalid_argument);
+  EXPECT_EQ(pareto(mdp, {{"F a"}, {"X a"}}).value().points.size(), 1U);
 }
 
 }  // namespace

@@ -165,6 +165,24 @@ PlanningCase quiet_case() {
   return parse_case(text.replace(text.find(R"(, "motion")"), std::string::npos, "}"));
 }
 
+TEST(CaseTask, SaysWhichMethodItWas) {
+  const PlanningCase noisy = parse_case(small_case);
+  const CaseTask task{.id = "", .formula = "F a", .query = CaseTask::Query::MaxProbability};
+  for (const auto& [asked, done] : {std::pair(CaseMethod::Best, CaseMethod::ValueIteration),
+                                    std::pair(CaseMethod::ValueIteration, CaseMethod::ValueIteration),
+                                    std::pair(CaseMethod::PolicyIteration, CaseMethod::PolicyIteration)}) {
+    const CaseAnswer found = answer(noisy, task, {.method = asked});
+    EXPECT_TRUE(found.method == done);
+    EXPECT_EQ(found.reason, "");
+  }
+}
+
+TEST(CaseTask, AsManyRoutesAsAskedFor) {
+  const CaseTask cheapest{.id = "", .formula = "F a", .query = CaseTask::Query::MinCost};
+  for (const std::size_t top : {1U, 2U, 3U})
+    EXPECT_EQ(answer(quiet_case(), cheapest, {.top = top, .route = true}).routes.size(), top);
+}
+
 TEST(CaseTask, MethodSearchIsForCostsOfDeterministicModels) {
   const CaseTask cheapest{.id = "", .formula = "F a", .query = CaseTask::Query::MinCost};
   const CaseTask likeliest{.id = "", .formula = "F a", .query = CaseTask::Query::MaxProbability};

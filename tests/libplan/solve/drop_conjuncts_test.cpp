@@ -103,6 +103,19 @@ TEST(DropConjuncts, DropsOneAfterTheOtherWhereSetsAreTooMany) {
   EXPECT_LE(asked, most_sets + 12 + std::size_t{11} * 13);
 }
 
+TEST(DropConjuncts, ConflictsAreListedInWords) {
+  ltl::Arena arena;
+  const auto conflict = [&](std::initializer_list<const char*> texts) {
+    Violation out;
+    for (const char* text : texts) out.conflict.push_back(ltl::parse(text, arena));
+    return out;
+  };
+  EXPECT_EQ(in_words(conflict({"F a"}), false), "no strategy has a chance to satisfy F a");
+  EXPECT_EQ(in_words(conflict({"F a", "G b"}), true), "no strategy is sure to satisfy F a and G b together");
+  EXPECT_EQ(in_words(conflict({"F a", "G b", "F c", "X d"}), false),
+            "no strategy has a chance to satisfy F a, G b, F c and X d together");
+}
+
 TEST(DropConjuncts, WhatIsSeenOnAnyMoveIsSeen) {
   const ltl::Vocabulary names({"a", "b", "c"});
   MdpBuilder builder(names);

@@ -107,6 +107,34 @@ TEST(GreatestCost, IsThatOfTheWorstStrategy) {
   EXPECT_GT(finite, 100);
 }
 
+// The worst choice is any of the choices: it misses the goal for ever, by what is seen on the way or by staying away.
+TEST(GreatestCost, IsInfiniteWhereAnyChoiceMissesTheGoal) {
+  for (std::uint32_t bad = 0; bad < 4; ++bad)
+    for (const bool stays : {false, true}) {
+      MdpBuilder builder(ltl::Vocabulary({"a", "b"}));
+      const LetterId none = builder.letter({}), a = builder.letter({ltl::Proposition{0}}),
+                     b = builder.letter({ltl::Proposition{1}});
+      builder.add_state();
+      for (std::uint32_t k = 0; k < 3; ++k) {
+        builder.add_choice(std::to_string(k), 1 + k);
+        builder.add_outcome(k == bad && stays ? 1 : 2, k != bad ? b : stays ? none : a);
+      }
+      builder.add_state();
+      builder.add_choice("stay");
+      builder.add_outcome(1, none);
+      builder.add_state();
+      builder.add_choice("seen");
+      builder.add_outcome(2, b);
+      const PlanningCase model{"", std::move(builder).build(0, none), {}};
+      const CaseTask task{"", "!a U b", CaseTask::Logic::Ltl, CaseTask::Query::MaxCost};
+      const CaseAnswer found = answer(model, task, {.explain = false});
+      if (bad < 3)
+        EXPECT_EQ(found.value.lower, INFINITY) << bad << stays;
+      else
+        EXPECT_NEAR(found.value.middle(), 3, 1e-5);
+    }
+}
+
 TEST(GreatestCost, HasNoStrategyToWrite) {
   std::mt19937 random(1);
   const PlanningCase model{"", test::random_mdp(random), {}};
