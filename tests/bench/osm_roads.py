@@ -87,8 +87,8 @@ def write_extract(prefix, path, buildings):
                 continue
             way += 1
             out.write(f' <way id="{way}" version="2">\n  <nd ref="{tail * 10}"/>\n  <nd ref="{head * 10}"/>\n'
-                      f'  <tag k="highway" v="residential"/>\n{"" if back else oneway}  <tag k="surface" v="asphalt"/>\n'
-                      ' </way>\n')
+                      f'  <tag k="highway" v="residential"/>\n{"" if back else oneway}'
+                      '  <tag k="surface" v="asphalt"/>\n </way>\n')
         for first in range(100 * nodes, corner, 4):
             way += 1
             refs = "".join(f'  <nd ref="{ref}"/>\n' for ref in (first, first + 1, first + 2, first + 3, first))
