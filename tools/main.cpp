@@ -95,9 +95,9 @@ constexpr std::array rows{
                "evaluate --corpus DIR --train-all --test-corpus DIR2 --json"},
     Subcommand{"experiment", experiment_summary, nullptr, experiment_examples},
     Subcommand{"tune", tune_summary, nullptr, tune_examples},
-    Subcommand{"import", "a corpus as it was released → ours", setup_import,
-               "import sail DIR\n"
-               "import sail DIR --out DIR2"},
+    Subcommand{"import", "a corpus as it was released → ours; OpenStreetMap → roads of DIMACS", setup_import,
+               "import sail DIR --out DIR2\n"
+               "import osm country.osm --out country"},
     Subcommand{"corpus", "how large a corpus is, in texts and trajectories", setup_corpus,
                "corpus DIR\n"
                "corpus DIR --json"},

@@ -21,6 +21,7 @@ RoadGraph::RoadGraph(Parts parts)
       letter_(std::move(parts.letter)),
       letters_(std::move(parts.letters)),
       nodes_of_(letters_.size()),
+      entrances_of_(letters_.size()),
       start_(parts.start) {
   if (letter_.empty() || letter_.size() > most_nodes || start_ >= letter_.size())
     throw std::invalid_argument("expected 1 to 2^30 nodes, and a start among them");
@@ -28,12 +29,19 @@ RoadGraph::RoadGraph(Parts parts)
     throw std::invalid_argument("expected a tail for every arc, and fewer than 2^32 arcs");
   if (letters_.size() == 0 || letters_.size() > most_letters || !letters_[LetterId{0}].members().empty())
     throw std::invalid_argument("expected the empty letter first, and at most 2^16 letters");
-  for (std::size_t a = 0; a < arcs_.size(); ++a)
-    if (parts.tails[a] >= letter_.size() || arcs_[a].to >= letter_.size() || arcs_[a].cost > most_arc_cost)
+  std::vector<bool> entered(letter_.size(), false);
+  for (std::size_t a = 0; a < arcs_.size(); ++a) {
+    const std::uint32_t from = parts.tails[a], to = arcs_[a].to;
+    if (from >= letter_.size() || to >= letter_.size() || arcs_[a].cost > most_arc_cost)
       throw std::invalid_argument("expected arcs between nodes, with costs below 2^31");
+    if (letter_[from] != letter_[to]) entered[to] = true;
+  }
   sort(std::move(parts.tails));
   for (std::uint32_t v = 0; v < letter_.size(); ++v)
-    if (letter_[v] != 0) nodes_of_.at(letter_[v]).push_back(v);
+    if (letter_[v] != 0) {
+      nodes_of_.at(letter_[v]).push_back(v);
+      if (entered[v]) entrances_of_[letter_[v]].push_back(v);
+    }
 }
 
 void RoadGraph::sort(std::vector<std::uint32_t> tails) {

@@ -49,6 +49,8 @@ class RoadGraph {
 
   // The nodes of a letter that is not empty, ascending.
   std::span<const std::uint32_t> nodes_of(LetterId letter) const { return nodes_of_[letter.index]; }
+  // Those of them that an arc from a node of another letter leads to: where an area is entered.
+  std::span<const std::uint32_t> entrances_of(LetterId letter) const { return entrances_of_[letter.index]; }
   std::size_t count(LetterId letter) const;  // of nodes with the letter, also the empty one
 
   // Of all but the start, for files made from this graph. O(nodes + arcs).
@@ -60,7 +62,7 @@ class RoadGraph {
   std::vector<Arc> arcs_;             // one more entry, never read, so that the end of a row has an address
   std::vector<std::uint16_t> letter_;
   Letters letters_;
-  std::vector<std::vector<std::uint32_t>> nodes_of_;  // by letter
+  std::vector<std::vector<std::uint32_t>> nodes_of_, entrances_of_;  // by letter
   std::uint32_t start_ = 0;
 };
 

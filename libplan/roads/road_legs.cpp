@@ -25,7 +25,7 @@ RoadLegs::RoadLegs(const RoadGraph& graph, const RoadHierarchy& hierarchy, std::
   if (hierarchy.nodes() != graph.nodes()) throw std::invalid_argument("a hierarchy of another map");
 }
 
-void RoadLegs::begin(std::vector<Role> role) {
+void RoadLegs::begin(std::vector<LegRole> role) {
   for (const Visited& v : visits_) slot_.get()[v.rank] = 0;
   visits_.clear();
   up_.clear();
@@ -33,15 +33,16 @@ void RoadLegs::begin(std::vector<Role> role) {
   role_ = std::move(role);
   barriers_ = 0;
   for (std::size_t b = 0; b < hierarchy_.bits().size(); ++b)
-    if (role_[hierarchy_.bits()[b]] != Role::Passed) barriers_ |= std::uint64_t{1} << b;
+    if (!passes(role_[hierarchy_.bits()[b]])) barriers_ |= std::uint64_t{1} << b;
 }
 
-std::uint32_t RoadLegs::meet(std::uint32_t rank, Role role) {
+std::uint32_t RoadLegs::meet(std::uint32_t rank, LegRole role) {
   std::uint32_t& slot = slot_.get()[rank];
   if (slot == 0) {
     visits_.emplace_back();
     visits_.back().rank = rank;
-    visits_.back().passed = role == Role::Passed;
+    visits_.back().passed = passes(role);
+    visits_.back().leads = leads(role);
     slot = static_cast<std::uint32_t>(visits_.size());
     ++statistics_.met;
   }
@@ -57,19 +58,21 @@ void RoadLegs::relax(std::uint32_t from, std::uint32_t to, std::uint64_t cost, s
 }
 
 void RoadLegs::add_source(std::uint32_t node, std::uint64_t cost, std::uint32_t entry) {
-  relax(none, meet(hierarchy_.rank(node), Role::Passed), cost, entry);
+  const std::uint32_t rank = hierarchy_.rank(node);
+  relax(none, meet(rank, role(rank)), cost, entry);
 }
 
-std::size_t RoadLegs::count(Role role) const {
+template <class Chosen>
+std::size_t RoadLegs::count(const Chosen& chosen) const {
   std::size_t out = 0;
   for (std::uint32_t l = 0; l < role_.size(); ++l)
-    if (role_[l] == role) out += graph_.count(LetterId{l});
+    if (chosen(role_[l])) out += graph_.count(LetterId{l});
   return out;
 }
 
 bool RoadLegs::run(std::uint64_t limit, std::uint32_t target) {
   if (visits_.empty()) return true;
-  if (role_[0] != Role::Passed || count(Role::Passed) <= count(Role::Leads)) return cross_passed(limit);
+  if (!passes(role_[0]) || count(passes) <= count(leads)) return cross_passed(limit);
   collect_up();
   collect_down(target);
   sweep_up();
@@ -87,7 +90,7 @@ void RoadLegs::collect_up() {
     for (std::uint32_t a = hierarchy_.begin_arcs(v.rank); a < hierarchy_.end_arcs(v.rank); ++a) {
       const RoadHierarchy::Arc& arc = hierarchy_.arc(a);
       if (!usable(arc, RoadHierarchy::forward)) continue;
-      if (const Role r = role(arc.head); r != Role::Closed) meet(arc.head, r);
+      if (const LegRole r = role(arc.head); r != LegRole::Closed) meet(arc.head, r);
     }
   }
   std::sort(up_.begin(), up_.end(), [&](auto a, auto b) { return visits_[a].rank < visits_[b].rank; });
@@ -106,10 +109,12 @@ void RoadLegs::collect_down(std::uint32_t target) {
     else
       open.push_back(visit);
   };
-  const auto lead = [&](std::uint32_t node) { take(meet(hierarchy_.rank(node), Role::Leads)); };
+  const auto lead = [&](std::uint32_t node) { take(meet(hierarchy_.rank(node), role(hierarchy_.rank(node)))); };
   for (std::uint32_t l = 0; l < role_.size() && target == any; ++l) {
-    if (role_[l] != Role::Leads) continue;
-    for (const std::uint32_t node : graph_.nodes_of(LetterId{l})) lead(node);
+    if (!leads(role_[l])) continue;
+    // Past a letter that may not be passed, a leg cannot have come from a node of the same letter.
+    for (const std::uint32_t node : passes(role_[l]) ? graph_.nodes_of(LetterId{l}) : graph_.entrances_of(LetterId{l}))
+      lead(node);
     if (l != 0) continue;
     for (std::uint32_t node = 0; node < graph_.nodes(); ++node)
       if (graph_.letter(node).index == 0) lead(node);
@@ -122,7 +127,7 @@ void RoadLegs::collect_down(std::uint32_t target) {
     const std::uint32_t rank = visits_[i].rank;
     for (std::uint32_t a = hierarchy_.begin_arcs(rank); a < hierarchy_.end_arcs(rank); ++a) {
       const RoadHierarchy::Arc& arc = hierarchy_.arc(a);
-      if (usable(arc, RoadHierarchy::backward) && role(arc.head) == Role::Passed) take(meet(arc.head, Role::Passed));
+      if (const LegRole r = role(arc.head); usable(arc, RoadHierarchy::backward) && passes(r)) take(meet(arc.head, r));
     }
   }
   std::sort(down_.begin(), down_.end(), [&](auto a, auto b) { return visits_[a].rank > visits_[b].rank; });
@@ -165,11 +170,11 @@ bool RoadLegs::cross_core(std::uint64_t limit, std::uint32_t target) {
     for (std::uint32_t a = hierarchy_.begin_arcs(v.rank); a < hierarchy_.end_arcs(v.rank); ++a) {
       const RoadHierarchy::Arc& arc = hierarchy_.arc(a);
       ++statistics_.edges;
+      if (const std::uint32_t m = met(arc.head); m != 0 && cost + arc.cost >= visits_[m - 1].cost) continue;
       if (!usable(arc, RoadHierarchy::forward)) continue;
-      const Role r = role(arc.head);
-      if (r == Role::Closed || (r == Role::Leads && only != any && arc.head != only)) continue;
+      const LegRole r = role(arc.head);
+      if (r == LegRole::Closed || (r == LegRole::Leads && only != any && arc.head != only)) continue;
       const std::uint32_t to = meet(arc.head, r);
-      if (cost + arc.cost >= visits_[to].cost) continue;
       relax(i, to, cost + arc.cost, a);
       heap.emplace(cost + arc.cost, to);
     }
@@ -204,8 +209,8 @@ bool RoadLegs::cross_passed(std::uint64_t limit) {
     for (const RoadGraph::Arc& arc : graph_.arcs(hierarchy_.node(visits_[i].rank))) {
       ++statistics_.edges;
       const std::uint32_t head = hierarchy_.rank(arc.to);
-      const Role r = role(head);
-      if (r == Role::Closed) continue;
+      const LegRole r = role(head);
+      if (r == LegRole::Closed) continue;
       const std::uint32_t to = meet(head, r);
       if (cost + arc.cost >= visits_[to].cost) continue;
       relax(i, to, cost + arc.cost, by_road);

@@ -5,6 +5,7 @@
 #include <unordered_map>
 #include <utility>
 
+#include "libplan/roads/leg_roles.hpp"
 #include "libplan/roads/road_legs.hpp"
 
 namespace waymark::plan {
@@ -19,6 +20,8 @@ class RoadSearch {
         task_(task),
         options_(options),
         legs_(graph, hierarchy, options.stop),
+        roles_(graph, hierarchy, task),
+        shared_(graph, hierarchy, task, roles_, options.shared, options.kept_legs),
         at_(task.states()) {}
 
   std::optional<RoadAnswer> run() {
@@ -96,17 +99,6 @@ class RoadSearch {
     }
   }
 
-  std::vector<RoadLegs::Role> roles(std::uint32_t state) const {
-    std::vector<RoadLegs::Role> out;
-    for (std::uint32_t l = 0; l < graph_.letters().size(); ++l) {
-      const std::uint32_t next = task_.next(state, LetterId{l}).target;
-      out.push_back(next == state             ? RoadLegs::Role::Passed
-                    : next == TaskTable::trap ? RoadLegs::Role::Closed
-                                              : RoadLegs::Role::Leads);
-    }
-    return out;
-  }
-
   // Could an entry of the state, at this cost or more, make another entry cheaper? Not where all nodes that lead on
   // from it were entered at no more than that: as after a landmark, when a task falls back to before it.
   bool matters(std::uint32_t state, std::uint64_t cost) const {
@@ -122,33 +114,45 @@ class RoadSearch {
     }
     return false;
   }
-  // Letters whose entries would not matter are closed.
-  std::vector<RoadLegs::Role> roles_that_matter(std::uint32_t state, std::uint64_t cost) const {
-    std::vector<RoadLegs::Role> out = roles(state);
+  // Letters whose entries would not matter are no ends.
+  std::vector<LegRole> roles_that_matter(std::uint32_t state, std::uint64_t cost) const {
+    std::vector<LegRole> out = roles_.of(state);
     for (std::uint32_t l = 0; l < out.size(); ++l)
-      if (out[l] == RoadLegs::Role::Leads && !matters(task_.next(state, LetterId{l}).target, cost))
-        out[l] = RoadLegs::Role::Closed;
+      if (leads(out[l]) && !matters(task_.next(state, LetterId{l}).target, cost))
+        out[l] = passes(out[l]) ? LegRole::Passed : LegRole::Closed;
     return out;
   }
 
-  // The first arc of every leg is one of the map; it may lead on at once.
+  bool may_pass(std::uint32_t state, LetterId letter) const {
+    return task_.next(state, letter).target == state || roles_.is_harmless(state, letter);
+  }
+
+  // The first arc of every leg is one of the map; it may lead on at once. visit(node, cost) where it may be passed.
+  template <class Visit>
+  void take_first_arcs(std::uint32_t e, const Visit& visit) {
+    const std::uint32_t node = entries_[e].node, state = entries_[e].state;
+    const std::uint64_t cost = entries_[e].cost;
+    for (const RoadGraph::Arc& arc : graph_.arcs(node)) {
+      const LetterId letter = graph_.letter(arc.to);
+      const std::uint32_t next = task_.next(state, letter).target;
+      if (may_pass(state, letter)) visit(arc.to, cost + arc.cost);
+      if (next == state || next == TaskTable::trap) continue;
+      if (Entry* entry = enter(arc.to, next, cost + arc.cost, e)) entry->has_leg = true;
+    }
+  }
+
   bool search_from(std::uint32_t state, const std::vector<std::uint32_t>& from) {
+    if (shared_.is_shared(state)) {
+      for (const std::uint32_t e : from)
+        if (!take_shared_legs(e)) return false;
+      return true;
+    }
     std::uint64_t least = UINT64_MAX;
     for (const std::uint32_t e : from) least = std::min(least, entries_[e].cost);
     legs_.begin(roles_that_matter(state, least));
-    for (const std::uint32_t e : from) {
-      const std::uint64_t cost = entries_[e].cost;
-      const std::uint32_t node = entries_[e].node;
-      if (cost >= limit()) continue;
-      for (const RoadGraph::Arc& arc : graph_.arcs(node)) {
-        const std::uint32_t next = task_.next(state, graph_.letter(arc.to)).target;
-        if (next == state) {
-          legs_.add_source(arc.to, cost + arc.cost, e);
-        } else if (next != TaskTable::trap) {
-          if (Entry* entry = enter(arc.to, next, cost + arc.cost, e)) entry->has_leg = true;
-        }
-      }
-    }
+    for (const std::uint32_t e : from)
+      if (entries_[e].cost < limit())
+        take_first_arcs(e, [&](std::uint32_t node, std::uint64_t cost) { legs_.add_source(node, cost, e); });
     if (!legs_.run(limit())) return false;
     std::vector<std::pair<std::uint32_t, std::uint64_t>> reached;
     legs_.for_each_reached([&](std::uint32_t node, std::uint64_t cost) { reached.emplace_back(node, cost); });
@@ -163,19 +167,35 @@ class RoadSearch {
     return true;
   }
 
+  bool take_shared_legs(std::uint32_t e) {
+    const std::uint32_t node = entries_[e].node, state = entries_[e].state;
+    const std::uint64_t cost = entries_[e].cost;
+    if (cost >= limit()) return true;
+    take_first_arcs(e, [](std::uint32_t, std::uint64_t) {});
+    return shared_.for_each_end(legs_, node, state, [&](const SharedLegs::End& end) {
+      enter(end.node, task_.next(state, graph_.letter(end.node)).target, cost + end.cost, e);
+    });
+  }
+
   void keep(Entry& entry, std::vector<RoadLegs::Hop> hops) const {
     entry.has_leg = true;
     entry.passed = hierarchy_.node(hops.front().from);
     entry.leg = std::move(hops);
   }
 
-  // A leg that was not kept.
+  // A leg that is kept among shared ones, or not at all.
   bool search_again(Entry& entry) {
     const Entry& before = entries_[entry.before];
-    legs_.begin(roles(before.state));
+    if (shared_.is_shared(before.state)) {
+      const auto take = [&](const SharedLegs::End& end) {
+        if (end.node == entry.node && before.cost + end.cost == entry.cost && !end.leg.empty()) keep(entry, end.leg);
+      };
+      if (!shared_.for_each_end(legs_, before.node, before.state, take)) return false;
+      if (entry.has_leg) return true;
+    }
+    legs_.begin(roles_.of(before.state));
     for (const RoadGraph::Arc& arc : graph_.arcs(before.node))
-      if (task_.next(before.state, graph_.letter(arc.to)).target == before.state)
-        legs_.add_source(arc.to, before.cost + arc.cost, entry.before);
+      if (may_pass(before.state, graph_.letter(arc.to))) legs_.add_source(arc.to, before.cost + arc.cost, entry.before);
     if (!legs_.run(UINT64_MAX, entry.node)) return false;
     keep(entry, legs_.leg(entry.node).second);
     return true;
@@ -204,7 +224,19 @@ class RoadSearch {
     out.cost = cost_of(out.nodes);
     if (out.cost != entries_[goal_].cost)
       throw std::logic_error("a route on roads whose steps cost other than claimed");
+    end_at_goal(out);
     return out;
+  }
+
+  // What a leg has passed may have led to a goal before; all from there on costs nothing.
+  void end_at_goal(RoadRoute& route) const {
+    std::uint32_t state = entries_.front().state;
+    std::size_t taken = 1;
+    while (taken < route.nodes.size() && state != TaskTable::trap && !task_.is_goal(state))
+      state = task_.next(state, graph_.letter(route.nodes[taken++])).target;
+    if (state == TaskTable::trap || !task_.is_goal(state)) throw std::logic_error("a route on roads to no goal");
+    route.nodes.resize(taken);
+    if (cost_of(route.nodes) != route.cost) throw std::logic_error("a route on roads past a cheaper one");
   }
 
   std::uint64_t cost_of(const std::vector<std::uint32_t>& nodes) const {
@@ -224,6 +256,8 @@ class RoadSearch {
   const TaskTable& task_;
   const RoadSearchOptions& options_;
   RoadLegs legs_;
+  LegRoles roles_;
+  SharedLegs shared_;
   std::vector<std::unordered_map<std::uint32_t, std::uint32_t>> at_;  // by state, by node: the entry
   std::vector<Entry> entries_;
   std::vector<std::uint32_t> pending_;

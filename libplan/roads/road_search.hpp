@@ -17,6 +17,7 @@
 #include "libplan/model/road_graph.hpp"
 #include "libplan/product/task_table.hpp"
 #include "libplan/roads/road_hierarchy.hpp"
+#include "libplan/roads/shared_legs.hpp"
 #include "libplan/solve/dijkstra.hpp"
 
 namespace waymark::plan {
@@ -31,7 +32,8 @@ struct RoadAnswer {                // a route, and what it took
 };
 struct RoadSearchOptions {      // of influence on time and memory only
   std::size_t kept_legs = 256;  // of a search: more of them are searched for again where the route needs one
-  std::stop_token stop = {};    // ends with nullopt when it is asked for
+  SharedLegs::Use shared = SharedLegs::Use::WhereFewer;  // of legs between states
+  std::stop_token stop = {};                             // ends with nullopt when it is asked for
 };
 
 // The hierarchy is one of this map: std::invalid_argument where sizes differ. Of routes of equal cost it is always the

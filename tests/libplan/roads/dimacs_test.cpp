@@ -87,6 +87,24 @@ TEST(Dimacs, WritesWhatItReads) {
   }
 }
 
+TEST(RoadGraph, KnowsWhereTheNodesOfALetterAreEntered) {
+  ltl::Random random(12);
+  for (int i = 0; i < 500; ++i) {
+    const RoadGraph graph = testing::random_roads(random, {.nodes = 12, .arcs = 20, .labelled = 0.4});
+    for (std::uint32_t l = 1; l < graph.letters().size(); ++l) {
+      std::vector<std::uint32_t> expected;
+      for (const std::uint32_t v : graph.nodes_of(LetterId{l})) {
+        bool entered = false;
+        for (std::uint32_t u = 0; u < graph.nodes(); ++u)
+          for (const RoadGraph::Arc& arc : graph.arcs(u)) entered |= arc.to == v && graph.letter(u) != graph.letter(v);
+        if (entered) expected.push_back(v);
+      }
+      const auto found = graph.entrances_of(LetterId{l});
+      ASSERT_EQ(std::vector<std::uint32_t>(found.begin(), found.end()), expected) << show(graph);
+    }
+  }
+}
+
 struct Files {
   std::string gr, co, lab;
 };

@@ -59,14 +59,13 @@ TEST(RoadHierarchy, KeepsEveryArcAndUnpacksShortcuts) {
 }
 
 // The definition of a leg, by Bellman's equation: least costs from one node past nodes that may be passed.
-std::vector<std::uint64_t> leg_costs(const RoadGraph& graph, const std::vector<RoadLegs::Role>& role,
-                                     std::uint32_t source) {
+std::vector<std::uint64_t> leg_costs(const RoadGraph& graph, const std::vector<LegRole>& role, std::uint32_t source) {
   std::vector<std::uint64_t> cost(graph.nodes(), UINT64_MAX);
   cost[source] = 0;
   for (bool changed = true; changed;) {
     changed = false;
     for (std::uint32_t v = 0; v < graph.nodes(); ++v) {
-      if (cost[v] == UINT64_MAX || role[graph.letter(v).index] != RoadLegs::Role::Passed) continue;
+      if (cost[v] == UINT64_MAX || !passes(role[graph.letter(v).index])) continue;
       for (const RoadGraph::Arc& arc : graph.arcs(v)) {
         if (cost[v] + arc.cost >= cost[arc.to]) continue;
         cost[arc.to] = cost[v] + arc.cost;
@@ -78,7 +77,6 @@ std::vector<std::uint64_t> leg_costs(const RoadGraph& graph, const std::vector<R
 }
 
 TEST(RoadLegs, AreTheLeastInEverySubgraphThatBarriersLeave) {
-  using Role = RoadLegs::Role;
   ltl::Random random(9);
   for (int i = 0; i < 1500; ++i) {
     const auto nodes = static_cast<std::uint32_t>(6 + random.below(20));
@@ -89,18 +87,18 @@ TEST(RoadLegs, AreTheLeastInEverySubgraphThatBarriersLeave) {
       const auto hierarchy = contract(graph, options);
       RoadLegs legs(graph, *hierarchy, {});
       for (int k = 0; k < 6; ++k) {
-        std::vector<Role> role(graph.letters().size(), Role::Passed);
+        std::vector<LegRole> role(graph.letters().size(), LegRole::Passed);
         for (std::size_t l = k == 0 ? 0 : 1; l < role.size(); ++l)
-          role[l] = std::array{Role::Passed, Role::Closed, Role::Leads}[random.below(3)];
+          role[l] = std::array{LegRole::Passed, LegRole::Closed, LegRole::Leads, LegRole::Either}[random.below(4)];
         const auto source = static_cast<std::uint32_t>(random.below(nodes));
-        if (role[graph.letter(source).index] != Role::Passed) continue;
+        if (!passes(role[graph.letter(source).index])) continue;
         legs.begin(role);
         legs.add_source(source, 0, 0);
         ASSERT_TRUE(legs.run(UINT64_MAX));
         std::vector<std::uint64_t> found(nodes, UINT64_MAX), expected = leg_costs(graph, role, source);
         legs.for_each_reached([&](std::uint32_t node, std::uint64_t cost) { found[node] = cost; });
         for (std::uint32_t v = 0; v < nodes; ++v)
-          if (role[graph.letter(v).index] == Role::Leads) {
+          if (leads(role[graph.letter(v).index])) {
             ASSERT_EQ(found[v], expected[v])
                 << "case " << i << ", from " << RoadGraph::name(source) << " to " << RoadGraph::name(v) << '\n'
                 << show(graph);

@@ -31,8 +31,10 @@ void expect_least(const RoadGraph& graph, ltl::Formula f, const std::string& sho
   const auto expected = testing::least_cost_on_product(graph, task);
   for (const ContractionOptions& options : all_contractions()) {
     const auto hierarchy = contract(graph, options);
-    for (const std::size_t kept : {std::size_t{256}, std::size_t{0}}) {
-      const auto found = least_route(graph, *hierarchy, task, {.kept_legs = kept});
+    using Use = SharedLegs::Use;
+    for (const auto& [kept, shared] : {std::pair{std::size_t{256}, Use::WhereFewer},
+                                       std::pair{std::size_t{2}, Use::Always}, std::pair{std::size_t{0}, Use::Never}}) {
+      const auto found = least_route(graph, *hierarchy, task, {.kept_legs = kept, .shared = shared});
       ASSERT_EQ(found->route.has_value(), expected.has_value()) << ltl::print(f) << '\n' << shown;
       if (!expected) continue;
       const std::string route = [&] {
@@ -70,6 +72,8 @@ TEST(RoadSearch, AgreesOnToursWithOrderAndAvoidance) {
                                        "(!b U a) & F b & (!x U b)",
                                        "F(x & X(x U (!x & F b)))",
                                        "G(a -> F b) & F a",
+                                       "F(a & b) & F(a & !b) & F(b & !a) & G !x",
+                                       "(!b U a) & F b & F x & F(a & X F a)",
                                        "(F a & F b & F x) & ((!a U b) | (!b U a))"};
   ltl::Random random(2);
   for (int i = 0; i < 150; ++i) {
@@ -113,6 +117,53 @@ TEST(RoadSearch, AgreesOnAllSmallGraphs) {
         if (HasFatalFailure()) return;
       }
     }
+}
+
+// From the start to every a in one step, from there past one node to c, and from c to a long street of d. No way to b.
+RoadGraph star(std::uint32_t landmarks, std::uint32_t street) {
+  RoadGraph::Parts parts;
+  parts.letters = Letters(ltl::Vocabulary(std::vector<std::string>{"a", "b", "c", "d"}));
+  parts.letters.intern({});
+  const auto add_node = [&](std::optional<std::uint32_t> proposition) {
+    ltl::Letter letter;
+    if (proposition) letter.insert(ltl::Proposition{*proposition});
+    parts.letter.push_back(static_cast<std::uint16_t>(parts.letters.intern(letter).index));
+  };
+  const auto add_arc = [&](std::uint32_t from, std::uint32_t to) {
+    parts.tails.push_back(from);
+    parts.arcs.push_back({to, 1});
+  };
+  add_node({});
+  for (std::uint32_t v = 1; v <= landmarks; ++v) add_node(0);
+  const std::uint32_t between = landmarks + 1, last = between + 1 + street;
+  add_node({});
+  add_node(2);
+  for (std::uint32_t v = 0; v < street; ++v) add_node(3);
+  add_node(1);
+  for (std::uint32_t v = 1; v <= landmarks; ++v) {
+    add_arc(0, v);
+    add_arc(v, between);
+  }
+  for (std::uint32_t v = between; v < last; ++v) add_arc(v, v + 1);
+  return RoadGraph(std::move(parts));
+}
+
+// After a, the task falls back at c to where it waits for a. All of these were entered at no more than that, so nothing
+// is searched for from there: the street is never met. Of more than 64 nodes this is not looked at.
+TEST(RoadSearch, LeavesOutLettersThatCanMakeNothingCheaper) {
+  constexpr std::uint32_t street = 500;
+  for (const std::uint32_t landmarks : {1U, 2U, 63U, 64U, 65U}) {
+    const RoadGraph graph = star(landmarks, street);
+    ltl::Arena arena(graph.letters().vocabulary());
+    const TaskTable task(automata::ltlf_to_dfa(ltl::parse("F(a & (!c U b))", arena)), graph.letters());
+    const auto hierarchy = contract(graph, {.rare = 1000, .most_rare = 1000});
+    const auto found = least_route(graph, *hierarchy, task);
+    EXPECT_FALSE(found->route);
+    if (landmarks <= 64)
+      EXPECT_LT(found->statistics.met, street) << landmarks;
+    else
+      EXPECT_GE(found->statistics.met, street) << landmarks;
+  }
 }
 
 // Good prefixes over infinite words too, through the door that the command line uses.
