@@ -79,7 +79,7 @@ class TaskSolver {
   }
   bool is_finite(ltl::Formula f) const { return is_finite_task(f, task_.logic); }
   ltl::Limits limit() const { return {.states = options_.states, .stop = options_.stop}; }
-  ltl::Limits automaton_limit() const { return {.states = options_.states / 4000 + 1, .stop = options_.stop}; }
+  ltl::Limits automaton_limit() const { return {.states = options_.states / 1000 + 1, .stop = options_.stop}; }
   template <class Automaton>
   static Automaton made(std::optional<Automaton> automaton) {
     if (!automaton) throw Spent{"no automaton within the limits"};

@@ -26,7 +26,7 @@ std::string_view name(CaseMethod method);  // "search", "vi", "pi"
 struct CaseOptions {                      // how a task is solved
   CaseMethod method = CaseMethod::Best;   // of solving
   double tolerance = 1e-6;                // of the bounds
-  std::size_t states = 4'000'000'000;     // of the product; of the automaton one in 4,000
+  std::size_t states = 4'000'000'000;     // of the product; of the automaton a thousandth
   bool explain = true;                    // find the reason of what is infeasible
   double discount = 0.9;                  // of query discounted
   LassoOrder order = LassoOrder::Prefix;  // of query lasso

@@ -38,10 +38,10 @@ Qualitative qualitative(const ProductMdp<Model>& product);
 // Pmax: the greatest probability of reaching a goal (finite tasks) or of meeting marked edges for ever (infinite ones;
 // that this is the probability of the formula is what MdpSafe stands for). [BK08, Thm. 10.56]
 // nullopt: stopped, or bounds that doubles cannot bring together at all.
+// Pmin is 1 − Pmax of the opposite: of the negation, or of a finite task by TaskTable::never.
 template <class Model>
 std::optional<Decided> greatest_probability(const ProductMdp<Model>& product, const IterationOptions& limits = {});
 
-// Pmin is 1 − Pmax of the opposite: of the negation, or of a finite task by TaskTable::never.
 // Least expected cost until a goal is reached; infinite (lower = upper = ∞) unless some strategy reaches one almost
 // surely.
 template <class Model>

@@ -36,7 +36,7 @@ std::optional<Bounds> discounted_cost(const Mdp& mdp, const DiscountedCosts& ask
     }
     const double value = values[mdp.initial()], error = (gamma * change + rounding * most) / (1 - gamma);
     if (change <= rounding * most || 2 * error <= tolerance * std::max(1.0, std::abs(value)))
-      return Bounds{value - error, value + error};
+      return Bounds{std::max(value - error, 0.0), value + error};  // costs are not negative
   }
 }
 
