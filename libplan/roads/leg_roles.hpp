@@ -22,9 +22,12 @@
 namespace waymark::plan {
 
 enum class LegRole : std::uint8_t { Passed, Leads, Either, Closed };  // of the nodes of a letter, in a state
+// May a leg pass nodes of this role?
 inline bool passes(LegRole role) { return role == LegRole::Passed || role == LegRole::Either; }
+// Does a leg end at them?
 inline bool leads(LegRole role) { return role == LegRole::Leads || role == LegRole::Either; }
 
+// Of one task.
 class LegRoles {
  public:
   // Letters without a bit in the hierarchy, whose nodes are all in its core, may be passed where they do no harm: they
@@ -34,6 +37,7 @@ class LegRoles {
            std::size_t pairs = std::size_t{1} << 16U);
 
   std::vector<LegRole> of(std::uint32_t state) const;  // by letter
+  // L(state) ⊆ L(δ(state, letter)), as far as it is known.
   bool is_harmless(std::uint32_t state, LetterId letter) const {
     return !harmless_.empty() && harmless_[std::size_t{state} * letters_ + letter.index];
   }

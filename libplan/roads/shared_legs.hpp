@@ -26,10 +26,10 @@ class SharedLegs {
  public:
   enum class Use : std::uint8_t { WhereFewer, Always, Never };  // of these legs, or of a search for each state
   struct End {                                                  // of a leg
-    std::uint32_t node = 0;
-    std::uint64_t cost = 0;          // from the node the search began at
-    std::vector<LetterId> passed;    // of the core, on the way
-    std::vector<RoadLegs::Hop> leg;  // none: not kept
+    std::uint32_t node = 0;                                     // where it ends
+    std::uint64_t cost = 0;                                     // from the node the search began at
+    std::vector<LetterId> passed;                               // of the core, on the way
+    std::vector<RoadLegs::Hop> leg;                             // none: not kept
   };
 
   // Where fewer: groups whose states can be entered at fewer nodes than they are states, and end at few nodes. Legs of
@@ -37,6 +37,7 @@ class SharedLegs {
   SharedLegs(const RoadGraph& graph, const RoadHierarchy& hierarchy, const TaskTable& task, const LegRoles& roles,
              Use use, std::size_t kept_legs);
 
+  // Does another state use the legs of this one?
   bool is_shared(std::uint32_t state) const { return group_of_[state].shared; }
   // visit(end): those of the state, from the node, past one node or more. false: stopped.
   template <class Visit>

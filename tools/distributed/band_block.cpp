@@ -42,7 +42,7 @@ std::uint8_t BandBlock::code(std::uint32_t pair, std::array<std::uint32_t, 4>& t
 
 // A choice that may come to nothing is taken until it comes to something: divided by the chance that it does.
 void BandBlock::tabulate(double discount) {
-  const double never = is_cost() ? INFINITY : measure_ == SharedMeasure::MinProbability ? 0 : -1;
+  const double never = is_cost() ? INFINITY : -1;
   rows_.resize(256);
   for (std::uint32_t code = 0; code < 256; ++code)
     for (std::uint32_t k = 0; k < 4; ++k) {
@@ -121,7 +121,7 @@ inline double BandBlock::best(std::size_t unknown, const double* values) const {
   std::array<double, 4> offered = row.cost;
   for (std::size_t d = 0; d < 4; ++d)
     for (std::size_t k = 0; k < 4; ++k) offered[k] += row.chance[d][k] * values[to[d]];
-  if (is_least()) return std::min(std::min(offered[0], offered[1]), std::min(offered[2], offered[3]));
+  if (is_cost()) return std::min(std::min(offered[0], offered[1]), std::min(offered[2], offered[3]));
   double found = std::max(std::max(offered[0], offered[1]), std::max(offered[2], offered[3]));
   if (jumps_)
     for (const std::uint32_t q : product_->jumps(pairs_[unknown]))

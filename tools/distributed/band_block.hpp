@@ -56,7 +56,6 @@ class BandBlock {
   double nearest(std::size_t unknown, const double* values) const;
   double difference(double before, double after) const;
   bool is_cost() const { return measure_ == SharedMeasure::MinCost; }
-  bool is_least() const { return is_cost() || measure_ == SharedMeasure::MinProbability; }
 
   const BandProduct* product_;
   SharedMeasure measure_;

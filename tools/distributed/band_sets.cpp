@@ -101,10 +101,8 @@ void BandSets::settle(std::deque<std::uint32_t> open, const Look& look) {
 }
 
 // Does some choice keep the pair inside?
-bool BandSets::stays_inside(std::uint32_t pair, bool trap_is_inside) const {
-  const auto around = product_->around(pair);
-  std::uint32_t inside = directions_into(around, Inside);
-  if (trap_is_inside) inside |= directions_to_trap(around);
+bool BandSets::stays_inside(std::uint32_t pair) const {
+  const std::uint32_t inside = directions_into(product_->around(pair), Inside);
   for (std::uint32_t k = 0; k < 4; ++k)
     if ((product_->directions(k) & ~inside) == 0) return true;
   for (const std::uint32_t q : product_->jumps(pair))
@@ -113,9 +111,9 @@ bool BandSets::stays_inside(std::uint32_t pair, bool trap_is_inside) const {
 }
 
 // Takes pairs out that no choice keeps inside, until there are none.
-void BandSets::keep_inside(bool trap_is_inside) {
+void BandSets::keep_inside() {
   const auto look = [&](std::uint32_t pair) {
-    if (!has(pair, Inside) || product_->is_goal(pair) || stays_inside(pair, trap_is_inside)) return false;
+    if (!has(pair, Inside) || product_->is_goal(pair) || stays_inside(pair)) return false;
     clear(pair, Inside);
     return true;
   };
@@ -187,7 +185,7 @@ bool BandSets::differ(std::uint8_t a, std::uint8_t b) const {
 void BandSets::almost_surely() {
   replace(Reached, Inside);
   do {
-    keep_inside(false);
+    keep_inside();
     join([&](std::uint32_t pair) { return has(pair, Inside) && (product_->is_goal(pair) || joins_surely(pair, true)); },
          [&](std::uint32_t pair) { return joins_surely(pair, false); });
     if (!differ(Inside, Joined)) return;
@@ -195,34 +193,7 @@ void BandSets::almost_surely() {
   } while (true);
 }
 
-// A strategy may avoid the goals for ever, or go into the trap: value 0 where it can do so surely, 1 where it has no
-// chance to.
-void BandSets::solve_least() {
-  for (std::uint32_t pair = 0; pair < flags_.size(); ++pair)
-    if (is_open(pair)) set(pair, Inside);
-  keep_inside(true);
-  join(
-      [&](std::uint32_t pair) {
-        return is_open(pair) &&
-               (has(pair, Inside) || (directions_to_trap(product_->around(pair)) & product_->all_directions()) != 0);
-      },
-      [&](std::uint32_t pair) { return joins_by_chance(pair); });
-  for (std::uint32_t pair = 0; pair < flags_.size(); ++pair) {
-    if (!has(pair, Reached)) continue;
-    if (product_->is_goal(pair) || !has(pair, Joined))
-      set(pair, Target);
-    else if (!has(pair, Inside))
-      set(pair, Unknown);
-  }
-  // In the order of sweeps: from the goals backwards. Who cannot reach one has value 0.
-  join([&](std::uint32_t pair) { return has(pair, Target); },
-       [&](std::uint32_t pair) { return joins_by_chance(pair); });
-  for (std::uint32_t pair = 0; pair < flags_.size(); ++pair)
-    if (!has(pair, Joined)) clear(pair, Unknown);
-}
-
 void BandSets::solve(SharedMeasure measure) {
-  if (measure == SharedMeasure::MinProbability) return solve_least();
   const auto by_chance = [&](std::uint32_t pair) { return joins_by_chance(pair); };
   if (measure != SharedMeasure::Discounted) almost_surely();
   if (measure == SharedMeasure::MaxProbability) {

@@ -16,7 +16,7 @@
 
 namespace waymark::tools {
 
-enum class SharedMeasure : std::uint8_t { MaxProbability, MinProbability, MinCost, Discounted };  // what is asked
+enum class SharedMeasure : std::uint8_t { MaxProbability, MinCost, Discounted };  // what is asked
 
 class BandSets {
  public:
@@ -50,16 +50,15 @@ class BandSets {
   void count();
   void replace(std::uint8_t from, std::uint8_t to);
   bool differ(std::uint8_t a, std::uint8_t b) const;
-  bool stays_inside(std::uint32_t pair, bool trap_is_inside) const;
+  bool stays_inside(std::uint32_t pair) const;
   bool joins_surely(std::uint32_t pair, bool by_mark) const;
   bool joins_by_chance(std::uint32_t pair) const;
-  void keep_inside(bool trap_is_inside);
+  void keep_inside();
   template <class Seed, class Joins>
   void join(const Seed& is_seed, const Joins& joins);
   template <class Look>
   void settle(std::deque<std::uint32_t> open, const Look& look);
   void almost_surely();
-  void solve_least();
 
   const Ranks* ranks_;
   const BandProduct* product_;

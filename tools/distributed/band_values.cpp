@@ -217,14 +217,13 @@ plan::Bounds BandValues::bounds(std::uint32_t pair) const {
 }
 
 plan::Bounds BandValues::value() const {
-  const bool least = is_cost() || measure_ == SharedMeasure::MinProbability;
+  const bool least = is_cost();
   plan::Bounds best = least ? plan::Bounds{INFINITY, INFINITY} : plan::Bounds{0, 0};
   for (const std::uint32_t pair : sets_->starts()) {
     const plan::Bounds found = bounds(pair);
     best.lower = least ? std::min(best.lower, found.lower) : std::max(best.lower, found.lower);
     best.upper = least ? std::min(best.upper, found.upper) : std::max(best.upper, found.upper);
   }
-  if (measure_ == SharedMeasure::MinProbability && !ranks_->any(!sets_->starts().empty())) return {0, 0};
   return least ? plan::Bounds{ranks_->least(best.lower), ranks_->least(best.upper)}
                : plan::Bounds{ranks_->greatest(best.lower), ranks_->greatest(best.upper)};
 }

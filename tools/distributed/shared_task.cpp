@@ -49,10 +49,12 @@ class SharedTask {
   bool is_finite(ltl::Formula f) const { return plan::is_finite_task(f, task_.logic); }
   bool is_cost() const { return task_.query == Query::MinCost; }
 
-  SharedMeasure measure(bool negated) const {
+  // Least probabilities are greatest ones of the opposite.
+  bool is_least() const { return task_.query == Query::MinProbability; }
+  SharedMeasure measure() const {
     switch (task_.query) {
-      case Query::MaxProbability: return SharedMeasure::MaxProbability;
-      case Query::MinProbability: return negated ? SharedMeasure::MaxProbability : SharedMeasure::MinProbability;
+      case Query::MaxProbability:
+      case Query::MinProbability: return SharedMeasure::MaxProbability;
       case Query::MinCost: return SharedMeasure::MinCost;
       case Query::Discounted: return SharedMeasure::Discounted;
       default:
@@ -62,12 +64,13 @@ class SharedTask {
   }
 
   // Ranks translate alone and agree afterwards: a stop may reach some of them only.
-  plan::TaskTable table_of(ltl::Formula f) {
+  plan::TaskTable table_of(ltl::Formula f, bool opposite = false) {
     constexpr std::size_t most_states = 1'000'001;
     const auto found =
         plan::task_automaton(f, task_.logic, task_.query, {.states = most_states, .stop = options_.stop});
     if (ranks_.any(!found)) throw Spent{"no automaton within the limits"};
     answer_.automaton_states = std::visit([](const auto& a) { return a.states(); }, *found);
+    if (opposite) return plan::TaskTable::never(std::get<automata::Dfa>(*found), band_.letters());
     return std::visit([&](const auto& a) { return plan::TaskTable(a, band_.letters()); }, *found);
   }
 
@@ -78,11 +81,12 @@ class SharedTask {
 
   void solve() {
     if (!task_.fault.empty()) throw std::invalid_argument(task_.fault);
-    measure(false);  // throws
+    measure();  // throws
     const ltl::Formula asked = ltl::parse(task_.formula, arena_);
     const ltl::Formula f = task_.logic == Logic::Ltl ? ltl::simplify(asked, ltl::Semantics::Infinite) : asked;
-    const bool negated = task_.query == Query::MinProbability && !is_finite(f);
-    const plan::TaskTable table = table_of(negated ? ltl::simplify(ltl::negate(f), ltl::Semantics::Infinite) : f);
+    const bool finite = is_finite(f), negated = is_least() && !finite;
+    const plan::TaskTable table =
+        table_of(negated ? ltl::simplify(ltl::negate(f), ltl::Semantics::Infinite) : f, is_least() && finite);
     answer_.seconds.automaton = lap();
     const BandProduct product(band_, table);
     const Halo halo(ranks_, band_, table.states());
@@ -92,20 +96,20 @@ class SharedTask {
     answer_.product_states = sets.pairs();
     answer_.product_edges = sets.edges();
     answer_.method = plan::CaseMethod::ValueIteration;
-    sets.solve(measure(negated));
-    find_value(product, sets, negated);
+    sets.solve(measure());
+    find_value(product, sets);
     if (is_cost() && answer_.value.lower == INFINITY) infeasible(asked, INFINITY);
     if ((task_.query == Query::MaxProbability || task_.query == Query::Discounted) && answer_.value.upper == 0)
       infeasible(asked, 0);
     answer_.seconds.solve = lap();
   }
 
-  void find_value(const BandProduct& product, const BandSets& sets, bool negated) {
-    BandValues values(ranks_, product, sets, measure(negated), options_, kept_);
+  void find_value(const BandProduct& product, const BandSets& sets) {
+    BandValues values(ranks_, product, sets, measure(), options_, kept_);
     const bool is_free = is_cost() && band_.cost(0) == 0;  // of a case, all moves cost the same
     const bool solved = is_free || values.solve();
     const plan::Bounds found = values.value();
-    answer_.value = negated ? plan::Bounds{1 - found.upper, 1 - found.lower} : found;
+    answer_.value = is_least() ? plan::Bounds{1 - found.upper, 1 - found.lower} : found;
     if (is_free && !std::isinf(found.lower)) answer_.value = {0, 0};
     statistics_ = values.statistics();
     if (!solved) throw Spent{values.stopped() ? "stopped" : "the bounds did not meet within the limits"};
