@@ -41,7 +41,7 @@ GridWorld::GridWorld(const Shape& shape, const ltl::Vocabulary& vocabulary, cons
     const SlipChances& c = shape.motion[d];
     chance_[d] = {c.forward, c.right, c.back, c.left};
     for (std::uint8_t turn = 0; turn < 4; ++turn)
-      if (chance_[d][turn] != 0) turns_[d][turn_count_[d]++] = turn;
+      if (chance_[d][turn] != 0) turns_[d][turn_count_[d]++] = turn, ++comes_[(d + turn) % 4];
     deterministic_ = deterministic_ && c.forward == 1;
   }
   for (const GridCell& cell : palette) {

@@ -86,6 +86,18 @@ class GridWorld {
       visit(target, letter(target), chance[turn]);
     }
   }
+  // visit(target, letter, times): where some choice may lead, each cell once; by how many outcomes of all choices.
+  template <class Visit>
+  void for_each_target(std::uint32_t s, Visit&& visit) const {
+    std::uint32_t stays = 0;
+    for (std::uint32_t d = 0; d < 4; ++d) {
+      if (((open_[s] >> d) & 1U) == 0)
+        stays += comes_[d];
+      else if (comes_[d] > 0)
+        visit(s + step_[d], letter(s + step_[d]), comes_[d]);
+    }
+    if (stays > 0) visit(s, letter(s), stays);
+  }
   template <class Visit>  // visit(source): the cells with an outcome into s, each once
   void for_each_predecessor(std::uint32_t s, Visit&& visit) const {
     if ((open_[s] & 15U) != 15U) visit(s);  // some move is barred
@@ -104,6 +116,7 @@ class GridWorld {
   std::array<std::array<double, 4>, 4> chance_;
   std::array<std::array<std::uint8_t, 4>, 4> turns_{};
   std::array<std::uint8_t, 4> turn_count_{};
+  std::array<std::uint32_t, 4> comes_{};  // by direction: how many choices have a chance to go there
   Letters letters_;
   std::vector<std::uint16_t> kind_;    // by cell: its place in the palette
   std::vector<LetterId> kind_letter_;  // by place in the palette
@@ -111,6 +124,6 @@ class GridWorld {
   std::vector<std::uint8_t> open_;  // by cell: bit d, a move in direction d leads on; bit 4 + d, one leads in
 };
 
-static_assert(Model<GridWorld>);
+static_assert(TargetModel<GridWorld>);
 
 }  // namespace waymark::plan

@@ -45,4 +45,15 @@ concept Model = requires(const M& model, std::uint32_t s, std::uint32_t k, std::
   { model.name(s) } -> std::same_as<std::string>;
 };
 
+struct TargetVisitor {  // any callable that takes these
+  void operator()(std::uint32_t target, LetterId letter, std::uint32_t times) const;
+};
+
+// A model whose choices share their targets, so that graph searches need not look at every choice.
+template <class M>
+concept TargetModel = Model<M> && requires(const M& model, std::uint32_t s) {
+  model.for_each_target(s, TargetVisitor{});      // each once, and how many outcomes of all choices lead there
+  { model.letter(s) } -> std::same_as<LetterId>;  // of every outcome into s
+};
+
 }  // namespace waymark::plan

@@ -24,15 +24,30 @@ std::optional<ProductMdp<M>> ProductMdp<M>::explore(const M& model, const TaskTa
       return std::nullopt;
     const ProductState s = open.back();
     open.pop_back();
-    for (std::uint32_t k = 0, choices = out.choices(s); k < choices; ++k)
-      out.for_each_successor(s, k, [&](const ProductState& t) {
-        ++out.edges_;
-        reach(t);
-      });
+    out.for_each_edge(s, [&](const ProductState& t, std::uint32_t times) {
+      out.edges_ += times;
+      reach(t);
+    });
   }
   out.number();
   for (const ProductState& s : first) out.starts_.push_back(out.index(s.place, s.task));
   return out;
+}
+
+// visit(pair, times): by how many outcomes of all choices the pair is reached.
+template <Model M>
+template <class Visit>
+void ProductMdp<M>::for_each_edge(const ProductState& s, Visit&& visit) const {
+  if constexpr (TargetModel<M>) {
+    if (this->task().is_over(s.task)) return;
+    this->model().for_each_target(s.place, [&](std::uint32_t place, LetterId letter, std::uint32_t times) {
+      for (const auto& step : this->task().steps(s.task, letter)) visit(ProductState{place, step.target}, times);
+    });
+    for (std::uint32_t q : this->task().jumps(s.task)) visit(ProductState{s.place, q}, 1);
+  } else {
+    for (std::uint32_t k = 0, choices = this->choices(s); k < choices; ++k)
+      this->for_each_successor(s, k, [&](const ProductState& t) { visit(t, 1); });
+  }
 }
 
 template <Model M>

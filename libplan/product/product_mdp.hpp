@@ -75,13 +75,34 @@ class ProductMdp : public Product<M, TaskTable> {
       visit(step.target == TaskTable::trap ? trap : index(place, step.target), probability, step.marked);
     });
   }
+  template <class Visit>  // visit(index or trap): where some choice may lead, some more than once
+  void for_each_target(State s, Visit&& visit) const {
+    if constexpr (TargetModel<M>) {
+      if (this->task().is_over(s.task)) return;
+      this->model().for_each_target(s.place, [&](std::uint32_t place, LetterId letter, std::uint32_t) {
+        const std::uint32_t q = this->task().next(s.task, letter).target;
+        visit(q == TaskTable::trap ? trap : index(place, q));
+      });
+      for (std::uint32_t q : this->task().jumps(s.task)) visit(index(s.place, q));
+    } else {
+      const std::uint32_t choices = this->choices(s);
+      for (std::uint32_t k = 0; k < choices; ++k)
+        for_each_outcome(s, k, [&](std::uint32_t t, double, bool) { visit(t); });
+    }
+  }
+  bool has_marks() const { return this->task().has_marks(); }  // may an edge be marked?
   template <class Visit>  // visit(State): among others every state with an outcome into s
   void for_each_predecessor(State s, Visit&& visit) const {
     const auto offer = [&](std::uint32_t place, std::uint32_t task) {
       if (pairs_.contains(pair(place, task))) visit(State{index(place, task), place, task});
     };
+    const auto enters = [&](std::uint32_t q) {
+      if constexpr (TargetModel<M>) return this->task().next(q, this->model().letter(s.place)).target == s.task;
+      return true;
+    };
     this->model().for_each_predecessor(s.place, [&](std::uint32_t place) {
-      for (std::uint32_t q : this->task().sources(s.task)) offer(place, q);
+      for (std::uint32_t q : this->task().sources(s.task))
+        if (enters(q)) offer(place, q);
     });
     for (std::uint32_t q : this->task().jump_sources(s.task)) offer(s.place, q);
   }
@@ -114,6 +135,8 @@ class ProductMdp : public Product<M, TaskTable> {
       : Base(model, task), places_(model.states()), pairs_(places_ * task.states()) {}
   std::uint64_t pair(std::uint32_t place, std::uint32_t task) const { return task * places_ + place; }
   std::uint32_t index(std::uint32_t place, std::uint32_t task) const { return pairs_.rank(pair(place, task)); }
+  template <class Visit>
+  void for_each_edge(const ProductState& s, Visit&& visit) const;
   void number();
 
   std::uint64_t places_;

@@ -92,6 +92,7 @@ void TaskTable::adopt(const Unordered& unordered) {
     for (std::uint32_t step : unordered.steps[q]) {
       const std::uint32_t target = step & trap;
       steps_.push_back(target == trap ? trap : number[target] | (step & marked));
+      has_marks_ = has_marks_ || (target != trap && (step & marked) != 0);
       if (target != trap && (sources[number[target]].empty() || sources[number[target]].back() != i))
         sources[number[target]].push_back(i);
     }

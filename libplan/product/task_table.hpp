@@ -34,6 +34,7 @@ class TaskTable {
   // In this numbering, the trap left out.
   std::uint32_t states() const { return static_cast<std::uint32_t>(goal_.size()); }
   bool is_goal(std::uint32_t q) const { return goal_[q]; }            // may the word end here?
+  bool has_marks() const { return has_marks_; }                       // is any edge marked?
   std::uint32_t origin(std::uint32_t q) const { return origin_[q]; }  // as the automaton numbers it
   Successor next(std::uint32_t q, LetterId letter) const {            // of the deterministic part
     const std::uint32_t step = steps_[std::size_t{q} * row_ + classes_.of(letter)];
@@ -70,6 +71,7 @@ class TaskTable {
   std::uint32_t row_;                          // classes
   std::vector<std::uint32_t> initial_states_;  // none when nothing is accepted
   std::vector<std::uint32_t> steps_;           // by state and class: target, and whether it is marked
+  bool has_marks_ = false;
   std::vector<bool> goal_;
   std::vector<std::uint32_t> origin_;
   Lists jumps_, sources_, jump_sources_;

@@ -234,6 +234,7 @@ class TaskSolver {
   std::optional<Decided> decided(const ProductMdp<Model>& product) const {
     const IterationOptions limits{.tolerance = options_.tolerance,
                                   .policy_iteration = options_.method == CaseMethod::PolicyIteration,
+                                  .strategy = options_.strategy,
                                   .sweepers = options_.sweepers,
                                   .memory = options_.memory,
                                   .stop = options_.stop};

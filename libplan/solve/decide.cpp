@@ -39,14 +39,9 @@ bool meets_mark(const Product& product, const typename Product::State& s, std::u
 template <class Product>
 struct WinningRegion {
   explicit WinningRegion(const Product& product) : states(goals(product)) {
-    bool any_mark = false;
+    if (!product.has_marks()) return;
     StateSet open(product.states());
-    product.for_each_state([&](const auto& s) {
-      open[s.index] = !states[s.index];
-      for (std::uint32_t k = 0; k < product.choices(s) && !any_mark; ++k)
-        product.for_each_outcome(s, k, [&](std::uint32_t, double, bool marked) { any_mark = any_mark || marked; });
-    });
-    if (!any_mark) return;
+    product.for_each_state([&](const auto& s) { open[s.index] = !states[s.index]; });
     components = end_components(product, open, [](const auto&, std::uint32_t) { return true; });
     std::vector<bool> accepting(components.count, false);
     product.for_each_state([&](const auto& s) {
@@ -258,6 +253,20 @@ bool choose_and_evaluate(const Product& product, const Unknowns& unknowns, std::
   }
 }
 
+// Are bounds of a cost, this great, safe without a strategy that attains them? Where every step costs something, a run
+// has at most value/least of them, and what a sweep rounds in each, a share of 1e-15, is less than a tenth of the
+// tolerance in all.
+template <Measure measure, class Product>
+bool needs_no_strategy(const Product& product, const StateSet& unknown, double value, double tolerance) {
+  if (measure != Measure::MinCost) return false;
+  double least = INFINITY;
+  product.for_each_state([&](const auto& s) {
+    const std::uint32_t choices = unknown[s.index] ? product.choices(s) : 0;
+    for (std::uint32_t k = 0; k < choices; ++k) least = std::min(least, product.cost(s, k));
+  });
+  return value < 1e14 * tolerance * least;
+}
+
 // Where bounds of the tolerance that was asked for do not meet in doubles, coarser ones may; but not where it was time
 // or a count of sweeps that ended.
 constexpr double coarsest = 1e-2;
@@ -269,8 +278,9 @@ std::optional<Decided> decide(const Product& product, const WinningRegion<Produc
   const Unknowns unknowns = unknowns_of<measure>(product, winning.states);
   const StateSet kept = entries(product, unknowns.unknown, product.starts());
   IterationOptions limits = asked;
+  bool attained = asked.strategy || asked.keep_values || measure != Measure::MinCost;  // by state
   const auto run = [&] {
-    return ValueIteration<Product, measure>(product, unknowns, limits, {.bounds = &kept, .attained = true}).run();
+    return ValueIteration<Product, measure>(product, unknowns, limits, {.bounds = &kept, .attained = attained}).run();
   };
   auto values = run();
   for (; !values && limits.tolerance < coarsest && may_go_on(limits); values = run()) limits.tolerance *= 10;
@@ -278,7 +288,7 @@ std::optional<Decided> decide(const Product& product, const WinningRegion<Produc
   Decided out;
   out.tolerance = limits.tolerance;
   out.sweeps = values->sweeps;
-  out.strategy.choice = Choices(product.states());
+  if (attained) out.strategy.choice = Choices(product.states());
   const auto value = [&](std::uint32_t i) {
     const bool never = measure == Measure::MinCost && !unknowns.unknown[i] && !unknowns.targets[i];
     return never ? Bounds{INFINITY, INFINITY} : Bounds{values->bounds.lower(i), values->bounds.upper(i)};
@@ -288,6 +298,16 @@ std::optional<Decided> decide(const Product& product, const WinningRegion<Produc
   if (std::isinf(out.value.lower)) {
     out.re_evaluated = out.value;
     return out;
+  }
+  if (!attained) {
+    if (needs_no_strategy<measure>(product, unknowns.unknown, out.value.upper, limits.tolerance)) {
+      out.re_evaluated = out.value;
+      return out;
+    }
+    attained = true;
+    out.strategy.choice = Choices(product.states());
+    values = run();
+    if (!values) return std::nullopt;
   }
   play_for_ever(product, winning, out.strategy);
   if (measure == Measure::MaxProbability)  // almost surely: to what is winning, never leaving what is sure

@@ -22,7 +22,7 @@ struct Bounds {                                                                 
 struct Decided {             // the answer
   Bounds value;              // of the start
   Strategy strategy;         // attains the value up to the tolerance, or else is the best that was found
-  Bounds re_evaluated;       // of the strategy, by the Markov chain that it makes of the product
+  Bounds re_evaluated;       // of the strategy, by the Markov chain that it makes of the product; without: the value
   std::uint64_t sweeps = 0;  // of value iteration
   // With keep_values, by state what a choice attains; of costs, 0 where no cost is finite.
   std::vector<double> values = {};

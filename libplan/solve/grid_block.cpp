@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <functional>
-#include <queue>
 #include <utility>
 
 namespace waymark::plan {
@@ -154,38 +152,6 @@ inline double GridBlock::best(std::uint32_t cell, const Values& x) const {
     for (std::size_t k = 0; k < 4; ++k) offered[k] += row.chance[d][k] * values[d];
   if (measure_ == Measure::MinCost) return std::min(std::min(offered[0], offered[1]), std::min(offered[2], offered[3]));
   return std::max(std::max(std::max(offered[0], offered[1]), std::max(offered[2], offered[3])), 0.0);
-}
-
-// What is better said of a cell's value than nothing: the least way if every move went where one would wish, times
-// what a move gets on by against its slips.
-void GridBlock::guess_costs() {
-  const GridWorld& grid = product_.model();
-  set_around(Side::Middle);
-  const double forward = likely();
-  double step = INFINITY;
-  for (std::uint32_t k = 0; k < 4; ++k)
-    step = std::min(step, grid.shape().cost[k] / std::max(forward - chance(k, (k + 2) % 4), 0.25));
-  using Entry = std::pair<double, std::uint32_t>;
-  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> heap;
-  for (std::uint32_t cell : cells_) {
-    double least = INFINITY;
-    for (std::uint32_t d = 0; d < 4; ++d)
-      if (const std::uint32_t to = grid.move(cell, d); ((known_[cell] >> d) & 1U) != 0 && !unknown_[to])
-        least = std::min(least, step + lower_[to + margin_]);
-    lower_[cell + margin_] = least;
-    if (least < INFINITY) heap.push({least, cell});
-  }
-  while (!heap.empty()) {
-    const double cost = heap.top().first;
-    const std::uint32_t cell = heap.top().second;
-    heap.pop();
-    if (cost > lower_[cell + margin_]) continue;
-    grid.for_each_predecessor(cell, [&](std::uint32_t from) {
-      if (!unknown_[from] || lower_[from + margin_] <= cost + step) return;
-      lower_[from + margin_] = cost + step;
-      heap.push({cost + step, from});
-    });
-  }
 }
 
 // What is known around the block: the bounds, or what lies between them.
@@ -350,22 +316,6 @@ bool GridBlock::prove(std::uint64_t sweeps, const IterationOptions& options) {
   return close([this](std::size_t chunk) { return close_from_above(chunk); }, most, options) &&
          close([this](std::size_t chunk) { return close_from_below(chunk); }, most, options);
 }
-
-// With which chance a move goes where it should, once it goes anywhere: the best choice, the mean over the cells.
-double GridBlock::likely() const {
-  double sum = 0;
-  for (std::uint32_t cell : cells_) {
-    const Row& row = rows_[code_[cell]];
-    double best = 0;
-    for (std::size_t k = 0; k < 4; ++k) best = std::max(best, row.chance[k][k]);
-    sum += best;
-  }
-  return sum / static_cast<double>(cells_.size());
-}
-
-// Over-relaxation where moves are likely to slip: where they are not, cells follow each other in long chains, along
-// which a factor too great would grow.
-double GridBlock::over_relaxation() const { return std::clamp(0.85 / likely(), 1.0, 1.1); }
 
 // Much finer than the tolerance asks for: guesses are proved in a few sweeps then, or not at all. From what is claimed
 // or guessed first, by over-relaxation; where that comes to nothing, as value iteration goes about it.

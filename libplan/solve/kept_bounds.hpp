@@ -65,11 +65,9 @@ StateSet entries(const Product& product, const StateSet& unknown, const std::vec
   for (std::size_t b = 0; b + 1 < blocks.size(); ++b)
     product.for_each_state(blocks[b], blocks[b + 1], [&](const auto& s) {
       if (!unknown[s.index]) return;
-      const std::uint32_t choices = product.choices(s);
-      for (std::uint32_t k = 0; k < choices; ++k)
-        product.for_each_outcome(s, k, [&](std::uint32_t t, double, bool) {
-          if (t < blocks[b]) out[t] = true;
-        });
+      for_each_target(product, s, [&](std::uint32_t t) {
+        if (t < blocks[b]) out[t] = true;
+      });
     });
   return out;
 }

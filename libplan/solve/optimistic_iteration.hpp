@@ -35,6 +35,7 @@ struct IterationOptions {             // what is proved, and at which price
   std::size_t on_grid = 2'000;  // unknowns of a block of a grid from which it is swept in place, where its kind allows
   bool second_way = true;       // blocks of grids that sweeps do not solve are written out then, if they are small
   bool keep_values = false;     // of all states, in the answer
+  bool strategy = true;         // in the answer; costs may be proved without one
   Sweepers sweepers = {};       // of no influence on any number
   std::pmr::memory_resource* memory = std::pmr::get_default_resource();  // for the arrays of values of large grids
   std::stop_token stop = {};                                             // polled between sweeps

@@ -39,6 +39,18 @@ StateSet backward(const Product& product, const StateSet& targets, const Usable&
   return reached;
 }
 
+// visit(state or trap): where some choice may lead, some more than once.
+template <class Product, class Visit>
+void for_each_target(const Product& product, const typename Product::State& s, Visit&& visit) {
+  if constexpr (requires { product.for_each_target(s, visit); }) {
+    product.for_each_target(s, visit);
+  } else {
+    const std::uint32_t choices = product.choices(s);
+    for (std::uint32_t k = 0; k < choices; ++k)
+      product.for_each_outcome(s, k, [&](std::uint32_t t, double, bool) { visit(t); });
+  }
+}
+
 // Does the choice lead into the set with some chance?
 template <class Product>
 bool some_outcome_in(const Product& product, const typename Product::State& s, std::uint32_t k, const StateSet& set) {
@@ -69,7 +81,7 @@ bool closed(const Product& product, const StateSet& set) {
   bool out = true;
   product.for_each_state([&](const auto& s) {
     if (!out || !set[s.index]) return;
-    for (std::uint32_t k = 0; k < product.choices(s) && out; ++k) out = all_outcomes_in(product, s, k, set);
+    for_each_target(product, s, [&](std::uint32_t t) { out = out && t != Product::trap && set[t]; });
   });
   return out;
 }

@@ -45,6 +45,7 @@ class StrategyChain {
   Compact compact(const State& s) const { return product_.compact(s); }
   const std::vector<std::uint32_t>& blocks() const { return product_.blocks(); }
   bool is_goal(const State& s) const { return product_.is_goal(s); }
+  bool has_marks() const { return product_.has_marks(); }  // may an edge be marked?
   std::uint32_t choices(const State&) const { return 1; }
   double cost(const State& s, std::uint32_t) const {
     const std::uint32_t k = strategy_.choice[s.index];

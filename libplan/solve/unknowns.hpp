@@ -59,10 +59,9 @@ class EndComponentQuotient {
     product_.for_each_state(first, last, [&](const State& s) {
       if (!unknowns_.unknown[s.index]) return;
       bool near = false;
-      for (std::uint32_t k = 0; k < product_.choices(s) && !near; ++k)
-        product_.for_each_outcome(s, k, [&](std::uint32_t t, double, bool) {
-          near = near || (t != Product::trap && (unknowns_.targets[t] || (unknowns_.unknown[t] && t < first)));
-        });
+      for_each_target(product_, s, [&](std::uint32_t t) {
+        near = near || (t != Product::trap && (unknowns_.targets[t] || (unknowns_.unknown[t] && t < first)));
+      });
       if (near) meet(s);
     });
     for (std::size_t i = 0; i < queue.size(); ++i) {  // where nothing is merged, the queue is the order

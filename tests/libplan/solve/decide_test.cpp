@@ -138,6 +138,11 @@ TEST(Decide, LeastCostsAgreeWithPlainSweeps) {
         EXPECT_TRUE(std::isinf(decided->value.lower)) << t.show();
       } else {
         expect_bounds(*decided, expected, tolerance * std::max(1.0, expected), t.show());
+        IterationOptions alone = limits;
+        alone.strategy = false;
+        const auto value = least_cost(*t.product, alone);
+        ASSERT_TRUE(value) << t.show();
+        expect_bounds(*value, expected, tolerance * std::max(1.0, expected), t.show() + "  without a strategy");
         proper += expected > 0 ? 1 : 0;
       }
       ASSERT_FALSE(HasFailure());

@@ -1,0 +1,67 @@
+// How a block of a grid begins: costs that are guessed, and by how much steps are lengthened.
+#include <algorithm>
+#include <cmath>
+#include <deque>
+#include <utility>
+
+#include "libplan/solve/grid_block.hpp"
+
+namespace waymark::plan {
+
+// With which chance a move goes where it should, once it goes anywhere: the best choice, the mean over the cells.
+double GridBlock::likely() const {
+  double sum = 0;
+  for (std::uint32_t cell : cells_) {
+    const Row& row = rows_[code_[cell]];
+    double best = 0;
+    for (std::size_t k = 0; k < 4; ++k) best = std::max(best, row.chance[k][k]);
+    sum += best;
+  }
+  return sum / static_cast<double>(cells_.size());
+}
+
+// Over-relaxation where moves are likely to slip: where they are not, cells follow each other in long chains, along
+// which a factor too great would grow.
+double GridBlock::over_relaxation() const { return std::clamp(0.85 / likely(), 1.0, 1.1); }
+
+// What is better said of a cell's value than nothing: the least way if every move went where one would wish, times
+// what a move gets on by against its slips.
+void GridBlock::guess_costs() {
+  const GridWorld& grid = product_.model();
+  set_around(Side::Middle);
+  const double forward = likely();
+  double step = INFINITY;
+  for (std::uint32_t k = 0; k < 4; ++k)
+    step = std::min(step, grid.shape().cost[k] / std::max(forward - chance(k, (k + 2) % 4), 0.25));
+  std::vector<std::pair<double, std::uint32_t>> next_to_known;
+  for (std::uint32_t cell : cells_) {
+    double least = INFINITY;
+    for (std::uint32_t d = 0; d < 4; ++d)
+      if (const std::uint32_t to = grid.move(cell, d); ((known_[cell] >> d) & 1U) != 0 && !unknown_[to])
+        least = std::min(least, step + lower_[to + margin_]);
+    lower_[cell + margin_] = least;
+    if (least < INFINITY) next_to_known.emplace_back(least, cell);
+  }
+  // All steps are as long: what has been reached comes in ascending order, and so do those it starts from.
+  std::sort(next_to_known.begin(), next_to_known.end());
+  std::deque<std::uint32_t> reached;
+  for (std::size_t first = 0; first < next_to_known.size() || !reached.empty();) {
+    std::uint32_t cell = 0;
+    if (reached.empty() ||
+        (first < next_to_known.size() && next_to_known[first].first <= lower_[reached.front() + margin_])) {
+      cell = next_to_known[first].second;
+      if (next_to_known[first++].first > lower_[cell + margin_]) continue;
+    } else {
+      cell = reached.front();
+      reached.pop_front();
+    }
+    const double cost = lower_[cell + margin_] + step;
+    grid.for_each_predecessor(cell, [&](std::uint32_t from) {
+      if (!unknown_[from] || lower_[from + margin_] <= cost) return;
+      lower_[from + margin_] = cost;
+      reached.push_back(from);
+    });
+  }
+}
+
+}  // namespace waymark::plan
