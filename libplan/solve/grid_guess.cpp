@@ -25,14 +25,16 @@ double GridBlock::likely() const {
 double GridBlock::over_relaxation() const { return std::clamp(0.85 / likely(), 1.0, 1.1); }
 
 // What is better said of a cell's value than nothing: the least way if every move went where one would wish, times
-// what a move gets on by against its slips.
+// what a move gets on by against its slips, and a little more. Where a guess is too small, the front leads cells astray
+// until it has passed, and values rise by a move a sweep; one that is too great only costs a sweep more.
 void GridBlock::guess_costs() {
   const GridWorld& grid = product_.model();
   set_around(Side::Middle);
   const double forward = likely();
-  double step = INFINITY;
+  constexpr double a_little_more = 1.05;
+  double step = 0;
   for (std::uint32_t k = 0; k < 4; ++k)
-    step = std::min(step, grid.shape().cost[k] / std::max(forward - chance(k, (k + 2) % 4), 0.25));
+    step = std::max(step, a_little_more * grid.shape().cost[k] / std::max(forward - chance(k, (k + 2) % 4), 0.25));
   std::vector<std::pair<double, std::uint32_t>> next_to_known;
   for (std::uint32_t cell : cells_) {
     double least = INFINITY;
