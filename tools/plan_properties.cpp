@@ -55,8 +55,12 @@ class Properties {
 
  private:
   Reply unanswered(const PrismProperty& property, const std::string& reason) const {
-    if (!choice_.json) return {ExitCode::BadInput, property.text + "  not answered: " + reason + '\n'};
-    return {ExitCode::BadInput, begun(property).add("status", "not answered").add("reason", reason).text() + '\n'};
+    const bool agrees = property.result && plan::expects_error(*property.result);
+    const ExitCode code = agrees ? ExitCode::Done : ExitCode::BadInput;
+    if (choice_.json)
+      return {code, begun(property).add("status", "not answered").add("reason", reason).text() + '\n'};
+    return {code, property.text + "  not answered: " + reason +
+                      (agrees ? "  RESULT " + *property.result + ": agrees" : "") + '\n'};
   }
 
   Answered solved(const PrismProperty& property, const TextWatch& watch) const {

@@ -19,6 +19,7 @@ std::optional<double> number(std::string_view text) {
 
 std::optional<bool> agrees(const std::string& result, double value, std::optional<bool> verdict,
                            std::optional<double> range) {
+  if (expects_error(result)) return false;
   if (result == "true" || result == "false")
     return verdict ? std::optional<bool>(*verdict == (result == "true")) : std::nullopt;
   if (result.starts_with("[") && result.ends_with("]") && result.find(',') != std::string::npos) {

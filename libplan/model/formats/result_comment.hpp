@@ -5,6 +5,9 @@
 
 namespace waymark::plan {
 
+// Does the comment say that the property is an error? "Error:range" says which, and is taken for any.
+inline bool expects_error(const std::string& result) { return result.starts_with("Error"); }
+
 // Does the value agree with what a RESULT comment says: a number, a fraction, Infinity, true or false? Numbers agree
 // up to a relative difference of 10⁻⁵, PRISM's own measure, or an absolute one of 10⁻⁷. nullopt: the comment says
 // something else.
