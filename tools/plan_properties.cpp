@@ -57,8 +57,7 @@ class Properties {
   Reply unanswered(const PrismProperty& property, const std::string& reason) const {
     const bool agrees = property.result && plan::expects_error(*property.result);
     const ExitCode code = agrees ? ExitCode::Done : ExitCode::BadInput;
-    if (choice_.json)
-      return {code, begun(property).add("status", "not answered").add("reason", reason).text() + '\n'};
+    if (choice_.json) return {code, begun(property).add("status", "not answered").add("reason", reason).text() + '\n'};
     return {code, property.text + "  not answered: " + reason +
                       (agrees ? "  RESULT " + *property.result + ": agrees" : "") + '\n'};
   }

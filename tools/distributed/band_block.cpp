@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
+#include <type_traits>
 
 namespace waymark::tools {
 
@@ -12,17 +14,42 @@ BandBlock::BandBlock(const BandProduct& product, const BandSets& sets, SharedMea
   read(sets);
   tabulate(discount);
   find_readers();
-  step_ = INFINITY;
+  constexpr double a_little_more = 1.05;  // as in libplan/solve/grid_guess.cpp
+  double likely = 0;
   for (std::uint32_t k = 0; k < 4; ++k) {
     const GridBand& band = product.band();
-    step_ = std::min(step_, band.cost(k) / std::max(band.chance(k, k) - band.chance(k, (k + 2) % 4), 0.25));
+    const double gets_on = std::max(band.chance(k, k) - band.chance(k, (k + 2) % 4), 0.25);
+    step_ = std::max(step_, a_little_more * band.cost(k) / gets_on);
+    likely = std::max(likely, band.chance(k, k));
   }
+  over_relaxation_ = std::clamp(0.85 / likely, 1.0, 1.1);
 }
 
 void BandBlock::read(const BandSets& sets) {
   around_.resize(pairs_.size());
   code_.resize(pairs_.size());
   for (std::size_t i = 0; i < pairs_.size(); ++i) code_[i] = code(pairs_[i], around_[i], sets);
+}
+
+void BandBlock::sort_by(const double* values) {
+  std::vector<std::uint32_t> order(pairs_.size());
+  std::iota(order.begin(), order.end(), 0U);
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::uint32_t a, std::uint32_t b) { return values[pairs_[a]] < values[pairs_[b]]; });
+  const auto sorted = [&](auto& list) {
+    std::remove_reference_t<decltype(list)> out;
+    out.reserve(list.size());
+    for (const std::uint32_t i : order) out.push_back(list[i]);
+    list.swap(out);
+  };
+  sorted(pairs_);
+  sorted(around_);
+  sorted(code_);
+  halo_.clear();
+  halo_readers_.clear();
+  readers_.clear();
+  find_readers();
+  for (std::size_t c = 0; c < depth_.size(); ++c) depth_[c] = values[pairs_[c * chunk_size]];
 }
 
 // Where costs are asked for, choices count that never leave the unknowns and targets.
@@ -66,6 +93,7 @@ void BandBlock::find_readers() {
     chunk_of[pairs_[i] - base] = static_cast<std::uint32_t>(i / chunk_size);
   readers_.resize(chunks);
   dirty_.assign(chunks, 1);
+  depth_.assign(chunks, 0);
   for (std::uint32_t c = 0; c < chunks; ++c) {
     const auto add_to = [&](std::vector<std::uint32_t>& list) {
       if (list.empty() || list.back() != c) list.push_back(c);
@@ -102,17 +130,26 @@ void BandBlock::touch(const double* values, double least) {
   for (const std::uint32_t chunk : halo_readers_) dirty_[chunk] = 1;
 }
 
-bool BandBlock::has_work() const {
-  return std::any_of(dirty_.begin(), dirty_.end(), [](std::uint8_t dirty) { return dirty != 0; });
+bool BandBlock::has_work(double front) const {
+  for (std::size_t c = 0; c < dirty_.size(); ++c)
+    if (dirty_[c] != 0 && depth_[c] <= front) return true;
+  return false;
 }
 
-// Absolute for probabilities; of costs and of discounted rewards, which may be as small as γⁿ, relative.
+// Absolute for probabilities; of discounted rewards, which may be as small as γⁿ, relative; of costs relative to the
+// value or to so many moves where it is more: bounds a share of the value apart are inductive where what is left to
+// change is that share of a move.
 double BandBlock::difference(double before, double after) const {
+  constexpr double many_moves = 512;
   if (before == after) return 0;
   const double change = std::abs(after - before);
   if (std::isinf(change)) return change;
-  const bool relative = is_cost() || measure_ == SharedMeasure::Discounted;
-  return relative ? change / std::max(before, after) : change;
+  switch (measure_) {
+    case SharedMeasure::MinCost:
+      return change / std::min(std::max(before, after), step_ > 0 ? many_moves * step_ : INFINITY);
+    case SharedMeasure::Discounted: return change / std::max(before, after);
+    default: return change;
+  }
 }
 
 inline double BandBlock::best(std::size_t unknown, const double* values) const {
@@ -156,10 +193,10 @@ double swept(SweepKind kind, double value, double found, bool& fails) {
 
 }  // namespace
 
-SweepResult BandBlock::sweep(double* values, SweepKind kind, double least) {
+SweepResult BandBlock::sweep(double* values, SweepKind kind, double least, double front) {
   SweepResult result;
   for (std::size_t c = 0; c < dirty_.size(); ++c) {
-    if (dirty_[c] == 0) continue;
+    if (dirty_[c] == 0 || depth_[c] > front) continue;
     dirty_[c] = 0;
     double change = 0;
     const std::size_t begin = c * chunk_size, end = std::min(pairs_.size(), begin + chunk_size);
@@ -167,6 +204,11 @@ SweepResult BandBlock::sweep(double* values, SweepKind kind, double least) {
       double& value = values[pairs_[i]];
       const double found = kind == SweepKind::Distance ? nearest(i, values) : best(i, values);
       const double next = swept(kind, value, found, result.failed);
+      if (kind == SweepKind::Free) {
+        change = std::max(change, difference(value, next));
+        value += over_relaxation_ * (next - value);
+        continue;
+      }
       if (next == value) continue;
       // A rise that is no more than the rounding of a sum is none: sweeps would go on for it.
       if (kind != SweepKind::Below || plan::raises(value, next)) change = std::max(change, difference(value, next));

@@ -34,12 +34,19 @@ class BandBlock {
 
   const std::vector<std::uint32_t>& unknowns() const { return pairs_; }  // in the order of sweeps
 
+  // Unknowns of the least values come first from now on, so that a front can move on from them.
+  void sort_by(const double* values);
+  double deepest() const { return depth_.empty() ? 0 : depth_.back(); }  // the least value of the last chunk, then
+  double step() const { return step_; }  // of Distance: the cost of a move, times what slips take back
+
   // `values`: of all pairs of the product, and a 0 behind them.
   void touch_all();                                // every chunk is to be swept
   void touch(const double* values, double least);  // what reads a halo value that changed by more since the last touch
-  bool has_work() const;                           // is a chunk to be swept?
-  // Sweeps the chunks once that are to be swept. A change of more than `least` has what reads it swept again.
-  SweepResult sweep(double* values, SweepKind kind, double least);
+  void relax_no_more() { over_relaxation_ = 1; }
+  bool has_work(double front) const;  // is a chunk to be swept?
+  // Sweeps the chunks once that are to be swept and begin before the front. A change of more than `least` has what
+  // reads it swept again.
+  SweepResult sweep(double* values, SweepKind kind, double least, double front);
 
  private:
   struct Row {                                    // of these barred moves and these choices
@@ -70,7 +77,8 @@ class BandBlock {
   std::vector<std::uint32_t> halo_;                   // what they read there
   std::vector<double> halo_values_;                   // at the last touch
   std::vector<std::uint8_t> dirty_;                   // by chunk
-  double step_ = 0;                                   // of Distance: the cost of a move, times what slips take back
+  std::vector<double> depth_;                         // by chunk: where it was sorted, its least value; else 0
+  double step_ = 0, over_relaxation_ = 1;
 };
 
 }  // namespace waymark::tools

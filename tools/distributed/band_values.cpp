@@ -8,6 +8,7 @@ namespace {
 
 constexpr double coarsest = 1e-2;             // as in libplan/solve/decide.cpp
 constexpr std::uint64_t fewest_rounds = 100;  // of a proof
+constexpr double layers_a_sweep = 4;          // of unknowns, by which a front moves on
 
 class Lap {  // adds the seconds of its life
  public:
@@ -80,6 +81,8 @@ bool BandValues::solve() {
 bool BandValues::solve_component(std::size_t among) {
   const double discount = measure_ == SharedMeasure::Discounted ? options_.discount : 1;
   block_ = std::make_unique<BandBlock>(*product_, *sets_, measure_, discount, component_.first, component_.last);
+  front_ = INFINITY;
+  deepest_ = 0;
   statistics_.unknowns += block_->unknowns().size();
   if (!ranks_->any(!block_->unknowns().empty())) return true;
   if (kept_ != nullptr && find_kept()) {
@@ -91,7 +94,8 @@ bool BandValues::solve_component(std::size_t among) {
   for (;; tolerance_ *= 10) {
     own_share_ = tolerance_ / static_cast<double>(product_->task().components().size() - 1);
     share_ = own_share_ * static_cast<double>(among + 1);
-    const auto end = plan::iterate_optimistically(*this, {.tolerance = share_}, share_ / 64);
+    const double change = is_cost() ? own_share_ / 8192 : share_ / 64;
+    const auto end = plan::iterate_optimistically(*this, {.tolerance = share_}, change);
     if (end == plan::IterationEnd::Proved) break;
     if (stopped_ || tolerance_ >= coarsest) return false;
   }
@@ -135,8 +139,10 @@ SweepResult BandValues::sweep(double* values, SweepKind kind, double least) {
   const Lap lap(statistics_.sweeping);
   SweepResult all;
   block_->touch(values, least);
-  for (std::uint32_t i = 0; i < options_.local_sweeps && block_->has_work(); ++i) {
-    const SweepResult result = block_->sweep(values, kind, least);
+  for (std::uint32_t i = 0; i < options_.local_sweeps; ++i) {
+    front_ += layers_a_sweep * block_->step();
+    if (!block_->has_work(front_)) continue;
+    const SweepResult result = block_->sweep(values, kind, least, front_);
     all.change = std::max(all.change, result.change);
     all.failed = all.failed || result.failed;
     statistics_.updates += result.updates;
@@ -159,12 +165,20 @@ BandValues::Told BandValues::agree(const SweepResult& own) {
   return {told[0], told[1] != 0, stopped_};
 }
 
+// Over-relaxation is given up when it comes to nothing: when changes have not become smaller for a while.
 bool BandValues::refine(SweepKind kind, double change) {
+  constexpr int patience = 64;
+  double least = INFINITY;
+  int waited = 0;
   block_->touch_all();
   while (true) {
     const Told told = agree(sweep(lower_, kind, change));
     if (told.stop) return false;
+    if (front_ < deepest_) continue;
     if (!(told.change > change)) return true;
+    waited = told.change < least ? 0 : waited + 1;
+    least = std::min(least, told.change);
+    if (waited == patience) block_->relax_no_more();
   }
 }
 
@@ -175,7 +189,11 @@ bool BandValues::start_costs() {
   const auto is_new = [&](std::uint32_t pair) { return lower_[pair] == 0 || std::isinf(lower_[pair]); };
   if (!ranks_->any(std::any_of(pairs.begin(), pairs.end(), is_new))) return true;
   for (const std::uint32_t pair : pairs) lower_[pair] = INFINITY;
-  return refine(SweepKind::Distance, 0);
+  if (!refine(SweepKind::Distance, 0)) return false;
+  block_->sort_by(lower_);
+  front_ = 0;
+  deepest_ = ranks_->greatest(block_->deepest());
+  return true;
 }
 
 bool BandValues::refine(double change, const plan::IterationOptions&) {
