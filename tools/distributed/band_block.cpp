@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numeric>
 #include <type_traits>
+#include <utility>
 
 namespace waymark::tools {
 
@@ -45,9 +46,6 @@ void BandBlock::sort_by(const double* values) {
   sorted(pairs_);
   sorted(around_);
   sorted(code_);
-  halo_.clear();
-  halo_readers_.clear();
-  readers_.clear();
   find_readers();
   for (std::size_t c = 0; c < depth_.size(); ++c) depth_[c] = values[pairs_[c * chunk_size]];
 }
@@ -91,7 +89,11 @@ void BandBlock::find_readers() {
   std::vector<std::uint32_t> chunk_of(end - base, none);
   for (std::size_t i = 0; i < pairs_.size(); ++i)
     chunk_of[pairs_[i] - base] = static_cast<std::uint32_t>(i / chunk_size);
-  readers_.resize(chunks);
+  readers_.assign(chunks, {});
+  halo_.clear();
+  halo_readers_.clear();
+  first_reader_.clear();
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> halo_reads;  // pair, chunk
   dirty_.assign(chunks, 1);
   depth_.assign(chunks, 0);
   for (std::uint32_t c = 0; c < chunks; ++c) {
@@ -101,8 +103,7 @@ void BandBlock::find_readers() {
     const auto reads = [&](std::uint32_t pair) {
       if (pair < base || pair >= end) return;
       if (!product_->band().is_own(product_->place(pair))) {
-        halo_.push_back(pair);
-        add_to(halo_readers_);
+        halo_reads.emplace_back(pair, c);
       } else if (chunk_of[pair - base] != none) {
         add_to(readers_[chunk_of[pair - base]]);
       }
@@ -112,22 +113,27 @@ void BandBlock::find_readers() {
       for (const std::uint32_t q : product_->jumps(pairs_[i])) reads(product_->number(product_->place(pairs_[i]), q));
     }
   }
-  std::sort(halo_.begin(), halo_.end());
-  halo_.erase(std::unique(halo_.begin(), halo_.end()), halo_.end());
+  std::sort(halo_reads.begin(), halo_reads.end());
+  halo_reads.erase(std::unique(halo_reads.begin(), halo_reads.end()), halo_reads.end());
+  for (const auto& [pair, chunk] : halo_reads) {
+    if (halo_.empty() || halo_.back() != pair) {
+      halo_.push_back(pair);
+      first_reader_.push_back(static_cast<std::uint32_t>(halo_readers_.size()));
+    }
+    halo_readers_.push_back(chunk);
+  }
+  first_reader_.push_back(static_cast<std::uint32_t>(halo_readers_.size()));
   halo_values_.assign(halo_.size(), 0);
 }
 
 void BandBlock::touch_all() { std::fill(dirty_.begin(), dirty_.end(), std::uint8_t{1}); }
 
 void BandBlock::touch(const double* values, double least) {
-  bool changed = false;
   for (std::size_t i = 0; i < halo_.size(); ++i) {
     if (!(difference(halo_values_[i], values[halo_[i]]) > least)) continue;
     halo_values_[i] = values[halo_[i]];
-    changed = true;
+    for (std::uint32_t r = first_reader_[i]; r < first_reader_[i + 1]; ++r) dirty_[halo_readers_[r]] = 1;
   }
-  if (!changed) return;
-  for (const std::uint32_t chunk : halo_readers_) dirty_[chunk] = 1;
 }
 
 bool BandBlock::has_work(double front) const {

@@ -5,6 +5,7 @@
 // order within one sweep. Unknowns stand in chunks; a chunk is swept again when something that it reads has changed.
 #pragma once
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <vector>
 
@@ -36,7 +37,8 @@ class BandBlock {
 
   // Unknowns of the least values come first from now on, so that a front can move on from them.
   void sort_by(const double* values);
-  double deepest() const { return depth_.empty() ? 0 : depth_.back(); }  // the least value of the last chunk, then
+  double nearest() const { return depth_.empty() ? INFINITY : depth_.front(); }  // the least value, then
+  double deepest() const { return depth_.empty() ? 0 : depth_.back(); }          // the least of the last chunk
   double step() const { return step_; }  // of Distance: the cost of a move, times what slips take back
 
   // `values`: of all pairs of the product, and a 0 behind them.
@@ -73,11 +75,12 @@ class BandBlock {
   std::vector<std::uint8_t> code_;                    // by unknown: bit d, direction d leads away; bit 4 + k, k counts
   std::vector<Row> rows_;                             // by code
   std::vector<std::vector<std::uint32_t>> readers_;   // by chunk: the chunks that read it
-  std::vector<std::uint32_t> halo_readers_;           // chunks that read the halo
-  std::vector<std::uint32_t> halo_;                   // what they read there
-  std::vector<double> halo_values_;                   // at the last touch
-  std::vector<std::uint8_t> dirty_;                   // by chunk
-  std::vector<double> depth_;                         // by chunk: where it was sorted, its least value; else 0
+  std::vector<std::uint32_t> halo_;                   // what is read there
+  std::vector<double> halo_values_;                   // … at the last touch
+  std::vector<std::uint32_t> first_reader_;           // … by which chunks: the first of these
+  std::vector<std::uint32_t> halo_readers_;
+  std::vector<std::uint8_t> dirty_;  // by chunk
+  std::vector<double> depth_;        // by chunk: where it was sorted, its least value; else 0
   double step_ = 0, over_relaxation_ = 1;
 };
 

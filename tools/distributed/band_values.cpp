@@ -189,9 +189,10 @@ bool BandValues::start_costs() {
   const auto is_new = [&](std::uint32_t pair) { return lower_[pair] == 0 || std::isinf(lower_[pair]); };
   if (!ranks_->any(std::any_of(pairs.begin(), pairs.end(), is_new))) return true;
   for (const std::uint32_t pair : pairs) lower_[pair] = INFINITY;
-  if (!refine(SweepKind::Distance, 0)) return false;
+  constexpr double some_steps = 1.0 / 64;  // of a guess; ways that change sides at every step would take long
+  if (!refine(SweepKind::Distance, some_steps)) return false;
   block_->sort_by(lower_);
-  front_ = 0;
+  front_ = ranks_->least(block_->nearest());
   deepest_ = ranks_->greatest(block_->deepest());
   return true;
 }
