@@ -20,7 +20,7 @@ BandBlock::BandBlock(const BandProduct& product, const BandSets& sets, SharedMea
   for (std::uint32_t k = 0; k < 4; ++k) {
     const GridBand& band = product.band();
     const double gets_on = std::max(band.chance(k, k) - band.chance(k, (k + 2) % 4), 0.25);
-    step_ = std::max(step_, a_little_more * band.cost(k) / gets_on);
+    step_ = std::max(step_, (is_cost() ? a_little_more * band.cost(k) : 1) / gets_on);
     likely = std::max(likely, band.chance(k, k));
   }
   over_relaxation_ = std::clamp(0.85 / likely, 1.0, 1.1);
@@ -47,7 +47,11 @@ void BandBlock::sort_by(const double* values) {
   sorted(around_);
   sorted(code_);
   find_readers();
-  for (std::size_t c = 0; c < depth_.size(); ++c) depth_[c] = values[pairs_[c * chunk_size]];
+  double depth = 0;  // what has no way comes last, with the others there
+  for (std::size_t c = 0; c < depth_.size(); ++c) {
+    if (const double value = values[pairs_[c * chunk_size]]; !std::isinf(value)) depth = value;
+    depth_[c] = depth;
+  }
 }
 
 // Where costs are asked for, choices count that never leave the unknowns and targets.
@@ -128,9 +132,9 @@ void BandBlock::find_readers() {
 
 void BandBlock::touch_all() { std::fill(dirty_.begin(), dirty_.end(), std::uint8_t{1}); }
 
-void BandBlock::touch(const double* values, double least) {
+void BandBlock::touch(const double* values, SweepKind kind, double least) {
   for (std::size_t i = 0; i < halo_.size(); ++i) {
-    if (!(difference(halo_values_[i], values[halo_[i]]) > least)) continue;
+    if (!(difference(halo_values_[i], values[halo_[i]], kind) > least)) continue;
     halo_values_[i] = values[halo_[i]];
     for (std::uint32_t r = first_reader_[i]; r < first_reader_[i + 1]; ++r) dirty_[halo_readers_[r]] = 1;
   }
@@ -145,17 +149,14 @@ bool BandBlock::has_work(double front) const {
 // Absolute for probabilities; of discounted rewards, which may be as small as γⁿ, relative; of costs relative to the
 // value or to so many moves where it is more: bounds a share of the value apart are inductive where what is left to
 // change is that share of a move.
-double BandBlock::difference(double before, double after) const {
+double BandBlock::difference(double before, double after, SweepKind kind) const {
   constexpr double many_moves = 512;
   if (before == after) return 0;
   const double change = std::abs(after - before);
   if (std::isinf(change)) return change;
-  switch (measure_) {
-    case SharedMeasure::MinCost:
-      return change / std::min(std::max(before, after), step_ > 0 ? many_moves * step_ : INFINITY);
-    case SharedMeasure::Discounted: return change / std::max(before, after);
-    default: return change;
-  }
+  if (is_cost() || kind == SweepKind::Distance)
+    return change / std::min(std::max(before, after), step_ > 0 ? many_moves * step_ : INFINITY);
+  return measure_ == SharedMeasure::Discounted ? change / std::max(before, after) : change;
 }
 
 inline double BandBlock::best(std::size_t unknown, const double* values) const {
@@ -211,13 +212,14 @@ SweepResult BandBlock::sweep(double* values, SweepKind kind, double least, doubl
       const double found = kind == SweepKind::Distance ? nearest(i, values) : best(i, values);
       const double next = swept(kind, value, found, result.failed);
       if (kind == SweepKind::Free) {
-        change = std::max(change, difference(value, next));
+        change = std::max(change, difference(value, next, kind));
         value += over_relaxation_ * (next - value);
         continue;
       }
       if (next == value) continue;
       // A rise that is no more than the rounding of a sum is none: sweeps would go on for it.
-      if (kind != SweepKind::Below || plan::raises(value, next)) change = std::max(change, difference(value, next));
+      if (kind != SweepKind::Below || plan::raises(value, next))
+        change = std::max(change, difference(value, next, kind));
       value = next;
     }
     result.updates += end - begin;

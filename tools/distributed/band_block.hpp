@@ -14,7 +14,7 @@
 namespace waymark::tools {
 
 enum class SweepKind : std::uint8_t {
-  Distance,   // of costs: down to the least sum of steps, if every move went where one would wish
+  Distance,   // down to the least sum of steps, if every move went where one would wish
   Below,      // values only rise
   Free,       // values follow the operator both ways
   FromAbove,  // a candidate for an upper bound: fails where it is raised by more than the rounding of a sum
@@ -42,8 +42,9 @@ class BandBlock {
   double step() const { return step_; }  // of Distance: the cost of a move, times what slips take back
 
   // `values`: of all pairs of the product, and a 0 behind them.
-  void touch_all();                                // every chunk is to be swept
-  void touch(const double* values, double least);  // what reads a halo value that changed by more since the last touch
+  void touch_all();  // every chunk is to be swept
+  // What reads a halo value that changed by more since the last touch.
+  void touch(const double* values, SweepKind kind, double least);
   void relax_no_more() { over_relaxation_ = 1; }
   bool has_work(double front) const;  // is a chunk to be swept?
   // Sweeps the chunks once that are to be swept and begin before the front. A change of more than `least` has what
@@ -63,7 +64,7 @@ class BandBlock {
   void find_readers();
   double best(std::size_t unknown, const double* values) const;
   double nearest(std::size_t unknown, const double* values) const;
-  double difference(double before, double after) const;
+  double difference(double before, double after, SweepKind kind) const;
   bool is_cost() const { return measure_ == SharedMeasure::MinCost; }
 
   const BandProduct* product_;

@@ -90,7 +90,7 @@ bool BandValues::solve_component(std::size_t among) {
     end_component();
     return true;
   }
-  if (is_cost() && !start_costs()) return false;
+  if (!(is_cost() ? start_costs() : start_front())) return false;
   for (;; tolerance_ *= 10) {
     own_share_ = tolerance_ / static_cast<double>(product_->task().components().size() - 1);
     share_ = own_share_ * static_cast<double>(among + 1);
@@ -138,7 +138,7 @@ SweepResult BandValues::sweep(double* values, SweepKind kind, double least) {
   fetch(values);
   const Lap lap(statistics_.sweeping);
   SweepResult all;
-  block_->touch(values, least);
+  block_->touch(values, kind, least);
   for (std::uint32_t i = 0; i < options_.local_sweeps; ++i) {
     front_ += layers_a_sweep * block_->step();
     if (!block_->has_work(front_)) continue;
@@ -166,13 +166,13 @@ BandValues::Told BandValues::agree(const SweepResult& own) {
 }
 
 // Over-relaxation is given up when it comes to nothing: when changes have not become smaller for a while.
-bool BandValues::refine(SweepKind kind, double change) {
+bool BandValues::refine(double* values, SweepKind kind, double change) {
   constexpr int patience = 64;
   double least = INFINITY;
   int waited = 0;
   block_->touch_all();
   while (true) {
-    const Told told = agree(sweep(lower_, kind, change));
+    const Told told = agree(sweep(values, kind, change));
     if (told.stop) return false;
     if (front_ < deepest_) continue;
     if (!(told.change > change)) return true;
@@ -189,16 +189,30 @@ bool BandValues::start_costs() {
   const auto is_new = [&](std::uint32_t pair) { return lower_[pair] == 0 || std::isinf(lower_[pair]); };
   if (!ranks_->any(std::any_of(pairs.begin(), pairs.end(), is_new))) return true;
   for (const std::uint32_t pair : pairs) lower_[pair] = INFINITY;
-  constexpr double some_steps = 1.0 / 64;  // of a guess; ways that change sides at every step would take long
-  if (!refine(SweepKind::Distance, some_steps)) return false;
-  block_->sort_by(lower_);
+  return find_ways(lower_);
+}
+
+// Of probabilities and discounted rewards: how far each unknown is from what is known to be worth something.
+bool BandValues::start_front() {
+  std::vector<double> ways(product_->pairs() + 1, INFINITY);
+  for (std::uint32_t pair = 0; pair < product_->pairs(); ++pair)
+    if (lower_[pair] > 0) ways[pair] = 0;
+  for (const std::uint32_t pair : block_->unknowns()) ways[pair] = INFINITY;
+  return find_ways(ways.data());
+}
+
+// The unknowns by their least ways to what is known, and a front that begins at the nearest ones.
+bool BandValues::find_ways(double* ways) {
+  constexpr double some_steps = 1.0 / 64;  // exact ones may change sides at every step, which would take long
+  if (!refine(ways, SweepKind::Distance, some_steps)) return false;
+  block_->sort_by(ways);
   front_ = ranks_->least(block_->nearest());
   deepest_ = ranks_->greatest(block_->deepest());
   return true;
 }
 
 bool BandValues::refine(double change, const plan::IterationOptions&) {
-  return refine(is_cost() ? SweepKind::Free : SweepKind::Below, change);
+  return refine(lower_, is_cost() ? SweepKind::Free : SweepKind::Below, change);
 }
 
 // Known bounds are no further apart than the share of the components before.

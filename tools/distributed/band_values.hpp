@@ -84,7 +84,9 @@ class BandValues {
   SweepResult sweep(double* values, SweepKind kind, double least);
   Told agree(const SweepResult& own);
   bool start_costs();
-  bool refine(SweepKind kind, double change);
+  bool start_front();
+  bool find_ways(double* ways);
+  bool refine(double* values, SweepKind kind, double change);
   plan::Bounds bounds(std::uint32_t pair) const;
 
   const Ranks* ranks_;
