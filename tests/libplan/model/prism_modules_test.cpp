@@ -206,7 +206,8 @@ TEST(PrismProperties, AgreeWithWhatIsSaid) {
   EXPECT_EQ(agrees("0", 1e-9, std::nullopt), true);
   EXPECT_EQ(agrees("false", 0.3, true), false);
   EXPECT_EQ(agrees("true", 0.3, std::nullopt), std::nullopt);
-  EXPECT_EQ(agrees("Error: no", 0.3, std::nullopt), std::nullopt);
+  EXPECT_EQ(agrees("Error: no", 0.3, std::nullopt), false) << "there is a value";
+  EXPECT_EQ(agrees("no error", 0.3, std::nullopt), std::nullopt);
 }
 
 }  // namespace
