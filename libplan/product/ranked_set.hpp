@@ -1,4 +1,5 @@
-// A set of numbers that knows how many members come before each: two bits a number there could be.
+// A set of numbers that knows how many members come before each: two bits a number there could be, and an eighth of a
+// bit a member.
 #pragma once
 #include <bit>
 #include <cstddef>
@@ -22,7 +23,7 @@ class RankedSet {
     const Word& word = words_[i / 64];
     return word.before + static_cast<std::uint32_t>(std::popcount(word.bits & ((std::uint64_t{1} << (i % 64)) - 1)));
   }
-  std::uint64_t select(std::uint32_t rank) const;  // the member with that rank, O(log size)
+  std::uint64_t select(std::uint32_t rank) const;  // the member with that rank: O(1) where members stand close
   template <class Visit>                           // visit(member), ascending from `first` on, until it says false
   void for_each(std::uint64_t first, Visit&& visit) const {
     std::uint64_t skip = ~std::uint64_t{0} << (first % 64);
@@ -37,6 +38,8 @@ class RankedSet {
     std::uint32_t before = 0;
   };
   std::vector<Word> words_;
+  static constexpr std::uint32_t stride = 512;
+  std::vector<std::uint64_t> every_;  // of every 512th member: its word
 };
 
 }  // namespace waymark::plan

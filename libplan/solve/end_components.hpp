@@ -59,11 +59,25 @@ class Round {
     calls_.push_back({i, visited_, pending_.size(), false});
     low_[i] = visited_++;
     open_.push_back(i);
-    for (std::uint32_t k = 0; k < product_.choices(s); ++k) {
+    const std::uint32_t choices = product_.choices(s);
+    if (choices > 1 && all_stay(s, choices)) {  // most states are like this, and choices share targets
+      calls_.back().moves = true;
+      for_each_target(product_, s, [&](std::uint32_t t) { pending_.push_back(t); });
+      return;
+    }
+    for (std::uint32_t k = 0; k < choices; ++k) {
       if (!usable_(s, k) || !stays(product_, s, k, last_)) continue;
       calls_.back().moves = true;
       product_.for_each_outcome(s, k, [&](std::uint32_t t, double, bool) { pending_.push_back(t); });
     }
+  }
+
+  bool all_stay(const typename Product::State& s, std::uint32_t choices) const {
+    const std::uint32_t own = last_.of[s.index];
+    bool all = own != EndComponents::none;
+    for_each_target(product_, s, [&](std::uint32_t t) { all = all && t != Product::trap && last_.of[t] == own; });
+    for (std::uint32_t k = 0; k < choices && all; ++k) all = usable_(s, k);
+    return all;
   }
 
   void search(std::uint32_t root) {
