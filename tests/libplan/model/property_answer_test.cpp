@@ -262,6 +262,14 @@ TEST(PropertyAnswer, OfSeveralObjectives) {
                                                     {"multi(P>=0.1 [ G s!=3 ], Pmax=? [ F s=3 ])", 0.2},
                                                     {"multi(Pmin=? [ F s=1 ])", 0}};
   for (const auto& [property, value] : numbers) EXPECT_NEAR(number(lamp, property), value, 1e-6) << property;
+  const std::pair<const char*, const char*> faults[] = {
+      {"multi(P>0.8 [ F s=2 ])", "a strict bound of an objective"},
+      {"multi(Pmax=? [ F s=1 ], P<0.2 [ F s=2 ])", "a strict bound of an objective"},
+      {"multi(Pmax=? [ F s=1 ], P>=0.2 [ F P>0.5 [ F s=2 ] ])", "an operator inside of an objective"},
+      {"multi(Pmax=? [ F s=1 ], R{\"step\"}min=? [ F s=2 ])", "objectives are probabilities and total rewards (C)"},
+      {"multi(Pmax=? [ F s=1 ], Pmax=? [ F s=2 ], Pmax=? [ F s=3 ])", "more than two objectives"}};
+  for (const auto& [property, fault] : faults)
+    EXPECT_EQ(parse_prism_properties({lamp, ""}, {property, ""}).at(0).fault, fault) << property;
   EXPECT_EQ(number(lamp, "Pmax=? [ F{\"price\"}<5 s=2 ]"), 0);
   EXPECT_NEAR(number(lamp, "Pmax=? [ s<2 U{\"price\"}<=5 s=2 ]"), 0.8, 1e-6);
   EXPECT_EQ(answered(lamp, "multi(P>=0.4 [ F s=2 ], P>=0.5 [ F s=1 ])").verdict, true);
