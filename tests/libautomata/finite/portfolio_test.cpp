@@ -102,6 +102,24 @@ TEST(FiniteRoutes, LargeEquivalencesAreOneOfTwo) {
   }
 }
 
+// Two states of either operand are complements of each other, so pairs of states are equal that are not one state in
+// a product of automata without common propositions.
+TEST(FiniteRoutes, LargeEquivalencesOfOperandsWithoutCommonPropositionsAreMinimal) {
+  std::string big = "(q U r)";
+  for (const char* i : {"1", "2", "3", "4", "5", "6", "7", "8", "9"}) big += std::string(" & F a") + i;
+  const Verdict one = [](bool p, bool q) { return p != q; };
+  for (const char* small : {"s U t", "G (s -> X t)"})
+    for (const bool swapped : {false, true}) {
+      ltl::Arena arena;
+      const auto automaton = [&](const std::string& text) { return ltlf_to_dfa(ltl::parse(text, arena)); };
+      const Dfa made =
+          automaton(swapped ? std::string("(") + small + ") ^ (" + big + ")" : "(" + big + ") ^ (" + small + ")");
+      const Dfa expected = minimize(product(automaton(big), automaton(small), one));
+      EXPECT_EQ(made.states(), expected.states()) << small;
+      EXPECT_FALSE(difference(made, expected).has_value()) << small;
+    }
+}
+
 TEST(FiniteRoutes, OperandsWithoutPropositionsAreOperandsToo) {
   ltl::Arena arena;
   const ltl::Formula f = ltl::parse("X X X true & N N N N false & F a & F b & G (c -> F d)", arena);

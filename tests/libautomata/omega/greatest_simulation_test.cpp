@@ -114,6 +114,20 @@ TEST(GreatestSimulation, IsTheRelationOfTheDefinitionOnManyStates) {
   }
 }
 
+// More choices than pairs of which are remembered: q ≤ r exactly where the marks of q are among those of r.
+TEST(GreatestSimulation, OfManyChoicesIsThatOfTheirMarks) {
+  constexpr std::uint32_t states = 600;
+  TransitionRelation many;
+  for (std::uint32_t q = 0; q < states; ++q)
+    many.roots.push_back(Mtbdd::terminal(many.choices.intern({{0, Marks::from_bits(q)}})));
+  Budget budget;
+  for (const Comparison how : {Comparison::Cheapest, Comparison::OfDiagrams}) {
+    const StatePairs below = greatest_simulation(many, budget, how);
+    for (std::uint32_t q = 0; q < states; ++q)
+      for (std::uint32_t r = 0; r < states; ++r) ASSERT_EQ(below(q, r), (q & r) == q) << q << ' ' << r;
+  }
+}
+
 TEST(AlphabetClasses, AreAsManyAsThereAreDifferentColumns) {
   ltl::Random random(seed);
   const auto vocabulary = testing::letters_vocabulary(atoms);
