@@ -67,6 +67,12 @@ TEST(OmegaOperations, MatchPropositionsByName) {
   EXPECT_NE(write_hoa(intersection(a, b, budget)).find("[0&1] 0"), std::string::npos);
 }
 
+TEST(OmegaOperations, AutomataNameThePropositionsThatTheyRead) {
+  const Automaton b = read_omega_hoa(
+      "HOA: v1 Start: 0 AP: 3 \"a\" \"b\" \"c\" Acceptance: 0 t --BODY-- State: 0 [1] 0 [0&1] 0 --END--");
+  EXPECT_NE(write_hoa(b).find("AP: 1 \"b\""), std::string::npos) << write_hoa(b);
+}
+
 TEST(OmegaOperations, SumsBeginWhereBothBegin) {
   const auto waits_for = [](const char* proposition) {
     return read_omega_hoa(std::string("HOA: v1 Start: 1 AP: 1 \"") + proposition +
