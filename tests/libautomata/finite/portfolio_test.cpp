@@ -120,6 +120,35 @@ TEST(FiniteRoutes, LargeEquivalencesOfOperandsWithoutCommonPropositionsAreMinima
     }
 }
 
+// Operands without common propositions, too large in one piece: whatever is known of each, the result is minimal.
+TEST(FiniteRoutes, OperandsWithoutCommonPropositionsGiveTheMinimalAutomaton) {
+  ltl::Random random(32);
+  std::vector<std::string> names{"b", "c", "d", "e"};
+  std::string late, never;
+  for (int i = 1; i <= 8; ++i) {
+    names.push_back("a" + std::to_string(i));
+    late += (i > 1 ? " & F " : "F ") + names.back();
+    never += (i > 1 ? " | G " : "G ") + names.back();
+  }
+  for (int i = 0; i < 150; ++i) {
+    const bool all = i % 2 == 0;
+    ltl::Arena arena{ltl::Vocabulary(names)};
+    std::vector<ltl::Formula> operands{ltl::parse(all ? late : never, arena)};
+    for (const std::size_t first : {0U, 2U}) {
+      ltl::Arena own(ltl::Vocabulary({names[first], names[first + 1]}));
+      operands.push_back(ltl::transfer(ltl::random_formula(random, own, {.size = 7, .atoms = 2}), arena));
+    }
+    const Verdict both = [](bool p, bool q) { return p && q; }, either = [](bool p, bool q) { return p || q; };
+    Dfa expected = ltlf_to_dfa(operands[0]);
+    for (const std::size_t k : {1U, 2U}) expected = product(expected, ltlf_to_dfa(operands[k]), all ? both : either);
+    expected = minimize(expected);
+    const ltl::Formula f = all ? ltl::conjunction(arena, operands) : ltl::disjunction(arena, operands);
+    const Dfa made = ltlf_to_dfa(f);
+    ASSERT_EQ(made.states(), expected.states()) << ltl::print(f);
+    ASSERT_FALSE(difference(made, expected).has_value()) << ltl::print(f);
+  }
+}
+
 TEST(FiniteRoutes, OperandsWithoutPropositionsAreOperandsToo) {
   ltl::Arena arena;
   const ltl::Formula f = ltl::parse("X X X true & N N N N false & F a & F b & G (c -> F d)", arena);
