@@ -131,7 +131,7 @@ TEST_F(Fold, WithoutEffortTheAutomatonIsValidAndSaysSo) {
   EXPECT_GT(cut_short, 0U);
 }
 
-// F a with a state too many, and G !a as a cycle of 150 states.
+// F a with a state too many, and G !a as a cycle of states, one more than two words of bits have.
 TEST_F(Fold, TheComplementMayHaveManyStates) {
   TransitionRelation inside, outside;
   inside.acceptance = outside.acceptance = Acceptance::buchi();
@@ -141,7 +141,7 @@ TEST_F(Fold, TheComplementMayHaveManyStates) {
   for (std::uint32_t q = 0; q < 2; ++q)
     inside.roots.push_back(inside.diagram.make(0, go(inside, 1, {}), go(inside, 2, {})));
   inside.roots.push_back(go(inside, 2, Marks::of(0)));
-  constexpr std::uint32_t many = 150;
+  constexpr std::uint32_t many = 129;
   for (std::uint32_t q = 0; q < many; ++q)
     outside.roots.push_back(
         outside.diagram.make(0, go(outside, (q + 1) % many, Marks::of(0)), Mtbdd::terminal(Choices::none)));
