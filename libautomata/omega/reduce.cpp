@@ -117,7 +117,10 @@ Reduced reduce_as_marked(const TransitionRelation& automaton, Budget& budget) {
     if (states < least_again || states > most_again || sets == plain.acceptance.sets || is_deterministic(out.automaton))
       return out;
     Reduced other = reduce(simulated(plain, budget), MarksOn::Edges, budget);
-    return is_smaller(other.automaton, out.automaton) ? std::move(other) : std::move(out);
+    const bool complete =
+        out.complete && other.complete;  // the one that is left may be the larger one for want of steps
+    return {is_smaller(other.automaton, out.automaton) ? std::move(other.automaton) : std::move(out.automaton),
+            complete};
   } catch (const Budget::Exceeded& spent) {
     if (spent.reason == Budget::Exceeded::Reason::Stopped) throw;
     return {reduce(automaton, MarksOn::Edges, budget).automaton, false};

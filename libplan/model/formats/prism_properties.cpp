@@ -148,7 +148,7 @@ class PropertiesReader {
     return expressions_.query(truth ? Type::Bool : Type::Double, where);
   }
 
-  // multi(objective, …): P over a path formula and R over C, whose values are asked for or bounded.
+  // multi(objective, …): P over a path formula and R over C, asked for or bounded: some strategy is to meet the bound.
   void multi(PrismProperty& out) {
     out.ask = PrismProperty::Ask::Multi;
     in_.next(), in_.next();
@@ -160,16 +160,16 @@ class PropertiesReader {
       objective.text = std::string(text_.substr(begin, last_ - begin));
       if (objective.budget) throw std::invalid_argument("an objective with a budget");
       if (!inside_.empty()) throw std::invalid_argument("an operator inside of an objective");
+      if (objective.comparison.size() == 1) throw std::invalid_argument("a strict bound of an objective");
       const bool total = objective.about_rewards && objective.ask == PrismProperty::Ask::Total;
       if (!total && (objective.about_rewards || objective.ask != PrismProperty::Ask::Task))
         throw std::invalid_argument("objectives are probabilities and total rewards (C)");
-      // Some strategy is to meet the bound.
       using Query = CaseTask::Query;
-      const bool greatest = objective.comparison.empty() ? objective.task.query == Query::MaxProbability ||
-                                                               objective.task.query == Query::MaxCost
-                                                         : objective.comparison[0] == '>';
-      objective.task.query = total ? (greatest ? Query::MaxCost : Query::MinCost)
-                                   : (greatest ? Query::MaxProbability : Query::MinProbability);
+      Query& query = objective.task.query;
+      const bool most = query == Query::MaxProbability || query == Query::MaxCost;
+      const bool greatest = objective.comparison.empty() ? most : objective.comparison[0] == '>';
+      if (greatest) query = total ? Query::MaxCost : Query::MaxProbability;
+      if (!greatest) query = total ? Query::MinCost : Query::MinProbability;
     } while (in_.accept(","));
     last_ = in_.expect(")").where.end;
     if (out.nested.size() > 2) throw std::invalid_argument("more than two objectives");

@@ -124,6 +124,15 @@ TEST(Run, ShortestWordIsShortestAndAccepted) {
     EXPECT_FALSE(shortest_word(translate(unsatisfiable)).has_value()) << unsatisfiable;
 }
 
+// Without `a` or without `b`, the same node about `c` leads no nearer: it is met twice.
+TEST(Run, ShortestWordIsNotLedAstrayByANodeThatIsMetTwice) {
+  const Dfa dfa = translate("a & b & X true | !(a & b) & (c & X X a | !c & X X b)");
+  const std::optional<Trace> word = shortest_word(dfa);
+  ASSERT_TRUE(word.has_value());
+  EXPECT_EQ(word->size(), 2U);
+  EXPECT_TRUE(accepts(dfa, *word));
+}
+
 // Without `a`, `c` decides between two states that are equally far from acceptance.
 TEST(Run, ShortestWordPassesBranchesThatLeadNoNearer) {
   Mtbdd diagram;

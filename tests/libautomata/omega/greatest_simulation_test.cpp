@@ -70,7 +70,8 @@ TEST(GreatestSimulation, IsTheRelationOfTheDefinitionForwardsAndBackwards) {
                                                   .sets = static_cast<std::uint32_t>(random.below(3)),
                                                   .empty = 0.4,
                                                   .generic = false});
-    const TransitionRelation& a = automaton.transitions();
+    TransitionRelation a = automaton.transitions();
+    a.initial = static_cast<std::uint32_t>(i % a.states());
     const StatePairs after = by_definition(steps(a), a.states(), {});
     const StatePairs before = by_definition(steps(a), a.states(), a.initial);
     for (const Comparison how : {Comparison::Cheapest, Comparison::OfDiagrams}) {
@@ -110,6 +111,20 @@ TEST(GreatestSimulation, IsTheRelationOfTheDefinitionOnManyStates) {
     const StatePairs after = by_definition(steps(many), many.states(), {});
     EXPECT_EQ(greatest_simulation(many, budget, Comparison::OfDiagrams), after) << "seed " << seed << ", " << i;
     EXPECT_EQ(greatest_simulation(many, budget, Comparison::Cheapest), after) << "seed " << seed << ", " << i;
+  }
+}
+
+// More choices than pairs of which are remembered: q ≤ r exactly where the marks of q are among those of r.
+TEST(GreatestSimulation, OfManyChoicesIsThatOfTheirMarks) {
+  constexpr std::uint32_t states = 600;
+  TransitionRelation many;
+  for (std::uint32_t q = 0; q < states; ++q)
+    many.roots.push_back(Mtbdd::terminal(many.choices.intern({{0, Marks::from_bits(q)}})));
+  Budget budget;
+  for (const Comparison how : {Comparison::Cheapest, Comparison::OfDiagrams}) {
+    const StatePairs below = greatest_simulation(many, budget, how);
+    for (std::uint32_t q = 0; q < states; ++q)
+      for (std::uint32_t r = 0; r < states; ++r) ASSERT_EQ(below(q, r), (q & r) == q) << q << ' ' << r;
   }
 }
 

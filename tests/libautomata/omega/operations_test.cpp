@@ -67,6 +67,12 @@ TEST(OmegaOperations, MatchPropositionsByName) {
   EXPECT_NE(write_hoa(intersection(a, b, budget)).find("[0&1] 0"), std::string::npos);
 }
 
+TEST(OmegaOperations, AutomataNameThePropositionsThatTheyRead) {
+  const Automaton b = read_omega_hoa(
+      "HOA: v1 Start: 0 AP: 3 \"a\" \"b\" \"c\" Acceptance: 0 t --BODY-- State: 0 [1] 0 [0&1] 0 --END--");
+  EXPECT_NE(write_hoa(b).find("AP: 1 \"b\""), std::string::npos) << write_hoa(b);
+}
+
 TEST(OmegaOperations, SumsBeginWhereBothBegin) {
   const auto waits_for = [](const char* proposition) {
     return read_omega_hoa(std::string("HOA: v1 Start: 1 AP: 1 \"") + proposition +
@@ -120,6 +126,18 @@ TEST(FindLasso, FindsAWordThatIsAcceptedOrThereIsNone) {
   }
   EXPECT_GT(empty, 20U);
   EXPECT_LT(empty, 380U);
+}
+
+// Of two ways to avoid marks the one is to meet what the other avoids.
+TEST(FindLasso, LeavesOutOneMarkAndThenAnother) {
+  for (const char* acceptance : {"(Fin(0) & Inf(1)) | (Inf(0) & Fin(2))", "(Fin(2) & Inf(1)) | (Inf(2) & Fin(0))",
+                                 "(Inf(0) & Fin(2)) | (Fin(0) & Inf(1))", "(Inf(2) & Fin(0)) | (Fin(2) & Inf(1))"}) {
+    const Automaton a = read_omega_hoa(std::string("HOA: v1 Start: 0 AP: 1 \"a\" Acceptance: 3 ") + acceptance +
+                                       " --BODY-- State: 0 [0] 0 {0} [!0] 0 {2} --END--");
+    const std::optional<ltl::Lasso> word = find_lasso(a);
+    ASSERT_TRUE(word) << acceptance;
+    EXPECT_TRUE(referee::accepts(a, *word)) << acceptance;
+  }
 }
 
 AlternatingBuchi random_alternating(ltl::Random& random, std::uint32_t states) {

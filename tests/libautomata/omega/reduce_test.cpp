@@ -135,6 +135,26 @@ TEST_F(Reductions, DegeneralisedAndReducedKeepsTheLanguage) {
 
 TransitionRelation from_hoa(const char* text) { return read_omega_hoa(text).transitions(); }
 
+// Set 0 implies set 1, whichever comes first.
+TEST_F(Reductions, AnImpliedSetGoes) {
+  for (const char* marks : {"[0&1] 0 {0 1} [0&!1] 0 {1} [!0] 0", "[0&1] 0 {0 1} [0&!1] 0 {0} [!0] 0"}) {
+    const TransitionRelation before =
+        from_hoa((std::string("HOA: v1 States: 1 Start: 0 AP: 2 \"a\" \"b\" Acceptance: 2 Inf(0)&Inf(1) --BODY-- "
+                              "State: 0 ") +
+                  marks + " --END--")
+                     .c_str());
+    EXPECT_EQ(scc_filter(before, MarksOn::Edges, budget_).acceptance.sets, 1U) << marks;
+  }
+}
+
+// Every cycle through 1 passes 0, which is marked: so is 1.
+TEST_F(Reductions, AStateIsMarkedThatNoCycleReachesWithoutAMark) {
+  const TransitionRelation after = scc_filter(from_hoa(R"(HOA: v1 States: 2 Start: 0 AP: 1 "a" Acceptance: 1 Inf(0)
+    --BODY-- State: 0 [0] 0 {0} [!0] 1 {0} State: 1 [t] 0 --END--)"),
+                                              MarksOn::States, budget_);
+  EXPECT_EQ(marked_states(after), std::vector<bool>(after.states(), true));
+}
+
 // No run needs to stay in 1: as long as it may, another one can wait in 2 and come over later.
 TEST_F(Reductions, ABranchGoesWhenAnotherRunIsAheadOfItOnBothSides) {
   const TransitionRelation before =

@@ -1,9 +1,13 @@
 // The parts that the translation is put together from, each against the definition on all small lassos.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <set>
+
 #include "libautomata/omega/automaton.hpp"
 #include "libautomata/omega/containment.hpp"
 #include "libautomata/omega/emptiness.hpp"
+#include "libautomata/omega/random_automaton.hpp"
 #include "libautomata/omega/recurrence.hpp"
 #include "libautomata/omega/suspension.hpp"
 #include "libautomata/omega/tableau.hpp"
@@ -85,6 +89,41 @@ TEST_F(Routes, RestartingReadsGoodPrefixesForEver) {
   }
   const Formula persistent = ltl::parse("F G a", arena_);  // not co-safe: some runs accept elsewhere
   EXPECT_FALSE(restarted(tableau_of(persistent)));
+}
+
+// By reachability alone: the component of the new initial state leads nowhere else, and no such component is smaller.
+TEST_F(Routes, StartedInsideIsInASmallestComponentThatNothingLeaves) {
+  ltl::Random random(41);
+  std::size_t moved = 0, several = 0;
+  for (int i = 0; i < 3'000; ++i) {
+    const TransitionRelation given =
+        random_automaton(random, arena_.vocabulary(), {.states = 12, .branches = 1, .empty = 0.6}).transitions();
+    const TransitionRelation made = started_inside(given);
+    std::vector<std::set<std::uint32_t>> reached(given.states());
+    for (std::uint32_t q = 0; q < given.states(); ++q) {
+      reached[q].insert(q);
+      for (std::vector<std::uint32_t> stack{q}; !stack.empty();) {
+        const std::uint32_t r = stack.back();
+        stack.pop_back();
+        for (const Branch& b : branches_of(given, r))
+          if (reached[q].insert(b.target).second) stack.push_back(b.target);
+      }
+    }
+    std::set<std::set<std::uint32_t>> bottoms;
+    std::size_t least = SIZE_MAX;
+    for (const auto& from : reached)
+      if (std::all_of(from.begin(), from.end(), [&](std::uint32_t r) { return reached[r] == from; })) {
+        bottoms.insert(from);
+        least = std::min(least, from.size());
+      }
+    EXPECT_TRUE(bottoms.contains(reached[made.initial])) << i;
+    EXPECT_EQ(reached[made.initial].size(), least) << i;
+    EXPECT_EQ(made.roots, given.roots) << i;
+    moved += made.initial != given.initial ? 1 : 0;
+    several += std::any_of(bottoms.begin(), bottoms.end(), [&](const auto& b) { return b.size() > least; }) ? 1 : 0;
+  }
+  EXPECT_GT(moved, 100U);
+  EXPECT_GT(several, 20U);
 }
 
 // Small formulas that no lasso of three letters tells apart do imply each other.

@@ -131,5 +131,25 @@ TEST_F(Fold, WithoutEffortTheAutomatonIsValidAndSaysSo) {
   EXPECT_GT(cut_short, 0U);
 }
 
+// F a with a state too many, and G !a as a cycle of states, one more than two words of bits have.
+TEST_F(Fold, TheComplementMayHaveManyStates) {
+  TransitionRelation inside, outside;
+  inside.acceptance = outside.acceptance = Acceptance::buchi();
+  const auto go = [](TransitionRelation& automaton, std::uint32_t target, Marks marks) {
+    return Mtbdd::terminal(automaton.choices.intern({{target, marks}}));
+  };
+  for (std::uint32_t q = 0; q < 2; ++q)
+    inside.roots.push_back(inside.diagram.make(0, go(inside, 1, {}), go(inside, 2, {})));
+  inside.roots.push_back(go(inside, 2, Marks::of(0)));
+  constexpr std::uint32_t many = 129;
+  for (std::uint32_t q = 0; q < many; ++q)
+    outside.roots.push_back(
+        outside.diagram.make(0, go(outside, (q + 1) % many, Marks::of(0)), Mtbdd::terminal(Choices::none)));
+  const Reduced made = state_merged(inside, outside, MarksOn::Edges, budget_);
+  EXPECT_TRUE(made.complete);
+  EXPECT_EQ(made.automaton.states(), 2U);
+  EXPECT_TRUE(accepts_the_words_of(ltl::parse("F a", arena_), made.automaton));
+}
+
 }  // namespace
 }  // namespace waymark::automata

@@ -223,6 +223,7 @@ TEST(Patterns, RefuseWhatDoesNotFit) {
   EXPECT_EQ(message("exact-restricted-avoidance", {"a"}), "exact-restricted-avoidance takes a number and a place");
   EXPECT_THROW(make("upper-restricted-avoidance", {"0", "a"}), std::invalid_argument);
   EXPECT_THROW(make("upper-restricted-avoidance", {"2x", "a"}), std::invalid_argument);
+  EXPECT_EQ(make("lower-restricted-avoidance", {"1", "a"}), parse("F a", arena));
   EXPECT_THROW(make("visit", {"a", "b U"}), SyntaxError);
   EXPECT_EQ(print(make("response-globally", {"a & b", "F c"})), "G((a & b) -> F F c)");
 }

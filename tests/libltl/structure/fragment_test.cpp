@@ -41,7 +41,10 @@ TEST(Fragments, AreReadOffTheSyntax) {
       {"Y a", "score", "sc"},        {"a S b", "nscore", "nsc"},     {"O a", "nscore", "nsc"},
       {"a W G F b", "nr", "n"},      {"a W F G b", "ne", "n"},       {"F a W F G b", "n", "n"},
       {"F a W b", "nr", "n"},        {"F G a W b", "n", "n"},        {"G a M F b", "ne", "n"},
-      {"F Y a", "core", "c"},        {"G(a S b)", "nsore", "ns"},
+      {"F Y a", "core", "c"},        {"G(a S b)", "nsore", "ns"},    {"Y F a", "core", "c"},
+      {"F a S b", "ncore", "nc"},    {"a S G b", "nsore", "ns"},     {"F a S G b", "nore", "n"},
+      {"Y G F a", "r", ""},          {"a S F G b", "ne", "n"},       {"O (a & X b)", "score", "c"},
+      {"!(a S F b)", "nsore", "ns"}, {"Y a S b", "score", "sc"},
   };
   for (const auto& row : table) {
     Arena arena;
@@ -54,7 +57,7 @@ TEST(Fragments, AreReadOffTheSyntax) {
 TEST(Laws, SafetyIsClosedUnderPrefixesAndCosafetyUnderExtensions) {
   Arena arena(testing::letters_vocabulary(2));
   const auto words = testing::all_traces({.length = 4, .atoms = 2});
-  testing::for_each_formula(arena, {.size = 4, .atoms = 2}, [&](Formula f) {
+  testing::for_each_formula(arena, {.size = 4, .atoms = 2, .past = true}, [&](Formula f) {
     const Fragments in = fragments(f, Semantics::Finite);
     if (!in.safety && !in.cosafety) return;
     for (const Trace& word : words) {
@@ -91,7 +94,7 @@ TEST(Laws, CosafetyIsDecidedByAFinitePrefix) {
 TEST(Laws, NextFreeFormulasDoNotNoticeStuttering) {
   Arena arena(testing::letters_vocabulary(2));
   const auto words = testing::all_traces({.length = 3, .atoms = 2});
-  testing::for_each_formula(arena, {.size = 4, .atoms = 2}, [&](Formula f) {
+  testing::for_each_formula(arena, {.size = 4, .atoms = 2, .past = true}, [&](Formula f) {
     if (!fragments(f, Semantics::Finite).next_free) return;
     for (const Trace& word : words)
       for (std::size_t i = 0; i < word.size(); ++i) {

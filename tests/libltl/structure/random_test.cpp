@@ -2,12 +2,14 @@
 
 #include <gtest/gtest.h>
 
+#include <map>
 #include <set>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "libltl/text/print.hpp"
+#include "libltl/text/view.hpp"
 #include "tests/support/generate.hpp"
 
 namespace waymark::ltl {
@@ -46,6 +48,25 @@ TEST(Random, FormulasReachEveryOperatorAndKeepToTheirOptions) {
     for (Formula g : subformulas(f)) EXPECT_NE(g.op(), Op::WeakNext) << testing::show(f);
     for (Proposition p : propositions(f)) EXPECT_LT(p.index, 2U) << testing::show(f);
   }
+}
+
+// A third of the operators speak of the past, each of the six about as often as the others of as many operands.
+TEST(Random, FormulasOfThePastReachItsOperatorsEquallyOften) {
+  Arena arena(testing::letters_vocabulary(2));
+  Random random(10);
+  std::map<Symbol, int> count;
+  constexpr int drawn = 12'000;
+  for (int i = 0; i < drawn; ++i)
+    ++count[view(random_formula(random, arena, {.size = 2, .atoms = 2, .constants = false, .past = true})).symbol];
+  for (const Symbol unary : {Symbol::Yesterday, Symbol::WeakYesterday, Symbol::Once, Symbol::Historically})
+    EXPECT_NEAR(count[unary], drawn / 3 / 4, 150);
+  EXPECT_NEAR(count[Symbol::Next] + count[Symbol::WeakNext], drawn * 2 / 3 * 2 / 5, 250);
+  count.clear();
+  for (int i = 0; i < drawn; ++i)
+    ++count[view(random_formula(random, arena, {.size = 3, .atoms = 2, .constants = false, .past = true})).symbol];
+  EXPECT_NEAR(count[Symbol::Since], count[Symbol::Triggered], 250);
+  EXPECT_GT(count[Symbol::Since], drawn / 2 / 3 / 2 - 500);
+  for (int i = 0; i < 500; ++i) EXPECT_FALSE(has_past(random_formula(random, arena, {.size = 9, .atoms = 2})));
 }
 
 TEST(Random, RefusesWhatCannotBeMade) {

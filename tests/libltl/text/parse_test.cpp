@@ -177,6 +177,7 @@ TEST(Parse, ErrorsNameWhatWasExpectedAndWhere) {
       {"\"a\\t\"", "expected \\\", \\\\ or \\n in a quoted name", 3},
       {"a <- b", "'<' starts no part of a formula (names with such characters go in double quotes)", 3},
       {"G<=6000 a", "expected at most 10,000 levels of nesting (bounds count k times)", 1},
+      {"a U<=4000 b", "expected at most 10,000 levels of nesting (bounds count k times)", 3},
       {"U p0", "expected a formula after 'p0'", 5, Notation::Lbt},
       {"U p0 p1 p2", "expected the end of the formula before 'p2'", 9, Notation::Lbt},
       {"(p0)", "expected no parentheses: the prefix form needs none", 1, Notation::Lbt},

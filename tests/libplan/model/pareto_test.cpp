@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <random>
 
 #include "libplan/solve/property_answer.hpp"
@@ -147,6 +148,136 @@ TEST(Pareto, IsOfOneObjectiveOrTwo) {
   EXPECT_THROW(pareto(mdp, {}), std::invalid_argument);
   EXPECT_THROW(pareto(mdp, {{"F a"}, {"G a"}, {"X a"}}), std::invalid_argument);
   EXPECT_EQ(pareto(mdp, {{"F a"}, {"X a"}}).value().points.size(), 1U);
+}
+
+// ---- one objective under a bound on the other: mixtures of two deterministic strategies attain the best value
+
+PrismProperty objective(const Mdp& mdp, const std::string& formula, bool greatest) {
+  PrismProperty out;
+  out.about_rewards = formula.empty();
+  const auto most = out.about_rewards ? CaseTask::Query::MaxCost : CaseTask::Query::MaxProbability;
+  const auto least = out.about_rewards ? CaseTask::Query::MinCost : CaseTask::Query::MinProbability;
+  out.task = {"", formula, CaseTask::Logic::Ltl, greatest ? most : least};
+  out.model = std::make_shared<const PlanningCase>(PlanningCase{"", mdp, {}});
+  return out;
+}
+PrismProperty bounded(PrismProperty objective, bool greatest, double bound) {
+  objective.comparison = greatest ? ">=" : "<=";
+  objective.bound = bound;
+  return objective;
+}
+PropertyAnswer answered(std::vector<PrismProperty> objectives, bool swapped) {
+  PrismProperty out;
+  out.ask = PrismProperty::Ask::Multi;
+  out.model = objectives[0].model;
+  out.nested = std::move(objectives);
+  if (swapped) std::swap(out.nested[0], out.nested[1]);
+  return answer(out, {.tolerance = 1e-8, .explain = false});
+}
+
+using Point = std::pair<double, double>;  // more is better
+double best_under(const std::vector<Point>& points, double bound) {
+  double best = nothing;
+  for (const auto& [x, y] : points)
+    for (const auto& [u, v] : points) {
+      if (y >= bound) best = std::max(best, x);
+      if (y < bound && v >= bound) best = std::max(best, x + (bound - y) / (v - y) * (u - x));
+    }
+  return best;
+}
+
+TEST(Pareto, AnswersUnderABoundAreThoseOfMixturesOfTwoStrategies) {
+  std::mt19937 random(32);
+  std::size_t between = 0, infeasible = 0;
+  const struct {
+    const char *wanted, *bounded;  // "": the cost
+    bool wanted_greatest, bounded_greatest;
+  } questions[] = {{"F a", "F b", true, true},
+                   {"F a", "", true, false},
+                   {"", "F a", false, true},
+                   {"F a", "F b", false, true},
+                   {"F b", "F a", true, false}};
+  for (int i = 0; i < 60; ++i) {
+    const Mdp mdp = small_model(random);
+    const std::vector<Attained> all = all_attained(mdp);
+    for (const auto& q : questions) {
+      const auto oriented = [&](const char* formula, bool greatest, const Attained& o) {
+        const double value = *formula == 0 ? o.cost : formula == std::string("F a") ? o.a : o.b;
+        return greatest ? value : -value;
+      };
+      std::vector<Point> points;
+      double least = INFINITY, most = nothing;
+      for (const Attained& o : all) {
+        const Point p{oriented(q.wanted, q.wanted_greatest, o), oriented(q.bounded, q.bounded_greatest, o)};
+        if (std::isinf(p.first) || std::isinf(p.second)) continue;
+        points.push_back(p);
+        least = std::min(least, p.second);
+        most = std::max(most, p.second);
+      }
+      if (points.empty()) continue;
+      const PrismProperty wanted = objective(mdp, q.wanted, q.wanted_greatest);
+      for (const double share : {-0.1, 0.3, 0.7, 0.99}) {
+        const double bound = least + share * (most - least) - 1e-4;
+        const double best = best_under(points, bound), near = 1e-4 * std::max(1.0, std::abs(best));
+        const PrismProperty other = bounded(objective(mdp, q.bounded, q.bounded_greatest), q.bounded_greatest,
+                                            q.bounded_greatest ? bound : -bound);
+        for (const bool swapped : {false, true}) {
+          const PropertyAnswer found = answered({wanted, other}, swapped);
+          ASSERT_EQ(found.answer.status, CaseAnswer::Status::Solved) << i << ' ' << q.wanted << ' ' << q.bounded;
+          ASSERT_FALSE(found.verdict) << "a value was asked for";
+          ASSERT_NEAR(found.answer.value.middle(), q.wanted_greatest ? best : -best, near)
+              << i << ' ' << q.wanted << ' ' << q.bounded << " bound " << bound;
+          for (const double off : {-5 * near, 5 * near}) {
+            const double asked = q.wanted_greatest ? best + off : -best - off;
+            const PropertyAnswer verdict = answered({bounded(wanted, q.wanted_greatest, asked), other}, swapped);
+            ASSERT_EQ(verdict.verdict, off < 0) << i << ' ' << q.wanted << ' ' << q.bounded << " bound " << bound;
+            ASSERT_EQ(verdict.answer.value.middle(), off < 0 ? 1 : 0);
+          }
+        }
+        between += std::none_of(points.begin(), points.end(),
+                                [&](const Point& p) { return std::abs(p.first - best) < near && p.second >= bound; })
+                       ? 1
+                       : 0;
+      }
+      const double beyond = most + 0.01;
+      const PropertyAnswer none = answered({wanted, bounded(objective(mdp, q.bounded, q.bounded_greatest),
+                                                            q.bounded_greatest, q.bounded_greatest ? beyond : -beyond)},
+                                           false);
+      ASSERT_EQ(none.answer.status, CaseAnswer::Status::Infeasible) << i << ' ' << q.wanted << ' ' << q.bounded;
+      ++infeasible;
+    }
+  }
+  EXPECT_GT(between, 50U);
+  EXPECT_GT(infeasible, 200U);
+}
+
+TEST(Pareto, OneObjectiveAloneIsComparedWithItsOwnBound) {
+  std::mt19937 random(33);
+  for (int i = 0; i < 40; ++i) {
+    const Mdp mdp = small_model(random);
+    double most = nothing, least = INFINITY;
+    for (const Attained& o : all_attained(mdp)) most = std::max(most, o.a), least = std::min(least, o.a);
+    for (const bool greatest : {true, false}) {
+      const PrismProperty a = objective(mdp, "F a", greatest);
+      const double best = greatest ? most : least;
+      EXPECT_NEAR(answered({a}, false).answer.value.middle(), best, 1e-5) << i;
+      for (const double off : {-1e-3, 1e-3})
+        EXPECT_EQ(answered({bounded(a, greatest, best + off)}, false).verdict, greatest == (off < 0)) << i;
+    }
+  }
+}
+
+TEST(Pareto, PrintedCurvesAreReadPointByPoint) {
+  const std::vector<ParetoPoint> curve{{{0.25, 7}, {}, {}}, {{0.5, 9}, {}, {}}};
+  EXPECT_EQ(agrees("[(0.25,7),(0.5,9)]", curve), true);
+  EXPECT_EQ(agrees("[ (0.5, 9), (0.25, 7) ]", curve), true);
+  EXPECT_EQ(agrees("[(0.25,9),(0.5,7)]", curve), false);
+  EXPECT_EQ(agrees("[(0.25,7),(9,0.5)]", curve), false);
+  EXPECT_EQ(agrees("[(0.25,7),(0.25,7)]", curve), true) << "each printed point is one of the curve";
+  EXPECT_EQ(agrees("[(0.25,7)]", curve), false);
+  EXPECT_EQ(agrees("[(0.25,7),(0.5,9),(0.5,9)]", curve), false);
+  EXPECT_FALSE(agrees("[(0.25),(0.5,9)]", curve));
+  EXPECT_FALSE(agrees("0.25, 7", curve));
 }
 
 }  // namespace

@@ -205,6 +205,7 @@ TEST(PropertyAnswer, KnowsFiltersAndTheLongRun) {
                                                     {"filter(first, P=? [ X s=1 ], s>0)", 0},
                                                     {"filter(count, S>=0.5 [ s>0 & s<3 ])", 3},
                                                     {"filter(count, s>2 & P>=1 [ F s=3 ])", 2},
+                                                    {"filter(count, P>=1 [ F s=3 ], s>4)", 0},
                                                     {"filter(range, P=? [ X s=1 ])", 0},
                                                     {"P=? [ X P>0.5 [ X s=1 ] ]", 0.25},
                                                     {"P=? [ F (S>=0.5 [ s=3 ] & filter(exists, s=4)) ]", 0.25}};
@@ -221,6 +222,8 @@ TEST(PropertyAnswer, KnowsFiltersAndTheLongRun) {
                                                  {"!(s=0) | P>=1 [ F s=3 ]", false},
                                                  {"filter(forall, P>=1 [ F s=3 ] => P<=0 [ F s=1 ])", true},
                                                  {"filter(exists, P<=0 [ F s=1 ], s<3)", false},
+                                                 {"filter(exists, P>=1 [ F s=3 ], s>4)", false},
+                                                 {"filter(forall, P>=1 [ F s=3 ], s>4)", true},
                                                  {"P>=1 [ G P>=0.25 [ X s!=0 ] ]", true}};
   for (const auto& [property, truth] : truths) EXPECT_EQ(answered(coin, property).verdict, truth) << property;
   const auto fault = [](const char* property) {
@@ -231,6 +234,8 @@ TEST(PropertyAnswer, KnowsFiltersAndTheLongRun) {
   EXPECT_EQ(fault("filter(min, P=? [ F s=3 ], P=? [ F s=1 ])"), "the states of a filter are a condition");
   EXPECT_EQ(fault("P=? [ F P=? [ F s=3 ] ]"), "expected a condition");
   EXPECT_THROW(answered(coin, "filter(state, P=? [ F s=3 ], s>2)"), std::invalid_argument);
+  for (const char* property : {"filter(min, P=? [ F s=3 ], s>4)", "filter(first, P=? [ F s=3 ], s>4)"})
+    EXPECT_THROW(answered(coin, property), std::invalid_argument) << property;
 }
 
 // Either is sure to be lit, or the lamp at a price; the lamp and the door exclude each other.
@@ -252,6 +257,7 @@ TEST(PropertyAnswer, OfSeveralObjectives) {
   EXPECT_NEAR(curve.curve[1].values[0], 0.8, 1e-9);
   EXPECT_NEAR(curve.curve[1].values[1], 5, 1e-9);
   ASSERT_FALSE(curve.curve[1].decisions.empty());
+  EXPECT_EQ(number(lamp, "multi(Pmax=? [ F s=2 ], Pmax=? [ F s=1 ])"), 0) << "a curve is no value";
   EXPECT_EQ(curve.curve[1].decisions[0].action, "lamp");
   EXPECT_EQ(agrees("[(0.8,5),(0,0)]", curve.curve), true);
   EXPECT_EQ(agrees("[(0.8,5),(0,1)]", curve.curve), false);
@@ -262,6 +268,14 @@ TEST(PropertyAnswer, OfSeveralObjectives) {
                                                     {"multi(P>=0.1 [ G s!=3 ], Pmax=? [ F s=3 ])", 0.2},
                                                     {"multi(Pmin=? [ F s=1 ])", 0}};
   for (const auto& [property, value] : numbers) EXPECT_NEAR(number(lamp, property), value, 1e-6) << property;
+  const std::pair<const char*, const char*> faults[] = {
+      {"multi(P>0.8 [ F s=2 ])", "a strict bound of an objective"},
+      {"multi(Pmax=? [ F s=1 ], P<0.2 [ F s=2 ])", "a strict bound of an objective"},
+      {"multi(Pmax=? [ F s=1 ], P>=0.2 [ F P>0.5 [ F s=2 ] ])", "an operator inside of an objective"},
+      {"multi(Pmax=? [ F s=1 ], R{\"step\"}min=? [ F s=2 ])", "objectives are probabilities and total rewards (C)"},
+      {"multi(Pmax=? [ F s=1 ], Pmax=? [ F s=2 ], Pmax=? [ F s=3 ])", "more than two objectives"}};
+  for (const auto& [property, fault] : faults)
+    EXPECT_EQ(parse_prism_properties({lamp, ""}, {property, ""}).at(0).fault, fault) << property;
   EXPECT_EQ(number(lamp, "Pmax=? [ F{\"price\"}<5 s=2 ]"), 0);
   EXPECT_NEAR(number(lamp, "Pmax=? [ s<2 U{\"price\"}<=5 s=2 ]"), 0.8, 1e-6);
   EXPECT_EQ(answered(lamp, "multi(P>=0.4 [ F s=2 ], P>=0.5 [ F s=1 ])").verdict, true);

@@ -18,6 +18,15 @@
 namespace waymark::plan {
 namespace {
 
+TEST(Sweepers, AreFreeWhereTheyDoNotWork) {
+  EXPECT_EQ((Sweepers{.threads = 4}).free(), 4U);
+  const std::pair<std::size_t, std::size_t> table[] = {{0, 4}, {1, 4}, {2, 3}, {4, 1}, {5, 1}, {9, 1}};
+  for (const auto& [at_work, free] : table) {  // the one that asks is at work
+    const std::atomic<std::size_t> working = at_work;
+    EXPECT_EQ((Sweepers{.threads = 4, .working = &working}).free(), free) << at_work;
+  }
+}
+
 constexpr std::size_t chunk_size = 4;
 
 // Numbers each of which is made of some others, near by or anywhere.

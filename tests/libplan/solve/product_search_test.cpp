@@ -131,6 +131,12 @@ TEST(LandmarkTour, NamesWhatIsNeverSeen) {
   EXPECT_TRUE(std::holds_alternative<LandmarkTour>(shortest_tour(grid, {"b"}, false).value()));
 }
 
+TEST(LandmarkTour, OfTheStartAloneCostsNothing) {
+  ltl::Vocabulary names({"a"});
+  const GridWorld grid({.width = 2, .height = 1}, names, {{}, {.label = {ltl::Proposition{0}}}}, {1, 0}, 0);
+  EXPECT_EQ(std::get<LandmarkTour>(shortest_tour(grid, {"a"}, false).value()).cost, 0);
+}
+
 TEST(LandmarkTour, StopsWhenAsked) {
   ltl::Random random(10);
   const GridWorld grid = testing::random_grid(random);

@@ -15,6 +15,7 @@
 #include "libltl/text/print.hpp"
 #include "libplan/solve/case_task.hpp"
 #include "libplan/solve/discounted.hpp"
+#include "libplan/solve/discounted_sweeps.hpp"
 #include "tests/libplan/solve/random_models.hpp"
 #include "tests/support/sanitizers.hpp"
 
@@ -123,6 +124,30 @@ TEST(Discounted, AgreesWithPlainSweeps) {
     some += expected > 0 && expected < 1 ? 1 : 0;
   }
   EXPECT_GT(some, scaled(30));
+}
+
+TEST(Discounted, EndsWhenAskedToAndAfterSoManySweeps) {
+  ltl::Arena arena(testing::vocabulary_ab());
+  MdpBuilder builder(testing::vocabulary_ab());
+  const LetterId none = builder.letter({}), goal = builder.letter({ltl::Proposition{0}});
+  for (std::uint32_t s = 0; s < 2; ++s) {
+    builder.add_state();
+    builder.add_choice("go");
+    if (s == 0) builder.add_outcome(0, none, 0.5);
+    builder.add_outcome(1, goal, s == 0 ? 0.5 : 1);
+  }
+  const Mdp mdp = std::move(builder).build(0, none);
+  const automata::Dfa dfa = automata::ltlf_to_dfa(ltl::eventually(arena.atom("a")));
+  const TaskTable task(dfa, mdp.letters());
+  const auto product = ProductMdp<Mdp>::explore(mdp, task);
+  std::stop_source source;
+  source.request_stop();
+  EXPECT_TRUE(greatest_discounted(*product, 0.5));
+  EXPECT_FALSE(greatest_discounted(*product, 0.5, {.stop = source.get_token()}));
+  DiscountedSweeps sweeps(*product, 0.5);
+  EXPECT_FALSE(sweeps.run(1e-12, {}, 3));
+  EXPECT_EQ(sweeps.sweeps(), 3U);
+  EXPECT_TRUE(sweeps.run(1e-12, {}));
 }
 
 }  // namespace
