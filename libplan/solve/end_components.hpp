@@ -28,14 +28,11 @@ bool stays(const Product& product, const typename Product::State& s, std::uint32
   return all;
 }
 
-namespace detail {
-
-// One round: the strongly connected components of the choices that stay. [Tar72], successors of open calls on one
-// stack.
+// One round: the strongly connected components of the choices that stay [Tar72], open calls on a stack.
 template <class Product, class Usable>
-class Round {
+class EndComponentsRound {
  public:
-  Round(const Product& product, const EndComponents& last, const Usable& usable)
+  EndComponentsRound(const Product& product, const EndComponents& last, const Usable& usable)
       : product_(product), last_(last), usable_(usable), low_(product.states(), unseen) {
     next_.of.assign(product.states(), EndComponents::none);
   }
@@ -72,10 +69,10 @@ class Round {
     }
   }
 
-  bool all_stay(const typename Product::State& s, std::uint32_t choices) const {
-    const std::uint32_t own = last_.of[s.index];
-    bool all = own != EndComponents::none;
-    for_each_target(product_, s, [&](std::uint32_t t) { all = all && t != Product::trap && last_.of[t] == own; });
+  bool all_stay(const auto& s, std::uint32_t choices) const {
+    bool all = true;
+    for_each_target(product_, s,
+                    [&](std::uint32_t t) { all = all && t != Product::trap && last_.of[t] == last_.of[s.index]; });
     for (std::uint32_t k = 0; k < choices && all; ++k) all = usable_(s, k);
     return all;
   }
@@ -105,7 +102,7 @@ class Round {
       low_[calls_.back().state] = std::min(low_[calls_.back().state], low);
       return;
     }
-    const bool kept = call.moves;  // a component of one state without a choice that stays is none
+    const bool kept = call.moves;  // else one state without a choice that stays
     for (std::uint32_t i = EndComponents::none; i != call.state;) {
       i = open_.back();
       open_.pop_back();
@@ -124,8 +121,6 @@ class Round {
   std::uint32_t visited_ = 0;
 };
 
-}  // namespace detail
-
 // Within a set of states, by choices that are usable(state, choice).
 template <class Product, class Usable>
 EndComponents end_components(const Product& product, const StateSet& within, const Usable& usable) {
@@ -142,7 +137,7 @@ EndComponents end_components(const Product& product, const StateSet& within, con
           return kept;
         },
         [&](const auto& s) { found.of[s.index] = EndComponents::none; });
-    found = detail::Round(product, found, usable).run();
+    found = EndComponentsRound(product, found, usable).run();
     const auto still =
         found.of.size() - static_cast<std::size_t>(std::count(found.of.begin(), found.of.end(), EndComponents::none));
     if (found.count == components && still == members) return found;
