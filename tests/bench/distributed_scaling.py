@@ -3,15 +3,17 @@ docs/scaling.md.
 
 distributed_scaling.py DIRECTORY_OF_PROGRAMS [--side N] [--rounds N] [--latency S] [--bandwidth B] [--cores N]
 
-A solve is R rounds; in each, a rank makes U / n / R updates of t seconds, and exchanges b bytes in α + β b seconds:
+A solve prepares for S seconds on one rank (the product, the sets, the order of unknowns), and has R rounds. In each, a
+rank makes updates of t seconds, then waits for the rank with the most, and exchanges b bytes in α + β b seconds. With L
+the sum over the rounds of the most updates of a rank, and U all updates:
 
-    T(n) = U(n) t / min(n, cores) + R(n) (α + β b)
+    T(n) = S k / n + max(L(n), U(n) / cores) t + R(n) (α + β b),    k = n / min(n, cores), ranks on a core
 
-t is measured on one rank; α and β are fitted to two ranks on maps of several widths, of eight rows, by the least that a
-rank spent in exchanges and reductions in 3 N runs: there least of the other's work is waited for. R and U are lines
-through the measured numbers at 1, 2 and 4 ranks. The prediction for 64 nodes takes
---latency and --bandwidth of a network, which are assumed
-and not measured, and log₂ n latencies for the reduction.
+S and t are measured on one rank; α and β are fitted to two ranks on maps of several widths, of eight rows, by the least
+that a rank spent in exchanges and reductions in 3 N runs: there least of the other's work is waited for. Counts, R, L,
+U and b, are the run's own; for 64 nodes they are lines through those at 1, 2 and 4 ranks (L · n in place of L). That
+prediction takes --latency and --bandwidth of a network, which are assumed and not measured, and log₂ n latencies for
+the reduction.
 """
 import argparse
 import json
@@ -91,24 +93,31 @@ def main():
         side = options.side
         for kind, height_of in (("strong", lambda n: side), ("weak", lambda n: side // 4 * n)):
             measured = {n: runs.run(runs.case(side, height_of(n)), n) for n in RANKS}
-            unit = measured[1][0]["sweeping_seconds"] / measured[1][0]["updates"]
-            print(f"{kind}: t {unit * 1e9:.2f} ns an update")
-            print("| map | ranks | unknowns | rounds | updates | seconds | predicted | exchange, s | work, s |")
+            one = measured[1][0]
+            unit = one["sweeping_seconds"] / one["updates"]
+            spent = sum(one[key] for key in ("sweeping_seconds", "exchanging_seconds", "agreeing_seconds"))
+            prepared = (one["solve_seconds"] - spent) / one["unknowns"]
+            print(f"{kind}: t {unit * 1e9:.2f} ns an update, S {prepared * 1e9:.0f} ns an unknown")
+            print("| map | ranks | unknowns | rounds | updates | longest | seconds | predicted | exchange, s | work, s |")
             for n, rows in measured.items():
                 values = max(row["values_received"] for row in rows)
                 rounds = rows[0]["rounds"]
-                work = total(rows, "updates") * unit / min(n, options.cores)
+                updates, longest = total(rows, "updates"), rows[0]["longest_updates"]
+                work = max(longest, updates / options.cores) * unit
+                work += prepared * total(rows, "unknowns") / min(n, options.cores)
                 exchange = 0 if n == 1 else rounds * alpha + 8 * values * beta
                 print(f"| {side} × {height_of(n)} | {n} | {total(rows, 'unknowns'):.0f} | {rounds:.0f} | "
-                      f"{total(rows, 'updates'):.3g} | {rows[0]['solve_seconds']:.2f} | {work + exchange:.2f} | "
+                      f"{updates:.3g} | {longest:.3g} | {rows[0]['solve_seconds']:.2f} | {work + exchange:.2f} | "
                       f"{statistics.mean(r['exchanging_seconds'] + r['agreeing_seconds'] for r in rows):.2f} | "
                       f"{statistics.mean(r['sweeping_seconds'] for r in rows):.2f} |")
             rounds_0, rounds_1 = line([(n, rows[0]["rounds"]) for n, rows in measured.items()])
-            updates_0, updates_1 = line([(n, total(rows, "updates")) for n, rows in measured.items()])
+            updates_0, updates_1 = line([(n, n * rows[0]["longest_updates"]) for n, rows in measured.items()])
+            unknowns_0, unknowns_1 = line([(n, total(rows, "unknowns")) for n, rows in measured.items()])
             rounds, updates = rounds_0 + rounds_1 * NODES, updates_0 + updates_1 * NODES
-            work = updates * unit / NODES
+            unknowns = unknowns_0 + unknowns_1 * NODES
+            work = (updates * unit + prepared * unknowns) / NODES
             exchange = rounds * (options.latency * (2 + math.log2(NODES)) + 2 * 8 * side / options.bandwidth)
-            print(f"| {side} × {height_of(NODES)} | {NODES} | – | {rounds:.0f} | {updates:.3g} | – | "
+            print(f"| {side} × {height_of(NODES)} | {NODES} | – | {rounds:.0f} | – | {updates / NODES:.3g} | – | "
                   f"{work + exchange:.2f} | {exchange:.4f} | {work:.2f} |")
 
 

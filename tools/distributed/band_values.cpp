@@ -145,21 +145,23 @@ SweepResult BandValues::sweep(double* values, SweepKind kind, double least) {
     const SweepResult result = block_->sweep(values, kind, least, front_);
     all.change = std::max(all.change, result.change);
     all.failed = all.failed || result.failed;
-    statistics_.updates += result.updates;
+    all.updates += result.updates;
   }
+  statistics_.updates += all.updates;
   return all;
 }
 
 BandValues::Told BandValues::agree(const SweepResult& own) {
   const bool due = kept_ != nullptr && ranks_->rank() == 0 &&
                    std::chrono::duration<double>(Clock::now() - kept_at_).count() >= options_.checkpoint_seconds;
-  std::array<double, 4> told{own.change, own.failed ? 1.0 : 0.0, options_.stop.stop_requested() ? 1.0 : 0.0,
-                             due ? 1.0 : 0.0};
+  std::array<double, 5> told{own.change, own.failed ? 1.0 : 0.0, options_.stop.stop_requested() ? 1.0 : 0.0,
+                             due ? 1.0 : 0.0, static_cast<double>(own.updates)};
   {
     const Lap lap(statistics_.agreeing);
     ranks_->greatest_of_each(told);
   }
   ++statistics_.rounds;
+  statistics_.longest += static_cast<std::uint64_t>(told[4]);
   if (told[3] != 0) keep_values();
   stopped_ = told[2] != 0;
   return {told[0], told[1] != 0, stopped_};

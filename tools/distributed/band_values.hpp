@@ -36,6 +36,7 @@ struct SharedStatistics {  // of this rank
   std::uint64_t pairs = 0, unknowns = 0;
   std::uint64_t rounds = 0;   // exchanges while sweeping; the same of all ranks
   std::uint64_t updates = 0;  // of unknowns
+  std::uint64_t longest = 0;  // in each round those of the rank with the most; the same of all ranks
   std::uint64_t values = 0;   // that it was sent
   double sweeping = 0;        // seconds
   double exchanging = 0;      // seconds in exchanges, waiting for neighbours included

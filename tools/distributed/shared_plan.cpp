@@ -66,10 +66,11 @@ SharedCase read(const SharedPlanOptions& options, const Ranks& ranks) {
 
 // One object for each rank, by rank.
 std::string of_all_ranks(const Ranks& ranks, const std::string& task, const SharedStatistics& own, double solve) {
-  std::array<double, 11> row{static_cast<double>(own.pairs),
+  std::array<double, 12> row{static_cast<double>(own.pairs),
                              static_cast<double>(own.unknowns),
                              static_cast<double>(own.rounds),
                              static_cast<double>(own.updates),
+                             static_cast<double>(own.longest),
                              static_cast<double>(own.values),
                              own.sweeping,
                              own.exchanging,
@@ -81,6 +82,7 @@ std::string of_all_ranks(const Ranks& ranks, const std::string& task, const Shar
                              "unknowns",
                              "rounds",
                              "updates",
+                             "longest_updates",
                              "values_received",
                              "sweeping_seconds",
                              "exchanging_seconds",
