@@ -143,6 +143,7 @@ TEST(Decide, LeastCostsAgreeWithPlainSweeps) {
         const auto value = least_cost(*t.product, alone);
         ASSERT_TRUE(value) << t.show();
         expect_bounds(*value, expected, tolerance * std::max(1.0, expected), t.show() + "  without a strategy");
+        EXPECT_EQ(value->strategy.choice.size(), 0U) << t.show();
         proper += expected > 0 ? 1 : 0;
       }
       ASSERT_FALSE(HasFailure());
@@ -177,6 +178,12 @@ TEST(Decide, GoingRoundForNothingIsNoProgress) {
     EXPECT_NEAR(decided->value.lower, 5, 1e-5);
     EXPECT_EQ(decided->re_evaluated.upper, 5);
     EXPECT_EQ(decided->strategy.choice[decided->strategy.start], 1U);
+    IterationOptions alone = limits;
+    alone.strategy = false;
+    const auto value = least_cost(*product, alone);
+    ASSERT_TRUE(value);
+    EXPECT_NEAR(value->value.lower, 5, 1e-5);
+    EXPECT_EQ(value->strategy.choice.size(), product->states()) << "where moves are free, bounds need a strategy";
   }
 }
 

@@ -40,7 +40,7 @@ TEST(KeptValues, AreGreatestProbabilitiesOfEveryState) {
     });
     for (const std::uint32_t start : product->starts()) EXPECT_LE(kept->values[start], kept->value.upper + 1e-6) << i;
   }
-  EXPECT_GT(some, 10);
+  EXPECT_GT(some, waymark::testing::scaled(10));
 }
 
 }  // namespace
