@@ -37,7 +37,7 @@ class EndComponentsRound {
     next_.of.assign(product.states(), EndComponents::none);
   }
 
-  EndComponents run() {
+  EndComponents run() {  // of all states
     for (std::uint32_t i = 0; i < product_.states(); ++i)
       if (last_.of[i] != EndComponents::none && low_[i] == unseen) search(i);
     return std::move(next_);
