@@ -25,6 +25,7 @@ class CutShort : public ::testing::Test {
   const std::vector<ltl::Proposition> reads_{{0}, {1}};
   const std::vector<ltl::Lasso> words_ = testing::all_lassos({.length = 3, .atoms = 2});
   std::size_t steps_ = 0;  // of all reductions, without a limit
+  static constexpr std::size_t some_steps = waymark::testing::sanitized ? 100 : 500;
 
   // For `tried` limits below the steps that are needed, the last one among them, and for those steps.
   template <class Reduction>
@@ -65,7 +66,7 @@ TEST_F(CutShort, ReduceSaysSo) {
     is_told(
         given, [&](Budget& budget) { return reduce(given, MarksOn::Edges, budget); }, which, 12);
   }
-  EXPECT_GT(steps_, 500U);
+  EXPECT_GT(steps_, some_steps);
 }
 
 // Large enough for both ways of reduce_as_marked, on some of them.
@@ -78,7 +79,7 @@ TEST_F(CutShort, ReduceAsMarkedSaysSo) {
     is_told(
         given, [&](Budget& budget) { return reduce_as_marked(given, budget); }, which, 12);
   }
-  EXPECT_GT(steps_, 500U);
+  EXPECT_GT(steps_, some_steps);
 }
 
 TEST_F(CutShort, ReduceAsMarkedSaysSoOfFormulas) {
@@ -91,7 +92,7 @@ TEST_F(CutShort, ReduceAsMarkedSaysSoOfFormulas) {
     is_told(
         given, [&](Budget& budget) { return reduce_as_marked(given, budget); }, text, testing::sanitized ? 4 : 30);
   }
-  EXPECT_GT(steps_, 500U);
+  EXPECT_GT(steps_, some_steps);
 }
 
 TEST_F(CutShort, StateMergingSaysSo) {
@@ -110,7 +111,7 @@ TEST_F(CutShort, StateMergingSaysSo) {
     is_told(
         on_states, [&](Budget& budget) { return state_merged(on_states, outside, MarksOn::States, budget); }, text, 30);
   }
-  EXPECT_GT(steps_, 100U);
+  EXPECT_GT(steps_, some_steps / 5);
 }
 
 }  // namespace

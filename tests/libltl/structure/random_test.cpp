@@ -59,8 +59,8 @@ TEST(Random, FormulasOfThePastReachItsOperatorsEquallyOften) {
   for (int i = 0; i < drawn; ++i)
     ++count[view(random_formula(random, arena, {.size = 2, .atoms = 2, .constants = false, .past = true})).symbol];
   for (const Symbol unary : {Symbol::Yesterday, Symbol::WeakYesterday, Symbol::Once, Symbol::Historically})
-    EXPECT_NEAR(count[unary], drawn / 3 / 4, 150);
-  EXPECT_NEAR(count[Symbol::Next] + count[Symbol::WeakNext], drawn * 2 / 3 * 2 / 5, 250);
+    EXPECT_NEAR(count[unary], drawn / 12.0, 150);
+  EXPECT_NEAR(count[Symbol::Next] + count[Symbol::WeakNext], drawn * 4 / 15.0, 250);
   count.clear();
   for (int i = 0; i < drawn; ++i)
     ++count[view(random_formula(random, arena, {.size = 3, .atoms = 2, .constants = false, .past = true})).symbol];

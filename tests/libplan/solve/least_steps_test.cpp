@@ -121,13 +121,13 @@ TEST(LeastSteps, AreThoseOfTheSwiftestOfAllGoodChoices) {
 // Layers of states: forward by a choice that may slip back, or out at once after a wait. Several chunks.
 Moves layered(std::mt19937& random, std::uint32_t width, std::uint32_t layers) {
   Moves out;
-  out.of.resize(width * layers);
+  out.of.resize(std::size_t{width} * layers);
   for (std::uint32_t i = 0; i < out.of.size(); ++i) {
     const std::uint32_t layer = i / width;
     const auto beside = [&](std::uint32_t of) { return of * width + static_cast<std::uint32_t>(random() % width); };
     const std::uint32_t nearer = layer == 0 ? Moves::trap : beside(layer - 1);
     const std::uint32_t farther = beside(std::min(layer + 1, layers - 1));
-    const double wait = static_cast<double>(2 + random() % (3 * layers));
+    const double wait = static_cast<double>(2 + random() % (3 * std::size_t{layers}));
     out.of[i] = {{true, {{nearer, 0.7}, {farther, 0.3}}},
                  {false, {{Moves::trap, 1}}},
                  {true, {{i, 1 - 1 / wait}, {Moves::trap, 1 / wait}}}};
