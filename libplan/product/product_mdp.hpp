@@ -76,19 +76,13 @@ class ProductMdp : public Product<M, TaskTable> {
     });
   }
   template <class Visit>  // visit(index or trap): where some choice may lead, some more than once
-  void for_each_target(State s, Visit&& visit) const {
-    if constexpr (TargetModel<M>) {
-      if (this->task().is_over(s.task)) return;
-      this->model().for_each_target(s.place, [&](std::uint32_t place, LetterId letter, std::uint32_t) {
-        const std::uint32_t q = this->task().next(s.task, letter).target;
-        visit(q == TaskTable::trap ? trap : index(place, q));
-      });
-      for (std::uint32_t q : this->task().jumps(s.task)) visit(index(s.place, q));
-    } else {
-      const std::uint32_t choices = this->choices(s);
-      for (std::uint32_t k = 0; k < choices; ++k)
-        for_each_outcome(s, k, [&](std::uint32_t t, double, bool) { visit(t); });
-    }
+  void for_each_target(State s, Visit&& visit) const requires TargetModel<M> {
+    if (this->task().is_over(s.task)) return;
+    this->model().for_each_target(s.place, [&](std::uint32_t place, LetterId letter, std::uint32_t) {
+      const std::uint32_t q = this->task().next(s.task, letter).target;
+      visit(q == TaskTable::trap ? trap : index(place, q));
+    });
+    for (std::uint32_t q : this->task().jumps(s.task)) visit(index(s.place, q));
   }
   bool has_marks() const { return this->task().has_marks(); }  // may an edge be marked?
   template <class Visit>  // visit(State): among others every state with an outcome into s

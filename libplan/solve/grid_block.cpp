@@ -5,6 +5,8 @@
 #include <cmath>
 #include <utility>
 
+#include "libplan/solve/guessed_steps.hpp"
+
 namespace waymark::plan {
 
 GridBlock::GridBlock(const Product& product, Measure measure, Order order, const Strategy* only,
@@ -208,13 +210,11 @@ void GridBlock::make_chunks() {
         reach_.relate(i / chunk_size_, static_cast<std::size_t>(upper_[to + margin_]));
 }
 
-// The greatest change: absolute for probabilities; for costs relative to the value, or to so many moves where it is
-// more: bounds a share of the value apart are inductive where what is left to change is that share of a move.
+// The greatest change: absolute for probabilities; for costs see moves_of_a_change.
 double GridBlock::sweep(std::size_t chunk, double over_relaxation) {
-  constexpr double many_moves = 512;
   const auto& costs = product_.model().shape().cost;
   const double least = *std::min_element(costs.begin(), costs.end());
-  const double most = least > 0 ? many_moves * least : INFINITY;
+  const double most = least > 0 ? moves_of_a_change * least : INFINITY;
   double change = 0;
   for (std::size_t i = chunk * chunk_size_; i < chunk_end(chunk); ++i) {
     const std::uint32_t cell = cells_[i];

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "libplan/solve/grid_block.hpp"
+#include "libplan/solve/guessed_steps.hpp"
 
 namespace waymark::plan {
 
@@ -20,21 +21,17 @@ double GridBlock::likely() const {
   return sum / static_cast<double>(cells_.size());
 }
 
-// Over-relaxation where moves are likely to slip: where they are not, cells follow each other in long chains, along
-// which a factor too great would grow.
-double GridBlock::over_relaxation() const { return std::clamp(0.85 / likely(), 1.0, 1.1); }
+double GridBlock::over_relaxation() const { return over_relaxation_of(likely()); }
 
-// What is better said of a cell's value than nothing: the least way if every move went where one would wish, times
-// what a move gets on by against its slips, and a little more. Where a guess is too small, the front leads cells astray
-// until it has passed, and values rise by a move a sweep; one that is too great only costs a sweep more.
+// What is better said of a cell's value than nothing: the least way if every move went where one would wish, in guessed
+// steps.
 void GridBlock::guess_costs() {
   const GridWorld& grid = product_.model();
   set_around(Side::Middle);
   const double forward = likely();
-  constexpr double a_little_more = 1.05;
   double step = 0;
   for (std::uint32_t k = 0; k < 4; ++k)
-    step = std::max(step, a_little_more * grid.shape().cost[k] / std::max(forward - chance(k, (k + 2) % 4), 0.25));
+    step = std::max(step, guessed_step(grid.shape().cost[k], forward, chance(k, (k + 2) % 4)));
   std::vector<std::pair<double, std::uint32_t>> next_to_known;
   for (std::uint32_t cell : cells_) {
     double least = INFINITY;

@@ -98,7 +98,8 @@ def main():
             spent = sum(one[key] for key in ("sweeping_seconds", "exchanging_seconds", "agreeing_seconds"))
             prepared = (one["solve_seconds"] - spent) / one["unknowns"]
             print(f"{kind}: t {unit * 1e9:.2f} ns an update, S {prepared * 1e9:.0f} ns an unknown")
-            print("| map | ranks | unknowns | rounds | updates | longest | seconds | predicted | exchange, s | work, s |")
+            print("| map | ranks | unknowns | rounds | updates | longest | seconds | predicted | exchange, s "
+                  "| work, s |")
             for n, rows in measured.items():
                 values = max(row["values_received"] for row in rows)
                 rounds = rows[0]["rounds"]

@@ -165,16 +165,16 @@ TEST(Product, JumpsOfTheAutomatonAreEdges) {
 }
 
 TEST(RankedSet, CountsWhatComesBefore) {
-  constexpr std::uint64_t size = 9'000;
+  constexpr std::uint64_t size = 60'000;  // several strides of select
   ltl::Random random(25);
   RankedSet set(size);
   std::set<std::uint64_t> expected;
-  for (int i = 0; i < 700; ++i) {
+  for (int i = 0; i < 4'000; ++i) {
     const std::uint64_t member = random.below(size);
     EXPECT_EQ(set.insert(member), expected.insert(member).second);
   }
   set.rank();
-  for (std::uint64_t i = 0; i < size; i += 1 + random.below(20)) {
+  for (std::uint64_t i = 0; i < size; i += 1 + random.below(100)) {
     EXPECT_EQ(set.contains(i), expected.contains(i)) << i;
     const auto at = expected.lower_bound(i);
     const auto before = static_cast<std::uint32_t>(std::distance(expected.begin(), at));

@@ -6,6 +6,8 @@
 #include <type_traits>
 #include <utility>
 
+#include "libplan/solve/guessed_steps.hpp"
+
 namespace waymark::tools {
 
 BandBlock::BandBlock(const BandProduct& product, const BandSets& sets, SharedMeasure measure, double discount,
@@ -15,15 +17,14 @@ BandBlock::BandBlock(const BandProduct& product, const BandSets& sets, SharedMea
   read(sets);
   tabulate(discount);
   find_readers();
-  constexpr double a_little_more = 1.05;  // as in libplan/solve/grid_guess.cpp
   double likely = 0;
   for (std::uint32_t k = 0; k < 4; ++k) {
     const GridBand& band = product.band();
-    const double gets_on = std::max(band.chance(k, k) - band.chance(k, (k + 2) % 4), 0.25);
-    step_ = std::max(step_, (is_cost() ? a_little_more * band.cost(k) : 1) / gets_on);
+    step_ = std::max(step_,
+                     plan::guessed_step(is_cost() ? band.cost(k) : 1, band.chance(k, k), band.chance(k, (k + 2) % 4)));
     likely = std::max(likely, band.chance(k, k));
   }
-  over_relaxation_ = std::clamp(0.85 / likely, 1.0, 1.1);
+  over_relaxation_ = plan::over_relaxation_of(likely);
 }
 
 void BandBlock::read(const BandSets& sets) {
@@ -146,16 +147,14 @@ bool BandBlock::has_work(double front) const {
   return false;
 }
 
-// Absolute for probabilities; of discounted rewards, which may be as small as γⁿ, relative; of costs relative to the
-// value or to so many moves where it is more: bounds a share of the value apart are inductive where what is left to
-// change is that share of a move.
+// Absolute for probabilities; of discounted rewards, which may be as small as γⁿ, relative; of costs, and of
+// ways, see plan::moves_of_a_change.
 double BandBlock::difference(double before, double after, SweepKind kind) const {
-  constexpr double many_moves = 512;
   if (before == after) return 0;
   const double change = std::abs(after - before);
   if (std::isinf(change)) return change;
   if (is_cost() || kind == SweepKind::Distance)
-    return change / std::min(std::max(before, after), step_ > 0 ? many_moves * step_ : INFINITY);
+    return change / std::min(std::max(before, after), step_ > 0 ? plan::moves_of_a_change * step_ : INFINITY);
   return measure_ == SharedMeasure::Discounted ? change / std::max(before, after) : change;
 }
 

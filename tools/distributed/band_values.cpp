@@ -208,7 +208,7 @@ bool BandValues::find_ways(double* ways) {
   constexpr double some_steps = 1.0 / 64;  // exact ones may change sides at every step, which would take long
   if (!refine(ways, SweepKind::Distance, some_steps)) return false;
   block_->sort_by(ways);
-  front_ = ranks_->least(block_->nearest());
+  front_ = block_->step() > 0 ? ranks_->least(block_->nearest()) : INFINITY;  // else it would not move on
   deepest_ = ranks_->greatest(block_->deepest());
   return true;
 }

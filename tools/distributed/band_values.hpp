@@ -103,7 +103,7 @@ class BandValues {
   std::unique_ptr<BandBlock> block_;  // of the component
   double tolerance_;                  // of all components
   double share_ = 0, own_share_ = 0;  // of components up to this one; of this one
-  double front_ = 0, deepest_ = 0;    // of costs: up to which least way sweeps go, and the greatest there is
+  double front_ = 0, deepest_ = 0;    // up to which least way sweeps go; the greatest there is
   std::uint32_t proved_ = 0;          // states below are proved
   bool stopped_ = false;
   Clock::time_point kept_at_ = Clock::now();
