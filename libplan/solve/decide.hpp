@@ -1,6 +1,6 @@
 // The two questions asked of a product: the greatest probability with which a strategy satisfies the task, and the
 // least expected cost until it has. Answers carry proved bounds, the strategy, and what the strategy is worth when it
-// is evaluated as a Markov chain of its own.
+// is evaluated as a Markov chain of its own; costs only the bounds where no strategy is asked for and rounding is safe.
 #pragma once
 #include <cstdint>
 #include <optional>
