@@ -62,7 +62,7 @@ struct WinningRegion {
 // `order`: the states in the order in which they join.
 template <class Product, class Good>
 StateSet attractor(const Product& product, const StateSet& from, Strategy& strategy, const Good& good,
-                   std::vector<std::uint32_t>* order = nullptr) {
+                   SweepOrder<std::uint32_t>* order = nullptr) {
   StateSet attracted = from;
   std::deque<typename Product::Compact> queue;  // of those whose predecessors have not been looked at
   product.for_each_state([&](const auto& s) {
@@ -81,13 +81,18 @@ StateSet attractor(const Product& product, const StateSet& from, Strategy& strat
     }
     return best > 0;
   };
-  for (; !queue.empty(); queue.pop_front())
+  for (std::size_t left = queue.size(); !queue.empty(); queue.pop_front(), --left) {
+    if (left == 0) {  // a layer is done
+      left = queue.size();
+      if (order != nullptr) ++order->layers;
+    }
     product.for_each_predecessor(product.state(queue.front()), [&](const auto& source) {
       if (attracted[source.index] || !look_at(source)) return;
       attracted[source.index] = true;
-      if (order != nullptr) order->push_back(source.index);
+      if (order != nullptr) order->states.push_back(source.index);
       queue.push_back(product.compact(source));
     });
+  }
   return attracted;
 }
 
@@ -133,7 +138,7 @@ bool choose(const Product& product, const Unknowns& unknowns, std::span<const do
     const double value = values[s.index], offered = action_value<measure>(product, s, k, unknowns, values);
     return measure == Measure::MaxProbability ? offered >= value * (1 - slack) : offered <= value * (1 + slack);
   };
-  std::vector<std::uint32_t> order;
+  SweepOrder<std::uint32_t> order;
   const StateSet attracted =
       attractor(product, unknowns.targets, strategy, good, among == Among::Swiftest ? &order : nullptr);
   for (std::uint32_t i = 0; i < product.states(); ++i)
@@ -165,10 +170,10 @@ EndComponents merged(const Product& product, const StateSet& unknown) {
 // But for what is to be merged.
 template <Measure measure, class Product>
 Unknowns unknowns_in(const Product& product, const StateSet& targets) {
-  const StateSet sure = almost_surely(product, targets);
+  Reaching from = reaching(product, targets);
   Unknowns out;
-  out.targets = measure == Measure::MaxProbability ? sure : targets;
-  out.unknown = measure == Measure::MaxProbability ? can_reach(product, sure) : sure;
+  out.targets = measure == Measure::MaxProbability ? from.sure : targets;
+  out.unknown = std::move(measure == Measure::MaxProbability ? from.some : from.sure);
   for (std::uint32_t i = 0; i < product.states(); ++i)
     if (out.targets[i]) out.unknown[i] = false;
   return out;
@@ -336,7 +341,7 @@ std::optional<Decided> decide(const Product& product, const WinningRegion<Produc
 template <class Model>
 Qualitative qualitative(const ProductMdp<Model>& product) {
   const StateSet winning = WinningRegion<ProductMdp<Model>>(product).states;
-  const StateSet sure = almost_surely(product, winning), some = can_reach(product, winning);
+  const auto [some, sure] = reaching(product, winning);
   const auto any = [&](const StateSet& set) {
     return std::any_of(product.starts().begin(), product.starts().end(), [&](std::uint32_t i) { return set[i]; });
   };

@@ -9,38 +9,36 @@
 
 namespace waymark::plan {
 
-GridBlock::GridBlock(const Product& product, Measure measure, Order order, const Strategy* only,
+GridBlock::GridBlock(const Product& product, Measure measure, const Order& order, const Strategy* only,
                      std::pmr::memory_resource* memory)
     : product_(product),
       measure_(measure),
       only_(only),
-      margin_(product.model().width()),
+      task_(order.states.front().task),
+      strips_(product.model(), order.states, order.chunk_size()),
+      chunk_size_(order.chunk_size()),
+      code_(strips_.slots()),
+      marks_(strips_.slots()),
       lower_(memory),
       upper_(memory) {
-  const std::size_t cells = product.model().states();
-  task_ = order.front().task;
-  cells_.reserve(order.size());
-  for (const auto& c : order) cells_.push_back(c.place);
-  Order().swap(order);  // its memory is that of what follows
-  code_.resize(cells);
-  known_.resize(cells);
-  unknown_.assign(cells, false);
-  for (std::uint32_t cell : cells_) unknown_[cell] = true;
-  lower_.assign(cells + 2 * std::size_t{margin_}, 0);
-  upper_.assign(lower_.size(), 0);
+  strips_.for_each_slot([&](std::uint32_t slot) { marks_[slot] = unknown; });
+  strips_.exchange().for_each([&](std::uint32_t, std::uint32_t slot) { marks_[slot] = copy; });
 }
 
 std::optional<GridBlock> GridBlock::of(const Product& product, const Unknowns& unknowns, Measure measure, Order order,
-                                       const KeptBounds& known, const Strategy* only,
-                                       std::pmr::memory_resource* memory) {
-  if (!product.task().jumps(order.front().task).empty()) return std::nullopt;
-  for (const auto& c : order) {
+                                       const Strategy* only, std::pmr::memory_resource* memory) {
+  const std::uint32_t task = order.states.front().task;
+  if (!product.task().jumps(task).empty()) return std::nullopt;
+  for (const auto& c : order.states) {
     const bool merged = unknowns.merged.count > 0 && unknowns.merged.of[product.state(c).index] != EndComponents::none;
-    if (merged || c.task != order.front().task) return std::nullopt;
+    if (merged || c.task != task) return std::nullopt;
   }
-  GridBlock block(product, measure, std::move(order), only, memory);
-  if (!block.read(unknowns, known)) return std::nullopt;
+  GridBlock block(product, measure, order, only, memory);
+  std::vector<Product::Compact>().swap(order.states);  // its memory is that of what follows
+  if (!block.read(unknowns)) return std::nullopt;
   block.tabulate();
+  block.lower_.assign(block.strips_.slots(), 0);
+  block.upper_.assign(block.strips_.slots(), 0);
   return block;
 }
 
@@ -50,13 +48,14 @@ double GridBlock::chance(std::uint32_t choice, std::uint32_t direction) const {
   return std::array<double, 4>{slip.forward, slip.right, slip.back, slip.left}[(direction + 4 - choice) % 4];
 }
 
-bool GridBlock::read(const Unknowns& unknowns, const KeptBounds& known) {
-  return std::all_of(cells_.begin(), cells_.end(),
-                     [&](std::uint32_t cell) { return read_cell(cell, unknowns, known); });
+bool GridBlock::read(const Unknowns& unknowns) {
+  bool all = true;
+  strips_.for_each([&](std::uint32_t cell, std::uint32_t slot) { all = all && read_cell(cell, slot, unknowns); });
+  return all;
 }
 
 // What its neighbours are, and which choices count. False: not of this kind.
-bool GridBlock::read_cell(std::uint32_t cell, const Unknowns& unknowns, const KeptBounds& known) {
+bool GridBlock::read_cell(std::uint32_t cell, std::uint32_t slot, const Unknowns& unknowns) {
   const GridWorld& grid = product_.model();
   std::uint32_t open = 0, good = 0;
   for (std::uint32_t d = 0; d < 4; ++d) {
@@ -70,8 +69,10 @@ bool GridBlock::read_cell(std::uint32_t cell, const Unknowns& unknowns, const Ke
     }
     open |= 1U << d;
     if (!comes_here) continue;
-    if (unknown_[to] != (q == task_ && unknown_[to])) return false;  // met with two tasks
-    if (unknown_[to]) {
+    const std::uint32_t at = slot + static_cast<std::uint32_t>(strips_.steps()[d]);
+    const bool unknown_there = (marks_[at] & (unknown | copy)) != 0;
+    if (unknown_there && q != task_) return false;  // met with two tasks
+    if (unknown_there) {
       good |= 1U << d;
       continue;
     }
@@ -81,12 +82,12 @@ bool GridBlock::read_cell(std::uint32_t cell, const Unknowns& unknowns, const Ke
     if (unknowns.unknown[t] && q == task_) return false;
     good |= 1U << d;
     const double target = is_probability(measure_) ? 1 : 0;
-    around_.push_back(unknowns.targets[t] ? Around{to, target, target} : Around{to, known.lower(t), known.upper(t)});
+    around_.push_back({at, unknowns.targets[t] ? UINT32_MAX : t, target, target});
   }
   std::uint32_t choices = counted(open, good);
-  if (only_ != nullptr) choices &= 16U << only_->choice[product_.state(Product::Compact{cell, task_}).index];
-  code_[cell] = static_cast<std::uint8_t>(open | choices);
-  known_[cell] = static_cast<std::uint8_t>(good);
+  if (only_ != nullptr) choices &= 16U << only_->choice[state(cell)];
+  code_[slot] = static_cast<std::uint8_t>(open | choices);
+  marks_[slot] |= static_cast<std::uint8_t>(good);
   return true;
 }
 
@@ -104,8 +105,7 @@ std::uint32_t GridBlock::counted(std::uint32_t open, std::uint32_t good) const {
 
 // A choice that may come to nothing is taken until it comes to something: divided by the chance that it does.
 void GridBlock::tabulate() {
-  const auto down = static_cast<std::int32_t>(margin_);
-  const std::array<std::int32_t, 4> all{-down, 1, down, -1};
+  const std::array<std::int32_t, 4>& all = strips_.steps();
   for (std::uint32_t open = 0; open < 16; ++open)
     for (std::size_t d = 0; d < 4; ++d) steps_[open][d] = ((open >> d) & 1U) != 0 ? all[d] : 0;
   const double never = measure_ == Measure::MinCost ? INFINITY : -1;
@@ -131,24 +131,24 @@ void GridBlock::tabulate() {
 }
 
 // The neighbours' values; the cell's own where a move is barred.
-inline std::array<double, 4> GridBlock::around(std::uint32_t cell, const Values& x) const {
-  const double* here = x.data() + cell + margin_;
-  const std::array<std::int32_t, 4>& to = steps_[code_[cell] & 15U];
+inline std::array<double, 4> GridBlock::around(std::uint32_t slot, const Values& x) const {
+  const double* here = x.data() + slot;
+  const std::array<std::int32_t, 4>& to = steps_[code_[slot] & 15U];
   return {here[to[0]], here[to[1]], here[to[2]], here[to[3]]};
 }
 
-inline double GridBlock::of_strategy(std::uint32_t cell, const Values& x) const {
-  const Only& row = only_rows_[code_[cell]];
-  const std::array<double, 4> values = around(cell, x);
+inline double GridBlock::of_strategy(std::uint32_t slot, const Values& x) const {
+  const Only& row = only_rows_[code_[slot]];
+  const std::array<double, 4> values = around(slot, x);
   double sum = row.cost;
   for (std::size_t d = 0; d < 4; ++d) sum += row.chance[d] * values[d];
   return sum;
 }
 
-inline double GridBlock::best(std::uint32_t cell, const Values& x) const {
-  if (only_ != nullptr) return of_strategy(cell, x);
-  const Row& row = rows_[code_[cell]];
-  const std::array<double, 4> values = around(cell, x);
+inline double GridBlock::best(std::uint32_t slot, const Values& x) const {
+  if (only_ != nullptr) return of_strategy(slot, x);
+  const Row& row = rows_[code_[slot]];
+  const std::array<double, 4> values = around(slot, x);
   std::array<double, 4> offered = row.cost;
   for (std::size_t d = 0; d < 4; ++d)
     for (std::size_t k = 0; k < 4; ++k) offered[k] += row.chance[d][k] * values[d];
@@ -156,70 +156,59 @@ inline double GridBlock::best(std::uint32_t cell, const Values& x) const {
   return std::max(std::max(std::max(offered[0], offered[1]), std::max(offered[2], offered[3])), 0.0);
 }
 
+void GridBlock::know(const KeptBounds& known) {
+  for (Around& a : around_)
+    if (a.state != UINT32_MAX) a.lower = known.lower(a.state), a.upper = known.upper(a.state);
+}
+
 // What is known around the block: the bounds, or what lies between them.
 void GridBlock::set_around(Side side) {
   for (const Around& a : around_) {
-    lower_[a.cell + margin_] = side == Side::Middle ? a.lower + (a.upper - a.lower) / 2 : a.lower;
-    upper_[a.cell + margin_] = a.upper;
+    lower_[a.slot] = side == Side::Middle ? a.lower + (a.upper - a.lower) / 2 : a.lower;
+    upper_[a.slot] = a.upper;
   }
 }
 
 void GridBlock::start_from(std::span<const double> attained, double tolerance) {
   const double gap = tolerance / 4;  // by which bounds are guessed
-  for (std::uint32_t cell : cells_) {
-    const double bound = attained[product_.state(Product::Compact{cell, task_}).index];
-    lower_[cell + margin_] = !is_probability(measure_) ? bound / (1 + gap) : bound > 0 ? bound + gap : 0;
-  }
+  strips_.for_each([&](std::uint32_t cell, std::uint32_t slot) {
+    const double bound = attained[state(cell)];
+    lower_[slot] = !is_probability(measure_) ? bound / (1 + gap) : bound > 0 ? bound + gap : 0;
+  });
   started_ = true;
 }
 
 void GridBlock::start_from_nothing(bool guess) {
-  for (std::uint32_t cell : cells_) lower_[cell + margin_] = 0;
+  strips_.for_each_slot([&](std::uint32_t slot) { lower_[slot] = 0; });
   if (guess && measure_ == Measure::MinCost) guess_costs();
 }
 
-// Cells of so many layers of distance as a sweep carries news through. (Counted where the upper bounds will stand.)
-std::size_t GridBlock::chunk_size() {
-  constexpr std::size_t layers_of_a_chunk = 4, smallest = 64;
-  for (std::uint32_t cell : cells_) upper_[cell + margin_] = 0;
-  double deepest = 1;
-  for (std::uint32_t cell : cells_) {
-    double depth = INFINITY;
-    for (std::uint32_t d = 0; d < 4; ++d) {
-      const std::uint32_t to = product_.model().move(cell, d);
-      if (unknown_[to] && upper_[to + margin_] > 0) depth = std::min(depth, upper_[to + margin_]);
-    }
-    upper_[cell + margin_] = depth < INFINITY ? depth + 1 : 1;
-    deepest = std::max(deepest, upper_[cell + margin_]);
-  }
-  return std::max(smallest, layers_of_a_chunk * cells_.size() / static_cast<std::size_t>(deepest));
-}
-
-// The chunks, and which go together: those with cells side by side.
-void GridBlock::make_chunks() {
-  if (chunk_size_ != 0) return;
-  chunk_size_ = chunk_size();
-  reach_ = ChunkReach((cells_.size() + chunk_size_ - 1) / chunk_size_);
-  for (std::size_t i = 0; i < cells_.size(); ++i) {
-    const std::size_t chunk = i / chunk_size_;
-    upper_[cells_[i] + margin_] = static_cast<double>(chunk);
-  }
-  for (std::size_t i = 0; i < cells_.size(); ++i)
-    for (std::uint32_t d = 0; d < 4; ++d)
-      if (const std::uint32_t to = product_.model().move(cells_[i], d); unknown_[to])
-        reach_.relate(i / chunk_size_, static_cast<std::size_t>(upper_[to + margin_]));
+// Passes over `*values`: settles(slots of a chunk in a strip, pass) -> bool; next as in passes_side_by_side.
+template <class Settles, class Next>
+void GridBlock::run(const Pass& first, Values* const& values, const IterationOptions& options, const Settles& settles,
+                    Next next) {
+  strips_.exchange().copy(*values);
+  const auto work = [&](std::size_t s, const PassInTurn& now) {
+    const Pass& pass = now.pass;
+    strips_.exchange().take(s, now, *values);
+    std::size_t unsettled = pass.end;
+    for (std::size_t chunk = pass.begin; chunk < pass.end; ++chunk)
+      if (!settles(strips_.chunk(s, chunk), pass)) unsettled = std::min(unsettled, chunk);
+    strips_.exchange().tell(s, now, *values);
+    return unsettled;
+  };
+  passes_side_by_side(strips_.count(), options.sweepers.free(), first, work, std::move(next));
 }
 
 // The greatest change: absolute for probabilities; for costs see moves_of_a_change.
-double GridBlock::sweep(std::size_t chunk, double over_relaxation) {
+double GridBlock::sweep(std::span<const std::uint32_t> slots, double over_relaxation) {
   const auto& costs = product_.model().shape().cost;
   const double least = *std::min_element(costs.begin(), costs.end());
   const double most = least > 0 ? moves_of_a_change * least : INFINITY;
   double change = 0;
-  for (std::size_t i = chunk * chunk_size_; i < chunk_end(chunk); ++i) {
-    const std::uint32_t cell = cells_[i];
-    double& value = lower_[cell + margin_];
-    const double now = best(cell, lower_), step = now - value;
+  for (const std::uint32_t slot : slots) {
+    double& value = lower_[slot];
+    const double now = best(slot, lower_), step = now - value;
     change =
         std::max(change, is_probability(measure_) ? std::abs(step) : std::abs(step) / std::min(std::abs(now), most));
     value += over_relaxation * step;
@@ -231,90 +220,104 @@ double GridBlock::sweep(std::size_t chunk, double over_relaxation) {
 // moves on by some chunks a sweep, as fast as news travels, since before that a sweep changes little for good.
 bool GridBlock::refine(double change, const IterationOptions& options) {
   constexpr std::uint64_t patience = 64;  // sweeps in which nothing settles until over-relaxation is given up
-  make_chunks();
   set_around(Side::Middle);
-  const std::size_t chunks = reach_.chunks();
-  const auto out_of_limits = [&] { return sweeps_ > options.sweeps || options.stop.stop_requested(); };
-  double reached = chunks_a_sweep_, factor = over_relaxation_;
-  std::uint64_t swept = 0;  // cells
-  std::size_t waited = 0;
-  bool fronts = true, settled = false;
+  const std::size_t chunks = strips_.chunks();
+  struct alignas(64) {  // what changes from pass to pass: a line of the cache of its own
+    double reached, factor;
+    std::uint64_t sweeps, swept = 0;  // swept: cells
+    std::size_t waited = 0;
+    bool fronts = true, settled = false;
+  } at{chunks_a_sweep_, over_relaxation_, sweeps_};
+  const auto out_of_limits = [&] { return at.sweeps > options.sweeps || options.stop.stop_requested(); };
   const auto between = [&](std::size_t first) {
-    return Pass{first, std::clamp(static_cast<std::size_t>(reached), first + 1, chunks), factor};
+    return Pass{first, std::clamp(static_cast<std::size_t>(at.reached), first + 1, chunks), at.factor};
   };
-  const auto work = [&](std::size_t chunk, const Pass& pass) { return sweep(chunk, pass.factor) <= change; };
+  const auto settles = [this, change](auto slots, const Pass& pass) { return sweep(slots, pass.factor) <= change; };
   const auto after_all = [&](const Pass& pass, std::size_t unsettled) -> std::optional<Pass> {
-    ++sweeps_;
-    settled = unsettled == pass.end;
-    if (settled || out_of_limits()) return std::nullopt;
+    ++at.sweeps;
+    at.settled = unsettled == pass.end;
+    if (at.settled || out_of_limits()) return std::nullopt;
     return pass;
   };
   const auto after = [&](const Pass& pass, std::size_t unsettled) -> std::optional<Pass> {
-    if (!fronts) return after_all(pass, unsettled);
-    if (unsettled > pass.begin) waited = 0;
-    for (swept += (pass.end - pass.begin) * chunk_size_; swept > cells_.size(); swept -= cells_.size()) ++sweeps_;
-    if (waited++ > patience) factor = 1;
+    if (!at.fronts) return after_all(pass, unsettled);
+    if (unsettled > pass.begin) at.waited = 0;
+    for (at.swept += (pass.end - pass.begin) * chunk_size_; at.swept > strips_.cells(); at.swept -= strips_.cells())
+      ++at.sweeps;
+    if (at.waited++ > patience) at.factor = 1;
     if (out_of_limits()) return std::nullopt;
-    reached += chunks_a_sweep_;
-    fronts = unsettled < chunks;
-    return fronts ? between(unsettled) : Pass{0, chunks};
+    at.reached += chunks_a_sweep_;
+    at.fronts = unsettled < chunks;
+    return at.fronts ? between(unsettled) : Pass{0, chunks};
   };
-  pipelined_passes(reach_, options.sweepers.free(), between(0), work, after);
-  return settled;
+  run(between(0), &lower_, options, settles, after);
+  sweeps_ = at.sweeps;
+  return at.settled;
 }
 
 // A quarter of the tolerance below and above what sweeps came to.
-void GridBlock::guess(double tolerance) {
-  const double gap = tolerance / 4;
-  for (std::uint32_t cell : cells_) {
-    double& lower = lower_[cell + margin_];
-    upper_[cell + margin_] = is_probability(measure_) ? std::min(1.0, lower + gap) : lower * (1 + gap);
-    lower = is_probability(measure_) ? std::max(0.0, lower - gap) : lower * (1 - gap);
+void GridBlock::guess(std::span<const std::uint32_t> slots) {
+  for (const std::uint32_t slot : slots) {
+    double& lower = lower_[slot];
+    upper_[slot] = is_probability(measure_) ? std::min(1.0, lower + gap_) : lower * (1 + gap_);
+    lower = is_probability(measure_) ? std::max(0.0, lower - gap_) : lower * (1 - gap_);
   }
 }
 
-bool GridBlock::close_from_above(std::size_t chunk) {
+bool GridBlock::close_from_above(std::span<const std::uint32_t> slots) {
   bool inductive = true;
-  for (std::size_t i = chunk * chunk_size_; i < chunk_end(chunk); ++i) {
-    double& value = upper_[cells_[i] + margin_];
-    const double now = best(cells_[i], upper_);
+  for (const std::uint32_t slot : slots) {
+    double& value = upper_[slot];
+    const double now = best(slot, upper_);
     inductive = inductive && (!raises(value, now) || (is_probability(measure_) && value == 1));
     value = std::min(value, now);
   }
   return inductive;
 }
 
-bool GridBlock::close_from_below(std::size_t chunk) {
+bool GridBlock::close_from_below(std::span<const std::uint32_t> slots) {
   bool inductive = true;
-  for (std::size_t i = chunk * chunk_size_; i < chunk_end(chunk); ++i) {
-    double& value = lower_[cells_[i] + margin_];
-    const double now = best(cells_[i], lower_);
+  for (const std::uint32_t slot : slots) {
+    double& value = lower_[slot];
+    const double now = best(slot, lower_);
     inductive = inductive && !raises(now, value);
     value = std::min(value, now);
   }
   return inductive;
 }
 
-// Sweeps until one finds all values inductive: at most so many.
-template <class Close>
-bool GridBlock::close(const Close& close_chunk, std::uint64_t most, const IterationOptions& options) {
-  bool inductive = false;
-  const auto after = [&, tries = std::uint64_t{0}](const Pass& pass, std::size_t unsettled) mutable {
-    ++sweeps_;
-    inductive = unsettled == pass.end;
-    return inductive || ++tries == most ? std::nullopt : std::optional(pass);
-  };
-  const auto work = [&](std::size_t chunk, const Pass&) { return close_chunk(chunk); };
-  pipelined_passes(reach_, options.sweepers.free(), {0, reach_.chunks()}, work, after);
-  return inductive;
-}
-
+// Guesses, then sweeps until one finds all upper values inductive, then until one finds all lower ones so.
 bool GridBlock::prove(std::uint64_t sweeps, const IterationOptions& options) {
+  enum class Stage : std::uint8_t { Guess, Above, Below };
   constexpr std::uint64_t some_tries = 16;
-  const std::uint64_t most = sweeps / 2 + some_tries;
-  set_around(Side::Bounds);
-  return close([this](std::size_t chunk) { return close_from_above(chunk); }, most, options) &&
-         close([this](std::size_t chunk) { return close_from_below(chunk); }, most, options);
+  const std::uint64_t most = sweeps / 2 + some_tries;  // of a stage
+  bool proved = false;
+  Stage stage = Stage::Guess;
+  Values* values = &lower_;
+  const auto settles = [&](auto slots, const Pass&) {
+    if (stage == Stage::Guess) guess(slots);
+    return stage == Stage::Guess || (stage == Stage::Above ? close_from_above(slots) : close_from_below(slots));
+  };
+  const auto begin = [&](Stage next, const Pass& pass) {
+    stage = next;
+    values = next == Stage::Above ? &upper_ : &lower_;
+    strips_.exchange().copy(*values);
+    return std::optional(Pass{pass.begin, pass.end, 1, true});
+  };
+  const auto after = [&, tries = std::uint64_t{0}](const Pass& pass, std::size_t unsettled) mutable {
+    if (stage == Stage::Guess) {
+      set_around(Side::Bounds);
+      return begin(Stage::Above, pass);
+    }
+    ++sweeps_;
+    proved = unsettled == pass.end && stage == Stage::Below;
+    if (proved || (unsettled < pass.end && ++tries == most)) return std::optional<Pass>();
+    if (unsettled < pass.end) return std::optional(Pass{pass.begin, pass.end});
+    tries = 0;
+    return begin(Stage::Below, pass);
+  };
+  run({0, strips_.chunks()}, values, options, settles, after);
+  return proved;
 }
 
 // Much finer than the tolerance asks for: guesses are proved in a few sweeps then, or not at all. From what is claimed
@@ -325,7 +328,7 @@ bool GridBlock::bound_by_around(double tolerance) {
   double most = 0;
   for (const Around& a : around_) most = std::max(most, a.upper);
   if (!is_probability(measure_) || most > tolerance / 2) return false;
-  for (std::uint32_t cell : cells_) lower_[cell + margin_] = 0, upper_[cell + margin_] = most;
+  strips_.for_each_slot([&](std::uint32_t slot) { lower_[slot] = 0, upper_[slot] = most; });
   return true;
 }
 

@@ -23,9 +23,10 @@
 
 #include "libplan/model/grid_world.hpp"
 #include "libplan/product/product_mdp.hpp"
+#include "libplan/solve/grid_strips.hpp"
 #include "libplan/solve/kept_bounds.hpp"
 #include "libplan/solve/optimistic_iteration.hpp"
-#include "libplan/solve/pipelined_passes.hpp"
+#include "libplan/solve/side_by_side.hpp"
 #include "libplan/solve/strategy_chain.hpp"
 #include "libplan/solve/unknowns.hpp"
 
@@ -33,15 +34,16 @@ namespace waymark::plan {
 
 class GridBlock {
  public:
-  using Product = ProductMdp<GridWorld>;        // that is swept
-  using Order = std::vector<Product::Compact>;  // in which the unknowns of the block are swept
+  using Product = ProductMdp<GridWorld>;       // that is swept
+  using Order = SweepOrder<Product::Compact>;  // of the unknowns of the block
 
-  // `known` holds the bounds of other blocks' entries. With a strategy: of its choices only. `memory` holds the values.
-  // nullopt: a block of another kind.
+  // With a strategy: of its choices only. `memory` holds the values. nullopt: a block of another kind.
   static std::optional<GridBlock> of(const Product& product, const Unknowns& unknowns, Measure measure, Order order,
-                                     const KeptBounds& known, const Strategy* only = nullptr,
+                                     const Strategy* only = nullptr,
                                      std::pmr::memory_resource* memory = std::pmr::get_default_resource());
 
+  std::size_t cells() const { return strips_.cells(); }
+  void know(const KeptBounds& known);  // the entries of other blocks: before the block is solved
   // Values to begin with: the bound, by state, that a strategy like this one attains, proved with this tolerance. The
   // nearer to the truth they are, from whichever side, the sooner it is found.
   void start_from(std::span<const double> attained, double tolerance);
@@ -49,14 +51,13 @@ class GridBlock {
   std::optional<std::uint64_t> solve(const IterationOptions& options);
   template <class Visit>  // visit(state, lower, upper), once they are solved
   void for_each(Visit&& visit) const {
-    for (std::uint32_t cell : cells_)
-      visit(product_.state(Product::Compact{cell, task_}).index, lower_[cell + margin_], upper_[cell + margin_]);
+    strips_.for_each([&](std::uint32_t cell, std::uint32_t slot) { visit(state(cell), lower_[slot], upper_[slot]); });
   }
 
   // The backend of optimistic_iteration.hpp.
   std::uint64_t sweeps() const { return sweeps_; }
   bool refine(double change, const IterationOptions& options);
-  void guess(double tolerance);
+  void guess(double tolerance) { gap_ = tolerance / 4; }  // made when it is to be proved
   bool prove(std::uint64_t sweeps, const IterationOptions& options);
 
  private:
@@ -68,19 +69,20 @@ class GridBlock {
     std::array<double, 4> chance;
     double cost;
   };
-  GridBlock(const Product& product, Measure measure, Order order, const Strategy* only,
+  GridBlock(const Product& product, Measure measure, const Order& order, const Strategy* only,
             std::pmr::memory_resource* memory);
-  using Values = std::pmr::vector<double>;  // by cell
-  bool read(const Unknowns& unknowns, const KeptBounds& known);
-  bool read_cell(std::uint32_t cell, const Unknowns& unknowns, const KeptBounds& known);
+  using Values = GridStrips::Values;  // by slot
+  std::uint32_t state(std::uint32_t cell) const { return product_.state(Product::Compact{cell, task_}).index; }
+  bool read(const Unknowns& unknowns);
+  bool read_cell(std::uint32_t cell, std::uint32_t slot, const Unknowns& unknowns);
   std::uint32_t counted(std::uint32_t open, std::uint32_t good) const;
   void tabulate();
   double chance(std::uint32_t choice, std::uint32_t direction) const;
-  std::array<double, 4> around(std::uint32_t cell, const Values& x) const;
-  double best(std::uint32_t cell, const Values& x) const;
-  double of_strategy(std::uint32_t cell, const Values& x) const;
-  struct Around {  // a cell next to the block
-    std::uint32_t cell;
+  std::array<double, 4> around(std::uint32_t slot, const Values& x) const;
+  double best(std::uint32_t slot, const Values& x) const;
+  double of_strategy(std::uint32_t slot, const Values& x) const;
+  struct Around {               // a cell next to the block
+    std::uint32_t slot, state;  // no state: a target
     double lower, upper;
   };
   enum class Side : std::uint8_t { Middle, Bounds };
@@ -88,35 +90,34 @@ class GridBlock {
   bool bound_by_around(double tolerance);
   void guess_costs();
   void start_from_nothing(bool guess);
-  std::size_t chunk_size();
-  void make_chunks();
   double likely() const;
   double over_relaxation() const;
-  double sweep(std::size_t chunk, double over_relaxation);
-  bool close_from_above(std::size_t chunk);
-  bool close_from_below(std::size_t chunk);
-  template <class Close>
-  bool close(const Close& close_chunk, std::uint64_t most, const IterationOptions& options);
-  std::size_t chunk_end(std::size_t chunk) const { return std::min(cells_.size(), (chunk + 1) * chunk_size_); }
+  double sweep(std::span<const std::uint32_t> slots, double over_relaxation);
+  void guess(std::span<const std::uint32_t> slots);
+  bool close_from_above(std::span<const std::uint32_t> slots);
+  bool close_from_below(std::span<const std::uint32_t> slots);
+  template <class Settles, class Next>
+  void run(const Pass& first, Values* const& values, const IterationOptions& options, const Settles& settles,
+           Next next);
 
   const Product& product_;
   Measure measure_;
-  const Strategy* only_;              // nullptr: the best choice counts
-  std::uint32_t task_ = 0, margin_;   // a row of cells on both sides, so that every cell has neighbours
-  std::vector<std::uint32_t> cells_;  // in order
-  std::vector<std::uint8_t> code_;    // by cell: bit d, move d is open; bit 4 + k, choice k counts
-  std::vector<std::uint8_t>
-      known_;  // by cell: bit d, the neighbour that way is known and allowed, or is an unknown of the block
+  const Strategy* only_;  // nullptr: the best choice counts
+  std::uint32_t task_;
+  GridStrips strips_;  // the cells, in order
+  std::size_t chunk_size_;
+  // By slot: bit d, move d is open; bit 4 + k, choice k counts. And: bit d, the neighbour that way is known and
+  // allowed, or is an unknown of the block; is the slot that of an unknown, or of a copy of one?
+  std::vector<std::uint8_t> code_, marks_;
+  static constexpr std::uint8_t unknown = 16, copy = 32;
   std::vector<Around> around_;                           // of what is known already, some of them more than once
-  std::vector<bool> unknown_;                            // by cell
   std::array<std::array<std::int32_t, 4>, 16> steps_{};  // by open moves: where the neighbour by direction lies
   std::vector<Row> rows_;                                // by code
   std::vector<Only> only_rows_;                          // by code, of strategies
   Values lower_, upper_;
-  std::size_t chunk_size_ = 0;  // cells, but for the last chunk; 0: not made yet
-  ChunkReach reach_{0};         // of chunks
   double over_relaxation_ = 1;  // what a step is multiplied by
   double chunks_a_sweep_ = 1;   // by which the front moves on
+  double gap_ = 0;              // between a value that is found and a bound that is guessed
   std::uint64_t sweeps_ = 0;
   bool started_ = false;
 };

@@ -4,10 +4,13 @@
 #include <cmath>
 #include <cstdint>
 #include <optional>
+#include <utility>
 #include <vector>
 
+#include "libplan/solve/exchange.hpp"
 #include "libplan/solve/optimistic_iteration.hpp"
-#include "libplan/solve/pipelined_passes.hpp"
+#include "libplan/solve/ordered_parts.hpp"
+#include "libplan/solve/side_by_side.hpp"
 #include "libplan/solve/strategy.hpp"
 
 namespace waymark::plan {
@@ -56,25 +59,27 @@ struct GoodChoices {
   }
 
   std::size_t states() const { return first_choice.size() - 1; }  // that were written
-  // States of four layers, on average: how far news travels in two sweeps. A layer is one outcome farther away.
-  std::size_t chunk_size() const {
-    std::vector<std::uint32_t> layer(states(), 0);
-    std::uint32_t layers = 1;
-    for (std::uint32_t i = 0; i < states(); ++i) {
-      std::uint32_t nearest = UINT32_MAX;
-      for (std::uint32_t o = first_outcome[first_choice[i]]; o < first_outcome[first_choice[i + 1]]; ++o)
-        if (target[o] < i) nearest = std::min(nearest, layer[target[o]]);
-      layer[i] = nearest == UINT32_MAX ? 0 : nearest + 1;
-      layers = std::max(layers, layer[i] + 1);
+
+  // Outcomes in other parts lead to copies then, whose places are behind those of the states.
+  std::vector<PlaceOfCopy> copy_between(const OrderedParts& parts) {
+    std::vector<PlaceOfCopy> copies;
+    std::vector<std::uint32_t> copy_of(states(), UINT32_MAX);  // for the part at hand
+    for (std::uint32_t p = 0; p < parts.count(); ++p) {
+      const std::size_t others = copies.size();
+      for (std::uint32_t o = first_outcome[first_choice[parts.begin[p]]];
+           o < first_outcome[first_choice[parts.begin[p + 1]]]; ++o) {
+        const std::uint32_t t = target[o];
+        if (t >= parts.begin[p] && t < parts.begin[p + 1]) continue;
+        if (copy_of[t] == UINT32_MAX) {
+          const std::uint32_t owner = parts.part(t);
+          copy_of[t] = static_cast<std::uint32_t>(states() + copies.size());
+          copies.push_back({owner, p, parts.chunk(owner, t), t, copy_of[t]});
+        }
+        target[o] = copy_of[t];
+      }
+      for (std::size_t c = others; c < copies.size(); ++c) copy_of[copies[c].from] = UINT32_MAX;
     }
-    return std::max<std::size_t>(64, 4 * states() / layers);
-  }
-  ChunkReach reach(std::size_t chunk) const {  // of chunks of so many states
-    ChunkReach out((states() + chunk - 1) / chunk);
-    for (std::size_t i = 0; i < states(); ++i)
-      for (std::uint32_t o = first_outcome[first_choice[i]]; o < first_outcome[first_choice[i + 1]]; ++o)
-        out.relate(i / chunk, target[o] / chunk);
-    return out;
+    return copies;
   }
 };
 
@@ -83,24 +88,33 @@ struct GoodChoices {
 // what is lost in a step for want of a digit is then lost in every step of them. `order`: nearest first. False: a
 // run of good choices may not end, or there are too many of them. O(outcomes) a sweep.
 template <class Product, class Good>
-bool hurry(const Product& product, const std::vector<std::uint32_t>& order, const Good& good,
+bool hurry(const Product& product, const SweepOrder<std::uint32_t>& order, const Good& good,
            const IterationOptions& limits, Strategy& strategy) {
   constexpr std::size_t most_sweeps = 4'000;  // of all states: about as many as a run has steps
   constexpr float settled = 2e-4F;
   constexpr std::size_t most_outcomes = 500'000'000;
+  const OrderedParts parts = OrderedParts::of(product, order);
   GoodChoices written;
-  if (!written.write(product, order, good, most_outcomes)) return false;
-  std::vector<float> steps(order.size(), 0);
-  std::vector<std::uint32_t> swiftest(order.size(), UINT32_MAX);
-  const std::size_t size = written.chunk_size();
-  const ChunkReach reach = written.reach(size);
-  const std::size_t chunks = reach.chunks();
+  if (!written.write(product, parts.states, good, most_outcomes)) return false;
+  std::vector<PlaceOfCopy> copies = written.copy_between(parts);
+  std::vector<float> steps(parts.states.size() + copies.size(), 0);
+  std::vector<std::uint32_t> swiftest(parts.states.size(), UINT32_MAX);
+  const std::size_t chunks = parts.chunks;
+  Exchange<float> exchange(parts.count(), chunks, std::move(copies));
   bool done = false;
-  const auto work = [&](std::size_t chunk, const Pass&) {
-    const std::size_t first = chunk * size, last = std::min(order.size(), first + size);
-    float change = 0;
-    for (std::size_t i = first; i < last; ++i) change = std::max(change, written.sweep(i, steps, swiftest[i]));
-    return change <= settled;
+  const auto work = [&](std::size_t part, const PassInTurn& now) {
+    const Pass& pass = now.pass;
+    exchange.take(part, now, steps);
+    std::size_t unsettled = pass.end;
+    const std::vector<std::uint32_t>& first = parts.first[part];
+    for (std::size_t chunk = pass.begin; chunk < pass.end; ++chunk) {
+      float change = 0;
+      for (std::size_t i = first[chunk], last = first[chunk + 1]; i < last; ++i)
+        change = std::max(change, written.sweep(i, steps, swiftest[i]));
+      if (!(change <= settled)) unsettled = std::min(unsettled, chunk);
+    }
+    exchange.tell(part, now, steps);
+    return unsettled;
   };
   // Behind a first front states have settled; a second one moves on as fast as news travels. Then all are swept.
   const auto after = [&, swept = std::size_t{0}, reached = std::size_t{1}, whole = chunks <= 1](
@@ -114,9 +128,9 @@ bool hurry(const Product& product, const std::vector<std::uint32_t>& order, cons
     ++reached;
     return Pass{unsettled, std::clamp((reached + 1) / 2, unsettled + 1, chunks)};
   };
-  pipelined_passes(reach, limits.sweepers.free(), {0, std::min<std::size_t>(1, chunks)}, work, after);
-  for (std::size_t i = 0; i < order.size(); ++i)
-    if (swiftest[i] != UINT32_MAX) strategy.choice.set(order[i], written.choice[swiftest[i]]);
+  passes_side_by_side(parts.count(), limits.sweepers.free(), {0, std::min<std::size_t>(1, chunks)}, work, after);
+  for (std::size_t i = 0; i < parts.states.size(); ++i)
+    if (swiftest[i] != UINT32_MAX) strategy.choice.set(parts.states[i], written.choice[swiftest[i]]);
   return done;
 }
 

@@ -37,7 +37,21 @@ class ChunkReach {
 struct Pass {                  // over the chunks with begin ≤ chunk < end
   std::size_t begin = 0, end;  // chunks
   double factor = 1;           // for the work
+  bool anew = false;           // of other numbers than the pass before it: parts take nothing from that one
 };
+
+// Waits until the number is enough: for some microseconds awake, then asleep. What it is then.
+template <class Enough>
+std::size_t spin_wait(std::atomic<std::size_t>& number, const Enough& enough) {
+  constexpr int spins = 100'000;  // some microseconds: about a chunk
+  std::size_t now = number.load(std::memory_order_acquire);
+  for (int spin = 0; !enough(now); now = number.load(std::memory_order_acquire)) {
+    if (++spin < spins) continue;
+    number.wait(now, std::memory_order_acquire);
+    spin = 0;
+  }
+  return now;
+}
 
 // Runs `first` and what follows it.
 //   work(chunk, pass) -> bool: has the chunk settled? Touches numbers of the chunk, and reads what it is related to.
@@ -77,7 +91,7 @@ class PipelinedPasses {
   }
 
   bool known(std::size_t number) {
-    return wait(published_, [&](std::size_t published) { return published > number; }) != none;
+    return spin_wait(published_, [&](std::size_t published) { return published > number; }) != none;
   }
 
   // The pass that follows, or none.
@@ -97,7 +111,8 @@ class PipelinedPasses {
     const Pass pass = own.pass;
     bool decided = false;
     for (std::size_t chunk = pass.begin; chunk < pass.end; ++chunk) {
-      if (number > 0) wait(slot(number - 1).done, [last = reach_[chunk]](std::size_t done) { return done > last; });
+      if (number > 0)
+        spin_wait(slot(number - 1).done, [last = reach_[chunk]](std::size_t done) { return done > last; });
       const bool settled = work_(chunk, pass);
       own.done.store(chunk + 1, std::memory_order_release);
       own.done.notify_all();
@@ -105,22 +120,10 @@ class PipelinedPasses {
       decided = true;
       decide(number, chunk);
     }
-    if (number > 0) wait(slot(number - 1).done, [](std::size_t done) { return done == finished; });
+    if (number > 0) spin_wait(slot(number - 1).done, [](std::size_t done) { return done == finished; });
     own.done.store(finished, std::memory_order_release);
     own.done.notify_all();
     if (!decided) decide(number, pass.end);
-  }
-
-  template <class Enough>
-  static std::size_t wait(std::atomic<std::size_t>& number, const Enough& enough) {
-    constexpr int spins = 20'000;  // some microseconds: about a chunk
-    std::size_t now = number.load(std::memory_order_acquire);
-    for (int spin = 0; !enough(now); now = number.load(std::memory_order_acquire)) {
-      if (++spin < spins) continue;
-      number.wait(now, std::memory_order_acquire);
-      spin = 0;
-    }
-    return now;
   }
 
   const ChunkReach& reach_;

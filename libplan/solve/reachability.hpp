@@ -115,26 +115,35 @@ void keep_safe(const Product& product, const StateSet& targets, StateSet& set) {
       [&](const auto& s) { set[s.index] = false; });
 }
 
-// Some strategy reaches them with probability 1: the greatest set from which they can be reached by choices that never
-// leave the set.
+struct Reaching {
+  StateSet some;  // from which some strategy reaches the targets with a probability above 0
+  StateSet sure;  // … with probability 1
+};
+
+// The second is the greatest set from which targets can be reached by choices that never leave the set.
 template <class Product>
-StateSet almost_surely(const Product& product, const StateSet& targets) {
-  StateSet inside = can_reach(product, targets);
+Reaching reaching(const Product& product, const StateSet& targets) {
+  StateSet some = can_reach(product, targets), inside = some;
   while (!closed(product, inside)) {
     keep_safe(product, targets, inside);
     StateSet next = backward(product, targets, [&](const auto& s, std::uint32_t k, const StateSet& reached) {
       if (!inside[s.index]) return false;
-      bool all = true, some = false;
+      bool all = true, any = false;
       product.for_each_outcome(s, k, [&](std::uint32_t t, double, bool) {
         all = all && t != Product::trap && inside[t];
-        some = some || (all && reached[t]);
+        any = any || (all && reached[t]);
       });
-      return all && some;
+      return all && any;
     });
     if (next == inside) break;
     inside = std::move(next);
   }
-  return inside;
+  return {std::move(some), std::move(inside)};
+}
+
+template <class Product>
+StateSet almost_surely(const Product& product, const StateSet& targets) {
+  return reaching(product, targets).sure;
 }
 
 }  // namespace waymark::plan

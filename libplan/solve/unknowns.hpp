@@ -1,6 +1,9 @@
 // The unknowns of a question about values: states without a known value, and the order in which they are solved.
 #pragma once
+#include <algorithm>
+#include <cstddef>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "libplan/solve/end_components.hpp"
@@ -12,6 +15,17 @@ namespace waymark::plan {
 struct Unknowns {
   StateSet unknown, targets;  // without a known value; whose value is 1, or cost 0
   EndComponents merged;       // among the unknown ones
+};
+
+template <class Compact>
+struct SweepOrder {  // in which states are swept
+  std::vector<Compact> states;
+  std::size_t layers = 0;  // in which they were found, breadth first
+
+  // States of four layers, on average: how far news travels in two sweeps.
+  std::size_t chunk_size() const {
+    return std::max<std::size_t>(64, 4 * states.size() / std::max<std::size_t>(1, layers));
+  }
 };
 
 // The merged ones together.
@@ -46,7 +60,7 @@ class EndComponentQuotient {
   }
 
   // The unknowns of the block, those next to what is solved first; of merged ones the first that is met.
-  std::vector<Compact> in_order(std::uint32_t first, std::uint32_t last) const {
+  SweepOrder<Compact> in_order(std::uint32_t first, std::uint32_t last) const {
     std::vector<Compact> order;
     std::vector<bool> seen(last - first, false);
     std::vector<bool> met(members_.size(), false);
@@ -64,7 +78,12 @@ class EndComponentQuotient {
       });
       if (near) meet(s);
     });
-    for (std::size_t i = 0; i < queue.size(); ++i) {  // where nothing is merged, the queue is the order
+    std::size_t layers = 0;
+    for (std::size_t i = 0, layer = 0; i < queue.size(); ++i) {  // where nothing is merged, the queue is the order
+      if (i == layer) {
+        ++layers;
+        layer = queue.size();
+      }
       const State s = product_.state(queue[i]);
       const std::uint32_t own = component(s.index);
       if (!members_.empty() && (own == EndComponents::none || !met[own])) {
@@ -75,7 +94,7 @@ class EndComponentQuotient {
         if (source.index >= first && source.index < last && unknowns_.unknown[source.index]) meet(source);
       });
     }
-    return members_.empty() ? queue : order;
+    return {std::move(members_.empty() ? queue : order), layers};
   }
 
  private:

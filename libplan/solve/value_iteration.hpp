@@ -13,7 +13,6 @@
 #include <memory_resource>
 #include <optional>
 #include <span>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -21,6 +20,7 @@
 #include "libplan/solve/block_equations.hpp"
 #include "libplan/solve/grid_block.hpp"
 #include "libplan/solve/kept_bounds.hpp"
+#include "libplan/solve/ready_blocks.hpp"
 #include "libplan/solve/swept_block.hpp"
 #include "libplan/solve/unknowns.hpp"
 
@@ -45,9 +45,12 @@ class ValueIteration {
   std::optional<Values> run() {  // nullopt: stopped, out of sweeps, or the bounds do not meet in doubles
     for (std::uint32_t i = 0; i < product_.states(); ++i)
       if (unknowns_.targets[i]) set(i, target_value, target_value);  // unknowns are 0 until their block is solved
-    const std::vector<std::uint32_t>& blocks = product_.blocks();
-    for (std::size_t b = 0; b + 1 < blocks.size(); ++b)
-      if (!solve_block(blocks[b], blocks[b + 1])) return std::nullopt;
+    const ReadyBlocks<Product, measure> blocks(product_, unknowns_, merged_, limits_);
+    for (std::size_t b = 0; b + 1 < product_.blocks().size();)
+      for (Ready& block : blocks.some(b)) {
+        if (!solve_block(block, b++)) return std::nullopt;
+        block.grid.reset();
+      }
     return std::move(values_);
   }
 
@@ -66,38 +69,27 @@ class ValueIteration {
     else
       for (const Compact& member : merged_.members(own)) set(product_.state(member).index, lower, upper);
   }
-  bool solve_block(std::uint32_t first, std::uint32_t last) {
-    std::vector<Compact> order = merged_.in_order(first, last);
-    if (order.empty()) return true;
-    if constexpr (std::is_same_v<Product, GridBlock::Product> ||
-                  std::is_same_v<Product, StrategyChain<GridBlock::Product>>)
-      if (order.size() > limits_.on_grid && !limits_.policy_iteration) {
-        const std::size_t size = order.size();
-        const bool another_way = size <= Equations::factored && limits_.second_way;
-        if (auto block = grid_block(std::move(order))) {
-          if (solve_on_grid(*block, size, another_way)) return true;
-          if (!another_way || limits_.stop.stop_requested()) return false;
-        }
-        order = merged_.in_order(first, last);
-      }
-    return order.size() <= limits_.written_out ? solve_equations(order, first, last) : sweep(order);
+  using Ready = typename ReadyBlocks<Product, measure>::Ready;
+  bool solve_block(Ready& block, std::size_t b) {
+    const std::uint32_t first = product_.blocks()[b], last = product_.blocks()[b + 1];
+    if (block.grid) {
+      const bool another_way = block.grid->cells() <= Equations::factored && limits_.second_way;
+      if (solve_on_grid(*block.grid, another_way)) return true;
+      if (!another_way || limits_.stop.stop_requested()) return false;
+      block.grid.reset();
+      block.order = merged_.in_order(first, last);
+    }
+    const std::vector<Compact>& states = block.order.states;
+    if (states.empty()) return true;
+    return states.size() <= limits_.written_out ? solve_equations(states, first, last) : sweep(states);
   }
 
-  std::optional<GridBlock> grid_block(std::vector<Compact> order) const {
-    const auto of = [&](const GridBlock::Product& product, const Strategy* only) {
-      return GridBlock::of(product, unknowns_, measure, std::move(order), values_.bounds, only, limits_.memory);
-    };
-    if constexpr (std::is_same_v<Product, GridBlock::Product>)
-      return of(product_, nullptr);
-    else
-      return of(product_.product(), &product_.strategy());
-  }
-
-  bool solve_on_grid(GridBlock& block, std::size_t size, bool another_way) {
+  bool solve_on_grid(GridBlock& block, bool another_way) {
     // Sweeps; where they crawl, equations are solved sooner, though factors of large blocks cost more.
-    const std::uint64_t patience = size > 20'000 ? 4'000 : 1'000;
+    const std::uint64_t patience = block.cells() > 20'000 ? 4'000 : 1'000;
     IterationOptions limits = limits_;
     if (another_way) limits.sweeps = std::min(limits.sweeps, patience);
+    block.know(values_.bounds);
     if (!claimed_.empty()) block.start_from(claimed_, limits.tolerance);
     const auto sweeps = block.solve(limits);
     if (!sweeps) return false;

@@ -28,13 +28,12 @@ std::size_t swept_in_place(const GridBlock::Product& product) {
   unknowns.unknown = almost_surely(product, unknowns.targets);
   for (std::uint32_t i = 0; i < product.states(); ++i)
     if (unknowns.targets[i]) unknowns.unknown[i] = false;
-  const KeptBounds values(product.states());
   std::size_t count = 0;
   const auto& blocks = product.blocks();
   for (std::size_t b = 0; b + 1 < blocks.size(); ++b) {
     const auto order = EndComponentQuotient<GridBlock::Product>(product, unknowns).in_order(blocks[b], blocks[b + 1]);
-    if (order.empty()) continue;
-    count += GridBlock::of(product, unknowns, Measure::MinCost, order, values).has_value() ? 1 : 0;
+    if (order.states.empty()) continue;
+    count += GridBlock::of(product, unknowns, Measure::MinCost, order).has_value() ? 1 : 0;
   }
   return count;
 }
@@ -141,7 +140,7 @@ struct FairWalk {
     });
     for (std::size_t b = 0; b + 1 < product.blocks().size(); ++b) {
       const EndComponentQuotient<GridBlock::Product> merged(product, unknowns);
-      if (order.empty()) order = merged.in_order(product.blocks()[b], product.blocks()[b + 1]);
+      if (order.states.empty()) order = merged.in_order(product.blocks()[b], product.blocks()[b + 1]);
     }
   }
   static std::vector<std::uint16_t> cells(std::uint32_t length) {
@@ -150,9 +149,7 @@ struct FairWalk {
     out.back() = 1;
     return out;
   }
-  GridBlock block() const {
-    return GridBlock::of(product, unknowns, Measure::MaxProbability, order, KeptBounds(product.states())).value();
-  }
+  GridBlock block() const { return GridBlock::of(product, unknowns, Measure::MaxProbability, order).value(); }
   static constexpr SlipChances back_or_on{.forward = 0.5, .left = 0, .right = 0, .back = 0.5};
   ltl::Vocabulary names;
   ltl::Arena arena;
@@ -181,7 +178,7 @@ TEST(GridBlock, BoundsHoldWhateverIsClaimed) {
       EXPECT_GE(upper * rounding, walk.truth[i]) << factor << " times the truth, state " << i;
       EXPECT_LE(upper - lower, tolerance) << factor << " times the truth, state " << i;
     });
-    EXPECT_EQ(states, walk.order.size());
+    EXPECT_EQ(states, walk.order.states.size());
   }
 }
 

@@ -14,6 +14,7 @@
 #include "libplan/model/formats/read_case.hpp"
 #include "libplan/solve/decide.hpp"
 #include "libplan/solve/mapped_files.hpp"
+#include "tests/libplan/solve/fronts.hpp"
 
 namespace waymark::plan {
 namespace {
@@ -66,26 +67,8 @@ Net random_net(std::mt19937_64& random) {
   return net;
 }
 
-// Passes behind a front that moves on where chunks have settled, then over all of them; what they were, in words.
-struct Fronts {
-  std::size_t chunks;
-  std::size_t reached = 1;
-  std::size_t passes = 0;
-  std::string told = {};
-
-  Pass first() { return {0, std::min(reached, chunks)}; }
-  std::optional<Pass> operator()(const Pass& pass, std::size_t unsettled) {
-    told += std::to_string(pass.begin) + '-' + std::to_string(pass.end) + ':' + std::to_string(unsettled) + ' ';
-    const bool whole = pass.begin == 0 && pass.end == chunks;
-    if (++passes == 300 || (whole && unsettled == pass.end)) return std::nullopt;
-    reached += 2;
-    if (unsettled == chunks || whole) return Pass{0, chunks};
-    return Pass{unsettled, std::clamp(reached, unsettled + 1, chunks)};
-  }
-};
-
 std::string by_a_loop(Net& net, double least) {
-  Fronts fronts{net.chunks()};
+  testing::Fronts fronts{net.chunks()};
   for (std::optional<Pass> pass = fronts.first(); pass;) {
     std::size_t unsettled = pass->end;
     for (std::size_t c = pass->begin; c < pass->end; ++c)
@@ -104,7 +87,7 @@ TEST(PipelinedPasses, AreThoseOfALoop) {
     const std::string told = by_a_loop(expected, least);
     for (const std::size_t threads : {1U, 2U, 3U, 5U}) {
       Net found = net;
-      Fronts fronts{found.chunks()};
+      testing::Fronts fronts{found.chunks()};
       pipelined_passes(
           found.reach(), threads, fronts.first(),
           [&](std::size_t chunk, const Pass&) { return found.sweep(chunk, least); },
