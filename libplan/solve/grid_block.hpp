@@ -42,8 +42,8 @@ class GridBlock {
                                      const Strategy* only = nullptr,
                                      std::pmr::memory_resource* memory = std::pmr::get_default_resource());
 
-  std::size_t cells() const { return strips_.cells(); }
-  void know(const KeptBounds& known);  // the entries of other blocks: before the block is solved
+  std::size_t cells() const { return strips_.cells(); }  // unknowns
+  void know(const KeptBounds& known);                    // the entries of other blocks: before the block is solved
   // Values to begin with: the bound, by state, that a strategy like this one attains, proved with this tolerance. The
   // nearer to the truth they are, from whichever side, the sooner it is found.
   void start_from(std::span<const double> attained, double tolerance);

@@ -18,8 +18,9 @@ struct GridCut {
   // those that give two threads more equal work then. Some 65,000 states are looked at.
   static GridCut of(const GridWorld& grid, const std::vector<ProductState>& order, std::size_t chunk_size);
 
+  // Of a cell: its row or column, and its strip.
   std::uint32_t line(std::uint32_t cell) const { return by_columns ? cell % width : cell / width; }
-  std::uint32_t strip(std::uint32_t cell) const { return strip_of[line(cell)]; }
+  std::uint32_t strip(std::uint32_t cell) const { return strip_of[line(cell)]; }  // likewise
 
   std::uint32_t width;                    // of the grid
   bool by_columns = false;                // or rows

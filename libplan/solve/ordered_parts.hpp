@@ -23,7 +23,7 @@ struct OrderedParts {
   std::uint32_t part(std::uint32_t at) const {        // of a place among the states
     return static_cast<std::uint32_t>(std::upper_bound(begin.begin(), begin.end(), at) - begin.begin() - 1);
   }
-  std::uint32_t chunk(std::uint32_t part, std::uint32_t at) const {
+  std::uint32_t chunk(std::uint32_t part, std::uint32_t at) const {  // of the order
     const std::vector<std::uint32_t>& own = first[part];
     return static_cast<std::uint32_t>(std::upper_bound(own.begin(), own.end(), at) - own.begin() - 1);
   }

@@ -115,9 +115,9 @@ void keep_safe(const Product& product, const StateSet& targets, StateSet& set) {
       [&](const auto& s) { set[s.index] = false; });
 }
 
-struct Reaching {
-  StateSet some;  // from which some strategy reaches the targets with a probability above 0
-  StateSet sure;  // … with probability 1
+struct Reaching {  // states, by a question
+  StateSet some;   // from which some strategy reaches the targets with a probability above 0
+  StateSet sure;   // … with probability 1
 };
 
 // The second is the greatest set from which targets can be reached by choices that never leave the set.
@@ -141,6 +141,7 @@ Reaching reaching(const Product& product, const StateSet& targets) {
   return {std::move(some), std::move(inside)};
 }
 
+// The second alone.
 template <class Product>
 StateSet almost_surely(const Product& product, const StateSet& targets) {
   return reaching(product, targets).sure;

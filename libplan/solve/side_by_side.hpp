@@ -17,7 +17,7 @@
 
 namespace waymark::plan {
 
-struct PassInTurn {
+struct PassInTurn {    // a pass and what it follows
   Pass pass, before;   // and the pass before it; of the first one no chunks
   std::size_t number;  // from 0
 };

@@ -18,9 +18,9 @@ struct Unknowns {
 };
 
 template <class Compact>
-struct SweepOrder {  // in which states are swept
-  std::vector<Compact> states;
-  std::size_t layers = 0;  // in which they were found, breadth first
+struct SweepOrder {             // in which states are swept
+  std::vector<Compact> states;  // in this order
+  std::size_t layers = 0;       // in which they were found, breadth first
 
   // States of four layers, on average: how far news travels in two sweeps.
   std::size_t chunk_size() const {
