@@ -47,6 +47,12 @@ class PassesSideBySide {
     std::uint32_t parts = 0, unsettled = UINT32_MAX;
   };
 
+  // Parts in the upper half, in the lower one the first unsettled chunk.
+  static constexpr std::uint64_t none_done = UINT32_MAX;
+  static std::uint64_t together(std::uint64_t all, const Done& more) {
+    return (((all >> 32U) + more.parts) << 32U) | std::min(static_cast<std::uint32_t>(all), more.unsettled);
+  }
+
   void run_passes(std::size_t thread) {
     for (std::size_t number = 0; number != finished;) {
       Done done;
@@ -82,14 +88,14 @@ class PassesSideBySide {
 
   void finish(const Done& done, std::size_t number) {
     if (done.parts == 0) return;
-    Done all = done_.load(std::memory_order_relaxed), more;
-    do more = {all.parts + done.parts, std::min(all.unsettled, done.unsettled)};
-    while (!done_.compare_exchange_weak(all, more, std::memory_order_acq_rel));
-    if (more.parts < parts_.size()) return;
+    std::uint64_t all = done_.load(std::memory_order_relaxed), sum;
+    do sum = together(all, done);
+    while (!done_.compare_exchange_weak(all, sum, std::memory_order_acq_rel));
+    if ((sum >> 32U) < parts_.size()) return;
     // The last part is done, and all others wait.
-    const std::optional<Pass> following = next_(now_.passes[number % 2], more.unsettled);
+    const std::optional<Pass> following = next_(now_.passes[number % 2], static_cast<std::uint32_t>(sum));
     if (following) now_.passes[(number + 1) % 2] = *following;
-    done_.store({}, std::memory_order_relaxed);
+    done_.store(none_done, std::memory_order_relaxed);
     now_.number.store(following ? number + 1 : finished, std::memory_order_release);
     now_.number.notify_all();
   }
@@ -98,7 +104,7 @@ class PassesSideBySide {
   const Work& work_;
   Next& next_;
   std::vector<Part> parts_;
-  alignas(64) std::atomic<Done> done_{Done{}};  // of this pass
+  alignas(64) std::atomic<std::uint64_t> done_{none_done};  // of this pass, as together() has it
   struct alignas(64) Now {
     std::atomic<std::size_t> number{0};                  // of this pass
     std::array<Pass, 2> passes{Pass{0, 0}, Pass{0, 0}};  // those with even numbers, those with odd ones
