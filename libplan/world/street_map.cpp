@@ -10,6 +10,8 @@ namespace {
 
 using Value = JsonReader::Value;
 
+constexpr double longest = 1e100;  // way; as the costs of all models
+
 class StreetMapReader {
  public:
   StreetMapReader(std::string_view text, StreetView view, std::string_view source)
@@ -60,7 +62,7 @@ class StreetMapReader {
     if (map_.length(a, b)) in_.fail(path, "two ways join these landmarks");
     const char* key = picture_ && value.contains("length") ? "length" : "metres";
     const double length = number(value, path, key);
-    if (length < 0) in_.fail(path + "." + key, "a negative length");
+    if (!(length >= 0 && length <= longest)) in_.fail(path + "." + key, "expected a length from 0 to 1e100");
     map_.ways[a].push_back({b, length});
     map_.ways[b].push_back({a, length});
   }

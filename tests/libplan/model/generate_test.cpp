@@ -98,6 +98,14 @@ TEST(Streets, AreChoicesThatCostMetres) {
   EXPECT_EQ(streets.cost(1, 0), 10.5);
   EXPECT_EQ(parse_streets(two_ways, "", "9").initial(), 2U);
   EXPECT_THROW(parse_streets(two_ways, "", "harbour"), ltl::FormatError);
+  const auto long_way = [](const char* metres) {
+    return parse_streets(R"({"nodes": [{"id": 1, "name": "A"}, {"id": 2, "name": "B"}],
+      "edges": [{"a": 1, "b": 2, "metres": )" +
+                         std::string(metres) + "}]}");
+  };
+  EXPECT_EQ(long_way("1e100").cost(0, 0), 1e100);
+  EXPECT_THROW(long_way("1.01e100"), ltl::FormatError);
+  EXPECT_THROW(long_way("-1"), ltl::FormatError);
   EXPECT_THROW(parse_streets(R"({"nodes": [{"id": 1, "name": "A"}, {"id": 2, "name": "a"}], "edges": []})"),
                ltl::FormatError);
   EXPECT_THROW(parse_streets(R"({"nodes": [{"id": 1, "name": "A"}], "edges": [{"a": 1, "b": 2, "metres": 1}]})"),

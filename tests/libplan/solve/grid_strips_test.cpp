@@ -85,7 +85,8 @@ TEST(GridStrips, EveryCellHasASlotOfItsOwnAndFindsItsNeighboursByTheSameSteps) {
   int by_columns = 0;
   for (int round = 0; round < 12; ++round) {
     const auto width = static_cast<std::uint32_t>(20 + random() % 300), height = 12'000 / width + 1;
-    const auto [grid, order, strips] = swept(width, height, round % 3 == 0 ? 1 : 0.7, 100 + random() % 200, random);
+    const Swept one = swept(width, height, round % 3 == 0 ? 1 : 0.7, 100 + random() % 200, random);
+    const GridStrips& strips = one.strips;
     counts.insert(strips.count());
     by_columns += strips.steps()[1] != 1 ? 1 : 0;
     std::map<std::uint32_t, std::uint32_t> cell_at;
@@ -101,13 +102,13 @@ TEST(GridStrips, EveryCellHasASlotOfItsOwnAndFindsItsNeighboursByTheSameSteps) {
       ASSERT_EQ(strips.slot(cell), slot);
       ASSERT_TRUE(cell_at.emplace(slot, cell).second);
     });
-    ASSERT_EQ(cell_at.size(), order.size() + copies.size());
+    ASSERT_EQ(cell_at.size(), one.order.size() + copies.size());
     for (const std::uint32_t copy : copies) cell_at[copy] = cell_at.at(cell_at[copy]);
     std::set<std::uint32_t> cells;
-    for (const ProductState& s : order) cells.insert(s.place);
+    for (const ProductState& s : one.order) cells.insert(s.place);
     for (const std::uint32_t cell : cells)
       for (std::uint32_t d = 0; d < 4; ++d) {
-        const std::uint32_t to = grid.move(cell, d), slot = strips.slot(cell);
+        const std::uint32_t to = one.grid.move(cell, d), slot = strips.slot(cell);
         if (to == cell || !cells.contains(to)) continue;
         const std::uint32_t beside = slot + static_cast<std::uint32_t>(strips.steps()[d]);
         ASSERT_TRUE(cell_at.contains(beside)) << "round " << round << ", cell " << cell << ", direction " << d;
