@@ -77,7 +77,7 @@ class GraphmlReader {
     const std::uint32_t a = end(edge, "source"), b = end(edge, "target");
     const std::string text = data(edge, {"length", "metres", "weight", "cost"});
     const double cost = text.empty() ? 1 : xml_.number(edge, text);
-    if (cost < 0) xml_.fail(edge, "expected a cost of at least 0");
+    if (!(cost >= 0 && cost <= most_cost)) xml_.fail(edge, "expected a cost from 0 to 1e100");
     network_.nodes[a].roads.push_back({b, cost});
     const std::string own = edge.attribute("directed").value();
     if (a != b && (own.empty() ? !directed : own == "false")) network_.nodes[b].roads.push_back({a, cost});

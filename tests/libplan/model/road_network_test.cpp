@@ -111,6 +111,10 @@ TEST(Roads, ErrorsNameThePlace) {
        "<graphml><graph edgedefault='directed'>\n<node id='a'/><edge source='a' target='b'/></graph></graphml>",
        "target: there is no node", 2},
       {parse_graphml, "<graphml><graph edgedefault='directed'>\n<hyperedge/></graph></graphml>", "hyperedges", 2},
+      {parse_graphml,
+       "<graphml><key id='w' for='edge' attr.name='cost'/><graph edgedefault='directed'><node id='a'/>\n"
+       "<edge source='a' target='a'><data key='w'>1.1e100</data></edge></graph></graphml>",
+       "expected a cost from 0 to 1e100", 2},
       {parse_graphml, "<graphml><graph edgedefault='directed'><node id='a'/></graph></graphml>", "there is no landmark",
        0},
   };
