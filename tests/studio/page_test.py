@@ -292,6 +292,7 @@ class Page(unittest.TestCase):
 
     def test_the_page_is_painted_and_answers_at_once(self):
         self.open()
+        self.browser.wait("performance.getEntriesByName('first-paint').length > 0")  # a busy machine paints late
         paint = self.browser.evaluate("performance.getEntriesByName('first-paint')[0].startTime")
         seconds = sorted(self.browser.evaluate(
             "(async () => { const start = performance.now(); await fetch('/api/run', {method: 'POST', headers:"
