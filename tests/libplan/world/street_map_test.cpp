@@ -63,7 +63,7 @@ TEST(StreetMap, SaysWhatIsWrongAndWhere) {
            {nodes, way, StreetView::Ground, "two landmarks are called old_mill"},
            {nodes, twice, StreetView::Picture, "two ways join"},
            {nodes, R"({"a": 0, "b": 2, "metres": 1})", StreetView::Picture, "no landmark with that id"},
-           {nodes, R"({"a": 0, "b": 1, "metres": -1})", StreetView::Picture, "negative length"},
+           {nodes, R"({"a": 0, "b": 1, "metres": -1})", StreetView::Picture, "expected a length from 0"},
            {nodes, R"({"a": 0, "b": 0, "metres": 1})", StreetView::Picture, "to itself"},
            {R"({"id": 0, "name": "'", "x": 0, "y": 0})", "", StreetView::Picture, "without a name"},
            {"", "", StreetView::Picture, "without landmarks"}})
