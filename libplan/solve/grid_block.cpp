@@ -320,8 +320,6 @@ bool GridBlock::prove(std::uint64_t sweeps, const IterationOptions& options) {
   return proved;
 }
 
-// Much finer than the tolerance asks for: guesses are proved in a few sweeps then, or not at all. From what is claimed
-// or guessed first, by over-relaxation; where that comes to nothing, as value iteration goes about it.
 // No run comes to more than the most that is known around: that bounds them all. Values of passages that are crossed
 // several times are that small, and their own bounds would take longest.
 bool GridBlock::bound_by_around(double tolerance) {
@@ -332,6 +330,8 @@ bool GridBlock::bound_by_around(double tolerance) {
   return true;
 }
 
+// Much finer than the tolerance asks for: guesses are proved in a few sweeps then, or not at all. From what is claimed
+// or guessed first, by over-relaxation; where that comes to nothing, as value iteration goes about it.
 std::optional<std::uint64_t> GridBlock::solve(const IterationOptions& options) {
   if (bound_by_around(options.tolerance)) return sweeps_;
   for (const bool boldly : {true, false}) {

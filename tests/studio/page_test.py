@@ -91,8 +91,8 @@ class Page(unittest.TestCase):
         self.open()
         self.say(DEMO)
         self.browser.wait("!document.querySelector('#origin').hidden")
-        self.assertEqual(self.browser.evaluate("[...document.querySelectorAll('.named')].map((word) => word.textContent)"),
-                         ['lamp', 'easel', 'blue'])
+        named = self.browser.evaluate("[...document.querySelectorAll('.named')].map((word) => word.textContent)")
+        self.assertEqual(named, ['lamp', 'easel', 'blue'])
         self.browser.evaluate(
             "[...document.querySelectorAll('.symbol')].find((symbol) => symbol.textContent === 'left').focus()")
         weights = self.browser.evaluate(
@@ -232,7 +232,8 @@ class Page(unittest.TestCase):
         self.open('map=grid&start=1,9,0&formula=F easel')
         starts = {'svg': ('waymark.svg', '<?xml'), 'automaton-svg': ('automaton.svg', '<svg'),
                   'hoa': ('automaton.hoa', 'HOA: v1'), 'dot': ('automaton.dot', 'digraph'),
-                  'never': ('automaton.never', 'never'), 'prism': ('product.nm', 'mdp'), 'latex': ('formula.tex', '\\'), 'json': ('waymark.json', '{')}
+                  'never': ('automaton.never', 'never'), 'prism': ('product.nm', 'mdp'),
+                  'latex': ('formula.tex', '\\'), 'json': ('waymark.json', '{')}
         with tempfile.TemporaryDirectory() as folder:
             self.browser.call('Browser.setDownloadBehavior', behavior='allow', downloadPath=folder)
             for kind, (name, start) in starts.items():

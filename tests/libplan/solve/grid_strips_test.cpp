@@ -95,7 +95,7 @@ TEST(GridStrips, EveryCellHasASlotOfItsOwnAndFindsItsNeighboursByTheSameSteps) {
     own.exchange().for_each([&](std::uint32_t from, std::uint32_t to) {
       EXPECT_LT(to, strips.slots());
       EXPECT_TRUE(copies.insert(to).second);
-      cell_at[to] = from;  // for now
+      cell_at[to] = from;  // a slot; below, the cell that stands there
     });
     strips.for_each([&](std::uint32_t cell, std::uint32_t slot) {
       ASSERT_LT(slot, strips.slots());
