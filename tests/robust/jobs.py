@@ -53,14 +53,17 @@ class Jobs:
 
     def array(self):
         (self.folder / "corpus.ltl").write_text(self.programs.prepare(
-            ["random", "--count", "20000", "--size", "5..12", "--seed", str(self.seed)], self.folder).out)
-        whole = self.programs.prepare(["translate", "-F", "corpus.ltl", "--one-line", "--to", "dfa"], self.folder).out
+            ["random", "--count", "60000", "--size", "5..12", "--seed", str(self.seed)], self.folder).out)
+        translate = ["translate", "-F", "corpus.ltl", "--one-line", "--to", "dfa"]
+        begun = time.monotonic()
+        whole = self.programs.prepare([*translate, "--threads", "1"], self.folder).out
         count = self.script("translate.sbatch")
+        share = (time.monotonic() - begun) / count  # seconds that a task takes on this machine
         kills = 0
         for number in range(1, count + 1):
             process = self.task("translate.sbatch", number, count)
             if number % 2:
-                time.sleep(self.trials.random(number).uniform(0.03, 0.15))
+                time.sleep(self.trials.random(number).uniform(0.1, 0.9) * share)
                 os.killpg(process.pid, signal.SIGKILL)
                 process.communicate()
                 kills += process.returncode == -signal.SIGKILL
@@ -71,8 +74,7 @@ class Jobs:
         answers = "".join((self.folder / f"answers.{number}").read_text() for number in range(1, count + 1))
         if answers != whole:
             self.trials.fault("array: not the answer of one process", "translate.sbatch")
-        gathered = self.programs.run(["translate", "-F", "corpus.ltl", "--one-line", "--to", "dfa", "--kept", "kept"],
-                                     self.folder)
+        gathered = self.programs.run([*translate, "--kept", "kept"], self.folder)
         if gathered.out != whole:
             self.trials.fault("array: what is kept is not the answer of one process", "translate --kept kept",
                               err=gathered.err)
