@@ -31,9 +31,10 @@ class ProductMdp : public Product<M, TaskTable> {
     operator ProductState() const { return {place, task}; }  // NOLINT(google-explicit-constructor): its pair
   };
 
-  // The reachable part; model and task must outlive it. nullopt: more states than the limit, or stopped.
+  // The reachable part; model and task must outlive it. nullopt: more states than the limit, or stopped. Large ones are
+  // searched by so many threads.
   static std::optional<ProductMdp> explore(const M& model, const TaskTable& task,
-                                           const ltl::Limits& limits = {.states = SIZE_MAX});
+                                           const ltl::Limits& limits = {.states = SIZE_MAX}, std::size_t threads = 1);
 
   std::uint32_t states() const { return states_; }  // reachable pairs
   std::uint64_t edges() const { return edges_; }    // outcomes of all choices, those into the trap left out

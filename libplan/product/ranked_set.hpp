@@ -1,6 +1,7 @@
 // A set of numbers that knows how many members come before each: two bits a number there could be, and an eighth of a
 // bit a member.
 #pragma once
+#include <atomic>
 #include <bit>
 #include <cstddef>
 #include <cstdint>
@@ -17,6 +18,12 @@ class RankedSet {
     if ((words_[i / 64].bits & bit) != 0) return false;
     words_[i / 64].bits |= bit;
     return true;
+  }
+  bool insert_together(std::uint64_t i) {  // the same, by several threads at once; of those that insert i, one
+    const std::uint64_t bit = std::uint64_t{1} << (i % 64);
+    std::atomic_ref word(words_[i / 64].bits);
+    return (word.load(std::memory_order_relaxed) & bit) == 0 &&
+           (word.fetch_or(bit, std::memory_order_relaxed) & bit) == 0;
   }
   void rank();                                 // after the last insert
   std::uint32_t rank(std::uint64_t i) const {  // members before i

@@ -244,7 +244,7 @@ class TaskSolver {
   }
 
   void decide(const TaskTable& task, const TaskAutomaton& automaton, Clock& clock) {
-    const auto product = ProductMdp<Model>::explore(model_, task, limit());
+    const auto product = ProductMdp<Model>::explore(model_, task, limit(), options_.sweepers.free());
     answer_.seconds.product = clock.lap();
     if (!product) throw Spent{"the product met its limit"};
     answer_.product_states = product->states();
@@ -293,7 +293,7 @@ class TaskSolver {
   void explain(ltl::Formula f) {
     const auto possible = [&](ltl::Formula part) {
       const TaskTable task = table_of(made(task_automaton(part, task_.logic, task_.query, automaton_limit())));
-      const auto product = ProductMdp<Model>::explore(model_, task, limit());
+      const auto product = ProductMdp<Model>::explore(model_, task, limit(), options_.sweepers.free());
       if (!product) throw Spent{"the product met its limit"};
       const Qualitative found = product->starts().empty() ? Qualitative::None : qualitative(*product);
       return is_cost() ? found == Qualitative::Sure : found != Qualitative::None;

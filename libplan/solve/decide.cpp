@@ -5,6 +5,7 @@
 #include "libplan/solve/decide.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <deque>
 #include <span>
@@ -20,9 +21,9 @@ namespace waymark::plan {
 namespace {
 
 template <class Product>
-StateSet goals(const Product& product) {
-  StateSet out(product.states(), false);
-  product.for_each_state([&](const auto& s) { out[s.index] = product.is_goal(s); });
+StateSet goals(const Product& product, std::size_t threads) {
+  StateSet out(product.states());
+  for_each_state(product, threads, [&](const auto& s) { out.set(s.index, product.is_goal(s)); });
   return out;
 }
 
@@ -38,20 +39,20 @@ bool meets_mark(const Product& product, const typename Product::State& s, std::u
 // What is winning once it is reached: goals, and end components in which a marked edge can be met for ever.
 template <class Product>
 struct WinningRegion {
-  explicit WinningRegion(const Product& product) : states(goals(product)) {
+  explicit WinningRegion(const Product& product, std::size_t threads = 1) : states(goals(product, threads)) {
     if (!product.has_marks()) return;
     StateSet open(product.states());
-    product.for_each_state([&](const auto& s) { open[s.index] = !states[s.index]; });
-    components = end_components(product, open, [](const auto&, std::uint32_t) { return true; });
-    std::vector<bool> accepting(components.count, false);
-    product.for_each_state([&](const auto& s) {
+    for_each_state(product, threads, [&](const auto& s) { open.set(s.index, !states[s.index]); });
+    components = end_components(
+        product, open, [](const auto&, std::uint32_t) { return true; }, threads);
+    StateSet accepting(components.count);
+    for_each_state(product, threads, [&](const auto& s) {
       const std::uint32_t c = components.of[s.index];
-      if (c == EndComponents::none || accepting[c]) return;
-      for (std::uint32_t k = 0; k < product.choices(s); ++k)
-        if (meets_mark(product, s, k, components)) accepting[c] = true;
+      for (std::uint32_t k = 0; c != EndComponents::none && k < product.choices(s) && !accepting[c]; ++k)
+        if (meets_mark(product, s, k, components)) accepting.join(c);
     });
     for (std::uint32_t i = 0; i < product.states(); ++i)
-      if (components.of[i] != EndComponents::none && accepting[components.of[i]]) states[i] = true;
+      if (components.of[i] != EndComponents::none && accepting[components.of[i]]) states.insert(i);
   }
   StateSet states;
   EndComponents components;
@@ -88,7 +89,7 @@ StateSet attractor(const Product& product, const StateSet& from, Strategy& strat
     }
     product.for_each_predecessor(product.state(queue.front()), [&](const auto& source) {
       if (attracted[source.index] || !look_at(source)) return;
-      attracted[source.index] = true;
+      attracted.insert(source.index);
       if (order != nullptr) order->states.push_back(source.index);
       queue.push_back(product.compact(source));
     });
@@ -98,15 +99,18 @@ StateSet attractor(const Product& product, const StateSet& from, Strategy& strat
 
 // Inside the end components that are winning: to a marked edge and through it, again and again.
 template <class Product>
-void play_for_ever(const Product& product, const WinningRegion<Product>& winning, Strategy& strategy) {
-  StateSet at_mark(product.states(), false);
-  product.for_each_state([&](const auto& s) {
+void play_for_ever(const Product& product, const WinningRegion<Product>& winning, Strategy& strategy,
+                   std::size_t threads) {
+  if (winning.components.count == 0) return;
+  StateSet at_mark(product.states());
+  for_each_state(product, threads, [&](const auto& s) {
     if (!winning.states[s.index] || product.is_goal(s)) return;
     for (std::uint32_t k = 0; k < product.choices(s) && !at_mark[s.index]; ++k)
-      if (meets_mark(product, s, k, winning.components)) {
-        at_mark[s.index] = true;
-        strategy.choice.set(s.index, k);
-      }
+      at_mark.set(s.index, meets_mark(product, s, k, winning.components));
+  });
+  product.for_each_state([&](const auto& s) {
+    for (std::uint32_t k = 0; at_mark[s.index]; ++k)
+      if (meets_mark(product, s, k, winning.components)) return strategy.choice.set(s.index, k);
   });
   attractor(product, at_mark, strategy, [&](const auto& s, std::uint32_t k) {
     return winning.states[s.index] && stays(product, s, k, winning.components);
@@ -156,33 +160,34 @@ std::uint32_t first_of_best(const Product& product, const Value& value, bool lea
 
 // Between which unknown states one moves at will (probabilities), or at will and for nothing (costs).
 template <Measure measure, class Product>
-EndComponents merged(const Product& product, const StateSet& unknown) {
+EndComponents merged(const Product& product, const StateSet& unknown, std::size_t threads) {
   const auto moves = [&](const auto& s, std::uint32_t k) {
     return measure == Measure::MaxProbability || product.cost(s, k) == 0;
   };
-  bool any = false;
-  product.for_each_state([&](const auto& s) {
-    for (std::uint32_t k = 0; k < product.choices(s) && !any && unknown[s.index]; ++k) any = moves(s, k);
+  std::atomic<bool> any{false};
+  for_each_state(product, threads, [&](const auto& s) {
+    const std::uint32_t choices = unknown[s.index] && !any.load(std::memory_order_relaxed) ? product.choices(s) : 0;
+    for (std::uint32_t k = 0; k < choices; ++k)
+      if (moves(s, k)) any.store(true, std::memory_order_relaxed);
   });
-  return any ? end_components(product, unknown, moves) : EndComponents{};
+  return any ? end_components(product, unknown, moves, threads) : EndComponents{};
 }
 
 // But for what is to be merged.
 template <Measure measure, class Product>
-Unknowns unknowns_in(const Product& product, const StateSet& targets) {
-  Reaching from = reaching(product, targets);
+Unknowns unknowns_in(const Product& product, const StateSet& targets, std::size_t threads) {
+  Reaching from = reaching(product, targets, threads);
   Unknowns out;
   out.targets = measure == Measure::MaxProbability ? from.sure : targets;
   out.unknown = std::move(measure == Measure::MaxProbability ? from.some : from.sure);
-  for (std::uint32_t i = 0; i < product.states(); ++i)
-    if (out.targets[i]) out.unknown[i] = false;
+  out.unknown -= out.targets;
   return out;
 }
 
 template <Measure measure, class Product>
-Unknowns unknowns_of(const Product& product, const StateSet& targets) {
-  Unknowns out = unknowns_in<measure>(product, targets);
-  out.merged = merged<measure>(product, out.unknown);
+Unknowns unknowns_of(const Product& product, const StateSet& targets, std::size_t threads) {
+  Unknowns out = unknowns_in<measure>(product, targets, threads);
+  out.merged = merged<measure>(product, out.unknown, threads);
   if (out.merged.count == 0) out.merged.of = std::vector<std::uint32_t>();
   return out;
 }
@@ -194,7 +199,8 @@ std::optional<Bounds> evaluate(const Product& product, const Strategy& strategy,
                                const IterationOptions& options, std::span<const double> claimed = {}) {
   using Chain = StrategyChain<Product>;
   const Chain chain(product, strategy);
-  const Unknowns unknowns = unknowns_in<measure>(chain, WinningRegion<Chain>(chain).states);
+  const std::size_t threads = options.sweepers.free();
+  const Unknowns unknowns = unknowns_in<measure>(chain, WinningRegion<Chain>(chain, threads).states, threads);
   const std::uint32_t start = strategy.start;
   if (measure == Measure::MinCost && !unknowns.unknown[start] && !unknowns.targets[start])
     return Bounds{INFINITY, INFINITY};
@@ -280,8 +286,8 @@ bool may_go_on(const IterationOptions& limits) { return !limits.stop.stop_reques
 template <Measure measure, class Product>
 std::optional<Decided> decide(const Product& product, const WinningRegion<Product>& winning,
                               const IterationOptions& asked) {
-  const Unknowns unknowns = unknowns_of<measure>(product, winning.states);
-  const StateSet kept = entries(product, unknowns.unknown, product.starts());
+  const Unknowns unknowns = unknowns_of<measure>(product, winning.states, asked.sweepers.free());
+  const StateSet kept = entries(product, unknowns.unknown, product.starts(), asked.sweepers.free());
   IterationOptions limits = asked;
   bool attained = asked.strategy || asked.keep_values || measure != Measure::MinCost;  // by state
   const auto run = [&] {
@@ -314,7 +320,7 @@ std::optional<Decided> decide(const Product& product, const WinningRegion<Produc
     values = run();
     if (!values) return std::nullopt;
   }
-  play_for_ever(product, winning, out.strategy);
+  play_for_ever(product, winning, out.strategy, limits.sweepers.free());
   if (measure == Measure::MaxProbability)  // almost surely: to what is winning, never leaving what is sure
     attractor(product, winning.states, out.strategy,
               [&](const auto& s, std::uint32_t k) { return all_outcomes_in(product, s, k, unknowns.targets); });
@@ -351,13 +357,14 @@ Qualitative qualitative(const ProductMdp<Model>& product) {
 template <class Model>
 std::optional<Decided> greatest_probability(const ProductMdp<Model>& product, const IterationOptions& limits) {
   if (product.starts().empty()) return Decided{};
-  return decide<Measure::MaxProbability>(product, WinningRegion<ProductMdp<Model>>(product), limits);
+  return decide<Measure::MaxProbability>(product, WinningRegion<ProductMdp<Model>>(product, limits.sweepers.free()),
+                                         limits);
 }
 
 template <class Model>
 std::optional<Decided> least_cost(const ProductMdp<Model>& product, const IterationOptions& limits) {
   if (product.starts().empty()) return Decided{{INFINITY, INFINITY}, {}, {INFINITY, INFINITY}, 0, {}};
-  return decide<Measure::MinCost>(product, WinningRegion<ProductMdp<Model>>(product), limits);
+  return decide<Measure::MinCost>(product, WinningRegion<ProductMdp<Model>>(product, limits.sweepers.free()), limits);
 }
 
 template Qualitative qualitative(const ProductMdp<Mdp>&);

@@ -1,148 +1,63 @@
 // Maximal end components: where a strategy can stay for ever, and move about as it likes. [BK08, Alg. 47]
 //
 // Components of the graph whose edges are the usable choices that stay within one component of the last round, until
-// nothing changes. Before each round, states that no usable choice keeps inside are taken out, and those that then have
-// none. O(edges · rounds); 12 bytes a state.
+// all of these stay within one of this round. Before each round, states that no usable choice keeps inside are taken
+// out, and those that then have none. O(edges · rounds); 12 bytes a state.
 #pragma once
-#include <algorithm>
+#include <atomic>
+#include <cstddef>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
-#include "libplan/solve/reachability.hpp"
+#include "libplan/solve/end_components_round.hpp"
 
 namespace waymark::plan {
 
-struct EndComponents {
-  static constexpr std::uint32_t none = UINT32_MAX;  // in no end component
-  std::vector<std::uint32_t> of;                     // by state
-  std::uint32_t count = 0;                           // how many
-};
-
-// Does the choice stay in the component of its state, whatever comes of it?
-template <class Product>
-bool stays(const Product& product, const typename Product::State& s, std::uint32_t k, const EndComponents& components) {
-  bool all = components.of[s.index] != EndComponents::none;
-  product.for_each_outcome(s, k, [&](std::uint32_t t, double, bool) {
-    all = all && t != Product::trap && components.of[t] == components.of[s.index];
+// Do all usable choices that stayed stay, too, in the components that were found among them?
+template <class Product, class Usable>
+bool have_same_edges(const Product& product, const EndComponents& last, const EndComponents& found,
+                     const Usable& usable, std::size_t threads) {
+  std::atomic<bool> same{true};
+  for_each_state(product, threads, [&](const auto& s) {
+    const std::uint32_t own = found.of[s.index];
+    if (own == EndComponents::none || !same.load(std::memory_order_relaxed)) return;
+    bool all = true;
+    for_each_target(product, s, [&](std::uint32_t t) { all = all && t != Product::trap && found.of[t] == own; });
+    for (std::uint32_t k = 0; k < product.choices(s) && !all; ++k)
+      if (usable(s, k) && stays(product, s, k, last) && !stays(product, s, k, found))
+        same.store(false, std::memory_order_relaxed);
   });
-  return all;
+  return same;
 }
 
-// One round: the strongly connected components of the choices that stay [Tar72], open calls on a stack.
+// Within a set of states, by choices that are usable(state, choice). Several threads take states out; the components
+// themselves are found by one.
 template <class Product, class Usable>
-class EndComponentsRound {
- public:
-  EndComponentsRound(const Product& product, const EndComponents& last, const Usable& usable)
-      : product_(product), last_(last), usable_(usable), low_(product.states(), unseen) {
-    next_.of.assign(product.states(), EndComponents::none);
-  }
-
-  EndComponents run() {  // of all states
-    for (std::uint32_t i = 0; i < product_.states(); ++i)
-      if (last_.of[i] != EndComponents::none && low_[i] == unseen) search(i);
-    return std::move(next_);
-  }
-
- private:
-  static constexpr std::uint32_t unseen = UINT32_MAX, closed = UINT32_MAX - 1;
-  struct Call {
-    std::uint32_t state, number;
-    std::size_t first;  // its successors are those of pending_ from here on
-    bool moves;         // has a choice that stays
-  };
-
-  void enter(std::uint32_t i) {
-    const auto s = product_.state(i);
-    calls_.push_back({i, visited_, pending_.size(), false});
-    low_[i] = visited_++;
-    open_.push_back(i);
-    const std::uint32_t choices = product_.choices(s);
-    if (choices > 1 && all_stay(s, choices)) {  // most states are like this, and choices share targets
-      calls_.back().moves = true;
-      for_each_target(product_, s, [&](std::uint32_t t) { pending_.push_back(t); });
-      return;
-    }
-    for (std::uint32_t k = 0; k < choices; ++k) {
-      if (!usable_(s, k) || !stays(product_, s, k, last_)) continue;
-      calls_.back().moves = true;
-      product_.for_each_outcome(s, k, [&](std::uint32_t t, double, bool) { pending_.push_back(t); });
-    }
-  }
-
-  bool all_stay(const auto& s, std::uint32_t choices) const {
-    bool all = true;
-    for_each_target(product_, s,
-                    [&](std::uint32_t t) { all = all && t != Product::trap && last_.of[t] == last_.of[s.index]; });
-    for (std::uint32_t k = 0; k < choices && all; ++k) all = usable_(s, k);
-    return all;
-  }
-
-  void search(std::uint32_t root) {
-    enter(root);
-    while (!calls_.empty()) {
-      Call& call = calls_.back();
-      if (pending_.size() > call.first) {
-        const std::uint32_t t = pending_.back();
-        pending_.pop_back();
-        if (low_[t] == unseen)
-          enter(t);
-        else if (low_[t] != closed)
-          low_[call.state] = std::min(low_[call.state], low_[t]);
-        continue;
-      }
-      leave();
-    }
-  }
-
-  void leave() {
-    const Call call = calls_.back();
-    calls_.pop_back();
-    const std::uint32_t low = low_[call.state];
-    if (low < call.number) {
-      low_[calls_.back().state] = std::min(low_[calls_.back().state], low);
-      return;
-    }
-    const bool kept = call.moves;  // else one state without a choice that stays
-    for (std::uint32_t i = EndComponents::none; i != call.state;) {
-      i = open_.back();
-      open_.pop_back();
-      low_[i] = closed;
-      if (kept) next_.of[i] = next_.count;
-    }
-    if (kept) ++next_.count;
-  }
-
-  const Product& product_;
-  const EndComponents& last_;
-  const Usable& usable_;
-  EndComponents next_;
-  std::vector<std::uint32_t> low_, open_, pending_;
-  std::vector<Call> calls_;
-  std::uint32_t visited_ = 0;
-};
-
-// Within a set of states, by choices that are usable(state, choice).
-template <class Product, class Usable>
-EndComponents end_components(const Product& product, const StateSet& within, const Usable& usable) {
+EndComponents end_components(const Product& product, const StateSet& within, const Usable& usable,
+                             std::size_t threads = 1) {
   EndComponents found{std::vector<std::uint32_t>(product.states(), EndComponents::none)};
+  StateSet inside = within;
   for (std::uint32_t i = 0; i < product.states(); ++i)
     if (within[i]) found.of[i] = 0;
-  for (std::size_t components = SIZE_MAX, members = SIZE_MAX;;) {
-    prune(
-        product,
-        [&](const auto& s) {
-          bool kept = found.of[s.index] == EndComponents::none;
-          for (std::uint32_t k = 0; k < product.choices(s) && !kept; ++k)
-            kept = usable(s, k) && stays(product, s, k, found);
-          return kept;
-        },
-        [&](const auto& s) { found.of[s.index] = EndComponents::none; });
-    found = EndComponentsRound(product, found, usable).run();
-    const auto still =
-        found.of.size() - static_cast<std::size_t>(std::count(found.of.begin(), found.of.end(), EndComponents::none));
-    if (found.count == components && still == members) return found;
-    components = found.count;
-    members = still;
+  for (;;) {
+    const auto keeps = [&](const auto& s) {
+      bool kept = false;
+      for (std::uint32_t k = 0; k < product.choices(s) && !kept; ++k) {
+        kept = usable(s, k);
+        product.for_each_outcome(s, k, [&](std::uint32_t t, double, bool) {
+          kept = kept && t != Product::trap && inside[t] && found.of[t] == found.of[s.index];
+        });
+      }
+      return kept;
+    };
+    prune(product, inside, keeps, threads);
+    for (std::uint32_t i = 0; i < product.states(); ++i)
+      if (!inside[i]) found.of[i] = EndComponents::none;
+    const EndComponents last = std::move(found);
+    found = EndComponentsRound(product, last, usable).run();
+    if (have_same_edges(product, last, found, usable, threads)) return found;
+    for (std::uint32_t i = 0; i < product.states(); ++i) inside.set(i, found.of[i] != EndComponents::none);
   }
 }
 

@@ -71,14 +71,14 @@ struct Written {
 template <class Product>
 StateSet may_miss(const Product& product) {
   StateSet open(product.states());
-  product.for_each_state([&](const auto& s) { open[s.index] = !product.is_goal(s); });
+  product.for_each_state([&](const auto& s) { open.set(s.index, !product.is_goal(s)); });
   StateSet missed = open;
   keep_safe(product, StateSet(product.states(), false), missed);
   product.for_each_state([&](const auto& s) {
-    if (open[s.index] && product.choices(s) == 0) missed[s.index] = true;  // the run ends
+    if (open[s.index] && product.choices(s) == 0) missed.insert(s.index);  // the run ends
     for (std::uint32_t k = 0; open[s.index] && k < product.choices(s); ++k)
       product.for_each_outcome(s, k, [&](std::uint32_t t, double, bool) {
-        if (t == Product::trap) missed[s.index] = true;
+        if (t == Product::trap) missed.insert(s.index);
       });
   });
   return backward(product, missed, [&](const auto& s, std::uint32_t k, const StateSet& reached) {

@@ -1,5 +1,7 @@
 // Bounds of values, by state: of all states, or of those alone that somebody will ask for again.
 #pragma once
+#include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <memory_resource>
 #include <optional>
@@ -58,17 +60,19 @@ struct Keep {
 // The unknown states that outcomes lead into from a block above theirs, and the starts: whose values are asked for
 // after their block has been solved.
 template <class Product>
-StateSet entries(const Product& product, const StateSet& unknown, const std::vector<std::uint32_t>& starts) {
-  StateSet out(product.states(), false);
-  for (std::uint32_t i : starts) out[i] = true;
+StateSet entries(const Product& product, const StateSet& unknown, const std::vector<std::uint32_t>& starts,
+                 std::size_t threads = 1) {
+  StateSet out(product.states());
+  for (std::uint32_t i : starts) out.insert(i);
   const std::vector<std::uint32_t>& blocks = product.blocks();
-  for (std::size_t b = 0; b + 1 < blocks.size(); ++b)
-    product.for_each_state(blocks[b], blocks[b + 1], [&](const auto& s) {
-      if (!unknown[s.index]) return;
-      for_each_target(product, s, [&](std::uint32_t t) {
-        if (t < blocks[b]) out[t] = true;
-      });
+  for_each_state(product, threads, [&](const auto& s) {
+    if (!unknown[s.index]) return;
+    for_each_target(product, s, [&](std::uint32_t t) {
+      if (t >= s.index || out[t]) return;
+      const std::uint32_t block = *(std::upper_bound(blocks.begin(), blocks.end(), s.index) - 1);
+      if (t < block) out.join(t);
     });
+  });
   return out;
 }
 

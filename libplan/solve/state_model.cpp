@@ -25,8 +25,8 @@ struct Plain {  // the model as end_components asks for it
     for (const ModelOutcome& o : mdp.outcomes(s.index, k)) visit(o.target, o.probability, false);
   }
   template <class Visit>
-  void for_each_state(Visit&& visit) const {
-    for (std::uint32_t i = 0; i < states(); ++i) visit(State{i});
+  void for_each_state(std::uint32_t first, std::uint32_t last, Visit&& visit) const {
+    for (std::uint32_t i = first; i < last; ++i) visit(State{i});
   }
   template <class Visit>
   void for_each_predecessor(State s, Visit&& visit) const {

@@ -20,15 +20,15 @@ class StrategyChain {
   static constexpr std::uint32_t trap = Product::trap;  // no state
 
   StrategyChain(const Product& product, const Strategy& strategy)
-      : product_(product), strategy_(strategy), met_(product.states(), false) {
+      : product_(product), strategy_(strategy), met_(product.states()) {
     std::vector<Compact> open{product.compact(product.state(strategy.start))};
-    met_[strategy.start] = true;
+    met_.insert(strategy.start);
     while (!open.empty()) {
       const State s = product.state(open.back());
       open.pop_back();
       for_each_outcome(s, 0, [&](std::uint32_t t, double, bool) {
         if (t == trap || met_[t]) return;
-        met_[t] = true;
+        met_.insert(t);
         open.push_back(product.compact(product.state(t)));
       });
     }

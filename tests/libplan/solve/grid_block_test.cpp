@@ -24,10 +24,10 @@ constexpr double rounding = 1 + 1e-12;  // what bounds are sound up to
 // Of how many blocks of the question "least cost to a goal" the kind is one that is swept in place.
 std::size_t swept_in_place(const GridBlock::Product& product) {
   Unknowns unknowns{{}, StateSet(product.states(), false), {}};
-  product.for_each_state([&](const auto& s) { unknowns.targets[s.index] = product.is_goal(s); });
+  product.for_each_state([&](const auto& s) { unknowns.targets.set(s.index, product.is_goal(s)); });
   unknowns.unknown = almost_surely(product, unknowns.targets);
   for (std::uint32_t i = 0; i < product.states(); ++i)
-    if (unknowns.targets[i]) unknowns.unknown[i] = false;
+    if (unknowns.targets[i]) unknowns.unknown.erase(i);
   std::size_t count = 0;
   const auto& blocks = product.blocks();
   for (std::size_t b = 0; b + 1 < blocks.size(); ++b) {
@@ -135,7 +135,7 @@ struct FairWalk {
         product(GridBlock::Product::explore(grid, task).value()),
         unknowns{StateSet(product.states(), false), StateSet(product.states(), false), {}} {
     product.for_each_state([&](const auto& s) {
-      (product.is_goal(s) ? unknowns.targets : unknowns.unknown)[s.index] = true;
+      (product.is_goal(s) ? unknowns.targets : unknowns.unknown).insert(s.index);
       truth.push_back(product.is_goal(s) ? 1 : product.compact(s).place / static_cast<double>(length));
     });
     for (std::size_t b = 0; b + 1 < product.blocks().size(); ++b) {

@@ -27,10 +27,10 @@ constexpr std::uint64_t sweeps = 500;  // strategies drawn at random may take al
 template <Measure measure, class AnyChain>
 Unknowns unknowns_of(const AnyChain& chain) {
   Unknowns out{{}, StateSet(chain.states(), false), {}};
-  chain.for_each_state([&](const auto& s) { out.targets[s.index] = chain.is_goal(s); });
+  chain.for_each_state([&](const auto& s) { out.targets.set(s.index, chain.is_goal(s)); });
   out.unknown = measure == Measure::MinCost ? almost_surely(chain, out.targets) : can_reach(chain, out.targets);
   for (std::uint32_t i = 0; i < chain.states(); ++i)
-    if (out.targets[i]) out.unknown[i] = false;
+    if (out.targets[i]) out.unknown.erase(i);
   return out;
 }
 
@@ -67,9 +67,9 @@ TEST(StrategyChain, MeetsTheStatesOfTheChainWrittenOut) {
     const Chain chain(product, strategy);
     const MarkovChain written(product, strategy);
     StateSet met(product.states(), false);
-    for (std::uint32_t i = 0; i < written.states(); ++i) met[written.origin(i)] = true;
+    for (std::uint32_t i = 0; i < written.states(); ++i) met.insert(written.origin(i));
     StateSet visited(product.states(), false);
-    chain.for_each_state([&](const auto& s) { visited[s.index] = true; });
+    chain.for_each_state([&](const auto& s) { visited.insert(s.index); });
     EXPECT_EQ(visited, met) << what;
   });
 }
