@@ -35,6 +35,7 @@ class Budget {
   }
   // As much as is left, but no more than so many steps; spending it does not count here.
   Budget at_most(std::size_t steps) const { return {steps < steps_left_ ? steps : steps_left_, states_left_, stop_}; }
+  Budget of_stop() const { return {SIZE_MAX, SIZE_MAX, stop_}; }  // stopped when this one is, else without limits
   std::size_t steps_left() const { return steps_left_; }
   std::size_t states() const { return states_; }  // made so far
 

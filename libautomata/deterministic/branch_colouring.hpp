@@ -24,11 +24,12 @@ class BranchColouring {
       : branches_(branches), sets_(sets), budget_(budget) {}
 
   // Colours with which a word is accepted by its branches as it is by its edges, as few as can be; nullopt: there are
-  // none. Sources ascend. O(sets · colours · edges).
-  std::optional<Colours> colours(std::vector<ProductEdge> edges) const;
+  // none, and the edges that are left have none by themselves. Edges with a colour are taken out. Sources ascend.
+  // O(sets · colours · edges).
+  std::optional<Colours> colours(std::vector<ProductEdge>& edges) const;
 
  private:
-  std::vector<bool> on_cycles(const std::vector<ProductEdge>& edges, std::uint32_t parity) const;
+  std::vector<std::uint32_t> on_cycles(const std::vector<ProductEdge>& edges, std::uint32_t parity) const;
 
   std::uint32_t branches_, sets_;
   Budget& budget_;

@@ -19,6 +19,8 @@ using Node = Mtbdd::Node;
 using Colours = BranchColouring::Colours;
 constexpr std::uint32_t unset = UINT32_MAX;
 constexpr std::size_t least_part = 8, part_growth = 4;  // pairs of a product
+constexpr std::size_t chosen_after = 32;                // merges that all letters refuted: few letters are chosen
+constexpr std::size_t chosen_again = 8;                 // after so many times as many
 
 struct Step {  // of the automaton of before
   std::uint32_t target, colour;
@@ -32,6 +34,7 @@ struct Class {
   Node letters;                                     // terminals: tuples
   std::map<std::uint32_t, std::uint32_t> of_tuple;  // its number
   std::vector<Step> steps;                          // by tuple, then by state
+  std::vector<std::uint32_t> few;                   // tuples that refuted a merge by themselves
 
   const Step* of(std::uint32_t tuple) const { return &steps[tuple * states.size()]; }
 };
@@ -64,6 +67,7 @@ class Merging {
       first_branch_.push_back(branches_);
       branches_ += classes_[c].tuples;
     }
+    core_.assign(branches_, false);
     colouring_.emplace(branches_, from_.acceptance.sets, budget_);
   }
 
@@ -99,7 +103,16 @@ class Merging {
 
  private:
   using Pair = std::pair<std::uint32_t, std::uint32_t>;  // state of the structure, state of before
-  struct Product {                                       // or a part of it
+  enum class Letters : std::uint8_t { All, Few, FewOfCore };
+  struct Refutations {
+    std::size_t asked = 0, refuted = 0, steps = 0;
+    void add(std::size_t more, bool yes) {
+      ++asked;
+      refuted += yes ? 1 : 0;
+      steps += more;
+    }
+  };
+  struct Product {  // or a part of it
     std::vector<Pair> pairs;
     std::vector<ProductEdge> edges;  // sources ascending
     std::size_t explored = 0;        // pairs whose edges it has
@@ -130,7 +143,7 @@ class Merging {
     if (met_with_[q] != unset && !near({r, met_with_[q]}, image)) return false;
     Product whole = begin({image[from_.initial], from_.initial});
     explore(whole, image, SIZE_MAX);
-    std::optional<Colours> found = colouring_->colours(whole.edges);
+    std::optional<Colours> found = colouring_->colours(whole.edges);  // … which the product loses
     if (!found) return false;
     image_ = std::move(image);
     colours_ = *std::move(found);
@@ -141,17 +154,82 @@ class Merging {
   // Are there colours near this pair? Where none exist this mostly shows there: parts of the product that grow are
   // looked at, the first of the size that told the last time, or of one less.
   bool near(const Pair& pair, const std::vector<std::uint32_t>& image) {
+    if (has_few_ && refuted_by_few(pair, image)) return false;
+    const std::size_t steps = budget_.steps_left();
+    if (parts_have_colours(pair, image)) return true;
+    by_all_.add(steps - budget_.steps_left(), true);
+    if (by_all_.refuted == next_choice_) choose_few(pair, image);
+    return false;
+  }
+  bool parts_have_colours(const Pair& pair, const std::vector<std::uint32_t>& image) {
     Product part = begin(pair);
     const std::size_t first = first_part_;
     for (std::size_t most = first; part.explored < part.pairs.size(); most *= part_growth) {
       explore(part, image, most);
       std::vector<ProductEdge> inside = part.edges;
       std::erase_if(inside, [&](const ProductEdge& e) { return e.target >= part.explored; });
-      if (colouring_->colours(std::move(inside))) continue;
+      if (colouring_->colours(inside)) continue;
       first_part_ = most == first ? std::max(least_part, most / part_growth) : most;
       return false;
     }
     return true;
+  }
+
+  // Are there no colours near this pair even for the words of few letters? They are asked as long as that saves steps.
+  // Where they do not know, their steps do not count.
+  bool refuted_by_few(const Pair& pair, const std::vector<std::uint32_t>& image) {
+    Budget spare = budget_.of_stop();
+    const bool refuted = few_have_no_colours(pair, image, spare);
+    const std::size_t steps = SIZE_MAX - spare.steps_left();
+    by_few_.add(steps, refuted);
+    has_few_ = by_few_.asked < chosen_after || by_few_.steps * by_all_.refuted <= by_all_.steps * by_few_.refuted;
+    if (refuted) budget_.step(steps);
+    return refuted;
+  }
+  // The branches that had no colour the last time are looked at first, alone.
+  bool few_have_no_colours(const Pair& pair, const std::vector<std::uint32_t>& image, Budget& budget) {
+    budget.poll();
+    const BranchColouring colouring(branches_, from_.acceptance.sets, budget);
+    for (const Letters letters : {Letters::FewOfCore, Letters::Few}) {
+      Product part = begin(pair);
+      explore(part, image, SIZE_MAX, letters, budget);
+      if (colouring.colours(part.edges)) continue;
+      core_.assign(branches_, false);
+      for (const ProductEdge& e : part.edges) core_[e.branch] = true;
+      return true;
+    }
+    return false;
+  }
+
+  // Takes letters away, from half of those of a language to one, as long as the others refute this merge.
+  void choose_few(const Pair& pair, const std::vector<std::uint32_t>& image) {
+    std::size_t products = by_all_.refuted / 4;  // at most
+    for (Class& one : classes_) {
+      one.few.resize(one.tuples);
+      std::iota(one.few.begin(), one.few.end(), 0U);
+    }
+    Budget spare = budget_.of_stop();
+    Product whole = begin(pair);
+    explore(whole, image, SIZE_MAX, Letters::All, spare);
+    std::vector<bool> met(classes_.size());
+    for (const Pair& p : whole.pairs) met[class_of_[p.first]] = true;
+    for (std::size_t c = 0; c < classes_.size(); ++c)
+      if (met[c]) choose_few(classes_[c], pair, image, products);
+    has_few_ = true;
+    by_few_ = {};
+    next_choice_ *= chosen_again;
+  }
+  void choose_few(Class& one, const Pair& pair, const std::vector<std::uint32_t>& image, std::size_t& products) {
+    for (std::size_t count = one.few.size() / 2; count > 0; count /= 2)
+      for (std::size_t at = 0; at < one.few.size() && products > 0; --products) {
+        const std::vector<std::uint32_t> before = one.few;
+        const auto first = one.few.begin() + static_cast<std::ptrdiff_t>(at);
+        one.few.erase(first, first + static_cast<std::ptrdiff_t>(std::min(count, one.few.size() - at)));
+        Budget spare = budget_.of_stop();
+        if (few_have_no_colours(pair, image, spare)) continue;
+        one.few = before;
+        at += count;
+      }
   }
 
   // The first pair of each state is met without passing another pair of that state.
@@ -180,11 +258,18 @@ class Merging {
 
   // The edges of so many pairs, breadth first, or of all that some word leads to.
   void explore(Product& out, const std::vector<std::uint32_t>& image, std::size_t most) {
+    explore(out, image, most, Letters::All, budget_);
+  }
+  void explore(Product& out, const std::vector<std::uint32_t>& image, std::size_t most, Letters letters,
+               Budget& budget) {
     for (; out.explored < std::min(most, out.pairs.size()); ++out.explored) {
       const auto [s, d] = out.pairs[out.explored];
       const Class& one = classes_[class_of_[s]];
-      budget_.step(one.tuples);
-      for (std::uint32_t t = 0; t < one.tuples; ++t) {
+      const std::size_t count = letters == Letters::All ? one.tuples : one.few.size();
+      budget.step(count);
+      for (std::uint32_t i = 0; i < count; ++i) {
+        const std::uint32_t t = letters == Letters::All ? i : one.few[i];
+        if (letters == Letters::FewOfCore && !core_[first_branch_[s] + t]) continue;
         const Step& mine = one.of(t)[position_[s]];
         const Step& theirs = one.of(t)[position_[d]];
         const Pair target{image[mine.target], theirs.target};
@@ -227,6 +312,10 @@ class Merging {
   std::vector<std::uint32_t> numbered_;  // the pair_ids with a number
   Colours colours_;
   std::size_t first_part_ = least_part;
+  Refutations by_all_, by_few_;  // letters
+  std::size_t next_choice_ = chosen_after;
+  bool has_few_ = false;    // letters are chosen, and asked
+  std::vector<bool> core_;  // by branch: had no colour when they last refuted a merge
   bool merged_ = false;
 };
 

@@ -1,11 +1,13 @@
 // Merging of the states of a deterministic parity automaton that have one language, where colours exist for the result.
 //
 // All branches to q are redirected to a state r of the same language. Each state of the resulting structure still
-// determines the residual language. Whether the structure can be coloured is decided in its product with the original
-// automaton: colour 0 goes to the branches on no rejecting cycle; without them, colour 1 goes to the branches on no
-// accepting cycle; and so on. No colouring exists when two successive rounds find no branch. Each round colours as many
-// branches as possible, so a colouring is found where one exists, and with the fewest colours. Ours;
-// omega/recurrence.hpp has one round of this method on the structure of progression.
+// determines the residual language. Whether the structure can be coloured is decided in its product with the
+// original automaton: colour 0 goes to the branches on no rejecting cycle; without them, colour 1 goes to the
+// branches on no accepting cycle; and so on. No colouring exists when two successive rounds find no branch. Each
+// round colours as many branches as possible, so a colouring is found where one exists, and with the fewest
+// colours. A part of the product that has no colours shows that the whole has none: the pairs nearest to the merge,
+// or the words of few letters. Letters are chosen that refute one merge by themselves; mostly they refute others.
+// Ours; omega/recurrence.hpp has one round of this method on the structure of progression.
 #pragma once
 #include <cstdint>
 #include <vector>

@@ -37,13 +37,20 @@ Components components(const Graph& graph) {  // O(vertices + edges)
     enter(start);
     while (!calls.empty()) {
       const Index v = calls.back().vertex;
-      if (calls.back().edge < graph.successors(v).size()) {
-        const Index w = graph.successors(v)[calls.back().edge++];
-        if (index[w] == none) {
-          enter(w);
-        } else if (out.of[w] == none) {
-          low[v] = std::min(low[v], index[w]);
-        }
+      const auto& next = graph.successors(v);
+      Index child = none, lowest = low[v];
+      std::uint32_t edge = calls.back().edge;
+      while (edge < next.size() && child == none) {
+        const Index w = next[edge++];
+        if (index[w] == none)
+          child = w;
+        else if (out.of[w] == none)
+          lowest = std::min(lowest, index[w]);
+      }
+      low[v] = lowest;
+      if (child != none) {
+        calls.back().edge = edge;
+        enter(child);
         continue;
       }
       calls.pop_back();

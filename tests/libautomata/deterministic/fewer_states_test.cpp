@@ -1,8 +1,11 @@
 // Merging states of one language: random parity automata keep their language, by emptiness of the differences and on
-// lassos; and the sizes where the number of languages says what there must be.
+// lassos; the sizes where the number of languages says what there must be; and the merges of the definition.
 #include "libautomata/deterministic/fewer_states.hpp"
 
 #include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
 
 #include "libautomata/deterministic/colours.hpp"
 #include "libautomata/deterministic/inclusion.hpp"
@@ -12,8 +15,11 @@
 #include "libautomata/omega/emptiness.hpp"
 #include "libautomata/omega/operations.hpp"
 #include "libautomata/omega/random_automaton.hpp"
+#include "libautomata/translation/ltl_to_parity.hpp"
+#include "libltl/text/parse.hpp"
 #include "tests/libautomata/omega/referee.hpp"
 #include "tests/support/generate.hpp"
+#include "tests/support/greedy_merging.hpp"
 #include "tests/support/sanitizers.hpp"
 
 namespace waymark::automata {
@@ -109,6 +115,85 @@ TEST(FewerStates, AreFoundOnceAndForAll) {
       ASSERT_EQ(referee::accepts(after, word), referee::accepts(before, word))
           << i << '\n'
           << write_hoa(before) << "on " << ltl::show(word, ab);
+  }
+}
+
+// Complete, over a and b.
+test::LetterwiseParity letterwise(const TransitionRelation& complete, const std::vector<std::uint32_t>& language) {
+  test::LetterwiseParity out{{}, complete.initial, complete.acceptance.sets + 1, language};
+  for (const Mtbdd::Node root : complete.roots) {
+    out.steps.emplace_back();
+    for (unsigned letter = 0; letter < 4; ++letter) {
+      const auto at = complete.diagram.evaluate(root, [&](Mtbdd::Variable v) { return (letter >> v & 1U) != 0; });
+      const Branch& branch = complete.choices[Mtbdd::payload(at)].front();
+      out.steps.back().push_back({branch.target, colour_of(complete, branch.marks)});
+    }
+  }
+  return out;
+}
+
+// States that the initial one reaches.
+std::size_t reachable(const TransitionRelation& automaton) {
+  std::vector<std::uint32_t> found{automaton.initial};
+  for (std::size_t i = 0; i < found.size(); ++i)
+    for (const Branch& b : branches_of(automaton, found[i]))
+      if (std::find(found.begin(), found.end(), b.target) == found.end()) found.push_back(b.target);
+  return found.size();
+}
+
+void expect_as_defined(const TransitionRelation& from, const std::string& what) {
+  const TransitionRelation complete = completed_parity(trim(from));
+  Budget budget;
+  const std::vector<std::uint32_t> language = languages(complete, budget);
+  const TransitionRelation made = with_fewer_states(complete, language, budget).automaton;
+  ASSERT_EQ(reachable(made), test::merged_states(letterwise(complete, language))) << what;
+}
+
+// Twice the states: a bit that changes on letters with a, and that nothing reads.
+TransitionRelation doubled(const TransitionRelation& complete) {
+  TransitionRelation out;
+  out.acceptance = complete.acceptance;
+  out.initial = complete.initial;
+  const auto states = static_cast<std::uint32_t>(complete.states());
+  for (std::uint32_t q = 0; q < 2 * states; ++q) {
+    const auto on = [&](unsigned letter) {
+      const auto at = complete.diagram.evaluate(complete.roots[q % states],
+                                                [&](Mtbdd::Variable v) { return (letter >> v & 1U) != 0; });
+      const Branch& b = complete.choices[Mtbdd::payload(at)].front();
+      const std::uint32_t bit = (q / states + letter) % 2;
+      return Mtbdd::terminal(out.choices.intern({{b.target + bit * states, b.marks}}));
+    };
+    const Mtbdd::Node none = on(0), a = on(1), b = on(2), both = on(3);
+    const Mtbdd::Node low = out.diagram.make(1, none, b), high = out.diagram.make(1, a, both);
+    out.roots.push_back(out.diagram.make(0, low, high));
+  }
+  return out;
+}
+
+// Whichever pairs, letters and branches of the product are looked at first: the merges are those of the definition.
+TEST(FewerStates, AreThoseOfTheDefinition) {
+  constexpr std::uint64_t seed = 94;
+  ltl::Random random(seed);
+  for (int i = 0; i < testing::scaled(200); ++i) {
+    const TransitionRelation from = random_parity(random, {.states = static_cast<std::uint32_t>(2 + i % 7),
+                                                           .sets = static_cast<std::uint32_t>(1 + i % 4),
+                                                           .branches = 1,
+                                                           .marked = i % 3 == 0 ? 0.5 : 0.2,
+                                                           .empty = 0,
+                                                           .generic = false});
+    expect_as_defined(from, "seed " + std::to_string(seed) + ", automaton " + std::to_string(i));
+  }
+}
+
+// One language each, and more pairs that cannot be merged than it takes to choose few letters.
+TEST(FewerStates, AreThoseOfTheDefinitionWhereFewLettersRefute) {
+  for (const std::string text :
+       {"F G(a | b) | F G(!a | X b) | F G(a | X X b)", "G F(a & X b) & G F(!a & X X b) & G F(b & X !a)",
+        "G F(a & X X b) -> G F(b & X a)", "(G F a -> G F b) & (G F X(a & X b) -> G F !a)"}) {
+    ltl::Arena arena(ab);
+    const TransitionRelation from = min_even_parity(ltl_to_dpa(ltl::parse(text, arena)).automaton().transitions());
+    expect_as_defined(from, text);
+    expect_as_defined(doubled(completed_parity(from)), text + ", doubled");
   }
 }
 
