@@ -73,6 +73,7 @@ std::size_t expect_blocks(const AnyProduct& product, const Corners& corners, con
       ++seen;
     }
   EXPECT_EQ(seen + 1, blocks.size());
+  for (std::size_t b = 0; b < seen; ++b) EXPECT_EQ(ready.some(b).size(), seen - b) << "from block " << b << " on";
   return on_grid;
 }
 
