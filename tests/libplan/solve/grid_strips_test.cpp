@@ -166,6 +166,9 @@ TEST(GridCut, OfOneLineIsByRowsIntoOneStrip) {
     EXPECT_FALSE(cut.by_columns);
     EXPECT_EQ(cut.strips, 1U);
     EXPECT_EQ(cut.strip_of, (std::vector<std::uint32_t>{0, 0, 0}));
+    if (row == 0) continue;
+    order.insert(order.begin(), {0, 0});  // the row before has one state: a strip of its own
+    EXPECT_EQ(GridCut::of(open_grid(5'000, 3), order, 100).strip_of, (std::vector<std::uint32_t>{0, 1, 1}));
   }
 }
 
