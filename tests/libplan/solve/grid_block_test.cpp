@@ -44,7 +44,8 @@ TEST(GridBlock, AgreesWithLinearSolves) {
   std::size_t in_place = 0, finite = 0, unsure = 0;
   for (int round = 0; round < 120; ++round) {
     const GridWorld grid = testing::noisy_grid(random);
-    for (const char* text : {"F (a & F b)", "!x U (a & (!x U b))", "F a & F b", "X X F b", "F (x & X !x)"}) {
+    for (const char* text :
+         {"F (a & F b)", "!x U (a & (!x U b))", "F a & F b", "X X F b", "F (x & X !x)", "F (a & X F a)"}) {
       ltl::Arena arena(grid.letters().vocabulary());
       const automata::Dfa dfa = automata::ltlf_to_dfa(ltl::parse(text, arena));
       const TaskTable task(dfa, grid.letters());

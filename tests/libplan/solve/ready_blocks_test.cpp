@@ -12,7 +12,7 @@
 namespace waymark::plan {
 namespace {
 
-using Product = GridBlock::Product;
+using OfGrid = GridBlock::Product;
 
 // An open grid with a in one corner and b in the other, on which moves may slip.
 struct Corners {
@@ -22,7 +22,7 @@ struct Corners {
         grid({.width = width, .height = height, .motion = {slips, slips, slips, slips}}, names,
              {{}, {.label = {ltl::Proposition{0}}}, {.label = {ltl::Proposition{1}}}}, cells(width, height), width / 2),
         task(automata::ltlf_to_dfa(ltl::parse(formula, arena)), grid.letters()),
-        product(Product::explore(grid, task).value()),
+        product(OfGrid::explore(grid, task).value()),
         unknowns{StateSet(product.states(), false), StateSet(product.states(), false), {}} {
     product.for_each_state(
         [&](const auto& s) { (product.is_goal(s) ? unknowns.targets : unknowns.unknown)[s.index] = true; });
@@ -38,11 +38,11 @@ struct Corners {
   ltl::Arena arena;
   GridWorld grid;
   TaskTable task;
-  Product product;
+  OfGrid product;
   Unknowns unknowns;
 };
 
-bool same(const std::vector<Product::Compact>& a, const std::vector<Product::Compact>& b) {
+bool same(const std::vector<OfGrid::Compact>& a, const std::vector<OfGrid::Compact>& b) {
   return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const auto& one, const auto& other) {
     return one.place == other.place && one.task == other.task;
   });
@@ -83,7 +83,7 @@ TEST(ReadyBlocks, AreAllBlocksAndLargeOnesOnTheirGrid) {
   corners.product.for_each_state([&](const auto& s) {
     if (!corners.product.is_goal(s)) east.choice.set(s.index, s.index % 4);
   });
-  const StrategyChain<Product> chain(corners.product, east);
+  const StrategyChain<OfGrid> chain(corners.product, east);
   for (const std::size_t threads : {1U, 3U}) {
     const auto options = [&](std::size_t on_grid, bool policies) {
       return IterationOptions{.policy_iteration = policies, .on_grid = on_grid, .sweepers = {.threads = threads}};
@@ -99,10 +99,35 @@ TEST(ReadyBlocks, AreAllBlocksAndLargeOnesOnTheirGrid) {
   EXPECT_EQ(steps.product.blocks().size(), 5U);
 }
 
+TEST(GridBlock, IsOfOneTaskAndOfStatesThatAreNotMerged) {
+  const Corners corners(9, 7, "F (a & F b)");
+  const EndComponentQuotient<OfGrid> none(corners.product, corners.unknowns);
+  const auto& blocks = corners.product.blocks();
+  const auto of = [&](const Unknowns& unknowns, const GridBlock::Order& order) {
+    return GridBlock::of(corners.product, unknowns, Measure::MaxProbability, order).has_value();
+  };
+  std::vector<GridBlock::Order> orders;
+  for (std::size_t b = 0; b + 1 < blocks.size(); ++b) {
+    const auto order = none.in_order(blocks[b], blocks[b + 1]);
+    if (!order.states.empty()) orders.push_back(order);
+  }
+  ASSERT_EQ(orders.size(), 2U);
+  GridBlock::Order both = orders[0];
+  both.states.push_back(orders[1].states.back());
+  EXPECT_TRUE(of(corners.unknowns, orders[0]) && of(corners.unknowns, orders[1]));
+  EXPECT_FALSE(of(corners.unknowns, both));
+  Unknowns merging = corners.unknowns;
+  merging.merged = {std::vector<std::uint32_t>(corners.product.states(), EndComponents::none), 1};
+  EXPECT_TRUE(of(merging, orders[0])) << "nothing of this block";
+  merging.merged.of[corners.product.state(orders[0].states.back()).index] = 0;
+  EXPECT_FALSE(of(merging, orders[0]));
+  EXPECT_TRUE(of(merging, orders[1]));
+}
+
 // Part after part, each in the order, of one strip of the grid each; chunks are those of the order.
 TEST(OrderedParts, OfGridsAreTheStripsOfItsCut) {
   const Corners corners(110, 60, "F (a & F b)");
-  const EndComponentQuotient<Product> merged(corners.product, corners.unknowns);
+  const EndComponentQuotient<OfGrid> merged(corners.product, corners.unknowns);
   SweepOrder<std::uint32_t> order;
   for (std::size_t b = 0; b + 1 < corners.product.blocks().size(); ++b) {
     const auto block = merged.in_order(corners.product.blocks()[b], corners.product.blocks()[b + 1]);
