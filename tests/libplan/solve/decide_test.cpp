@@ -187,6 +187,31 @@ TEST(Decide, GoingRoundForNothingIsNoProgress) {
   }
 }
 
+// A bound of a cost stands alone where steps of the unknowns, few beside it, cost something. Those of goals do not
+// count.
+TEST(Decide, CostsNeedAStrategyWhereStepsAreMany) {
+  for (const double cost : {1e7, 1e9}) {
+    MdpBuilder builder(testing::vocabulary_ab());
+    const LetterId nothing = builder.letter({}), there = builder.letter({ltl::Proposition{0}});
+    builder.add_state();
+    builder.add_choice("round", 1);
+    builder.add_outcome(0, nothing);
+    builder.add_choice("pay", cost);
+    builder.add_outcome(1, there);
+    builder.add_state();
+    builder.add_choice("stay", 0);
+    builder.add_outcome(1, there);
+    const Mdp mdp = std::move(builder).build(0, nothing);
+    ltl::Arena arena(testing::vocabulary_ab());
+    const TaskTable task(automata::ltlf_to_dfa(ltl::parse("F a", arena)), mdp.letters());
+    const auto product = ProductMdp<Mdp>::explore(mdp, task);
+    const auto value = least_cost(*product, {.tolerance = 1e-6, .strategy = false});
+    ASSERT_TRUE(value);
+    EXPECT_EQ(value->strategy.choice.size(), cost < 1e8 ? 0U : product->states()) << cost;
+    EXPECT_NEAR(value->value.middle(), cost, cost * 1e-6);
+  }
+}
+
 // A walk of eight places against the drift: many sweeps, few policies.
 TEST(Decide, PolicyIterationSolvesWhereOthersSweep) {
   constexpr std::uint32_t places = 8;
