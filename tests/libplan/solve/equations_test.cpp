@@ -148,6 +148,21 @@ TEST(Equations, GreatestProbabilitiesOfLongWalksLieBetweenTheBounds) {
     }
 }
 
+// What is known lies within bounds that are nearly as far apart as may be, or farther.
+TEST(Equations, AreProvedWhereWhatIsKnownIsNarrowEnough) {
+  for (const std::uint32_t length : {5U, 20U, 60U}) {
+    const RuinWalk narrow{length, 0.5, 9e-7}, wide{length, 0.5, 1.2e-6};
+    const auto found = narrow.solved(true, 1e-6);
+    ASSERT_TRUE(found) << length;
+    for (std::uint32_t i = 1; i < length; ++i) {
+      EXPECT_LE(found->lower[i - 1], narrow.truth(i) * (1 - narrow.width) + 1e-12) << length << ", row " << i;
+      EXPECT_GE(found->upper[i - 1], narrow.truth(i) - 1e-12) << length << ", row " << i;
+      EXPECT_LE(found->upper[i - 1] - found->lower[i - 1], 1e-6) << length << ", row " << i;
+    }
+    EXPECT_FALSE(wide.solved(true, 1e-6)) << length;
+  }
+}
+
 // Values of a policy by sweeps over it alone, the least over all policies: by definition.
 std::vector<double> by_enumeration(const Rows& rows) {
   std::vector<double> best(rows.size(), INFINITY);
