@@ -224,8 +224,19 @@ TEST(PropertyAnswer, KnowsFiltersAndTheLongRun) {
                                                  {"filter(exists, P<=0 [ F s=1 ], s<3)", false},
                                                  {"filter(exists, P>=1 [ F s=3 ], s>4)", false},
                                                  {"filter(forall, P>=1 [ F s=3 ], s>4)", true},
-                                                 {"P>=1 [ G P>=0.25 [ X s!=0 ] ]", true}};
-  for (const auto& [property, truth] : truths) EXPECT_EQ(answered(coin, property).verdict, truth) << property;
+                                                 {"P>=1 [ G P>=0.25 [ X s!=0 ] ]", true},
+                                                 {"P<1 [ F s>0 ]", false},
+                                                 {"P<=1 [ F s>0 ]", true},
+                                                 {"P>1 [ F s>0 ]", false},
+                                                 {"P<0.5 [ F s=3 ]", true},
+                                                 {"P>0 [ F s=5 ]", false},
+                                                 {"P<=0 [ F s=5 ]", true}};
+  for (const auto& [property, truth] : truths) {
+    EXPECT_EQ(answered(coin, property).verdict, truth) << property;
+    if (property[0] == 'f') {
+      EXPECT_EQ(number(coin, property), truth ? 1 : 0) << property;
+    }
+  }
   const auto fault = [](const char* property) {
     return parse_prism_properties({coin, ""}, {property, ""}).at(0).fault;
   };
