@@ -203,6 +203,7 @@ TEST(PropertyAnswer, KnowsFiltersAndTheLongRun) {
                                                     {"filter(avg, P=? [ F<=1 s=2 ], s=0 | s=1)", 0.625},
                                                     {"filter(sum, P=? [ X s=1 ])", 1.5},
                                                     {"filter(first, P=? [ X s=1 ], s>0)", 0},
+                                                    {"filter(first, P=? [ F s=1 ], s>0)", 1},
                                                     {"filter(count, S>=0.5 [ s>0 & s<3 ])", 3},
                                                     {"filter(count, s>2 & P>=1 [ F s=3 ])", 2},
                                                     {"filter(count, P>=1 [ F s=3 ], s>4)", 0},
