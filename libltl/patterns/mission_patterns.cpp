@@ -189,8 +189,6 @@ std::vector<Pattern> mission_patterns() {
     if (counts(row)) arguments[0] = "2";
     if (arity(row) == 0) arguments = {"l1", "l2", "l3"};
     Arena arena;
-    for (const std::string& name : arguments)
-      if (!counts(row)) arena.add_proposition(name);
     out.push_back({.name = row.name,
                    .parameters = row.parameters,
                    .sentence = row.sentence,

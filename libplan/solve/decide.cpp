@@ -267,9 +267,8 @@ bool choose_and_evaluate(const Product& product, const Unknowns& unknowns, std::
 // Are bounds of a cost, this great, safe without a strategy that attains them? Where every step costs something, a run
 // has at most value/least of them, and what a sweep rounds in each, a share of 1e-15, is less than a tenth of the
 // tolerance in all.
-template <Measure measure, class Product>
+template <class Product>
 bool needs_no_strategy(const Product& product, const StateSet& unknown, double value, double tolerance) {
-  if (measure != Measure::MinCost) return false;
   double least = INFINITY;
   product.for_each_state([&](const auto& s) {
     const std::uint32_t choices = unknown[s.index] ? product.choices(s) : 0;
@@ -311,7 +310,7 @@ std::optional<Decided> decide(const Product& product, const WinningRegion<Produc
     return out;
   }
   if (!attained) {
-    if (needs_no_strategy<measure>(product, unknowns.unknown, out.value.upper, limits.tolerance)) {
+    if (needs_no_strategy(product, unknowns.unknown, out.value.upper, limits.tolerance)) {
       out.re_evaluated = out.value;
       return out;
     }

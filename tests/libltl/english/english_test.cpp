@@ -193,5 +193,25 @@ TEST(ReadEnglishText, RefusesWhatVerbaliseDoesNotWrite) {
     EXPECT_FALSE(read_english(text, arena)) << text;
 }
 
+// A place that nobody described is no place, alone or beside one that is known.
+TEST(ReadEnglishText, RefusesWhatItHasNoWordFor) {
+  const VerbaliseOptions options = descriptions()[2];
+  Arena arena(letters_vocabulary(2));
+  const std::string known = "the blue floor", unknown = "the red floor";
+  int refused = 0;
+  for (Formula f : all_formulas(arena, {.size = 4, .atoms = 2})) {
+    const std::string text = verbalise(f, options);
+    for (std::size_t at = text.find(known); at != std::string::npos; at = text.find(known, at + 1)) {
+      for (const std::string& other : {unknown, known + " or " + unknown, unknown + " or " + known}) {
+        std::string changed = text;
+        changed.replace(at, known.size(), other);
+        EXPECT_FALSE(read_english(changed, arena, options)) << changed;
+        ++refused;
+      }
+    }
+  }
+  EXPECT_GT(refused, 100);
+}
+
 }  // namespace
 }  // namespace waymark::ltl

@@ -94,6 +94,12 @@ TEST(Separate, PullsOutWhatMayBeLookedAtLate) {
       {"F G X a", "F G a"},
       {"a U (b | G a)", "a W b"},
       {"a R (b & F a)", "a M b"},
+      {"a U b | G a", "a W b"},
+      {"a R b & F a", "a M b"},
+      {"G a | a U b", "a W b"},
+      {"F a & a R b", "a M b"},
+      {"F(!a & F b) | G a", "a W (!a & F b)"},
+      {"G(!a | G b) & F a", "!a U (a & G b)"},
   };
   for (const auto& row : table) {
     Arena arena;

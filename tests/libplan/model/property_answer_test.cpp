@@ -203,6 +203,7 @@ TEST(PropertyAnswer, KnowsFiltersAndTheLongRun) {
                                                     {"filter(avg, P=? [ F<=1 s=2 ], s=0 | s=1)", 0.625},
                                                     {"filter(sum, P=? [ X s=1 ])", 1.5},
                                                     {"filter(first, P=? [ X s=1 ], s>0)", 0},
+                                                    {"filter(first, P=? [ F s=1 ], s>0)", 1},
                                                     {"filter(count, S>=0.5 [ s>0 & s<3 ])", 3},
                                                     {"filter(count, s>2 & P>=1 [ F s=3 ])", 2},
                                                     {"filter(count, P>=1 [ F s=3 ], s>4)", 0},
@@ -224,8 +225,19 @@ TEST(PropertyAnswer, KnowsFiltersAndTheLongRun) {
                                                  {"filter(exists, P<=0 [ F s=1 ], s<3)", false},
                                                  {"filter(exists, P>=1 [ F s=3 ], s>4)", false},
                                                  {"filter(forall, P>=1 [ F s=3 ], s>4)", true},
-                                                 {"P>=1 [ G P>=0.25 [ X s!=0 ] ]", true}};
-  for (const auto& [property, truth] : truths) EXPECT_EQ(answered(coin, property).verdict, truth) << property;
+                                                 {"P>=1 [ G P>=0.25 [ X s!=0 ] ]", true},
+                                                 {"P<1 [ F s>0 ]", false},
+                                                 {"P<=1 [ F s>0 ]", true},
+                                                 {"P>1 [ F s>0 ]", false},
+                                                 {"P<0.5 [ F s=3 ]", true},
+                                                 {"P>0 [ F s=5 ]", false},
+                                                 {"P<=0 [ F s=5 ]", true}};
+  for (const auto& [property, truth] : truths) {
+    EXPECT_EQ(answered(coin, property).verdict, truth) << property;
+    if (property[0] == 'f') {
+      EXPECT_EQ(number(coin, property), truth ? 1 : 0) << property;
+    }
+  }
   const auto fault = [](const char* property) {
     return parse_prism_properties({coin, ""}, {property, ""}).at(0).fault;
   };

@@ -190,6 +190,14 @@ TEST(CaseTask, MethodSearchIsForCostsOfDeterministicModels) {
   EXPECT_EQ(answer(quiet_case(), cheapest, by_search).value.upper, 5);
   EXPECT_THROW(answer(quiet_case(), likeliest, by_search), std::invalid_argument);
   EXPECT_THROW(answer(parse_case(small_case), cheapest, by_search), std::invalid_argument);
+  const CaseTask lasso{.id = "", .formula = "G F a", .query = CaseTask::Query::LeastLasso};
+  EXPECT_EQ(answer(quiet_case(), lasso, by_search).status, answer(quiet_case(), lasso, CaseOptions{}).status);
+  CaseTask round{.id = "", .formula = "patrol:a,b", .logic = CaseTask::Logic::Derived};
+  round.query = CaseTask::Query::MinCycle;
+  for (const CaseOptions& options : {by_search, CaseOptions{}})
+    EXPECT_EQ(answer(quiet_case(), round, options).value.upper, 2);
+  for (const CaseTask& task : {lasso, round})
+    EXPECT_THROW(answer(quiet_case(), task, {.method = CaseMethod::PolicyIteration}), std::invalid_argument);
   EXPECT_EQ(answer(quiet_case(), cheapest, {.top = 3}).routes.size(), 3U);
   EXPECT_THROW(answer(quiet_case(), likeliest, {.top = 2}), std::invalid_argument);
   EXPECT_THROW(answer(parse_case(small_case), cheapest, {.top = 2}), std::invalid_argument);

@@ -121,7 +121,7 @@ TEST(Decide, ProbabilitiesOfFiniteTasksAgreeWithPlainSweeps) {
 TEST(Decide, LeastCostsAgreeWithPlainSweeps) {
   ltl::Random random(7);
   int proper = 0;
-  for (int i = 0; i < (waymark::testing::sanitized ? 30 : 150); ++i) {
+  for (int i = 0; i < (waymark::testing::sanitized ? 30 : 500); ++i) {
     const bool unit = random.below(2) == 0;
     const FiniteTask t(random, {.states = 2 + static_cast<std::uint32_t>(random.below(3)), .unit_costs = unit});
     if (!unit) {  // costs of zero let plain sweeps from below stop too low where one can go round for nothing
@@ -184,6 +184,31 @@ TEST(Decide, GoingRoundForNothingIsNoProgress) {
     ASSERT_TRUE(value);
     EXPECT_NEAR(value->value.lower, 5, 1e-5);
     EXPECT_EQ(value->strategy.choice.size(), product->states()) << "where moves are free, bounds need a strategy";
+  }
+}
+
+// A bound of a cost stands alone where steps of the unknowns, few beside it, cost something. Those of goals do not
+// count.
+TEST(Decide, CostsNeedAStrategyWhereStepsAreMany) {
+  for (const double cost : {1e7, 1e9}) {
+    MdpBuilder builder(testing::vocabulary_ab());
+    const LetterId nothing = builder.letter({}), there = builder.letter({ltl::Proposition{0}});
+    builder.add_state();
+    builder.add_choice("round", 1);
+    builder.add_outcome(0, nothing);
+    builder.add_choice("pay", cost);
+    builder.add_outcome(1, there);
+    builder.add_state();
+    builder.add_choice("stay", 0);
+    builder.add_outcome(1, there);
+    const Mdp mdp = std::move(builder).build(0, nothing);
+    ltl::Arena arena(testing::vocabulary_ab());
+    const TaskTable task(automata::ltlf_to_dfa(ltl::parse("F a", arena)), mdp.letters());
+    const auto product = ProductMdp<Mdp>::explore(mdp, task);
+    const auto value = least_cost(*product, {.tolerance = 1e-6, .strategy = false});
+    ASSERT_TRUE(value);
+    EXPECT_EQ(value->strategy.choice.size(), cost < 1e8 ? 0U : product->states()) << cost;
+    EXPECT_NEAR(value->value.middle(), cost, cost * 1e-6);
   }
 }
 
@@ -285,6 +310,50 @@ TEST(Decide, WhatIsMetForEverIsMetWithoutRisk) {
   EXPECT_EQ(decided->re_evaluated.lower, 1);
 }
 
+// Every choice twice, its outcomes in the opposite order: worth the same, and not quite the same in doubles.
+Mdp twofold(ltl::Random& random, std::uint32_t states) {
+  MdpBuilder builder(testing::vocabulary_ab());
+  const LetterId nothing = builder.letter({}), there = builder.letter({ltl::Proposition{0}});
+  for (std::uint32_t s = 0; s < states; ++s) {  // the last is the goal, the first is left for nowhere now and then
+    builder.add_state();
+    std::vector<std::uint32_t> targets;
+    for (int i = 0; i < 4; ++i) targets.push_back(static_cast<std::uint32_t>(random.below(states)));
+    for (const bool reversed : {false, true}) {
+      if (reversed) std::reverse(targets.begin(), targets.end());
+      builder.add_choice(reversed ? "back" : "on", 1.0 + s);
+      for (std::size_t i = 0; i < 4; ++i)
+        builder.add_outcome(targets[i], targets[i] + 1 == states ? there : nothing,
+                            static_cast<double>(reversed ? 4 - i : i + 1) / 10);
+    }
+  }
+  return std::move(builder).build(0, nothing);
+}
+
+// Bounds finer than doubles are: what is said of them, and of the strategy, is what they are.
+TEST(Decide, SaysHowWideBoundsAreAndWhetherTheyAreAttained) {
+  ltl::Random random(8);
+  int attained = 0, missed = 0;
+  for (int i = 0; i < scaled(200); ++i) {
+    const Mdp mdp = twofold(random, 4 + static_cast<std::uint32_t>(random.below(4)));
+    ltl::Arena arena(testing::vocabulary_ab());
+    const TaskTable task(automata::ltlf_to_dfa(ltl::parse("F a", arena)), mdp.letters());
+    const auto product = ProductMdp<Mdp>::explore(mdp, task);
+    for (IterationOptions limits : ways) {
+      limits.tolerance = 1e-17;
+      const auto cost = least_cost(*product, limits);
+      if (!cost || std::isinf(cost->value.lower)) continue;
+      EXPECT_LE(cost->value.upper, cost->value.lower * (1 + cost->tolerance + 1e-15)) << testing::show(mdp);
+      EXPECT_EQ(cost->attained,
+                cost->re_evaluated.upper <= cost->value.upper + cost->tolerance * std::max(1.0, cost->value.upper))
+          << testing::show(mdp);
+      ++(cost->attained ? attained : missed);
+      EXPECT_EQ(cost->tolerance, limits.tolerance);
+    }
+  }
+  EXPECT_GT(attained, 0);
+  EXPECT_GT(missed, 0);
+}
+
 // One move to the goal: what each way takes to see that the first sweep was right.
 TEST(Decide, CountsSweeps) {
   MdpBuilder builder(testing::vocabulary_ab());
@@ -304,6 +373,10 @@ TEST(Decide, CountsSweeps) {
     const auto cost = least_cost(*product, limits), most = greatest_probability(*product, limits);
     EXPECT_TRUE(cost && most) << formula;
     EXPECT_EQ(most->sweeps, 0U) << formula << ": by the graph alone";
+    const double width = product->starts().empty() ? 0 : limits.tolerance;  // else the answer is exact
+    EXPECT_EQ(most->tolerance, width) << formula;
+    EXPECT_EQ(cost->tolerance, width) << formula;
+    EXPECT_TRUE(cost->attained && most->attained) << formula;
     return cost->sweeps;
   };
   EXPECT_EQ(sweeps("F a", ways[0]), 1U) << "from the best luck, which is the value";

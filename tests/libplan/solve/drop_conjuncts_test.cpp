@@ -119,7 +119,7 @@ TEST(DropConjuncts, ConflictsAreListedInWords) {
 TEST(DropConjuncts, WhatIsSeenOnAnyMoveIsSeen) {
   const ltl::Vocabulary names({"a", "b", "c"});
   MdpBuilder builder(names);
-  const LetterId none = builder.letter({}), a = builder.letter({ltl::Proposition{0}}),
+  const LetterId a = builder.letter({ltl::Proposition{0}}), none = builder.letter({}),
                  b = builder.letter({ltl::Proposition{1}}), c = builder.letter({ltl::Proposition{2}});
   builder.add_state();
   builder.add_choice("on");

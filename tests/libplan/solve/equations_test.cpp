@@ -108,6 +108,61 @@ TEST(Equations, APolicyWithoutFiniteValuesIsLeftForOneThatHasThem) {
   expect_values(rows, expected, "a sure way beside it");
 }
 
+// A walk between two ends, up with chance p: the chance to end at the top is known in closed form, and a run may take
+// thousands of steps. Of the ends something is known only between bounds.
+struct RuinWalk {
+  std::uint32_t length;
+  double p, width;  // of what is known of the top
+  double truth(std::uint32_t i) const {
+    const double ratio = (1 - p) / p;
+    return p == 0.5 ? i / static_cast<double>(length) : (1 - std::pow(ratio, i)) / (1 - std::pow(ratio, length));
+  }
+  std::optional<Equations::Solution> solved(bool by_policies, double tolerance) const {
+    Equations out(Measure::MaxProbability);
+    for (std::uint32_t i = 1; i < length; ++i) {  // row i - 1
+      out.add_row();
+      out.add_choice();  // to wait is of no use
+      if (i > 1) out.add_term(i - 2, 0.5);
+      out.end_choice({});
+      out.add_choice();
+      if (i > 1) out.add_term(i - 2, 1 - p);
+      if (i + 1 < length) out.add_term(i, p);
+      out.end_choice(i + 1 < length ? Equations::Constants{} : Equations::Constants{p * (1 - width), p});
+    }
+    return out.solve({.tolerance = tolerance, .policy_iteration = by_policies});
+  }
+};
+
+TEST(Equations, GreatestProbabilitiesOfLongWalksLieBetweenTheBounds) {
+  for (const RuinWalk& walk : {RuinWalk{10, 0.5, 0}, RuinWalk{60, 0.5, 1e-8}, RuinWalk{110, 0.5, 0},
+                               RuinWalk{40, 0.45, 1e-8}, RuinWalk{100, 0.55, 1e-8}})
+    for (const bool by_policies : {false, true}) {
+      const auto found = walk.solved(by_policies, 1e-6);
+      ASSERT_TRUE(found) << walk.length << (by_policies ? ", by policies" : ", by sweeps");
+      for (std::uint32_t i = 1; i < walk.length; ++i) {
+        const double truth = walk.truth(i);
+        EXPECT_LE(found->lower[i - 1], truth * (1 - walk.width) + 1e-9) << walk.length << ", row " << i;
+        EXPECT_GE(found->upper[i - 1], truth - 1e-9) << walk.length << ", row " << i;
+        EXPECT_LE(found->upper[i - 1] - found->lower[i - 1], 1e-6) << walk.length << ", row " << i;
+      }
+    }
+}
+
+// What is known lies within bounds that are nearly as far apart as may be, or farther.
+TEST(Equations, AreProvedWhereWhatIsKnownIsNarrowEnough) {
+  for (const std::uint32_t length : {5U, 20U, 60U}) {
+    const RuinWalk narrow{length, 0.5, 9e-7}, wide{length, 0.5, 1.2e-6};
+    const auto found = narrow.solved(true, 1e-6);
+    ASSERT_TRUE(found) << length;
+    for (std::uint32_t i = 1; i < length; ++i) {
+      EXPECT_LE(found->lower[i - 1], narrow.truth(i) * (1 - narrow.width) + 1e-12) << length << ", row " << i;
+      EXPECT_GE(found->upper[i - 1], narrow.truth(i) - 1e-12) << length << ", row " << i;
+      EXPECT_LE(found->upper[i - 1] - found->lower[i - 1], 1e-6) << length << ", row " << i;
+    }
+    EXPECT_FALSE(wide.solved(true, 1e-6)) << length;
+  }
+}
+
 // Values of a policy by sweeps over it alone, the least over all policies: by definition.
 std::vector<double> by_enumeration(const Rows& rows) {
   std::vector<double> best(rows.size(), INFINITY);

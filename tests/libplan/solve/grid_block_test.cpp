@@ -12,6 +12,7 @@
 #include "libplan/model/formats/generate_grid.hpp"
 #include "libplan/solve/decide.hpp"
 #include "libplan/solve/reachability.hpp"
+#include "libplan/solve/value_iteration.hpp"
 #include "tests/libplan/solve/random_grids.hpp"
 #include "tests/support/sanitizers.hpp"
 
@@ -44,7 +45,8 @@ TEST(GridBlock, AgreesWithLinearSolves) {
   std::size_t in_place = 0, finite = 0, unsure = 0;
   for (int round = 0; round < 120; ++round) {
     const GridWorld grid = testing::noisy_grid(random);
-    for (const char* text : {"F (a & F b)", "!x U (a & (!x U b))", "F a & F b", "X X F b", "F (x & X !x)"}) {
+    for (const char* text :
+         {"F (a & F b)", "!x U (a & (!x U b))", "F a & F b", "X X F b", "F (x & X !x)", "F (a & X F a)"}) {
       ltl::Arena arena(grid.letters().vocabulary());
       const automata::Dfa dfa = automata::ltlf_to_dfa(ltl::parse(text, arena));
       const TaskTable task(dfa, grid.letters());
@@ -120,6 +122,39 @@ TEST(GridBlock, AgreesWithEquationsWhereAWindowMovesOn) {
     }
   EXPECT_GT(finite, 9U);
   EXPECT_GT(unsure, 3U);
+}
+
+// Costs of blocks that are cut into strips, of every state: those of equations written out.
+TEST(GridBlock, OfSeveralStripsAgreesWithEquations) {
+  for (const GridKind kind : {GridKind::Rooms, GridKind::Scatter}) {
+    std::ostringstream text;
+    write_case(text, generate_grid({.kind = kind, .width = 110, .height = 90, .noise = 0.1, .seed = 9}));
+    const PlanningCase read = parse_case(text.str());
+    const auto& grid = std::get<GridWorld>(read.model);
+    ltl::Arena arena(grid.letters().vocabulary());
+    const TaskTable task(automata::ltlf_to_dfa(ltl::parse("F (a & F b)", arena)), grid.letters());
+    const auto product = GridBlock::Product::explore(grid, task);
+    Unknowns unknowns{{}, StateSet(product->states(), false), {}};
+    product->for_each_state([&](const auto& s) { unknowns.targets[s.index] = product->is_goal(s); });
+    unknowns.unknown = almost_surely(*product, unknowns.targets);
+    for (std::uint32_t i = 0; i < product->states(); ++i)
+      if (unknowns.targets[i]) unknowns.unknown[i] = false;
+    const auto values = [&](std::size_t on_grid) {
+      const IterationOptions options{.tolerance = tolerance, .on_grid = on_grid};
+      return ValueIteration<GridBlock::Product, Measure::MinCost>(*product, unknowns, options).run();
+    };
+    const auto in_place = values(0), written = values(SIZE_MAX);
+    ASSERT_TRUE(in_place && written) << name(kind);
+    std::size_t states = 0;
+    for (std::uint32_t i = 0; i < product->states(); ++i) {
+      if (!unknowns.unknown[i]) continue;
+      ++states;
+      ASSERT_LE(in_place->bounds.lower(i), written->bounds.upper(i) * rounding) << name(kind) << ", state " << i;
+      ASSERT_GE(in_place->bounds.upper(i) * rounding, written->bounds.lower(i)) << name(kind) << ", state " << i;
+      ASSERT_LE(in_place->bounds.upper(i), in_place->bounds.lower(i) * (1 + 2 * tolerance)) << name(kind);
+    }
+    EXPECT_GT(states, 8'000U) << "else there is one strip";
+  }
 }
 
 // A row of cells between a hazard in the west and the goal in the east, and moves that go back as often as forward:

@@ -98,8 +98,9 @@ TEST(GridBound, RoutesAreThoseOfAPlainSearch) {
     const GridWorld grid = generated(kind, 3);
     const Mdp mdp = written_out(grid);
     ltl::Arena arena(grid.letters().vocabulary());
-    for (const char* text : {"F (a & F (b & F c))", "F c & F b & F a", "(!a U b) & F (a & X F c)",
-                             "F (a & X (!a U c)) & G !zebra", "a & F b"}) {
+    for (const char* text :
+         {"F (a & F (b & F c))", "F c & F b & F a", "(!a U b) & F (a & X F c)", "F (a & X (!a U c)) & G !zebra",
+          "a & F b", "F (c & F (!c & !a & F b))", "F (a & X (!a & X (!a & X !b)))"}) {
       const ltl::Formula f = ltl::parse(text, arena, {.unknown = ltl::Unknown::Add});
       const automata::Dfa dfa = automata::ltlf_to_dfa(f);
       const auto on_grid = search(Product(grid, TaskTable(dfa, grid.letters())));

@@ -265,6 +265,39 @@ TEST(OrderedParts, OutcomesIntoOtherPartsLeadToCopies) {
   EXPECT_EQ(written.target[7'999], 3'999U);
 }
 
+// Of three parts two may have copies of one state of the third.
+TEST(OrderedParts, EachPartHasCopiesOfItsOwn) {
+  constexpr std::uint32_t states = 96'000;
+  std::mt19937 random(94);
+  Moves moves;
+  for (std::uint32_t i = 0; i < states; ++i) {
+    const auto some = static_cast<std::uint32_t>(random() % 40 * (states / 40));
+    moves.of.push_back({{true, {{(i + 1) % states, 0.5}, {some, 0.5}}}});
+  }
+  SweepOrder<std::uint32_t> order{std::vector<std::uint32_t>(states), 10};
+  std::iota(order.states.begin(), order.states.end(), 0U);
+  const OrderedParts parts = OrderedParts::of(moves, order);
+  ASSERT_EQ(parts.count(), 3U);
+  GoodChoices written;
+  ASSERT_TRUE(written.write(moves, parts.states, moves.good(), 1'000'000));
+  const std::vector<std::uint32_t> targets = written.target;
+  const std::vector<PlaceOfCopy> copies = written.copy_between(parts);
+  std::set<std::pair<std::uint32_t, std::uint32_t>> read;
+  for (std::uint32_t c = 0; c < copies.size(); ++c) {
+    EXPECT_EQ(copies[c].to, states + c);
+    EXPECT_EQ(copies[c].owner, parts.part(copies[c].from));
+    EXPECT_EQ(copies[c].chunk, parts.chunk(copies[c].owner, copies[c].from));
+    EXPECT_TRUE(read.emplace(copies[c].reader, copies[c].from).second) << "one copy is enough";
+  }
+  for (std::uint32_t i = 0; i < states; ++i)
+    for (std::uint32_t o = written.first_outcome[i]; o < written.first_outcome[i + 1]; ++o) {
+      const bool is_copy = written.target[o] >= states;
+      ASSERT_EQ(is_copy, parts.part(targets[o]) != parts.part(i)) << i;
+      ASSERT_EQ(is_copy ? copies[written.target[o] - states].from : written.target[o], targets[o]) << i;
+      ASSERT_TRUE(!is_copy || copies[written.target[o] - states].reader == parts.part(i)) << i;
+    }
+}
+
 TEST(SweepOrder, AChunkHoldsFourLayers) {
   SweepOrder<std::uint32_t> order{std::vector<std::uint32_t>(1'000), 10};
   EXPECT_EQ(order.chunk_size(), 400U);

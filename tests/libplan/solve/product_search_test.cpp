@@ -131,6 +131,30 @@ TEST(LandmarkTour, NamesWhatIsNeverSeen) {
   EXPECT_TRUE(std::holds_alternative<LandmarkTour>(shortest_tour(grid, {"b"}, false).value()));
 }
 
+// A landmark that stands on one of two moves into a place is at none of the places.
+TEST(LandmarkTour, RefusesLandmarksOfSomeMovesIntoAPlace) {
+  for (const int moves : {1, 2, 3}) {  // one, two by the landmark, or one of the two
+    MdpBuilder builder(ltl::Vocabulary({"a"}));
+    const LetterId none = builder.letter({}), a = builder.letter({ltl::Proposition{0}});
+    builder.add_state();
+    builder.add_choice("by the landmark");
+    builder.add_outcome(1, a);
+    if (moves > 1) {
+      builder.add_choice("round it");
+      builder.add_outcome(1, moves == 2 ? a : none);
+    }
+    builder.add_state();
+    builder.add_choice("back");
+    builder.add_outcome(0, none);
+    const Mdp mdp = std::move(builder).build(0, none);
+    if (moves < 3) {
+      EXPECT_EQ(std::get<LandmarkTour>(shortest_tour(mdp, {"a"}, false).value()).cost, 1);
+    } else {
+      EXPECT_THROW(shortest_tour(mdp, {"a"}, false), std::invalid_argument);
+    }
+  }
+}
+
 TEST(LandmarkTour, OfTheStartAloneCostsNothing) {
   ltl::Vocabulary names({"a"});
   const GridWorld grid({.width = 2, .height = 1}, names, {{}, {.label = {ltl::Proposition{0}}}}, {1, 0}, 0);

@@ -28,8 +28,9 @@ inline GridWorld random_grid(ltl::Random& random, bool costs_differ = false) {
   return GridWorld(shape, vocabulary, palette, cells, 0);
 }
 
-// Walls, hazards x, one-way cells, landmarks a and b; chances and costs by move, some of them nothing.
-inline GridWorld noisy_grid(ltl::Random& random) {
+// Walls, hazards x, one-way cells, landmarks a and b; chances and costs by move, some of them nothing. No move goes
+// south, if so.
+inline GridWorld noisy_grid(ltl::Random& random, bool never_south = false) {
   const ltl::Vocabulary names({"a", "b", "x"});
   std::vector<GridCell> palette(6);
   palette[1].wall = true;
@@ -40,6 +41,7 @@ inline GridWorld noisy_grid(ltl::Random& random) {
     const std::size_t kind = random.below(16);
     cells.push_back(static_cast<std::uint16_t>(kind < 6 ? kind : 0));
   }
+  if (never_south) cells.back() = 0;
   GridWorld::Shape shape{.width = 6, .height = 5};
   for (std::size_t d = 0; d < 4; ++d) {
     SlipChances& slip = shape.motion[d];
@@ -49,7 +51,12 @@ inline GridWorld noisy_grid(ltl::Random& random) {
     slip.forward = 1 - slip.left - slip.right - slip.back;
     shape.cost[d] = 1 + static_cast<double>(random.below(3));
   }
-  return GridWorld(shape, names, palette, cells, 0);
+  if (never_south)
+    shape.motion = {SlipChances{.forward = 0.8, .left = 0.1, .right = 0.1},
+                    {.forward = 0.75, .left = 0.25},
+                    {.forward = 0, .left = 0.5, .right = 0.5},
+                    {.forward = 0.5, .right = 0.25, .back = 0.25}};
+  return GridWorld(shape, names, palette, cells, never_south ? 29 : 0);
 }
 
 // All pairs by relaxation, at least one move.

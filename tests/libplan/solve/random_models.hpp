@@ -78,6 +78,7 @@ class Plainly {
       const std::vector<double> last = x;
       for (std::uint32_t s = 0; s < mdp_.states(); ++s)
         for (std::uint32_t q = 0; q < dfa_.states(); ++q) x[at(s, q)] = step(s, q, last, best);
+      if (x == last) break;
     }
     return x[start()];
   }
@@ -90,6 +91,7 @@ class Plainly {
       for (std::uint32_t s = 0; s < mdp_.states(); ++s)
         for (std::uint32_t q = 0; q < dfa_.states(); ++q)
           if (!dfa_.is_accepting(automata::StateId{q})) x[at(s, q)] = discounted_step(s, q, last, discount);
+      if (x == last) break;
     }
     const bool done = dfa_.is_accepting(automata::StateId{static_cast<std::uint32_t>(start() % dfa_.states())});
     return done ? 1 : x[start()];
@@ -103,7 +105,8 @@ class Plainly {
         sure[at(s, q)] = Plainly(mdp_, dfa_, s, q).probability(Best::Greatest) > 1 - 1e-9;
     if (!sure[start()]) return INFINITY;
     std::vector<double> x(sure.size(), 0);
-    for (int sweep = 0; sweep < 1500; ++sweep)
+    for (int sweep = 0; sweep < 1500; ++sweep) {
+      const std::vector<double> last = x;
       for (std::uint32_t s = 0; s < mdp_.states(); ++s)
         for (std::uint32_t q = 0; q < dfa_.states(); ++q) {
           if (!sure[at(s, q)] || dfa_.is_accepting(automata::StateId{q})) continue;
@@ -118,6 +121,8 @@ class Plainly {
           }
           x[at(s, q)] = best;
         }
+      if (x == last) break;
+    }
     return x[start()];
   }
 

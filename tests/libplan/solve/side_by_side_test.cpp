@@ -53,11 +53,13 @@ struct PartedNet {
 
 PartedNet random_parted_net(std::mt19937_64& random) {
   const std::size_t size = 1 + random() % 120, parts = 1 + random() % 5;
+  const bool only_last_reads = random() % 4 == 0;  // of the others
   PartedNet net{parts, std::vector<std::uint32_t>(size), std::vector<std::vector<std::uint32_t>>(size),
                 std::vector<double>(size)};
   for (std::size_t i = 0; i < size; ++i) {
     net.part_of[i] = static_cast<std::uint32_t>(random() % parts);
     net.numbers[i] = static_cast<double>(random() % 100);
+    if (only_last_reads && net.part_of[i] + 1 < parts) continue;
     for (std::size_t k = random() % 4; k > 0; --k)
       net.neighbours[i].push_back(static_cast<std::uint32_t>(random() % size));
   }
@@ -112,7 +114,7 @@ std::string side_by_side(PartedNet& net, double least, std::size_t threads) {
 
 TEST(SideBySide, PassesAreThoseOfALoop) {
   std::size_t many_passes = 0;
-  for (std::uint64_t seed = 1; seed <= 300; ++seed) {
+  for (std::uint64_t seed = 1; seed <= 160; ++seed) {
     std::mt19937_64 random(seed);
     const PartedNet net = random_parted_net(random);
     const double least = std::pow(10, -static_cast<double>(random() % 8));
@@ -125,7 +127,7 @@ TEST(SideBySide, PassesAreThoseOfALoop) {
       ASSERT_EQ(found.numbers, expected.numbers) << "seed " << seed << ", threads " << threads;
     }
   }
-  EXPECT_GT(many_passes, 100U);
+  EXPECT_GT(many_passes, 50U);
 }
 
 // Every part once a pass, whoever is late: one that sleeps has its other parts taken from it.

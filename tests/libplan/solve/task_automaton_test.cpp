@@ -126,6 +126,38 @@ TEST(Discounted, AgreesWithPlainSweeps) {
   EXPECT_GT(some, scaled(30));
 }
 
+// One choice that succeeds with chance p: the expectation of γ^(T−1) is p / (1 − γ (1 − p)).
+TEST(Discounted, BoundsHoldWhereLittleIsGainedInASweep) {
+  for (const double p : {0.5, 0.01, 0.001}) {
+    ltl::Arena arena(testing::vocabulary_ab());
+    MdpBuilder builder(testing::vocabulary_ab());
+    const LetterId none = builder.letter({}), goal = builder.letter({ltl::Proposition{0}});
+    builder.add_state();
+    builder.add_choice("try");
+    builder.add_outcome(0, none, 1 - p);
+    builder.add_outcome(1, goal, p);
+    builder.add_state();
+    builder.add_choice("stay");
+    builder.add_outcome(1, goal);
+    const Mdp mdp = std::move(builder).build(0, none);
+    const TaskTable task(automata::ltlf_to_dfa(ltl::eventually(arena.atom("a"))), mdp.letters());
+    const auto product = ProductMdp<Mdp>::explore(mdp, task);
+    for (const double discount : {0.5, 0.99, 0.999})
+      for (const double tolerance : {1e-2, 1e-4}) {
+        const double expected = p / (1 - discount * (1 - p));
+        const auto found = greatest_discounted(*product, discount, {.tolerance = tolerance});
+        ASSERT_TRUE(found);
+        for (const Bounds& bounds : {found->value, found->re_evaluated}) {
+          EXPECT_LE(bounds.lower, expected + 1e-12) << p << ' ' << discount << ' ' << tolerance;
+          EXPECT_GE(bounds.upper, expected - 1e-12) << p << ' ' << discount << ' ' << tolerance;
+          EXPECT_LE(bounds.upper - bounds.lower, tolerance) << p << ' ' << discount << ' ' << tolerance;
+        }
+      }
+    for (const double discount : {0.0, 1.0, -0.5, 1.5})
+      EXPECT_THROW(greatest_discounted(*product, discount), std::invalid_argument) << discount;
+  }
+}
+
 TEST(Discounted, EndsWhenAskedToAndAfterSoManySweeps) {
   ltl::Arena arena(testing::vocabulary_ab());
   MdpBuilder builder(testing::vocabulary_ab());
