@@ -59,16 +59,16 @@ inline PolicyValues values_of(const SmallProduct& product, const StateSet& targe
       for (std::uint32_t i = 0; i < n; ++i)
         if (!set[i] && !targets[i] && !product.of[i].empty())
           for (const SmallProduct::Outcome& o : product.of[i][policy[i]].outcomes)
-            if (o.target != SmallProduct::trap && set[o.target]) set[i] = true;
+            if (o.target != SmallProduct::trap && set[o.target]) set.insert(i);
     return set;
   };
   const StateSet some = grow(targets);
   StateSet lost(n);
   for (std::uint32_t i = 0; i < n; ++i) {
-    lost[i] = !some[i];
+    lost.set(i, !some[i]);
     if (some[i] && !targets[i])
       for (const SmallProduct::Outcome& o : product.of[i][policy[i]].outcomes)
-        if (o.target == SmallProduct::trap) lost[i] = true;
+        if (o.target == SmallProduct::trap) lost.insert(i);
   }
   const StateSet unsure = grow(lost);
   const std::vector<std::vector<double>> nothing(n, std::vector<double>(n, 0));

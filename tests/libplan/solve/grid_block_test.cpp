@@ -135,10 +135,10 @@ TEST(GridBlock, OfSeveralStripsAgreesWithEquations) {
     const TaskTable task(automata::ltlf_to_dfa(ltl::parse("F (a & F b)", arena)), grid.letters());
     const auto product = GridBlock::Product::explore(grid, task);
     Unknowns unknowns{{}, StateSet(product->states(), false), {}};
-    product->for_each_state([&](const auto& s) { unknowns.targets[s.index] = product->is_goal(s); });
+    product->for_each_state([&](const auto& s) { unknowns.targets.set(s.index, product->is_goal(s)); });
     unknowns.unknown = almost_surely(*product, unknowns.targets);
     for (std::uint32_t i = 0; i < product->states(); ++i)
-      if (unknowns.targets[i]) unknowns.unknown[i] = false;
+      if (unknowns.targets[i]) unknowns.unknown.erase(i);
     const auto values = [&](std::size_t on_grid) {
       const IterationOptions options{.tolerance = tolerance, .on_grid = on_grid};
       return ValueIteration<GridBlock::Product, Measure::MinCost>(*product, unknowns, options).run();

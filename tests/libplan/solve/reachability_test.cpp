@@ -16,7 +16,7 @@ StateSet safe_part(const SmallProduct& product, const StateSet& targets, const S
   StateSet out(product.states(), false);
   for (std::uint32_t bits = 0; bits < 1U << product.states(); ++bits) {
     StateSet part(product.states());
-    for (std::uint32_t i = 0; i < product.states(); ++i) part[i] = ((bits >> i) & 1U) != 0;
+    for (std::uint32_t i = 0; i < product.states(); ++i) part.set(i, ((bits >> i) & 1U) != 0);
     bool safe = true;
     for (std::uint32_t i = 0; i < product.states(); ++i) {
       if (!part[i]) continue;
@@ -25,7 +25,7 @@ StateSet safe_part(const SmallProduct& product, const StateSet& targets, const S
       safe = safe && set[i] && kept;
     }
     for (std::uint32_t i = 0; i < product.states(); ++i)
-      if (safe && part[i]) out[i] = true;
+      if (safe && part[i]) out.insert(i);
   }
   return out;
 }
@@ -59,7 +59,7 @@ TEST(Reachability, WhatIsKeptSafeIsTheGreatestSuchPart) {
     const SmallProduct product = testing::small_product(random, static_cast<std::uint32_t>(1 + random.below(6)));
     const StateSet targets = testing::random_states(random, product.states(), 5);
     StateSet set = testing::random_states(random, product.states(), 2);
-    if (random.below(3) == 0) set.assign(product.states(), true);
+    if (random.below(3) == 0) set = StateSet(product.states(), true);
     bool leads_out = false;
     for (std::uint32_t i = 0; i < product.states(); ++i)
       for (const SmallProduct::Choice& choice : product.of[i])
@@ -78,7 +78,10 @@ TEST(Reachability, WhatIsKeptSafeIsTheGreatestSuchPart) {
 
 TEST(Reachability, OutcomesAreLookedAtOneByOne) {
   const SmallProduct product{{{{1, {{0, 0.5}, {1, 0.5}}}, {1, {{1, 0.5}, {SmallProduct::trap, 0.5}}}}, {}}, {0, 2}};
-  const StateSet none{false, false}, first{true, false}, second{false, true}, both{true, true};
+  const StateSet none(2), both(2, true);
+  StateSet first(2), second(2);
+  first.insert(0);
+  second.insert(1);
   EXPECT_FALSE(some_outcome_in(product, {0}, 0, none));
   EXPECT_TRUE(some_outcome_in(product, {0}, 0, first));
   EXPECT_TRUE(some_outcome_in(product, {0}, 0, second));

@@ -25,7 +25,7 @@ struct Corners {
         product(OfGrid::explore(grid, task).value()),
         unknowns{StateSet(product.states(), false), StateSet(product.states(), false), {}} {
     product.for_each_state(
-        [&](const auto& s) { (product.is_goal(s) ? unknowns.targets : unknowns.unknown)[s.index] = true; });
+        [&](const auto& s) { (product.is_goal(s) ? unknowns.targets : unknowns.unknown).insert(s.index); });
   }
   static std::vector<std::uint16_t> cells(std::uint32_t width, std::uint32_t height) {
     std::vector<std::uint16_t> out(std::size_t{width} * height, 0);

@@ -90,7 +90,7 @@ inline SmallProduct small_product(ltl::Random& random, std::uint32_t states, std
 
 inline StateSet random_states(ltl::Random& random, std::uint32_t states, std::size_t one_in) {
   StateSet out(states);
-  for (std::uint32_t i = 0; i < states; ++i) out[i] = random.below(one_in) == 0;
+  for (std::uint32_t i = 0; i < states; ++i) out.set(i, random.below(one_in) == 0);
   return out;
 }
 

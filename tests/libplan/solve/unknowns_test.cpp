@@ -25,7 +25,7 @@ Asked random_question(ltl::Random& random, bool merges) {
   unknowns.targets = testing::random_states(random, out.product.states(), 4);
   unknowns.unknown = testing::random_states(random, out.product.states(), 6);
   for (std::uint32_t i = 0; i < out.product.states(); ++i)
-    unknowns.unknown[i] = !unknowns.unknown[i] && !unknowns.targets[i];
+    unknowns.unknown.set(i, !unknowns.unknown[i] && !unknowns.targets[i]);
   if (merges)
     unknowns.merged = end_components(out.product, unknowns.unknown, [](const auto&, std::uint32_t) { return true; });
   return out;

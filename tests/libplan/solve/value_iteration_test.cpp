@@ -28,9 +28,9 @@ template <Measure measure>
 Unknowns unknowns_of(const SmallProduct& product, const StateSet& targets, const testing::PolicyValues& truth) {
   Unknowns out{StateSet(product.states()), targets, {}};
   for (std::uint32_t i = 0; i < product.states(); ++i) {
-    if (measure == Measure::MaxProbability) out.targets[i] = truth.chance[i] > 1 - 1e-9;
-    out.unknown[i] =
-        !out.targets[i] && (measure == Measure::MaxProbability ? truth.chance[i] > 1e-9 : !std::isinf(truth.cost[i]));
+    if (measure == Measure::MaxProbability) out.targets.set(i, truth.chance[i] > 1 - 1e-9);
+    const bool some = measure == Measure::MaxProbability ? truth.chance[i] > 1e-9 : !std::isinf(truth.cost[i]);
+    out.unknown.set(i, some && !out.targets[i]);
   }
   out.merged = end_components(product, out.unknown, [&](const auto& s, std::uint32_t k) {
     return measure == Measure::MaxProbability || product.cost(s, k) == 0;
