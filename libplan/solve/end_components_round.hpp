@@ -10,7 +10,7 @@
 
 namespace waymark::plan {
 
-struct EndComponents {
+struct EndComponents {                               // disjoint sets of states
   static constexpr std::uint32_t none = UINT32_MAX;  // in no end component
   std::vector<std::uint32_t> of;                     // by state
   std::uint32_t count = 0;                           // how many

@@ -15,10 +15,10 @@ namespace waymark::plan {
 
 // Numbers of states in ranges that threads take turns at. No word of a StateSet belongs to two of them.
 struct StateRanges {
-  static constexpr std::uint32_t length = 256 * StateSet::in_a_word;
-  std::uint32_t states = 0;
+  static constexpr std::uint32_t length = 256 * StateSet::in_a_word;  // numbers of a range
+  std::uint32_t states = 0;                                           // of the product
 
-  std::size_t count() const { return (std::size_t{states} + length - 1) / length; }
+  std::size_t count() const { return (std::size_t{states} + length - 1) / length; }  // of ranges
   // Threads of those that are there: one where starting others would take longer.
   std::size_t threads(std::size_t there) const { return count() < 4 ? 1 : std::min(there, count()); }
   template <class Product, class Visit>  // visit(state), of one range

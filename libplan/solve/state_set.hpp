@@ -20,7 +20,7 @@ class StateSet {
   StateSet(const StateSet& other) : size_(other.size_), words_(other.words_.size()) {
     for (std::size_t w = 0; w < words_.size(); ++w) put(w, other.word(w));
   }
-  StateSet& operator=(const StateSet& other) {
+  StateSet& operator=(const StateSet& other) {  // copies its members
     if (this != &other) *this = StateSet(other);
     return *this;
   }

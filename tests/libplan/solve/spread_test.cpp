@@ -64,7 +64,7 @@ TEST(SearchTogether, MeetsWhatOneThreadMeets) {
   for (int round = 0; round < waymark::testing::scaled(60); ++round) {
     const std::uint32_t size = 1 + number_below(3'000, random), first = 1 + number_below(3, random);
     std::vector<std::vector<std::uint32_t>> edges(size);
-    for (std::uint32_t e = size + number_below(2 * size, random); e > 0; --e)
+    for (std::uint32_t e = size + number_below(size, random) + number_below(size, random); e > 0; --e)
       edges[random.below(size)].push_back(number_below(size, random));
     StateSet reached(size);
     std::vector<std::uint32_t> open;
