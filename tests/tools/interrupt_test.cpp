@@ -67,7 +67,7 @@ Ended interrupt(const std::vector<std::string>& arguments, int signal, const std
   return ended;
 }
 
-constexpr double soon = waymark::testing::sanitized ? 10 : 0.5;  // seconds; sanitizers slow down what polls
+constexpr double soon = waymark::testing::sanitized ? 10 : 3;  // seconds, on a busy machine; robust.interrupts measures
 
 // Its minimal DFA remembers which of 24 propositions held in the last step but one, and so on: hours of work.
 std::string hard_formula() {
@@ -80,7 +80,7 @@ std::string hard_formula() {
   return text;
 }
 
-TEST(CtrlC, EndsATranslationWithinHalfASecond) {
+TEST(CtrlC, EndsATranslationSoon) {
   for (const int signal : {SIGINT, SIGTERM}) {
     const Ended ended = interrupt({"translate", "--to", "dfa", "--max-states", "4000000000", hard_formula()}, signal);
     EXPECT_EQ(ended.exit_code, 11) << ended.messages;
