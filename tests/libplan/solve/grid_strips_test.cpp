@@ -179,7 +179,8 @@ struct Swept {
 };
 Swept swept(std::uint32_t width, std::uint32_t height, double share, std::size_t chunk, std::mt19937& random) {
   GridWorld grid = open_grid(width, height);
-  auto order = outwards_from(static_cast<std::uint32_t>(random() % (width * height)), width, height, share, random);
+  auto order =
+      outwards_from(static_cast<std::uint32_t>(random() % (std::size_t{width} * height)), width, height, share, random);
   GridStrips strips(grid, order, chunk);
   return {std::move(grid), std::move(order), std::move(strips)};
 }
