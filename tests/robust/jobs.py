@@ -3,8 +3,8 @@
 jobs.py DIRECTORY_OF_PROGRAMS [--seed S]
 
 Scenes: array (the script for a Slurm array, each of its tasks in a shell with Slurm's variables, some killed and
-started again), experiment_array (the same of an experiment, all tasks at once), snakemake (with its local executor; skipped,
-with a word, where snakemake is not installed).
+started again), experiment_array (the same of an experiment, all tasks at once), snakemake (with its local executor;
+skipped, with a word, where snakemake is not installed).
 """
 import os
 import re
