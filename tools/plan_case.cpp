@@ -33,8 +33,11 @@ using Status = CaseAnswer::Status;
 // meets.
 std::string written(const plan::PlanningCase& planning_case, const plan::CaseTask& task, const CaseAnswer& answer) {
   const CaseAnswer::Written& strategy = *answer.strategy;
-  const std::string hoa = std::visit(
-      [&](const auto& a) { return show(a, {.name = task.formula}, {.one_line = true}).text; }, strategy.automaton);
+  const bool negated = task.query == plan::CaseTask::Query::MinProbability && !task.formula.empty() &&
+                       std::holds_alternative<automata::MdpSafe>(strategy.automaton);
+  const std::string name = negated ? "!(" + task.formula + ')' : task.formula;
+  const std::string hoa =
+      std::visit([&](const auto& a) { return show(a, {.name = name}, {.one_line = true}).text; }, strategy.automaton);
   std::string out =
       JsonObject()
           .add("case", planning_case.name)

@@ -28,13 +28,13 @@ FAMILIES = {
 }
 
 
-def written(waymark, family, side, folder):
-    arguments = FAMILIES[family]
-    if family.startswith("lava"):
+def written(waymark, arguments, side, folder):
+    """The case of a family, those of `generate map` with seed 1 unless they say another."""
+    if not arguments[0].startswith("-"):
         command = [sys.executable, "-B", str(PASSAGE), str(side), *arguments]
     else:
-        command = [waymark, "generate", "map", *arguments, "--width", str(side), "--height", str(side), "--seed", "1",
-                   "--tasks"]
+        seed = [] if "--seed" in arguments else ["--seed", "1"]
+        command = [waymark, "generate", "map", *arguments, "--width", str(side), "--height", str(side), *seed, "--tasks"]
     case = folder / "case.json"
     case.write_bytes(subprocess.run(command, check=True, stdout=subprocess.PIPE).stdout)
     return case
@@ -62,7 +62,7 @@ def main():
           "| not solved |\n|---|---:|---:|---:|---:|---:|")
     with tempfile.TemporaryDirectory() as folder:
         for family in [chosen.only] if chosen.only else FAMILIES:
-            case = written(chosen.waymark, family, chosen.side, Path(folder))
+            case = written(chosen.waymark, FAMILIES[family], chosen.side, Path(folder))
             runs = {threads: [] for threads in (1, cores)}
             for _ in range(chosen.rounds):
                 for threads, taken in runs.items():
@@ -76,4 +76,5 @@ def main():
                   f"| {answers.pop().count(b'gave up')} |", flush=True)
 
 
-main()
+if __name__ == "__main__":
+    main()

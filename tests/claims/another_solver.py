@@ -1,237 +1,218 @@
 #!/usr/bin/env python3
-"""Values of noisy grids by another solver: each strategy that waymark writes, as a Markov chain, by SciPy's sparse LU.
+"""Values by another solver: each strategy that waymark writes, as a Markov chain, by SciPy's sparse LU.
 
-another_solver.py WAYMARK [--side N] [--seed S]
+another_solver.py WAYMARK [--only SET] [--side N] [--models N] [--seed S]
+another_solver.py WAYMARK --case FILE...
 
-The families are those of tests/bench/noisy_grids.py, and noisy mazes and one-way streets. What a case, an automaton and
-a strategy mean is read here from the documented formats alone; no code of waymark takes part. The chance of winning is
-that of stopping in an accepting state, or of staying for ever where marked edges recur (bottom components of the chain,
-[BK08, Cor. 10.34]); a cost is the expected number of moves until then. Each must lie between the bounds that waymark
-gives, up to its tolerance. Exit code 77: SciPy is missing.
+Sets of tasks: `families` (those of tests/bench/noisy_grids.py, mazes and one-way streets, with more tasks), `passages`
+(bridges between lava, those of docs/planning.md), `large` (its grids of 500 by 500 and of 1000 by 1000 cells), `models`
+(random Markov decision processes in PRISM's explicit files), `curves` (points of two objectives of such models).
+
+The chance of winning is that of stopping in an accepting state, or of staying for ever where marked edges recur (bottom
+components of the chain, [BK08, Cor. 10.34]); a cost is the expected one until then. What files and strategies mean is
+read in chains.py, without code of waymark. Each value must lie between the bounds that waymark gives the strategy
+(`re_evaluated`), be no better than its bounds of the best, and no worse by more than the tolerance. Left out are walks
+(`cycle`, `lasso`) and values that the graph alone shows to be 0 or infinite: they have no strategy. Exit code 77: SciPy
+is missing.
 """
 import argparse
 import json
-import re
+import random
 import subprocess
 import sys
 import tempfile
+import time
 from pathlib import Path
 
+HERE = Path(__file__).resolve().parent
+sys.path[:0] = [str(HERE.parent / "bench")]
 try:
-    import numpy
-    from scipy.sparse import coo_matrix, csr_matrix, identity
-    from scipy.sparse.csgraph import connected_components
-    from scipy.sparse.linalg import splu
-except ImportError:
-    print("SKIPPED: scipy is not installed: no value is found by another solver")
+    from chains import Chain, Point, model_of, strategies
+except ImportError as missing:
+    print(f"SKIPPED: {missing}: no value is found by another solver")
     sys.exit(77)
+from noisy_grids import FAMILIES, written  # noqa: E402: after the path
 
-PASSAGE = Path(__file__).resolve().parent / "passage.py"
-KINDS = {
-    "rooms, noise 0.1": ["rooms", "0.1"],
-    "scatter, noise 0.05": ["scatter", "0.05"],
-    "bridge, noise 0.05": ["bridge", "0.05"],
-    "maze, noise 0.1": ["maze", "0.1"],
-    "one-way streets, noise 0.05": ["oneway", "0.05"],
-    "lava, width 2, noise 0.05": ["2", "0.05"],
-    "lava, width 1, noise 0.1": ["1", "0.1"],
+INFINITE = float("inf")
+TOLERANCE = 1e-6  # of waymark's bounds
+ROUNDING = 1e-12
+DISCOUNT = 0.9
+MORE_FAMILIES = {
+    "maze, noise 0.1": ["--kind", "maze", "--noise", "0.1", "--landmarks", "3"],
+    "one-way streets, noise 0.05": ["--kind", "oneway", "--noise", "0.05", "--landmarks", "3"],
     "lava, width 3, noise 0.02": ["3", "0.02"],
 }
-DIRECTIONS = "NESW"
-STEPS = [(0, -1), (1, 0), (0, 1), (-1, 0)]
-TOLERANCE = 1e-6  # of waymark's bounds
+MORE_TASKS = [("ltl", "F a", "pmin"), ("ltl", "(!b) U a", "pmin"), ("ltl", "F G !a", "pmin"),
+              ("ltl", "(!b) U a", "pmax"), ("ltl", "F G (!a & !b)", "pmax"), ("ltl", "G F a & F G !b", "pmax"),
+              ("pctl", "F<=30 a", "pmax"), ("ltl", "F (a & F b)", "rmin"), ("ltl", "F (a & F b)", "discounted")]
+PASSAGES = [(50, 1, 0.05), (50, 3, 0.05), (60, 3, 0.15), (100, 2, 0.05), (100, 3, 0.05), (200, 2, 0.05), (200, 3, 0.02),
+            (200, 3, 0.2), (300, 3, 0.02), (300, 2, 0.2), (500, 3, 0.02)]
+LARGE = [("scatter", 500, 0.1, 3, 7, ["seq", "avoidseq"]), ("scatter", 500, 0.05, 4, 1, ["seq", "avoidseq"]),
+         ("rooms", 500, 0.1, 3, 7, ["seq"]), ("rooms", 500, 0.05, 4, 1, ["seq"]), ("maze", 251, 0.2, 2, 5, ["seq"]),
+         ("scatter", 500, 0.1, 1, 7, ["seq"]), ("scatter", 1000, 0.05, 4, 1, ["seq", "avoidseq"]),
+         ("rooms", 1000, 0.1, 4, 1, ["cover", "patrol"])]
+MODEL_TASKS = [("(!x) U a", "pmax"), ("F (a & F b) & G !x", "pmax"), ("G F a & G F b", "pmax"), ("F G !x", "pmax"),
+               ("(!x) U a", "pmin"), ("G F x", "pmin"), ("F (a & F b)", "rmin"), ("F (a & F b)", "discounted")]
+CURVES = [('multi(Pmax=? [ !"x" U "a" ], R{"cost"}min=? [ C ])', [("x", "a")]),
+          ('multi(Pmax=? [ !"x" U "a" ], Pmin=? [ F "b" ])', [("x", "a"), (None, "b")])]
 
 
-class Automaton:
-    """A deterministic one of the Hanoi format, Büchi: next(state, letter) and which edges are marked."""
-
-    def __init__(self, text):
-        head, body = text.split("--BODY--")
-        self.names = re.findall(r'"([^"]*)"', re.search(r"AP: \d+((?: \"[^\"]*\")*)", head)[1])
-        self.start = int(re.search(r"Start: (\d+)", head)[1])
-        self.finite = "finite-words" in head
-        if "acc-name: Buchi" not in head:
-            raise SystemExit(f"error: not a Büchi automaton: {head}")
-        self.marked, self.edges, self.known = set(), {}, {}
-        for state, mark, edges in re.findall(r"State: (\d+)( \{0\})?((?: *\[[^]]*\] \d+(?: \{0\})?)*)", body):
-            self.marked.update([int(state)] if mark else [])
-            self.edges[int(state)] = [(self.condition(label), int(target), bool(edge_mark)) for label, target, edge_mark
-                                      in re.findall(r"\[([^]]*)\] (\d+)( \{0\})?", edges)]
-
-    @staticmethod
-    def condition(label):
-        if label == "t":
-            return "True"
-        return re.sub(r"\d+", lambda n: f"v[{n[0]}]", label.replace("!", " not ").replace("&", " and ")
-                      .replace("|", " or ")).strip()
-
-    def next(self, state, letter):
-        """The next state, and whether the edge is marked; (None, False) when there is no edge."""
-        if (state, letter) not in self.known:
-            v = [name in letter for name in self.names]
-            fits = [(target, mark) for condition, target, mark in self.edges[state] if eval(condition, {"v": v})]
-            if len(fits) > 1:
-                raise SystemExit("error: the automaton is not deterministic")
-            target, mark = fits[0] if fits else (None, False)
-            self.known[state, letter] = (target, bool(mark or state in self.marked))
-        return self.known[state, letter]
+def with_strategies(case, copy, more=()):
+    """A copy with more tasks and without those that ask for a walk."""
+    document = json.loads(case.read_text())
+    document["tasks"] = [task for task in document["tasks"] if task["query"] not in ("cycle", "lasso")]
+    document["tasks"] += [{"id": f"more{i}", "logic": logic, "formula": formula, "query": query}
+                          for i, (logic, formula, query) in enumerate(more)]
+    copy.write_text(json.dumps(document))
+    return copy
 
 
-class Grid:
-    """Where a move may lead, from `ltlgrid/1`."""
-
-    def __init__(self, case):
-        self.rows, self.legend = case["rows"], {".": {}, **case["legend"]}
-        self.start = (case["start"]["x"], case["start"]["y"])
-        motion = case.get("motion", {"forward": 1})
-        self.chances = [motion.get(key, 0) for key in ("forward", "right", "back", "left")]
-        self.cost = case.get("cost", {}).get("step", 1)
-
-    def cell(self, at):
-        x, y = at
-        inside = 0 <= y < len(self.rows) and 0 <= x < len(self.rows[y])
-        return self.legend[self.rows[y][x]] if inside else {"wall": True}
-
-    def letter(self, at):
-        return frozenset(self.cell(at).get("props", []))
-
-    def moved(self, at, direction):
-        to = (at[0] + STEPS[direction][0], at[1] + STEPS[direction][1])
-        ways = (self.cell(at).get("oneway"), self.cell(to).get("oneway"))
-        barred = self.cell(to).get("wall") or any(way and way != DIRECTIONS[direction] for way in ways)
-        return at if barred else to
-
-    def outcomes(self, at, action):
-        return [(self.moved(at, (action + turn) % 4), p) for turn, p in enumerate(self.chances) if p > 0]
+def farther(value, lower, upper):
+    """How far from an interval: relative where values exceed 1."""
+    if lower <= value <= upper:
+        return 0.0
+    return max(lower - value, value - upper) / max(1.0, min(abs(upper), abs(value)))
 
 
-class Chain:
-    """The pairs that a strategy meets, from the start on; where it says nothing, any move is as good."""
-
-    def __init__(self, grid, head, decisions):
-        automaton = Automaton(head["automaton"])
-        self.number, self.edges, self.goals, marks = {}, [], [], []
-        chosen = {(tuple(map(int, d["state"].split(","))), d["task"]): d for d in decisions}
-        first, _ = automaton.next(automaton.start, grid.letter(grid.start))
-        if (grid.start, first) not in chosen and (grid.start, automaton.start) in chosen:
-            raise SystemExit("error: a strategy that begins before the first letter")
-        self.meet((grid.start, first))
-        for pair in (pairs := list(self.number)):
-            at, state = pair
-            source, decision = self.number[pair], chosen.get(pair)
-            if state is None or (automaton.finite and state in automaton.marked and not decision):
-                self.goals += [source] if state is not None else []
-                self.edges.append((source, source, 1.0))
-            elif decision and "jump" in decision:
-                self.add(source, (at, decision["jump"]), 1.0, pairs)
-            else:
-                for to, p in grid.outcomes(at, DIRECTIONS.index(decision["action"]) if decision else 0):
-                    target, mark = automaton.next(state, grid.letter(to))
-                    self.add(source, (to, target), p, pairs)
-                    marks += [source] if mark else []
-        self.matrix = self.summed()
-        self.goals = sorted({*self.goals, *self.recurrent(set(marks))})
-
-    def meet(self, pair):
-        return self.number.setdefault(pair, len(self.number))
-
-    def add(self, source, pair, p, pairs):
-        if pair not in self.number:
-            pairs.append(pair)
-        self.edges.append((source, self.meet(pair), p))
-
-    def summed(self):
-        rows, columns, chances = zip(*self.edges)
-        return csr_matrix(coo_matrix((chances, (rows, columns)), shape=(len(self.number),) * 2))
-
-    def recurrent(self, marked):
-        """Pairs of bottom components with a marked edge."""
-        count, of = connected_components(self.matrix, connection="strong")
-        leaves, wins = numpy.zeros(count, bool), numpy.zeros(count, bool)
-        rows, columns = self.matrix.nonzero()
-        leaves[of[rows[of[rows] != of[columns]]]] = True
-        wins[of[list(marked)]] = True
-        return numpy.flatnonzero((wins & ~leaves)[of]).tolist()
-
-    def reaching(self, targets):
-        """Which pairs may reach these."""
-        backwards, reached, open_ = csr_matrix(self.matrix.T), set(targets), list(targets)
-        while open_:
-            row = open_.pop()
-            for source in backwards.indices[backwards.indptr[row]:backwards.indptr[row + 1]]:
-                if source not in reached:
-                    reached.add(source)
-                    open_.append(source)
-        return reached
-
-    def value(self, cost):
-        """From the start: the chance to win, or with a cost a move the expected cost until then."""
-        pairs, won = range(len(self.number)), set(self.goals)
-        some = self.reaching(won)
-        lost = set(pairs) - some
-        if cost is None:
-            won = set(pairs) - self.reaching(lost)  # almost surely
-        elif lost:
-            return numpy.inf
-        if 0 in won or 0 in lost:
-            return 1.0 if cost is None and 0 in won else 0.0
-        unknown = sorted(some - won)
-        kept = self.matrix[unknown]
-        system = (identity(len(unknown)) - kept[:, unknown]).tocsc()
-        known = kept[:, sorted(won)].sum(axis=1).A1 if cost is None else numpy.full(len(unknown), float(cost))
-        factors = splu(system)
-        found = factors.solve(known)
-        found += factors.solve(known - system @ found)  # one step of refinement
-        return found[unknown.index(0)]
+def random_model(prefix, source, size, ends=False):
+    """States in a ring with chords; a choice leads near, and sometimes stays for ever. `ends`: all runs may end in a
+    state that costs nothing."""
+    rows, labels = [], ['0="init" 1="a" 2="b" 3="x"', "0: 0"]
+    for state in range(size):
+        for choice in range(source.randint(1, 3)):
+            targets = {(state + source.randint(-3, 4)) % size for _ in range(source.randint(1, 3))}
+            if source.random() < 0.2:
+                targets.add(source.randrange(size))
+            if not ends and source.random() < 0.02:
+                targets = {state}
+            if ends:
+                targets.add((state + 1) % size if state + 1 < size else state)
+                targets = targets if state + 1 < size else {state}
+            weights = [source.randint(1, 20) for _ in targets]
+            rows += [f"{state} {choice} {target} {weight / sum(weights)!r} m{choice}"
+                     for target, weight in zip(sorted(targets), weights)]
+        label = source.choices(["1", "2", "3", ""], [1, 1, 2, 30])[0]
+        labels += [f"{state}: {label}"] if label and state else []
+    choices = len({tuple(row.split()[:2]) for row in rows})
+    prefix.with_suffix(".tra").write_text(f"{size} {choices} {len(rows)}\n" + "\n".join(rows) + "\n")
+    prefix.with_suffix(".lab").write_text("\n".join(labels) + "\n")
+    rewards = [f"{state} {0 if ends and state + 1 == size else source.randint(1, 9)}" for state in range(size)]
+    prefix.with_suffix(".srew").write_text(f"{size} {size}\n" + "\n".join(rewards) + "\n")
+    return prefix.with_suffix(".tra")
 
 
-def case_of(options, kind):
-    if kind.startswith("lava"):
-        command = [sys.executable, "-B", str(PASSAGE), str(options.side), *KINDS[kind]]
-    else:
-        name, noise = KINDS[kind]
-        command = [options.waymark, "generate", "map", "--kind", name, "--noise", noise, "--landmarks", "3", "--tasks",
-                   "--width", str(options.side | 1), "--height", str(options.side | 1), "--seed", str(options.seed)]
-    return subprocess.run(command, check=True, stdout=subprocess.PIPE).stdout
+class Checks:
+    def __init__(self, options, folder):
+        self.options, self.folder, self.rows = options, folder, []
+        self.file = folder / "strategies"
+
+    def run(self, name, model, arguments):
+        """What waymark plans on this model: each value found again. Counts the tasks that have no strategy."""
+        self.file.unlink(missing_ok=True)
+        code = subprocess.run([self.options.waymark, "plan", *arguments, "--strategy", self.file, "--discount",
+                               str(DISCOUNT)], stdout=subprocess.PIPE, stderr=subprocess.PIPE, check=False)
+        if code.returncode not in (0, 1, 10):
+            sys.exit(f"error: {name}: {arguments}: exit code {code.returncode}: {code.stderr.decode()}")
+        for head, decisions in strategies(self.file) if self.file.exists() else []:
+            begun = time.process_time()
+            chain = Chain(model, head, decisions)
+            kind = {"rmin": "cost", "steps": "cost", "discounted": "discounted"}.get(head["query"], "chance")
+            found = chain.value(kind, DISCOUNT)
+            self.row(name, head, len(chain.pairs), found, time.process_time() - begun)
+
+    def row(self, name, head, pairs, found, seconds):
+        lower, upper = (float(head[key]) for key in ("lower", "upper"))
+        own = [float(head["re_evaluated"][key]) for key in ("lower", "upper")]
+        least = head["query"] in ("pmin", "rmin", "steps")
+        outside = max(farther(found, *own), farther(found, *((lower, INFINITE) if least else (-INFINITE, upper))))
+        self.rows.append((name, pairs, outside, outside > TOLERANCE or farther(found, lower, upper) > 2 * TOLERANCE))
+        print(f"| {name} | `{head['task'] if head['task'] != 'formula' else head['formula']}` | {head['query']} | "
+              f"{pairs:,} | {lower:.9g} to {upper:.9g} | {found:.9g} | {outside:.0e} | {seconds:.0f} |", flush=True)
+
+    def families(self):
+        for name, arguments in (FAMILIES | MORE_FAMILIES).items():
+            case = written(self.options.waymark, arguments, self.options.side | ("maze" in name), self.folder)
+            self.run(name, model_of(case), ["--case", with_strategies(case, case, MORE_TASKS)])
+
+    def passages(self):
+        for side, width, noise in PASSAGES:
+            case = written(self.options.waymark, [str(width), str(noise)], side, self.folder)
+            self.run(f"{side}, {width}, {noise}", model_of(case), ["--case", case])
+
+    def large(self):
+        for kind, side, noise, landmarks, seed, tasks in LARGE:
+            case = written(self.options.waymark, ["--kind", kind, "--noise", str(noise), "--landmarks", str(landmarks),
+                                                  "--seed", str(seed)], side, self.folder)
+            for task in tasks:
+                self.run(f"{kind}, {side}², noise {noise}", model_of(case), ["--case", case, "--task", task])
+
+    def models(self):
+        source = random.Random(self.options.seed)
+        for _ in range(self.options.models):
+            file = random_model(self.folder / "model", source, source.choice([30, 300, 3000]))
+            model = model_of(file)
+            for formula, query in MODEL_TASKS:
+                self.run(f"random, {len(model.choices):,} states", model, [formula, "--model", file, "--query", query])
+
+    def curves(self):
+        source = random.Random(self.options.seed)
+        for _ in range(self.options.models):
+            file = random_model(self.folder / "model", source, source.choice([10, 30, 100]), ends=True)
+            model, name = model_of(file), "curves of random models"
+            for query, formulas in CURVES:
+                begun, before = time.process_time(), len(self.rows)
+                properties = self.folder / "properties"
+                properties.write_text(query)
+                done = subprocess.run([self.options.waymark, "plan", "--model", file, "--properties", properties,
+                                       "--json"], stdout=subprocess.PIPE, check=True)
+                for found in json.loads(done.stdout)["points"]:
+                    point = Point(model, formulas, found["strategy"])
+                    values = [point.chance(0), point.chance(1) if len(formulas) > 1 else point.total_cost()]
+                    outside = max(farther(value, *own) for value, own in zip(values, found["re_evaluated"]))
+                    outside = max(outside, *(farther(value, told - TOLERANCE, told + TOLERANCE)
+                                             for value, told in zip(values, found["values"])))
+                    self.rows.append((name, len(point.pairs), outside, outside > TOLERANCE))
+                print(f"| {len(model.choices):,} states | `{query}` | multi | | {len(self.rows) - before} points | | "
+                      f"{max((row[2] for row in self.rows[before:]), default=0):.0e} "
+                      f"| {time.process_time() - begun:.0f} |", flush=True)
+
+    def cases(self):
+        for case in self.options.case:
+            self.run(case.stem, model_of(case), ["--case", with_strategies(case, self.folder / "copy.json")])
+
+    def summary(self):
+        print("\n| tasks on | values | pairs met, at most | outside by more than 1e-12 | farthest |\n"
+              "|---|---:|---:|---:|---:|")
+        for name in dict.fromkeys(name for name, *_ in self.rows):
+            those = [row for row in self.rows if row[0] == name]
+            print(f"| {name} | {len(those)} | {max(row[1] for row in those):,} "
+                  f"| {sum(row[2] > ROUNDING for row in those)} | {max(row[2] for row in those):.0e} |")
+        wrong = sum(row[3] for row in self.rows)
+        print(f"{len(self.rows)} values, {wrong} wrong")
+        return 1 if wrong or not self.rows else 0
 
 
-def strategies(file):
-    """The first lines and their decisions."""
-    out = []
-    for line in map(json.loads, filter(str.strip, file.read_text().splitlines())):
-        if "automaton" in line:
-            out.append((line, []))
-        else:
-            out[-1][1].append(line)
-    return out
+SETS = {"families": Checks.families, "passages": Checks.passages, "large": Checks.large, "models": Checks.models,
+        "curves": Checks.curves}
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("waymark")
-    parser.add_argument("--side", type=int, default=100)
+    parser.add_argument("--case", type=Path, nargs="+", metavar="FILE", help="planning cases")
+    parser.add_argument("--only", choices=SETS, action="append", help="also several times")
+    parser.add_argument("--side", type=int, default=100, help="of families [100]")
+    parser.add_argument("--models", type=int, default=30, help="how many at random [30]")
     parser.add_argument("--seed", type=int, default=1)
     options = parser.parse_args()
-    wrong = values = 0
-    print("| family | task | pairs met | bounds | by the other solver | outside |\n|---|---|---:|---|---:|---:|")
+    print("| model | task | query | pairs met | bounds | by the other solver | outside | s |\n"
+          "|---|---|---|---:|---|---:|---:|---:|")
     with tempfile.TemporaryDirectory() as folder:
-        case, file = Path(folder) / "case.json", Path(folder) / "strategies"
-        for kind in KINDS:
-            case.write_bytes(case_of(options, kind))
-            subprocess.run([options.waymark, "plan", "--case", case, "--strategy", file], check=True,
-                           stdout=subprocess.PIPE)
-            for head, decisions in strategies(file):
-                grid = Grid(json.loads(case.read_text()))
-                chain = Chain(grid, head, decisions)
-                found = chain.value(grid.cost if head["query"] == "rmin" else None)
-                lower, upper = float(head["lower"]), float(head["upper"])
-                outside = max(lower - found, found - upper, 0.0) / max(1.0, upper)
-                values += 1
-                wrong += outside > TOLERANCE
-                print(f"| {kind} | `{head['task']}` | {len(chain.number):,} | {lower:.9g} to {upper:.9g} "
-                      f"| {found:.9g} | {outside:.0e} |", flush=True)
-    print(f"{values} values, {wrong} outside of their bounds by more than the tolerance")
-    return 1 if wrong or values < len(KINDS) else 0
+        checks = Checks(options, Path(folder))
+        for name, check in ({"cases": Checks.cases} if options.case else SETS).items():
+            if options.case or not options.only or name in options.only:
+                check(checks)
+        return checks.summary()
 
 
 if __name__ == "__main__":
