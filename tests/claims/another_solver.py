@@ -103,7 +103,7 @@ def random_model(prefix, source, size, ends=False):
 
 class Checks:
     def __init__(self, options, folder):
-        self.options, self.folder, self.rows = options, folder, []
+        self.options, self.folder, self.rows, self.set = options, folder, [], ""
         self.file = folder / "strategies"
 
     def run(self, name, model, arguments):
@@ -125,7 +125,7 @@ class Checks:
         own = [float(head["re_evaluated"][key]) for key in ("lower", "upper")]
         least = head["query"] in ("pmin", "rmin", "steps")
         outside = max(farther(found, *own), farther(found, *((lower, INFINITE) if least else (-INFINITE, upper))))
-        self.rows.append((name, pairs, outside, outside > TOLERANCE or farther(found, lower, upper) > 2 * TOLERANCE))
+        self.rows.append((self.set, pairs, outside, outside > TOLERANCE or farther(found, lower, upper) > 2 * TOLERANCE))
         print(f"| {name} | `{head['task'] if head['task'] != 'formula' else head['formula']}` | {head['query']} | "
               f"{pairs:,} | {lower:.9g} to {upper:.9g} | {found:.9g} | {outside:.0e} | {seconds:.0f} |", flush=True)
 
@@ -158,7 +158,7 @@ class Checks:
         source = random.Random(self.options.seed)
         for _ in range(self.options.models):
             file = random_model(self.folder / "model", source, source.choice([10, 30, 100]), ends=True)
-            model, name = model_of(file), "curves of random models"
+            model = model_of(file)
             for query, formulas in CURVES:
                 begun, before = time.process_time(), len(self.rows)
                 properties = self.folder / "properties"
@@ -171,7 +171,7 @@ class Checks:
                     outside = max(farther(value, *own) for value, own in zip(values, found["re_evaluated"]))
                     outside = max(outside, *(farther(value, told - TOLERANCE, told + TOLERANCE)
                                              for value, told in zip(values, found["values"])))
-                    self.rows.append((name, len(point.pairs), outside, outside > TOLERANCE))
+                    self.rows.append((self.set, len(point.pairs), outside, outside > TOLERANCE))
                 print(f"| {len(model.choices):,} states | `{query}` | multi | | {len(self.rows) - before} points | | "
                       f"{max((row[2] for row in self.rows[before:]), default=0):.0e} "
                       f"| {time.process_time() - begun:.0f} |", flush=True)
@@ -181,7 +181,7 @@ class Checks:
             self.run(case.stem, model_of(case), ["--case", with_strategies(case, self.folder / "copy.json")])
 
     def summary(self):
-        print("\n| tasks on | values | pairs met, at most | outside by more than 1e-12 | farthest |\n"
+        print("\n| set | values | pairs met, at most | outside by more than 1e-12 | farthest |\n"
               "|---|---:|---:|---:|---:|")
         for name in dict.fromkeys(name for name, *_ in self.rows):
             those = [row for row in self.rows if row[0] == name]
@@ -211,6 +211,7 @@ def main():
         checks = Checks(options, Path(folder))
         for name, check in ({"cases": Checks.cases} if options.case else SETS).items():
             if options.case or not options.only or name in options.only:
+                checks.set = name
                 check(checks)
         return checks.summary()
 

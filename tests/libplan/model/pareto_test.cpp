@@ -93,6 +93,34 @@ std::vector<Attained> all_attained(const Mdp& mdp) {
   return out;
 }
 
+TEST(Pareto, DecisionsTellWhatBecameOfEachFormula) {
+  MdpBuilder builder(ltl::Vocabulary({"a", "b"}));
+  const LetterId none = builder.letter({}), a = builder.letter({ltl::Proposition{0}}),
+                 b = builder.letter({ltl::Proposition{1}});
+  builder.add_state();
+  builder.add_choice("toss", 1);
+  builder.add_outcome(1, a, 0.5);
+  builder.add_outcome(2, b, 0.5);
+  for (const std::uint32_t s : {1U, 2U}) {
+    builder.add_state();
+    builder.add_choice("rest", 0);
+    builder.add_outcome(s, none, 1);
+  }
+  const Mdp mdp = std::move(builder).build(0, none);
+  const auto told = [&](const std::vector<Objective>& objectives) {
+    std::string out;
+    const auto found = pareto(mdp, objectives);
+    for (const ParetoPoint& point : found.value().points)
+      for (const ParetoDecision& d : point.decisions)
+        out += std::to_string(d.state) + " [" + d.memory + "] " + d.action + "; ";
+    return out;
+  };
+  const Objective until{"!b U a", nullptr, true}, meets_b{"F b", nullptr, true}, cheap{"", &mdp, false};
+  EXPECT_EQ(told({until, meets_b}), "0 [1,1] toss; 1 [yes,1] rest; 2 [no,yes] rest; ");
+  EXPECT_EQ(told({meets_b, cheap}), "0 [1] toss; 1 [1] rest; 2 [yes] rest; ");
+  EXPECT_EQ(told({cheap, until}), "0 [1] toss; 1 [yes] rest; 2 [no] rest; ");
+}
+
 TEST(Pareto, IsTheHullOfAllDeterministicStrategies) {
   std::mt19937 random(31);
   std::size_t curves = 0;

@@ -124,6 +124,33 @@ TEST(LeastRoutes, BeginWithTheRouteOfTheSearch) {
   }
 }
 
+TEST(LeastRoutes, TakeTheCheapestOfChoicesThatLeadToOnePlaceAndOfThoseTheFirst) {
+  MdpBuilder builder(testing::vocabulary_ab());
+  const LetterId none = builder.letter({}), a = builder.letter({ltl::Proposition{0}});
+  builder.add_state();
+  for (const double cost : {3.0, 1.0, 2.0, 1.0}) {
+    builder.add_choice("c", cost);
+    builder.add_outcome(1, a);
+  }
+  builder.add_choice("wait", 0.25);
+  builder.add_outcome(0, none);
+  builder.add_state();
+  builder.add_choice("rest");
+  builder.add_outcome(1, a);
+  const Mdp mdp = std::move(builder).build(0, none);
+  ltl::Arena arena(testing::vocabulary_ab());
+  const automata::Dfa dfa = automata::ltlf_to_dfa(ltl::parse("F a", arena));
+  const auto found = least_routes(Product(mdp, TaskTable(dfa, mdp.letters())), 3);
+  ASSERT_TRUE(found);
+  ASSERT_EQ(found->routes.size(), 3U);
+  for (std::uint32_t waits = 0; waits < 3; ++waits) {
+    std::vector<std::uint32_t> choices(waits, 4);
+    choices.push_back(1);
+    EXPECT_EQ(found->routes[waits].choices, choices);
+    EXPECT_EQ(found->routes[waits].cost, 1 + 0.25 * waits);
+  }
+}
+
 TEST(LeastRoutes, SaysWhenItGaveUp) {
   ltl::Random random(33);
   const GridWorld grid = testing::random_grid(random);
