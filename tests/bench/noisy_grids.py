@@ -34,7 +34,8 @@ def written(waymark, arguments, side, folder):
         command = [sys.executable, "-B", str(PASSAGE), str(side), *arguments]
     else:
         seed = [] if "--seed" in arguments else ["--seed", "1"]
-        command = [waymark, "generate", "map", *arguments, "--width", str(side), "--height", str(side), *seed, "--tasks"]
+        size = ["--width", str(side), "--height", str(side)]
+        command = [waymark, "generate", "map", *arguments, *size, *seed, "--tasks"]
     case = folder / "case.json"
     case.write_bytes(subprocess.run(command, check=True, stdout=subprocess.PIPE).stdout)
     return case

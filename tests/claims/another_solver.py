@@ -125,7 +125,8 @@ class Checks:
         own = [float(head["re_evaluated"][key]) for key in ("lower", "upper")]
         least = head["query"] in ("pmin", "rmin", "steps")
         outside = max(farther(found, *own), farther(found, *((lower, INFINITE) if least else (-INFINITE, upper))))
-        self.rows.append((self.set, pairs, outside, outside > TOLERANCE or farther(found, lower, upper) > 2 * TOLERANCE))
+        wrong = outside > TOLERANCE or farther(found, lower, upper) > 2 * TOLERANCE
+        self.rows.append((self.set, pairs, outside, wrong))
         print(f"| {name} | `{head['task'] if head['task'] != 'formula' else head['formula']}` | {head['query']} | "
               f"{pairs:,} | {lower:.9g} to {upper:.9g} | {found:.9g} | {outside:.0e} | {seconds:.0f} |", flush=True)
 
