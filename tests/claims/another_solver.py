@@ -107,7 +107,7 @@ class Checks:
         self.file = folder / "strategies"
 
     def run(self, name, model, arguments):
-        """What waymark plans on this model: each value found again. Counts the tasks that have no strategy."""
+        """What waymark plans on this model: each value found again."""
         self.file.unlink(missing_ok=True)
         code = subprocess.run([self.options.waymark, "plan", *arguments, "--strategy", self.file, "--discount",
                                str(DISCOUNT)], stdout=subprocess.PIPE, stderr=subprocess.PIPE, check=False)
