@@ -6,6 +6,7 @@
 
 #include "libltl/diagnostic.hpp"
 #include "libplan/model/formats/xml_document.hpp"
+#include "libplan/world/map.hpp"
 
 namespace waymark::parser {
 namespace {
@@ -43,6 +44,7 @@ class MapReader {
     for (const pugi::xml_node& edge : in_.all("edge")) add_edge(edge);
     if (map_.nodes.empty()) in_.fail(roots[0], "a map without nodes");
     map_.objects = sorted(objects_), map_.floors = sorted(floors_), map_.walls = sorted(walls_);
+    checked(roots[0], [&] { const plan::Map made(map_.name, hallways_, map_.objects, map_.floors, map_.walls); });
     return std::move(map_);
   }
 

@@ -128,5 +128,16 @@ TEST_F(ImportSail, RefusesMapsThatAreNoHallways) {
   }
 }
 
+// Names that no map of ours could tell apart: of things, and of what a place looks like.
+TEST_F(ImportSail, RefusesMapsWhosePropositionsCoincide) {
+  for (const char* const item : {"corner", "intersection", "moved"}) {
+    std::string map = flat_map;
+    map.insert(map.rfind("</map>"), "<node x=\"4\" y=\"0\" item=\"" + std::string(item) + "\"/>");
+    write("map-yard.xml", map);
+    EXPECT_NE(complaint().find("map-yard.xml:1"), std::string::npos) << item << ": " << complaint();
+    EXPECT_NE(complaint().find("share the proposition '" + std::string(item) + "'"), std::string::npos) << complaint();
+  }
+}
+
 }  // namespace
 }  // namespace waymark::parser
