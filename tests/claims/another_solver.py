@@ -5,8 +5,9 @@ another_solver.py WAYMARK [--only SET] [--side N] [--models N] [--seed S]
 another_solver.py WAYMARK --case FILE...
 
 Sets of tasks: `families` (those of tests/bench/noisy_grids.py, mazes and one-way streets, with more tasks), `passages`
-(bridges between lava, those of docs/planning.md), `large` (its grids of 500 by 500 and of 1000 by 1000 cells), `models`
-(random Markov decision processes in PRISM's explicit files), `curves` (points of two objectives of such models).
+(bridges between lava, the rows of docs/planning.md), `bridges` (its twelve of one side), `large` (its grids of 500 by
+500 and of 1000 by 1000 cells), `models` (random Markov decision processes in PRISM's explicit files), `curves` (points
+of two objectives of such models).
 
 The chance of winning is that of stopping in an accepting state, or of staying for ever where marked edges recur (bottom
 components of the chain, [BK08, Cor. 10.34]); a cost is the expected one until then. What files and strategies mean is
@@ -16,6 +17,7 @@ read in chains.py, without code of waymark. Each value must lie between the boun
 is missing.
 """
 import argparse
+import itertools
 import json
 import random
 import subprocess
@@ -140,6 +142,11 @@ class Checks:
             case = written(self.options.waymark, [str(width), str(noise)], side, self.folder)
             self.run(f"{side}, {width}, {noise}", model_of(case), ["--case", case])
 
+    def bridges(self):
+        for width, noise in itertools.product((1, 2, 3), (0.02, 0.05, 0.1, 0.2)):
+            case = written(self.options.waymark, [str(width), str(noise)], self.options.side, self.folder)
+            self.run(f"{self.options.side}, {width}, {noise}", model_of(case), ["--case", case])
+
     def large(self):
         for kind, side, noise, landmarks, seed, tasks in LARGE:
             case = written(self.options.waymark, ["--kind", kind, "--noise", str(noise), "--landmarks", str(landmarks),
@@ -193,8 +200,8 @@ class Checks:
         return 1 if wrong or not self.rows else 0
 
 
-SETS = {"families": Checks.families, "passages": Checks.passages, "large": Checks.large, "models": Checks.models,
-        "curves": Checks.curves}
+SETS = {"families": Checks.families, "passages": Checks.passages, "bridges": Checks.bridges,
+        "large": Checks.large, "models": Checks.models, "curves": Checks.curves}
 
 
 def main():
@@ -202,7 +209,7 @@ def main():
     parser.add_argument("waymark")
     parser.add_argument("--case", type=Path, nargs="+", metavar="FILE", help="planning cases")
     parser.add_argument("--only", choices=SETS, action="append", help="also several times")
-    parser.add_argument("--side", type=int, default=100, help="of families [100]")
+    parser.add_argument("--side", type=int, default=100, help="of families and bridges [100]")
     parser.add_argument("--models", type=int, default=30, help="how many at random [30]")
     parser.add_argument("--seed", type=int, default=1)
     options = parser.parse_args()
