@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """Values by another solver: each strategy that waymark writes, as a Markov chain, by SciPy's sparse LU.
 
-another_solver.py WAYMARK [--only SET] [--side N] [--models N] [--seed S]
-another_solver.py WAYMARK --case FILE...
+another_solver.py WAYMARK [--best] [--only SET] [--side N] [--models N] [--seed S]
+another_solver.py WAYMARK [--best] --case FILE...
 
 Sets of tasks: `families` (those of tests/bench/noisy_grids.py, mazes and one-way streets, with more tasks), `passages`
 (bridges between lava, the rows of docs/planning.md), `bridges` (its twelve of one side), `large` (its grids of 500 by
@@ -15,6 +15,9 @@ read in chains.py, without code of waymark. Each value must lie between the boun
 (`re_evaluated`), be no better than its bounds of the best, and no worse by more than the tolerance. Left out are walks
 (`cycle`, `lasso`) and values that the graph alone shows to be 0 or infinite: they have no strategy. Exit code 77: SciPy
 is missing.
+
+With --best, the best value over all strategies is found by policy iteration (best.py), and must lie between waymark's
+bounds; `passages`, `large` and `curves` are not meant for it.
 """
 import argparse
 import itertools
@@ -29,6 +32,7 @@ from pathlib import Path
 HERE = Path(__file__).resolve().parent
 sys.path[:0] = [str(HERE.parent / "bench")]
 try:
+    from best import best
     from chains import Chain, Point, model_of, strategies
 except ImportError as missing:
     print(f"SKIPPED: {missing}: no value is found by another solver")
@@ -38,6 +42,7 @@ from noisy_grids import FAMILIES, written  # noqa: E402: after the path
 INFINITE = float("inf")
 TOLERANCE = 1e-6  # of waymark's bounds
 ROUNDING = 1e-12
+EXACT = 1e-9  # of the best value
 DISCOUNT = 0.9
 MORE_FAMILIES = {
     "maze, noise 0.1": ["--kind", "maze", "--noise", "0.1", "--landmarks", "3"],
@@ -117,17 +122,26 @@ class Checks:
             sys.exit(f"error: {name}: {arguments}: exit code {code.returncode}: {code.stderr.decode()}")
         for head, decisions in strategies(self.file) if self.file.exists() else []:
             begun = time.process_time()
-            chain = Chain(model, head, decisions)
-            kind = {"rmin": "cost", "steps": "cost", "discounted": "discounted"}.get(head["query"], "chance")
-            found = chain.value(kind, DISCOUNT)
-            self.row(name, head, len(chain.pairs), found, time.process_time() - begun)
+            pairs, found = self.found(model, head, decisions)
+            self.row(name, head, pairs, found, time.process_time() - begun)
 
-    def row(self, name, head, pairs, found, seconds):
+    def found(self, model, head, decisions):
+        """How many pairs, and what the strategy is worth."""
+        chain = Chain(model, head, decisions)
+        kind = {"rmin": "cost", "steps": "cost", "discounted": "discounted"}.get(head["query"], "chance")
+        return len(chain.pairs), chain.value(kind, DISCOUNT)
+
+    def judged(self, head, found):
+        """How far outside, and whether that is wrong."""
         lower, upper = (float(head[key]) for key in ("lower", "upper"))
         own = [float(head["re_evaluated"][key]) for key in ("lower", "upper")]
         least = head["query"] in ("pmin", "rmin", "steps")
         outside = max(farther(found, *own), farther(found, *((lower, INFINITE) if least else (-INFINITE, upper))))
-        wrong = outside > TOLERANCE or farther(found, lower, upper) > 2 * TOLERANCE
+        return outside, outside > TOLERANCE or farther(found, lower, upper) > 2 * TOLERANCE
+
+    def row(self, name, head, pairs, found, seconds):
+        lower, upper = (float(head[key]) for key in ("lower", "upper"))
+        outside, wrong = self.judged(head, found)
         self.rows.append((self.set, pairs, outside, wrong))
         print(f"| {name} | `{head['task'] if head['task'] != 'formula' else head['formula']}` | {head['query']} | "
               f"{pairs:,} | {lower:.9g} to {upper:.9g} | {found:.9g} | {outside:.0e} | {seconds:.0f} |", flush=True)
@@ -200,6 +214,17 @@ class Checks:
         return 1 if wrong or not self.rows else 0
 
 
+class Bests(Checks):
+    """The bounds of the best strategy hold what policy iteration finds over all strategies."""
+
+    def found(self, model, head, decisions):
+        return best(model, head, DISCOUNT)
+
+    def judged(self, head, found):
+        outside = farther(found, *(float(head[key]) for key in ("lower", "upper")))
+        return outside, outside > EXACT
+
+
 SETS = {"families": Checks.families, "passages": Checks.passages, "bridges": Checks.bridges,
         "large": Checks.large, "models": Checks.models, "curves": Checks.curves}
 
@@ -212,11 +237,12 @@ def main():
     parser.add_argument("--side", type=int, default=100, help="of families and bridges [100]")
     parser.add_argument("--models", type=int, default=30, help="how many at random [30]")
     parser.add_argument("--seed", type=int, default=1)
+    parser.add_argument("--best", action="store_true", help="the best values instead of those of strategies")
     options = parser.parse_args()
     print("| model | task | query | pairs met | bounds | by the other solver | outside | s |\n"
           "|---|---|---|---:|---|---:|---:|---:|")
     with tempfile.TemporaryDirectory() as folder:
-        checks = Checks(options, Path(folder))
+        checks = (Bests if options.best else Checks)(options, Path(folder))
         for name, check in ({"cases": Checks.cases} if options.case else SETS).items():
             if options.case or not options.only or name in options.only:
                 checks.set = name

@@ -2,8 +2,9 @@
 
 `Automaton`, and the models `Grid` (`ltlgrid/1`), `Hallways` (`ltlmap/1`) and `Explicit` (PRISM's `.tra` with `.lab`,
 `.srew` and `.trew`) say what leads where; `Chain` follows a strategy through both, `Point` one of two objectives. No
-code of waymark takes part. A model has `start`, `first` (the letter read first), `place(NAME)` and `outcomes(PLACE,
-ACTION)`: the cost of the move, and triples of place, letter and chance; an action is a name, or None for any.
+code of waymark takes part. A model has `start`, `first` (the letter read first), `place(NAME)`, `actions(PLACE)` and
+`outcomes(PLACE, ACTION)`: the cost of the move, and triples of place, letter and chance; an action is a name, or None
+for any.
 """
 import json
 import re
@@ -98,6 +99,10 @@ class Grid:
         barred = there.get("wall") or any(way and way != DIRECTIONS[direction] for way in ways)
         return at if barred else to
 
+    @staticmethod
+    def actions(_):
+        return DIRECTIONS
+
     def outcomes(self, at, action):
         chosen = DIRECTIONS.index(action) if action else 0
         reached = [(self.moved(at, (chosen + turn) % 4), p) for turn, p in enumerate(self.chances) if p > 0]
@@ -127,6 +132,9 @@ class Hallways:
     def letter(self, at):
         ahead = self.ways.get(at, (None, []))[1]
         return frozenset([*self.props[at[0]], *(f"face_{name}" for name in ahead)])
+
+    def actions(self, at):
+        return ["left", "right", *(["forward"] if at in self.ways else [])]
 
     def outcomes(self, at, action):
         node, heading = at
@@ -168,6 +176,9 @@ class Explicit:
     @staticmethod
     def place(name):
         return int(name)
+
+    def actions(self, at):
+        return [*self.named[at]] or [None]
 
     def outcomes(self, at, action):
         choices = self.choices[at]
