@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "libautomata/omega/candidate.hpp"
 #include "libautomata/omega/simulation.hpp"
 
 namespace waymark::automata {
@@ -86,10 +87,6 @@ Reduced stepwise(TransitionRelation automaton, MarksOn marks, Budget& budget) {
   }
 }
 
-bool is_smaller(const TransitionRelation& a, const TransitionRelation& b) {
-  return a.states() < b.states() || (a.states() == b.states() && count_edges(a) < count_edges(b));
-}
-
 }  // namespace
 
 Reduced reduce(TransitionRelation automaton, MarksOn marks, Budget& budget) {
@@ -119,8 +116,7 @@ Reduced reduce_as_marked(const TransitionRelation& automaton, Budget& budget) {
     Reduced other = reduce(simulated(plain, budget), MarksOn::Edges, budget);
     const bool complete =
         out.complete && other.complete;  // the one that is left may be the larger one for want of steps
-    return {is_smaller(other.automaton, out.automaton) ? std::move(other.automaton) : std::move(out.automaton),
-            complete};
+    return {smaller(other.automaton, out.automaton) ? std::move(other.automaton) : std::move(out.automaton), complete};
   } catch (const Budget::Exceeded& spent) {
     if (spent.reason == Budget::Exceeded::Reason::Stopped) throw;
     return {reduce(automaton, MarksOn::Edges, budget).automaton, false};

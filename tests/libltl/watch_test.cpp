@@ -33,6 +33,12 @@ TEST(Watch, StopsWhenTheProcessHoldsTooMuch) {
   EXPECT_EQ(watch.overrun(), Overrun::Memory);
 }
 
+TEST(Watch, StopsForMemoryWithoutAnAllowanceOfSeconds) {
+  const Watch watch({.bytes = 1}, {});
+  wait_for(watch.token());
+  EXPECT_EQ(watch.overrun(), Overrun::Memory);
+}
+
 TEST(Watch, ForwardsTheOtherStop) {
   std::stop_source other;
   const Watch watch({.seconds = 600, .bytes = SIZE_MAX}, other.get_token());

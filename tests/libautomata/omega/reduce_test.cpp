@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "libautomata/hoa/omega.hpp"
+#include "libautomata/omega/candidate.hpp"
 #include "libautomata/omega/degeneralize.hpp"
 #include "libautomata/omega/emptiness.hpp"
 #include "libautomata/omega/fewest_marks.hpp"
@@ -145,6 +146,27 @@ TEST_F(Reductions, AnImpliedSetGoes) {
                      .c_str());
     EXPECT_EQ(scc_filter(before, MarksOn::Edges, budget_).acceptance.sets, 1U) << marks;
   }
+}
+
+TEST_F(Reductions, WhereAllRunsAcceptNoSetIsLeft) {
+  const TransitionRelation marked = from_hoa(R"(HOA: v1 States: 1 Start: 0 AP: 1 "a" Acceptance: 1 Inf(0)
+    --BODY-- State: 0 [0] 0 {0} --END--)");
+  EXPECT_EQ(scc_filter(marked, MarksOn::Edges, budget_).acceptance.sets, 0U);
+}
+
+// By states first, by edges then.
+TEST_F(Reductions, ASmallerAutomatonHasFewerStatesOrAsManyAndFewerEdges) {
+  const TransitionRelation two_edges = from_hoa(R"(HOA: v1 States: 1 Start: 0 AP: 1 "a" Acceptance: 1 Inf(0)
+    --BODY-- State: 0 [0] 0 {0} [!0] 0 --END--)");
+  const TransitionRelation one_edge = from_hoa(R"(HOA: v1 States: 1 Start: 0 AP: 1 "a" Acceptance: 1 Inf(0)
+    --BODY-- State: 0 [0] 0 {0} --END--)");
+  const TransitionRelation two_states = from_hoa(R"(HOA: v1 States: 2 Start: 0 AP: 1 "a" Acceptance: 1 Inf(0)
+    --BODY-- State: 0 [0] 1 {0} State: 1 --END--)");
+  EXPECT_TRUE(smaller(one_edge, two_edges));
+  EXPECT_FALSE(smaller(two_edges, one_edge));
+  EXPECT_FALSE(smaller(two_edges, two_edges));
+  EXPECT_TRUE(smaller(two_edges, two_states));
+  EXPECT_FALSE(smaller(two_states, two_edges));
 }
 
 // Every cycle through 1 passes 0, which is marked: so is 1.

@@ -89,6 +89,7 @@ TEST_F(Routes, RestartingReadsGoodPrefixesForEver) {
   }
   const Formula persistent = ltl::parse("F G a", arena_);  // not co-safe: some runs accept elsewhere
   EXPECT_FALSE(restarted(tableau_of(persistent)));
+  EXPECT_FALSE(restarted(tableau_of(ltl::parse("G a", arena_))));  // its one state accepts, and is left by !a
 }
 
 // By reachability alone: the component of the new initial state leads nowhere else, and no such component is smaller.

@@ -272,6 +272,22 @@ TEST(CaseTask, SaysWhichConjunctsAreInTheWay) {
   EXPECT_NE(unseen.reason.find("never seen from the start: nowhere"), std::string::npos) << unseen.reason;
 }
 
+// A cost is finite where the goal is sure to be reached: by chance is not enough.
+TEST(CaseTask, AllConjunctsGoWithoutWhichTheRestIsSure) {
+  const PlanningCase line = parse_case(R"({"format": "ltlgrid/1", "width": 4, "height": 1, "rows": ["xsab"],
+    "legend": {"x": {"props": ["x"]}, "s": {}, "a": {"props": ["a"]}, "b": {"props": ["b"]}},
+    "start": {"x": 1, "y": 0}, "motion": {"forward": 0.8, "back": 0.2}})");
+  const CaseAnswer least =
+      answer(line, {.id = "", .formula = "(!x U a) & (!x U b) & F(b & X F a)", .query = CaseTask::Query::MinCost});
+  EXPECT_EQ(least.status, CaseAnswer::Status::Infeasible);
+  EXPECT_EQ(least.dropped, (std::vector<std::string>{"!x U a", "!x U b"}));
+}
+
+TEST(CaseTask, AWalkHasNoStrategy) {
+  const CaseTask lasso{.id = "", .formula = "G F a", .query = CaseTask::Query::LeastLasso};
+  EXPECT_THROW(answer(quiet_case(), lasso, {.strategy = true}), std::invalid_argument);
+}
+
 TEST(CaseTask, MethodsAgree) {
   const PlanningCase planning_case = parse_case(small_case);
   for (const char* formula : {"F a", "F a & F b", "!x U b"}) {
