@@ -101,7 +101,11 @@ class ArcReader {
     nodes_ = number(RoadGraph::most_nodes);
     arcs_ = number(UINT32_MAX - 1);
     if (nodes_ == 0) fail("expected a node at least");
-    const std::size_t believed = std::min<std::size_t>(arcs_, std::size_t{1} << 26U);
+    make_room(std::size_t{1} << 20U);
+  }
+  // Of what the line p claims, no more than so many times the arcs that were read.
+  void make_room(std::size_t most) {
+    const std::size_t believed = std::min<std::size_t>(arcs_, most);
     parts_.tails.reserve(believed);
     parts_.arcs.reserve(believed + 1);
   }
@@ -110,6 +114,7 @@ class ArcReader {
     in_.skip();
     if (in_.peek() != ' ' && in_.peek() != '\t') fail("expected a FROM TO COST");
     const std::uint32_t tail = node(), head = node();
+    if (parts_.tails.size() == parts_.tails.capacity()) make_room(64 * parts_.tails.size());
     parts_.tails.push_back(tail);
     parts_.arcs.push_back({head, static_cast<std::uint32_t>(number(RoadGraph::most_arc_cost))});
     if (parts_.arcs.size() > arcs_) fail("expected " + std::to_string(arcs_) + " arcs, here is one more");

@@ -1,7 +1,9 @@
 // Roads of DIMACS: what is read, what is refused and where, and roads that were generated.
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 
 #include <algorithm>
+#include <fstream>
 #include <map>
 #include <sstream>
 
@@ -11,6 +13,7 @@
 #include "libplan/roads/contract.hpp"
 #include "libplan/roads/road_task.hpp"
 #include "tests/libplan/roads/random_roads.hpp"
+#include "tests/support/sanitizers.hpp"
 
 namespace waymark::plan {
 namespace {
@@ -67,6 +70,37 @@ TEST(Dimacs, RefusesWithTheLine) {
     EXPECT_NE(message(gr, labels), "read") << labels;
   EXPECT_NE(message(gr, lab, "b").find("did you mean 'a'?"), std::string::npos);
   EXPECT_NE(message(gr, lab, "3").find("no node or label"), std::string::npos);
+}
+
+// The address space that this process may take, until the end of the scope: what it has and so many bytes more.
+class MoreMemoryAtMost {
+ public:
+  explicit MoreMemoryAtMost(std::size_t bytes) {
+    std::size_t pages = 0;
+    std::ifstream("/proc/self/statm") >> pages;
+    getrlimit(RLIMIT_AS, &before_);
+    rlimit limit = before_;
+    limit.rlim_cur = pages * 4'096 + bytes;
+    setrlimit(RLIMIT_AS, &limit);
+  }
+  ~MoreMemoryAtMost() { setrlimit(RLIMIT_AS, &before_); }
+
+ private:
+  rlimit before_{};
+};
+
+TEST(Dimacs, TakesMemoryForTheArcsThatAreThere) {
+  if (waymark::testing::sanitized) GTEST_SKIP() << "a sanitizer takes more address space than there is memory";
+  const MoreMemoryAtMost limit(std::size_t{128} << 20U);
+  EXPECT_THROW(parsed("p sp 41 555555551\na 1 2 1\n", "0=\"a\"\n1: 0\n"), ltl::FormatError);
+}
+
+TEST(Dimacs, ReadsMoreArcsThanItBelievesAtFirst) {
+  constexpr std::size_t arcs = 1'100'000;
+  std::string gr = "p sp 2 " + std::to_string(arcs) + "\n";
+  for (std::size_t i = 0; i < arcs; ++i) gr += "a 1 2 1\n";
+  const RoadGraph graph = parsed(gr, "0=\"a\"\n1: 0\n");
+  EXPECT_EQ(graph.arcs(), arcs);
 }
 
 TEST(Dimacs, WritesWhatItReads) {
