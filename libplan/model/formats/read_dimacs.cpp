@@ -22,7 +22,7 @@ namespace {
 // Characters of a stream through one block of memory.
 class Characters {
  public:
-  explicit Characters(std::istream& in) : in_(in), block_(std::size_t{1} << 20U) {}
+  explicit Characters(std::istream& in) : in_(in), block_(std::size_t{1} << 16U) {}
   static constexpr int end = -1;
   int peek() {
     if (at_ == size_ && !fill()) return end;

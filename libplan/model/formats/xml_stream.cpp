@@ -9,7 +9,7 @@
 namespace waymark::plan {
 namespace {
 
-constexpr std::size_t bytes_at_once = std::size_t{1} << 20U;
+constexpr std::size_t bytes_at_once = std::size_t{1} << 16U;
 constexpr std::size_t longest_tag = std::size_t{1} << 24U;
 constexpr std::string_view blanks = " \t\r\n";
 
