@@ -251,10 +251,13 @@ TEST(CaseTask, OnlyVisitsAreTours) {
   const PlanningCase open = parse_case(R"({"format": "ltlgrid/1", "width": 320, "height": 320, "rows": [)" + rows +
                                        R"(], "legend": {"a": {"props": ["a"]}, "b": {"props": ["b"]}, "s": {}},
     "start": {"x": 0, "y": 0}})");
-  const auto ask = [&](const char* formula) {
-    return answer(open, {.id = "", .formula = formula, .query = CaseTask::Query::MinCost}, {.explain = false});
+  const auto ask = [&](const char* formula, bool route = false) {
+    return answer(open, {.id = "", .formula = formula, .query = CaseTask::Query::MinCost},
+                  {.explain = false, .route = route});
   };
   const CaseAnswer visits = ask("F a & F b");
+  EXPECT_TRUE(visits.routes.empty());
+  EXPECT_EQ(ask("F a & F b", true).routes.size(), 1U);
   EXPECT_EQ(visits.value.upper, 4);
   EXPECT_EQ(visits.product_states, 0U) << "no product";
   EXPECT_EQ(ask("(b U a) & (a U b)").status, CaseAnswer::Status::Infeasible);
@@ -280,6 +283,15 @@ TEST(CaseTask, AllConjunctsGoWithoutWhichTheRestIsSure) {
       answer(line, {.id = "", .formula = "(!x U a) & (!x U b) & F(b & X F a)", .query = CaseTask::Query::MinCost});
   EXPECT_EQ(least.status, CaseAnswer::Status::Infeasible);
   EXPECT_EQ(least.dropped, (std::vector<std::string>{"!x U a", "!x U b"}));
+}
+
+// A cycle through the start needs no way to it; there and back again between a and b is the shortest cycle.
+TEST(CaseTask, ALassoIsWorthWhatItsOrderPutsFirst) {
+  const CaseTask lasso{.id = "", .formula = "G F a & G F b", .query = CaseTask::Query::LeastLasso};
+  const auto value = [&](LassoOrder order) { return answer(quiet_case(), lasso, {.order = order}).value.upper; };
+  EXPECT_EQ(value(LassoOrder::Prefix), 0);
+  EXPECT_EQ(value(LassoOrder::Cycle), 2);
+  EXPECT_EQ(value(LassoOrder::Mean), 2);
 }
 
 TEST(CaseTask, AWalkHasNoStrategy) {

@@ -92,6 +92,19 @@ TEST(GivenAutomaton, FiniteWordsGoTheSameWay) {
   }
 }
 
+TEST(GivenAutomaton, SaysWhyNothingIsAccepted) {
+  const PlanningCase line = parse_case(R"({"format": "ltlgrid/1", "width": 2, "height": 1, "rows": ["sa"],
+    "legend": {"s": {}, "a": {"props": ["a"]}}, "start": {"x": 0, "y": 0}})");
+  ltl::Arena arena(testing::vocabulary_ab());
+  const auto asked = [&](ltl::Formula f, Query query) {
+    return answer(line, {.id = "", .formula = "", .query = query}, GivenAutomaton(automata::ltlf_to_dfa(f)));
+  };
+  const ltl::Formula never = ltl::eventually(arena.atom("b")), possible = ltl::eventually(arena.atom("a"));
+  EXPECT_EQ(asked(never, Query::MinCost).reason, "no strategy is sure to be accepted by the automaton");
+  EXPECT_EQ(asked(never, Query::MaxProbability).reason, "no strategy has a chance to be accepted by the automaton");
+  EXPECT_EQ(asked(possible, Query::MinCost).reason, "");
+}
+
 TEST(GivenAutomaton, SaysWhatItCannotAnswer) {
   ltl::Arena arena(testing::vocabulary_ab());
   ltl::Random random(44);
