@@ -9,6 +9,7 @@
 
 #include "libautomata/finite/ltlf_to_dfa.hpp"
 #include "libltl/text/parse.hpp"
+#include "libplan/solve/case_task.hpp"
 #include "libplan/solve/markov_chain.hpp"
 #include "libplan/solve/value_iteration.hpp"
 #include "tests/libplan/solve/random_grids.hpp"
@@ -146,6 +147,53 @@ TEST(StrategyChain, TakesNoFalseClaims) {
   EXPECT_GT(chances.sooner, 20U);
   EXPECT_GT(costs.tried, 300U);
   EXPECT_GT(costs.sooner, 10U);
+}
+
+// Two halves of free ground and a bridge of one cell between hazards; the start is in one half, the goal in the other.
+GridWorld bridge_grid(std::uint32_t side) {
+  std::vector<GridCell> palette(4);
+  palette[1].wall = true;
+  palette[2].label = {ltl::Proposition{0}};
+  palette[3].label = {ltl::Proposition{1}};
+  const std::uint32_t first = (side - side / 5) / 2, last = first + side / 5, middle = side / 2;
+  std::vector<std::uint16_t> cells(std::size_t{side} * side, 0);
+  for (std::uint32_t y = 0; y < side; ++y)
+    for (std::uint32_t x = first; x < last && y != middle; ++x)
+      cells[y * side + x] = y + 1 == middle || y == middle + 1 ? 3 : 1;
+  cells[3 * side - 3] = 2;
+  GridWorld::Shape shape{.width = side, .height = side};
+  shape.motion.fill({.forward = 0.7, .left = 0.1, .right = 0.1, .back = 0.1});
+  return GridWorld(shape, ltl::Vocabulary({"a", "x"}), palette, cells, middle * side + 2);
+}
+
+// What sweeps in place say of the best strategy, against the chain written out and solved.
+TEST(StrategyChain, OfALongPassageIsWorthWhatTheChainWrittenOutIs) {
+  constexpr std::uint32_t side = 50;
+  const GridWorld grid = bridge_grid(side);
+  const CaseAnswer found = answer(
+      {"", grid, {}}, {.id = "", .formula = "!x U a", .query = CaseTask::Query::MaxProbability}, {.strategy = true});
+  ASSERT_TRUE(found.strategy);
+  ltl::Arena arena(grid.letters().vocabulary());
+  const automata::Dfa dfa = automata::ltlf_to_dfa(ltl::parse("!x U a", arena));
+  const TaskTable task(dfa, grid.letters());
+  const auto product = Product::explore(grid, task);
+  ASSERT_TRUE(product);
+  std::vector<std::uint32_t> chosen(std::size_t{side} * side, 0);
+  for (const Decision& d : found.strategy->decisions) chosen[d.state] = d.choice;
+  Strategy strategy{Choices(product->states()), product->starts().front()};
+  product->for_each_state([&](const auto& s) {
+    if (!product->is_goal(s)) strategy.choice.set(s.index, chosen[s.place]);
+  });
+  const MarkovChain written(*product, strategy);
+  const Unknowns unknowns = unknowns_of<Measure::MaxProbability>(written);
+  const auto solved = ValueIteration<MarkovChain, Measure::MaxProbability>(
+                          written, unknowns, {.tolerance = tolerance, .policy_iteration = true, .sweeps = 10'000})
+                          .run();
+  ASSERT_TRUE(solved);
+  constexpr std::uint32_t start = 0;
+  ASSERT_EQ(written.origin(start), product->starts().front());
+  EXPECT_LE(found.strategy->re_evaluated.lower, solved->bounds.upper(start) * rounding);
+  EXPECT_GE(found.strategy->re_evaluated.upper * rounding, solved->bounds.lower(start));
 }
 
 // What is kept of some states is what is kept of all.
