@@ -2,8 +2,9 @@
 
 `Product` has every pair of place and automaton state that some choice of actions leads to. `best` solves each policy by
 SciPy's sparse LU and takes better actions until there is none [Put94, §6.4]. That no other policy is better then
-follows from the values alone: they satisfy Bellman's inequalities in every pair and for every action, and are those of
-a policy. No code of waymark takes part but the automaton, which the claims of automata are about.
+follows from the values alone, up to STRICT a move: they satisfy Bellman's inequalities in every pair and for every
+action, and are those of a policy. No code of waymark takes part but the automaton, which the claims of automata are
+about.
 """
 import numpy
 from scipy.sparse import csr_matrix, identity
@@ -13,7 +14,7 @@ from scipy.sparse.linalg import splu
 from chains import Automaton
 
 LOST = (None, None)
-STRICT = 1e-12  # relative; what an action must be better by
+STRICT = 1e-12  # of a value, or of 1 where that is more; what an action must be better by
 MOST_POLICIES = 1000
 
 
