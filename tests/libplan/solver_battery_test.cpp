@@ -2,6 +2,8 @@
 // on seeded random larger ones.
 #include <gtest/gtest.h>
 
+#include <boost/range/iterator_range.hpp>
+
 #include "libltl/structure/random.hpp"
 #include "libltl/text/parse.hpp"
 #include "libplan/certify.hpp"
@@ -40,6 +42,40 @@ void expect_least(const Progressed& expected, const Map& map, ltl::Formula f, Po
   ASSERT_EQ(least->actions.has_value(), expected.proof == Proof::Found) << paste(map, f, {&start, 1});
   if (!least->actions) return;
   EXPECT_EQ(*least->actions, expected.route.actions.size()) << paste(map, f, {&start, 1});
+}
+
+// Of the vertices from which nothing is accepted any more, none has an action; all others end.
+TEST(ShortestRoute, PoliciesTellWhereNothingLeadsOn) {
+  const Map map = hallway(3);
+  ltl::Arena arena;
+  const automata::Dfa dfa = automata::ltlf_to_dfa(ltl::parse("X X X chair | X X X X X chair", arena));
+  const MapProduct product = compose(map, dfa, pose_at(map, 0, 0, 90));
+  const Outcome outcome = solve(product, {ShortestRoute::Algorithm::Dijkstra});
+  const Policy& policy = std::get<Solved>(outcome).policy;
+  std::size_t lost = 0, ends = 0;
+  for (const ProductState& first : boost::make_iterator_range(vertices(product))) {
+    ProductState at = first;
+    std::size_t steps = 0;
+    for (; policy.action[product.index(at)] && steps <= num_vertices(product); ++steps)
+      for (auto [e, end] = out_edges(at, product); e != end; ++e)
+        if (product.action(*e) == policy.action[product.index(at)]) {
+          at = e->to;
+          break;
+        }
+    EXPECT_TRUE(product.is_accepting(at) || steps == 0) << steps << " steps";
+    ++(product.is_accepting(at) ? ends : lost);
+  }
+  EXPECT_GT(lost, 0U);
+  EXPECT_GT(ends, 4U);
+}
+
+TEST(RoutePlanner, MeetsEveryPoseOnce) {
+  const Map map = hallway(40);
+  ltl::Arena arena;
+  const automata::Dfa dfa = automata::ltlf_to_dfa(ltl::parse("F sofa", arena));
+  RoutePlanner planner(map, dfa);
+  ASSERT_TRUE(std::holds_alternative<Infeasible>(planner.plan(pose_at(map, 0, 0, 90))));
+  EXPECT_EQ(planner.met(), map.poses());
 }
 
 TEST(SolverBattery, AllSmallFormulasAgainstEnumeration) {

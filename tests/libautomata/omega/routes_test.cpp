@@ -142,5 +142,18 @@ TEST_F(Routes, ContainmentIsImplicationOnEveryWord) {
   EXPECT_GT(found, formulas.size());
 }
 
+TEST_F(Routes, ContainmentSaysNoOnceTheBudgetIsSpent) {
+  const Formula f = ltl::parse("a U (b U (a U b))", arena_), g = ltl::parse("F b", arena_);
+  EXPECT_TRUE(Containment(reads_, budget_)(f, g));
+  Budget none(0, SIZE_MAX, {});
+  Containment implies(reads_, none);
+  EXPECT_FALSE(implies(f, g)) << "nothing is thrown";
+  EXPECT_FALSE(implies(g, g)) << "nor is anything asked again";
+  std::stop_source source;
+  source.request_stop();
+  Budget stopped(4'096, SIZE_MAX, source.get_token());  // a stop is looked for every 4,096 steps
+  EXPECT_THROW(Containment(reads_, stopped)(f, g), Budget::Exceeded);
+}
+
 }  // namespace
 }  // namespace waymark::automata

@@ -46,6 +46,24 @@ TEST(Separate, KeepsTheMeaningOnRandomPairs) {
   }
 }
 
+// Formulas like those that the rules with a negated operand are about, and such as only look like them.
+TEST(Separate, KeepsTheMeaningWhereAnOperandIsNegatedBeside) {
+  const char* const beside[] = {"!a", "b", "F b", "G b", "F !b", "G !b", "X b", "a U b", "F G b", "G F b"};
+  const auto lassos = testing::all_lassos({.length = 3, .atoms = 2});
+  std::size_t changed = 0;
+  for (const std::string one : beside)
+    for (const std::string other : beside)
+      for (const std::string third : beside)
+        for (const std::string& text : {"G a | F(" + one + " & " + other + " & " + third + ")",
+                                        "F !a & G(" + one + " | " + other + " | " + third + ")"}) {
+          Arena arena(testing::letters_vocabulary(2));
+          const Formula f = parse(text, arena), g = separated(f);
+          changed += g == nnf(f) ? 0 : 1;
+          for (const Lasso& word : lassos) ASSERT_EQ(holds(word, f), holds(word, g)) << text << " became " << print(g);
+        }
+  EXPECT_GT(changed, 100U);
+}
+
 // v ⊨ φ implies uv ⊨ φ, and the other way round: the suffixes of a lasso are lassos.
 TEST(Separate, PurityIsAClaimAboutSuffixes) {
   Arena arena;

@@ -304,6 +304,7 @@ TEST(Pareto, PrintedCurvesAreReadPointByPoint) {
   EXPECT_EQ(agrees("[(0.25,7),(0.25,7)]", curve), true) << "each printed point is one of the curve";
   EXPECT_EQ(agrees("[(0.25,7)]", curve), false);
   EXPECT_EQ(agrees("[(0.25,7),(0.5,9),(0.5,9)]", curve), false);
+  EXPECT_EQ(agrees("[(0.25,7),(0.5,9),(1,11)]", {curve[0], curve[1], {{1, 11}, {}, {}}}), true);
   EXPECT_FALSE(agrees("[(0.25),(0.5,9)]", curve));
   EXPECT_FALSE(agrees("0.25, 7", curve));
 }

@@ -250,6 +250,50 @@ TEST(PropertyAnswer, KnowsFiltersAndTheLongRun) {
     EXPECT_THROW(answered(coin, property), std::invalid_argument) << property;
 }
 
+// The chance of state 2 is a half from states 0 and 1, which lead to each other.
+constexpr const char* pair_of_rooms = R"(dtmc
+module m
+  s : [0..3];
+  [] s=0 -> 0.5:(s'=1) + 0.25:(s'=2) + 0.25:(s'=3);
+  [] s=1 -> 0.5:(s'=0) + 0.25:(s'=2) + 0.25:(s'=3);
+  [] s>1 -> true;
+endmodule
+)";
+
+TEST(PropertyAnswer, IsNoneWhereTheBoundsLieOnBothSides) {
+  const PropertyAnswer at_the_bound = answered(pair_of_rooms, "P>=0.5 [ F s=2 ]");
+  ASSERT_LT(at_the_bound.answer.value.lower, 0.5);
+  ASSERT_GE(at_the_bound.answer.value.upper, 0.5);
+  EXPECT_EQ(at_the_bound.verdict, std::nullopt);
+  EXPECT_EQ(answered(pair_of_rooms, "P>=0.499999 [ F s=2 ]").verdict, true);
+}
+
+TEST(PropertyAnswer, OfNestedOperatorsAsksForNarrowerBoundsWhereItMust) {
+  const auto counted = [](const char* property) {
+    const std::vector<PrismProperty> all = parse_prism_properties({pair_of_rooms, ""}, {property, ""});
+    return answer(all.at(0), {.tolerance = 1e-3, .explain = false});
+  };
+  EXPECT_EQ(counted("filter(count, P>=0.4999999 [ F s=2 ])").answer.value.lower, 3);
+  EXPECT_EQ(counted("filter(count, P>=0.5000001 [ F s=2 ])").answer.value.lower, 1);
+  const PropertyAnswer at_the_bound = counted("filter(count, P>=0.5 [ F s=2 ])");
+  EXPECT_EQ(at_the_bound.answer.status, CaseAnswer::Status::Exhausted);
+  EXPECT_EQ(at_the_bound.answer.reason, "the bounds do not tell whether P>=0.5 [ F s=2 ] holds in state 0");
+}
+
+TEST(PropertyAnswer, TheFirstStateCountsLikeOthers) {
+  constexpr const char* back_and_forth = R"(dtmc
+module m
+  s : [0..1];
+  [] true -> (s'=1-s);
+endmodule
+)";
+  EXPECT_NEAR(number(back_and_forth, "S=? [ s=0 ]"), 0.5, 1e-9);
+  const PropertyAnswer first = answered(back_and_forth, "s=0");
+  EXPECT_EQ(first.verdict, true);
+  EXPECT_EQ(first.answer.value.lower, 1);
+  EXPECT_EQ(first.answer.value.upper, 1);
+}
+
 // Either is sure to be lit, or the lamp at a price; the lamp and the door exclude each other.
 constexpr const char* lamp = R"(mdp
 module m

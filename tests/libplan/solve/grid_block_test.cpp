@@ -10,6 +10,7 @@
 #include "libautomata/finite/ltlf_to_dfa.hpp"
 #include "libltl/text/parse.hpp"
 #include "libplan/model/formats/generate_grid.hpp"
+#include "libplan/model/formats/read_case.hpp"
 #include "libplan/solve/decide.hpp"
 #include "libplan/solve/reachability.hpp"
 #include "libplan/solve/value_iteration.hpp"
@@ -264,6 +265,22 @@ TEST(GridBlock, GivesUpWhenItIsOutOfSweeps) {
   std::stop_source source;
   source.request_stop();
   EXPECT_FALSE(walk.block().solve({.tolerance = tolerance, .stop = source.get_token()}));
+}
+
+// A block that is out of sweeps has no values, and nor has the product.
+TEST(GridBlock, LeavesNoValuesWhenItIsOutOfSweeps) {
+  std::ostringstream text;
+  write_case(text, generate_grid({.kind = GridKind::Scatter, .width = 20, .height = 20, .noise = 0.1, .seed = 4}));
+  const PlanningCase read = parse_case(text.str());
+  const auto& grid = std::get<GridWorld>(read.model);
+  ltl::Arena arena(grid.letters().vocabulary());
+  const TaskTable task(automata::ltlf_to_dfa(ltl::parse("F (a & F b)", arena)), grid.letters());
+  const auto product = GridBlock::Product::explore(grid, task);
+  ASSERT_GT(swept_in_place(*product), 0U);
+  IterationOptions options{.tolerance = tolerance, .on_grid = 0, .second_way = false};
+  EXPECT_TRUE(least_cost(*product, options));
+  options.sweeps = 1;
+  EXPECT_FALSE(least_cost(*product, options));
 }
 
 }  // namespace

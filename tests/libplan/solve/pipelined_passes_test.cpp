@@ -3,10 +3,14 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
+#include <chrono>
 #include <cmath>
 #include <random>
 #include <sstream>
 #include <string>
+#include <thread>
+#include <vector>
 
 #include "libautomata/finite/ltlf_to_dfa.hpp"
 #include "libltl/text/parse.hpp"
@@ -96,6 +100,53 @@ TEST(PipelinedPasses, AreThoseOfALoop) {
       ASSERT_EQ(found.numbers, expected.numbers) << "seed " << seed << ", threads " << threads;
     }
   }
+}
+
+// No pass works on a chunk before an earlier one has left all that goes with it: chunks are slow here, so that a pass
+// which does not wait comes too early. The second pass has one chunk and is done long before the first.
+TEST(PipelinedPasses, FollowAtADistance) {
+  constexpr std::size_t chunks = 5;
+  ChunkReach reach(chunks);
+  reach.relate(0, 1);
+  reach.relate(2, 4);
+  const std::vector<std::size_t> ends{chunks, 1, chunks, chunks};
+  std::vector<std::vector<std::atomic<bool>>> left(ends.size());
+  for (auto& pass : left) pass = std::vector<std::atomic<bool>>(chunks);
+  std::atomic<int> early = 0;
+  pipelined_passes(
+      reach, 3, {.begin = 0, .end = ends[0], .factor = 0},
+      [&](std::size_t chunk, const Pass& pass) {
+        const auto own = static_cast<std::size_t>(pass.factor);
+        for (std::size_t before = 0; before < own; ++before)
+          for (std::size_t c = 0; c <= reach[chunk] && c < ends[before]; ++c) early += left[before][c] ? 0 : 1;
+        std::this_thread::sleep_for(std::chrono::milliseconds(3));
+        left[own][chunk] = true;
+        return false;
+      },
+      [&](const Pass& pass, std::size_t) -> std::optional<Pass> {
+        const auto next = static_cast<std::size_t>(pass.factor) + 1;
+        if (next == ends.size()) return std::nullopt;
+        return Pass{.begin = 0, .end = ends[next], .factor = static_cast<double>(next)};
+      });
+  EXPECT_EQ(early, 0);
+  for (std::size_t pass = 0; pass < ends.size(); ++pass)
+    for (std::size_t c = 0; c < ends[pass]; ++c) EXPECT_TRUE(left[pass][c]) << pass << ", chunk " << c;
+}
+
+TEST(PipelinedPasses, OfOneThreadAreWorkedOnByTheCaller) {
+  bool others = false;
+  const std::thread::id own = std::this_thread::get_id();
+  pipelined_passes(
+      ChunkReach(3), 1, {.begin = 0, .end = 3},
+      [&](std::size_t, const Pass&) {
+        others = others || std::this_thread::get_id() != own;
+        std::this_thread::sleep_for(std::chrono::milliseconds(2));
+        return false;
+      },
+      [&, passes = 0](const Pass& pass, std::size_t) mutable {
+        return ++passes < 6 ? std::optional(pass) : std::nullopt;
+      });
+  EXPECT_FALSE(others);
 }
 
 TEST(PipelinedPasses, TakeNothingAtAll) {

@@ -202,6 +202,30 @@ TEST(ProductSearch, StopsAtItsLimits) {
   EXPECT_FALSE(search(Product(grid, task), {.states = SIZE_MAX, .stop = source.get_token()}));
 }
 
+// `a` alone is in one cell, the first, but is seen with `b` in another one, too: no route has to pass the first.
+TEST(ProductSearch, ACellIsNoGateWhereAnotherLetterServesAsWell) {
+  const ltl::Letter a{ltl::Proposition{0}}, b{ltl::Proposition{1}}, both{ltl::Proposition{0}, ltl::Proposition{1}};
+  const GridWorld grid({.width = 9, .height = 1}, testing::vocabulary_ab(),
+                       {{.label = a}, {}, {.label = both}, {.label = b}}, {0, 1, 1, 1, 1, 1, 2, 1, 3}, 2);
+  ltl::Arena arena(testing::vocabulary_ab());
+  const TaskTable task(automata::ltlf_to_dfa(ltl::parse("F (a & X F (!a & b))", arena)), grid.letters());
+  EXPECT_EQ(search(Product(grid, task)).value().route.value().cost, 6);
+}
+
+TEST(ProductSearch, ALargeGridWhoseStartIsWalledInHasNoRoute) {
+  constexpr std::uint32_t width = 40;
+  std::vector<std::uint16_t> cells(std::size_t{width} * 1'700, 0);
+  cells.back() = 1;
+  for (std::uint32_t i = 0; i < 4; ++i) cells[width * 3 + i] = cells[width * i + 3] = 2;
+  const GridWorld grid({.width = width, .height = static_cast<std::uint32_t>(cells.size()) / width},
+                       testing::vocabulary_ab(), {{}, {.label = {ltl::Proposition{0}}}, {.wall = true}}, cells, 0);
+  ltl::Arena arena(testing::vocabulary_ab());
+  const TaskTable task(automata::ltlf_to_dfa(ltl::parse("F a", arena)), grid.letters());
+  const SearchAnswer answer = search(Product(grid, task)).value();
+  EXPECT_FALSE(answer.route);
+  EXPECT_EQ(answer.statistics.met, 9U + 9U) << "by both searches";
+}
+
 TEST(ProductSearch, CountsBothSearchesOfALargeGrid) {
   std::vector<std::uint16_t> cells(256, 0);
   cells[200] = 1;

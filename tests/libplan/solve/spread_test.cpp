@@ -58,6 +58,17 @@ TEST(StateSet, IsASetOfNumbers) {
   }
 }
 
+TEST(Choices, KeepThoseOfBeforeWhenTheyNeedMoreThanAByte) {
+  Choices choices(4);
+  choices.set(0, 7);
+  choices.set(1, 254);
+  choices.set(3, 300);
+  EXPECT_EQ(choices[0], 7U);
+  EXPECT_EQ(choices[1], 254U);
+  EXPECT_EQ(choices[2], Choices::none);
+  EXPECT_EQ(choices[3], 300U);
+}
+
 // Each number is expanded once, and what is met is what can be reached, on any number of threads.
 TEST(SearchTogether, MeetsWhatOneThreadMeets) {
   ltl::Random random(6);

@@ -60,6 +60,23 @@ TEST(GivenAutomaton, IsWorthWhatItsFormulaIs) {
   EXPECT_GT(nondeterministic, scaled(10));
 }
 
+// The past of a state without nexts is read by an automaton on finite words.
+TEST(TaskAutomaton, OfThePastIsWorthWhatTheFutureIs) {
+  ltl::Random random(42);
+  int some = 0;
+  for (int i = 0; i < scaled(60); ++i) {
+    const PlanningCase model{"", testing::random_model(random, {.states = 4}), {}};
+    const auto value = [&](const char* formula) {
+      const CaseTask task{"", formula, CaseTask::Logic::Ltl, Query::MaxProbability};
+      return answer(model, task, {.explain = false}).value.middle();
+    };
+    const double past = value("!a U (!b & (a S b))");
+    EXPECT_NEAR(past, value("!a U (b & !a & X (a & !b))"), 4e-6) << testing::show(std::get<Mdp>(model.model));
+    some += past > 0 && past < 1 ? 1 : 0;
+  }
+  EXPECT_GT(some, scaled(10));
+}
+
 TEST(GivenAutomaton, LassosAreThoseOfItsFormula) {
   ltl::Random random(42);
   int found = 0;

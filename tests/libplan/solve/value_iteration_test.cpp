@@ -93,6 +93,26 @@ TEST(ValueIteration, LeastCostsAreThoseOfTheBestPolicy) {
   EXPECT_GT(met.merged, waymark::testing::scaled(50));
 }
 
+// Two states that hardly lead to each other: a second sweep would do.
+TEST(ValueIteration, EndsAfterAsManySweepsAsItIsGiven) {
+  SmallProduct product;
+  product.of = {{{.cost = 1, .outcomes = {{0, 1}}}},
+                {{.cost = 1, .outcomes = {{2, 0.01}, {0, 0.49}, {SmallProduct::trap, 0.5}}}},
+                {{.cost = 1, .outcomes = {{1, 0.01}, {0, 0.49}, {SmallProduct::trap, 0.5}}}}};
+  product.ranges = {0, 1, 3};
+  StateSet targets(3);
+  targets.insert(0);
+  const Unknowns unknowns =
+      unknowns_of<Measure::MaxProbability>(product, targets, testing::best_values(product, targets));
+  const auto found = [&](std::uint64_t sweeps) {
+    IterationOptions options = options_of(2);
+    options.sweeps = sweeps;
+    return ValueIteration<SmallProduct, Measure::MaxProbability>(product, unknowns, options).run();
+  };
+  EXPECT_TRUE(found(10));
+  EXPECT_FALSE(found(1));
+}
+
 // The best of what the choices come to: one that stays is taken again and again.
 template <Measure measure>
 double by_definition(const SmallProduct& product, const Unknowns& unknowns, std::uint32_t i,

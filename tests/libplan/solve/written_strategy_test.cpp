@@ -6,9 +6,11 @@
 #include <vector>
 
 #include "libautomata/finite/ltlf_to_dfa.hpp"
+#include "libautomata/limit_deterministic/ltl_to_ldba.hpp"
 #include "libltl/text/parse.hpp"
 #include "libplan/product/product.hpp"
 #include "libplan/product/task_table.hpp"
+#include "libplan/solve/decide.hpp"
 
 namespace waymark::plan {
 namespace {
@@ -67,6 +69,37 @@ TEST(WrittenStrategy, DecisionsAlongARouteSayWhatIsLeftOfTheTask) {
     EXPECT_EQ(made[i].task, q.index) << i;
     q = searched.dfa.next(q, route.places[i + 1] == 2 ? ltl::Letter{ltl::Proposition{0}} : ltl::Letter{});
   }
+}
+
+// The automaton guesses when `b` begins to hold for ever; which of its states it goes to is told.
+TEST(WrittenStrategy, JumpsSayWhichStateTheyLeadTo) {
+  MdpBuilder builder(ltl::Vocabulary({"b"}));
+  const LetterId none = builder.letter({}), b = builder.letter({ltl::Proposition{0}});
+  builder.add_state("hall");
+  for (const char* name : {"on", "quickly on", "slowly on"}) {
+    builder.add_choice(name);
+    builder.add_outcome(1, b);
+  }
+  builder.add_state("bedroom");
+  for (const char* name : {"stay", "sleep", "rest"}) {
+    builder.add_choice(name);
+    builder.add_outcome(1, b);
+  }
+  const Mdp mdp = std::move(builder).build(0, none);
+  ltl::Arena arena(mdp.letters().vocabulary());
+  const TaskTable task(automata::ltl_to_ldba(ltl::parse("F G b", arena)), mdp.letters());
+  const auto product = ProductMdp<Mdp>::explore(mdp, task);
+  const std::vector<Decision> made = decisions(*product, greatest_probability(*product)->strategy);
+  std::size_t jumps = 0;
+  for (std::size_t i = 0; i < made.size(); ++i) {
+    if (made[i].jump == Decision::no_jump) continue;
+    ++jumps;
+    EXPECT_EQ(made[i].action, "");
+    bool there = false;  // the state it leads to is met in the same place
+    for (const Decision& other : made) there = there || (other.place == made[i].place && other.task == made[i].jump);
+    EXPECT_TRUE(there) << "jump to " << made[i].jump;
+  }
+  EXPECT_EQ(jumps, 1U);
 }
 
 TEST(ProductSearch, CountsWhatItLooksAt) {
