@@ -1,76 +1,75 @@
 #include "libautomata/deterministic/branch_colouring.hpp"
 
 #include <algorithm>
-#include <span>
 
-#include "libautomata/graph/scc.hpp"
 #include "libautomata/omega/acceptance.hpp"
 
 namespace waymark::automata {
 namespace {
 
-class Graph {  // of the edges with at least a colour
- public:
-  Graph(const std::vector<ProductEdge>& edges, std::uint32_t least, std::uint32_t size)
-      : begin_(size + 1), targets_(edges.size()) {
-    std::vector<std::uint32_t> last(size, UINT32_MAX);  // by target: the source of its last edge; once is enough
-    std::uint32_t count = 0, source = 0;
-    for (const ProductEdge& e : edges) {
-      for (; source < e.source; ++source) begin_[source + 1] = count;
-      const bool kept = e.colour >= least && last[e.target] != e.source;
-      last[e.target] = kept ? e.source : last[e.target];
-      targets_[count] = e.target;
-      count += kept ? 1 : 0;
-    }
-    for (; source < size; ++source) begin_[source + 1] = count;
-  }
-  std::size_t size() const { return begin_.size() - 1; }
-  std::span<const std::uint32_t> successors(std::uint32_t v) const {
-    return {targets_.data() + begin_[v], begin_[v + 1] - begin_[v]};
-  }
+// Of edges whose sources ascend, those with at least a colour: the others lead back to where they begin.
+struct Graph {
+  const std::vector<ProductEdge>& edges;
+  const std::vector<std::uint32_t>& begin;  // by vertex: its first edge; one more for the end
+  std::uint32_t least;
 
- private:
-  std::vector<std::uint32_t> begin_, targets_;
+  struct Targets {
+    const ProductEdge* first;
+    std::uint32_t count, least;
+    std::size_t size() const { return count; }
+    std::uint32_t operator[](std::size_t i) const {
+      return first[i].colour >= least ? first[i].target : first[i].source;
+    }
+  };
+  std::size_t size() const { return begin.size() - 1; }
+  Targets successors(std::uint32_t v) const { return {edges.data() + begin[v], begin[v + 1] - begin[v], least}; }
 };
+
+// Where the edges of each vertex begin.
+void index_sources(const std::vector<ProductEdge>& edges, std::uint32_t vertices, std::vector<std::uint32_t>& begin) {
+  begin.resize(vertices + 1);
+  std::uint32_t vertex = 0;
+  for (std::uint32_t i = 0; i < edges.size(); ++i)
+    for (; vertex <= edges[i].source; ++vertex) begin[vertex] = i;
+  for (; vertex <= vertices; ++vertex) begin[vertex] = static_cast<std::uint32_t>(edges.size());
+}
 
 }  // namespace
 
-// By branch: 1 when one of its edges, sources ascending, is on a cycle whose least colour has this parity. Loops over
-// edges compute their tests without a jump, which no processor could predict.
-std::vector<std::uint32_t> BranchColouring::on_cycles(const std::vector<ProductEdge>& edges,
-                                                      std::uint32_t parity) const {
-  std::vector<std::uint32_t> out(branches_);
-  std::uint32_t size = 0;
-  for (const ProductEdge& e : edges) size = std::max({size, e.source + 1, e.target + 1});
+// Loops over edges compute their tests without a jump, which no processor could predict.
+void BranchColouring::look_for_cycles(const std::vector<ProductEdge>& edges, std::uint32_t parity, Budget& budget) {
+  blocked_.assign(branches_, 0);
   for (std::uint32_t least = parity; least <= sets_; least += 2) {
-    budget_.step(edges.size());
+    budget.step(edges.size());
     if (std::none_of(edges.begin(), edges.end(), [&](const ProductEdge& e) { return e.colour == least; })) continue;
-    const Components found = components(Graph(edges, least, size));
+    search_.run(Graph{edges, begin_, least}, found_);
     const auto one = [](bool condition) { return condition ? 1U : 0U; };
-    std::vector<std::uint32_t> has_least(found.count);
+    has_least_.assign(found_.count, 0);
     for (const ProductEdge& e : edges) {
-      const std::uint32_t component = found.of[e.source];
-      has_least[component] |= one(e.colour == least) & one(component == found.of[e.target]);
+      const std::uint32_t component = found_.of[e.source];
+      has_least_[component] |= one(e.colour == least) & one(component == found_.of[e.target]);
     }
     for (const ProductEdge& e : edges) {
-      const std::uint32_t component = found.of[e.source];
-      out[e.branch] |= has_least[component] & one(e.colour >= least) & one(component == found.of[e.target]);
+      const std::uint32_t component = found_.of[e.source];
+      blocked_[e.branch] |= has_least_[component] & one(e.colour >= least) & one(component == found_.of[e.target]);
     }
   }
-  return out;
 }
 
-std::optional<BranchColouring::Colours> BranchColouring::colours(std::vector<ProductEdge>& edges) const {
+std::optional<BranchColouring::Colours> BranchColouring::colours(std::vector<ProductEdge>& edges, Budget& budget) {
   Colours out(branches_, unset);
-  std::uint32_t idle = 0;
+  std::uint32_t vertices = 0;
+  for (const ProductEdge& e : edges) vertices = std::max({vertices, e.source + 1, e.target + 1});
   for (std::uint32_t colour = 0; !edges.empty(); ++colour) {
-    if (colour + 3 > Marks::most || idle == 2) return std::nullopt;
-    const std::vector<std::uint32_t> blocked = on_cycles(edges, 1 - colour % 2);
+    if (colour + 3 > Marks::most) return std::nullopt;
+    index_sources(edges, vertices, begin_);
+    look_for_cycles(edges, 1 - colour % 2, budget);
     const auto coloured = [&](const ProductEdge& e) {
-      if (blocked[e.branch] == 0) out[e.branch] = colour;
-      return blocked[e.branch] == 0;
+      if (blocked_[e.branch] == 0) out[e.branch] = colour;
+      return blocked_[e.branch] == 0;
     };
-    idle = std::erase_if(edges, coloured) == 0 ? idle + 1 : 0;
+    // The cycles that blocked what is left consist of what is left: where nothing goes now, nothing will.
+    if (std::erase_if(edges, coloured) == 0 && colour > 0) return std::nullopt;
   }
   return out;
 }

@@ -68,7 +68,7 @@ class Merging {
       branches_ += classes_[c].tuples;
     }
     core_.assign(branches_, false);
-    colouring_.emplace(branches_, from_.acceptance.sets, budget_);
+    colouring_.emplace(branches_, from_.acceptance.sets);
   }
 
   // Every pair is tried after the last merging, too: a merging can make another possible, which was not.
@@ -141,9 +141,9 @@ class Merging {
     std::vector<std::uint32_t> image = image_;
     std::replace(image.begin(), image.end(), q, r);
     if (met_with_[q] != unset && !near({r, met_with_[q]}, image)) return false;
-    Product whole = begin({image[from_.initial], from_.initial});
+    Product& whole = begin({image[from_.initial], from_.initial});
     explore(whole, image, SIZE_MAX);
-    std::optional<Colours> found = colouring_->colours(whole.edges);  // … which the product loses
+    std::optional<Colours> found = colouring_->colours(whole.edges, budget_);  // … which the product loses
     if (!found) return false;
     image_ = std::move(image);
     colours_ = *std::move(found);
@@ -162,13 +162,13 @@ class Merging {
     return false;
   }
   bool parts_have_colours(const Pair& pair, const std::vector<std::uint32_t>& image) {
-    Product part = begin(pair);
+    Product& part = begin(pair);
     const std::size_t first = first_part_;
     for (std::size_t most = first; part.explored < part.pairs.size(); most *= part_growth) {
       explore(part, image, most);
       std::vector<ProductEdge> inside = part.edges;
       std::erase_if(inside, [&](const ProductEdge& e) { return e.target >= part.explored; });
-      if (colouring_->colours(inside)) continue;
+      if (colouring_->colours(inside, budget_)) continue;
       first_part_ = most == first ? std::max(least_part, most / part_growth) : most;
       return false;
     }
@@ -189,11 +189,10 @@ class Merging {
   // The branches that had no colour the last time are looked at first, alone.
   bool few_have_no_colours(const Pair& pair, const std::vector<std::uint32_t>& image, Budget& budget) {
     budget.poll();
-    const BranchColouring colouring(branches_, from_.acceptance.sets, budget);
     for (const Letters letters : {Letters::FewOfCore, Letters::Few}) {
-      Product part = begin(pair);
+      Product& part = begin(pair);
       explore(part, image, SIZE_MAX, letters, budget);
-      if (colouring.colours(part.edges)) continue;
+      if (colouring_->colours(part.edges, budget)) continue;
       core_.assign(branches_, false);
       for (const ProductEdge& e : part.edges) core_[e.branch] = true;
       return true;
@@ -209,7 +208,7 @@ class Merging {
       std::iota(one.few.begin(), one.few.end(), 0U);
     }
     Budget spare = budget_.of_stop();
-    Product whole = begin(pair);
+    Product& whole = begin(pair);
     explore(whole, image, SIZE_MAX, Letters::All, spare);
     std::vector<bool> met(classes_.size());
     for (const Pair& p : whole.pairs) met[class_of_[p.first]] = true;
@@ -246,14 +245,16 @@ class Merging {
   }
 
   // The product that was begun before is not explored any more.
-  Product begin(const Pair& first) {
+  Product& begin(const Pair& first) {
     for (const std::uint32_t id : numbered_) number_[id] = unset;
     numbered_.clear();
-    Product out;
-    out.pairs.push_back(first);
+    product_.pairs.clear();
+    product_.edges.clear();
+    product_.explored = 0;
+    product_.pairs.push_back(first);
     numbered_.push_back(pair_id(first));
     number_[numbered_.back()] = 0;
-    return out;
+    return product_;
   }
 
   // The edges of so many pairs, breadth first, or of all that some word leads to.
@@ -310,6 +311,7 @@ class Merging {
   std::vector<std::uint32_t> met_with_;  // by state: the state of before in its first pair
   std::vector<std::uint32_t> number_;    // by pair_id: in the product that grows
   std::vector<std::uint32_t> numbered_;  // the pair_ids with a number
+  Product product_;                      // that grows
   Colours colours_;
   std::size_t first_part_ = least_part;
   Refutations by_all_, by_few_;  // letters

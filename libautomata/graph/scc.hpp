@@ -13,58 +13,79 @@ struct Components {                  // the components of a graph
   std::uint32_t count = 0;           // of components
 };
 
+// The search, and the room that it takes, which the next one takes again.
+class ComponentSearch {
+ public:
+  template <class Graph>
+  void run(const Graph& graph, Components& out) {  // O(vertices + edges)
+    const auto size = static_cast<std::uint32_t>(graph.size());
+    out.order.clear();
+    out.order.reserve(size);
+    out.count = 0;
+    low_.assign(size, 0);
+    open_.resize(size);
+    calls_.resize(size);
+    std::uint32_t opened = 0;  // vertices that were met and have no component yet: the index of the last one
+    std::size_t depth = 0;
+    const auto enter = [&](std::uint32_t v) {
+      open_[opened] = v;
+      low_[v] = ++opened;
+      calls_[depth++] = {v, 0, opened};
+    };
+    for (std::uint32_t start = 0; start < size; ++start) {
+      if (low_[start] != 0) continue;
+      enter(start);
+      while (depth > 0) {
+        Frame& frame = calls_[depth - 1];
+        const std::uint32_t v = frame.vertex;
+        const auto& next = graph.successors(v);
+        const auto degree = static_cast<std::uint32_t>(next.size());
+        std::uint32_t lowest = low_[v], edge = frame.edge, child = size;
+        while (edge < degree) {
+          const std::uint32_t w = next[edge++], there = low_[w];
+          if (there == 0) {
+            child = w;
+            break;
+          }
+          lowest = std::min(lowest, there);
+        }
+        low_[v] = lowest;
+        if (child != size) {
+          frame.edge = edge;
+          enter(child);
+          continue;
+        }
+        if (--depth > 0) {
+          std::uint32_t& above = low_[calls_[depth - 1].vertex];
+          above = std::min(above, lowest);
+        }
+        if (lowest != frame.index) continue;
+        const std::uint32_t known = size - out.count++;  // no vertex that is open has a greater index
+        for (std::uint32_t w = size; w != v;) {
+          w = open_[--opened];
+          low_[w] = known;
+          out.order.push_back(w);
+        }
+      }
+    }
+    out.of.resize(size);
+    for (std::uint32_t v = 0; v < size; ++v) out.of[v] = size - low_[v];
+  }
+
+ private:
+  struct Frame {
+    std::uint32_t vertex, edge, index;
+  };
+  // By vertex: the least index that it is known to lead to; size − component once that is known; 0: not met.
+  std::vector<std::uint32_t> low_;
+  std::vector<std::uint32_t> open_;  // a stack
+  std::vector<Frame> calls_;         // a stack
+};
+
 template <class Graph>
 Components components(const Graph& graph) {  // O(vertices + edges)
-  using Index = std::uint32_t;
-  constexpr std::uint32_t none = UINT32_MAX;
-  struct Frame {
-    Index vertex;
-    std::uint32_t edge;
-  };
-  Components out{std::vector<std::uint32_t>(graph.size(), none), {}, 0};
-  out.order.reserve(graph.size());
-  std::vector<std::uint32_t> index(graph.size(), none), low(graph.size(), none);
-  std::vector<Index> open;
-  std::vector<Frame> calls;
-  std::uint32_t visited = 0;
-  const auto enter = [&](Index v) {
-    index[v] = low[v] = visited++;
-    open.push_back(v);
-    calls.push_back({v, 0});
-  };
-  for (Index start = 0; start < graph.size(); ++start) {
-    if (index[start] != none) continue;
-    enter(start);
-    while (!calls.empty()) {
-      const Index v = calls.back().vertex;
-      const auto& next = graph.successors(v);
-      Index child = none, lowest = low[v];
-      std::uint32_t edge = calls.back().edge;
-      while (edge < next.size() && child == none) {
-        const Index w = next[edge++];
-        if (index[w] == none)
-          child = w;
-        else if (out.of[w] == none)
-          lowest = std::min(lowest, index[w]);
-      }
-      low[v] = lowest;
-      if (child != none) {
-        calls.back().edge = edge;
-        enter(child);
-        continue;
-      }
-      calls.pop_back();
-      if (!calls.empty()) low[calls.back().vertex] = std::min(low[calls.back().vertex], low[v]);
-      if (low[v] != index[v]) continue;
-      for (Index w = none; w != v;) {
-        w = open.back();
-        open.pop_back();
-        out.of[w] = out.count;
-        out.order.push_back(w);
-      }
-      ++out.count;
-    }
-  }
+  Components out;
+  ComponentSearch().run(graph, out);
   return out;
 }
 

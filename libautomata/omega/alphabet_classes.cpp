@@ -94,7 +94,7 @@ AlphabetClasses reversed(const AlphabetClasses& table, Budget& budget) {
     for (std::uint32_t p = 0; p < table.states; ++p)
       for (const Branch& b : table.choices[table.row(p)[kind]]) into[b.target].push_back({p, b.marks});
     for (std::size_t q = 0; q < table.states; ++q) {
-      out.choice[q * table.kinds + kind] = out.choices.intern(into[q]);
+      out.choice[q * table.kinds + kind] = out.choices.intern_sorted(into[q]);  // p ascends, and marks of one p
       into[q].clear();
     }
   }

@@ -22,11 +22,18 @@ std::uint64_t hash_of(std::span<const Branch> branches) {
 
 }  // namespace
 
-Choices::Choices() : begin_{0}, table_(16, 0) { intern({}); }
+Choices::Choices() : begin_{0, 0}, hashes_{0}, table_(16, 0) {}
 
 std::uint32_t Choices::intern(std::vector<Branch> branches) {
-  std::sort(branches.begin(), branches.end());
-  branches.erase(std::unique(branches.begin(), branches.end()), branches.end());
+  if (branches.size() > 1) {
+    std::sort(branches.begin(), branches.end());
+    branches.erase(std::unique(branches.begin(), branches.end()), branches.end());
+  }
+  return intern_sorted(branches);
+}
+
+std::uint32_t Choices::intern_sorted(std::span<const Branch> branches) {
+  if (branches.empty()) return none;  // which the table does not have
   const std::uint64_t hash = hash_of(branches);
   if (2 * (size() + 1) > table_.size()) grow();
   std::size_t at = hash & (table_.size() - 1);
@@ -46,7 +53,7 @@ std::uint32_t Choices::intern(std::vector<Branch> branches) {
 
 void Choices::grow() {
   std::vector<std::uint32_t> larger(2 * table_.size(), 0);
-  for (std::uint32_t id = 0; id < size(); ++id) {
+  for (std::uint32_t id = none + 1; id < size(); ++id) {
     std::size_t at = hashes_[id] & (larger.size() - 1);
     while (larger[at] != 0) at = (at + 1) & (larger.size() - 1);
     larger[at] = id + 1;

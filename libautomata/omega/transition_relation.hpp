@@ -25,8 +25,9 @@ class Choices {
  public:
   static constexpr std::uint32_t none = 0;  // the empty choice: no run continues
   Choices();
-  std::uint32_t intern(std::vector<Branch> branches);           // any order, duplicates allowed
-  std::span<const Branch> operator[](std::uint32_t id) const {  // sorted by target, then marks
+  std::uint32_t intern(std::vector<Branch> branches);             // any order, duplicates allowed
+  std::uint32_t intern_sorted(std::span<const Branch> branches);  // each once
+  std::span<const Branch> operator[](std::uint32_t id) const {    // sorted by target, then marks
     return {branches_.data() + begin_[id], begin_[id + 1] - begin_[id]};
   }
   std::size_t size() const { return begin_.size() - 1; }

@@ -11,7 +11,10 @@ namespace waymark::ltl {
 // operators before operands. O(DAG · log DAG).
 template <class Enter>
 std::vector<Formula> walk(Formula f, const Enter& enter) {
-  std::vector<Formula> out, heap{f};  // the largest id first: operands have smaller ones
+  std::vector<Formula> out, heap;  // the largest id first: operands have smaller ones
+  out.reserve(16);
+  heap.reserve(16);
+  heap.push_back(f);
   while (!heap.empty()) {
     std::pop_heap(heap.begin(), heap.end());
     const Formula g = heap.back();

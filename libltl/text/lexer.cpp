@@ -112,6 +112,7 @@ void Lexer::skip_space() {
 }
 
 bool Lexer::take(std::string_view expected) {
+  if (at_ == text_.size() || text_[at_] != expected.front()) return false;  // mostly, without a call
   if (text_.substr(at_, expected.size()) != expected) return false;
   at_ += expected.size();
   return true;
