@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <set>
+
+#include "libautomata/bdd/mtbdd.hpp"
 #include "libltl/diagnostic.hpp"
 #include "libltl/text/parse.hpp"
 #include "libplan/plan_of.hpp"
@@ -34,6 +37,37 @@ TEST(Explain, NamesTheSmallestPartThatIsTooMuch) {
   EXPECT_EQ(reason(map, "X chair & F brick", {start}), "no route from (0,0,90) satisfies X chair");
   EXPECT_EQ(reason(map, "F brick & F chair & G !corridor", {start, pose_at(map, 0, 0, 180)}),
             "no route from (0,0,90) or (0,0,180) satisfies F chair and G !corridor together");
+}
+
+// Whatever the order of the conjuncts: what can be left out is, and every name is there. To see the chair one goes over
+// brick, and along the corridor.
+TEST(Explain, NamesNoMoreThanIsTooMuchAndAllOfIt) {
+  const Map map = hallway(3), round = square();
+  const PoseId start = pose_at(map, 0, 0, 90);
+  for (const char* formula : {"F brick & F chair & G !corridor", "F chair & F brick & G !corridor",
+                              "F chair & G !corridor & F brick", "G !corridor & F brick & F chair & F blue"}) {
+    const std::string why = reason(map, formula, {start}), together = " together",
+                      begin = "no route from (0,0,90) satisfies ";
+    ASSERT_TRUE(why.starts_with(begin) && why.ends_with(together)) << why;
+    const std::string part = why.substr(begin.size(), why.size() - begin.size() - together.size());
+    const std::set<std::string> parts{"F chair and G !corridor", "G !corridor and F chair", "F brick and G !corridor",
+                                      "G !corridor and F brick"};
+    EXPECT_TRUE(parts.contains(part)) << why;
+  }
+  EXPECT_EQ(
+      reason(round, "F chair & F ahead_fish & F sofa", {pose_at(round, 0, 0, 90)}),
+      "no route from (0,0,90) satisfies F chair and F ahead_fish together; never seen from there: ahead_fish, chair");
+}
+
+// More propositions than a translation takes.
+TEST(Explain, SaysLittleWhereItWouldTakeTooMuch) {
+  std::string formula = "p0";
+  for (std::uint32_t i = 1; i <= automata::Mtbdd::max_variables; ++i) formula += " & p" + std::to_string(i);
+  ltl::Arena arena;
+  const ltl::Formula f = ltl::parse(formula, arena);
+  ASSERT_TRUE(std::holds_alternative<automata::Exhausted>(automata::ltlf_to_dfa(f, ltl::Limits{})));
+  const PoseId start{0};
+  EXPECT_EQ(explain_infeasible(hallway(3), f, {&start, 1}, {}).reason, "no route satisfies the formula");
 }
 
 TEST(Explain, StopsWhenAsked) {

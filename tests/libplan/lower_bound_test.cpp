@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <boost/range/iterator_range.hpp>
 #include <cmath>
 #include <limits>
@@ -81,6 +82,32 @@ TEST(LowerBound, IsExactForOneReachStep) {
   const std::vector<double> costs = true_costs(product);
   TaskSteps steps(map, dfa);
   LowerBound bound(steps);
+  for (const ProductState& v : boost::make_iterator_range(vertices(product)))
+    EXPECT_EQ(bound(v), costs[product.index(v)]);
+}
+
+// Rings in a row, each with two ways round it that are as long: 2^rings shortest ways, which cannot be followed one by
+// one.
+TEST(LowerBound, IsExactWhereVeryManyWaysAreAsShort) {
+  constexpr int rings = 30;
+  std::vector<Node> nodes;
+  std::vector<Edge> edges;
+  for (int i = 0; i < rings; ++i) {
+    const auto west = static_cast<std::uint32_t>(nodes.size()), east = west + 4;
+    const std::array<std::array<int, 2>, 8> round{{{0, 0}, {0, 1}, {1, 1}, {2, 1}, {2, 0}, {2, -1}, {1, -1}, {0, -1}}};
+    for (const auto& [x, y] : round) nodes.push_back({3 * i + x, y, std::nullopt, std::nullopt});
+    for (std::uint32_t k = 0; k < 8; ++k) edges.push_back({west + k, west + (k + 1) % 8, "blue", ""});
+    if (i + 1 < rings) edges.push_back({east, west + 8, "blue", ""});
+  }
+  nodes[nodes.size() - 4].object = "sofa";  // in the east of the last one
+  const Map map("rings", nodes, edges, {"sofa"}, {"blue"}, {"fish"});
+  ltl::Arena arena(map.vocabulary());
+  const automata::Dfa dfa = automata::ltlf_to_dfa(ltl::parse("F sofa", arena));
+  TaskSteps steps(map, dfa);
+  LowerBound bound(steps);
+  const std::vector<PoseId> starts = every_pose(map);
+  const MapProduct product = compose(map, dfa, starts);
+  const std::vector<double> costs = true_costs(product);
   for (const ProductState& v : boost::make_iterator_range(vertices(product)))
     EXPECT_EQ(bound(v), costs[product.index(v)]);
 }

@@ -69,6 +69,25 @@ TEST(LongRun, IsTheMeanOfManySteps) {
   }
 }
 
+TEST(LongRun, IsRefusedWhereThereIsAChoice) {
+  for (std::uint32_t where = 0; where < 4; ++where) {
+    MdpBuilder builder(ltl::Vocabulary({"a"}));
+    const LetterId none = builder.letter({});
+    for (std::uint32_t s = 0; s < 3; ++s) {
+      builder.add_state();
+      for (std::uint32_t k = 0; k < (s == where ? 2 : 1); ++k) {
+        builder.add_choice("on");
+        builder.add_outcome((s + 1) % 3, none);
+      }
+    }
+    const Mdp mdp = std::move(builder).build(0, none);
+    if (where < 3)
+      EXPECT_THROW(long_run(mdp, {1, 2, 3}), std::invalid_argument) << where;
+    else
+      EXPECT_NEAR(long_run(mdp, {1, 2, 3}).value()[1], 2, 1e-12);
+  }
+}
+
 TEST(PropertyAnswer, OfTotalRewardsIsTheLimitOfManySteps) {
   std::mt19937 random(22);
   std::size_t finite = 0, infinite = 0;

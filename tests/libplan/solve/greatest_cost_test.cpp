@@ -5,9 +5,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <random>
+#include <stop_token>
 #include <utility>
 
+#include "libautomata/finite/ltlf_to_dfa.hpp"
+#include "libltl/text/parse.hpp"
 #include "libplan/solve/case_task.hpp"
 #include "tests/libplan/model/models.hpp"
 
@@ -133,6 +137,54 @@ TEST(GreatestCost, IsInfiniteWhereAnyChoiceMissesTheGoal) {
       else
         EXPECT_NEAR(found.value.middle(), 3, 1e-5);
     }
+}
+
+// One place, from which a step of cost 1 leads to b with this chance: 1 / chance steps are expected.
+struct LongWait {
+  explicit LongWait(double chance) : mdp(waits(chance)), arena(mdp.letters().vocabulary()) {}
+  static Mdp waits(double chance) {
+    MdpBuilder builder(ltl::Vocabulary({"a", "b"}));
+    const LetterId none = builder.letter({}), b = builder.letter({ltl::Proposition{1}});
+    builder.add_state();
+    builder.add_choice("try");
+    builder.add_outcome(0, none, 1 - chance);
+    builder.add_outcome(1, b, chance);
+    builder.add_state();
+    builder.add_choice("rest");
+    builder.add_outcome(1, b);
+    return std::move(builder).build(0, none);
+  }
+  std::optional<Bounds> greatest(const IterationOptions& limits) {
+    const TaskTable task(automata::ltlf_to_dfa(ltl::parse("F b", arena)), mdp.letters());
+    return greatest_cost(ProductMdp<Mdp>::explore(mdp, task).value(), limits);
+  }
+  Mdp mdp;
+  ltl::Arena arena;
+};
+
+TEST(GreatestCost, KeepsToItsLimits) {
+  LongWait wait(1.0 / 1024);
+  EXPECT_TRUE(wait.greatest({.tolerance = 1e-3, .sweeps = 100'000}));
+  EXPECT_FALSE(wait.greatest({.tolerance = 1e-3, .sweeps = 100}));
+  std::stop_source source;
+  source.request_stop();
+  EXPECT_FALSE(wait.greatest({.tolerance = 1e-3, .stop = source.get_token()}));
+}
+
+// A tolerance so great that the first sweeps seem to have settled, and none: what is halved again and again is exact.
+TEST(GreatestCost, IsBoundedWhateverTheTolerance) {
+  LongWait rare(1.0 / 16), even(0.5);
+  for (const double tolerance : {0.9, 0.5, 0.25, 0.1, 0.01}) {
+    const auto found = rare.greatest({.tolerance = tolerance, .sweeps = 10'000});
+    ASSERT_TRUE(found) << tolerance;
+    EXPECT_LE(found->lower, 16 * (1 + 1e-12)) << tolerance;
+    EXPECT_GE(found->upper, 16 * (1 - 1e-12)) << tolerance;
+    EXPECT_LE(found->upper, found->lower * (1 + tolerance) * (1 + 1e-12)) << tolerance;
+  }
+  const auto exact = even.greatest({.tolerance = 0, .sweeps = 10'000});
+  ASSERT_TRUE(exact);
+  EXPECT_EQ(exact->lower, 2);
+  EXPECT_EQ(exact->upper, 2);
 }
 
 TEST(GreatestCost, HasNoStrategyToWrite) {

@@ -158,6 +158,61 @@ TEST(GridBlock, OfSeveralStripsAgreesWithEquations) {
   }
 }
 
+// From a one has to go on to b at once. South of it is the edge of the grid, but no move goes south: none stays on a.
+TEST(GridBlock, IsOfThisKindWhereNoMoveStaysOnALetter) {
+  const ltl::Vocabulary names({"a", "b"});
+  const std::vector<GridCell> palette{{}, {.label = {ltl::Proposition{0}}}, {.label = {ltl::Proposition{1}}}};
+  GridWorld::Shape shape{.width = 6, .height = 5};
+  const auto blocks = [&](const char* text, std::uint32_t a, std::uint32_t b) {
+    std::vector<std::uint16_t> cells(30, 0);
+    cells[a] = 1;
+    cells[b] = 2;
+    const GridWorld grid(shape, names, palette, cells, 29);
+    ltl::Arena arena(names);
+    const TaskTable task(automata::ltlf_to_dfa(ltl::parse(text, arena)), grid.letters());
+    return swept_in_place(GridBlock::Product::explore(grid, task).value());
+  };
+  EXPECT_EQ(blocks("!a U (a & X b)", 26, 20), 1U) << "to move south on a is to stay there, which is not to go on to b";
+  EXPECT_EQ(blocks("F (a & X F b)", 14, 20), 2U);
+  EXPECT_EQ(blocks("F (a & X F a)", 14, 20), 1U) << "the first a is where the second one is met";
+  shape.motion[2] = {.forward = 0, .left = 0.5, .right = 0.5};
+  EXPECT_EQ(blocks("!a U (a & X b)", 26, 20), 2U);
+}
+
+// Round a ring of one-way cells, past the goal's door again and again; most cells lie in the open, where moves slip. What
+// lengthens steps there would grow with every round of the ring, until it is given up.
+TEST(GridBlock, SettlesOnARingOfOneWayCells) {
+  constexpr std::uint32_t width = 16, height = 21, open = 9;  // rows from 9 on are open
+  std::vector<GridCell> palette{{}, {.wall = true}, {.label = {ltl::Proposition{0}}}};
+  for (const Compass way : all_compass) palette.push_back({.one_way = way});
+  std::vector<std::uint16_t> cells(std::size_t{width} * height, 1);
+  std::fill(cells.begin() + open * width, cells.end(), std::uint16_t{0});
+  const auto put = [&](std::uint32_t x, std::uint32_t y, std::uint16_t kind) { cells[y * width + x] = kind; };
+  for (std::uint32_t i = 1; i < 6; ++i) {
+    put(i, 1, 4);  // east
+    put(6, 1 + i, 5);
+    put(i, 7, 6);
+    put(0, 1 + i, 3);  // north
+  }
+  for (const std::uint32_t corner : {0U, 6U}) put(corner, 1, 0), put(corner, 7, 0);
+  put(3, 1, 0);
+  put(3, 0, 2);  // the goal, north of it
+  put(0, 8, 3);  // out of the open, not back
+  constexpr SlipChances slips{.forward = 0.6, .left = 0.2, .right = 0.2};
+  const ltl::Vocabulary names({"a"});
+  const GridWorld grid({.width = width, .height = height, .motion = {slips, slips, slips, slips}}, names, palette, cells,
+                       width * height - 1);
+  ltl::Arena arena(names);
+  const TaskTable task(automata::ltlf_to_dfa(ltl::parse("F a", arena)), grid.letters());
+  const auto product = GridBlock::Product::explore(grid, task);
+  EXPECT_EQ(swept_in_place(*product), 1U);
+  const auto found = least_cost(*product, {.tolerance = tolerance, .sweeps = 5'000, .on_grid = 0, .second_way = false}),
+             written = least_cost(*product, {.tolerance = tolerance, .policy_iteration = true});
+  ASSERT_TRUE(found && written);
+  EXPECT_LE(found->value.lower, written->value.upper * rounding);
+  EXPECT_GE(found->value.upper * rounding, written->value.lower);
+}
+
 // A row of cells between a hazard in the west and the goal in the east, and moves that go back as often as forward:
 // the chance to arrive is the share of the way that is done.
 struct FairWalk {

@@ -3,7 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <fstream>
+#include <string>
 
 #include "libautomata/finite/ltlf_to_dfa.hpp"
 #include "libltl/structure/random.hpp"
@@ -67,6 +69,38 @@ TEST(GridBound, IsNeverTooHighAndChangesByOneMoveAtMost) {
   EXPECT_GT(tight, loose / 4);
   EXPECT_GT(loose, tight / 20);
   EXPECT_GT(hopeless, 0U);
+}
+
+// Several ways to be done with a task, some by letters that show nothing, and most of them left half-way and begun anew.
+TEST(GridBound, IsNeverTooHighForTasksThatAreBegunAnew) {
+  constexpr std::uint64_t seed = 17;
+  ltl::Random random(seed);
+  const auto letter = [&] {
+    constexpr std::array<const char*, 5> letters{"a", "b", "c", "(!a & !b & !c)", "(!a & !b & !c)"};
+    return std::string(letters[random.below(letters.size())]);
+  };
+  const auto way = [&] {
+    std::string steps = letter();
+    for (std::size_t more = 1 + random.below(2); more > 0; --more) steps = letter() + " & X (" + steps + ")";
+    return "F (" + steps + ")";
+  };
+  std::size_t finite = 0;
+  for (int i = 0; i < waymark::testing::scaled(400); ++i) {
+    const GridWorld grid = testing::random_grid(random);
+    const std::string text = way() + " | " + way();
+    ltl::Arena arena(grid.letters().vocabulary());
+    const TaskTable task(automata::ltlf_to_dfa(ltl::parse(text, arena)), grid.letters());
+    const auto bound = GridBound::of(grid, task);
+    ASSERT_TRUE(bound);
+    const auto exact = moves_to_go(grid, task);
+    for (std::uint32_t q = 0; q < task.states(); ++q)
+      for (std::uint32_t s = 0; s < grid.states(); ++s) {
+        if (grid.is_wall(s)) continue;
+        finite += exact[q][s] < never ? 1 : 0;
+        ASSERT_LE((*bound)(s, q), exact[q][s]) << text << ", seed " << seed << ", grid " << i << ", cell " << s;
+      }
+  }
+  EXPECT_GT(finite, 1'000U);
 }
 
 // The same choices, written out: what has no bound is searched without one.

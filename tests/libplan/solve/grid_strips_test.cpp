@@ -248,6 +248,42 @@ TEST(GridStrips, MayBeOfOneLine) {
   }
 }
 
+// Many strips have copies between them, all of which have room; the last line has some behind it, to be stepped into.
+TEST(GridStrips, HaveRoomForTheirCopies) {
+  std::mt19937 random(9);
+  GridStrips strips = swept(520, 500, 1, 2'000, random).strips;
+  EXPECT_EQ(strips.count(), 8U);
+  std::uint32_t last = 0, copies = 0;
+  strips.for_each_slot([&](std::uint32_t slot) { last = std::max(last, slot); });
+  strips.exchange().for_each([&](std::uint32_t, std::uint32_t to) {
+    ASSERT_LT(to, strips.slots());
+    ++copies;
+  });
+  const std::int32_t line = *std::max_element(strips.steps().begin(), strips.steps().end());
+  EXPECT_LT(last + static_cast<std::uint32_t>(line), strips.slots());
+  EXPECT_GE(copies, 14U * 500U);
+}
+
+// After a pass over one chunk the copies of what is in that chunk are told, and no others.
+TEST(GridStrips, CopiesAreToldWithTheirChunk) {
+  std::mt19937 random(8);
+  const std::size_t chunk = 150;
+  auto [grid, order, strips] = swept(130, 90, 0.8, chunk, random);
+  std::vector<std::size_t> chunk_of(strips.slots(), SIZE_MAX);
+  for (std::size_t i = 0; i < order.size(); ++i) chunk_of[strips.slot(order[i].place)] = i / chunk;
+  for (std::size_t c = 0; c < strips.chunks(); ++c) {
+    std::vector<double> numbers(strips.slots(), 1);
+    strips.exchange().copy(numbers);
+    strips.for_each_slot([&](std::uint32_t slot) { numbers[slot] = 2; });
+    const Pass pass{c, c + 1};
+    for (std::size_t s = 0; s < strips.count(); ++s) strips.exchange().tell(s, {pass, {0, 0}, 0}, numbers);
+    for (std::size_t s = 0; s < strips.count(); ++s) strips.exchange().take(s, {pass, pass, 1}, numbers);
+    strips.exchange().for_each([&](std::uint32_t from, std::uint32_t to) {
+      EXPECT_EQ(numbers[to], chunk_of[from] == c ? 2 : 1) << "chunk " << c;
+    });
+  }
+}
+
 // A chunk holds the cells of its place in the order, strip by strip, each in order.
 TEST(GridStrips, ChunksAreThoseOfTheOrder) {
   std::mt19937 random(6);

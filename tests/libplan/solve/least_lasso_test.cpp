@@ -213,6 +213,95 @@ TEST(LeastLasso, MeanCountsVisits) {
   EXPECT_EQ(mean->route->mean(), 4);
 }
 
+// Steps {from, to, cost, is a seen on it}; 0 is where a run begins.
+struct StepSeen {
+  std::uint32_t from, to;
+  double cost;
+  bool seen;
+};
+Mdp steps_of(const std::vector<StepSeen>& steps, double unit = 1) {
+  MdpBuilder builder(testing::vocabulary_ab());
+  const LetterId plain = builder.letter({}), a = builder.letter({ltl::Proposition{0}});
+  std::uint32_t states = 0;
+  for (const StepSeen& step : steps) states = std::max({states, step.from + 1, step.to + 1});
+  for (std::uint32_t s = 0; s < states; ++s) {
+    builder.add_state();
+    for (const StepSeen& step : steps) {
+      if (step.from != s) continue;
+      builder.add_choice("to " + std::to_string(step.to), step.cost * unit);
+      builder.add_outcome(step.to, step.seen ? a : plain);
+    }
+  }
+  return std::move(builder).build(0, plain);
+}
+
+// Two circles past a cost the same. The last step of both costs nothing, the one that is met later passes the start.
+TEST(LeastLasso, OfCyclesThatEndWithStepsForNothingIsTheNearest) {
+  const Mdp mdp = steps_of({{0, 1, 9, false},
+                            {0, 2, 0, false},
+                            {1, 3, 0, false},
+                            {2, 4, 1, false},
+                            {3, 1, 2, true},
+                            {3, 2, 1, true},
+                            {4, 3, 0, false}});
+  ltl::Arena arena(testing::vocabulary_ab());
+  const automata::Automaton automaton = automata::ltl_to_tgba(ltl::parse("G F a", arena));
+  const auto found = least_lasso(mdp, automaton, LassoOrder::Cycle);
+  automata::Budget budget;
+  EXPECT_EQ(ByLength(compose(mdp, automaton, budget).graph).least(LassoOrder::Cycle), (Value{2, 0}));
+  EXPECT_EQ(value(*found->route, LassoOrder::Cycle), (Value{2, 0}));
+}
+
+// The nearest place of the best circle has a step back to itself for nothing, on which a is not seen.
+TEST(LeastLasso, OfTheLeastMeanGoesRoundAndDoesNotWait) {
+  const Mdp mdp = steps_of(
+      {{0, 0, 50, true}, {0, 1, 9, false}, {0, 2, 1, false}, {1, 2, 1, true}, {2, 1, 1, false}, {2, 2, 0, false}});
+  ltl::Arena arena(testing::vocabulary_ab());
+  const automata::Automaton automaton = automata::ltl_to_tgba(ltl::parse("G F a", arena));
+  const auto found = least_lasso(mdp, automaton, LassoOrder::Mean);
+  automata::Budget budget;
+  EXPECT_EQ(ByLength(compose(mdp, automaton, budget).graph).least(LassoOrder::Mean), (Value{2, 1}));
+  EXPECT_EQ(value(*found->route, LassoOrder::Mean), (Value{2, 1}));
+}
+
+// Costs in a unit that is a power of two are rounded nowhere: the same route, and its costs in that unit.
+TEST(LeastLasso, IsTheSameInAnotherUnitOfCost) {
+  ltl::Random random(24);
+  const double unit = std::ldexp(1, -60);
+  int found = 0;
+  for (int i = 0; i < scaled(100); ++i) {
+    std::vector<StepSeen> steps;
+    for (std::uint32_t s = 0; s < 5; ++s)
+      for (int k = 0; k < 3; ++k)
+        steps.push_back({s, static_cast<std::uint32_t>(random.below(5)), static_cast<double>(1 + random.below(9)),
+                         random.below(3) == 0});
+    ltl::Arena arena(testing::vocabulary_ab());
+    const automata::Automaton automaton = automata::ltl_to_tgba(ltl::parse("G F a", arena));
+    const Mdp mdp = steps_of(steps), small = steps_of(steps, unit);
+    for (const LassoOrder order : {LassoOrder::Prefix, LassoOrder::Cycle, LassoOrder::Mean}) {
+      const auto one = least_lasso(mdp, automaton, order), other = least_lasso(small, automaton, order);
+      ASSERT_EQ(one->route.has_value(), other->route.has_value());
+      if (!one->route) continue;
+      ++found;
+      const Value in_unit = value(*other->route, order);
+      EXPECT_EQ(value(*one->route, order), (Value{in_unit.first / unit, in_unit.second / unit}))
+          << name(order) << " on\n"
+          << testing::show(mdp);
+    }
+  }
+  EXPECT_GT(found, scaled(150));
+}
+
+TEST(LeastLasso, SaysByWhatItWasChecked) {
+  const Mdp mdp = steps_of({{0, 0, 1, true}});
+  ltl::Arena arena(testing::vocabulary_ab());
+  const ltl::Formula f = ltl::parse("G F a", arena);
+  const automata::Automaton automaton = automata::ltl_to_tgba(f);
+  const LassoRoute route = *least_lasso(mdp, automaton, LassoOrder::Prefix)->route;
+  EXPECT_TRUE(certify(route, mdp, f).by_definition());
+  EXPECT_FALSE(certify(route, mdp, automaton).by_definition());
+}
+
 TEST(LeastLasso, GivesUpAndRefuses) {
   ltl::Random random(23);
   const GridWorld grid = testing::random_grid(random);

@@ -161,6 +161,45 @@ TEST(LandmarkTour, OfTheStartAloneCostsNothing) {
   EXPECT_EQ(std::get<LandmarkTour>(shortest_tour(grid, {"a"}, false).value()).cost, 0);
 }
 
+// A ring of places. The first letter of all is a's, which is seen on one step, as b is on another.
+TEST(LandmarkTour, OfARingGoesRoundIt) {
+  for (const bool only_at_the_start : {false, true}) {
+    MdpBuilder builder(ltl::Vocabulary({"a", "b"}));
+    const LetterId a = builder.letter({ltl::Proposition{0}}), none = builder.letter({}),
+                   b = builder.letter({ltl::Proposition{1}});
+    for (std::uint32_t s = 0; s < 4; ++s) {
+      builder.add_state();
+      builder.add_choice("on", 1 + s);
+      builder.add_outcome((s + 1) % 4, s == 1 && !only_at_the_start ? a : s == 2 ? b : none);
+    }
+    const Mdp mdp = std::move(builder).build(0, only_at_the_start ? a : none);
+    const auto cost = [&](const std::vector<std::string>& landmarks, bool closed) {
+      const auto found = shortest_tour(mdp, landmarks, closed).value();
+      const auto* tour = std::get_if<LandmarkTour>(&found);
+      return tour == nullptr ? INFINITY : tour->cost;
+    };
+    EXPECT_EQ(cost({"a"}, false), only_at_the_start ? 0 : 3);
+    EXPECT_EQ(cost({"a"}, true), only_at_the_start ? INFINITY : 10);
+    EXPECT_EQ(cost({"b"}, true), 10);
+    EXPECT_EQ(cost({"a", "b"}, false), 6);
+    EXPECT_EQ(cost({"b", "a"}, true), only_at_the_start ? INFINITY : 10);
+  }
+}
+
+// All landmarks are at the start, and no step leads to any.
+TEST(LandmarkTour, OfWhatIsOnlySeenFirstCostsNothing) {
+  MdpBuilder builder(ltl::Vocabulary({"a"}));
+  const LetterId none = builder.letter({}), a = builder.letter({ltl::Proposition{0}});
+  builder.add_state();
+  builder.add_choice("stay");
+  builder.add_outcome(0, none);
+  const Mdp mdp = std::move(builder).build(0, a);
+  const auto found = shortest_tour(mdp, {"a"}, false).value();
+  ASSERT_TRUE(std::holds_alternative<LandmarkTour>(found));
+  EXPECT_EQ(std::get<LandmarkTour>(found).cost, 0);
+  EXPECT_EQ(std::get<LandmarkTour>(found).stops, std::vector<std::uint32_t>{0});
+}
+
 TEST(LandmarkTour, StopsWhenAsked) {
   ltl::Random random(10);
   const GridWorld grid = testing::random_grid(random);

@@ -301,6 +301,22 @@ TEST(FiniteHorizon, CostsAreThoseOfTheRecursion) {
   }
 }
 
+// Where a run ends nothing is to be paid any more.
+TEST(FiniteHorizon, NothingIsPaidWhereThereIsNoChoice) {
+  MdpBuilder builder(testing::vocabulary_ab());
+  const LetterId none = builder.letter({});
+  builder.add_state();
+  builder.add_choice("on", 2);
+  builder.add_outcome(1, none);
+  builder.add_state();
+  const Mdp mdp = std::move(builder).build(0, none);
+  for (const bool greatest : {false, true})
+    for (std::uint64_t steps = 0; steps < 4; ++steps) {
+      EXPECT_EQ(expected_cost(mdp, {steps, false, greatest}), steps == 0 ? 0 : 2) << steps;
+      EXPECT_EQ(expected_cost(mdp, {steps, true, greatest}), steps == 0 ? 2 : 0) << steps;
+    }
+}
+
 TEST(UniformCost, IsThatOfAllChoicesOrOfNone) {
   ltl::Random random(117);
   int uniform = 0;

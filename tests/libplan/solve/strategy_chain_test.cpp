@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <tuple>
+#include <vector>
 
 #include "libautomata/finite/ltlf_to_dfa.hpp"
 #include "libltl/text/parse.hpp"
@@ -72,6 +74,19 @@ TEST(StrategyChain, MeetsTheStatesOfTheChainWrittenOut) {
     StateSet visited(product.states(), false);
     chain.for_each_state([&](const auto& s) { visited.insert(s.index); });
     EXPECT_EQ(visited, met) << what;
+    using Outcome = std::tuple<std::uint32_t, double, bool>;  // number of the product, chance, is it marked
+    written.for_each_state([&](const MarkovChain::State& s) {
+      const Product::State origin = product.state(written.origin(s.index));
+      EXPECT_EQ(written.choices(s), chain.choices(origin)) << what;
+      EXPECT_EQ(written.cost(s, 0), chain.cost(origin, 0)) << what;
+      std::vector<Outcome> own, others;
+      written.for_each_outcome(s, 0, [&](std::uint32_t t, double p, bool marked) {
+        own.emplace_back(t == MarkovChain::trap ? Product::trap : written.origin(t), p, marked);
+      });
+      chain.for_each_outcome(origin, 0,
+                             [&](std::uint32_t t, double p, bool marked) { others.emplace_back(t, p, marked); });
+      EXPECT_EQ(own, others) << what << ", state " << origin.index;
+    });
   });
 }
 
