@@ -211,7 +211,7 @@ double GridBlock::sweep(std::span<const std::uint32_t> slots, double over_relaxa
     const double now = best(slot, lower_), step = now - value;
     change =
         std::max(change, is_probability(measure_) ? std::abs(step) : std::abs(step) / std::min(std::abs(now), most));
-    value += over_relaxation * step;
+    value = std::max(0.0, value + over_relaxation * step);  // none is negative, and steps too long would make it so
   }
   return change;
 }
