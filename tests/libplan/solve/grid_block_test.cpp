@@ -282,9 +282,9 @@ TEST(GridBlock, BoundsHoldWhateverIsClaimed) {
   }
 }
 
-// Two long rows, a strip each, with a goal north of every cell of the one and a hazard south of every cell of the other.
-// From either row a run comes into the other as often as to what is beyond: the chances are 2/3 and 1/3. Runs are so long
-// that a sweep hardly changes what is wrong by the same everywhere.
+// Two long rows, a strip each, with a goal north of every cell of one and a hazard south of every cell of the other.
+// From either row a run comes into the other as often as to what is beyond: the chances are 2/3 and 1/3. Runs are so
+// long that a sweep hardly changes what is wrong by the same everywhere.
 TEST(GridBlock, BoundsOfStripsHoldWhateverIsClaimed) {
   constexpr std::uint32_t length = 2'500;
   constexpr double across = 1e-5, along = 0.5 - across, wide = 1e-3;  // wide: the tolerance

@@ -71,7 +71,7 @@ TEST(GridBound, IsNeverTooHighAndChangesByOneMoveAtMost) {
   EXPECT_GT(hopeless, 0U);
 }
 
-// Several ways to be done with a task, some by letters that show nothing, and most of them left half-way and begun anew.
+// Ways to be done with a task, some by letters that show nothing, and most of them left half-way and begun anew.
 TEST(GridBound, IsNeverTooHighForTasksThatAreBegunAnew) {
   constexpr std::uint64_t seed = 17;
   ltl::Random random(seed);
