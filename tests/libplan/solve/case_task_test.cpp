@@ -178,8 +178,10 @@ TEST(CaseTask, SaysWhichMethodItWas) {
 
 TEST(CaseTask, AsManyRoutesAsAskedFor) {
   const CaseTask cheapest{.id = "", .formula = "F a", .query = CaseTask::Query::MinCost};
-  for (const std::size_t top : {1U, 2U, 3U})
+  for (const std::size_t top : {1U, 2U, 3U}) {
     EXPECT_EQ(answer(quiet_case(), cheapest, {.top = top, .route = true}).routes.size(), top);
+    EXPECT_EQ(answer(quiet_case(), cheapest, {.top = top}).routes.size(), top == 1 ? 0 : top);
+  }
 }
 
 TEST(CaseTask, MethodSearchIsForCostsOfDeterministicModels) {
@@ -230,6 +232,7 @@ TEST(CaseTask, SaysWhichLimitWasMet) {
   const CaseAnswer automaton = answer(parse_case(small_case), task, {.states = 4'000});
   EXPECT_EQ(automaton.status, CaseAnswer::Status::Exhausted);
   EXPECT_EQ(automaton.reason, "no automaton within the limits");
+  EXPECT_EQ(automaton.seconds.solve, 0) << "which it did not come to";
   const CaseTask small{.id = "", .formula = "F a", .query = CaseTask::Query::MaxProbability};
   EXPECT_EQ(answer(parse_case(small_case), small, {.states = 2'000}).status, CaseAnswer::Status::Solved);
   EXPECT_EQ(answer(parse_case(small_case), task, {.states = 1'000'000}).status, CaseAnswer::Status::Solved);
@@ -260,6 +263,9 @@ TEST(CaseTask, OnlyVisitsAreTours) {
   EXPECT_EQ(ask("F a & F b", true).routes.size(), 1U);
   EXPECT_EQ(visits.value.upper, 4);
   EXPECT_EQ(visits.product_states, 0U) << "no product";
+  EXPECT_EQ(visits.product_edges, 0U);
+  EXPECT_EQ(visits.automaton_states, 0U) << "no automaton";
+  EXPECT_EQ(visits.seconds.automaton + visits.seconds.product, 0);
   EXPECT_EQ(ask("(b U a) & (a U b)").status, CaseAnswer::Status::Infeasible);
   EXPECT_EQ(ask("(!b U a) & (!a U (b | a))").value.upper, 2);
 }
@@ -272,6 +278,8 @@ TEST(CaseTask, SaysWhichConjunctsAreInTheWay) {
   const CaseAnswer unseen = ask("F nowhere", CaseTask::Query::MinCost);
   EXPECT_EQ(unseen.status, CaseAnswer::Status::Infeasible);
   EXPECT_NE(unseen.reason.find("never seen from the start: nowhere"), std::string::npos) << unseen.reason;
+  const CaseAnswer several = ask("F (here & there & a)", CaseTask::Query::MinCost);
+  EXPECT_NE(several.reason.find("never seen from the start: here, there"), std::string::npos) << several.reason;
 }
 
 // A cost is finite where the goal is sure to be reached: by chance is not enough.

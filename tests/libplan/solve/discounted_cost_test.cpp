@@ -63,6 +63,50 @@ TEST(DiscountedCost, IsThatOfTheBestStrategy) {
   EXPECT_GT(told_apart, 20);
 }
 
+// Asked for no width at all, bounds are as far apart as rounding makes them, however small or great the costs are.
+TEST(DiscountedCost, BoundsAreAsNearAsAskedForOrAsDoublesAre) {
+  for (const double cost : {0.0, 1e-9, 1.0, 1e9}) {
+    MdpBuilder builder(testing::vocabulary_ab());
+    const LetterId none = builder.letter({});
+    builder.add_state();
+    builder.add_choice("on", cost);
+    builder.add_outcome(0, none, 0.25);
+    builder.add_outcome(1, none, 0.75);
+    builder.add_state();
+    builder.add_choice("back", 2 * cost);
+    builder.add_outcome(0, none);
+    const Mdp mdp = std::move(builder).build(0, none);
+    // x = c + γ (x / 4 + 3 y / 4) and y = 2 c + γ x
+    for (const double discount : {0.5, 0.99})
+      for (const double tolerance : {0.0, 1e-6}) {
+        const double expected = cost * (1 + 1.5 * discount) / (1 - discount / 4 - 0.75 * discount * discount);
+        const auto found = discounted_cost(mdp, {.discount = discount}, tolerance);
+        ASSERT_TRUE(found);
+        EXPECT_LE(found->lower, expected) << cost << ' ' << discount << ' ' << tolerance;
+        EXPECT_GE(found->upper, expected) << cost << ' ' << discount << ' ' << tolerance;
+        EXPECT_LE(found->upper - found->lower, std::max(tolerance * std::max(1.0, expected), 1e-12 * expected))
+            << cost << ' ' << discount << ' ' << tolerance;
+      }
+  }
+}
+
+TEST(DiscountedCost, NothingIsPaidWhereNothingCanBeDone) {
+  MdpBuilder builder(testing::vocabulary_ab());
+  const LetterId none = builder.letter({});
+  builder.add_state();
+  builder.add_choice("on", 3);
+  builder.add_outcome(1, none);
+  builder.add_state();
+  const Mdp mdp = std::move(builder).build(0, none);
+  for (const bool greatest : {false, true}) {
+    const auto found = discounted_cost(mdp, {.discount = 0.5, .greatest = greatest}, 1e-9);
+    ASSERT_TRUE(found);
+    EXPECT_LE(found->lower, 3);
+    EXPECT_GE(found->upper, 3);
+    EXPECT_LE(found->upper - found->lower, 1e-9);
+  }
+}
+
 TEST(DiscountedCost, IsAskedForByProperties) {
   const std::string model = R"(mdp
 module m

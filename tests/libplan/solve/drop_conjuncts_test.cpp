@@ -117,13 +117,16 @@ TEST(DropConjuncts, ConflictsAreListedInWords) {
 }
 
 TEST(DropConjuncts, WhatIsSeenOnAnyMoveIsSeen) {
-  const ltl::Vocabulary names({"a", "b", "c"});
+  const ltl::Vocabulary names({"a", "b", "c", "e"});
   MdpBuilder builder(names);
   const LetterId a = builder.letter({ltl::Proposition{0}}), none = builder.letter({}),
-                 b = builder.letter({ltl::Proposition{1}}), c = builder.letter({ltl::Proposition{2}});
+                 b = builder.letter({ltl::Proposition{1}}), c = builder.letter({ltl::Proposition{2}}),
+                 e = builder.letter({ltl::Proposition{3}});
   builder.add_state();
   builder.add_choice("on");
   builder.add_outcome(1, a);
+  builder.add_choice("stay");
+  builder.add_outcome(0, e);
   builder.add_state();
   builder.add_choice("back");
   builder.add_outcome(0, none);
@@ -132,7 +135,7 @@ TEST(DropConjuncts, WhatIsSeenOnAnyMoveIsSeen) {
   builder.add_outcome(2, c);
   const Mdp model = std::move(builder).build(0, b);
   ltl::Arena arena;
-  const std::vector<ltl::Formula> formulas{ltl::parse("F c & F a", arena), ltl::parse("F b & F (d | c)", arena)};
+  const std::vector<ltl::Formula> formulas{ltl::parse("F c & F a", arena), ltl::parse("F b & F (d | c) & F e", arena)};
   EXPECT_EQ(never_seen(model, formulas), (std::vector<std::string>{"c", "d"}));
 }
 

@@ -199,5 +199,171 @@ TEST(Equations, LeastCostsAreThoseOfTheBestPolicy) {
   }
 }
 
+// Rows of greatest probabilities, written out: constants below and above, and terms.
+struct Offer {
+  double below, above;
+  std::vector<Term> terms;
+};
+std::optional<Equations::Solution> likeliest(const std::vector<std::vector<Offer>>& rows,
+                                             const IterationOptions& options) {
+  Equations out(Measure::MaxProbability);
+  for (const auto& offers : rows) {
+    out.add_row();
+    for (const Offer& offer : offers) {
+      out.add_choice();
+      for (const Term& term : offer.terms) out.add_term(term.unknown, term.chance);
+      out.end_choice({.below = offer.below, .above = offer.above});
+    }
+  }
+  return out.solve(options);
+}
+
+// Rows with terms of the next one and of rows far behind: what a thread reads depends on how far the others are.
+TEST(Equations, AreTheSameNumbersForAnyNumberOfThreads) {
+  constexpr std::uint32_t size = 8'192;
+  std::vector<std::vector<Offer>> rows(size);
+  rows[0] = {{0.5, 0.5, {}}};
+  for (std::uint32_t i = 1; i < size; ++i)
+    for (const std::uint32_t step : {2'048U, 5'000U}) {
+      const double known = 0.1 + 0.1 * std::sin(i + step);
+      rows[i].push_back({known, known, {{(i + step) % size, 0.5}, {(i + 1) % size, 0.25}}});
+    }
+  const auto alone = likeliest(rows, {});
+  ASSERT_TRUE(alone);
+  for (const std::size_t threads : {2U, 4U}) {
+    const auto together = likeliest(rows, {.sweepers = {.threads = threads}});
+    ASSERT_TRUE(together) << threads;
+    EXPECT_EQ(together->sweeps, alone->sweeps) << threads;
+    EXPECT_TRUE(together->lower == alone->lower && together->upper == alone->upper) << threads;
+  }
+}
+
+// Each row ends for good with chance 1/2 and leads to forty-six others. In doubles these chances add up to more than 1.
+TEST(Equations, ProbabilitiesAreAtMostOneWhateverRoundingSays) {
+  constexpr std::uint32_t others = 46;
+  constexpr double chance = 0.5 / others;
+  std::vector<std::vector<Offer>> rows(others + 1);
+  double all = 0.5;
+  for (std::uint32_t i = 0; i < others; ++i) all += chance;
+  ASSERT_TRUE(raises(1, all)) << "else nothing is tried";
+  for (std::uint32_t i = 0; i <= others; ++i) {
+    Offer& offer = rows[i].emplace_back(Offer{0.5, 0.5, {}});
+    for (std::uint32_t t = 0; t <= others; ++t)
+      if (t != i) offer.terms.push_back({t, chance});
+  }
+  const auto found = likeliest(rows, {.tolerance = 1e-12});
+  ASSERT_TRUE(found);
+  EXPECT_LT(found->sweeps, 100U);
+  for (const double upper : found->upper) EXPECT_EQ(upper, 1);
+}
+
+// To end costs 100. To go round costs hardly anything, but one ends by it once in many rounds only: what is gained in
+// one is less than what policies are changed for, and yet the least cost is 95.
+TEST(Equations, CostsOfAPolicyAreNoBoundsWhereRoundsAreCheaper) {
+  for (const double ends : {1e-3, 1e-6, 1e-10})
+    for (const bool first : {true, false})
+      for (const bool by_policies : {true, false}) {
+        const double step = 47.5 * ends, leaves = 1 - (1 - ends);  // in doubles
+        const std::uint32_t round = first ? 1 : 0;
+        Rows rows{{{100, {}}, {step, {{round, 1 - ends}}}}};
+        rows.insert(first ? rows.end() : rows.begin(), std::vector<Choice>{{step, {{1 - round, 1}}}});
+        const double truth = step * (2 - leaves) / leaves;
+        const auto found = solved(rows, by_policies, 3'000);
+        EXPECT_TRUE(found || ends < 1e-3) << ends;
+        if (!found) continue;
+        const double room = 1e-9 + 1e-15 / ends;  // what doubles leave of a round
+        EXPECT_LE(found->lower[1 - round], truth * (1 + room)) << ends << ' ' << first << ' ' << by_policies;
+        EXPECT_GE(found->upper[1 - round], truth * (1 - room)) << ends << ' ' << first << ' ' << by_policies;
+      }
+}
+
+// A fair walk with a detour at every place, there and back for nothing, and a choice to give up. All ways round are
+// worth what going on is; only a policy that goes on has values. From one that gives up it takes as many policies as
+// there are places.
+TEST(Equations, AmongEqualChoicesPoliciesGoOn) {
+  constexpr std::uint32_t places = 250;
+  std::vector<std::vector<Offer>> rows;
+  for (std::uint32_t i = 1; i < places; ++i) {  // away from the end that is hoped for
+    const std::uint32_t own = 2 * (i - 1);
+    Offer on{0, 0, {}};
+    if (i > 1)
+      on.terms.push_back({own - 2, 0.5});
+    else
+      on.below = on.above = 0.5;
+    if (i + 1 < places) on.terms.push_back({own + 2, 0.5});
+    rows.push_back({{0, 0, {{own + 1, 1}}}, on, {0, 0, {}}});
+    rows.push_back({{0, 0, {{own, 1}}}});
+  }
+  const auto found = likeliest(rows, {.sweeps = 3'000});
+  ASSERT_TRUE(found);
+  for (std::uint32_t i = 1; i < places; ++i) {
+    const double truth = 1 - i / static_cast<double>(places);
+    EXPECT_LE(found->lower[2 * (i - 1)], truth + 1e-9) << i;
+    EXPECT_GE(found->upper[2 * (i - 1)], truth - 1e-9) << i;
+  }
+}
+
+// What a choice would gain may be too little to change a policy for. All of it, and the width of what is known, counts
+// in the proof, whichever row and choice it is of. `more`: the width of what is known of the choice that gains.
+struct GainOfALittle {
+  double truth(double more) const { return 0.5 + gain + more; }
+  std::vector<std::vector<Offer>> rows(double more) const {
+    constexpr double ends = 1e-10;
+    const double known = 0.5 * ends + gain;
+    return {{{0.5, 0.5, {}}, {known, known + more, {{1, 1 - ends}}}}, {{0.5, 0.5, {}}}};
+  }
+  double gain = 4.5e-14;
+};
+
+TEST(Equations, TheProofCountsTheGainsOfAllRows) {
+  const GainOfALittle little;
+  auto rows = little.rows(0);
+  rows.push_back({{0.25, 0.25 + 9e-7, {}}});  // so that half of the tolerance is not enough
+  const auto found = likeliest(rows, {.policy_iteration = true, .sweeps = 2'000});
+  ASSERT_TRUE(found);
+  EXPECT_GE(found->upper[0], little.truth(0));
+  EXPECT_GE(found->upper[2], 0.25 + 9e-7);
+}
+
+TEST(Equations, TheProofCountsTheWidthOfAllChoices) {
+  const auto found = likeliest({{{0.25, 0.25 + 9e-7, {}}}, {{0.5, 0.5, {}}}}, {.policy_iteration = true});
+  ASSERT_TRUE(found);
+  EXPECT_GE(found->upper[0], 0.25 + 9e-7);
+  EXPECT_LE(found->upper[0], 0.25 + 1e-6);
+}
+
+// Two that lead to each other: the second choice of the one ends now and then, by which a little more is gained than by
+// its first one, in many rounds. `slow` rounds of two others say how long runs may take.
+std::vector<std::vector<Offer>> rounds(double ends, double more, double slow) {
+  const double known = ends * (0.5 + more);
+  return {{{0.5, 0.5, {}}, {known, known, {{1, 1 - ends}}}},
+          {{0, 0, {{0, 1}}}},
+          {{slow / 2, slow / 2, {{3, 1 - slow}}}},
+          {{0, 0, {{2, 1}}}}};
+}
+
+TEST(Equations, WhatIsGainedInRoundsIsCountedInAll) {
+  constexpr double more = 8e-7;
+  const auto found = likeliest(rounds(5.6e-8, more, 2e-5), {.policy_iteration = true});
+  ASSERT_TRUE(found);
+  EXPECT_LE(found->lower[0], 0.5 + more);
+  EXPECT_GE(found->upper[0], 0.5 + more);
+}
+
+// Where a sweep raises a bound by more than is added for it, nothing is proved, however often it is swept.
+TEST(Equations, AProofWithSlackThatFailsIsNone) {
+  const GainOfALittle little;
+  auto rows = little.rows(2e-13);
+  for (auto row : rounds(5.6e-8, 8e-7, 0.5)) {
+    for (Offer& offer : row)
+      for (Term& term : offer.terms) term.unknown += 2;
+    rows.push_back(row);
+  }
+  const auto found = likeliest(rows, {.policy_iteration = true, .sweeps = 2'000});
+  if (!found) return;
+  EXPECT_GE(found->upper[0], little.truth(2e-13));
+  EXPECT_GE(found->upper[2], 0.5 + 8e-7);
+}
+
 }  // namespace
 }  // namespace waymark::plan

@@ -265,6 +265,29 @@ TEST(ProductSearch, ALargeGridWhoseStartIsWalledInHasNoRoute) {
   EXPECT_EQ(answer.statistics.met, 9U + 9U) << "by both searches";
 }
 
+// Of two costs, so that the search is not one in layers: all pairs are met before the goal is settled.
+TEST(ProductSearch, BestFirstStopsAtItsLimits) {
+  MdpBuilder builder(testing::vocabulary_ab());
+  const LetterId none = builder.letter({}), goal = builder.letter({ltl::Proposition{0}});
+  for (std::uint32_t s = 0; s < 8; ++s) {
+    builder.add_state();
+    builder.add_choice("on", 1 + s % 2);
+    builder.add_outcome(s < 7 ? s + 1 : s, s == 6 ? goal : none);
+  }
+  const Mdp mdp = std::move(builder).build(0, none);
+  ltl::Arena arena(testing::vocabulary_ab());
+  const TaskTable task(automata::ltlf_to_dfa(ltl::parse("F a", arena)), mdp.letters());
+  const auto found = search(Product(mdp, task), {.states = 8});
+  ASSERT_TRUE(found);
+  EXPECT_EQ(found->statistics.met, 8U);
+  EXPECT_EQ(found->route.value().cost, 10);
+  EXPECT_FALSE(search(Product(mdp, task), {.states = 7}));
+  std::stop_source source;
+  source.request_stop();
+  EXPECT_FALSE(search(Product(mdp, task), {.states = SIZE_MAX, .stop = source.get_token()}));
+
+}
+
 TEST(ProductSearch, CountsBothSearchesOfALargeGrid) {
   std::vector<std::uint16_t> cells(256, 0);
   cells[200] = 1;

@@ -212,5 +212,46 @@ TEST(Discounted, EndsWhenAskedToAndAfterSoManySweeps) {
   EXPECT_TRUE(sweeps.run(1e-12, {}));
 }
 
+// One move to the goal, worth 1 before it: a sweep that says so, and one that changes nothing.
+TEST(Discounted, CountsSweeps) {
+  ltl::Arena arena(testing::vocabulary_ab());
+  MdpBuilder builder(testing::vocabulary_ab());
+  const LetterId none = builder.letter({}), goal = builder.letter({ltl::Proposition{0}});
+  builder.add_state();
+  builder.add_choice("go");
+  builder.add_outcome(0, goal);
+  const Mdp mdp = std::move(builder).build(0, none);
+  const TaskTable task(automata::ltlf_to_dfa(ltl::eventually(arena.atom("a"))), mdp.letters());
+  const auto found = greatest_discounted(*ProductMdp<Mdp>::explore(mdp, task), 0.5);
+  ASSERT_TRUE(found);
+  EXPECT_EQ(found->sweeps, 2U);
+  EXPECT_EQ(found->value.lower, 1);
+}
+
+// The goal at once, with some chance: of choices that are worth the same but for the slack the first is taken.
+TEST(Discounted, TheFirstOfTheBestChoicesUpToASlack) {
+  ltl::Arena arena(testing::vocabulary_ab());
+  MdpBuilder builder(testing::vocabulary_ab());
+  const LetterId none = builder.letter({}), goal = builder.letter({ltl::Proposition{0}});
+  builder.add_state();
+  for (const double chance : {0.5, 0.75, 0.75, 0.751}) {
+    builder.add_choice("go");
+    builder.add_outcome(1, goal, chance);
+    builder.add_outcome(1, none, 1 - chance);
+  }
+  builder.add_state();
+  builder.add_choice("stay");
+  builder.add_outcome(1, none);
+  const Mdp mdp = std::move(builder).build(0, none);
+  const TaskTable task(automata::ltlf_to_dfa(ltl::eventually(arena.atom("a"))), mdp.letters());
+  const auto product = ProductMdp<Mdp>::explore(mdp, task);
+  DiscountedSweeps sweeps(*product, 0.5);
+  ASSERT_TRUE(sweeps.run(1e-12, {}));
+  const auto start = product->state(product->starts().front());
+  EXPECT_EQ(sweeps.best(start).choice, 3U);
+  EXPECT_EQ(sweeps.best(start, 1e-4).choice, 3U);
+  EXPECT_EQ(sweeps.best(start, 0.01).choice, 1U);
+}
+
 }  // namespace
 }  // namespace waymark::plan

@@ -178,5 +178,19 @@ TEST(BellmanOperator, IsTheBestOfTheChoices) {
   expect_operator<Measure::MinCost>(111);
 }
 
+// Chances that add up to 1 come to a little more in doubles: it is never left all the same.
+TEST(BellmanOperator, AChoiceThatNeverLeavesIsNone) {
+  SmallProduct product;
+  product.of = {{{1, {{0, 0.05}, {0, 0.55}, {0, 0.3}, {0, 0.1}}}, {7, {{1, 1}}}}, {}};
+  product.ranges = {0, 2};
+  ASSERT_GT(0.05 + 0.55 + 0.3 + 0.1, 1);
+  Unknowns unknowns{StateSet(2), StateSet(2), {}};
+  unknowns.unknown.insert(0);
+  unknowns.targets.insert(1);
+  const EndComponentQuotient<SmallProduct> quotient(product, unknowns);
+  const BellmanOperator<SmallProduct, Measure::MinCost> best(product, unknowns, quotient);
+  for (const double value : {0.0, 3.0, 7.0}) EXPECT_EQ(best.of({0}, {value, 0}), 7) << value;
+}
+
 }  // namespace
 }  // namespace waymark::plan
