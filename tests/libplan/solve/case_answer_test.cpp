@@ -41,6 +41,19 @@ TEST(CaseAnswer, AMeanIsThatOfTheRoundsOfACycle) {
   EXPECT_EQ(value(LassoOrder::Mean), 1);
 }
 
+// Every cell is met before the far corner, each on several walks: the limit is one of pairs.
+TEST(CaseAnswer, ASearchForOneRouteMeetsPairsOnce) {
+  std::string rows = '"' + std::string(39, '.') + "a\"";
+  for (int y = 1; y < 50; ++y) rows += ", \"" + std::string(40, '.') + '"';
+  const PlanningCase open = parse_case(R"({"format": "ltlgrid/1", "width": 40, "height": 50, "rows": [)" + rows +
+                                       R"(], "legend": {"a": {"props": ["a"]}}, "start": {"x": 0, "y": 49}})");
+  const CaseTask task{.id = "", .formula = "F a", .query = CaseTask::Query::MinCost};
+  const CaseAnswer found = answer(open, task, {.states = 2'100});
+  EXPECT_EQ(found.status, CaseAnswer::Status::Solved) << found.reason;
+  EXPECT_EQ(found.value.upper, 39 + 49);
+  EXPECT_LE(found.product_states, 2'000U);
+}
+
 // The least that can be is an answer where little is good, and none where much is.
 TEST(CaseAnswer, NothingIsAnAnswerWhereLittleIsGood) {
   for (const auto& [formula, query] :

@@ -220,11 +220,11 @@ std::optional<Equations::Solution> likeliest(const std::vector<std::vector<Offer
 
 // Rows with terms of the next one and of rows far behind: what a thread reads depends on how far the others are.
 TEST(Equations, AreTheSameNumbersForAnyNumberOfThreads) {
-  constexpr std::uint32_t size = 8'192;
+  constexpr std::uint32_t size = 4'608;
   std::vector<std::vector<Offer>> rows(size);
   rows[0] = {{0.5, 0.5, {}}};
   for (std::uint32_t i = 1; i < size; ++i)
-    for (const std::uint32_t step : {2'048U, 5'000U}) {
+    for (const std::uint32_t step : {1'024U, 2'500U}) {
       const double known = 0.1 + 0.1 * std::sin(i + step);
       rows[i].push_back({known, known, {{(i + step) % size, 0.5}, {(i + 1) % size, 0.25}}});
     }
@@ -269,8 +269,7 @@ TEST(Equations, CostsOfAPolicyAreNoBoundsWhereRoundsAreCheaper) {
         rows.insert(first ? rows.end() : rows.begin(), std::vector<Choice>{{step, {{1 - round, 1}}}});
         const double truth = step * (2 - leaves) / leaves;
         const auto found = solved(rows, by_policies, 3'000);
-        EXPECT_TRUE(found || ends < 1e-3) << ends;
-        if (!found) continue;
+        ASSERT_TRUE(found) << ends << ' ' << first << ' ' << by_policies;
         const double room = 1e-9 + 1e-15 / ends;  // what doubles leave of a round
         EXPECT_LE(found->lower[1 - round], truth * (1 + room)) << ends << ' ' << first << ' ' << by_policies;
         EXPECT_GE(found->upper[1 - round], truth * (1 - room)) << ends << ' ' << first << ' ' << by_policies;
