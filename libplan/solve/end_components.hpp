@@ -2,7 +2,8 @@
 //
 // Components of the graph whose edges are the usable choices that stay within one component of the last round, until
 // all of these stay within one of this round. Before each round, states that no usable choice keeps inside are taken
-// out, and those that then have none. O(edges · rounds); 12 bytes a state.
+// out, and those that then have none; so all that are left are in a component of the round. O(edges · rounds); 12 bytes
+// a state.
 #pragma once
 #include <atomic>
 #include <cstddef>
@@ -57,7 +58,6 @@ EndComponents end_components(const Product& product, const StateSet& within, con
     const EndComponents last = std::move(found);
     found = EndComponentsRound(product, last, usable).run();
     if (have_same_edges(product, last, found, usable, threads)) return found;
-    for (std::uint32_t i = 0; i < product.states(); ++i) inside.set(i, found.of[i] != EndComponents::none);
   }
 }
 
