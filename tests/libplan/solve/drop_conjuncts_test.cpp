@@ -103,8 +103,8 @@ TEST(DropConjuncts, DropsOneAfterTheOtherWhereSetsAreTooMany) {
   EXPECT_LE(asked, most_sets + 12 + std::size_t{11} * 13);
 }
 
-// Each of four conjuncts is in the way of two others. Sets of one, two and three are 298, and the four come as the 214th
-// set of four: the last that is asked about. One after the other, more are dropped.
+// Each of four conjuncts is in the way of two others. Sets of one, two and three are 298, and the four come as the
+// 214th set of four: the last that is asked about. One after the other, more are dropped.
 TEST(DropConjuncts, TheLastSetThatIsAskedAboutCounts) {
   static_assert(most_sets == 298 + 214);
   const std::uint32_t four = 1U << 1U | 1U << 3U | 1U << 5U | 1U << 11U;
