@@ -41,8 +41,8 @@ struct IterationOptions {             // what is proved, and at which price
   std::stop_token stop = {};                                             // polled between sweeps
 };
 
-// Does a sweep that turns `before` into `after` raise it, by more than the rounding of a sum?
-inline bool raises(double before, double after) { return after > before * (1 + 1e-15); }
+// Does a sweep that turns `before` into `after` raise it, by more than the rounding of a sum? What is no number does.
+inline bool raises(double before, double after) { return !(after <= before * (1 + 1e-15)); }
 
 template <class B>
 concept OptimisticBackend = requires(B& backend, double number, std::uint64_t sweeps, const IterationOptions& options) {

@@ -285,7 +285,6 @@ TEST(ProductSearch, BestFirstStopsAtItsLimits) {
   std::stop_source source;
   source.request_stop();
   EXPECT_FALSE(search(Product(mdp, task), {.states = SIZE_MAX, .stop = source.get_token()}));
-
 }
 
 TEST(ProductSearch, CountsBothSearchesOfALargeGrid) {
