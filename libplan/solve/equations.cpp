@@ -58,23 +58,22 @@ double Equations::raise(std::size_t chunk) {
   return change;
 }
 
-// The chunk from above; true: it would have raised nothing by more than its rounding and the slack, so these are upper
-// bounds.
-bool Equations::close_from_above(std::size_t chunk, double slack) {
+// The chunk from above; true: it would have raised nothing by more than its rounding, so these are upper bounds.
+bool Equations::close_from_above(std::size_t chunk) {
   bool inductive = true;
   const std::uint32_t end = chunk_end(chunk);
   for (auto i = static_cast<std::uint32_t>(chunk) * chunk_size_; i < end; ++i) {
     const double now = best(i, x_.upper, Above);
-    inductive = inductive && (!raises(x_.upper[i] + slack, now) || (is_probability(measure_) && x_.upper[i] == 1));
+    inductive = inductive && (!raises(x_.upper[i], now) || (is_probability(measure_) && x_.upper[i] == 1));
     x_.upper[i] = std::min(x_.upper[i], now);
   }
   return inductive;
 }
 
 // Sweeps until one finds all bounds inductive: at most so many. That one is not counted.
-bool Equations::close_in_sweeps(double slack, std::uint64_t most, std::size_t threads) {
+bool Equations::close_in_sweeps(std::uint64_t most, std::size_t threads) {
   bool inductive = false;
-  const auto work = [&](std::size_t chunk, const Pass&) { return close_from_above(chunk, slack); };
+  const auto work = [&](std::size_t chunk, const Pass&) { return close_from_above(chunk); };
   const auto after = [&, tries = std::uint64_t{0}](const Pass& pass, std::size_t unsettled) mutable {
     inductive = unsettled == pass.end;
     if (inductive) return std::optional<Pass>();
@@ -93,31 +92,36 @@ void Equations::guess(double tolerance) {
 
 bool Equations::prove(std::uint64_t sweeps, const IterationOptions& options) {
   const std::uint64_t most = by_policies_ ? most_tries : sweeps + most_tries;
-  if (close_in_sweeps(0, most, options.sweepers.free())) return true;
-  return by_policies_ && measure_ == Measure::MaxProbability &&
-         prove_with_slack(options.tolerance, options.sweepers.free());
+  if (close_in_sweeps(most, options.sweepers.free())) return true;
+  return by_policies_ && measure_ == Measure::MaxProbability && raise_to_bounds(options);
 }
 
-// Where runs linger, nothing in a row tells its bound from those of the rows around it but rounding. A sweep from the
-// values of the policy then raises some by a little; what such raises come to over a hundred times as many steps as the
-// policy takes is added to its values, if it is small, and so is what the values of solved states may be greater by.
-bool Equations::prove_with_slack(double tolerance, std::size_t threads) {
-  double slack = rounding, wider = 0;
-  for (std::uint32_t i = 0; i < rows(); ++i) slack = std::max(slack, 2 * (best(i, x_.lower, Below) - x_.lower[i]));
-  for (std::uint32_t c = 0; c < choices(); ++c) {
-    double known = 1;
-    for (std::uint32_t t = first_term_[c]; t < first_term_[c + 1]; ++t) known -= coefficient_[t];
-    const double more = constant_[Above][c] - constant_[Below][c];
-    if (known > most_error)
-      wider = std::max(wider, more / known);
-    else
-      slack = std::max(slack, more);
+// Where runs linger, a row's bound differs from those of the rows around it by rounding and by what a policy may leave to
+// gain. So the values of the policy are raised until a sweep raises none: soon, where that was all. A strategy that
+// gains little in a step and takes many raises them again and again, which proves nothing. What a sweep may round in
+// each step of the policy is added, a few times over.
+bool Equations::raise_to_bounds(const IterationOptions& limits) {
+  constexpr int most_sweeps = 2'000;
+  std::vector<double> x = x_.lower;
+  if (!improve(policy_, x, Above, limits)) return false;
+  bool raised = true;
+  for (int sweep = 0; raised; ++sweep, ++x_.sweeps) {
+    if (sweep == most_sweeps || limits.stop.stop_requested()) return false;
+    raised = false;
+    for (std::uint32_t i = 0; i < rows(); ++i) {
+      const double now = std::min(1.0, best(i, x, Above));
+      if (!raises(x[i], now)) continue;
+      x[i] = now;
+      raised = true;
+    }
   }
-  const double added = 100 * steps_ * slack;
-  if (!(added + wider <= tolerance)) return false;
-  for (std::uint32_t i = 0; i < rows(); ++i) x_.upper[i] = std::min(1.0, x_.lower[i] + wider);
-  if (!close_in_sweeps(slack, 1, threads)) return false;
-  for (double& bound : x_.upper) bound = std::min(1.0, bound + added);
+  x_.upper = std::move(x);
+  if (!close_in_sweeps(1, limits.sweepers.free())) return false;
+  const double added = 4 * rounding * steps_;
+  for (std::uint32_t i = 0; i < rows(); ++i) {
+    x_.upper[i] = std::min(1.0, x_.upper[i] + added);
+    if (!(x_.upper[i] - x_.lower[i] <= limits.tolerance)) return false;
+  }
   return true;
 }
 
@@ -262,7 +266,7 @@ Equations::Policy Equations::greedy() const {
 // factors, tried for more rows than can be factored, stagnates on large grids and takes longer than sweeps do.)
 // Greatest probabilities are also refused where a run may take so many steps that rounding could add up: the error is
 // at most the greatest residual times the expected steps, which are solved for with the same factors.
-bool Equations::evaluate(const Policy& policy, std::vector<double>& x) {
+bool Equations::evaluate(const Policy& policy, std::vector<double>& x, Side side) {
   std::vector<Eigen::Triplet<double>> entries;
   Eigen::VectorXd right(rows());
   for (std::uint32_t i = 0; i < rows(); ++i) {
@@ -270,7 +274,7 @@ bool Equations::evaluate(const Policy& policy, std::vector<double>& x) {
     entries.emplace_back(row, row, 1.0);
     for (std::uint32_t t = first_term_[policy[i]]; t < first_term_[policy[i] + 1]; ++t)
       entries.emplace_back(row, static_cast<int>(unknown_[t]), -coefficient_[t]);
-    right[row] = constant_[Below][policy[i]];
+    right[row] = constant_[side][policy[i]];
   }
   Eigen::SparseMatrix<double> matrix(static_cast<int>(rows()), static_cast<int>(rows()));
   matrix.setFromTriplets(entries.begin(), entries.end());
@@ -294,25 +298,20 @@ bool Equations::evaluate(const Policy& policy, std::vector<double>& x) {
   return true;
 }
 
-// The values of a policy that no single change of a choice betters, as lower bounds. Greatest probabilities are no less
-// than those of any policy. Least costs are: so what is taken is proved by a sweep that lowers nothing, and is a
-// billionth less where rounding keeps the values themselves from being proved. A policy of more than 10¹² expected
-// steps is refused: the linear system is all but singular in doubles, its solution may be any number, and a sweep in
-// doubles does not tell. False: no such policy, or no proof.
-bool Equations::iterate_policies(const IterationOptions& limits) {
-  std::vector<double> x = x_.lower;
-  Policy policy = x_.sweeps > 0 ? greedy() : progress();
+// Until no single change of a choice betters the policy by more than rounding; x: its values. False: it goes round for
+// ever, or takes too long to be evaluated.
+bool Equations::improve(Policy& policy, std::vector<double>& x, Side side, const IterationOptions& limits) {
   constexpr int most_rounds = 200;
   bool changed = true;
   for (int round = 0; changed && round < most_rounds; ++round, ++x_.sweeps) {
-    if (limits.stop.stop_requested() || !evaluate(policy, x)) return false;
+    if (limits.stop.stop_requested() || !evaluate(policy, x, side)) return false;
     changed = false;
     for (std::uint32_t i = 0; i < rows(); ++i) {
       // What is gained from rounding alone may lead round in circles.
       const double gain = (measure_ == Measure::MaxProbability ? 1e-13 : 1e-11) * std::max(x[i], 1e-300);
-      double held = value(policy[i], x, Below);
+      double held = value(policy[i], x, side);
       for (std::uint32_t c = first_choice_[i]; c < first_choice_[i + 1]; ++c) {
-        const double offered = value(c, x, Below);
+        const double offered = value(c, x, side);
         if (measure_ == Measure::MaxProbability ? offered <= held + gain : offered >= held - gain) continue;
         policy[i] = c;
         held = offered;
@@ -320,6 +319,18 @@ bool Equations::iterate_policies(const IterationOptions& limits) {
       }
     }
   }
+  return true;
+}
+
+// The values of the best policy, as lower bounds. Greatest probabilities are no less than those of any policy. Least
+// costs are: so what is taken is proved by a sweep that lowers nothing, and is a billionth less where rounding keeps the
+// values themselves from being proved. A policy of more than 10¹² expected steps is refused: the linear system is all
+// but singular in doubles, its solution may be any number, and a sweep in doubles does not tell. False: no such policy,
+// or no proof.
+bool Equations::iterate_policies(const IterationOptions& limits) {
+  std::vector<double> x = x_.lower;
+  policy_ = x_.sweeps > 0 ? greedy() : progress();
+  if (!improve(policy_, x, Below, limits)) return false;
   if (!(steps_ <= most_steps)) return false;
   for (double less : {0.0, 1e-9}) {
     std::vector<double> candidate = x;

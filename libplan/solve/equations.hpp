@@ -71,9 +71,9 @@ class Equations {
     return std::min(rows(), static_cast<std::uint32_t>(chunk + 1) * chunk_size_);
   }
   double raise(std::size_t chunk);
-  bool close_from_above(std::size_t chunk, double slack);
-  bool close_in_sweeps(double slack, std::uint64_t most, std::size_t threads);
-  bool prove_with_slack(double tolerance, std::size_t threads);
+  bool close_from_above(std::size_t chunk);
+  bool close_in_sweeps(std::uint64_t most, std::size_t threads);
+  bool raise_to_bounds(const IterationOptions& limits);
 
   struct Sources {  // by unknown: the choices that it is an outcome of
     std::vector<std::uint32_t> first, choice, row_of;
@@ -82,7 +82,8 @@ class Equations {
   using Policy = std::vector<std::uint32_t>;  // by row, a choice
   Policy progress() const;                    // every row gets somewhere
   Policy greedy() const;
-  bool evaluate(const Policy& policy, std::vector<double>& x);
+  bool evaluate(const Policy& policy, std::vector<double>& x, Side side);
+  bool improve(Policy& policy, std::vector<double>& x, Side side, const IterationOptions& limits);
   bool iterate_policies(const IterationOptions& limits);
   bool lowers_nothing(const std::vector<double>& x) const;
 
@@ -94,6 +95,7 @@ class Equations {
   std::uint64_t patience_ = 0;    // sweeps before they are
   double steps_ = 0;              // that a run of the last policy takes, expected, from its slowest row
   bool by_policies_ = false;      // that is where the values come from
+  Policy policy_;                 // … from this one
   std::uint32_t chunk_size_ = 0;  // rows, but for the last chunk
   ChunkReach reach_{0};           // of chunks
 };

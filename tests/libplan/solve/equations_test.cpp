@@ -151,7 +151,7 @@ TEST(Equations, GreatestProbabilitiesOfLongWalksLieBetweenTheBounds) {
 // What is known lies within bounds that are nearly as far apart as may be, or farther.
 TEST(Equations, AreProvedWhereWhatIsKnownIsNarrowEnough) {
   for (const std::uint32_t length : {5U, 20U, 60U}) {
-    const RuinWalk narrow{length, 0.5, 9e-7}, wide{length, 0.5, 1.2e-6};
+    const RuinWalk narrow{length, 0.5, 9e-7}, wide{length, 0.5, 1.3e-6};
     const auto found = narrow.solved(true, 1e-6);
     ASSERT_TRUE(found) << length;
     for (std::uint32_t i = 1; i < length; ++i) {
@@ -342,15 +342,15 @@ std::vector<std::vector<Offer>> rounds(double ends, double more, double slow) {
 }
 
 TEST(Equations, WhatIsGainedInRoundsIsCountedInAll) {
-  constexpr double more = 8e-7;
-  const auto found = likeliest(rounds(5.6e-8, more, 2e-5), {.policy_iteration = true});
+  constexpr double more = 8e-9;
+  const auto found = likeliest(rounds(5.6e-6, more, 2e-3), {.tolerance = 1e-9, .policy_iteration = true});
   ASSERT_TRUE(found);
   EXPECT_LE(found->lower[0], 0.5 + more);
   EXPECT_GE(found->upper[0], 0.5 + more);
 }
 
-// Where a sweep raises a bound by more than is added for it, nothing is proved, however often it is swept.
-TEST(Equations, AProofWithSlackThatFailsIsNone) {
+// Where sweeps raise a bound again and again, nothing is proved.
+TEST(Equations, AProofWithoutEndIsNone) {
   const GainOfALittle little;
   auto rows = little.rows(2e-13);
   for (auto row : rounds(5.6e-8, 8e-7, 0.5)) {
