@@ -96,8 +96,8 @@ bool Equations::prove(std::uint64_t sweeps, const IterationOptions& options) {
   return by_policies_ && measure_ == Measure::MaxProbability && raise_to_bounds(options);
 }
 
-// Where runs linger, a row's bound differs from those of the rows around it by rounding and by what a policy may leave to
-// gain. So the values of the policy are raised until a sweep raises none: soon, where that was all. A strategy that
+// Where runs linger, a row's bound differs from those of the rows around it by rounding and by what a policy may leave
+// to gain. So the values of the policy are raised until a sweep raises none: soon, where that was all. A strategy that
 // gains little in a step and takes many raises them again and again, which proves nothing. What a sweep may round in
 // each step of the policy is added, a few times over.
 bool Equations::raise_to_bounds(const IterationOptions& limits) {
@@ -323,8 +323,8 @@ bool Equations::improve(Policy& policy, std::vector<double>& x, Side side, const
 }
 
 // The values of the best policy, as lower bounds. Greatest probabilities are no less than those of any policy. Least
-// costs are: so what is taken is proved by a sweep that lowers nothing, and is a billionth less where rounding keeps the
-// values themselves from being proved. A policy of more than 10¹² expected steps is refused: the linear system is all
+// costs are: so what is taken is proved by a sweep that lowers nothing, and is a billionth less where rounding keeps
+// the values themselves from being proved. A policy of more than 10¹² expected steps is refused: the linear system is all
 // but singular in doubles, its solution may be any number, and a sweep in doubles does not tell. False: no such policy,
 // or no proof.
 bool Equations::iterate_policies(const IterationOptions& limits) {
