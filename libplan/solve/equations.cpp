@@ -324,9 +324,9 @@ bool Equations::improve(Policy& policy, std::vector<double>& x, Side side, const
 
 // The values of the best policy, as lower bounds. Greatest probabilities are no less than those of any policy. Least
 // costs are: so what is taken is proved by a sweep that lowers nothing, and is a billionth less where rounding keeps
-// the values themselves from being proved. A policy of more than 10¹² expected steps is refused: the linear system is all
-// but singular in doubles, its solution may be any number, and a sweep in doubles does not tell. False: no such policy,
-// or no proof.
+// the values themselves from being proved. A policy of more than 10¹² expected steps is refused: the linear system is
+// all but singular in doubles, its solution may be any number, and a sweep in doubles does not tell. False: no such
+// policy, or no proof.
 bool Equations::iterate_policies(const IterationOptions& limits) {
   std::vector<double> x = x_.lower;
   policy_ = x_.sweeps > 0 ? greedy() : progress();
