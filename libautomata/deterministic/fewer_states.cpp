@@ -67,7 +67,7 @@ class Merging {
       first_branch_.push_back(branches_);
       branches_ += classes_[c].tuples;
     }
-    core_.assign(branches_, false);
+    core_.assign(branches_, 0);
     colouring_.emplace(branches_, from_.acceptance.sets);
   }
 
@@ -193,8 +193,8 @@ class Merging {
       Product& part = begin(pair);
       explore(part, image, SIZE_MAX, letters, budget);
       if (colouring_->colours(part.edges, budget)) continue;
-      core_.assign(branches_, false);
-      for (const ProductEdge& e : part.edges) core_[e.branch] = true;
+      core_.assign(branches_, 0);
+      for (const ProductEdge& e : part.edges) core_[e.branch] = 1;
       return true;
     }
     return false;
@@ -267,12 +267,13 @@ class Merging {
       const auto [s, d] = out.pairs[out.explored];
       const Class& one = classes_[class_of_[s]];
       const std::size_t count = letters == Letters::All ? one.tuples : one.few.size();
+      const std::uint32_t branch = first_branch_[s], at = position_[s], there = position_[d];
       budget.step(count);
       for (std::uint32_t i = 0; i < count; ++i) {
         const std::uint32_t t = letters == Letters::All ? i : one.few[i];
-        if (letters == Letters::FewOfCore && !core_[first_branch_[s] + t]) continue;
-        const Step& mine = one.of(t)[position_[s]];
-        const Step& theirs = one.of(t)[position_[d]];
+        if (letters == Letters::FewOfCore && core_[branch + t] == 0) continue;
+        const Step& mine = one.of(t)[at];
+        const Step& theirs = one.of(t)[there];
         const Pair target{image[mine.target], theirs.target};
         const std::uint32_t id = pair_id(target);
         if (number_[id] == unset) {
@@ -280,8 +281,7 @@ class Merging {
           numbered_.push_back(id);
           out.pairs.push_back(target);
         }
-        out.edges.push_back(
-            {static_cast<std::uint32_t>(out.explored), number_[id], theirs.colour, first_branch_[s] + t});
+        out.edges.push_back({static_cast<std::uint32_t>(out.explored), number_[id], theirs.colour, branch + t});
       }
     }
   }
@@ -316,8 +316,8 @@ class Merging {
   std::size_t first_part_ = least_part;
   Refutations by_all_, by_few_;  // letters
   std::size_t next_choice_ = chosen_after;
-  bool has_few_ = false;    // letters are chosen, and asked
-  std::vector<bool> core_;  // by branch: had no colour when they last refuted a merge
+  bool has_few_ = false;            // letters are chosen, and asked
+  std::vector<std::uint8_t> core_;  // by branch: had no colour when they last refuted a merge
   bool merged_ = false;
 };
 
