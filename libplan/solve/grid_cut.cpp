@@ -18,7 +18,8 @@ class Sample {  // every so many states
     std::size_t all = 0, before = 0, share = 0;
     for (std::size_t i = 0; i < order_.size(); i += step_, ++all) ++out.strip_of[out.line(order_[i].place)];
     for (std::uint32_t& line : out.strip_of) {
-      const std::size_t count = line, own = std::min(shares - 1, (before + count / 2) * shares / all);
+      const std::size_t count = line,
+                        own = std::min(shares - 1, (before + count / 2) * shares / std::max<std::size_t>(1, all));
       if (own > share && before > 0) ++out.strips;
       share = own;
       line = static_cast<std::uint32_t>(out.strips - 1);

@@ -45,6 +45,12 @@ TEST(GridCut, SmallBlocksAreNotCut) {
 }
 
 // From one end of a long grid layers are lines across it: cuts along the grid give two threads work in each of them.
+TEST(GridCut, OfNoStatesIsOneStrip) {
+  const GridCut cut = GridCut::of(open_grid(5, 4), {}, 64);
+  EXPECT_EQ(cut.strips, 1U);
+  for (std::uint32_t cell = 0; cell < 20; ++cell) EXPECT_EQ(cut.strip(cell), 0U);
+}
+
 TEST(GridCut, IsAlongTheWay) {
   std::mt19937 random(3);
   const GridWorld wide = open_grid(200, 40), high = open_grid(40, 200);
