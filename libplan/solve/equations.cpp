@@ -97,32 +97,43 @@ bool Equations::prove(std::uint64_t sweeps, const IterationOptions& options) {
 }
 
 // Where runs linger, a row's bound differs from those of the rows around it by rounding and by what a policy may leave
-// to gain. So the values of the policy are raised until a sweep raises none: soon, where that was all. A strategy that
-// gains little in a step and takes many raises them again and again, which proves nothing. What a sweep may round in
-// each step of the policy is added, a few times over.
+// to gain. So the values of the policy, more by what those of solved states may be more, are raised until a sweep
+// raises none: soon, where that was all. A strategy that gains little in a step and takes many raises them again and
+// again, which proves nothing. What a sweep may round in each step of the policy is added.
 bool Equations::raise_to_bounds(const IterationOptions& limits) {
   constexpr int most_sweeps = 2'000;
+  constexpr double of_a_row = 4 * rounding;  // whose coefficients are rounded, too
   std::vector<double> x = x_.lower;
-  if (!improve(policy_, x, Above, limits)) return false;
+  const double wider = width_of_known();
+  for (double& bound : x) bound = std::min(1.0, bound + wider);
   bool raised = true;
   for (int sweep = 0; raised; ++sweep, ++x_.sweeps) {
     if (sweep == most_sweeps || limits.stop.stop_requested()) return false;
     raised = false;
     for (std::uint32_t i = 0; i < rows(); ++i) {
       const double now = std::min(1.0, best(i, x, Above));
-      if (!raises(x[i], now)) continue;
+      if (now <= x[i] * (1 + of_a_row)) continue;
       x[i] = now;
       raised = true;
     }
   }
-  x_.upper = std::move(x);
-  if (!close_in_sweeps(1, limits.sweepers.free())) return false;
-  const double added = 4 * rounding * steps_;
   for (std::uint32_t i = 0; i < rows(); ++i) {
-    x_.upper[i] = std::min(1.0, x_.upper[i] + added);
-    if (!(x_.upper[i] - x_.lower[i] <= limits.tolerance)) return false;
+    x[i] = std::min(1.0, x[i] + of_a_row * steps_);
+    if (!(x[i] - x_.lower[i] <= limits.tolerance)) return false;
   }
+  x_.upper = std::move(x);
   return true;
+}
+
+// The greatest difference of bounds of what is known, a share of all outcomes of the choice, among choices with some.
+double Equations::width_of_known() const {
+  double out = 0;
+  for (std::uint32_t c = 0; c < choices(); ++c) {
+    double known = 1;
+    for (std::uint32_t t = first_term_[c]; t < first_term_[c + 1]; ++t) known -= coefficient_[t];
+    if (known > most_error) out = std::max(out, (constant_[Above][c] - constant_[Below][c]) / known);
+  }
+  return out;
 }
 
 // Sweeps for a while; where that does not do, policies by linear solves; where these fail, sweeps again, for eight
@@ -266,7 +277,7 @@ Equations::Policy Equations::greedy() const {
 // factors, tried for more rows than can be factored, stagnates on large grids and takes longer than sweeps do.)
 // Greatest probabilities are also refused where a run may take so many steps that rounding could add up: the error is
 // at most the greatest residual times the expected steps, which are solved for with the same factors.
-bool Equations::evaluate(const Policy& policy, std::vector<double>& x, Side side) {
+bool Equations::evaluate(const Policy& policy, std::vector<double>& x) {
   std::vector<Eigen::Triplet<double>> entries;
   Eigen::VectorXd right(rows());
   for (std::uint32_t i = 0; i < rows(); ++i) {
@@ -274,7 +285,7 @@ bool Equations::evaluate(const Policy& policy, std::vector<double>& x, Side side
     entries.emplace_back(row, row, 1.0);
     for (std::uint32_t t = first_term_[policy[i]]; t < first_term_[policy[i] + 1]; ++t)
       entries.emplace_back(row, static_cast<int>(unknown_[t]), -coefficient_[t]);
-    right[row] = constant_[side][policy[i]];
+    right[row] = constant_[Below][policy[i]];
   }
   Eigen::SparseMatrix<double> matrix(static_cast<int>(rows()), static_cast<int>(rows()));
   matrix.setFromTriplets(entries.begin(), entries.end());
@@ -298,20 +309,25 @@ bool Equations::evaluate(const Policy& policy, std::vector<double>& x, Side side
   return true;
 }
 
-// Until no single change of a choice betters the policy by more than rounding; x: its values. False: it goes round for
-// ever, or takes too long to be evaluated.
-bool Equations::improve(Policy& policy, std::vector<double>& x, Side side, const IterationOptions& limits) {
+// The values of a policy that no single change of a choice betters, as lower bounds. Greatest probabilities are no less
+// than those of any policy. Least costs are: so what is taken is proved by a sweep that lowers nothing, and is a
+// billionth less where rounding keeps the values themselves from being proved. A policy of more than 10¹² expected
+// steps is refused: the linear system is all but singular in doubles, its solution may be any number, and a sweep in
+// doubles does not tell. False: no such policy, or no proof.
+bool Equations::iterate_policies(const IterationOptions& limits) {
+  std::vector<double> x = x_.lower;
+  Policy policy = x_.sweeps > 0 ? greedy() : progress();
   constexpr int most_rounds = 200;
   bool changed = true;
   for (int round = 0; changed && round < most_rounds; ++round, ++x_.sweeps) {
-    if (limits.stop.stop_requested() || !evaluate(policy, x, side)) return false;
+    if (limits.stop.stop_requested() || !evaluate(policy, x)) return false;
     changed = false;
     for (std::uint32_t i = 0; i < rows(); ++i) {
       // What is gained from rounding alone may lead round in circles.
       const double gain = (measure_ == Measure::MaxProbability ? 1e-13 : 1e-11) * std::max(x[i], 1e-300);
-      double held = value(policy[i], x, side);
+      double held = value(policy[i], x, Below);
       for (std::uint32_t c = first_choice_[i]; c < first_choice_[i + 1]; ++c) {
-        const double offered = value(c, x, side);
+        const double offered = value(c, x, Below);
         if (measure_ == Measure::MaxProbability ? offered <= held + gain : offered >= held - gain) continue;
         policy[i] = c;
         held = offered;
@@ -319,18 +335,6 @@ bool Equations::improve(Policy& policy, std::vector<double>& x, Side side, const
       }
     }
   }
-  return true;
-}
-
-// The values of the best policy, as lower bounds. Greatest probabilities are no less than those of any policy. Least
-// costs are: so what is taken is proved by a sweep that lowers nothing, and is a billionth less where rounding keeps
-// the values themselves from being proved. A policy of more than 10¹² expected steps is refused: the linear system is
-// all but singular in doubles, its solution may be any number, and a sweep in doubles does not tell. False: no such
-// policy, or no proof.
-bool Equations::iterate_policies(const IterationOptions& limits) {
-  std::vector<double> x = x_.lower;
-  policy_ = x_.sweeps > 0 ? greedy() : progress();
-  if (!improve(policy_, x, Below, limits)) return false;
   if (!(steps_ <= most_steps)) return false;
   for (double less : {0.0, 1e-9}) {
     std::vector<double> candidate = x;

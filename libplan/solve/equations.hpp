@@ -74,6 +74,7 @@ class Equations {
   bool close_from_above(std::size_t chunk);
   bool close_in_sweeps(std::uint64_t most, std::size_t threads);
   bool raise_to_bounds(const IterationOptions& limits);
+  double width_of_known() const;
 
   struct Sources {  // by unknown: the choices that it is an outcome of
     std::vector<std::uint32_t> first, choice, row_of;
@@ -82,8 +83,7 @@ class Equations {
   using Policy = std::vector<std::uint32_t>;  // by row, a choice
   Policy progress() const;                    // every row gets somewhere
   Policy greedy() const;
-  bool evaluate(const Policy& policy, std::vector<double>& x, Side side);
-  bool improve(Policy& policy, std::vector<double>& x, Side side, const IterationOptions& limits);
+  bool evaluate(const Policy& policy, std::vector<double>& x);
   bool iterate_policies(const IterationOptions& limits);
   bool lowers_nothing(const std::vector<double>& x) const;
 
@@ -95,7 +95,6 @@ class Equations {
   std::uint64_t patience_ = 0;    // sweeps before they are
   double steps_ = 0;              // that a run of the last policy takes, expected, from its slowest row
   bool by_policies_ = false;      // that is where the values come from
-  Policy policy_;                 // … from this one
   std::uint32_t chunk_size_ = 0;  // rows, but for the last chunk
   ChunkReach reach_{0};           // of chunks
 };
