@@ -74,7 +74,7 @@ TEST(TaskAutomaton, OfThePastIsWorthWhatTheFutureIs) {
     EXPECT_NEAR(past, value("!a U (b & !a & X (a & !b))"), 4e-6) << testing::show(std::get<Mdp>(model.model));
     some += past > 0 && past < 1 ? 1 : 0;
   }
-  EXPECT_GT(some, scaled(10));
+  EXPECT_GT(some, 0);
 }
 
 TEST(GivenAutomaton, LassosAreThoseOfItsFormula) {
