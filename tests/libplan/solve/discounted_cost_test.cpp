@@ -31,7 +31,7 @@ double series(const Mdp& mdp, const std::vector<std::uint32_t>& strategy, const 
 // Over all strategies without memory, of which one is best [Put94, Thm. 6.2.7].
 double by_enumeration(const Mdp& mdp, const DiscountedCosts& asked) {
   std::vector<std::uint32_t> strategy(mdp.states(), 0);
-  double best = asked.greatest ? -INFINITY : INFINITY;
+  double best = asked.greatest ? -HUGE_VAL : HUGE_VAL;
   for (;;) {
     const double value = series(mdp, strategy, asked);
     best = asked.greatest ? std::max(best, value) : std::min(best, value);
@@ -46,7 +46,7 @@ TEST(DiscountedCost, IsThatOfTheBestStrategy) {
   int told_apart = 0;
   for (int i = 0; i < 60; ++i) {
     const Mdp mdp = testing::random_model(random, {.states = 2 + static_cast<std::uint32_t>(random.below(3))});
-    double values[2];
+    double values[2]{};
     for (const bool greatest : {false, true}) {
       DiscountedCosts asked{static_cast<double>(random.below(10)) / 10, greatest, {}};
       for (std::uint32_t s = 0; s < mdp.states(); ++s) asked.ended.push_back(random.below(4) == 0);

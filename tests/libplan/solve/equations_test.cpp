@@ -297,8 +297,8 @@ TEST(Equations, AmongEqualChoicesPoliciesGoOn) {
   ASSERT_TRUE(found);
   for (std::uint32_t i = 1; i < places; ++i) {
     const double truth = 1 - i / static_cast<double>(places);
-    EXPECT_LE(found->lower[2 * (i - 1)], truth + 1e-9) << i;
-    EXPECT_GE(found->upper[2 * (i - 1)], truth - 1e-9) << i;
+    EXPECT_LE(found->lower[2 * std::size_t{i - 1}], truth + 1e-9) << i;
+    EXPECT_GE(found->upper[2 * std::size_t{i - 1}], truth - 1e-9) << i;
   }
 }
 
@@ -322,6 +322,10 @@ TEST(Equations, TheProofCountsTheGainsOfAllRows) {
   ASSERT_TRUE(found);
   EXPECT_GE(found->upper[0], little.truth(0));
   EXPECT_GE(found->upper[2], 0.25 + 9e-7);
+}
+
+TEST(Equations, BoundsFartherApartThanTheToleranceAreNoProof) {
+  EXPECT_FALSE(likeliest({{{0.25, 0.25 + 1.2e-6, {}}}}, {.policy_iteration = true, .sweeps = 2'000}));
 }
 
 TEST(Equations, TheProofCountsTheWidthOfAllChoices) {

@@ -186,7 +186,7 @@ GridWorld ring_of_one_way_cells(std::uint32_t side) {
   std::vector<GridCell> palette{{}, {.wall = true}, {.label = {ltl::Proposition{0}}}};
   for (const Compass way : all_compass) palette.push_back({.one_way = way});
   std::vector<std::uint16_t> cells(std::size_t{width} * height, 1);
-  std::fill(cells.begin() + open * width, cells.end(), std::uint16_t{0});
+  std::fill(cells.begin() + std::ptrdiff_t{open} * width, cells.end(), std::uint16_t{0});
   const auto put = [&](std::uint32_t x, std::uint32_t y, std::uint16_t kind) { cells[y * width + x] = kind; };
   for (std::uint32_t i = 1; i < side; ++i) {
     put(i, 1, 4);  // east
@@ -290,7 +290,7 @@ TEST(GridBlock, BoundsOfStripsHoldWhateverIsClaimed) {
   constexpr double across = 1e-5, along = 0.5 - across, wide = 1e-3;  // wide: the tolerance
   std::vector<std::uint16_t> cells(std::size_t{4} * length, 0);
   std::fill_n(cells.begin(), length, std::uint16_t{1});
-  std::fill_n(cells.begin() + 3 * length, length, std::uint16_t{2});
+  std::fill_n(cells.begin() + std::ptrdiff_t{3} * length, length, std::uint16_t{2});
   constexpr SlipChances north{.forward = across, .left = along, .right = along, .back = across},
       east{.forward = along, .left = across, .right = across, .back = along};
   const ltl::Vocabulary names({"a", "x"});

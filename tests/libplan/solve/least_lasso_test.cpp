@@ -20,7 +20,6 @@
 namespace waymark::plan {
 namespace {
 
-using automata::Marks;
 using waymark::testing::scaled;
 using Value = std::pair<double, double>;  // what counts first, what counts second
 

@@ -16,6 +16,7 @@
 #include "libplan/solve/end_components.hpp"
 #include "libplan/solve/kept_bounds.hpp"
 #include "libplan/solve/reachability.hpp"
+#include "libplan/solve/strategy.hpp"
 #include "tests/support/sanitizers.hpp"
 
 namespace waymark::plan {
