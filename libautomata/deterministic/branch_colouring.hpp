@@ -32,8 +32,8 @@ class BranchColouring {
   void look_for_cycles(const std::vector<ProductEdge>& edges, std::uint32_t parity, Budget& budget);
 
   std::uint32_t branches_, sets_;
-  std::vector<std::uint32_t>
-      blocked_;  // by branch: 1 when one of its edges is on a cycle whose least colour has the parity
+  // By branch: 1 when one of its edges is on a cycle whose least colour has the parity that was looked for.
+  std::vector<std::uint32_t> blocked_;
   // What the searches for cycles take, kept from one to the next.
   std::vector<std::uint32_t> begin_, has_least_;
   Components found_;

@@ -12,7 +12,7 @@ namespace waymark::ltl {
 template <class Enter>
 std::vector<Formula> walk(Formula f, const Enter& enter) {
   std::vector<Formula> out, heap;  // the largest id first: operands have smaller ones
-  out.reserve(16);
+  out.reserve(16);                 // enough for most
   heap.reserve(16);
   heap.push_back(f);
   while (!heap.empty()) {
