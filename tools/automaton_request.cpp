@@ -3,6 +3,7 @@
 #include <optional>
 #include <utility>
 
+#include "libautomata/deterministic/conversions.hpp"
 #include "libautomata/deterministic/to_parity.hpp"
 #include "libautomata/finite/ltlf_to_dfa.hpp"
 #include "libautomata/finite/minimize.hpp"
@@ -10,12 +11,10 @@
 #include "libautomata/finite/run.hpp"
 #include "libautomata/hoa/exchange.hpp"
 #include "libautomata/hoa/omega.hpp"
-#include "libautomata/monitor/monitor.hpp"
+#include "libautomata/monitor/good_prefixes.hpp"
 #include "libautomata/omega/lasso.hpp"
 #include "libautomata/omega/operations.hpp"
 #include "libautomata/omega/reduce.hpp"
-#include "libautomata/omega/scc_filter.hpp"
-#include "libautomata/omega/without_fin.hpp"
 #include "libautomata/translation/ltl_to_buchi.hpp"
 #include "libltl/diagnostic.hpp"
 #include "libltl/limits.hpp"
@@ -126,7 +125,7 @@ automata::Automaton reduced(const automata::Automaton& automaton, automata::Budg
   if (automaton.acceptance().is_generalized_buchi()) {
     automata::Reduced result = automata::reduce(automaton.transitions(), automata::MarksOn::Edges, budget);
     if (!result.complete) about.status = "unreduced";
-    best = automata::as_automaton(result.automaton, automaton.vocabulary(), automaton.reads());
+    best = automata::with_edges(automaton, result.automaton);
   }
   if (automata::is_deterministic(automaton.transitions())) {
     const automata::Automaton parity = automata::to_parity(automaton, budget).automaton();
@@ -166,39 +165,22 @@ automata::Automaton united(const automata::Automaton& a, const automata::Automat
   return automata::sum(a, b);
 }
 
-// Deterministic, with the condition that takes fewest states: its own, or a parity condition.
-automata::Automaton smallest_deterministic(const automata::Automaton& a, automata::Budget& budget) {
-  automata::Automaton parity = automata::to_parity(a, budget).automaton();
-  const auto own = automata::Deterministic::checked(a);
-  return own && own->automaton().states() < parity.states() ? own->automaton() : parity;
-}
-
 // The kinds that `waymark translate --to` makes, from an automaton instead of a formula.
 automata::Automaton converted(const automata::Automaton& a, const std::string& kind, automata::Budget& budget) {
-  if (kind == "generic") return smallest_deterministic(a, budget);
-  if (kind == "rabin")
-    return {a.vocabulary(), a.reads(),
-            automata::as_rabin(automata::min_even_parity(automata::to_parity(a, budget).automaton().transitions()))};
+  if (kind == "generic") return automata::to_generic(a, budget);
+  if (kind == "rabin") return automata::to_rabin(a, budget);
   if (kind == "parity" || kind == "ldba") return automata::to_parity(a, budget).automaton();
-  const automata::Automaton general = automata::as_automaton(
-      automata::reduce(automata::without_fin(a.transitions(), budget), automata::MarksOn::Edges, budget).automaton,
-      a.vocabulary(), a.reads());
+  const automata::Automaton general = automata::to_tgba(a, budget);
   return kind == "buchi" ? *automata::make_state_based(general, budget) : general;
 }
 
-// The finite words after which every continuation is accepted. Throws UsageError when they do not say it all: when a
-// word is accepted although no prefix settles that.
-automata::Dfa good_prefixes(const automata::Automaton& a, automata::Budget& budget) {
-  const automata::Automaton no = complement_of(a, budget);
-  automata::TransitionRelation bad = automata::trim(no.transitions());
-  const automata::Automaton trimmed(no.vocabulary(), no.reads(), bad);
-  bad.acceptance.condition = automata::Condition::constant(true);
-  const automata::Automaton unsettled =
-      automata::intersection(a, automata::Automaton(no.vocabulary(), no.reads(), std::move(bad)), budget);
-  if (const auto word = automata::find_lasso(unsettled))
+// Throws UsageError when the good prefixes do not say it all: when a word is accepted although no prefix settles that.
+automata::Dfa settled(const automata::Automaton& a, automata::Budget& budget) {
+  auto made = automata::good_prefixes(a, budget);
+  if (const auto* unsettled = std::get_if<automata::UnsettledWord>(&made))
     throw UsageError("--to dfa: no finite prefix settles that this word is accepted: " +
-                     ltl::show(*word, unsettled.vocabulary()));
-  return automata::bad_prefixes(trimmed, budget);
+                     ltl::show(unsettled->word, unsettled->vocabulary));
+  return std::get<automata::Dfa>(std::move(made));
 }
 
 AnyAutomaton changed(automata::Automaton a, const AutomatonRequest& request, automata::Budget& budget, Shown& about) {
@@ -210,7 +192,7 @@ AnyAutomaton changed(automata::Automaton a, const AutomatonRequest& request, aut
   if (request.minimize || request.reduce) a = reduced(a, budget, about);
   if (request.kind == "dfa") {
     about.semantics = "finite";
-    return good_prefixes(a, budget);
+    return settled(a, budget);
   }
   return request.kind.empty() ? a : converted(a, request.kind, budget);
 }

@@ -20,7 +20,7 @@ TransitionRelation deterministic_parity(const TransitionRelation& automaton, Bud
 Dpa to_parity(const Automaton& automaton, Budget& budget) {
   const TransitionRelation parity =
       reduce_parity(deterministic_parity(automaton.transitions(), budget), budget).automaton;
-  return *Dpa::checked(as_automaton(plain_parity(parity), automaton.vocabulary(), automaton.reads()));
+  return *Dpa::checked(with_edges(automaton, plain_parity(parity)));
 }
 
 Deterministic determinized(const Automaton& automaton, Budget& budget) {

@@ -5,7 +5,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "libautomata/bdd/boolean.hpp"
+#include "libautomata/bdd/joined_alphabet.hpp"
 #include "libautomata/finite/minimize.hpp"
 #include "libautomata/finite/run.hpp"
 
@@ -163,26 +163,7 @@ class PairProduct {
   Transitions out_;
 };
 
-// The same function where variable v is called name[v]; the order of variables may change.
-std::vector<Node> renamed(const Mtbdd& from, const std::vector<Node>& roots, const std::vector<Mtbdd::Variable>& name,
-                          Mtbdd& to) {
-  Boolean logic(to);
-  std::vector<Node> image(from.size());
-  const auto of = [&](Node n) { return Mtbdd::is_terminal(n) ? n : image[n.id]; };
-  for (Node n : from.reachable(roots))
-    image[n.id] = logic.if_then_else(logic.variable(name[from.variable(n)]), of(from.high(n)), of(from.low(n)));
-  std::vector<Node> out;
-  for (Node root : roots) out.push_back(of(root));
-  return out;
-}
-
-Transitions over(const Dfa& dfa, const ltl::Vocabulary& vocabulary, const std::vector<ltl::Proposition>& reads) {
-  std::vector<Mtbdd::Variable> name;
-  for (ltl::Proposition p : dfa.reads()) {
-    const ltl::Proposition q = *vocabulary.find(dfa.vocabulary().name(p));
-    const auto at = std::lower_bound(reads.begin(), reads.end(), q);
-    name.push_back(static_cast<Mtbdd::Variable>(at - reads.begin()));
-  }
+Transitions over(const Dfa& dfa, const std::vector<Mtbdd::Variable>& name) {
   Transitions out;
   std::vector<Node> roots;
   for (std::uint32_t q = 0; q < dfa.states(); ++q) {
@@ -212,14 +193,9 @@ Transitions product(const Transitions& a, const Transitions& b, Verdict verdict,
 
 Dfa product(const Dfa& a, const Dfa& b, Verdict verdict, Budget& budget) {
   if (verdict(false, false)) throw std::invalid_argument("a product of DFAs may not accept the empty word");
-  ltl::Vocabulary vocabulary = a.vocabulary();
-  std::vector<ltl::Proposition> reads = a.reads();
-  for (const std::string& name : b.vocabulary().names()) vocabulary.add(name);
-  for (ltl::Proposition p : b.reads()) reads.push_back(*vocabulary.find(b.vocabulary().name(p)));
-  std::sort(reads.begin(), reads.end());
-  reads.erase(std::unique(reads.begin(), reads.end()), reads.end());
-  const Transitions pairs = product(over(a, vocabulary, reads), over(b, vocabulary, reads), verdict, budget);
-  return as_dfa(canonical(pairs, budget), vocabulary, reads);
+  const JoinedAlphabet both = joined({a.vocabulary(), a.reads()}, {b.vocabulary(), b.reads()});
+  const Transitions pairs = product(over(a, both.of_first), over(b, both.of_second), verdict, budget);
+  return as_dfa(canonical(pairs, budget), both.vocabulary, both.reads);
 }
 
 std::optional<Difference> difference(const Dfa& a, const Dfa& b, Budget& budget) {

@@ -5,6 +5,7 @@
 
 #include "libautomata/omega/degeneralize.hpp"
 #include "libautomata/omega/edges.hpp"
+#include "libautomata/omega/operations.hpp"
 #include "libltl/text/print.hpp"
 
 namespace waymark::automata {
@@ -92,7 +93,7 @@ std::optional<Automaton> make_state_based(const Automaton& automaton, Budget& bu
   const Acceptance& acceptance = automaton.acceptance();
   if (!acceptance.is_generalized_buchi()) return std::nullopt;
   if ((acceptance.is_buchi() || acceptance.is_all()) && marks_are_on_states(automaton.transitions())) return automaton;
-  return as_automaton(degeneralize(automaton.transitions(), {}, budget), automaton.vocabulary(), automaton.reads());
+  return with_edges(automaton, degeneralize(automaton.transitions(), {}, budget));
 }
 
 std::optional<std::string> write_never_claim(const Automaton& automaton, std::size_t most_edges,

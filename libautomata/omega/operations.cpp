@@ -4,7 +4,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "libautomata/bdd/boolean.hpp"
+#include "libautomata/bdd/joined_alphabet.hpp"
 #include "libautomata/omega/product.hpp"
 
 namespace waymark::automata {
@@ -14,46 +14,15 @@ using Node = Mtbdd::Node;
 
 // Two automata over the same variables.
 struct Aligned {
-  ltl::Vocabulary vocabulary;
-  std::vector<ltl::Proposition> reads;
+  JoinedAlphabet alphabet;
   Mtbdd diagram;  // payloads are choices of the automaton whose root it is
   std::vector<Node> first, second;
 };
 
-// The diagrams of an automaton with variable v renamed to name[v], which need not keep their order.
-std::vector<Node> renamed(const TransitionRelation& from, const std::vector<Mtbdd::Variable>& name, Mtbdd& to) {
-  Boolean logic(to);
-  std::vector<Node> image(from.diagram.size());
-  const auto of = [&](Node n) { return Mtbdd::is_terminal(n) ? n : image[n.id]; };
-  for (Node n : from.diagram.reachable(from.roots))
-    image[n.id] = logic.if_then_else(logic.variable(name[from.diagram.variable(n)]), of(from.diagram.high(n)),
-                                     of(from.diagram.low(n)));
-  std::vector<Node> out;
-  for (Node root : from.roots) out.push_back(of(root));
-  return out;
-}
-
 Aligned align(const Automaton& a, const Automaton& b) {
-  Aligned out;
-  out.vocabulary = a.vocabulary();
-  for (const std::string& name : b.vocabulary().names()) out.vocabulary.add(name);
-  const auto named = [&](const Automaton& from, ltl::Proposition p) {
-    return *out.vocabulary.find(from.vocabulary().name(p));
-  };
-  for (const Automaton* from : {&a, &b})
-    for (ltl::Proposition p : from->reads()) out.reads.push_back(named(*from, p));
-  std::sort(out.reads.begin(), out.reads.end());
-  out.reads.erase(std::unique(out.reads.begin(), out.reads.end()), out.reads.end());
-  const auto names = [&](const Automaton& from) {
-    std::vector<Mtbdd::Variable> name;
-    for (ltl::Proposition p : from.reads()) {
-      const auto at = std::lower_bound(out.reads.begin(), out.reads.end(), named(from, p));
-      name.push_back(static_cast<Mtbdd::Variable>(at - out.reads.begin()));
-    }
-    return name;
-  };
-  out.first = renamed(a.transitions(), names(a), out.diagram);
-  out.second = renamed(b.transitions(), names(b), out.diagram);
+  Aligned out{joined({a.vocabulary(), a.reads()}, {b.vocabulary(), b.reads()}), {}, {}, {}};
+  out.first = renamed(a.diagram(), a.transitions().roots, out.alphabet.of_first, out.diagram);
+  out.second = renamed(b.diagram(), b.transitions().roots, out.alphabet.of_second, out.diagram);
   return out;
 }
 
@@ -112,11 +81,11 @@ TransitionRelation completed(const TransitionRelation& automaton) {
   return out;
 }
 
-Automaton with(const Automaton& automaton, const TransitionRelation& transitions) {
-  return as_automaton(transitions, automaton.vocabulary(), automaton.reads());
-}
-
 }  // namespace
+
+Automaton with_edges(const Automaton& automaton, const TransitionRelation& edges) {
+  return as_automaton(edges, automaton.vocabulary(), automaton.reads());
+}
 
 std::optional<Deterministic> Deterministic::checked(Automaton automaton) {
   if (!is_deterministic(automaton.transitions())) return std::nullopt;
@@ -127,7 +96,7 @@ Automaton intersection(const Automaton& a, const Automaton& b, Budget& budget) {
   const Aligned both = align(a, b);
   return as_automaton(
       intersection(over(both, both.first, a.transitions()), over(both, both.second, b.transitions()), budget),
-      both.vocabulary, both.reads);
+      both.alphabet.vocabulary, both.alphabet.reads);
 }
 
 Deterministic either(const Deterministic& a, const Deterministic& b, Budget& budget) {
@@ -138,7 +107,7 @@ Deterministic either(const Deterministic& a, const Deterministic& b, Budget& bud
 Deterministic complement(const Deterministic& a) {
   TransitionRelation out = completed(a.automaton().transitions());
   out.acceptance.condition = out.acceptance.condition.negated();
-  return *Deterministic::checked(with(a.automaton(), out));
+  return *Deterministic::checked(with_edges(a.automaton(), out));
 }
 
 Automaton sum(const Automaton& a, const Automaton& b) {
@@ -166,7 +135,7 @@ Automaton sum(const Automaton& a, const Automaton& b) {
                            out.roots[states_a + b.initial().index], unlimited);
   out.initial = static_cast<std::uint32_t>(out.roots.size());
   out.roots.push_back(start);
-  return as_automaton(out, both.vocabulary, both.reads);
+  return as_automaton(out, both.alphabet.vocabulary, both.alphabet.reads);
 }
 
 TransitionRelation renamed(const TransitionRelation& automaton, const std::vector<ltl::Proposition>& from,

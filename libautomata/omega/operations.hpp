@@ -11,6 +11,10 @@
 
 namespace waymark::automata {
 
+// The alphabet of an automaton with other edges, whose variables are those of its own: never those of another
+// automaton, which may read fewer propositions.
+Automaton with_edges(const Automaton& automaton, const TransitionRelation& edges);
+
 // An automaton of which every choice was seen to have at most one branch.
 class Deterministic {
  public:

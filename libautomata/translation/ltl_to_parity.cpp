@@ -343,8 +343,7 @@ std::variant<Translated, Exhausted> changed(std::variant<Translated, Exhausted> 
   Translated* made = std::get_if<Translated>(&found);
   if (made == nullptr) return found;
   const Automaton& from = made->automaton;
-  return Translated{as_automaton(change(min_even_parity(from.transitions())), from.vocabulary(), from.reads()),
-                    made->reduced};
+  return Translated{with_edges(from, change(min_even_parity(from.transitions()))), made->reduced};
 }
 
 template <class Make>

@@ -11,9 +11,12 @@
 #include <utility>
 #include <vector>
 
+#include "libautomata/deterministic/conversions.hpp"
 #include "libautomata/deterministic/to_parity.hpp"
+#include "libautomata/hoa/exchange.hpp"
 #include "libautomata/hoa/omega.hpp"
 #include "libautomata/limit_deterministic/ltl_to_ldba.hpp"
+#include "libautomata/monitor/good_prefixes.hpp"
 #include "libautomata/omega/emptiness.hpp"
 #include "libautomata/omega/operations.hpp"
 #include "libautomata/translation/ltl_to_buchi.hpp"
@@ -61,6 +64,31 @@ Automaton written_and_read(Formula f) {
   return intersection(tgba(f.arena().constant(true)), read_omega_hoa(write_hoa(generic(f))), unlimited);
 }
 
+// What `waymark automaton --to` makes of an automaton in a file. The file reads a proposition first that its language
+// does not ask for, so that what is made of it reads fewer.
+template <class Convert>
+Automaton converted(Formula f, const Convert& convert) {
+  Budget unlimited;
+  const Automaton two_copies = read_omega_hoa(
+      "HOA: v1 States: 3 Start: 0 AP: 1 \"unasked\" Acceptance: 0 t --BODY-- State: 0 [0] 1 [!0] 2 State: 1 [t] 1 "
+      "State: 2 [t] 2 --END--");
+  const Automaton file = read_omega_hoa(write_hoa(intersection(two_copies, generic(f), unlimited)));
+  return intersection(tgba(f.arena().constant(true)), convert(file, unlimited), unlimited);
+}
+Automaton made_tgba(Formula f) { return converted(f, to_tgba); }
+Automaton made_buchi(Formula f) {
+  return converted(f, [](const Automaton& a, Budget& budget) { return *make_state_based(to_tgba(a, budget), budget); });
+}
+Automaton made_parity(Formula f) {
+  return converted(f, [](const Automaton& a, Budget& budget) { return to_parity(a, budget).automaton(); });
+}
+Automaton made_rabin(Formula f) { return converted(f, to_rabin); }
+Automaton made_generic(Formula f) { return converted(f, to_generic); }
+Automaton made_ldba(Formula f) {
+  return converted(
+      f, [](const Automaton& a, Budget& budget) { return limit_deterministic(to_parity(a, budget)).automaton(); });
+}
+
 struct Construction {
   const char* name;
   Automaton (*run)(Formula);
@@ -74,7 +102,13 @@ constexpr std::array constructions{Construction{"tgba", tgba},
                                    Construction{"parity of the Büchi automaton", determinised},
                                    Construction{"complement of the parity automaton of the negation", complemented},
                                    Construction{"ldba of the parity automaton", limit_deterministic_of_parity},
-                                   Construction{"generic, written and read", written_and_read}};
+                                   Construction{"generic, written and read", written_and_read},
+                                   Construction{"automaton --to tgba", made_tgba},
+                                   Construction{"automaton --to buchi", made_buchi},
+                                   Construction{"automaton --to parity", made_parity},
+                                   Construction{"automaton --to rabin", made_rabin},
+                                   Construction{"automaton --to generic", made_generic},
+                                   Construction{"automaton --to ldba", made_ldba}};
 
 std::vector<Automaton> all_of(Formula f) {
   std::vector<Automaton> out;
@@ -136,6 +170,42 @@ TEST(Constructions, AgreeOnRandomFormulas) {
     check(f, random, 3, 8);
     ASSERT_FALSE(HasFatalFailure()) << "seed " << seed << ", formula " << i;
   }
+}
+
+// Every word accepted begins with a good prefix, or one is shown that does not. A run of the DFA along a lasso is
+// periodic after as many rounds as it has states.
+::testing::AssertionResult settles(Formula f, const std::vector<ltl::Lasso>& words) {
+  Budget unlimited;
+  const auto made = good_prefixes(generic(f), unlimited);
+  if (const auto* none = std::get_if<UnsettledWord>(&made))
+    return ltl::holds(none->word, f) ? ::testing::AssertionSuccess()
+                                     : ::testing::AssertionFailure() << testing::show(f, none->word);
+  const Dfa& dfa = std::get<Dfa>(made);
+  for (const ltl::Lasso& word : words) {
+    StateId q = dfa.initial();
+    bool settled = false;
+    std::size_t at = 0;
+    for (std::size_t i = 0; i < word.size() * dfa.states(); ++i, at = word.successor(at)) {
+      q = dfa.next(q, word[at]);
+      settled = settled || dfa.is_accepting(q);
+    }
+    if (settled != ltl::holds(word, f)) return ::testing::AssertionFailure() << testing::show(f, word);
+  }
+  return ::testing::AssertionSuccess();
+}
+
+TEST(Constructions, DfasOfInfiniteWordsSettleThem) {
+  ltl::Arena arena;
+  const std::vector<ltl::Lasso> words = testing::all_lassos({.length = 3, .atoms = 2});
+  std::size_t settled = 0, all = 0;
+  testing::for_each_formula(arena, {.size = 3, .atoms = 2}, [&](Formula f) {
+    ASSERT_TRUE(settles(f, words));
+    Budget unlimited;
+    settled += std::holds_alternative<Dfa>(good_prefixes(generic(f), unlimited)) ? 1 : 0;
+    ++all;
+  });
+  EXPECT_GT(settled, 0U);
+  EXPECT_LT(settled, all);
 }
 
 }  // namespace
