@@ -27,10 +27,11 @@ FormulaHandle parse(const std::string& text, const std::string& notation, const 
     options.notation = ltl::Notation::Postfix;
   else if (notation != "infix")
     throw py::value_error("notation is 'infix', 'lbt' or 'postfix', not '" + notation + "'");
-  if (dialect == "spot")
-    options.dialect = ltl::Dialect::Spot;
-  else if (dialect != "waymark")
-    throw py::value_error("dialect is 'waymark' or 'spot', not '" + dialect + "'");
+  constexpr std::array dialects{"waymark", "spot", "nusmv", "psl"};  // in the order of Dialect
+  const auto named = std::find(dialects.begin(), dialects.end(), dialect);
+  if (named == dialects.end())
+    throw py::value_error("dialect is 'waymark', 'spot', 'nusmv' or 'psl', not '" + dialect + "'");
+  options.dialect = static_cast<ltl::Dialect>(named - dialects.begin());
   if (propositions) options.unknown = ltl::Unknown::Reject;
   const auto arena = std::make_shared<ltl::Arena>(propositions ? ltl::Vocabulary(*propositions) : ltl::Vocabulary());
   return {arena, ltl::parse(text, *arena, options)};

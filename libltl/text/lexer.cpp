@@ -38,71 +38,17 @@ bool is_identifier(std::string_view s) {
          std::all_of(s.begin(), s.end(), [](char c) { return is_letter(c) || is_digit(c); });
 }
 
-std::optional<Symbol> unary_letter(char c) {
-  switch (c) {
-    case 'X': return Symbol::Next;
-    case 'N': return Symbol::WeakNext;
-    case 'F': return Symbol::Eventually;
-    case 'G': return Symbol::Always;
-    default: return std::nullopt;  // any other character
-  }
-}
-
-std::optional<Symbol> binary_letter(char c) {
-  switch (c) {
-    case 'U': return Symbol::Until;
-    case 'R':
-    case 'V': return Symbol::Release;
-    case 'W': return Symbol::WeakUntil;
-    case 'M': return Symbol::StrongRelease;
-    default: return std::nullopt;  // any other character
-  }
-}
-
-// Alone, not in a run: XY and GO stay names.
-std::optional<Symbol> past_letter(char c) {
-  switch (c) {
-    case 'Y': return Symbol::Yesterday;
-    case 'Z': return Symbol::WeakYesterday;
-    case 'O': return Symbol::Once;
-    case 'H': return Symbol::Historically;
-    case 'S': return Symbol::Since;
-    case 'T': return Symbol::Triggered;
-    default: return std::nullopt;  // any other character
-  }
-}
-
-std::optional<Symbol> operator_word(std::string_view word, Notation notation, Dialect dialect) {
-  if (word == "xor") return Symbol::ExclusiveOr;
-  if (word == "WX") return Symbol::WeakNext;
-  if (word.size() != 1) return std::nullopt;
-  if (notation == Notation::Lbt && word == "i") return Symbol::Implies;
-  if (notation == Notation::Lbt && word == "e") return Symbol::Iff;
-  if (dialect == Dialect::Waymark)
-    if (const auto past = past_letter(word[0])) return past;
-  return binary_letter(word[0]);
-}
-
-std::optional<bool> constant_word(std::string_view word, Notation notation) {
-  if (word == "true" || word == "tt" || (notation == Notation::Lbt && word == "t")) return true;
-  if (word == "false" || word == "ff" || (notation == Notation::Lbt && word == "f")) return false;
-  return std::nullopt;
-}
-
 // Where the character that begins at the offset ends; a byte that is no UTF-8 is one.
 std::size_t character_end(std::string_view text, std::size_t at) {
   return at + std::max<std::size_t>(1, utf8_character(text, at));
 }
 
-bool is_unary_run(std::string_view word) {
-  return std::all_of(word.begin(), word.end(), [](char c) { return unary_letter(c).has_value(); });
-}
-
 }  // namespace
 
 bool is_bare_name(std::string_view name, Notation notation) {
-  return is_identifier(name) && !is_unary_run(name) && !operator_word(name, notation, Dialect::Waymark) &&
-         !constant_word(name, notation);
+  return is_identifier(name) && !is_unary_run(name, Dialect::Waymark) &&
+         !operator_word(name, notation, Dialect::Waymark) && !constant_word(name, notation, Dialect::Waymark) &&
+         meant_by(name, Dialect::Waymark).empty();
 }
 
 void Lexer::fail(Span where, std::string_view message) const { throw SyntaxError(text_, where, message); }
@@ -159,6 +105,17 @@ void Lexer::bounds(Token& token) {
   }
 }
 
+// X[3] and X[3!]: so many nexts, strong with !.
+void Lexer::repetition(Token& token) {
+  if (at_ + 1 >= text_.size() || text_[at_] != '[' || !is_digit(text_[at_ + 1])) return;
+  const std::size_t begin = at_++;
+  const std::size_t k = steps();
+  if (take("!")) token.symbol = Symbol::Next;
+  if (!take("]")) fail({at_, at_}, "expected ']' after the number of steps");
+  if (k == 0) fail({begin, at_}, "expected one step or more");
+  token.from = k - 1;
+}
+
 // An operator was read; what may follow it directly: [!] or [w] after a next, bounds after F, G and U.
 Token Lexer::operation(Symbol symbol, std::size_t begin) {
   Token token{.kind = Token::Kind::Operator, .where = {begin, at_}, .symbol = symbol, .bound = {}, .name = {}};
@@ -167,29 +124,89 @@ Token Lexer::operation(Symbol symbol, std::size_t begin) {
   } else if (symbol == Symbol::Eventually || symbol == Symbol::Always || symbol == Symbol::Until) {
     bounds(token);
   }
+  if (symbol == Symbol::Next || symbol == Symbol::WeakNext) repetition(token);
   token.where.end = at_;
+  token.binding = binding(token.symbol, dialect_);
   return token;
 }
 
-Token Lexer::word() {
-  const std::size_t begin = at_;
-  std::size_t end = at_;
-  while (end < text_.size() && (is_letter(text_[end]) || is_digit(text_[end]))) ++end;
-  const std::string_view word = text_.substr(begin, end - begin);
-  if (is_unary_run(word)) {  // one letter now; the rest is such a word again
-    ++at_;
-    return operation(*unary_letter(word[0]), begin);
+std::size_t Lexer::word_end(std::size_t at) const {
+  const auto continues = [&](char c) {
+    if (is_letter(c) || is_digit(c)) return true;
+    if (dialect_ == Dialect::Nusmv) return c == '.' || c == '$' || c == '#';
+    return dialect_ == Dialect::Spot && c == '.';
+  };
+  while (at < text_.size() && continues(text_[at])) ++at;
+  return at;
+}
+
+// Of NuSMV: state = idle and count >= 3 are one proposition, of that name.
+void Lexer::compare(Token& name) {
+  const std::size_t end = at_;
+  skip_space();
+  const auto stands = [&](std::string_view sign) { return text_.substr(at_, sign.size()) == sign; };
+  const bool joins = stands("=>") || stands("<->") || stands("<=>") || stands("<>");  // it is no comparison
+  for (const std::string_view sign : {"!=", "<=", ">=", "=", "<", ">"}) {
+    if (joins || !take(sign)) continue;
+    skip_space();
+    const std::size_t begin = at_;
+    take("-");
+    at_ = word_end(at_);
+    if (at_ == begin) fail({at_, at_}, "expected a number or a name to compare with");
+    name.name += " " + std::string(sign) + " " + std::string(text_.substr(begin, at_ - begin));
+    name.where.end = at_;
+    return;
   }
   at_ = end;
+}
+
+// always, never, next!, until! and the others; a name where the word is none of them.
+Token Lexer::psl_word(std::size_t begin) {
+  const std::string_view word = text_.substr(begin, at_ - begin);
+  if (word == "never") {
+    Token always = operation(Symbol::Always, begin);
+    pending_ = {.kind = Token::Kind::Operator, .where = always.where, .symbol = Symbol::Not, .bound = {}, .name = {}};
+    pending_->binding = always.binding;
+    return always;
+  }
+  for (const bool strong : {true, false}) {
+    if (strong && text_.substr(at_, 1) != "!") continue;
+    const auto symbol = operator_word(text_.substr(begin, at_ + (strong ? 1 : 0) - begin), notation_, dialect_);
+    if (!symbol) continue;
+    at_ += strong ? 1 : 0;
+    return operation(*symbol, begin);
+  }
+  return {.kind = Token::Kind::Name, .where = {begin, at_}, .bound = {}, .name = std::string(word)};
+}
+
+Token Lexer::word() {
+  const std::size_t begin = at_, end = word_end(at_);
+  const std::string_view word = text_.substr(begin, end - begin);
+  if (const auto message = unsupported(word, dialect_); !message.empty()) fail({begin, end}, message);
   Token token{.kind = Token::Kind::Name, .where = {begin, end}, .bound = {}, .name = std::string(word)};
-  if (const auto symbol = operator_word(word, notation_, dialect_)) {
-    if (*symbol == Symbol::Until) return operation(*symbol, begin);
-    token.kind = Token::Kind::Operator;
-    token.symbol = *symbol;
-  } else if (const auto value = constant_word(word, notation_)) {
+  if (const auto value = constant_word(word, notation_, dialect_)) {
+    at_ = end;
     token.kind = Token::Kind::Constant;
     token.value = *value;
+    return token;
   }
+  const bool run = is_unary_run(word, dialect_) && dialect_ != Dialect::Psl;
+  const auto first = dialect_ == Dialect::Spot && notation_ == Notation::Infix ? leading_operator(word, behind_operand_)
+                     : run                                                     ? unary_letter(word[0])
+                                                                               : std::nullopt;
+  if (first) {  // one letter now; the rest is a word again
+    ++at_;
+    return operation(*first, begin);
+  }
+  at_ = end;
+  if (dialect_ == Dialect::Psl) {
+    if (word.size() == 1)
+      if (const auto unary = unary_letter(word[0]); unary && *unary != Symbol::Next && *unary != Symbol::WeakNext)
+        return operation(*unary, begin);
+    return psl_word(begin);
+  }
+  if (const auto symbol = operator_word(word, notation_, dialect_)) return operation(*symbol, begin);
+  if (dialect_ == Dialect::Nusmv) compare(token);
   return token;
 }
 
@@ -210,7 +227,7 @@ Token Lexer::quoted() {
   if (at_ == text_.size()) fail({begin, begin + 1}, "expected a closing '\"' for this one");
   ++at_;
   if (name.empty()) fail({begin, at_}, "expected a name between the quotes");
-  return {.kind = Token::Kind::Name, .where = {begin, at_}, .bound = {}, .name = std::move(name)};
+  return {.kind = Token::Kind::Name, .where = {begin, at_}, .bound = {}, .quoted = true, .name = std::move(name)};
 }
 
 void Lexer::fail_on_character() const {
@@ -219,16 +236,46 @@ void Lexer::fail_on_character() const {
   if (is_digit(text_[at_])) fail(where, "expected a formula; numbers other than 0 and 1 must follow F<=, G<= or U<=");
   if (text_[at_] == '[')
     fail(where, "'[' starts no part of a formula; bounds stand right behind F, G or U: F[0:3], G<=3, U[1:3], F[2:]");
+  const auto stands = [&](std::string_view sign) { return text_.substr(at_, sign.size()) == sign; };
+  if (stands("-->") || stands("|->") || stands("<-->") || stands("<==>") || stands("==>"))
+    fail({at_, text_.find('>', at_) + 1}, stands("<")   ? "no operator is written like this (did you mean '<->'?)"
+                                          : stands("|") ? "sequences of PSL are not read"
+                                                        : "no operator is written like this (did you mean '->'?)");
+  if (shown == "{" && dialect_ != Dialect::Waymark) fail(where, "sequences of PSL (SERE) are not read");
   fail(where, "'" + shown + "' starts no part of a formula (names with such characters go in double quotes)");
 }
 
-Token Lexer::next() {
+// LTLSPEC and assert in front of a formula that was copied from a file, and the semicolon behind it.
+void Lexer::pass_over_frame() {
+  const std::size_t begin = at_;
+  const std::string_view word = text_.substr(at_, word_end(at_) - at_);
+  if ((dialect_ == Dialect::Nusmv && word == "LTLSPEC") || (dialect_ == Dialect::Psl && word == "assert"))
+    at_ = begin + word.size();
   skip_space();
+}
+
+Token Lexer::next() {
+  if (pending_) return *std::exchange(pending_, std::nullopt);
+  skip_space();
+  if (dialect_ == Dialect::Nusmv || dialect_ == Dialect::Psl) {
+    if (text_.find_first_not_of(" \t\r\n") == at_) pass_over_frame();
+    if (at_ < text_.size() && text_[at_] == ';' && text_.find_first_not_of(" \t\r\n;", at_) == std::string_view::npos)
+      at_ = text_.size();
+  }
+  Token token = scan();
+  behind_operand_ = token.kind == Token::Kind::Name || token.kind == Token::Kind::Close;
+  return token;
+}
+
+Token Lexer::scan() {
   const std::size_t begin = at_;
   if (at_ == text_.size()) return {.where = {begin, begin}, .bound = {}, .name = {}};
   const char c = text_[at_];
   if (is_letter(c)) return word();
   if (c == '"') return quoted();
+  for (const std::string_view sign : {"-->", "<-->"})  // as in GOAL
+    if (dialect_ == Dialect::Spot && take(sign))
+      return operation(sign[0] == '-' ? Symbol::Implies : Symbol::Iff, begin);
   for (const Spelling& spelling : spellings)
     if (take(spelling.text)) return operation(spelling.symbol, begin);
   if (take("(")) return {.kind = Token::Kind::Open, .where = {begin, at_}, .bound = {}, .name = {}};

@@ -37,7 +37,8 @@ Formula until_within(std::size_t k, Formula left, Formula right) {
 
 class Builder {
  public:
-  Builder(std::string_view text, Arena& arena, Unknown unknown) : text_(text), arena_(arena), unknown_(unknown) {}
+  Builder(std::string_view text, Arena& arena, const ParseOptions& options)
+      : text_(text), arena_(arena), options_(options) {}
 
   void push(const Token& token) {  // a Name or a Constant
     stack_.push_back({{token.kind == Token::Kind::Name ? atom(token) : arena_.constant(token.value)}, Op::Atom, 1});
@@ -66,7 +67,7 @@ class Builder {
 
   std::string_view text_;
   Arena& arena_;
-  Unknown unknown_;
+  const ParseOptions& options_;
   std::vector<Term> stack_;
 };
 
@@ -93,9 +94,17 @@ std::string Builder::known() const {
 }
 
 Formula Builder::atom(const Token& token) {
-  if (unknown_ == Unknown::Add) return arena_.atom(token.name);
   if (const auto p = arena_.vocabulary().find(token.name)) return arena_.atom(*p);
+  const bool bare = !token.quoted && options_.notation == Notation::Infix;
+  const std::string_view meant = bare ? meant_by(token.name, options_.dialect) : "";
+  if (options_.unknown == Unknown::Add && meant.empty()) return arena_.atom(token.name);
   std::string message = "unknown proposition '" + token.name + "'";
+  if (!meant.empty())
+    throw SyntaxError(text_, token.where,
+                      options_.unknown == Unknown::Reject
+                          ? message + " (did you mean " + std::string(meant) + "?)"
+                          : "'" + token.name + "' is no operator here (did you mean " + std::string(meant) +
+                                "? a proposition of that name stands in double quotes)");
   if (const auto whole = name_beginning_with(token))
     message += " (did you mean \"" + *whole + "\", in quotes?)";
   else if (const auto near = arena_.vocabulary().nearest(token.name))
@@ -149,8 +158,8 @@ void Builder::apply_unary(const Token& token) {
   const Formula f = close(pop());
   switch (token.symbol) {
     case Symbol::Not: return push(negate(f), depth, token);
-    case Symbol::Next: return push(next(f), depth, token);
-    case Symbol::WeakNext: return push(weak_next(f), depth, token);
+    case Symbol::Next: return push(from_step(token.from, next(f), next), depth, token);
+    case Symbol::WeakNext: return push(from_step(token.from, weak_next(f), weak_next), depth, token);
     case Symbol::Eventually:
       return push(from_step(token.from, token.bound ? eventually_within(k, f) : eventually(f), next), depth, token);
     case Symbol::Always:
@@ -223,7 +232,7 @@ void Builder::settle(Symbol next) {
 class Parser {
  public:
   Parser(std::string_view text, Arena& arena, const ParseOptions& options)
-      : lexer_(text, options.dialect, options.notation), builder_(text, arena, options.unknown) {}
+      : options_(options), lexer_(text, options.dialect, options.notation), builder_(text, arena, options) {}
 
   Formula infix();
   Formula prefix();
@@ -236,6 +245,16 @@ class Parser {
   std::string quote(const Token& token) const {
     return "'" + std::string(lexer_.text().substr(token.where.begin, token.where.end - token.where.begin)) + "'";
   }
+  [[noreturn]] void fail_for_operator(const Token& token, const Token& before) const {
+    if (before.kind == Token::Kind::Name && !before.quoted && is_branching(before.name))
+      fail(before, "'" + before.name + "' is an operator of CTL, which is not read; a formula of LTL speaks of every " +
+                       "path already (did you mean " + (before.name.size() == 1 ? "it without" : "G, F, X or U for") +
+                       " '" + before.name + "'?)");
+    std::string message = "expected an operator or the end of the formula before " + quote(token);
+    if (const auto meant = token.quoted ? "" : meant_by(token.name, options_.dialect); !meant.empty())
+      message += " (did you mean " + std::string(meant) + "?)";
+    fail(token, message);
+  }
   [[noreturn]] void fail_for_operand(const Token& token, const std::optional<Token>& before) const {
     fail(token, before ? "expected a formula after " + quote(*before) : "expected a formula");
   }
@@ -243,6 +262,7 @@ class Parser {
   void close_parenthesis(const Token& token);
   void finish(const Token& end);
 
+  const ParseOptions& options_;
   Lexer lexer_;
   Builder builder_;
   std::vector<Token> waiting_;  // operators and open parentheses, innermost last
@@ -252,7 +272,7 @@ class Parser {
 // `strictly`, as tight.
 void Parser::reduce(int level, bool strictly) {
   while (!waiting_.empty() && waiting_.back().kind == Token::Kind::Operator) {
-    const int top = precedence(waiting_.back().symbol);
+    const int top = waiting_.back().binding.level;
     if (top < level || (strictly && top == level)) break;
     builder_.apply(waiting_.back());
     waiting_.pop_back();
@@ -279,7 +299,7 @@ Formula Parser::infix() {
     Token token = lexer_.next();
     const bool binary = token.kind == Token::Kind::Operator && !is_unary(token.symbol);
     const bool ends = binary || token.kind == Token::Kind::Close || token.kind == Token::Kind::End;
-    if (complete && !ends) fail(token, "expected an operator or the end of the formula before " + quote(token));
+    if (complete && !ends) fail_for_operator(token, *before);
     if (!complete && ends) fail_for_operand(token, before);
     switch (token.kind) {
       case Token::Kind::Name:
@@ -288,7 +308,7 @@ Formula Parser::infix() {
       case Token::Kind::End: finish(token); return builder_.result();
       case Token::Kind::Operator:
         if (binary) {
-          reduce(precedence(token.symbol), is_right_associative(token.symbol));
+          reduce(token.binding.level, token.binding.right);
           builder_.settle(token.symbol);
         }
         waiting_.push_back(token);

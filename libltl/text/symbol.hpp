@@ -30,9 +30,11 @@ enum class Symbol : std::uint8_t {
   Triggered,  // binary
 };
 
-enum class Dialect : std::uint8_t {  // what X means at the end of a finite word
+enum class Dialect : std::uint8_t {  // how words, precedences and the next operator are read (dialect.hpp)
   Waymark,                           // X is the strong next, N (WX, X[w]) the weak one; Y Z O H S T speak of the past
-  Spot,  // X is the weak next over finite words (TLSF, Syft, Lydia, Spot); X[!] the strong one; no past
+  Spot,   // X is the weak next over finite words (TLSF, Syft, Lydia, Spot); X[!] the strong one; no past; GFa is G F a
+  Nusmv,  // TRUE, FALSE, V for R, conditions such as state = idle
+  Psl,    // always, never, eventually!, next, until!, and, or, not; always binds loosest
 };
 enum class Notation : std::uint8_t { Infix, Lbt, Postfix };  // where operators stand
 

@@ -38,7 +38,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   if (size == 0 || size > 4'096) return 0;
   const std::string_view text(reinterpret_cast<const char*>(data + 1), size - 1);
   const Notation notations[] = {Notation::Infix, Notation::Lbt, Notation::Postfix};
-  const Dialect dialects[] = {Dialect::Waymark, Dialect::Spot};
-  read(text, {.dialect = dialects[data[0] / 3U % 2U], .notation = notations[data[0] % 3U]});
+  const Dialect dialects[] = {Dialect::Waymark, Dialect::Spot, Dialect::Nusmv, Dialect::Psl};
+  read(text, {.dialect = dialects[data[0] / 3U % 4U], .notation = notations[data[0] % 3U]});
   return 0;
 }

@@ -85,17 +85,22 @@ std::vector<std::pair<std::string, std::string>> rows_under(const std::string& h
   return out;
 }
 
-void expect_read_alike(const std::string& heading, std::size_t rows, Notation left) {
+void expect_read_alike(const std::string& heading, std::size_t rows, Notation left,
+                       Dialect dialect = Dialect::Waymark) {
   const auto table = rows_under(heading);
   EXPECT_EQ(table.size(), rows);
   for (const auto& [written, meant] : table) {
     Arena arena;
-    EXPECT_EQ(parse(written, arena, {.notation = left}), parse(meant, arena)) << written << " is not " << meant;
+    EXPECT_EQ(parse(written, arena, {.dialect = dialect, .notation = left}), parse(meant, arena))
+        << written << " is not " << meant;
   }
 }
 
 TEST(Documents, FormulasAreReadAsTheTablesSay) {
   expect_read_alike("| written | read as |", 18, Notation::Infix);
+  expect_read_alike("| of Spot | read as |", 7, Notation::Infix, Dialect::Spot);
+  expect_read_alike("| of NuSMV | read as |", 5, Notation::Infix, Dialect::Nusmv);
+  expect_read_alike("| of PSL | read as |", 8, Notation::Infix, Dialect::Psl);
   expect_read_alike("| prefix | infix |", 2, Notation::Lbt);
   expect_read_alike("| postfix | infix |", 2, Notation::Postfix);
 }

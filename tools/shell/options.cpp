@@ -1,6 +1,9 @@
 #include "tools/shell/options.hpp"
 
+#include <iostream>
+
 #include "libltl/diagnostic.hpp"
+#include "libltl/text/dialect.hpp"
 #include "libplan/world/trajectory.hpp"
 #include "tools/shell/data_directory.hpp"
 
@@ -45,8 +48,10 @@ void add_text_options(Command command, TextOptions& options, const std::string& 
 
 void add_notation_options(Command command, NotationOptions& options) {
   command = command.in("Formulas");
-  command.add_option("--dialect", options.dialect, "what X means at the end of a finite word: strong or (spot) weak")
-      .one_of({"waymark", "spot"})
+  command
+      .add_option("--dialect", options.dialect,
+                  "whose spelling formulas have; of spot, X is weak at the end of a finite word")
+      .one_of({"waymark", "spot", "nusmv", "psl"})
       .show_default();
   command.add_option("--notation", options.notation, "how formulas are written")
       .one_of({"infix", "lbt", "postfix"})
@@ -54,16 +59,35 @@ void add_notation_options(Command command, NotationOptions& options) {
 }
 
 ltl::ParseOptions parse_options(const NotationOptions& options, ltl::Unknown unknown) {
-  return {.dialect = options.dialect == "spot" ? ltl::Dialect::Spot : ltl::Dialect::Waymark,
+  return {.dialect = options.dialect == "spot"    ? ltl::Dialect::Spot
+                     : options.dialect == "nusmv" ? ltl::Dialect::Nusmv
+                     : options.dialect == "psl"   ? ltl::Dialect::Psl
+                                                  : ltl::Dialect::Waymark,
           .notation = options.notation == "lbt"       ? ltl::Notation::Lbt
                       : options.notation == "postfix" ? ltl::Notation::Postfix
                                                       : ltl::Notation::Infix,
           .unknown = unknown};
 }
 
+namespace {
+
+// New names that look like operators run into a name are read as names, and not in silence.
+void note_doubtful_names(std::size_t known, const ltl::Vocabulary& names, const ltl::ParseOptions& options) {
+  if (options.dialect != ltl::Dialect::Waymark || options.notation != ltl::Notation::Infix) return;
+  for (std::size_t i = known; i < names.size(); ++i)
+    if (const std::string apart = ltl::spelled_apart(names.names()[i]); !apart.empty())
+      std::cerr << "note: '" + names.names()[i] + "' is read as one proposition (did you mean '" + apart +
+                       "'? --dialect spot reads it so)\n";
+}
+
+}  // namespace
+
 ltl::Formula parse_formula(const Text& text, ltl::Arena& arena, const ltl::ParseOptions& options) {
+  const std::size_t known = arena.vocabulary().size();
   try {
-    return ltl::parse(text.text, arena, options);
+    const ltl::Formula read = ltl::parse(text.text, arena, options);
+    note_doubtful_names(known, arena.vocabulary(), options);
+    return read;
   } catch (const ltl::SyntaxError& error) {
     if (text.source.empty()) throw;
     throw error.in(text.source, text.line);
