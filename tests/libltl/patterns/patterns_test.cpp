@@ -14,7 +14,6 @@
 #include "libltl/structure/random.hpp"
 #include "libltl/text/parse.hpp"
 #include "libltl/text/print.hpp"
-#include "tests/support/generate.hpp"
 #include "tests/support/places.hpp"
 
 namespace waymark::ltl {
@@ -103,79 +102,6 @@ TEST(Patterns, ScopesAreWhatTheySay) {
   EXPECT_FALSE(absent(Scope::Between, {"q", "p", "r"}));
   EXPECT_FALSE(absent(Scope::AfterUntil, {"q", "p"}));
   EXPECT_TRUE(absent(Scope::AfterUntil, {"q", "r", "p"}));
-}
-
-// Words over places a, b, c: which letters, once or (…) for ever.
-bool achieves(Mission mission_, std::string_view once, std::string_view forever, std::size_t places) {
-  Arena arena(testing::letters_vocabulary(places));
-  const auto letters = [](std::string_view text) {
-    std::vector<Letter> out;
-    for (char c : text) out.push_back(c == '-' ? Letter{} : Letter{Proposition{static_cast<std::uint32_t>(c - 'a')}});
-    return out;
-  };
-  std::vector<Formula> l;
-  for (std::uint32_t i = 0; i < places; ++i) l.push_back(arena.atom(Proposition{i}));
-  return holds(Lasso(letters(once), letters(forever)), mission(mission_, l));
-}
-
-TEST(Patterns, MissionsTellWordsApart) {
-  EXPECT_TRUE(achieves(Mission::Visit, "ba", "-", 2));
-  EXPECT_FALSE(achieves(Mission::Visit, "b", "-", 2));
-  EXPECT_TRUE(achieves(Mission::SequencedVisit, "bab", "-", 2));
-  EXPECT_FALSE(achieves(Mission::SequencedVisit, "ba", "-", 2));
-  EXPECT_TRUE(achieves(Mission::OrderedVisit, "aab", "-", 2));
-  EXPECT_FALSE(achieves(Mission::OrderedVisit, "bab", "-", 2));
-  EXPECT_TRUE(achieves(Mission::StrictOrderedVisit, "a-bab", "-", 2));
-  EXPECT_FALSE(achieves(Mission::StrictOrderedVisit, "aab", "-", 2));
-  EXPECT_TRUE(achieves(Mission::FairVisit, "abc", "-", 3));
-  EXPECT_FALSE(achieves(Mission::FairVisit, "a-abc", "-", 3));
-  EXPECT_TRUE(achieves(Mission::Patrolling, "", "ba", 2));
-  EXPECT_FALSE(achieves(Mission::Patrolling, "ab", "a", 2));
-  EXPECT_TRUE(achieves(Mission::SequencedPatrolling, "b", "aab", 2));
-  EXPECT_FALSE(achieves(Mission::OrderedPatrolling, "b", "ab", 2));
-  EXPECT_TRUE(achieves(Mission::OrderedPatrolling, "", "a-b", 2));
-  EXPECT_FALSE(achieves(Mission::OrderedPatrolling, "", "abb", 2));
-  EXPECT_TRUE(achieves(Mission::StrictOrderedPatrolling, "", "a-b-", 2));
-  EXPECT_FALSE(achieves(Mission::StrictOrderedPatrolling, "", "aab", 2));
-  EXPECT_TRUE(achieves(Mission::FairPatrolling, "", "abc", 3));
-  EXPECT_FALSE(achieves(Mission::FairPatrolling, "", "abcb", 3));
-  EXPECT_TRUE(achieves(Mission::GlobalAvoidance, "---", "-", 1));
-  EXPECT_FALSE(achieves(Mission::GlobalAvoidance, "--a", "-", 1));
-  EXPECT_TRUE(achieves(Mission::PastAvoidance, "-ba", "-", 2));
-  EXPECT_FALSE(achieves(Mission::PastAvoidance, "-ab", "-", 2));
-  EXPECT_FALSE(achieves(Mission::PastAvoidance, "--", "-", 2));
-  EXPECT_FALSE(achieves(Mission::FutureAvoidance, "-ba", "-", 2));
-  EXPECT_TRUE(achieves(Mission::FutureAvoidance, "aab", "-", 2));
-  EXPECT_TRUE(achieves(Mission::PromptReaction, "ab", "-", 2));
-  EXPECT_FALSE(achieves(Mission::PromptReaction, "a-b", "-", 2));
-  EXPECT_TRUE(achieves(Mission::DelayedReaction, "a-b", "-", 2));
-  EXPECT_FALSE(achieves(Mission::DelayedReaction, "ba", "-", 2));
-  EXPECT_FALSE(achieves(Mission::InstantaneousReaction, "ab", "-", 2));
-  EXPECT_TRUE(achieves(Mission::InstantaneousReaction, "bb", "-", 2));
-  EXPECT_FALSE(achieves(Mission::BoundReaction, "a", "-", 2));
-  EXPECT_FALSE(achieves(Mission::BoundReaction, "b", "-", 2));
-  EXPECT_TRUE(achieves(Mission::BoundReaction, "--", "-", 2));
-  EXPECT_FALSE(achieves(Mission::BoundDelay, "-b-b", "-", 2));
-  EXPECT_TRUE(achieves(Mission::BoundDelay, "abab", "-", 2));
-  EXPECT_TRUE(achieves(Mission::Wait, "aab", "-", 2));
-  EXPECT_TRUE(achieves(Mission::Wait, "b", "-", 2));
-  EXPECT_FALSE(achieves(Mission::Wait, "aa", "-", 2));
-  EXPECT_FALSE(achieves(Mission::Wait, "a-b", "-", 2));
-}
-
-TEST(Patterns, RestrictedAvoidanceCounts) {
-  Arena arena(testing::letters_vocabulary(1));
-  const Formula a = arena.atom("a");
-  for (std::size_t bound = 1; bound <= 3; ++bound)
-    testing::for_each_lasso({.length = 5, .atoms = 1}, [&](const Lasso& word) {
-      std::size_t times = 0;
-      for (std::size_t i = 0; i < word.size(); ++i)
-        if (!word[i].empty()) times += i < word.loop_start() ? 1 : 100;  // on the cycle: for ever
-      EXPECT_EQ(holds(word, restricted_avoidance(Mission::UpperRestrictedAvoidance, bound, a)), times <= bound);
-      EXPECT_EQ(holds(word, restricted_avoidance(Mission::LowerRestrictedAvoidance, bound, a)), times >= bound);
-      EXPECT_EQ(holds(word, restricted_avoidance(Mission::ExactRestrictedAvoidance, bound, a)), times == bound)
-          << bound << " on " << show(word, arena.vocabulary());
-    });
 }
 
 TEST(Patterns, UnknownNamesBringNearOnesToMind) {
