@@ -85,7 +85,8 @@ bool is_binary(const View& v) { return !is_unary(v.symbol); }
 
 class Printer {
  public:
-  explicit Printer(Style style) : style_(style), options_{style != Style::Lbt && style != Style::Postfix} {}
+  explicit Printer(Style style)
+      : style_(style), options_{.bounds = style != Style::Lbt && style != Style::Postfix, .implications = true} {}
 
   std::string print(Formula f) {
     push(ViewOperand{{f}});

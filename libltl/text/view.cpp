@@ -66,12 +66,20 @@ std::optional<View> bounded(std::span<const Formula> parts, Op junction) {
   return std::nullopt;
 }
 
+// The negated part of a disjunction that an implication has in front, or the end. Of several negated parts, one that
+// was made last, from a formula older than the others, was typed in front of "->": what is made between follows it.
+std::span<const Formula>::iterator premise(std::span<const Formula> parts, bool typed) {
+  const auto negated = [](Formula f) { return f.op() == Op::Not; };
+  if (std::count_if(parts.begin(), parts.end(), negated) == 1) return std::find_if(parts.begin(), parts.end(), negated);
+  if (!typed || !negated(parts.back())) return parts.end();
+  const auto older = [&](Formula f) { return parts.back()[0].id() < (negated(f) ? f[0].id() : f.id()); };
+  return std::all_of(parts.begin(), parts.end() - 1, older) ? parts.end() - 1 : parts.end();
+}
+
 View of_junction(std::span<const Formula> parts, Op op, const ViewOptions& options) {
   if (options.bounds)
     if (auto found = bounded(parts, op)) return *found;
-  const auto negated = [](Formula f) { return f.op() == Op::Not; };
-  if (op == Op::Or && std::count_if(parts.begin(), parts.end(), negated) == 1) {
-    const auto no = std::find_if(parts.begin(), parts.end(), negated);
+  if (const auto no = op == Op::Or ? premise(parts, options.implications) : parts.end(); no != parts.end()) {
     ViewOperand conclusion{{}, Op::Or};
     for (Formula f : parts)
       if (f != *no) conclusion.parts.push_back(f);

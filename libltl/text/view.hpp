@@ -23,8 +23,9 @@ struct View {
   std::optional<std::size_t> bound;   // F<=k and G<=k, k ≥ 2
 };
 
-struct ViewOptions {   // which definitions are recognised
-  bool bounds = true;  // recognise F<=k and G<=k
+struct ViewOptions {          // which definitions are recognised
+  bool bounds = true;         // recognise F<=k and G<=k
+  bool implications = false;  // also of φ -> ¬ψ, where the age of the parts shows that it was typed so
 };
 
 // f is no atom and no constant. O(operands²) at worst, plus k for bounds.

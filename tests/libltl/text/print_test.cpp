@@ -18,6 +18,17 @@ struct Row {
   const char *text, *ascii, *unicode, *latex, *lbt, *postfix;
 };
 
+TEST(Print, AnImplicationIsPrintedAsItWasTyped) {
+  for (const char* text : {"moving -> !door", "!door | !moving", "G(a -> !b)", "a -> (!b | !c)", "a -> b",
+                           "(a & b) -> !c", "!a | !b | !c", "G(a -> X !b)"}) {
+    Arena arena;
+    const std::string once = print(parse(text, arena));
+    Arena again;
+    EXPECT_EQ(print(parse(once, again)), once) << text;
+    EXPECT_EQ(once, text);
+  }
+}
+
 TEST(Print, WritesEveryStyle) {
   const Row table[] = {
       {"F(chair & X(turned_left & F sofa))", "F(chair & X(turned_left & F sofa))", "◇(chair ∧ ○(turned_left ∧ ◇sofa))",
