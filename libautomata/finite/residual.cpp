@@ -38,8 +38,8 @@ std::vector<Formula> needed(Formula f) {
 
 Residuals::Residuals(ltl::Formula f, const std::vector<ltl::Proposition>& reads, Budget& budget)
     : reads_(reads), logic_(residuals_), ite_(letters_.operation()), budget_(budget) {
-  payload(Boolean::constant(false), false);  // trap
-  payload(Boolean::constant(true), true);    // anything
+  payload(ChainedBoolean::constant(false), false);  // trap
+  payload(ChainedBoolean::constant(true), true);    // anything
   initial_ = payload(residual_of(f, reads), false);
   listed_.resize(leaves_.size(), false);
   listed_[initial_] = true;
@@ -83,14 +83,14 @@ std::vector<std::uint32_t> Residuals::fresh_leaves(Node successors) {
 Residuals::Node Residuals::residual_of(ltl::Formula f, const std::vector<ltl::Proposition>& reads) {
   std::unordered_map<Formula, Node> image;
   const auto combine = [&](Formula g, bool unit, auto operation) {
-    Node all = Boolean::constant(unit);
+    Node all = ChainedBoolean::constant(unit);
     for (std::size_t i = g.operands().size(); i-- > 0;) all = operation(image.at(g[i]), all);
     return all;
   };
   const auto split = [&](Formula g, auto operation) {  // over the parts of the right operand
     if (!is_split(g)) return operation(g[1]);
     const bool release = g.op() == Op::Release;
-    Node all = Boolean::constant(release);
+    Node all = ChainedBoolean::constant(release);
     for (std::size_t i = g[1].operands().size(); i-- > 0;) {
       const Node part = operation(g[1][i]);
       all = release ? logic_.conjunction(part, all) : logic_.disjunction(part, all);
@@ -99,8 +99,8 @@ Residuals::Node Residuals::residual_of(ltl::Formula f, const std::vector<ltl::Pr
   };
   const auto spell = [&](Formula g) {
     switch (g.op()) {
-      case Op::False: return Boolean::constant(false);
-      case Op::True: return Boolean::constant(true);
+      case Op::False: return ChainedBoolean::constant(false);
+      case Op::True: return ChainedBoolean::constant(true);
       case Op::Atom: {
         const auto at = std::lower_bound(reads.begin(), reads.end(), g.proposition());
         return elementary(Kind::Proposition, {}, Mtbdd::terminal(static_cast<std::uint32_t>(at - reads.begin())));
@@ -109,8 +109,8 @@ Residuals::Node Residuals::residual_of(ltl::Formula f, const std::vector<ltl::Pr
       case Op::And: return combine(g, true, [&](Node a, Node b) { return logic_.conjunction(a, b); });
       case Op::Or: return combine(g, false, [&](Node a, Node b) { return logic_.disjunction(a, b); });
       case Op::Iff: return logic_.iff(image.at(g[0]), image.at(g[1]));
-      case Op::Next: return next(image.at(g[0]));
-      case Op::WeakNext: return logic_.negate(next(logic_.negate(image.at(g[0]))));
+      case Op::Next: return next(image.at(g[0]), chain_of(g, image));
+      case Op::WeakNext: return logic_.negate(next(logic_.negate(image.at(g[0])), chain_of(g, image)));
       case Op::Until: return split(g, [&](Formula h) { return until(image.at(g[0]), image.at(h)); });
       case Op::Release:
         return split(g, [&](Formula h) {
@@ -135,12 +135,37 @@ Residuals::Node Residuals::elementary(Kind kind, Node left, Node right) {
   return self;
 }
 
-Residuals::Node Residuals::next(Node operand) {
-  if (operand == Boolean::constant(false)) return operand;  // X false = false
+Residuals::Node Residuals::next(Node operand, std::optional<ChainedBoolean::Chain> chain) {
+  if (operand == ChainedBoolean::constant(false)) return operand;  // X false = false
   const auto known = next_.find(operand.id);
   if (known != next_.end()) return logic_.variable(known->second);
-  next_.emplace(operand.id, static_cast<Mtbdd::Variable>(elementary_.size()));
+  const auto made = static_cast<Mtbdd::Variable>(elementary_.size());
+  next_.emplace(operand.id, made);
+  if (chain) logic_.append(*chain, made);
   return elementary(Kind::Next, {}, operand);
+}
+
+// The chain of X F<=k φ, or of N G<=k φ, and so on, that the variable of this formula continues, if it is not there
+// yet. A variable stands for X ψ or, where the formula is N ψ, for X ¬ψ.
+std::optional<ChainedBoolean::Chain> Residuals::chain_of(Formula next, const std::unordered_map<Formula, Node>& image) {
+  const std::optional<ltl::Bound> bound = bounds_.of(next[0]);
+  if (!bound) return std::nullopt;
+  std::vector<BoundedNexts>& some = bounded_nexts_[bound->body.id()];
+  for (BoundedNexts& b : some) {
+    if (b.next != next.op() || !b.first.is_of(*bound)) continue;
+    if (bound->steps <= b.steps) return std::nullopt;
+    b.steps = bound->steps;
+    return b.chain;
+  }
+  // With X, F<=1 φ ⇒ F<=2 φ: a true variable makes the later ones true. The dual, and what is negated, the other way.
+  const bool forcing = (bound->junction == Op::Or) == (next.op() == Op::Next);
+  some.push_back({next.op(), *bound, bound->steps, logic_.add_chain(forcing)});
+  if (const auto body = image.find(bound->body); body != image.end()) {  // F<=0 φ is φ
+    const Node operand = next.op() == Op::Next ? body->second : logic_.negate(body->second);
+    const auto known = next_.find(operand.id);
+    if (known != next_.end()) logic_.append(some.back().chain, known->second);
+  }
+  return some.back().chain;
 }
 
 Residuals::Node Residuals::until(Node left, Node right) {
@@ -169,7 +194,8 @@ Residuals::Node Residuals::progress_elementary(const Elementary& e, Node self) {
 
 // Shannon's expansion over elementary formulas: δ(if e then g else h) = if δ(e) then δ(g) else δ(h).
 Residuals::Node Residuals::progress(Node residual) {
-  if (Mtbdd::is_terminal(residual)) return Mtbdd::terminal(residual == Boolean::constant(true) ? anything : trap);
+  if (Mtbdd::is_terminal(residual))
+    return Mtbdd::terminal(residual == ChainedBoolean::constant(true) ? anything : trap);
   const auto known = progressed_.find(residual.id);
   if (known != progressed_.end()) return known->second;
   const Node high = progress(residuals_.high(residual));
@@ -203,7 +229,7 @@ std::uint32_t Residuals::choose(std::uint32_t f, std::uint32_t g, std::uint32_t 
 
 // Shannon's expansion where the function is not monotone in the elementary formula, a shorter form where it is.
 ltl::Formula Residuals::formula(Node residual, ltl::Arena& arena) {
-  if (Mtbdd::is_terminal(residual)) return arena.constant(residual == Boolean::constant(true));
+  if (Mtbdd::is_terminal(residual)) return arena.constant(residual == ChainedBoolean::constant(true));
   if (const auto known = spelled_.find(residual.id); known != spelled_.end()) return known->second;
   const Node low = residuals_.low(residual), high = residuals_.high(residual);
   const Formula e = spelled(elementary_[residuals_.variable(residual)], arena);

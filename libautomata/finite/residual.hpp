@@ -7,18 +7,21 @@
 //   δ(p) = if p then (true, ✓) else (false, ✗)    δ(X φ) = (φ, ✗)    δ(φ U ψ) = δ(ψ) ∨ (δ(φ) ∧ (φ U ψ, ✗)),
 // and Boolean operators act on both halves. This is libltl/meaning/progress.hpp for all letters at once. The leaves
 // follow [DZP+25, Sec. 3]; states up to propositional equivalence are [EKS16, Sec. 2], here as BDDs of elementary
-// formulas.
+// formulas. X F<=1 p, X F<=2 p, … are a chain (bdd/chained_boolean.hpp), so F<=i p ∧ F<=j p is F<=i p for i ≤ j, and
+// the closure of G(q → F<=k p) has k + 2 residuals, not one for each set of bounds.
 #pragma once
 #include <cstdint>
+#include <optional>
 #include <unordered_map>
 #include <vector>
 
-#include "libautomata/bdd/boolean.hpp"
+#include "libautomata/bdd/chained_boolean.hpp"
 #include "libautomata/bdd/mtbdd.hpp"
 #include "libautomata/bdd/transitions.hpp"
 #include "libautomata/budget.hpp"
 #include "libltl/formula.hpp"
 #include "libltl/meaning/semantics.hpp"
+#include "libltl/text/bounds.hpp"
 
 namespace waymark::automata {
 
@@ -56,7 +59,8 @@ class Residuals {  // the residuals of one formula
 
   Node residual_of(ltl::Formula f, const std::vector<ltl::Proposition>& reads);
   Node elementary(Kind kind, Node left, Node right);
-  Node next(Node operand);
+  Node next(Node operand, std::optional<ChainedBoolean::Chain> chain = {});
+  std::optional<ChainedBoolean::Chain> chain_of(ltl::Formula next, const std::unordered_map<ltl::Formula, Node>& image);
   Node until(Node left, Node right);
   Node progress(Node residual);
   Node progress_elementary(const Elementary& e, Node self);
@@ -69,13 +73,21 @@ class Residuals {  // the residuals of one formula
 
   std::vector<ltl::Proposition> reads_;
   Mtbdd residuals_;  // variables are elementary formulas
-  Boolean logic_;
+  ChainedBoolean logic_;
   Mtbdd letters_;  // variables are propositions, payloads are leaves
   Mtbdd::Operation ite_;
   Budget& budget_;
   std::vector<Elementary> elementary_;
   std::vector<Node> elementary_successors_;
   std::unordered_map<std::uint64_t, Mtbdd::Variable> next_, until_;
+  ltl::Bounds bounds_;
+  struct BoundedNexts {  // X or N of F<=1 φ, F<=2 φ, … or of G<=1 φ, …
+    ltl::Op next;
+    ltl::Bound first;
+    std::size_t steps;  // of the last one
+    ChainedBoolean::Chain chain;
+  };
+  std::unordered_map<std::uint32_t, std::vector<BoundedNexts>> bounded_nexts_;  // by the id of φ
   std::unordered_map<std::uint32_t, Node> progressed_;
   std::unordered_map<std::uint32_t, ltl::Formula> spelled_;
   std::vector<Leaf> leaves_;

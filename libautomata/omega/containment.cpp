@@ -3,6 +3,7 @@
 #include <stdexcept>
 
 #include "libltl/rewriting/nnf.hpp"
+#include "libltl/structure/walk.hpp"
 
 namespace waymark::automata {
 
@@ -55,8 +56,8 @@ bool Containment::prove(Formula from, Formula to) {
 
 std::uint64_t Containment::verdict(Formula f) {
   if (const auto known = verdicts_.find(f); known != verdicts_.end()) return known->second;
-  for (Formula g : ltl::subformulas(f))
-    if (!verdicts_.contains(g)) verdicts_.emplace(g, compute(g));
+  for (Formula g : ltl::unknown_subformulas(f, [&](Formula h) { return verdicts_.contains(h); }))
+    verdicts_.emplace(g, compute(g));
   return verdicts_.at(f);
 }
 

@@ -35,7 +35,9 @@ class OnKinds {
         known_(choices_ <= most_remembered ? choices_ * choices_ : 0, Coverage::Unknown) {}
 
   void run() {
-    while (round())
+    // States are numbered breadth first: with successors looked at before, one round goes along a whole chain. Of a
+    // reversed automaton, the next round does.
+    for (bool descending = true; round(descending); descending = !descending)
       for (Coverage& answer : known_)  // a "no" stays true
         if (answer == Coverage::Yes) answer = Coverage::Unknown;
   }
@@ -44,11 +46,15 @@ class OnKinds {
   enum class Coverage : std::uint8_t { Unknown, Yes, No };
   static constexpr std::size_t most_remembered = 512;  // choices: a quarter of a MiB
 
-  bool round() {
+  bool round(bool descending) {
     bool changed = false;
-    for (std::uint32_t q = 0; q < table_.states; ++q) {
+    const auto states = static_cast<std::uint32_t>(table_.states);
+    const auto state = [&](std::uint32_t i) { return descending ? states - 1 - i : i; };
+    for (std::uint32_t i = 0; i < states; ++i) {
       budget_.step(table_.states / 4 + 1);
-      for (std::uint32_t r = 0; r < table_.states; ++r) {
+      const std::uint32_t q = state(i);
+      for (std::uint32_t j = 0; j < states; ++j) {
+        const std::uint32_t r = state(j);
         if (q == r || !below_(q, r) || is_below(table_.row(q), table_.row(r))) continue;
         below_.remove(q, r);
         changed = true;

@@ -9,6 +9,7 @@
 #include "libltl/rewriting/implication.hpp"
 #include "libltl/rewriting/pair_memo.hpp"
 #include "libltl/rewriting/separate.hpp"
+#include "libltl/text/bounds.hpp"
 
 namespace waymark::automata {
 namespace {
@@ -25,6 +26,7 @@ class Construction {
   // The reachable part.
   Tableau tableau(Formula f) {
     std::vector<Node> roots;
+    has_bounds_ = ltl::has_bounds(f);
     state_of(f);
     for (std::size_t i = 0; i < order_.size(); ++i) {  // the order doubles as the queue
       roots.push_back(order_[i]);
@@ -179,7 +181,7 @@ class Construction {
       case Op::Or: {
         Node all = successors(f[0]);
         for (std::size_t i = 1; i < f.operands().size(); ++i) all = either(all, successors(f[i]));
-        return ltl::purity(f).both() ? postponed(f, all) : all;
+        return purities_.of(f).both() ? postponed(f, all) : all;
       }
       case Op::Next:
       case Op::WeakNext: return one(f[0], {});
@@ -273,12 +275,36 @@ class Construction {
     for (const Branch& a : choices_[f])
       for (const Branch& b : choices_[g]) {
         budget_.step();
-        const Formula next = conjunction(arena_.formula(a.target), arena_.formula(b.target));
+        const Formula next = without_weaker(conjunction(arena_.formula(a.target), arena_.formula(b.target)));
         if (next.op() != Op::False) all.push_back({next.id(), a.marks | b.marks});
       }
     const std::uint32_t made = antichain(std::move(all));
     products_.store(f, g, made);
     return made;
+  }
+  // Without the conjuncts that follow from another one because both are of one chain of bounded operators, below as
+  // many nexts.
+  Formula without_weaker(Formula f) {
+    if (!has_bounds_ || f.op() != Op::And) return f;
+    struct Kept {
+      std::size_t nexts;
+      Formula inner, conjunct;
+    };
+    std::vector<Kept> kept;
+    std::vector<Formula> out;
+    for (const Formula g : f.operands()) {
+      Kept candidate{0, g, g};
+      for (; candidate.inner.op() == Op::Next || candidate.inner.op() == Op::WeakNext; ++candidate.nexts)
+        candidate.inner = candidate.inner[0];
+      const auto is_weaker = [&](const Kept& a, const Kept& b) {  // b ⇒ a
+        return a.nexts == b.nexts && bounds_.implies(b.inner, a.inner);
+      };
+      if (std::any_of(kept.begin(), kept.end(), [&](const Kept& k) { return is_weaker(candidate, k); })) continue;
+      std::erase_if(kept, [&](const Kept& k) { return is_weaker(k, candidate); });
+      kept.push_back(candidate);
+    }
+    for (const Kept& k : kept) out.push_back(k.conjunct);
+    return out.size() == f.operands().size() ? f : conjunction(arena_, out);
   }
   std::uint32_t sum(std::uint32_t f, std::uint32_t g) {
     std::vector<Branch> all(choices_[f].begin(), choices_[f].end());
@@ -309,6 +335,9 @@ class Construction {
   const std::vector<ltl::Proposition>& reads_;
   Budget& budget_;
   ltl::Implication implies_;
+  ltl::Purities purities_;
+  ltl::Bounds bounds_;
+  bool has_bounds_ = false;
   Mtbdd diagram_;    // terminals are choices
   Choices choices_;  // branches: target is the id of a formula, marks are promises
   Mtbdd::Operation and_, or_;

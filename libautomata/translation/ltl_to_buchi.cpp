@@ -228,6 +228,7 @@ class Construction {
     if (best && best->automaton.states() <= 2) return best;
     const std::size_t most = best ? std::min(strategies.second.states, 4 * best->automaton.states()) : limits_.states;
     if (const auto raw = raw_tableau(f, best ? strategies.second.steps : strategies.tableau.steps, most)) {
+      if (best && is_deterministic(raw->automaton)) return best;  // nothing deterministic is smaller
       Candidate other = reduced(raw->automaton, MarksOn::Edges);
       if (f == formula_) routes_.push_back(other);
       best = smallest(std::move(best), std::move(other));

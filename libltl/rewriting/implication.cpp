@@ -10,8 +10,8 @@ bool Implication::follows(Formula from, Formula to, std::size_t depth) {
   if (steps_ >= most_steps) return false;  // not even what is known, which costs a cache miss for each of many pairs
   if (const bool* known = known_.find(from.id(), to.id())) return *known;
   ++steps_;
-  const bool answer =
-      by_junctions(from, to, depth - 1) || by_temporal(from, to, depth - 1) || by_expansion(from, to, depth - 1);
+  const bool answer = bounds_.implies(from, to) || by_junctions(from, to, depth - 1) ||
+                      by_temporal(from, to, depth - 1) || by_expansion(from, to, depth - 1);
   known_.store(from.id(), to.id(), answer);
   return answer;
 }

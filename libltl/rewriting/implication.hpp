@@ -10,6 +10,7 @@
 #include "libltl/formula.hpp"
 #include "libltl/rewriting/nnf.hpp"
 #include "libltl/rewriting/pair_memo.hpp"
+#include "libltl/text/bounds.hpp"
 
 namespace waymark::ltl {
 
@@ -40,6 +41,7 @@ class Implication {
   std::size_t steps_ = 0;
   PairMemo<bool> known_;  // by both ids
   Opposites opposites_;
+  Bounds bounds_;
   Oracle oracle_;
 };
 

@@ -1,11 +1,11 @@
 #include "libltl/rewriting/separate.hpp"
 
 #include <algorithm>
-#include <unordered_map>
 #include <vector>
 
 #include "libltl/rewriting/nnf.hpp"
 #include "libltl/structure/by_subformula.hpp"
+#include "libltl/structure/walk.hpp"
 
 namespace waymark::ltl {
 namespace {
@@ -15,13 +15,6 @@ constexpr int most_passes = 4;
 class Separation {
  public:
   explicit Separation(Arena& arena) : arena_(arena) {}
-
-  Purity purity(Formula f) {
-    if (const auto known = known_.find(f); known != known_.end()) return known->second;
-    for (Formula g : subformulas(f))
-      if (!known_.contains(g)) known_.emplace(g, compute(g));
-    return known_.at(f);
-  }
 
   Formula pass(Formula f) {
     std::vector<Formula> operands;
@@ -34,34 +27,9 @@ class Separation {
   }
 
  private:
-  bool eventual(Formula f) { return purity(f).eventual; }
-  bool universal(Formula f) { return purity(f).universal; }
-  bool both(Formula f) { return purity(f).both(); }
-
-  Purity compute(Formula f) {
-    const auto all = [&] {
-      Purity out{true, true};
-      for (Formula g : f.operands())
-        out = {out.eventual && known_.at(g).eventual, out.universal && known_.at(g).universal};
-      return out;
-    };
-    switch (f.op()) {
-      case Op::False:
-      case Op::True: return {true, true};
-      case Op::Atom:
-      case Op::Not:
-      case Op::Yesterday:
-      case Op::Since:
-      case Op::Iff: return {};
-      case Op::And:
-      case Op::Or:
-      case Op::Next:
-      case Op::WeakNext: return all();
-      case Op::Until: return {f[0].op() == Op::True || known_.at(f[1]).eventual, known_.at(f[1]).universal};
-      case Op::Release: return {known_.at(f[1]).eventual, f[0].op() == Op::False || known_.at(f[1]).universal};
-    }
-    return {};  // unreachable: -Werror=switch
-  }
+  bool eventual(Formula f) { return purities_.of(f).eventual; }
+  bool universal(Formula f) { return purities_.of(f).universal; }
+  bool both(Formula f) { return purities_.of(f).both(); }
 
   Formula join(Op op, const std::vector<Formula>& parts) {
     return op == Op::And ? conjunction(arena_, parts) : disjunction(arena_, parts);
@@ -253,12 +221,42 @@ class Separation {
   }
 
   Arena& arena_;
-  std::unordered_map<Formula, Purity> known_;
+  Purities purities_;
 };
 
 }  // namespace
 
-Purity purity(Formula f) { return Separation(f.arena()).purity(f); }
+Purity Purities::compute(Formula f) const {
+  const auto all = [&] {
+    Purity out{true, true};
+    for (Formula g : f.operands())
+      out = {out.eventual && known_.at(g).eventual, out.universal && known_.at(g).universal};
+    return out;
+  };
+  switch (f.op()) {
+    case Op::False:
+    case Op::True: return {true, true};
+    case Op::Atom:
+    case Op::Not:
+    case Op::Yesterday:
+    case Op::Since:
+    case Op::Iff: return {};
+    case Op::And:
+    case Op::Or:
+    case Op::Next:
+    case Op::WeakNext: return all();
+    case Op::Until: return {f[0].op() == Op::True || known_.at(f[1]).eventual, known_.at(f[1]).universal};
+    case Op::Release: return {known_.at(f[1]).eventual, f[0].op() == Op::False || known_.at(f[1]).universal};
+  }
+  return {};  // unreachable: -Werror=switch
+}
+
+Purity Purities::of(Formula f) {
+  for (Formula g : unknown_subformulas(f, [&](Formula h) { return known_.contains(h); })) known_.emplace(g, compute(g));
+  return known_.at(f);
+}
+
+Purity purity(Formula f) { return Purities().of(f); }
 
 Formula separate(Formula f) {
   Separation separation(f.arena());

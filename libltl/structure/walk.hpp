@@ -30,4 +30,14 @@ std::vector<Formula> walk(Formula f, const Enter& enter) {
   return out;
 }
 
+// The subformulas for which known(g) does not hold, operands before operators. What lies below a known one is not
+// looked at, so that questions about all subformulas of f cost O(DAG · log DAG) together.
+template <class Known>
+std::vector<Formula> unknown_subformulas(Formula f, const Known& known) {
+  std::vector<Formula> out = walk(f, [&](Formula g) { return !known(g); });
+  std::erase_if(out, known);
+  std::reverse(out.begin(), out.end());
+  return out;
+}
+
 }  // namespace waymark::ltl
