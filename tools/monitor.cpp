@@ -12,8 +12,7 @@
 #include <variant>
 #include <vector>
 
-#include "libautomata/finite/ltlf_to_dfa.hpp"
-#include "libautomata/monitor/monitor.hpp"
+#include "libautomata/monitor/conjunction.hpp"
 #include "libltl/diagnostic.hpp"
 #include "libltl/english/verbalise.hpp"
 #include "libltl/limits.hpp"
@@ -38,12 +37,6 @@ struct MonitorOptions {
   bool quiet = false, json = false;
 };
 
-// "yes" and "no" hold whatever follows; of a finite word also what holds if it ended here.
-struct Verdict {
-  automata::Foresight foresight = automata::Foresight::Open;
-  std::optional<bool> now = {};
-};
-
 const char* word_for(automata::Foresight foresight) {
   if (foresight == automata::Foresight::Open) return "open";
   return foresight == automata::Foresight::True ? "yes" : "no";
@@ -56,39 +49,23 @@ Value within(std::variant<Value, automata::Exhausted> made, const Session& sessi
   throw GaveUp("the monitor has more states than the limit");
 }
 
-// Over finite words: the automata of the formula and of its negation, whose traps settle the verdict.
-struct FiniteMonitor {
-  automata::Dfa yes, no;
-  automata::StateId at_yes = yes.initial(), at_no = no.initial();
-};
-struct InfiniteMonitor {
-  automata::Monitor monitor;
-  automata::Monitor::State at = monitor.initial();
-};
-
 class Watched {
  public:
   Watched(ltl::Formula f, const MonitorOptions& options, const Session& session)
-      : formula_(f), rest_(f), engine_(made(f, options, session)) {}
+      : words_(options.semantics == "infinite" ? automata::Words::Infinite : automata::Words::Finite),
+        formula_(f),
+        rest_(f),
+        rests_(automata::conjuncts(f)),
+        monitor_(within(automata::ConjunctionMonitor::of(f, words_, {.states = options.states, .stop = session.stop}),
+                        session)) {}
 
-  Verdict read(const ltl::Letter& letter) {
-    if (auto* infinite = std::get_if<InfiniteMonitor>(&engine_)) {
-      infinite->at = infinite->monitor.next(infinite->at, letter);
-      return {infinite->monitor.verdict(infinite->at)};
-    }
-    auto& finite = std::get<FiniteMonitor>(engine_);
-    finite.at_yes = finite.yes.next(finite.at_yes, letter);
-    finite.at_no = finite.no.next(finite.at_no, letter);
-    const auto foresight = finite.yes.is_trap(finite.at_yes) ? automata::Foresight::False
-                           : finite.no.is_trap(finite.at_no) ? automata::Foresight::True
-                                                             : automata::Foresight::Open;
-    return {foresight, finite.yes.is_accepting(finite.at_yes)};
-  }
+  automata::MonitorVerdict read(const ltl::Letter& letter) { return monitor_.read(letter); }
 
   // What remains. Steps are remembered by the place of the letter, until `forget`.
   ltl::Formula progressed(const ltl::Letter& letter) {
     const std::pair<std::uint32_t, const ltl::Letter*> step{rest_.id(), &letter};
-    if (const auto known = steps_.find(step); known != steps_.end()) return rest_ = known->second;
+    if (rests_.size() <= few_parts)
+      if (const auto known = steps_.find(step); known != steps_.end()) return rest_ = known->second;
     rest_ = simplified(letter);
     constexpr std::size_t most = 100'000;
     if (steps_.size() >= most) forget();
@@ -97,46 +74,56 @@ class Watched {
   }
   void forget() {
     steps_.clear();
+    steps_of_parts_.clear();
     lines_.clear();
   }
 
   // What is printed behind the number of letters. Remembered until `forget`: few rests come again and again.
   template <class Line>
   const std::string& line(std::optional<ltl::Formula> rest, Line&& of) {
-    const std::tuple key(rest ? std::optional(rest->id()) : std::nullopt, last.foresight, last.now);
+    const Key key(rest ? std::optional(rest->id()) : std::nullopt, last.foresight, last.now, last.is_known_satisfiable);
     const auto known = lines_.find(key);
     return known != lines_.end() ? known->second : lines_.emplace(key, of()).first->second;
   }
   ltl::Semantics semantics() const {
-    return std::holds_alternative<InfiniteMonitor>(engine_) ? ltl::Semantics::Infinite : ltl::Semantics::Finite;
+    return words_ == automata::Words::Infinite ? ltl::Semantics::Infinite : ltl::Semantics::Finite;
   }
 
   void move_to(ltl::Arena& arena) {
     forget();
     formula_ = ltl::transfer(formula_, arena);
     rest_ = ltl::transfer(rest_, arena);
+    for (ltl::Formula& part : rests_) part = ltl::transfer(part, arena);
   }
   ltl::Formula formula() const { return formula_; }
-  Verdict last = {};
+  automata::MonitorVerdict last = {};
 
  private:
-  ltl::Formula simplified(const ltl::Letter& letter) const {
+  using Key = std::tuple<std::optional<std::uint32_t>, automata::Foresight, std::optional<bool>, bool>;
+  static constexpr std::size_t few_parts = 8;  // that are simplified together
+
+  ltl::Formula simplified(const ltl::Letter& letter) {
+    if (rests_.size() <= few_parts) return simplified(rest_, letter);
+    for (ltl::Formula& part : rests_) part = step(part, letter);
+    return ltl::conjunction(formula_.arena(), rests_);
+  }
+  ltl::Formula step(ltl::Formula part, const ltl::Letter& letter) {
+    const std::pair<std::uint32_t, const ltl::Letter*> key{part.id(), &letter};
+    const auto known = steps_of_parts_.find(key);
+    return known != steps_of_parts_.end() ? known->second
+                                          : steps_of_parts_.emplace(key, simplified(part, letter)).first->second;
+  }
+  ltl::Formula simplified(ltl::Formula f, const ltl::Letter& letter) const {
     const bool infinite = semantics() == ltl::Semantics::Infinite;
-    return ltl::simplify(ltl::progress(rest_, letter, semantics()), infinite ? ltl::Over::Infinite : ltl::Over::Rest);
+    return ltl::simplify(ltl::progress(f, letter, semantics()), infinite ? ltl::Over::Infinite : ltl::Over::Rest);
   }
 
-  using Engine = std::variant<InfiniteMonitor, FiniteMonitor>;
-  static Engine made(ltl::Formula f, const MonitorOptions& options, const Session& session) {
-    const ltl::Limits limits{.states = options.states, .stop = session.stop};
-    if (options.semantics == "infinite") return InfiniteMonitor{within(automata::ltl_to_monitor(f, limits), session)};
-    return FiniteMonitor{within(automata::ltlf_to_dfa(f, limits), session),
-                         within(automata::ltlf_to_dfa(ltl::negate(f), limits), session)};
-  }
-
+  automata::Words words_;
   ltl::Formula formula_, rest_;
-  Engine engine_;
-  std::map<std::pair<std::uint32_t, const ltl::Letter*>, ltl::Formula> steps_;
-  std::map<std::tuple<std::optional<std::uint32_t>, automata::Foresight, std::optional<bool>>, std::string> lines_;
+  std::vector<ltl::Formula> rests_;  // of the conjuncts, where they are many
+  automata::ConjunctionMonitor monitor_;
+  std::map<std::pair<std::uint32_t, const ltl::Letter*>, ltl::Formula> steps_, steps_of_parts_;
+  std::map<Key, std::string> lines_;
 };
 
 class Monitoring {
@@ -197,8 +184,9 @@ class Monitoring {
     if (arena_->size() > most_formulas) renew_arena();
     ++position_;
     for (Watched& watched : watched_) {
-      const Verdict verdict = watched.read(letter);
-      const bool changed = verdict.foresight != watched.last.foresight;
+      const automata::MonitorVerdict verdict = watched.read(letter);
+      const bool changed = verdict.foresight != watched.last.foresight ||
+                           verdict.is_known_satisfiable != watched.last.is_known_satisfiable;
       watched.last = verdict;
       if (!options_.quiet)
         show(watched, watched.progressed(letter));
@@ -229,15 +217,17 @@ class Monitoring {
     JsonObject json;
     json.add("formula", ltl::print(watched.formula())).add("verdict", word_for(watched.last.foresight));
     if (watched.last.now) json.add("now", *watched.last.now);
+    if (!watched.last.is_known_satisfiable) json.add("known_satisfiable", false);
     if (rest) json.add("remains", ltl::print(*rest)).add("english", english(watched, *rest));
     return ',' + json.text().substr(1) + '\n';
   }
 
   std::string text(const Watched& watched, std::optional<ltl::Formula> rest) const {
-    const Verdict& verdict = watched.last;
+    const automata::MonitorVerdict& verdict = watched.last;
     std::string out = std::string("\t") + word_for(verdict.foresight);
     if (verdict.foresight == automata::Foresight::Open && verdict.now)
       out += *verdict.now ? ", holds now" : ", fails now";
+    if (!verdict.is_known_satisfiable) out += ", not known to be satisfiable";
     if (watched_.size() > 1) out += '\t' + shown(watched.formula(), session_.out);
     if (rest) out += '\t' + shown(*rest, session_.out) + '\t' + english(watched, *rest);
     return out + '\n';

@@ -7,13 +7,18 @@
 
 #include "libautomata/bdd/transitions.hpp"
 #include "libautomata/finite/minimize.hpp"
+#include "libautomata/omega/prepare.hpp"
+#include "libautomata/omega/weak.hpp"
 #include "libautomata/translation/ltl_to_buchi.hpp"
+#include "libltl/structure/fragment.hpp"
 
 namespace waymark::automata {
 namespace {
 
 using Node = Mtbdd::Node;
 using Set = std::vector<std::uint32_t>;  // of states, sorted
+
+constexpr std::size_t weak_steps = 20'000'000;  // for a deterministic automaton of an obligation
 
 // The subset construction, the empty set accepting.
 class Subsets {
@@ -83,17 +88,56 @@ bool accepts_nothing(const Automaton& trimmed) {
   return branches_of(trimmed.transitions(), trimmed.initial().index).empty();
 }
 
+Dfa of_prefixes(const Transitions& automaton, const ltl::Vocabulary& names, const std::vector<ltl::Proposition>& reads,
+                Budget& budget) {
+  Transitions minimal = minimize(automaton, budget);
+  if (minimal.accepting[minimal.initial]) {  // the empty word is no word
+    const Node root = minimal.roots[minimal.initial];
+    minimal.initial = static_cast<std::uint32_t>(minimal.roots.size());
+    minimal.roots.push_back(root);
+    minimal.accepting.push_back(false);
+  }
+  return as_dfa(canonical(minimal, budget), names, reads);
+}
+
+// A minimal weak automaton has one state for each language: the one of nothing, and the one of all words, lead to
+// themselves.
+bool is_sink(const Transitions& weak, std::uint32_t q, bool accepting) {
+  return weak.accepting[q] == accepting && weak.roots[q] == Mtbdd::terminal(q);
+}
+Monitor of_weak(const Transitions& weak, const ltl::Vocabulary& names, const std::vector<ltl::Proposition>& reads,
+                Budget& budget) {
+  const auto prefixes = [&](bool accepting) {
+    Transitions marked = weak;
+    for (std::uint32_t q = 0; q < weak.roots.size(); ++q) marked.accepting[q] = is_sink(weak, q, accepting);
+    return of_prefixes(marked, names, reads, budget);
+  };
+  const Foresight at_first = is_sink(weak, weak.initial, false)  ? Foresight::False
+                             : is_sink(weak, weak.initial, true) ? Foresight::True
+                                                                 : Foresight::Open;
+  Dfa bad = prefixes(false), good = prefixes(true);
+  return {std::move(bad), std::move(good), at_first};
+}
+
 }  // namespace
 
 Dfa bad_prefixes(const Automaton& trimmed, Budget& budget) {
-  Transitions subsets = minimize(Subsets(trimmed.transitions(), budget).build(), budget);
-  if (subsets.accepting[subsets.initial]) {  // the empty word is no word
-    const Node root = subsets.roots[subsets.initial];
-    subsets.initial = static_cast<std::uint32_t>(subsets.roots.size());
-    subsets.roots.push_back(root);
-    subsets.accepting.push_back(false);
+  return of_prefixes(Subsets(trimmed.transitions(), budget).build(), trimmed.vocabulary(), trimmed.reads(), budget);
+}
+
+std::optional<Transitions> weak_of_obligation(ltl::Formula f, const ltl::Limits& limits) {
+  if (ltl::has_past(f)) return std::nullopt;
+  const std::vector<ltl::Proposition> reads = ltl::propositions(f);
+  if (reads.size() > Mtbdd::max_variables) return std::nullopt;
+  const ltl::Formula plain = prepared_forms(f, reads, limits.stop).plain;
+  if (!ltl::fragments(plain, ltl::Semantics::Infinite).obligation) return std::nullopt;
+  Budget budget(weak_steps, limits.states, limits.stop);
+  try {
+    return weak_deterministic(plain, reads, budget);
+  } catch (const Budget::Exceeded& spent) {
+    if (spent.reason == Budget::Exceeded::Reason::Stopped) throw;
+    return std::nullopt;
   }
-  return as_dfa(canonical(subsets, budget), trimmed.vocabulary(), trimmed.reads());
 }
 
 Foresight Monitor::verdict(State q) const {
@@ -107,6 +151,13 @@ bool Monitor::is_hopeful(State q) const {
 }
 
 std::variant<Monitor, Exhausted> ltl_to_monitor(ltl::Formula f, const ltl::Limits& limits) {
+  try {
+    Budget budget(SIZE_MAX, limits.states, limits.stop);
+    if (const std::optional<Transitions> weak = weak_of_obligation(f, limits))
+      return of_weak(*weak, f.arena().vocabulary(), ltl::propositions(f), budget);
+  } catch (const Budget::Exceeded&) {  // stopped: minimisation makes no states
+    return Exhausted{};
+  }
   const auto positive = ltl_to_tgba(f, limits), negative = ltl_to_tgba(ltl::negate(f), limits);
   for (const auto* side : {&positive, &negative})
     if (const auto* exhausted = std::get_if<Exhausted>(side)) return *exhausted;

@@ -6,8 +6,10 @@
 // Equal futures give equal pairs, so the monitor is minimal. [BLS11, Sec. 3]; the sets are leaves of diagrams here.
 #pragma once
 #include <cstdint>
+#include <optional>
 #include <variant>
 
+#include "libautomata/bdd/transitions.hpp"
 #include "libautomata/budget.hpp"
 #include "libautomata/finite/dfa.hpp"
 #include "libautomata/finite/ltlf_to_dfa.hpp"
@@ -49,7 +51,11 @@ class Monitor {
   Foresight at_first_;  // the verdict before the first letter
 };
 
-// Gives up at the limits.
+// The minimal weak deterministic automaton of an obligation without past operators, over propositions(f); nullopt for
+// other formulas, and where the budget of that construction does not do. Throws Budget::Exceeded when stopped.
+std::optional<Transitions> weak_of_obligation(ltl::Formula f, const ltl::Limits& limits);
+
+// From the weak deterministic automaton of an obligation, else by subset constructions. Gives up at the limits.
 std::variant<Monitor, Exhausted> ltl_to_monitor(ltl::Formula f, const ltl::Limits& limits);
 
 }  // namespace waymark::automata
