@@ -19,17 +19,20 @@ std::optional<std::vector<Formula>> rest_of(std::span<const Formula> all, std::s
 
 std::optional<Bounds::Part> Bounds::part(std::span<const Formula> operands, Op junction) {
   std::optional<Part> best;
-  for (const Formula& next : operands) {
-    if (next.op() != Op::Next && next.op() != Op::WeakNext) continue;
-    Bound bound{next[0], 1, junction, next.op()};
-    if (const std::optional<Bound> inner = of(next[0]);
-        inner && inner->junction == junction && inner->next == next.op())
-      bound = {inner->body, inner->steps + 1, junction, next.op()};
+  const auto try_out = [&](Formula next, const Bound& bound) {
     std::vector<Formula> members{bound.body};
     if (bound.body.op() == junction) members.assign(bound.body.operands().begin(), bound.body.operands().end());
     members.insert(std::lower_bound(members.begin(), members.end(), next), next);
     std::optional<std::vector<Formula>> rest = rest_of(operands, members);
-    if (rest && (!best || bound.steps > best->bound.steps)) best = Part{bound, std::move(members), *std::move(rest)};
+    if (!rest || (best && best->rest.empty())) return;
+    if (!best || rest->empty() || bound.steps > best->bound.steps) best = {bound, std::move(members), *std::move(rest)};
+  };
+  for (const Formula& next : operands) {
+    if (next.op() != Op::Next && next.op() != Op::WeakNext) continue;
+    const std::optional<Bound> inner = of(next[0]);
+    if (inner && inner->junction == junction && inner->next == next.op())
+      try_out(next, {inner->body, inner->steps + 1, junction, next.op()});
+    try_out(next, {next[0], 1, junction, next.op()});
   }
   return best;
 }

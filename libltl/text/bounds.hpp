@@ -35,7 +35,7 @@ class Bounds {  // what is known of the formulas of one arena
     std::vector<Formula> members, rest;  // sorted
   };
   // Some operands of a junction that are a bounded operator by themselves: of ¬p ∨ φ ∨ X(φ ∨ …), those without ¬p.
-  // The longest one. O(operands²).
+  // All of them if they are one, else the longest one. O(operands²).
   std::optional<Part> part(std::span<const Formula> operands, Op junction);
 
   // φ ⇒ ψ because both are of one chain. O(1) for formulas that are known.

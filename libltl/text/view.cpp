@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <span>
 
+#include "libltl/text/bounds.hpp"
+
 namespace waymark::ltl {
 namespace {
 
@@ -33,37 +35,12 @@ std::optional<View> weak_or_strong(Formula f, Symbol symbol, Op junction) {
   return binary(symbol, {std::move(*rest), junction}, {{f[0]}});
 }
 
-struct Bounded {
-  std::vector<Formula> body;
-  std::size_t k = 0;
-};
-
-// f = φ ∨ X(φ ∨ X(… φ)): φ and the number of nexts. `junction`, `next_op`: Or, Next for F<=k; And, WeakNext for G<=k.
-// The outermost level decides what φ is; every further level must repeat it.
-std::optional<Bounded> bounded_at(std::span<const Formula> parts, std::size_t i, Op junction, Op next_op) {
-  Bounded out;
-  for (Formula g : parts)
-    if (g != parts[i]) out.body.push_back(g);
-  Formula level = parts[i][0];
-  for (out.k = 1;; ++out.k) {
-    if (parts_of(level, junction) == out.body) return out;
-    if (level.op() != junction) return std::nullopt;
-    const auto rest = without(level.operands(), out.body);
-    if (!rest || rest->size() != 1 || rest->front().op() != next_op) return std::nullopt;
-    level = rest->front()[0];
-  }
-}
-
-std::optional<View> bounded(std::span<const Formula> parts, Op junction) {
+// F<=k φ and G<=k φ with strong and weak nexts, k ≥ 2, among other operands or alone.
+std::optional<Bounds::Part> bounded(std::span<const Formula> parts, Op junction) {
+  std::optional<Bounds::Part> found = Bounds().part(parts, junction);
   const Op next_op = junction == Op::Or ? Op::Next : Op::WeakNext;
-  for (std::size_t i = 0; i < parts.size(); ++i) {
-    if (parts[i].op() != next_op) continue;
-    auto found = bounded_at(parts, i, junction, next_op);
-    if (!found || found->k < 2) continue;
-    const Symbol symbol = junction == Op::Or ? Symbol::Eventually : Symbol::Always;
-    return View{symbol, {{std::move(found->body), junction}}, found->k};
-  }
-  return std::nullopt;
+  if (found && (found->bound.steps < 2 || found->bound.next != next_op)) found.reset();
+  return found;
 }
 
 // The negated part of a disjunction that an implication has in front, or the end. Of several negated parts, one that
@@ -77,8 +54,11 @@ std::span<const Formula>::iterator premise(std::span<const Formula> parts, bool 
 }
 
 View of_junction(std::span<const Formula> parts, Op op, const ViewOptions& options) {
-  if (options.bounds)
-    if (auto found = bounded(parts, op)) return *found;
+  auto bound = options.bounds ? bounded(parts, op) : std::nullopt;
+  if (bound && bound->rest.empty()) {
+    const Symbol symbol = op == Op::Or ? Symbol::Eventually : Symbol::Always;
+    return View{symbol, {{parts_of(bound->bound.body, op), op}}, bound->bound.steps};
+  }
   if (const auto no = op == Op::Or ? premise(parts, options.implications) : parts.end(); no != parts.end()) {
     ViewOperand conclusion{{}, Op::Or};
     for (Formula f : parts)
@@ -86,7 +66,8 @@ View of_junction(std::span<const Formula> parts, Op op, const ViewOptions& optio
     return binary(Symbol::Implies, {{(*no)[0]}}, std::move(conclusion));
   }
   View out{op == Op::And ? Symbol::And : Symbol::Or, {}, {}};
-  for (Formula f : parts) out.operands.push_back({{f}});
+  for (Formula f : bound ? std::span<const Formula>(bound->rest) : parts) out.operands.push_back({{f}});
+  if (bound) out.operands.push_back({std::move(bound->members), op});
   return out;
 }
 
