@@ -4,6 +4,9 @@
 #include <numeric>
 #include <stdexcept>
 
+#include "libltl/diagnostic.hpp"
+#include "libltl/printable_name.hpp"
+
 namespace waymark::ltl {
 namespace {
 
@@ -32,6 +35,9 @@ Vocabulary::Vocabulary(const std::vector<std::string>& names) {
 
 Proposition Vocabulary::add(std::string_view name) {
   if (name.empty()) throw std::invalid_argument("a proposition needs a name");
+  if (!is_printable_name(name))
+    throw FormatError("", 0, 0,
+                      "the name of a proposition has a control character or is no UTF-8: " + std::string(name));
   const auto [it, is_new] = index_.try_emplace(std::string(name), static_cast<std::uint32_t>(names_.size()));
   if (is_new) names_.emplace_back(name);
   return Proposition{it->second};

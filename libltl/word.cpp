@@ -1,5 +1,6 @@
 #include "libltl/word.hpp"
 
+#include <algorithm>
 #include <bit>
 #include <stdexcept>
 #include <utility>
@@ -61,11 +62,28 @@ Lasso::Lasso(std::vector<Letter> prefix, std::vector<Letter> cycle)
   letters_.insert(letters_.end(), std::make_move_iterator(cycle.begin()), std::make_move_iterator(cycle.end()));
 }
 
+namespace {
+
+// As read_word reads it: an identifier, or in double quotes.
+std::string shown_name(const std::string& name) {
+  const auto is_letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; };
+  const auto is_plain = [&](char c) { return is_letter(c) || (c >= '0' && c <= '9'); };
+  if (is_letter(name[0]) && std::all_of(name.begin(), name.end(), is_plain)) return name;
+  std::string out = "\"";
+  for (const char c : name) {
+    if (c == '"' || c == '\\') out += '\\';
+    out += c == '\n' ? "\\n" : std::string(1, c);
+  }
+  return out + '"';
+}
+
+}  // namespace
+
 std::string show(const Letter& letter, const Vocabulary& vocabulary) {
   std::string out = "{";
   for (Proposition p : letter.members()) {
     if (out.size() > 1) out += ", ";
-    out += vocabulary.name(p);
+    out += shown_name(vocabulary.name(p));
   }
   return out + "}";
 }

@@ -25,10 +25,11 @@ struct CheckOptions {
   NotationOptions notation;
   MapOptions map;
   std::string trajectory, trace, word, format = "auto", semantics, svg;
+  double time_unit = 0;  // 0: rows are steps
   bool progress = false, json = false;
 };
 
-// The word that formulas are checked on, and the names that they may use.
+// A word that formulas are checked on, and the names that they may use.
 struct Checked {
   ltl::AnyWord word;
   ltl::Vocabulary vocabulary;
@@ -47,6 +48,21 @@ struct Checked {
     const auto* lasso = std::get_if<ltl::Lasso>(&word);
     return lasso != nullptr && lasso->loop_start() == i;
   }
+};
+
+// The words that formulas are checked on: one, or the traces of a file.
+struct Given {
+  std::vector<Checked> words;
+  std::string text = {};          // of a trace file, read again for conditions on its columns
+  plan::NoTruths no_truths = {};  // names that are no propositions
+};
+
+// What is said in front of a verdict where there are several.
+struct Label {
+  std::string text;                  // for people
+  std::string formula;               // as it was typed
+  std::optional<std::size_t> line;   // of the formula, in a batch
+  std::optional<std::size_t> trace;  // from 1, of several
 };
 
 // Letters as far as the formula reads them: a map says twenty things of every pose.
@@ -75,15 +91,17 @@ JsonObject step_json(std::size_t i, const JudgedLetter& judged, const Checked& c
   return step.add("verdict", judged.verdict ? Json(word_for(*judged.verdict)) : Json());
 }
 
-void print_json(ltl::Formula formula, const JudgedWord& judged, const Checked& checked, ltl::Semantics semantics,
+void print_json(const Label& label, const JudgedWord& judged, const Checked& checked, ltl::Semantics semantics,
                 const CheckOptions& options) {
   JsonObject json;
-  json.add("formula", ltl::print(formula));
+  if (label.line) json.add("line", *label.line);
+  json.add("formula", label.formula);
+  if (label.trace) json.add("trace", *label.trace);
   if (checked.map) json.add("map", checked.map->name());
   json.add("letters", checked.letters()).add("satisfied", judged.satisfied.value_or(false));
   if (semantics == ltl::Semantics::Infinite)
     json.add("semantics", "infinite").add("decided", judged.satisfied.has_value());
-  if (judged.knows_loss) json.add("lost_at", judged.lost ? Json(*judged.lost) : Json());
+  if (judged.knows_loss) json.add("lost_at", judged.lost ? Json(*judged.lost + 1) : Json());
   if (options.progress) {
     JsonArray formulas, steps;
     for (std::size_t i = 0; i < judged.letters.size(); ++i) {
@@ -111,7 +129,7 @@ void print_progress(ltl::Formula formula, const JudgedWord& judged, const Checke
   std::vector<std::vector<std::string>> rows{{"", "letter", "so far", "what remains"}};
   if (checked.map) rows[0].insert(rows[0].begin() + 1, {"action", "pose"});
   for (std::size_t i = 0; i < judged.letters.size(); ++i) {
-    const std::string number = checked.map ? std::to_string(i) : std::to_string(i + 1);
+    const std::string number = std::to_string(i + 1);
     std::vector<std::string> row{checked.begins_cycle(i) ? number + " for ever:" : number};
     if (checked.map) {
       row.push_back(i == 0 ? "start" : std::string(plan::name(checked.walk.trajectory.actions[i - 1])));
@@ -125,15 +143,13 @@ void print_progress(ltl::Formula formula, const JudgedWord& judged, const Checke
   print_table(rows);
 }
 
-// "action 3, FORWARD to (1,7,0)", "letter 4, {a}"
+// "letter 4, FORWARD to (1,7,0)", "letter 4, {a}"
 std::string place_of(std::size_t i, ltl::Formula formula, const Checked& checked) {
-  if (!checked.map)
-    return "letter " + std::to_string(i + 1) + ", " +
-           ltl::show(read_by(formula, checked.letter(i)), checked.vocabulary);
+  const std::string letter = "letter " + std::to_string(i + 1) + ", ";
+  if (!checked.map) return letter + ltl::show(read_by(formula, checked.letter(i)), checked.vocabulary);
   const std::string pose = plan::show(checked.map->pose(checked.walk.trajectory.poses[i]));
-  if (i == 0) return "the start at " + pose;
-  return "action " + std::to_string(i) + ", " + std::string(plan::name(checked.walk.trajectory.actions[i - 1])) +
-         " to " + pose;
+  if (i == 0) return letter + "the start at " + pose;
+  return letter + std::string(plan::name(checked.walk.trajectory.actions[i - 1])) + " to " + pose;
 }
 
 std::string reason(ltl::Formula formula, const JudgedWord& judged, const Checked& checked) {
@@ -142,8 +158,9 @@ std::string reason(ltl::Formula formula, const JudgedWord& judged, const Checked
   return checked.goes_on() ? ": no single letter is at fault, the cycle is" : ": it ends too early";
 }
 
-void print_verdict(ltl::Formula formula, const JudgedWord& judged, const Checked& checked, ltl::Semantics semantics,
-                   const Session& session) {
+void print_verdict(const std::string& label, ltl::Formula formula, const JudgedWord& judged, const Checked& checked,
+                   ltl::Semantics semantics, const Session& session) {
+  std::cout << label;
   const bool foreseen = semantics == ltl::Semantics::Infinite && !checked.goes_on();
   if (!judged.satisfied)
     std::cout << "open: some continuations satisfy it, others do not\n";
@@ -153,47 +170,110 @@ void print_verdict(ltl::Formula formula, const JudgedWord& judged, const Checked
     std::cout << session.out.paint(Paint::Red, "not satisfied") << reason(formula, judged, checked) << '\n';
 }
 
-ExitCode check_one(const Text& text, const Checked& checked, const CheckOptions& options, const Session& session) {
-  ltl::Arena arena(checked.vocabulary);
-  const ltl::Formula formula = parse_formula(text, arena, parse_options(options.notation, checked.unknown));
+ExitCode check_one(const Label& label, ltl::Formula formula, const Checked& checked, const CheckOptions& options,
+                   const Session& session) {
   const bool infinite = options.semantics.empty() ? checked.goes_on() : options.semantics == "infinite";
   const auto semantics = infinite ? ltl::Semantics::Infinite : ltl::Semantics::Finite;
   const JudgedWord judged = judge(formula, checked.word, semantics, options.progress, session.stop);
   if (options.json) {
-    print_json(formula, judged, checked, semantics, options);
+    print_json(label, judged, checked, semantics, options);
   } else {
+    if (options.progress && !label.text.empty()) std::cout << label.text.substr(0, label.text.size() - 1) << '\n';
     if (options.progress) print_progress(formula, judged, checked, session);
-    print_verdict(formula, judged, checked, semantics, session);
+    print_verdict(options.progress ? "" : label.text, formula, judged, checked, semantics, session);
   }
   if (!options.svg.empty())
     draw({.map = &*checked.map, .formula = formula, .route = checked.walk, .lost = judged.lost}, options.svg);
   return judged.satisfied.value_or(false) ? ExitCode::Done : ExitCode::No;
 }
 
-Checked read_checked(const CheckOptions& options) {
+Given given_by(const plan::NamedTraces& read, ltl::Unknown unknown) {
+  Given out;
+  for (const ltl::Trace& word : read.words) out.words.push_back({word, read.vocabulary, unknown});
+  out.no_truths = read.no_truths;
+  return out;
+}
+
+plan::NamedTraces read_traces(const std::string& text, const CheckOptions& options, ltl::Vocabulary wanted) {
+  const auto unit = options.time_unit > 0 ? std::optional(options.time_unit) : std::nullopt;
+  return plan::read_traces(text,
+                           {.format = letter_format(options.format), .time_unit = unit, .wanted = std::move(wanted)},
+                           source_name(options.trace));
+}
+
+Given read_given(const CheckOptions& options) {
   if (!options.word.empty()) {
     ltl::Vocabulary names;
     ltl::AnyWord word = ltl::read_word(options.word, names);
-    return {std::move(word), std::move(names), ltl::Unknown::Add};
+    return {.words = {{std::move(word), std::move(names), ltl::Unknown::Add}}};
   }
   if (!options.trace.empty()) {
-    const plan::LetterFormat format = letter_format(options.format);
-    plan::NamedTrace read = plan::read_letters(read_file(options.trace), format, source_name(options.trace));
-    return {std::move(read.word), std::move(read.vocabulary),
-            read.names_all ? ltl::Unknown::Reject : ltl::Unknown::Add};
+    std::string text = read_file(options.trace);
+    const plan::NamedTraces read = read_traces(text, options, {});
+    if (read.has_time && options.time_unit == 0)
+      std::cerr << "note: rows are steps; with --time-unit, the column time says how many steps pass between them\n";
+    Given out = given_by(read, read.names_all ? ltl::Unknown::Reject : ltl::Unknown::Add);
+    out.text = std::move(text);
+    return out;
   }
   plan::Map map = read_map(options.map);
   plan::Walk walk = plan::parse_walk(read_file(options.trajectory), map, source_name(options.trajectory));
   ltl::AnyWord word =
       walk.repeated > 0 ? ltl::AnyWord(plan::lasso_of(walk, map)) : ltl::AnyWord(plan::word_of(walk.trajectory, map));
   ltl::Vocabulary vocabulary = map.vocabulary();
-  return {std::move(word), std::move(vocabulary), ltl::Unknown::Reject, std::move(map), std::move(walk)};
+  return {.words = {{std::move(word), std::move(vocabulary), ltl::Unknown::Reject, std::move(map), std::move(walk)}}};
+}
+
+// Where the formula compares columns, or uses one that has no truth values: the traces read again, for its names. The
+// reader then says what is wrong with a value, or makes propositions of the conditions.
+std::optional<Given> with_conditions(const Text& text, const Given& given, const CheckOptions& options) {
+  const ltl::Vocabulary& known = given.words.front().vocabulary;
+  ltl::Arena scratch;
+  const ltl::ParseOptions parsed = parse_options(options.notation, ltl::Unknown::Add);
+  ltl::Vocabulary names = known, used;
+  bool again = false;
+  for (const ltl::Proposition p : ltl::propositions(parse_formula(text, scratch, parsed, false))) {
+    const std::string& name = scratch.vocabulary().name(p);
+    const bool compares = !known.find(name) && plan::condition_of(name);
+    again = again || compares || given.no_truths.contains(name);
+    if (compares) names.add(name);
+    used.add(name);
+  }
+  if (!again) return std::nullopt;
+  if (given.text.empty())
+    throw ltl::FormatError("", 0, 0, "there is no table with values to compare: give one with --trace");
+  ltl::Arena arena(names);
+  parse_formula(text, arena, parse_options(options.notation, given.words.front().unknown));  // throws on other names
+  return given_by(read_traces(given.text, options, used), ltl::Unknown::Add);
+}
+
+ExitCode check_all(const Text& text, bool batch, const Given& given, const CheckOptions& options,
+                   const Session& session) {
+  const bool may_compare = !given.words.front().map.has_value();
+  const std::optional<Given> again = may_compare ? with_conditions(text, given, options) : std::nullopt;
+  const std::vector<Checked>& words = again ? again->words : given.words;
+  ltl::Arena arena(words.front().vocabulary);
+  const ltl::Formula formula = parse_formula(text, arena, parse_options(options.notation, words.front().unknown));
+  const std::string typed = as_typed(text, formula, options.notation);
+  ExitCode worst = ExitCode::Done;
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    Label label{.text = "", .formula = typed, .line = {}, .trace = {}};
+    if (batch && !text.source.empty()) label.text += text.source + ":" + std::to_string(text.line) + ": ";
+    if (batch) label.text += typed + ": ";
+    if (batch) label.line = text.line;
+    if (words.size() > 1) label.trace = i + 1;
+    if (words.size() > 1) label.text += "trace " + std::to_string(i + 1) + ": ";
+    worst = worse(worst, check_one(label, formula, words[i], options, session));
+  }
+  return worst;
 }
 
 ExitCode run_check(const CheckOptions& options, const Session& session) {
   const int given =
       (options.trajectory.empty() ? 0 : 1) + (options.trace.empty() ? 0 : 1) + (options.word.empty() ? 0 : 1);
   if (given != 1) throw UsageError("give one of --trajectory, --trace and --word; see waymark check --help");
+  if (options.time_unit < 0) throw UsageError("--time-unit is a positive number");
+  if (options.time_unit > 0 && options.trace.empty()) throw UsageError("--time-unit counts the column time of --trace");
   if (!options.svg.empty() && options.trajectory.empty()) throw UsageError("--svg draws a trajectory on its map");
   const bool formula_from_stdin = options.text.arguments.empty() ? options.text.file.empty() || options.text.file == "-"
                                                                  : options.text.arguments[0] == "-";
@@ -201,11 +281,12 @@ ExitCode run_check(const CheckOptions& options, const Session& session) {
     throw UsageError("formula and trajectory cannot both come from standard input");
   TextReader texts(options.text, "formula");
   if (!options.svg.empty() && texts.is_batch()) throw UsageError("--svg is for a single formula given as an argument");
-  const Checked checked = read_checked(options);
-  if (checked.goes_on() && options.semantics == "finite")
+  const Given read = read_given(options);
+  if (read.words.front().goes_on() && options.semantics == "finite")
     throw UsageError("a lasso has no end: it is an infinite word");
   return answer_each(
-      texts, session.stop, [&](const Text& text) { return check_one(text, checked, options, session); }, options.json);
+      texts, session.stop, [&](const Text& text) { return check_all(text, texts.is_batch(), read, options, session); },
+      options.json);
 }
 
 }  // namespace
@@ -222,6 +303,10 @@ Runner setup_check(Command command) {
   command.add_option("--trace", options->trace, "a word without a map, letters line by line; - is standard input")
       .type_name("FILE");
   add_letter_format_option(command, options->format);
+  command
+      .add_option("--time-unit", options->time_unit,
+                  "of a table with a column time: a step is so much time, and a row holds until the next one")
+      .type_name("T");
   command.add_option("--word", options->word, "a word without a map: '{a}; {b}', or a lasso: '{a}; ({b})w'")
       .type_name("WORD");
   command

@@ -6,6 +6,7 @@
 
 #include "libautomata/hoa/cursor.hpp"
 #include "libautomata/hoa/labels.hpp"
+#include "libltl/text/foreign.hpp"
 
 namespace waymark::automata {
 namespace {
@@ -264,6 +265,11 @@ class Parser {
 };
 
 }  // namespace
+
+HoaReader::HoaReader(std::string_view text, std::string_view source) : lexer_(text, source), source_(source) {
+  if (const std::string hint = ltl::foreign_hint(text, "an automaton in HOA"); !hint.empty())
+    throw ltl::FormatError(source, 1, 1, "expected 'HOA: v1' at the beginning: " + hint);
+}
 
 std::optional<HoaAutomaton> HoaReader::next() {
   std::vector<HoaToken> tokens;

@@ -56,7 +56,8 @@ struct HoaAutomaton {                    // one automaton of a stream
 // Memory and time are bounded by the text and its labels, not by numbers in it. Tokens point into the text.
 class HoaReader {
  public:
-  HoaReader(std::string_view text, std::string_view source) : lexer_(text, source), source_(source) {}
+  // Throws ltl::FormatError where the text is in another format that is known.
+  HoaReader(std::string_view text, std::string_view source);
   // nullopt at the end of the text. Throws ltl::FormatError; the automata behind one with an error can still be read,
   // unless the error is a character or string that is no token.
   std::optional<HoaAutomaton> next();

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "libltl/printable_name.hpp"
 #include "libltl/text/character.hpp"
 
 namespace waymark::ltl {
@@ -227,6 +228,7 @@ Token Lexer::quoted() {
   if (at_ == text_.size()) fail({begin, begin + 1}, "expected a closing '\"' for this one");
   ++at_;
   if (name.empty()) fail({begin, at_}, "expected a name between the quotes");
+  if (!is_printable_name(name)) fail({begin, at_}, "a name has no control characters, and is UTF-8");
   return {.kind = Token::Kind::Name, .where = {begin, at_}, .bound = {}, .quoted = true, .name = std::move(name)};
 }
 

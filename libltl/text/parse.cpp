@@ -103,7 +103,7 @@ Formula Builder::atom(const Token& token) {
     throw SyntaxError(text_, token.where,
                       options_.unknown == Unknown::Reject
                           ? message + " (did you mean " + std::string(meant) + "?)"
-                          : "'" + token.name + "' is no operator here (did you mean " + std::string(meant) +
+                          : "'" + token.name + "' means nothing here (did you mean " + std::string(meant) +
                                 "? a proposition of that name stands in double quotes)");
   if (const auto whole = name_beginning_with(token))
     message += " (did you mean \"" + *whole + "\", in quotes?)";

@@ -1,11 +1,15 @@
 #include "libltl/text/read_word.hpp"
 
+#include <algorithm>
 #include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "libltl/diagnostic.hpp"
+#include "libltl/printable_name.hpp"
+#include "libltl/text/character.hpp"
+#include "libltl/text/dialect.hpp"
 
 namespace waymark::ltl {
 namespace {
@@ -22,6 +26,7 @@ class WordReader {
         cycle = cycle_behind_parenthesis();
         break;
       }
+      if (!prefix.empty() && peek() == '\0') break;  // the last ';' ends a letter, and begins none
       prefix.push_back(letter());
     } while (take(';'));
     expect_end();
@@ -60,10 +65,13 @@ class WordReader {
 
   std::vector<Letter> cycle_behind_parenthesis() {
     std::vector<Letter> letters;
-    do letters.push_back(letter());
-    while (take(';'));
+    if (peek() == ')') fail("expected a letter; the empty letter is {}");
+    do {
+      if (!letters.empty() && peek() == ')') break;
+      letters.push_back(letter());
+    } while (take(';'));
     if (!take(')')) fail("expected ';' or ')'");
-    for (const std::string_view power : {"ʷ", "^w", "w"})
+    for (const std::string_view power : {"ʷ", "^w", "^ω", "w", "ω"})
       if (text_.substr(at_, power.size()) == power) {
         at_ += power.size();
         return letters;
@@ -89,18 +97,35 @@ class WordReader {
     const std::size_t begin = at_;
     while (at_ < text_.size() && !ends_name(text_[at_])) ++at_;
     if (begin == at_) fail("expected the name of a proposition");
-    return std::string(text_.substr(begin, at_ - begin));
+    const std::string name(text_.substr(begin, at_ - begin));
+    const auto refuse = [&](const std::string& message) { throw SyntaxError(text_, {begin, at_}, message); };
+    if (name == "cycle" && peek() == '{') refuse("expected a lasso as {a}; ({b})w: cycle{b} is not read");
+    if (is_name(name)) return name;
+    if (std::all_of(name.begin(), name.end(), is_digit))
+      refuse("a bare number is no name (of a table, the first line has the names: --letter-format csv)");
+    if (name[0] == '!' || name[0] == '~') refuse("a letter lists what holds; what does not hold is left out");
+    refuse("'" + name + "' is no name (names with such characters go in double quotes)");
+    return name;
+  }
+
+  // An identifier that is no constant.
+  static bool is_name(std::string_view name) {
+    return is_letter(name[0]) &&
+           std::all_of(name.begin(), name.end(), [](char c) { return is_letter(c) || is_digit(c); }) &&
+           !constant_word(name, Notation::Infix, Dialect::Psl);
   }
 
   std::string quoted() {
     std::string name;
     for (; at_ < text_.size() && text_[at_] != '"'; ++at_) {
-      if (text_[at_] == '\\' && at_ + 1 < text_.size()) ++at_;
-      name += text_[at_];
+      const bool escaped = text_[at_] == '\\' && at_ + 1 < text_.size();
+      if (escaped) ++at_;
+      name += escaped && text_[at_] == 'n' ? '\n' : text_[at_];
     }
     if (at_ == text_.size()) fail("expected '\"' at the end of the name");
     ++at_;
     if (name.empty()) fail("a name is never empty");
+    if (!is_printable_name(name)) fail("a name has no control characters, and is UTF-8");
     return name;
   }
 

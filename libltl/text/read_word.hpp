@@ -1,9 +1,9 @@
 // Text → word: the inverse of show (word.hpp).
 //
 //   {a, b}; {}; {"meeting room"}     a finite word, letter by letter
-//   {a}; ({b}; {})ʷ                  a lasso u·vʷ; ^w and w stand for ʷ
+//   {a}; ({b}; {})ʷ                  a lasso u·vʷ; ^w, w and ω stand for ʷ
 //   a b; ; c                         the same without braces: names with blanks or commas between them
-// The names of a letter are identifiers, or texts in double quotes.
+// The names of a letter are identifiers, or texts in double quotes. A ';' behind the last letter adds no letter.
 #pragma once
 #include <string_view>
 #include <variant>

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "libltl/text/foreign.hpp"
 #include "libltl/vocabulary.hpp"
 #include "libplan/world/json_position.hpp"
 
@@ -12,6 +13,8 @@ JsonReader::Value JsonReader::parse() const {
     return Value::parse(text_.begin(), text_.end());
   } catch (const Value::parse_error& error) {
     // "[json.exception.parse_error.101] parse error at line 1, column 2: syntax error …": keep what follows the place.
+    if (const std::string hint = ltl::foreign_hint(text_); !hint.empty())
+      throw ltl::FormatError(source_, first_line_, 1, "expected JSON: " + hint);
     const std::string_view what = error.what();
     const std::size_t colon = what.find(": ");
     throw format_error_at(source_, text_, error.byte > 0 ? error.byte - 1 : 0,
@@ -40,6 +43,23 @@ const JsonReader::Value& JsonReader::member(const Value& object, const std::stri
   if (!object.is_object()) fail(path, "expected an object");
   if (!object.contains(key)) fail(path, "the key \"" + key + "\" is missing");
   return object[key];
+}
+
+const JsonReader::Value* JsonReader::find(const Value& object, const std::string& path, const std::string& key) const {
+  if (!object.is_object()) fail(path, "expected an object");
+  const auto found = object.find(key);
+  return found == object.end() ? nullptr : &*found;
+}
+
+std::string JsonReader::string_or(const Value& object, const std::string& path, const std::string& key,
+                                  const std::string& otherwise) const {
+  const Value* const value = find(object, path, key);
+  return value == nullptr ? otherwise : string(*value, path.empty() ? key : path + "." + key);
+}
+
+bool JsonReader::truth(const Value& value, const std::string& path) const {
+  if (!value.is_boolean()) fail(path, "expected true or false");
+  return value.get<bool>();
 }
 
 int JsonReader::integer(const Value& value, const std::string& path) const {

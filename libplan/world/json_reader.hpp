@@ -24,7 +24,11 @@ class JsonReader {  // text and source must outlive it
   [[noreturn]] void fail(const std::string& path, const std::string& message) const;
   void check_keys(const Value& object, const std::string& path, const std::vector<std::string>& known) const;
   const Value& member(const Value& object, const std::string& path,
-                      const std::string& key) const;  // must be there
+                      const std::string& key) const;                                              // must be there
+  const Value* find(const Value& object, const std::string& path, const std::string& key) const;  // or nullptr
+  std::string string_or(const Value& object, const std::string& path, const std::string& key,
+                        const std::string& otherwise) const;
+  bool truth(const Value& value, const std::string& path) const;
   int integer(const Value& value, const std::string& path) const;
   double number(const Value& value, const std::string& path) const;  // finite
   std::string string(const Value& value, const std::string& path) const;

@@ -5,8 +5,11 @@
 #include <variant>
 
 #include "libltl/diagnostic.hpp"
+#include "libltl/printable_name.hpp"
+#include "libltl/text/foreign.hpp"
 #include "libltl/text/read_word.hpp"
 #include "libplan/world/json_reader.hpp"
+#include "libplan/world/read_vcd.hpp"
 
 namespace waymark::plan {
 namespace {
@@ -19,41 +22,83 @@ std::string_view trimmed(std::string_view text) {
   return text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
 }
 
-std::vector<std::string> cells_of(std::string_view line) {
-  std::vector<std::string> out;
-  while (true) {
-    const auto comma = line.find(',');
-    std::string_view cell = trimmed(line.substr(0, comma));
-    if (cell.size() > 1 && cell.front() == '"' && cell.back() == '"') cell = cell.substr(1, cell.size() - 2);
-    out.emplace_back(cell);
-    if (comma == std::string_view::npos) return out;
-    line.remove_prefix(comma + 1);
+bool is_passed_over(std::string_view line) { return line.empty() || line.front() == '#'; }
+
+std::string_view take_line(std::string_view& text) {
+  const auto end = text.find('\n');
+  const std::string_view line = text.substr(0, end);
+  text.remove_prefix(end == std::string_view::npos ? text.size() : end + 1);
+  return line;
+}
+
+// The first two lines that say something.
+std::pair<std::string_view, std::string_view> first_lines(std::string_view text) {
+  std::vector<std::string_view> found;
+  while (!text.empty() && found.size() < 2) {
+    const std::string_view line = take_line(text);
+    if (!is_passed_over(trimmed(line))) found.push_back(line);
   }
+  found.resize(2);
+  return {found[0], found[1]};
 }
 
 }  // namespace
 
 LetterLines::LetterLines(ltl::Vocabulary vocabulary, LetterFormat format, std::string source)
-    : vocabulary_(std::move(vocabulary)), names_(vocabulary_), format_(format), source_(std::move(source)) {}
-LetterLines::LetterLines(LetterFormat format, std::string source) : LetterLines({}, format, std::move(source)) {
-  forgets_ = false;
+    : vocabulary_(std::move(vocabulary)),
+      names_(vocabulary_),
+      options_{.format = format, .wanted = vocabulary_},
+      source_(std::move(source)),
+      conditions_(vocabulary_) {}
+LetterLines::LetterLines(LetterOptions options, std::string source)
+    : vocabulary_(options.wanted),
+      names_(vocabulary_),
+      options_(std::move(options)),
+      forgets_(false),
+      source_(std::move(source)),
+      conditions_(vocabulary_) {}
+
+bool LetterLines::separates(std::string_view line) {
+  line = trimmed(line);
+  return line.size() >= 2 && line.find_first_not_of('-') == std::string_view::npos;
 }
 
-std::vector<ltl::Letter> LetterLines::read(std::string_view line) {
+void LetterLines::begin_trace() {
   ++line_;
-  line = trimmed(line);
-  if (line.empty() || line.front() == '#') return {};
-  if (format_ == LetterFormat::Auto && line == "{}") return {ltl::Letter()};  // in text as in JSON
-  if (format_ == LetterFormat::Auto) format_ = format_of(line);
-  if (forgets_ && header_.empty() && names_.size() > vocabulary_.size() + most_further_names) names_ = vocabulary_;
-  if (format_ == LetterFormat::Text) return text_letters(line);
-  if (format_ == LetterFormat::Json) return {json_letter(line)};
-  if (!header_.empty()) return {csv_letter(line)};
-  read_header(line);
-  return {};
+  begins_trace_ = true;
+  if (table_) table_->begin_trace();
+}
+
+void LetterLines::split_at(char delimiter) {
+  options_.format = LetterFormat::Csv;
+  delimiter_ = delimiter;
+}
+
+NoTruths LetterLines::no_truths() const { return table_ ? table_->no_truths() : no_truths_; }
+
+std::optional<std::string> LetterLines::uncompared() const {
+  return table_ ? std::nullopt : conditions_.on_none_of(keys_);
+}
+
+std::vector<ltl::Letter> LetterLines::read(std::string_view whole) {
+  ++line_;
+  const std::string_view line = trimmed(whole);
+  if (is_passed_over(line)) return {};
+  if (separates(line))
+    throw ltl::FormatError(source_, line_, 1,
+                           "a line of dashes separates traces, and one is read here; waymark check --trace reads "
+                           "several");
+  if (options_.format == LetterFormat::Auto && line == "{}") return {ltl::Letter()};  // in text as in JSON
+  if (options_.format == LetterFormat::Auto) options_.format = format_of(line);
+  if (forgets_ && !table_ && names_.size() > vocabulary_.size() + most_further_names) names_ = vocabulary_;
+  if (options_.format == LetterFormat::Text) return text_letters(line);
+  if (options_.format == LetterFormat::Json) return {json_letter(line)};
+  return table_letters(whole);
 }
 
 LetterFormat LetterLines::format_of(std::string_view first) const {
+  if (const std::string hint = ltl::foreign_hint(first); !hint.empty())
+    throw ltl::FormatError(source_, line_, 1, "expected letters: " + hint);
   if ((first.front() == '[' || first.front() == '{') && nlohmann::json::accept(first)) return LetterFormat::Json;
   const bool row = first.find(',') != std::string_view::npos && first.find_first_of("{}();") == std::string_view::npos;
   return row ? LetterFormat::Csv : LetterFormat::Text;
@@ -69,62 +114,88 @@ std::vector<ltl::Letter> LetterLines::text_letters(std::string_view line) {
   throw ltl::FormatError(source_, line_, 1, "expected letters, not the cycle of a lasso");
 }
 
+void LetterLines::check_name(const std::string& name) const {
+  if (name.empty()) throw ltl::FormatError(source_, line_, 1, "the name of a proposition is empty");
+  if (!ltl::is_printable_name(name))
+    throw ltl::FormatError(source_, line_, 1, "the name of a proposition has a control character: " + name);
+}
+
 ltl::Letter LetterLines::json_letter(std::string_view line) {
   const JsonReader reader(line, source_, line_);
   const JsonReader::Value value = reader.parse();
   ltl::Letter letter;
-  const auto insert = [&](const std::string& name) {
-    if (name.empty()) throw ltl::FormatError(source_, line_, 1, "the name of a proposition is empty");
-    letter.insert(names_.add(name));
-  };
   if (value.is_array()) {
-    for (const std::string& name : reader.strings(value, "letter")) insert(name);
+    for (const std::string& name : reader.strings(value, "letter")) {
+      check_name(name);
+      letter.insert(names_.add(name));
+    }
     return letter;
   }
   if (!value.is_object())
     throw ltl::FormatError(source_, line_, 1, "expected a list of names, or an object of names and truth values");
-  for (const auto& [name, holds] : value.items()) {
-    const bool is_number = holds.is_number_integer() && (holds == 0 || holds == 1);
-    if (!holds.is_boolean() && !is_number) reader.fail(name, "expected true, false, 1 or 0");
-    if (holds.is_boolean() ? holds.get<bool>() : holds == 1) insert(name);
+  for (const auto& [name, member] : value.items()) {
+    check_name(name);
+    const bool is_text = member.is_string(), is_truth = member.is_boolean() || member == 0 || member == 1;
+    const bool wanted = vocabulary_.find(name).has_value();
+    if (!is_truth && ((!is_text && !member.is_number()) || wanted)) reader.fail(name, "expected true, false, 1 or 0");
+    const std::string shown = is_text ? member.get<std::string>() : member.dump();
+    if (member == true || member == 1) letter.insert(names_.add(name));
+    if (!is_truth) no_truths_.try_emplace(name, NoTruth{shown, line_});
+    if (conditions_.compares(name) && std::find(keys_.begin(), keys_.end(), name) == keys_.end()) keys_.push_back(name);
+    if (member.is_boolean()) continue;
+    if (const auto condition = conditions_.insert(name, shown, letter))
+      reader.fail(name, "cannot be compared: \"" + *condition + '"');
   }
   return letter;
 }
 
-void LetterLines::read_header(std::string_view line) {
-  for (const std::string& name : cells_of(line)) {
-    if (name.empty()) throw ltl::FormatError(source_, line_, 1, "the header of the table has a column without a name");
-    header_.push_back(names_.add(name));
-  }
+void LetterLines::begin_table(std::string_view heading) {
+  const char delimiter = delimiter_ ? *delimiter_ : delimiter_of(heading, source_, line_).value_or(',');
+  table_.emplace(heading, delimiter, names_, vocabulary_, source_, line_);
+  if (options_.time_unit) table_->count_time_in(*options_.time_unit, line_);
 }
 
-ltl::Letter LetterLines::csv_letter(std::string_view line) const {
-  const std::vector<std::string> cells = cells_of(line);
-  if (cells.size() != header_.size())
-    throw ltl::FormatError(
-        source_, line_, 1,
-        "the row has " + std::to_string(cells.size()) + " cells, the header " + std::to_string(header_.size()));
-  ltl::Letter letter;
-  for (std::size_t i = 0; i < cells.size(); ++i) {
-    if (cells[i] == "1" || cells[i] == "true" || cells[i] == "True" || cells[i] == "TRUE")
-      letter.insert(header_[i]);
-    else if (!(cells[i].empty() || cells[i] == "0" || cells[i] == "false" || cells[i] == "False" ||
-               cells[i] == "FALSE"))
-      throw ltl::FormatError(source_, line_, 1, "expected 1, 0, true, false or nothing, not '" + cells[i] + "'");
-  }
-  return letter;
+std::vector<ltl::Letter> LetterLines::table_letters(std::string_view line) {
+  const bool repeats = std::exchange(begins_trace_, false) && table_ && table_->is_heading(line);
+  if (repeats) return {};
+  if (table_) return table_->row(line, line_);
+  begin_table(line);
+  return {};
 }
 
-NamedTrace read_letters(std::string_view text, LetterFormat format, const std::string& source) {
-  LetterLines lines(format, source);
+NamedTraces read_traces(std::string_view text, const LetterOptions& options, const std::string& source) {
+  std::string table;
+  if (options.format == LetterFormat::Auto && is_vcd(text)) text = table = table_of_vcd(text, source);
+  const std::string hint = table.empty() && options.format == LetterFormat::Auto ? ltl::foreign_hint(text) : "";
+  if (!hint.empty()) throw ltl::FormatError(source, 1, 1, "expected letters: " + hint);
+  LetterLines lines(options, table.empty() ? source : source + " as a table");
+  const auto [first, second] = first_lines(text);
+  if (options.format == LetterFormat::Auto)
+    if (const auto delimiter = table_delimiter(first, second)) lines.split_at(*delimiter);
+  NamedTraces out;
   std::vector<ltl::Letter> letters;
+  const auto end_trace = [&] {
+    if (letters.empty())
+      throw ltl::FormatError(source, lines.line(), 0, "there are no letters; the empty letter is {}");
+    out.words.emplace_back(std::exchange(letters, {}));
+  };
   while (!text.empty()) {
-    const auto end = text.find('\n');
-    for (ltl::Letter& letter : lines.read(text.substr(0, end))) letters.push_back(std::move(letter));
-    text.remove_prefix(end == std::string_view::npos ? text.size() : end + 1);
+    const std::string_view line = take_line(text);
+    if (LetterLines::separates(line)) {
+      end_trace();
+      lines.begin_trace();
+      continue;
+    }
+    for (ltl::Letter& letter : lines.read(line)) letters.push_back(std::move(letter));
   }
-  if (letters.empty()) throw ltl::FormatError(source, 0, 0, "there are no letters; the empty letter is {}");
-  return {ltl::Trace(std::move(letters)), lines.vocabulary(), lines.is_table()};
+  if (!letters.empty() || out.words.empty()) end_trace();
+  if (const auto condition = lines.uncompared())
+    throw ltl::FormatError(source, 0, 0, "no letter has a value to compare in \"" + *condition + '"');
+  out.vocabulary = lines.vocabulary();
+  out.names_all = lines.is_table();
+  out.has_time = lines.has_time();
+  out.no_truths = lines.no_truths();
+  return out;
 }
 
 }  // namespace waymark::plan

@@ -2,59 +2,86 @@
 //
 //   text   {a, b}        or   a b; ; c              one letter or more on a line, `;` between them
 //   JSON   ["a","b"]     or   {"a":true,"b":0}      one letter on a line
-//   CSV    a,b           then 1,0                   names, then one letter on a line: 1 or 0, true or false, or nothing
-// Blank lines and lines that begin with # are passed over; the empty letter is {}, [] or a row of zeros.
+//   CSV    a,b           then 1,0                   names, then one letter on a line (letter_table.hpp); also with
+//                                                   semicolons, tabs or blanks
+// Blank lines and lines that begin with # are passed over; the empty letter is {}, [] or a row of zeros. A line of two
+// or more dashes separates traces.
 #pragma once
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "libltl/vocabulary.hpp"
 #include "libltl/word.hpp"
+#include "libplan/world/letter_table.hpp"
 
 namespace waymark::plan {
 
-// Auto: JSON where the first line is JSON, CSV where it has commas and no braces, else text.
+// Auto: JSON where the first line is JSON, CSV where it has commas and no braces, else text. Of a whole text, CSV too
+// where the second line has numbers below names.
 enum class LetterFormat : std::uint8_t { Auto, Text, Json, Csv };
+
+struct LetterOptions {                       // how letters are written, and which names matter
+  LetterFormat format = LetterFormat::Auto;  // of the lines
+  std::optional<double> time_unit = {};      // of a table with a column time: instants between rows repeat a row
+  ltl::Vocabulary wanted = {};  // columns and keys that must have truth values, and conditions on the others
+};
 
 class LetterLines {
  public:
   // Letters are over `vocabulary`, further names behind it. These mean nothing from one letter to the next, for only
   // some thousands are remembered.
   LetterLines(ltl::Vocabulary vocabulary, LetterFormat format, std::string source);
-  // Letters are over the names that occur, all of which are remembered.
-  LetterLines(LetterFormat format, std::string source);
+  // Letters are over the wanted names and those that occur, all of which are remembered.
+  LetterLines(LetterOptions options, std::string source);
 
   // The letters of the next line; none of a header, a comment or a blank line. Throws ltl::FormatError or
-  // ltl::SyntaxError with the number of the line.
+  // ltl::SyntaxError with the number of the line; a line that separates traces is such an error.
   std::vector<ltl::Letter> read(std::string_view line);
   void pass_over() { ++line_; }  // a line that the caller knows already
+  static bool separates(std::string_view line);
+  void begin_trace();             // the line was one that separates; a table may repeat its header
+  void split_at(char delimiter);  // the lines are a table with this delimiter
   const ltl::Vocabulary& vocabulary() const { return names_; }
-  bool is_table() const { return !header_.empty(); }
+  bool is_table() const { return table_.has_value(); }
+  bool has_time() const { return table_ && table_->has_time(); }
+  NoTruths no_truths() const;
+  // A condition among the wanted names that no letter had a value for.
+  std::optional<std::string> uncompared() const;
+  std::size_t line() const { return line_; }
 
  private:
   LetterFormat format_of(std::string_view first) const;
   std::vector<ltl::Letter> text_letters(std::string_view line);
   ltl::Letter json_letter(std::string_view line);
-  void read_header(std::string_view line);
-  ltl::Letter csv_letter(std::string_view line) const;
+  std::vector<ltl::Letter> table_letters(std::string_view line);
+  void begin_table(std::string_view heading);
+  void check_name(const std::string& name) const;
 
   ltl::Vocabulary vocabulary_, names_;
-  LetterFormat format_;
+  LetterOptions options_;
   bool forgets_ = true;
   std::string source_;
   std::size_t line_ = 0;
-  std::vector<ltl::Proposition> header_;  // of CSV, by column
+  bool begins_trace_ = false;
+  std::optional<char> delimiter_;
+  std::optional<LetterTable> table_;
+  Conditions conditions_;
+  NoTruths no_truths_;             // of JSON
+  std::vector<std::string> keys_;  // of JSON, those that conditions compare
 };
 
-struct NamedTrace {            // a word with its names
-  ltl::Trace word;             // not empty
-  ltl::Vocabulary vocabulary;  // of the word
-  bool names_all = false;      // of a table: other propositions are not merely false, they are unknown
+struct NamedTraces {              // words with their names
+  std::vector<ltl::Trace> words;  // one or more
+  ltl::Vocabulary vocabulary;     // of the words
+  bool names_all = false;         // of a table: other propositions are not merely false, they are unknown
+  bool has_time = false;          // a column time
+  NoTruths no_truths;             // names in the vocabulary that are no propositions
 };
-// All letters of a text. Throws as above, and ltl::FormatError when there is none.
-NamedTrace read_letters(std::string_view text, LetterFormat format, const std::string& source);
+// All letters of a text, which may be a VCD file. Throws as above, and ltl::FormatError when a trace has no letters.
+NamedTraces read_traces(std::string_view text, const LetterOptions& options, const std::string& source);
 
 }  // namespace waymark::plan

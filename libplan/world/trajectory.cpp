@@ -6,6 +6,7 @@
 #include <charconv>
 #include <cstdlib>
 
+#include "libltl/text/foreign.hpp"
 #include "libplan/world/json_position.hpp"
 #include "libplan/world/json_reader.hpp"
 
@@ -176,6 +177,8 @@ class TextForm {
   TextForm(std::string_view text, const Map& map, std::string_view source) : text_(text), map_(map), source_(source) {}
 
   Walk read() {
+    if (const std::string hint = ltl::foreign_hint(text_); !hint.empty())
+      throw format_error_at(source_, text_, 0, "expected a start pose x,y,heading and actions: " + hint);
     const std::vector<Token> pieces = tokens(text_, " \t\r\n");
     if (pieces.empty()) throw format_error_at(source_, text_, 0, "expected a start pose x,y,heading and actions");
     read_start(pieces[0]);

@@ -21,7 +21,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   }
   using plan::LetterFormat;
   for (const auto format : {LetterFormat::Auto, LetterFormat::Text, LetterFormat::Json, LetterFormat::Csv}) try {
-      if (plan::read_letters(text, format, "").word.size() == 0) std::abort();
+      if (plan::read_traces(text, {.format = format}, "").words.empty()) std::abort();
     } catch (const ltl::SyntaxError&) {
     } catch (const ltl::FormatError&) {
     }

@@ -92,7 +92,7 @@ TEST(Api, FollowsATrajectoryLetterByLetter) {
   const json check = answer(
       "/api/check", {{"formula", "F easel & G !lamp"}, {"trajectory", {{1, 9, 0}, {1, 8, 0}, {1, 7, 0}, {1, 6, 0}}}});
   EXPECT_EQ(check["satisfied"], false);
-  EXPECT_EQ(check["lost_at"], 2);
+  EXPECT_EQ(check["lost_at"], 3) << "letters are counted from 1";
   EXPECT_EQ(check["steps"][1]["verdict"], "open");
   EXPECT_EQ(check["steps"][2]["verdict"], "lost");
   EXPECT_EQ(check["steps"][2]["remains"], "false");

@@ -9,6 +9,7 @@
 #include <iostream>
 
 #include "libltl/diagnostic.hpp"
+#include "libltl/text/foreign.hpp"
 #include "libltl/text/read_text.hpp"
 #include "tools/shell/exit_code.hpp"
 
@@ -48,12 +49,27 @@ TextReader::TextReader(TextOptions options, const std::string& what) : arguments
   arguments_.clear();
   const std::string path = options.file.empty() ? "-" : options.file;
   source_ = source_name(path);
+  what_ = what;
   if (path != "-") file_ = open(path);
+  if (file_ && std::filesystem::is_regular_file(path)) {
+    constexpr std::size_t most = std::size_t{1} << 16U;
+    std::string beginning(most, '\0');
+    file_->read(beginning.data(), static_cast<std::streamsize>(most));
+    beginning.resize(static_cast<std::size_t>(file_->gcount()));
+    file_->clear();
+    file_->seekg(0);
+    refuse_other_formats(beginning);
+  }
   lines_.emplace(file_ ? *file_ : std::cin, source_);
   std::cin.tie(nullptr);  // else who reads would flush std::cout, which another thread is writing to
 }
 
 TextReader::~TextReader() = default;
+
+void TextReader::refuse_other_formats(std::string_view beginning) const {
+  if (const std::string hint = ltl::foreign_hint(beginning); !hint.empty())
+    throw ltl::FormatError(source_, 1, 1, "expected one " + what_ + " a line: " + hint);
+}
 
 std::size_t TextReader::count() const {
   if (!lines_) return arguments_.size();
@@ -72,8 +88,12 @@ std::optional<Text> TextReader::next() {
     const std::size_t number = ++argument_;
     return Text{arguments_[number - 1], "", number};
   }
-  for (std::string line; lines_->next(line);)
-    if (!passed_over(line)) return Text{std::move(line), source_, lines_->number()};
+  for (std::string line; lines_->next(line);) {
+    if (passed_over(line)) continue;
+    if (!any_line_) refuse_other_formats(line);
+    any_line_ = true;
+    return Text{std::move(line), source_, lines_->number()};
+  }
   return std::nullopt;
 }
 

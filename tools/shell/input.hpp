@@ -27,7 +27,7 @@ struct Text {
 class TextReader {
  public:
   // Without arguments and file, standard input is read unless it is a terminal: then UsageError, saying `what` is
-  // missing.
+  // missing. A file in a format of another kind is a FormatError that names the format.
   TextReader(TextOptions options, const std::string& what);
   ~TextReader();
   std::optional<Text> next();
@@ -38,10 +38,13 @@ class TextReader {
   const std::string& source() const { return source_; }
 
  private:
+  void refuse_other_formats(std::string_view beginning) const;
+
   std::vector<std::string> arguments_;
   std::size_t argument_ = 0;
   std::unique_ptr<std::istream> file_;
-  std::string source_;
+  std::string source_, what_;
+  bool any_line_ = false;
   std::optional<ltl::LineReader> lines_;  // nothing: arguments
 };
 

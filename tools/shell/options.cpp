@@ -1,9 +1,12 @@
 #include "tools/shell/options.hpp"
 
 #include <iostream>
+#include <utility>
 
 #include "libltl/diagnostic.hpp"
 #include "libltl/text/dialect.hpp"
+#include "libltl/text/foreign.hpp"
+#include "libltl/text/print.hpp"
 #include "libplan/world/trajectory.hpp"
 #include "tools/shell/data_directory.hpp"
 
@@ -82,16 +85,34 @@ void note_doubtful_names(std::size_t known, const ltl::Vocabulary& names, const 
 
 }  // namespace
 
-ltl::Formula parse_formula(const Text& text, ltl::Arena& arena, const ltl::ParseOptions& options) {
+ltl::Formula parse_formula(const Text& text, ltl::Arena& arena, const ltl::ParseOptions& options, bool notes) {
   const std::size_t known = arena.vocabulary().size();
   try {
     const ltl::Formula read = ltl::parse(text.text, arena, options);
-    note_doubtful_names(known, arena.vocabulary(), options);
+    if (notes) note_doubtful_names(known, arena.vocabulary(), options);
     return read;
   } catch (const ltl::SyntaxError& error) {
+    if (const std::string hint = ltl::foreign_hint(text.text); !hint.empty())
+      throw ltl::FormatError(text.source, text.source.empty() ? 0 : text.line, 0, "expected a formula: " + hint);
     if (text.source.empty()) throw;
     throw error.in(text.source, text.line);
   }
+}
+
+std::string as_typed(const Text& text, ltl::Formula formula, const NotationOptions& options) {
+  if (options.dialect != "waymark" || options.notation != "infix") return ltl::print(formula);
+  std::string out;
+  bool quoted = false, blank = false;
+  for (const char c : text.text) {
+    if (!quoted && (c == ' ' || c == '\t' || c == '\n' || c == '\r')) {
+      blank = !out.empty();
+      continue;
+    }
+    if (std::exchange(blank, false)) out += ' ';
+    if (c == '"' && (out.empty() || out.back() != '\\')) quoted = !quoted;
+    out += c;
+  }
+  return out;
 }
 
 ltl::Formula parse_on_map(const Text& text, ltl::Arena& arena, const NotationOptions& options, const std::string& map) {

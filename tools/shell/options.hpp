@@ -33,8 +33,11 @@ struct NotationOptions {
 void add_notation_options(Command command, NotationOptions& options);
 ltl::ParseOptions parse_options(const NotationOptions& options, ltl::Unknown unknown);
 
-// The formula of one text; errors name the file and line that it came from.
-ltl::Formula parse_formula(const Text& text, ltl::Arena& arena, const ltl::ParseOptions& options);
+// The formula of one text; errors name the file and line that it came from. Notes on names such as GFa go to standard
+// error, unless the text is read a second time.
+ltl::Formula parse_formula(const Text& text, ltl::Arena& arena, const ltl::ParseOptions& options, bool notes = true);
+// The formula as it was typed, blanks made one; in other notations and dialects as we print it.
+std::string as_typed(const Text& text, ltl::Formula formula, const NotationOptions& options);
 // Over the names of a map; the error of another name says where they are listed. `map`: as --map has it.
 ltl::Formula parse_on_map(const Text& text, ltl::Arena& arena, const NotationOptions& options, const std::string& map);
 

@@ -89,7 +89,7 @@ JsonObject check_finite(const Request& request, const Context& context) {
                                                       : "open"));
   }
   return walked.head(satisfied)
-      .add("lost_at", run.trapped ? Json(*run.trapped == 0 ? 0 : *run.trapped - 1) : Json())
+      .add("lost_at", run.trapped ? Json(std::max<std::size_t>(1, *run.trapped)) : Json())
       .add("steps", steps);
 }
 
@@ -133,7 +133,7 @@ JsonObject check_infinite(const Request& request, const Context& context) {
   return walked.head(satisfied.value_or(false))
       .add("semantics", "infinite")
       .add("decided", satisfied.has_value())
-      .add("lost_at", lost ? Json(*lost) : Json())
+      .add("lost_at", lost ? Json(*lost + 1) : Json())
       .add("steps", steps);
 }
 

@@ -36,8 +36,11 @@ TEST(ReadWord, HasSeveralSpellings) {
       {"({a})w", "({a})ʷ"},
       {"{}; (a; b)^w", "{}; ({a}; {b})ʷ"},
       {"", "{}"},
-      {"\"meeting room\"", "{meeting room}"},
-      {"{\"a \\\"b\\\"\"}", "{a \"b\"}"},
+      {"\"meeting room\"", "{\"meeting room\"}"},
+      {"{\"a \\\"b\\\"\"}", "{\"a \\\"b\\\"\"}"},
+      {"a;", "{a}"},
+      {";", "{}"},
+      {"{}; (a; b;)ω", "{}; ({a}; {b})ʷ"},
   };
   for (const auto& row : rows) {
     Vocabulary names;

@@ -300,14 +300,14 @@ function show_automaton(automaton) {
 function show_check(check) {
   state.check = check;
   state.steps = check ? check.steps : [];
-  if (check && state.walk) state.walk.lost = check.lost_at;
+  if (check && state.walk) state.walk.lost = check.lost_at ? check.lost_at - 1 : null;  // letters are counted from 1
   if (check && state.hand) {
     $('answer').textContent = state.infinite
       ? (check.decided ? verdict_of(check.satisfied) : 'The trajectory goes on: repeat its end for ever to decide.')
       : verdict_of(check.satisfied);
   }
   if (check && state.hand && check.lost_at !== null && check.lost_at !== undefined)
-    $('answer').textContent += ` All is lost with letter ${check.lost_at + 1}.`;
+    $('answer').textContent += ` All is lost with letter ${check.lost_at}.`;
   draw();
 }
 
