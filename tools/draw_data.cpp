@@ -77,8 +77,8 @@ class TableReader {
         if (!object.is_object()) fail(line, "expected a JSON object on each line");
         add_object(object, line);
       }
-    } catch (const nlohmann::json::exception& error) {
-      fail(0, error.what());
+    } catch (const nlohmann::json::out_of_range&) {
+      fail(0, "a number of the JSON text is out of range");
     }
   }
   void document_of(const Value& document) {

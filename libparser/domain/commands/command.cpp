@@ -1,50 +1,68 @@
 #include "libparser/domain/commands/command.hpp"
 
-#include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "libltl/diagnostic.hpp"
 #include "libltl/text/read_text.hpp"
+#include "libplan/world/json_reader.hpp"
 
 namespace waymark::parser {
 namespace {
 
 std::istringstream open(const std::filesystem::path& file) { return std::istringstream(ltl::read_text(file)); }
 
-Command command_of(const nlohmann::json& json) {
-  Command c;
-  c.id = json.at("id").get<std::string>();
-  c.domain = json.at("domain").get<std::string>();
-  c.from = json.value("from", "");
-  c.source = json.value("source", "");
-  c.type = json.value("type", "free");
-  c.n = json.value("n", std::size_t{0});
-  c.lifted = json.value("lifted", false);
-  c.text = json.at("text").get<std::string>();
-  c.formula = json.value("formula", "");
-  c.count = json.value("count", std::size_t{1});
-  c.suspect = json.contains("suspect");
-  if (json.contains("propositions")) c.propositions = json.at("propositions").get<std::vector<std::string>>();
-  if (json.contains("landmarks"))
-    for (const auto& [proposition, words] : json.at("landmarks").items())
-      c.landmarks[proposition] = words.is_null() ? std::nullopt : std::optional(words.get<std::string>());
-  return c;
-}
+// Of one line; every wrong shape is reported with its key.
+class CommandReader {
+ public:
+  CommandReader(std::string_view line, std::string_view source, std::size_t number)
+      : in_(line, source, number), object_(in_.parse()) {}
+
+  Command read() const {
+    Command c;
+    c.id = in_.string(in_.member(object_, "", "id"), "id");
+    c.domain = in_.string(in_.member(object_, "", "domain"), "domain");
+    c.from = in_.string_or(object_, "", "from", "");
+    c.source = in_.string_or(object_, "", "source", "");
+    c.type = in_.string_or(object_, "", "type", "free");
+    c.n = count("n", 0);
+    if (const auto* lifted = in_.find(object_, "", "lifted")) c.lifted = in_.truth(*lifted, "lifted");
+    c.text = in_.string(in_.member(object_, "", "text"), "text");
+    c.formula = in_.string_or(object_, "", "formula", "");
+    c.count = count("count", 1);
+    c.suspect = in_.find(object_, "", "suspect") != nullptr;
+    if (const auto* names = in_.find(object_, "", "propositions")) c.propositions = in_.strings(*names, "propositions");
+    if (const auto* landmarks = in_.find(object_, "", "landmarks")) {
+      if (!landmarks->is_object()) in_.fail("landmarks", "expected an object");
+      for (const auto& [proposition, words] : landmarks->items())
+        c.landmarks[proposition] =
+            words.is_null() ? std::nullopt : std::optional(in_.string(words, "landmarks." + proposition));
+    }
+    return c;
+  }
+
+ private:
+  std::size_t count(const std::string& key, std::size_t otherwise) const {
+    const auto* const value = in_.find(object_, "", key);
+    if (value == nullptr) return otherwise;
+    const int number = in_.integer(*value, key);
+    if (number < 0) in_.fail(key, "expected a number that is not negative");
+    return static_cast<std::size_t>(number);
+  }
+
+  plan::JsonReader in_;
+  plan::JsonReader::Value object_;
+};
 
 }  // namespace
 
 std::vector<Command> read_commands(const std::filesystem::path& file) {
   std::istringstream in = open(file);
+  const std::string source = file.string();
   std::vector<Command> all;
   std::size_t number = 0;
   for (std::string line; std::getline(in, line);) {
     ++number;
-    if (line.empty()) continue;
-    try {
-      all.push_back(command_of(nlohmann::json::parse(line)));
-    } catch (const nlohmann::json::exception& e) {
-      throw ltl::FormatError(file.string(), number, 0, std::string("no command: ") + e.what());
-    }
+    if (line.find_first_not_of(" \t\r") == std::string::npos) continue;
+    all.push_back(CommandReader(line, source, number).read());
   }
   return all;
 }

@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
-#include <nlohmann/json.hpp>
 
 #include "libltl/diagnostic.hpp"
 #include "libltl/text/parse.hpp"
 #include "libparser/corpus/token.hpp"
 #include "libparser/domain/commands/file_text.hpp"
 #include "libparser/domain/commands/landmark_mentions.hpp"
+#include "libplan/world/json_reader.hpp"
 
 namespace waymark::parser {
 namespace {
@@ -185,18 +185,23 @@ std::optional<Lifted> CommandDomain::label(const Lift& lift, const std::string& 
 
 CommandDomains::CommandDomains(const std::filesystem::path& domains, std::filesystem::path maps)
     : maps_(std::move(maps)) {
-  try {
-    const nlohmann::json json = nlohmann::json::parse(text_of(domains));
-    for (const auto& [name, domain] : json.items()) {
-      std::vector<std::string> propositions;
-      for (const auto& [p, _] : domain.at("propositions").items()) propositions.push_back(p);
-      const bool letters =
-          std::all_of(propositions.begin(), propositions.end(), [](const std::string& p) { return p.size() == 1; });
-      domains_.emplace(
-          name, letters ? CommandDomain::with_letters(name, propositions) : CommandDomain::small(name, propositions));
+  const std::string text = text_of(domains), source = domains.string();
+  const plan::JsonReader in(text, source);
+  const plan::JsonReader::Value document = in.parse();
+  if (!document.is_object()) in.fail("", "expected an object of domains");
+  for (const auto& [name, domain] : document.items()) {
+    std::vector<std::string> propositions;
+    const auto& named = in.member(domain, name, "propositions");
+    if (named.is_array()) {
+      propositions = in.strings(named, name + ".propositions");
+    } else {
+      if (!named.is_object()) in.fail(name + ".propositions", "expected a list of names, or an object of names");
+      for (const auto& [proposition, said] : named.items()) propositions.push_back(proposition);
     }
-  } catch (const nlohmann::json::exception& e) {
-    throw ltl::FormatError(domains.string(), 0, 0, std::string("no domains: ") + e.what());
+    const bool letters =
+        std::all_of(propositions.begin(), propositions.end(), [](const std::string& p) { return p.size() == 1; });
+    domains_.emplace(
+        name, letters ? CommandDomain::with_letters(name, propositions) : CommandDomain::small(name, propositions));
   }
 }
 
