@@ -2,6 +2,7 @@
 
 #include <atomic>
 #include <filesystem>
+#include <iostream>
 #include <map>
 #include <mutex>
 #include <stdexcept>
@@ -110,9 +111,14 @@ class TaskAnswers {
   }
 
   void write_strategies() const {
-    if (choice_.strategy.empty() || (strategies_.empty() && some_refused_)) return;
+    if (choice_.strategy.empty()) return;
     std::string all;
     for (const auto& [place, text] : strategies_) all += text;
+    if (all.empty()) {  // an older file stays as it was
+      if (choice_.strategy != "-")
+        std::cerr << "note: no strategy is written to " << ltl::printable(choice_.strategy) << '\n';
+      return;
+    }
     write_file(choice_.strategy, all);
   }
 
@@ -127,7 +133,6 @@ class TaskAnswers {
     } catch (const UsageError& error) {
       reply.code = worse(reply.code, ExitCode::Usage);
       reply.problem = (task.id.empty() ? "" : task.id + ": ") + error.what();
-      some_refused_ = true;
     }
   }
   CaseAnswer answered(const plan::CaseTask& task, const plan::CaseOptions& options) const {
@@ -161,7 +166,6 @@ class TaskAnswers {
   std::atomic<std::size_t> working_{0};  // tasks
   std::mutex mutex_;
   std::map<std::size_t, std::string> strategies_;  // by place
-  std::atomic<bool> some_refused_{false};          // a strategy that the format does not hold
 };
 
 }  // namespace

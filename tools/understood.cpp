@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "libltl/diagnostic.hpp"
 #include "libltl/english/verbalise.hpp"
 #include "libplan/world/observable_english.hpp"
 
@@ -36,7 +37,7 @@ std::string not_understood_message(const std::string& text, const parser::Unders
   } else if (!understood.words_not_understood.empty()) {
     message += "; no command says " + quoted(understood.words_not_understood);
   }
-  return message + " (--force answers all the same)";
+  return ltl::printable(message) + " (--force answers all the same)";
 }
 
 JsonObject not_understood_json(const std::string& text, const std::string& map,

@@ -1,6 +1,7 @@
 #include "libautomata/hoa/exchange.hpp"
 
 #include <algorithm>
+#include <array>
 #include <stdexcept>
 
 #include "libautomata/omega/degeneralize.hpp"
@@ -41,6 +42,32 @@ bool is_identifier(const std::string& name) {
          std::all_of(name.begin(), name.end(), [&](char c) { return letter(c) || (c >= '0' && c <= '9'); });
 }
 
+// x > 3, state == idle: comparisons are expressions of Promela as they are.
+bool is_comparison(std::string_view name) {
+  const auto operand = [&] {
+    const std::size_t end = std::min(name.find_first_of(" =!<>"), name.size());
+    const std::string_view word = name.substr(0, end);
+    name.remove_prefix(end);
+    name.remove_prefix(std::min(name.find_first_not_of(' '), name.size()));
+    return !word.empty() && std::all_of(word.begin(), word.end(), [](char c) {
+      return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
+             std::string_view("_.[]-").find(c) != std::string_view::npos;
+    });
+  };
+  if (!operand()) return false;
+  const std::size_t sign = std::min(name.find_first_not_of("=!<>"), name.size());
+  constexpr std::array<std::string_view, 6> signs{"==", "!=", "<", "<=", ">", ">="};
+  if (std::find(signs.begin(), signs.end(), name.substr(0, sign)) == signs.end()) return false;
+  name.remove_prefix(sign);
+  name.remove_prefix(std::min(name.find_first_not_of(' '), name.size()));
+  return operand() && name.empty();
+}
+
+std::string promela_name(const std::string& name) {
+  if (is_identifier(name)) return name;
+  return is_comparison(name) ? '(' + name + ')' : ltl::print_name(name);
+}
+
 std::string promela(const Guard& guard, const Automaton& automaton) {
   std::string out;
   for (const Cube& cube : guard) {
@@ -48,7 +75,7 @@ std::string promela(const Guard& guard, const Automaton& automaton) {
     for (std::size_t i = 0; i < cube.size(); ++i) {
       const std::string& name = automaton.vocabulary().name(automaton.reads()[cube[i].variable]);
       out += (i > 0 ? " && " : "") + std::string(cube[i].positive ? "" : "!");
-      out += is_identifier(name) ? name : '(' + name + ')';
+      out += promela_name(name);
     }
     if (cube.empty()) out += "true";
     out += ')';

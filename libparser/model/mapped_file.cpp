@@ -5,12 +5,9 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include <cerrno>
 #include <cstring>
-#include <fstream>
-#include <sstream>
 
-#include "libltl/diagnostic.hpp"
+#include "libltl/text/read_text.hpp"
 
 namespace waymark::parser {
 
@@ -27,13 +24,8 @@ MappedFile::MappedFile(const std::filesystem::path& file) {
   }
   if (descriptor >= 0) close(descriptor);
   if (mapping_ != nullptr) return;
-  errno = 0;
-  std::ifstream in(file, std::ios::binary);
-  std::ostringstream text;
-  text << in.rdbuf();
-  if (!in || !text)
-    throw ltl::FormatError(file.string(), 0, 0, "cannot read the file: " + std::string(std::strerror(errno)));
-  copy(text.view());
+  constexpr std::size_t most = std::size_t{1} << 28U;  // of a pipe or a device, which may never end
+  copy(ltl::read_text(file, most));
 }
 
 MappedFile::MappedFile(std::string_view bytes) { copy(bytes); }

@@ -11,6 +11,7 @@ namespace {
 
 constexpr std::size_t bytes_at_once = std::size_t{1} << 16U;
 constexpr std::size_t longest_tag = std::size_t{1} << 24U;
+constexpr std::size_t longest_text = std::size_t{1} << 26U;
 constexpr std::string_view blanks = " \t\r\n";
 
 std::string_view after_blanks(std::string_view s) {
@@ -48,6 +49,7 @@ bool XmlStream::fill() {
   buffer_.resize(kept + bytes_at_once);
   in_.read(buffer_.data() + kept, static_cast<std::streamsize>(bytes_at_once));
   buffer_.resize(kept + static_cast<std::size_t>(in_.gcount()));
+  if (buffer_.find('\0', kept) != std::string::npos) fail("a byte 0: this is no XML");
   return buffer_.size() > kept;
 }
 
@@ -58,7 +60,8 @@ void XmlStream::consume(std::size_t bytes) {
 }
 
 bool XmlStream::skip_past(std::string_view end) {
-  for (;;) {
+  for (std::size_t skipped = 0;; skipped += bytes_at_once) {
+    if (skipped > longest_text) fail("more than 64 MiB without a tag: this is no XML");
     const std::size_t found = buffer_.find(end, at_);
     if (found != std::string::npos) {
       consume(found + end.size() - at_);

@@ -165,6 +165,14 @@ const char* const response =
     "HOA: v1 Start: 0 AP: 2 \"a\" \"b\" Acceptance: 1 Inf(0) --BODY-- "
     "State: 0 {0} [!0 | 1] 0 [0&!1] 1 State: 1 [1] 0 [!1] 1 --END--";
 
+TEST(Exchange, NamesOfNeverClaimsAreExpressionsOrQuoted) {
+  const Automaton odd = read_omega_hoa(
+      "HOA: v1 Start: 0 AP: 4 \"guest login\" \"x[1] >= 3\" \"a) || (b\" \"c\" Acceptance: 1 Inf(0) --BODY-- "
+      "State: 0 {0} [0 & 1 & !2 & 3] 0 --END--");
+  const std::string claim = *write_never_claim(odd, 100);
+  EXPECT_NE(claim.find("(\"guest login\" && (x[1] >= 3) && !\"a) || (b\" && c)"), std::string::npos) << claim;
+}
+
 TEST(Exchange, NeverClaimsAreWhatSpinReads) {
   EXPECT_EQ(*write_never_claim(read_omega_hoa(response), 100, "G(a -> F b) */ x"),
             "never { /* G(a -> F b)  / x */\n"
