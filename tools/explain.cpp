@@ -46,9 +46,10 @@ ExitCode explain_one(const Text& text, const std::optional<plan::Map>& map, cons
   try {
     const Explanation e = explain(f, semantics_of(options), map.has_value(), limits);
     if (options.json)
-      std::cout << json_of(e, f, semantics_of(options)).text() << '\n';
+      std::cout << json_of(e, as_typed(text, f, options.notation), semantics_of(options)).text() << '\n';
     else
       print_explained(e);
+    return e.satisfying ? ExitCode::Done : ExitCode::No;  // no word satisfies it
   } catch (const ExplanationLimit&) {
     if (options.json)
       std::cout << JsonObject().add("line", text.line).add("status", "limit").text() << '\n';

@@ -124,12 +124,12 @@ Explanation explain(ltl::Formula f, ltl::Semantics semantics, bool on_map, const
           .violating = word_of(ltl::negate(f), semantics, limits, words)};
 }
 
-JsonObject json_of(const Explanation& explanation, ltl::Formula f, ltl::Semantics semantics) {
+JsonObject json_of(const Explanation& explanation, const std::string& formula, ltl::Semantics semantics) {
   const auto shown = [](const std::optional<Example>& word) {
     return word ? Json(JsonObject().add("word", word->letters).add("english", word->english)) : Json();
   };
   return JsonObject()
-      .add("formula", ltl::print(f))
+      .add("formula", formula)
       .add("english", explanation.english)
       .add("pattern", explanation.pattern ? Json(*explanation.pattern) : Json())
       .add("semantics", semantics == ltl::Semantics::Finite ? "finite" : "infinite")

@@ -28,6 +28,6 @@ struct ExplanationLimit {};
 
 // on_map: the vocabulary of the formula is that of a hallway map.
 Explanation explain(ltl::Formula f, ltl::Semantics semantics, bool on_map, const ltl::Limits& limits);
-JsonObject json_of(const Explanation& explanation, ltl::Formula f, ltl::Semantics semantics);
+JsonObject json_of(const Explanation& explanation, const std::string& formula, ltl::Semantics semantics);
 
 }  // namespace waymark::tools

@@ -54,6 +54,7 @@ std::vector<std::string> unknown_words(const LiftedReader& reader, const LiftedT
 struct Found {
   Reading reading;
   bool ongoing = false;
+  bool exact = false;  // said as waymark says it
 };
 
 // A text in the words in which waymark says formulas itself has that formula.
@@ -82,7 +83,7 @@ bool has_no_route(const plan::Map& map, ltl::Formula formula, std::span<const pl
 void weigh_by_routes(std::vector<Found>& all, const plan::Map& map, std::span<const plan::PoseId> starts) {
   for (std::size_t i = 0; i < std::min(all.size(), planned); ++i) {
     Found& f = all[i];
-    if (f.ongoing || f.reading.probability < least_planned) continue;
+    if (f.ongoing || f.exact || f.reading.probability < least_planned) continue;
     if (has_no_route(map, f.reading.formula, starts)) f.reading.probability *= without_route;
   }
 }
@@ -168,7 +169,8 @@ Understanding understand(const Grounder& grounder, const std::string& text, cons
     for (Found& f : found) f.reading.probability *= 1 - exactly_said;
     route *= 1 - exactly_said;
     nothing *= 1 - exactly_said;
-    add(found, {{said->formula, exactly_said, {}}, said->ongoing});
+    std::erase_if(found, [&](const Found& f) { return f.reading.formula == said->formula; });
+    found.push_back({{said->formula, exactly_said, {}}, said->ongoing, true});
   }
   double commands = 0;
   for (const Found& f : found) commands += f.reading.probability;

@@ -97,7 +97,8 @@ JsonObject explain_formula(const Request& request, const Context& context) {
   const auto semantics = semantics_of(request);
   try {
     const ltl::Limits limits{.stop = context.stop};
-    return tools::json_of(tools::explain(written.formula, semantics, true, limits), written.formula, semantics);
+    return tools::json_of(tools::explain(written.formula, semantics, true, limits), ltl::print(written.formula),
+                          semantics);
   } catch (const tools::ExplanationLimit&) {
     throw tools::GaveUp("no automaton within the limits");
   }

@@ -6,12 +6,14 @@
 #include <cmath>
 #include <fstream>
 
+#include "libltl/english/verbalise.hpp"
 #include "libltl/meaning/semantics.hpp"
 #include "libltl/text/parse.hpp"
 #include "libltl/text/print.hpp"
 #include "libparser/grounding/direct_turns.hpp"
 #include "libparser/language/synchronous_grammar.hpp"
 #include "libparser/model_file.hpp"
+#include "libplan/world/observable_english.hpp"
 #include "tests/libparser/maps.hpp"
 #include "tests/support/generate.hpp"
 
@@ -109,6 +111,19 @@ TEST(Understand, ReadsItsOwnLanguage) {
     right += canonical(readings.front().lifted) == canonical(said.lifted) ? 1 : 0;
   }
   EXPECT_GE(right, 85 * texts / 100) << right;
+}
+
+// A sentence of waymark is read as it is, even where no route can fulfil it and a likelier text would have one.
+TEST(Understand, ReadsWhatWaymarkSaysAsItIs) {
+  ltl::Arena arena(shipped_maps()[2].vocabulary());
+  for (const char* text : {"X behind_grass", "G !ahead_easel", "sofa & !blue", "X X dead_end", "F(grass & X !grass)"}) {
+    const ltl::Formula meant = ltl::parse(text, arena, {.unknown = ltl::Unknown::Reject});
+    const std::string said = ltl::verbalise(meant, {ltl::Semantics::Finite, plan::hallway_english(arena.vocabulary())});
+    const Understanding answer = understood(said, arena);
+    ASSERT_FALSE(answer.readings.empty()) << said;
+    EXPECT_EQ(answer.readings.front().formula, meant)
+        << said << " was read as " << ltl::print(answer.readings.front().formula);
+  }
 }
 
 TEST(Understand, StraightToTheThirdHallway) {
