@@ -148,6 +148,44 @@ class Page(unittest.TestCase):
         self.wait_for_text('#message', 'I did not understand this.')
         self.assertIn('“monkey”', self.browser.text('#message'))
 
+    def test_a_newcomer_clicks_an_example(self):
+        self.open()
+        self.assertFalse(self.browser.evaluate("document.querySelector('#welcome').hidden"))
+        self.assertEqual(self.browser.evaluate("document.querySelectorAll('#examples button').length"), 3)
+        self.browser.click('#examples button')
+        self.wait_for_text('#answer', 'certified')
+        self.assertTrue(self.browser.evaluate("document.querySelector('#welcome').hidden"))
+        self.assertEqual(self.browser.evaluate(
+            "[...document.querySelectorAll('#legend span')].filter((key) => !key.hidden && key.dataset.kind !== 'other')"
+            '.map((key) => key.dataset.kind)'), ['ahead', 'first'])
+
+    def nothing_is_left(self):
+        self.assertEqual(self.browser.text('#understood') + self.browser.text('#answer') + self.browser.text('#notation'), '')
+        self.assertTrue(self.browser.evaluate("document.querySelector('#automaton').hidden"))
+        self.assertEqual(self.browser.evaluate("document.querySelectorAll('.route').length"), 0)
+
+    def test_what_is_refused_or_emptied_leaves_no_older_answer(self):
+        self.open()
+        self.say(DEMO)
+        self.assertEqual(self.browser.evaluate("document.querySelectorAll('.route.other').length"), 1)
+        self.say('purple monkey dishwasher')
+        self.nothing_is_left()
+        self.say('')
+        self.assertEqual(self.browser.text('#message'), '')
+        self.say(DEMO)
+        self.formula('')
+        self.browser.press('Backspace')
+        self.browser.wait("document.querySelector('#automaton').hidden")
+        self.nothing_is_left()
+
+    def test_words_that_no_part_of_the_formula_may_come_from_are_marked(self):
+        self.open()
+        self.say(DEMO)
+        self.browser.wait("!document.querySelector('#origin').hidden")
+        unread = self.browser.evaluate("[...document.querySelectorAll('.unread')].map((word) => word.textContent)")
+        for named in ('lamp', 'easel', 'blue', 'left.'):
+            self.assertNotIn(named, unread)
+
     def test_a_task_without_route_says_why(self):
         self.open()
         self.formula('F sofa & G !sofa')
@@ -186,6 +224,15 @@ class Page(unittest.TestCase):
         self.browser.click('#undo')
         self.browser.wait("document.querySelector('#agent').dataset.pose === '1,8,0'")
         self.wait_for_text('#verdict', 'open')
+        self.browser.click('#draw')  # drawing ends, and what was drawn stays
+        self.assertEqual(self.browser.evaluate("Number(document.querySelector('#step').max)"), 1)
+        self.assertIn('does not satisfy', self.browser.text('#answer'))
+        self.formula('F moved')
+        self.wait_for_text('#answer', 'The trajectory satisfies')
+        self.browser.click('#draw')
+        self.browser.click('#draw')
+        self.browser.click('#message button')
+        self.wait_for_text('#answer', 'certified')
 
     def test_tasks_without_end_have_a_lasso_and_one_can_be_drawn(self):
         self.open()
@@ -289,6 +336,14 @@ class Page(unittest.TestCase):
         self.say(DEMO)
         self.assertLessEqual(self.browser.evaluate('document.documentElement.scrollWidth'), 390)
         self.assertEqual(self.browser.evaluate('getComputedStyle(document.body).backgroundColor'), 'rgb(21, 24, 29)')
+        tops = [self.browser.evaluate(f"document.querySelector('{part}').getBoundingClientRect().top")
+                for part in ('#answer', '#world', '#meaning')]
+        self.assertEqual(tops, sorted(tops))
+        width = "document.querySelector('#paper svg').getBoundingClientRect().width"
+        before = self.browser.evaluate(width)
+        self.browser.click('#larger')
+        self.assertGreater(self.browser.evaluate(width), 1.3 * before)
+        self.browser.click('#smaller')
         self.picture('studio-phone')
 
     def test_the_page_is_painted_and_answers_at_once(self):

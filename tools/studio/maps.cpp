@@ -58,6 +58,7 @@ JsonObject json_of(const World& world) {
       .add("start", JsonArray().add(start.x).add(start.y).add(start.heading))
       .add("nodes", nodes_json(view))
       .add("propositions", json_of(map.vocabulary().names()))
+      .add("floors", json_of(map.floors()))
       .add("width", view.width())
       .add("height", view.height())
       .add("svg", drawing_of(view));

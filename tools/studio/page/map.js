@@ -42,6 +42,7 @@ export class MapView {
     element('path', { d: 'M0 -17 L12 12 L0 6 L-12 12 Z' }, this.agent);
     sheet.append(drawing(map.svg), this.over);
     this.paper.replaceChildren(sheet);
+    this.zoom(1);
   }
 
   node(x, y) { return this.nodes.get(`${x},${y}`); }
@@ -84,10 +85,12 @@ export class MapView {
 
   line(poses, kind, aside = 10) {
     if (poses.length < 2) return;
-    const points = poses.map((pose) => this.point(pose, aside).join(' '));
-    element('path', { class: `route ${kind}`, d: `M${points.join(' L')}` }, this.routes);
+    const d = `M${poses.map((pose) => this.point(pose, aside).join(' ')).join(' L')}`;
+    if (!kind.includes('done')) element('path', { class: 'casing', d }, this.routes);  // seen on any floor
+    element('path', { class: `route ${kind}`, d }, this.routes);
   }
 
+  // Returns the kinds of lines and marks that are drawn.
   // walk: {poses, cycle: actions that are repeated, other: poses of another reading, lost: index or null}
   draw(walk, step) {
     this.routes.replaceChildren();
@@ -104,6 +107,17 @@ export class MapView {
     if (cycle) this.mark(poses[loop], 'turning', 8);
     if (lost !== null) this.mark(poses[lost], 'lost', 22);
     this.place(poses[step]);
+    const kinds = { ahead: step < poses.length - 1, done: step > 0, cycle: cycle > 0, other, lost: lost !== null };
+    return new Set(['first', ...Object.keys(kinds).filter((kind) => kinds[kind])].filter(() => poses.length > 1));
+  }
+
+  // Larger than the page, the map is scrolled.
+  zoom(factor) {
+    const sheet = this.paper.firstElementChild;
+    this.scale = Math.max(1, Math.min(4, (this.scale ?? 1) * factor));
+    if (!sheet) return;
+    sheet.style.width = `${100 * this.scale}%`;
+    sheet.classList.toggle('large', this.scale > 1);
   }
 
   mark(pose, kind, r) {
@@ -111,8 +125,10 @@ export class MapView {
     element('circle', { class: kind, cx, cy, r }, this.marks);
   }
 
+  // Behind the middle of the place, so that what stands there is seen.
   place(pose) {
-    const [x, y] = this.point(pose);
+    const [dx, dy] = directions[pose[2]];
+    const [x, y] = this.point(pose, 15).map((at, i) => at - 24 * [dx, dy][i]);
     this.agent.style.transform = `translate(${x}px, ${y}px)`;
     const arrow = this.agent.firstChild;  // turns the short way round
     const turned = Number(arrow.dataset.turned ?? pose[2]);

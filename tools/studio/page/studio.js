@@ -2,6 +2,7 @@
 
 import { ask, ApiError } from './api.js';
 import { MapView, drawing, same } from './map.js';
+import { mark_unread, meaning_of, show_examples, show_legend, show_welcome } from './guide.js';
 import { show_origin } from './origin.js';
 import { in_words as solved_in_words, is_learner, learn, percent, poses_of } from './solver.js';
 
@@ -9,9 +10,10 @@ const $ = (id) => document.getElementById(id);
 const state = {
   map: null, start: null, instruction: '', formula: '', semantics: 'auto', infinite: false,
   answer: null, readings: [], other: null,
-  walk: null, steps: [], step: 0, automaton: null, hand: false, timer: null, turn: 0, solver: 'exact', slip: 0, solved: null,
+  walk: null, steps: [], step: 0, automaton: null, hand: false, drawn: false, timer: null, turn: 0, solver: 'exact', slip: 0, solved: null,
 };
 
+// hand: places that are clicked go on the trajectory. drawn: the walk is such a trajectory, finished or not.
 const view = new MapView($('paper'), take_node);
 const start_text = () => state.start.join();
 const semantics = () => (state.infinite ? 'infinite' : 'finite');
@@ -50,6 +52,7 @@ function show_map(map, start = null) {
   state.map = map;
   state.start = start && view_has(map, start) ? start : map.start;
   view.show(map);
+  show_examples(map, (text) => { $('instruction').value = text; run(); });
   if (![...$('map').options].some((option) => option.value === map.map))
     $('map').append(new Option(map.name || 'your map', map.map));
   $('map').value = map.map;
@@ -76,29 +79,44 @@ async function open_file(file) {
 
 // ── what is asked ───────────────────────────────────────────────────────────────────────────────────────────────
 
-function forget_answer() {
+// Nothing is asked, or what was asked has no answer: no older one stays. The texts that were typed do.
+function clear_answer() {
   Object.assign(state, { formula: '', instruction: '', readings: [], other: null, answer: null, automaton: null, solved: null });
-  $('instruction').value = $('formula').value = '';
   show_formula(null);
   show_origin(null);
   show_readings();
   show_question(null);
   show_automaton(null);
-  reset_walk();
-  for (const id of ['understood', 'answer', 'notation']) $(id).textContent = '';
+  if (state.drawn) Object.assign(state, { steps: [], check: null });
+  state.drawn ? draw() : reset_walk();
+  $('curve').hidden = true;
+  for (const id of ['understood', 'answer', 'notation', 'solved']) $(id).textContent = '';
+}
+
+function forget_answer() {
+  $('instruction').value = $('formula').value = '';
+  clear_answer();
+  show_welcome(true);
 }
 
 async function run(force = false) {
   const text = $('instruction').value.trim();
-  if (!text) return;
-  state.instruction = text;
+  if (!text) {
+    forget_answer();
+    say('');
+    return remember();
+  }
   set_hand(false);
+  show_question(null);
+  state.instruction = text;
+  state.drawn = false;
   await latest(async (current) => {
     say('…');
     const answer = await ask('run', {
       map: state.map.map, start: start_text(), instruction: text, semantics: state.semantics, force });
     if (!current()) return;
-    if (answer.status === 'not understood') return not_understood(answer);
+    if (answer.status === 'not understood') return not_understood(answer, text);
+    show_welcome(false);
     state.readings = answer.shown;
     state.infinite = answer.semantics === 'infinite';
     take_formula(answer.formula);
@@ -109,12 +127,14 @@ async function run(force = false) {
     say('');
     const words = await ask('words', {
       map: state.map.map, start: start_text(), instruction: text, attention: answer.shown[0].reader === 'routes' });
-    if (current()) show_origin(words);
+    if (!current()) return;
+    show_origin(words);
+    mark_unread(words);
   });
   remember();
 }
 
-function not_understood(answer) {
+function not_understood(answer, text) {
   const quoted = (words) => words.map((word) => `“${word}”`).join(', ');
   let why = '';
   if (answer.missing) {
@@ -123,10 +143,11 @@ function not_understood(answer) {
   } else if (answer.words.length) {
     why = `No command says ${quoted(answer.words)}.`;
   }
+  $('formula').value = '';
+  clear_answer();
+  show_welcome(true);
+  state.instruction = text;
   say(`I did not understand this. ${why}`, true, { text: 'Answer all the same', press: () => run(true) });
-  state.readings = [];
-  show_readings();
-  show_question(null);
 }
 
 function take_formula(formula) {
@@ -148,7 +169,8 @@ async function plan() {
     const written = await ask('formula', { map: state.map.map, formula: state.formula });
     if (!current()) return;
     show_formula(written);
-    if (state.hand) return show_automaton_and_walk(current);
+    show_welcome(false);
+    if (state.drawn) return show_automaton_and_walk(current);
     await show_answer(await ask('plan', task()), current);
     say('');
   });
@@ -221,7 +243,13 @@ function formula_typed() {
   clearTimeout(typing);
   typing = setTimeout(async () => {
     const text = $('formula').value.trim();
-    if (!text) return show_formula(null);
+    if (!text) {
+      ++state.turn;  // what is under way is about the formula that was there
+      delete document.body.dataset.busy;
+      clear_answer();
+      show_welcome(!state.drawn);
+      return remember();
+    }
     try {
       const written = await ask('formula', { map: state.map.map, formula: $('formula').value });
       if ($('formula').value.trim() !== text) return;
@@ -301,12 +329,12 @@ function show_check(check) {
   state.check = check;
   state.steps = check ? check.steps : [];
   if (check && state.walk) state.walk.lost = check.lost_at ? check.lost_at - 1 : null;  // letters are counted from 1
-  if (check && state.hand) {
+  if (check && state.drawn) {
     $('answer').textContent = state.infinite
       ? (check.decided ? verdict_of(check.satisfied) : 'The trajectory goes on: repeat its end for ever to decide.')
       : verdict_of(check.satisfied);
   }
-  if (check && state.hand && check.lost_at !== null && check.lost_at !== undefined)
+  if (check && state.drawn && check.lost_at !== null && check.lost_at !== undefined)
     $('answer').textContent += ` All is lost with letter ${check.lost_at}.`;
   draw();
 }
@@ -315,6 +343,7 @@ const verdict_of = (satisfied) => `The trajectory ${satisfied ? 'satisfies' : 'd
 
 function reset_walk() {
   stop();
+  state.drawn = state.hand;
   state.walk = state.hand ? { poses: [state.start], cycle: 0 } : null;
   state.steps = [];
   state.step = 0;
@@ -325,7 +354,7 @@ function draw() {
   const walk = state.walk ?? { poses: [state.start] };
   const last = walk.poses.length - 1;
   state.step = Math.min(state.step, last);
-  view.draw({ ...walk, other: state.hand ? null : state.other }, state.step);
+  show_legend(view.draw({ ...walk, other: state.drawn ? null : state.other }, state.step));
   $('start').textContent = `start ${start_text()}`;
   $('step').max = last;
   $('step').value = state.step;
@@ -349,6 +378,7 @@ function show_now() {
     const chip = document.createElement('span');
     chip.className = 'chip';
     chip.textContent = name;
+    chip.title = meaning_of(name, state.map.floors);
     return chip;
   });
   const others = step.letter.filter((name) => !read.has(name));
@@ -356,7 +386,8 @@ function show_now() {
   more.open = $('letter').querySelector('details')?.open ?? false;
   const summary = document.createElement('summary');
   summary.textContent = `${chips.length ? 'and ' : ''}${others.length} that the formula does not name`;
-  more.append(summary, others.join(', '));
+  const floors = step.letter.filter((name) => state.map.floors.includes(name)).map((name) => meaning_of(name, state.map.floors));
+  more.append(summary, others.join(', ') + (floors.length ? ` (${floors.join('; ')})` : ''));
   $('letter').replaceChildren(...chips, more);
   $('remains').textContent = step.unicode;
   const words = { satisfied: 'satisfied, if it ends here', lost: 'lost, whatever follows', open: 'open' };
@@ -407,8 +438,21 @@ function play() {
 function set_hand(on) {
   if (on === state.hand) return;
   state.hand = on;
+  $('undo').disabled = true;  // until it is drawn again
   $('draw').setAttribute('aria-pressed', String(on));
   $('draw').textContent = on ? 'Drawing: click places' : 'Draw a trajectory';
+}
+
+// The trajectory that was drawn stays when drawing ends, and is gone on with when it begins again.
+function toggle_hand() {
+  set_hand(!state.hand);
+  if (!state.hand && state.walk.poses.length > 1) {
+    draw();
+    return say('The trajectory stays.', false, { text: 'Show the route again', press: () => { reset_walk(); plan(); } });
+  }
+  if (state.hand && state.drawn) return check_hand();
+  reset_walk();
+  state.hand ? check_hand() : plan();
 }
 
 function take_node(node) {
@@ -545,8 +589,8 @@ function remember() {
   if (state.instruction) link.set('say', state.instruction);
   if (state.formula) link.set('formula', state.formula);
   if (state.semantics !== 'auto' || state.infinite) link.set('words', semantics());
-  if (state.hand) link.set('walk', state.walk.poses.map((pose) => pose.join('.')).join(' '));
-  if (state.hand && state.walk.cycle) link.set('cycle', state.walk.cycle);
+  if (state.drawn && state.walk) link.set('walk', state.walk.poses.map((pose) => pose.join('.')).join(' '));
+  if (state.drawn && state.walk?.cycle) link.set('cycle', state.walk.cycle);
   if (state.step) link.set('step', state.step);
   if (state.solver !== 'exact') {
     link.set('solver', state.solver);
@@ -578,6 +622,7 @@ async function recall(link) {
   }
   if (link.has('walk')) {
     set_hand(true);
+    state.drawn = true;
     state.walk = { poses: link.get('walk').split(' ').map((pose) => numbers(pose, '.')),
       cycle: Number(link.get('cycle') ?? 0) };
     await check_hand();
@@ -611,7 +656,9 @@ function listen() {
   $('next').addEventListener('click', () => { stop(); go_to(state.step + 1); });
   $('play').addEventListener('click', play);
   $('step').addEventListener('input', () => { stop(); go_to(Number($('step').value)); });
-  $('draw').addEventListener('click', () => { set_hand(!state.hand); reset_walk(); state.hand ? check_hand() : plan(); });
+  $('draw').addEventListener('click', toggle_hand);
+  $('larger').addEventListener('click', () => view.zoom(1.4));
+  $('smaller').addEventListener('click', () => view.zoom(1 / 1.4));
   $('undo').addEventListener('click', undo);
   $('loop').addEventListener('click', () => { state.walk.cycle = loop_length(); check_hand(); });
   $('paper').addEventListener('keydown', map_key);
@@ -634,6 +681,7 @@ function listen() {
 
 // Throws ApiError where the server refuses this page.
 async function begin() {
+  if (matchMedia('(max-width: 800px)').matches) view.zoom(2);  // labels are legible, the map is scrolled
   const { maps } = await ask('maps');
   $('map').append(...maps.map((name) => new Option(name, name)));
   listen();
