@@ -236,6 +236,9 @@ void Lexer::fail_on_character() const {
   const Span where{at_, character_end(text_, at_)};
   const std::string shown(text_.substr(at_, where.end - at_));
   if (is_digit(text_[at_])) fail(where, "expected a formula; numbers other than 0 and 1 must follow F<=, G<= or U<=");
+  if (text_[at_] == '[' && at_ > 0 && (text_[at_ - 1] == 'A' || text_[at_ - 1] == 'E'))
+    fail({at_ - 1, at_},
+         "A[…] and E[…] are operators of CTL, which is not read; a formula of LTL speaks of every path");
   if (text_[at_] == '[')
     fail(where, "'[' starts no part of a formula; bounds stand right behind F, G or U: F[0:3], G<=3, U[1:3], F[2:]");
   const auto stands = [&](std::string_view sign) { return text_.substr(at_, sign.size()) == sign; };

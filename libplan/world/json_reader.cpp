@@ -1,5 +1,6 @@
 #include "libplan/world/json_reader.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "libltl/text/foreign.hpp"
@@ -79,7 +80,12 @@ double JsonReader::number(const Value& value, const std::string& path) const {
 
 std::string JsonReader::string(const Value& value, const std::string& path) const {
   if (!value.is_string()) fail(path, "expected a text");
-  return value.get<std::string>();
+  const auto controls = [](char c) {
+    return (c >= 0 && c < ' ' && c != '\n' && c != '\t' && c != '\r') || c == '\x7F';
+  };
+  const auto& text = value.get_ref<const std::string&>();
+  if (std::any_of(text.begin(), text.end(), controls)) fail(path, "expected a text without control characters");
+  return text;
 }
 
 std::vector<std::string> JsonReader::strings(const Value& value, const std::string& path) const {

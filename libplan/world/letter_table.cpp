@@ -142,6 +142,7 @@ LetterTable::LetterTable(std::string_view heading, char delimiter, ltl::Vocabula
     if (!ltl::is_printable_name(name)) fail(line, "the name of a column has a control character: " + name);
     if (number_of(name)) fail(line, "expected the names of the columns, not '" + name + "'");
     wanted_.push_back(wanted.find(name).has_value());
+    compared_.push_back(conditions_.compares(name));
     propositions_.push_back(names.add(name));
     if (is_time(name) && !time_) time_ = i;
   }
@@ -171,6 +172,7 @@ ltl::Letter LetterTable::letter(const std::vector<std::string>& cells, std::size
       fail(number, "expected a truth value of " + columns_[i] + ", 1 or 0, true or false, not '" + cells[i] +
                        "' (values are compared in quotes: \"" + columns_[i] + " = " + cells[i] + "\")");
     if (!truth) no_truths_.try_emplace(columns_[i], NoTruth{cells[i], number});
+    if (!compared_[i]) continue;
     if (const auto condition = conditions_.insert(columns_[i], with_decimal_point(cells[i], delimiter_), out))
       fail(number, "'" + cells[i] + "' cannot be compared: \"" + *condition + '"');
   }

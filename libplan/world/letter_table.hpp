@@ -69,7 +69,7 @@ class LetterTable {
   char delimiter_;
   std::vector<std::string> columns_;
   std::vector<ltl::Proposition> propositions_;
-  std::vector<bool> wanted_;
+  std::vector<bool> wanted_, compared_;  // by column
   Conditions conditions_;
   NoTruths no_truths_;
   std::optional<std::size_t> time_;  // the column

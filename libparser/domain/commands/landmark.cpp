@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "libltl/printable_name.hpp"
 #include "libparser/domain/commands/file_text.hpp"
 #include "libplan/world/json_reader.hpp"
 
@@ -10,8 +11,13 @@ namespace {
 
 using Value = plan::JsonReader::Value;
 
+void check_name(const plan::JsonReader& in, const std::string& name, const std::string& path) {
+  if (name.empty()) in.fail(path, "the name of a proposition is empty");
+  if (!ltl::is_printable_name(name)) in.fail(path, "the name of a proposition has a control character: " + name);
+}
+
 Landmark landmark_of(const plan::JsonReader& in, std::string proposition, const Value& entry, const std::string& path) {
-  if (proposition.empty()) in.fail(path, "the name of a proposition is empty");
+  check_name(in, proposition, path);
   Landmark l{std::move(proposition), in.string_or(entry, path, "name", ""), {}, {}};
   if (const auto* names = in.find(entry, path, "other_names"))
     l.other_names = in.strings(*names, path + ".other_names");
@@ -51,7 +57,7 @@ std::vector<Landmark> read_propositions(const std::filesystem::path& file) {
   std::vector<Landmark> all;
   if (named_ones.is_array()) {  // names alone
     for (const std::string& name : in.strings(named_ones, "propositions")) {
-      if (name.empty()) in.fail("propositions", "the name of a proposition is empty");
+      check_name(in, name, "propositions");
       all.push_back(named({name, "", {}, {}}));
     }
     return all;
@@ -60,6 +66,7 @@ std::vector<Landmark> read_propositions(const std::filesystem::path& file) {
   for (const auto& [proposition, said] : named_ones.items()) {
     const std::string path = "propositions." + proposition;
     if (!said.is_string() && !said.is_object()) in.fail(path, "expected a description, or an object");
+    check_name(in, proposition, "propositions");
     const bool is_description = said.is_string();
     Landmark l = named(is_description ? Landmark{proposition, "", {}, {}} : landmark_of(in, proposition, said, path));
     const std::string description =

@@ -121,6 +121,7 @@ TEST(Dialect, WhatIsNotReadIsCalledByItsName) {
   } table[] = {
       {Dialect::Waymark, "AG p", "CTL"},
       {Dialect::Waymark, "A(p)", "CTL"},
+      {Dialect::Waymark, "E[p U q]", "CTL"},
       {Dialect::Nusmv, "EF (p & q)", "CTL"},
       {Dialect::Waymark, "p and q", "did you mean '&'?"},
       {Dialect::Waymark, "p --> q", "did you mean '->'?"},

@@ -77,6 +77,8 @@ TEST(Landmarks, WrongShapesNameKeyTypeAndLine) {
       {false, "{\"landmarks\": [{\"prop\": \"\"}]}", "the name of a proposition is empty", ":1:16"},
       {false, "{\"landmarks\": [{\"prop\": \"a\", \"other_names\": \"b\"}]}", "other_names: expected a list of texts",
        ":1:45"},
+      {true, "{\"propositions\": {\"a\\u0000b\": {}}}", "has a control character", ":1:"},
+      {false, "{\"landmarks\": [{\"prop\": \"\\u001b\"}]}", "expected a text without control characters", ":1:25"},
       {false, "{\"landmarks\": [1e999]}", "a number of the JSON text is out of range", ""},
   };
   for (const auto& row : table) {
