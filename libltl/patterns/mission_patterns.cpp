@@ -89,19 +89,21 @@ Formula successor_again(Places l, std::size_t i) {
 }
 
 // The visits of two places, counted along the word, never differ by more than one. An instant at both counts for both
-// and is passed over. Between visits of a alone (x) and of b alone (y), let xx be an x whose next visit is an x: the
-// balance is kept exactly when xx and yy alternate, each at most once in a row, and the first of them is not of the
-// kind of the first visit. [MTP+21] has l → X(¬l W l′) for the next place l′ of the list only: that refuses fair words,
-// such as (a b c)(b c a), and its own example (tests/libltl/patterns).
+// and is passed over. Visits of a alone (x) and of b alone (y) alternate, but for two of one kind in a row, after which
+// they alternate until two of the other kind stand in a row; so they do after the first visit.
+// [MTP+21] has l → X(¬l W l′) for the next place l′ of the list only: that refuses fair words, such as (a b c)(b c a),
+// and its own example (tests/libltl/patterns).
 void balance(std::vector<Formula>& all, Formula a, Formula b) {
-  const Formula x = conjunction(a, negate(b)), y = conjunction(b, negate(a));
-  const Formula none = negate(disjunction(x, y));
-  const auto doubled = [&](Formula visit) { return conjunction(visit, next(until(none, visit))); };
-  const Formula xx = doubled(x), yy = doubled(y);
-  all.push_back(always(implies(xx, weak_next(weak_until(negate(xx), yy)))));
-  all.push_back(always(implies(yy, weak_next(weak_until(negate(yy), xx)))));
-  all.push_back(implies(until(none, x), weak_until(negate(xx), yy)));
-  all.push_back(implies(until(none, y), weak_until(negate(yy), xx)));
+  const Formula x = conjunction(a, negate(b)), y = conjunction(b, negate(a)), none = iff(a, b);
+  // At a visit: the next one is of the other kind, until that kind has two in a row.
+  const auto alternating = [&](Formula visit, Formula other) {
+    const Formula turns = implies(visit, weak_next(weak_until(none, other)));
+    return conjunction(visit, weak_until(turns, conjunction(other, next(until(none, other)))));
+  };
+  const Formula from_x = alternating(x, y), from_y = alternating(y, x);
+  all.push_back(always(implies(x, weak_next(weak_until(none, disjunction(y, from_x))))));
+  all.push_back(always(implies(y, weak_next(weak_until(none, disjunction(x, from_y))))));
+  all.push_back(weak_until(none, disjunction(from_x, from_y)));
 }
 
 Formula balanced(Places l) {
