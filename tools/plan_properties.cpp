@@ -50,7 +50,8 @@ class Properties {
       if (session_.stop.stop_requested()) throw Interrupted();
       return {ExitCode::GaveUp, out.str()};
     }
-    return {found.agrees.value_or(found.verdict.value_or(true)) ? ExitCode::Done : ExitCode::No, out.str()};
+    const bool yes = found.verdict.value_or(!is_infeasible(property, found));
+    return {found.agrees.value_or(yes) ? ExitCode::Done : ExitCode::No, out.str()};
   }
 
  private:
@@ -72,7 +73,7 @@ class Properties {
     }
     if (property.result && is_curve(property))
       out.agrees = plan::agrees(*property.result, out.curve);
-    else if (property.result)
+    else if (property.result && !is_infeasible(property, out))
       out.agrees = plan::agrees(*property.result, out.answer.value.middle(), out.verdict,
                                 out.range ? std::optional(out.range->middle()) : std::nullopt);
     return out;
@@ -84,11 +85,13 @@ class Properties {
 
   static JsonObject json(const PrismProperty& property, const Answered& found) {
     const bool valued = found.answer.status != CaseAnswer::Status::Exhausted;
-    const bool one = valued && !is_curve(property) && found.answer.status == CaseAnswer::Status::Solved;
+    const bool met = !is_infeasible(property, found), one = valued && met && !is_curve(property);
     const auto number = [&](double value) { return one ? Json(value) : Json(); };
     const auto maybe = [](const std::optional<bool>& b) { return b ? Json(*b) : Json(); };
     JsonObject out = begun(property);
-    out.add("status", valued ? "solved" : "exhausted")
+    out.add("status", !valued ? "exhausted"
+                      : met   ? "solved"
+                              : "infeasible")
         .add("query", plan::name(property.task.query))
         .add("formula", property.task.formula.empty() ? Json() : Json(property.task.formula))
         .add("value", number(found.answer.value.middle()))
@@ -98,7 +101,7 @@ class Properties {
         .add("verdict", maybe(found.verdict))
         .add("agrees", maybe(found.agrees));
     if (property.ask == PrismProperty::Ask::Multi) out.add("points", points(property, found.curve));
-    if (!valued) out.add("reason", found.answer.reason);
+    if (!valued || !met) out.add("reason", found.answer.reason);
     return out;
   }
 
@@ -116,8 +119,7 @@ class Properties {
       for (const plan::ParetoPoint& point : found.curve)
         out << (&point == found.curve.data() ? "" : "  ") << text(point);
       if (found.curve.empty()) out << "no strategy has finite rewards";
-    } else if (found.answer.status == CaseAnswer::Status::Infeasible && !found.answer.reason.empty() &&
-               !found.curve.empty()) {
+    } else if (is_infeasible(property, found)) {
       out << "infeasible: " << found.answer.reason;
     } else if (!property.is_truth() || !property.comparison.empty()) {  // there is a number
       if (property.is_truth()) out << ": ";
@@ -135,6 +137,10 @@ class Properties {
     out << '\n';
   }
 
+  // No strategy meets the bounds of several objectives. Of one, 0 and infinite are values like others.
+  static bool is_infeasible(const PrismProperty& p, const plan::PropertyAnswer& found) {
+    return p.ask == PrismProperty::Ask::Multi && found.answer.status == CaseAnswer::Status::Infeasible;
+  }
   // Both objectives are asked for.
   static bool is_curve(const PrismProperty& p) {
     return p.ask == PrismProperty::Ask::Multi && p.nested.size() == 2 && p.nested[0].comparison.empty() &&

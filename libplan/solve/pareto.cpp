@@ -260,10 +260,18 @@ std::optional<Pareto> pareto(const Mdp& model, const std::vector<Objective>& obj
   if (objectives.empty() || objectives.size() > 2) throw std::invalid_argument("one objective or two");
   const auto product = pareto_product(model, objectives, {.states = 10'000'000, .stop = stop});
   if (!product) return std::nullopt;
-  const EndingQuotient quotient = ending_quotient(*product);
+  return pareto(*product, objectives, precision, stop);
+}
+
+std::optional<Pareto> pareto(const ParetoProduct& product, const std::vector<Objective>& objectives, double precision,
+                             const std::stop_token& stop) {
+  for (std::size_t i = 0; i < objectives.size(); ++i)
+    if (earns_for_ever(product, objectives, i))
+      throw std::invalid_argument("a reward that is to be great may be infinite");
+  const EndingQuotient quotient = ending_quotient(product);
   if (quotient.choices[quotient.start].empty()) return Pareto{};
   try {
-    return WeightedSolver(*product, quotient, objectives, precision, stop).solve();
+    return WeightedSolver(product, quotient, objectives, precision, stop).solve();
   } catch (const Stopped&) {
     return std::nullopt;
   }

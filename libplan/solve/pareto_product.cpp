@@ -173,16 +173,16 @@ void keep_what_ends(EndingQuotient& quotient) {
 
 std::optional<ParetoProduct> pareto_product(const Mdp& model, const std::vector<Objective>& objectives,
                                             const ltl::Limits& limits) {
-  std::optional<ParetoProduct> out = ParetoBuilder(model, objectives, limits).build();
-  if (!out) return out;
-  const EndComponents components = end_components_of(out->mdp);
-  for (std::uint32_t s = 0; s < out->mdp.states(); ++s)
-    for (std::uint32_t k = 0; k < out->mdp.choices(s); ++k)
-      for (std::size_t i = 0; i < objectives.size(); ++i)
-        if (objectives[i].costs != nullptr && out->rewards[i][out->first[s] + k] > 0 &&
-            !leaves(out->mdp, s, k, components))
-          throw std::invalid_argument("a reward that is to be great may be infinite");
-  return out;
+  return ParetoBuilder(model, objectives, limits).build();
+}
+
+bool earns_for_ever(const ParetoProduct& product, const std::vector<Objective>& objectives, std::size_t objective) {
+  if (objectives[objective].costs == nullptr || !objectives[objective].greatest) return false;
+  const EndComponents components = end_components_of(product.mdp);
+  for (std::uint32_t s = 0; s < product.mdp.states(); ++s)
+    for (std::uint32_t k = 0; k < product.mdp.choices(s); ++k)
+      if (product.rewards[objective][product.first[s] + k] > 0 && !leaves(product.mdp, s, k, components)) return true;
+  return false;
 }
 
 EndingQuotient ending_quotient(const ParetoProduct& product) {

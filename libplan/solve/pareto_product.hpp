@@ -22,9 +22,16 @@ struct ParetoProduct {
   std::vector<bool> complemented;            // by objective: the reward is −P(¬φ)
 };
 
-// Throws as pareto. nullopt: stopped.
+// Throws as pareto, but for costs that may be infinite. nullopt: stopped.
 std::optional<ParetoProduct> pareto_product(const Mdp& model, const std::vector<Objective>& objectives,
                                             const ltl::Limits& limits);
+
+// May a run earn the objective, a cost that is to be great, for ever?
+bool earns_for_ever(const ParetoProduct& product, const std::vector<Objective>& objectives, std::size_t objective);
+
+// As pareto of a model, which the product is of.
+std::optional<Pareto> pareto(const ParetoProduct& product, const std::vector<Objective>& objectives, double precision,
+                             const std::stop_token& stop);
 
 // End components whose choices earn nothing are one state, which may end. Only states from which a strategy ends almost
 // surely are kept, and only choices that stay among them.

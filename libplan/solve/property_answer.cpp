@@ -10,6 +10,7 @@
 #include "libplan/solve/discounted_cost.hpp"
 #include "libplan/solve/finite_horizon.hpp"
 #include "libplan/solve/long_run.hpp"
+#include "libplan/solve/several_objectives.hpp"
 #include "libplan/solve/state_model.hpp"
 
 namespace waymark::plan {
@@ -205,45 +206,21 @@ class Solver {
     return p.task.query == CaseTask::Query::MaxProbability || p.task.query == CaseTask::Query::MaxCost;
   }
 
-  // The vertices; of one objective under a bound on the other, where the segments between them meet the bound.
+  // The vertices; of one objective under a bound on the other, the value.
   void several(const PrismProperty& p, PropertyAnswer& out) const {
-    std::vector<Objective> objectives;
+    std::vector<BoundedObjective> objectives;
     for (const PrismProperty& o : p.nested)
-      objectives.push_back({o.task.formula, o.about_rewards ? &mdp(o) : nullptr, is_greatest(o)});
-    const double precision = std::max(options_.tolerance, 1e-9);
-    auto found = pareto(mdp(p), objectives, precision, options_.stop);
+      objectives.push_back({{o.task.formula, o.about_rewards ? &mdp(o) : nullptr, is_greatest(o)},
+                            o.comparison.empty() ? std::nullopt : std::optional(o.bound)});
+    auto found = several_objectives(mdp(p), objectives, std::max(options_.tolerance, 1e-9), options_.stop);
     if (!found) throw NoAnswer{"stopped"};
-    out.curve = std::move(found->points);
-    std::vector<const PrismProperty*> bounded, asked;
-    for (const PrismProperty& o : p.nested) (o.comparison.empty() ? asked : bounded).push_back(&o);
-    const auto index = [&](const PrismProperty* o) { return static_cast<std::size_t>(o - p.nested.data()); };
-    out.answer = solved(0);
-    if (asked.size() == 2) return;
-    // Lay the objective that is looked for first; both are to be great.
-    const PrismProperty* const wanted = asked.empty() ? bounded.back() : asked[0];
-    const std::size_t x = index(wanted), y = 1 - x;
-    const auto oriented = [&](std::size_t i, double v) { return is_greatest(p.nested[i]) ? v : -v; };
-    const auto value = [&](const ParetoPoint& point, std::size_t i) { return oriented(i, point.values[i]); };
-    const bool alone = p.nested.size() == 1;
-    constexpr double rounding = 1e-9;
-    const double bound = alone ? -INFINITY : oriented(y, p.nested[y].bound);
-    double best = -INFINITY;
-    for (const ParetoPoint& a : out.curve)
-      for (const ParetoPoint& b : out.curve) {
-        if (alone || value(a, y) >= bound - rounding) best = std::max(best, value(a, x));
-        if (alone || value(a, y) >= bound || value(b, y) < bound) continue;
-        const double share = (bound - value(a, y)) / (value(b, y) - value(a, y));
-        best = std::max(best, value(a, x) + share * (value(b, x) - value(a, x)));
-      }
-    if (asked.empty()) {
-      out.verdict = best >= oriented(x, wanted->bound) - rounding;
-      out.answer.value = *out.verdict ? Bounds{1, 1} : Bounds{0, 0};
-    } else if (best == -INFINITY) {
-      out.answer.status = Status::Infeasible;
-      out.answer.reason = "no strategy meets the bound";
-    } else {
-      out.answer.value = {oriented(x, best), oriented(x, best)};
-    }
+    out.curve = std::move(found->curve);
+    out.answer = solved(found->value);
+    using Kind = SeveralAnswer::Kind;
+    if (found->kind == Kind::Truth) out.verdict = found->value != 0;
+    if (found->kind != Kind::Infeasible) return;
+    out.answer.status = Status::Infeasible;
+    out.answer.reason = "no strategy meets the bound";
   }
 
   // ---- filters
