@@ -7,6 +7,9 @@
 
 #include "libltl/diagnostic.hpp"
 #include "libplan/model/formats/path_formula.hpp"
+#include "libplan/model/formats/result_comment.hpp"
+#include "libplan/model/formats/unanswered.hpp"
+#include "libplan/model/prism/default_labels.hpp"
 
 namespace waymark::plan {
 namespace {
@@ -30,7 +33,8 @@ class PropertiesReader {
         labels_(program_.labels) {}
 
   std::vector<PrismProperty> read() {
-    define_start();
+    define_labels_of_every_model(program_, expressions_);
+    for (const PrismProgram::Label& l : program_.labels) names_.erase(l.name);
     expressions_.speak_of(in_);
     expressions_.read_queries([this] { return query_inside(); });
     while (in_.peek().kind != PrismToken::Kind::End) item();
@@ -42,22 +46,6 @@ class PropertiesReader {
   }
 
  private:
-  // The label "init", which every model has.
-  void define_start() {
-    for (const PrismProgram::Label& l : program_.labels)
-      if (l.name == "init") return;
-    std::string text;
-    for (const PrismProgram::Variable& v : program_.variables) {
-      const bool truth = v.type == Type::Bool;
-      const auto value = static_cast<std::int64_t>(v.first);
-      text +=
-          (text.empty() ? "" : "&") + v.name + '=' + (truth ? (value != 0 ? "true" : "false") : std::to_string(value));
-    }
-    PrismTokens tokens(text, "");
-    const PrismToken name{PrismToken::Kind::String, "init", {}};
-    expressions_.define_label(name, program_.start ? *program_.start : expressions_.parse(tokens));
-  }
-
   void item() {
     if (in_.accept(";")) return;
     if (in_.accept("const")) return read_prism_constant(in_, expressions_, constants_, program_.given);
@@ -65,6 +53,7 @@ class PropertiesReader {
       const PrismToken name = in_.next();
       if (name.kind != PrismToken::Kind::String) in_.fail(name.where, "expected the name of a label in quotes");
       in_.expect("=");
+      names_.erase(std::string(name.text));
       expressions_.define_label(name, expressions_.parse(in_));
       in_.expect(";");
       return;
@@ -81,7 +70,7 @@ class PropertiesReader {
   void property() {
     const std::size_t begin = in_.peek().where.begin;
     PrismProperty out;
-    out.result = result(std::string_view(text_).substr(from_, begin - from_));
+    out.result = result_before(std::string_view(text_).substr(from_, begin - from_), constants_);
     in_property_ = true;
     try {
       if (in_.peek().kind == PrismToken::Kind::String && in_.is(":", 1)) in_.next(), in_.next();
@@ -103,7 +92,7 @@ class PropertiesReader {
         previous = end = in_.next().where.end;
       }
     }
-    if (!out.fault.empty()) inside_.clear();
+    if (!out.fault.empty()) inside_.clear(), old_filter_.reset();
     out.text = text_.substr(begin, std::max(end, begin) - begin);
     from_ = std::max(end, begin);
     out_.push_back(std::move(out));
@@ -113,10 +102,13 @@ class PropertiesReader {
   PrismProperty state_formula() {
     const std::vector<PrismProperty> outside = std::exchange(inside_, {});
     const Id e = expressions_.parse(in_);
+    last_ = expressions_.where(e).end;
     PrismProperty out;
     if (expressions_.op(e) == Op::Query && inside_.size() == 1) {
       out = std::move(inside_[0]);
     } else {
+      if (!std::all_of(inside_.begin(), inside_.end(), [](const PrismProperty& p) { return p.is_truth(); }))
+        throw std::invalid_argument("arithmetic over operators");
       expressions_.expect_type(e, Type::Bool);
       out.ask = PrismProperty::Ask::States;
       out.task.formula = formula(e);
@@ -134,6 +126,7 @@ class PropertiesReader {
 
   // An operator among the parts of an expression: it joins `inside_`.
   std::optional<Id> query_inside() {
+    if (in_property_) refuse_unanswered(in_, names_);
     if (!in_property_ || !at_operator()) return std::nullopt;
     const std::size_t begin = in_.peek().where.begin;
     std::vector<PrismProperty> outside = std::exchange(inside_, {});
@@ -142,6 +135,13 @@ class PropertiesReader {
     const ltl::Span where{begin, last_};
     out.text = std::string(text_.substr(begin, last_ - begin));
     if (out.ask != PrismProperty::Ask::Filter && out.ask != PrismProperty::Ask::Multi) out.nested = std::move(inside_);
+    if (old_filter_) {
+      PrismProperty of = *std::exchange(old_filter_, std::nullopt);
+      if (of.summary != "state" && out.is_truth()) throw std::invalid_argument("a filter {min} of truth values");
+      of.text = out.text;
+      of.nested.insert(of.nested.begin(), std::move(out));
+      out = std::move(of);
+    }
     const bool truth = !out.comparison.empty() || out.is_truth();
     inside_ = std::move(outside);
     inside_.push_back(std::move(out));
@@ -157,6 +157,7 @@ class PropertiesReader {
       PrismProperty& objective = out.nested.emplace_back();
       const std::size_t begin = in_.peek().where.begin;
       question(objective);
+      if (old_filter_) throw std::invalid_argument("a filter inside of an objective");
       objective.text = std::string(text_.substr(begin, last_ - begin));
       if (objective.budget) throw std::invalid_argument("an objective with a budget");
       if (!inside_.empty()) throw std::invalid_argument("an operator inside of an objective");
@@ -234,10 +235,30 @@ class PropertiesReader {
       expressions_.expect_type(path, Type::Bool);
       out.task.formula = spends(path, out) ? budgeted(path) : formula(path);
     }
+    if (in_.is("{")) old_filter();
     last_ = in_.expect("]").where.end;
     out.task.query = query(probability, optimum, out.comparison);
     if (!probability && out.rewards.empty() && !program_.rewards.empty()) out.rewards = program_.rewards[0].name;
     if (!probability && !known(out.rewards)) throw std::invalid_argument("there are no rewards of this name");
+  }
+
+  // P=? [ φ {states} ], with {min} or {max} or both behind it: filter(state, …), filter(min, …), …
+  void old_filter() {
+    in_.expect("{");
+    PrismProperty of;
+    of.ask = PrismProperty::Ask::Filter;
+    of.summary = "state";
+    of.nested.push_back(state_formula());
+    in_.expect("}");
+    while (in_.accept("{")) {
+      const bool most = in_.is("max");
+      if (!most && !in_.is("min")) in_.fail("expected min or max");
+      in_.next();
+      of.summary = of.summary == "state" ? (most ? "max" : "min") : "range";
+      in_.expect("}");
+    }
+    if (!of.nested[0].is_truth()) throw std::invalid_argument("the states of a filter are a condition");
+    old_filter_ = std::move(of);
   }
 
   // F{"r"}<=B φ and φ U{"r"}<=B ψ, alone.
@@ -330,35 +351,6 @@ class PropertiesReader {
                        [&](const PrismProgram::Rewards& r) { return r.name == structure; });
   }
 
-  // "RESULT: value", "RESULT (N=2,K=4): value": the first that is about these constants.
-  std::optional<std::string> result(std::string_view comments) const {
-    constexpr std::string_view word = "RESULT";
-    for (std::size_t at = comments.find(word); at != std::string_view::npos; at = comments.find(word, at + 1)) {
-      const std::string_view line = comments.substr(at + word.size(), comments.find('\n', at) - at - word.size());
-      const std::size_t colon = line.find(':');
-      if (colon == std::string_view::npos || !about(line.substr(0, colon))) continue;
-      std::string value(line.substr(colon + 1));
-      value.erase(0, value.find_first_not_of(" \t"));
-      value.erase(value.find_last_not_of(" \t\r") + 1);
-      return value;
-    }
-    return std::nullopt;
-  }
-
-  bool about(std::string_view text) const {  // "(N=2, K=4)", or nothing
-    std::string rest;
-    for (const char c : text)
-      if (std::string_view(" \t()").find(c) == std::string_view::npos) rest += c;
-    while (!rest.empty()) {
-      const std::size_t end = std::min(rest.find(','), rest.size()), equals = rest.find('=');
-      if (equals >= end) return false;
-      const auto given = constants_.find(rest.substr(0, equals));
-      if (given != constants_.end() && given->second != rest.substr(equals + 1, end - equals - 1)) return false;
-      rest.erase(0, end + 1);
-    }
-    return true;
-  }
-
   void give_model(PrismProperty& p) {
     p.model = model(p.rewards, p.instantaneous);
     for (PrismProperty& inside : p.nested) give_model(inside);
@@ -386,6 +378,8 @@ class PropertiesReader {
   std::vector<PrismProperty> inside_;        // of what is read now, in the order of the text
   std::vector<PrismProperty> out_;
   std::map<std::pair<std::string, bool>, std::shared_ptr<const PlanningCase>> models_;  // by structure
+  PropertyNames names_ = property_names(in_);
+  std::optional<PrismProperty> old_filter_;  // of the operator that is read
   bool in_property_ = false;
   std::size_t from_ = 0, last_ = 0;  // where the last property ended
 };

@@ -15,7 +15,35 @@ std::optional<double> number(std::string_view text) {
   return out;
 }
 
+bool is_about(std::string_view text, const PrismConstants& constants) {  // "(N=2, K=4)", or nothing
+  std::string rest;
+  for (const char c : text)
+    if (std::string_view(" \t()").find(c) == std::string_view::npos) rest += c;
+  while (!rest.empty()) {
+    const std::size_t end = std::min(rest.find(','), rest.size()), equals = rest.find('=');
+    if (equals >= end) return false;
+    const auto given = constants.find(rest.substr(0, equals));
+    if (given != constants.end() && given->second != rest.substr(equals + 1, end - equals - 1)) return false;
+    rest.erase(0, end + 1);
+  }
+  return true;
+}
+
 }  // namespace
+
+std::optional<std::string> result_before(std::string_view comments, const PrismConstants& constants) {
+  constexpr std::string_view word = "RESULT";
+  for (std::size_t at = comments.find(word); at != std::string_view::npos; at = comments.find(word, at + 1)) {
+    const std::string_view line = comments.substr(at + word.size(), comments.find('\n', at) - at - word.size());
+    const std::size_t colon = line.find(':');
+    if (colon == std::string_view::npos || !is_about(line.substr(0, colon), constants)) continue;
+    std::string value(line.substr(colon + 1));
+    value.erase(0, value.find_first_not_of(" \t"));
+    value.erase(value.find_last_not_of(" \t\r") + 1);
+    return value;
+  }
+  return std::nullopt;
+}
 
 std::optional<bool> agrees(const std::string& result, double value, std::optional<bool> verdict,
                            std::optional<double> range) {

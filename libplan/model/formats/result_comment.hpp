@@ -2,8 +2,15 @@
 #pragma once
 #include <optional>
 #include <string>
+#include <string_view>
+
+#include "libplan/model/prism/prism_program.hpp"
 
 namespace waymark::plan {
+
+// "RESULT: value" or "RESULT (N=2,K=4): value" among the comments before a property: the value of the first that is
+// about these constants.
+std::optional<std::string> result_before(std::string_view comments, const PrismConstants& constants);
 
 // Does the comment say that the property is an error? "Error:range" says which, and is taken for any.
 inline bool expects_error(const std::string& result) { return result.starts_with("Error"); }

@@ -18,7 +18,6 @@ class ProgramReader {
       : in_(in), expressions_(expressions), constants_(constants) {}
 
   PrismProgram read() {
-    kind();
     while (in_.peek().kind != PrismToken::Kind::End) item();
     for (const Renaming& renaming : renamings_) rename(renaming);
     if (out_.modules.empty()) in_.fail("expected a module with variables");
@@ -36,16 +35,25 @@ class ProgramReader {
 
   // ---- syntax
 
-  void kind() {
-    if (in_.accept("mdp") || in_.accept("nondeterministic")) return;
-    for (const char* first : {"module", "const", "formula", "global", "label", "rewards", "init"})
-      if (in_.is(first)) return;  // a model of no kind is a decision process
-    if (!in_.accept("dtmc") && !in_.accept("probabilistic"))
-      in_.fail("expected 'mdp' or 'dtmc': models of these kinds are read");
-    out_.is_mdp = false;
+  // The word may stand anywhere among the items, once. A model of no kind is a decision process.
+  bool kind() {
+    static constexpr std::string_view others[] = {"ctmc", "stochastic", "pta", "popta", "pomdp", "smg",
+                                                  "csg",  "tsg",        "lts", "imdp",  "idtmc"};
+    const bool is_mdp = in_.is("mdp") || in_.is("nondeterministic");
+    if (!is_mdp && !in_.is("dtmc") && !in_.is("probabilistic")) {
+      for (const std::string_view other : others)
+        if (in_.is(other)) in_.fail("models of the kind " + std::string(other) + " are not read: mdp and dtmc are");
+      return false;
+    }
+    if (has_kind_) in_.fail("a second kind of model");
+    in_.next();
+    has_kind_ = true;
+    out_.is_mdp = is_mdp;
+    return true;
   }
 
   void item() {
+    if (kind()) return;
     if (in_.accept("const")) {
       read_prism_constant(in_, expressions_, constants_, out_.given);
     } else if (in_.accept("formula")) {
@@ -62,6 +70,12 @@ class ProgramReader {
       in_.next();
       out_.start = expressions_.parse(in_);
       in_.expect("endinit");
+    } else if (in_.is("system")) {
+      in_.fail("system … endsystem is not read: modules run side by side and meet in their actions");
+    } else if (in_.is("observables") || in_.is("observable")) {
+      in_.fail("observables are not read: strategies see the state");
+    } else if (in_.is("player")) {
+      in_.fail("players of a game are not read: mdp and dtmc are");
     } else {
       in_.fail("expected a constant, formula, module, label or rewards: what is read is docs/formats/prism.md");
     }
@@ -97,6 +111,7 @@ class ProgramReader {
     out_.modules.push_back({std::string(name.text), {}});
     if (in_.accept("=")) return renaming(at);
     while (!in_.accept("endmodule")) {
+      if (in_.is("invariant")) in_.fail("an invariant is not read: mdp and dtmc have no clocks");
       if (in_.is("["))
         out_.modules[at].commands.push_back(command());
       else
@@ -127,6 +142,8 @@ class ProgramReader {
     if (in_.accept("bool")) {
       out.type = Type::Bool;
     } else {
+      if (in_.is("int")) in_.fail("an unbounded integer is not read: give its range, such as [0..9]");
+      if (in_.is("clock")) in_.fail("a clock is not read: mdp and dtmc have none");
       in_.expect("[");
       out.least = expressions_.parse(in_);
       in_.expect("..");
@@ -170,6 +187,7 @@ class ProgramReader {
   PrismProgram::Update update() {
     PrismProgram::Update out;
     if (!at_assignments()) {
+      if (in_.is("[")) in_.fail("an interval of probabilities is not read: a number is");
       out.probability = expressions_.parse(in_);
       in_.expect(":");
     }
@@ -303,6 +321,7 @@ class ProgramReader {
   PrismExpressions& expressions_;
   const PrismConstants& constants_;
   PrismProgram out_;
+  bool has_kind_ = false;
   std::vector<Renaming> renamings_;
 };
 

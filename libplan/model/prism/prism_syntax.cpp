@@ -75,6 +75,8 @@ PrismExpressions::Id PrismExpressions::parse_level(PrismTokens& in, std::size_t 
     });
     if (found == operators.end()) return left;
     in.next();
+    if (found->op == Op::Or && in.is("|"))
+      in.fail("|| is not read: 'or' is written |, and conditional probabilities are not answered");
     const Id right = parse_level(in, found->level + 1);
     const ltl::Span both{where(left).begin, where(right).end};
     if (found->op == chained && (chained == Op::Or || chained == Op::And || chained == Op::Plus)) {

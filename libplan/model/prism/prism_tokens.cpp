@@ -53,7 +53,7 @@ std::vector<PrismToken> prism_tokens(std::string_view text, std::string_view sou
       std::size_t end = at;
       while (end < text.size() && (is_letter(text[end]) || is_digit(text[end]))) ++end;
       add(Kind::Name, end);
-    } else if (is_digit(c)) {
+    } else if (is_digit(c) || (c == '.' && at + 1 < text.size() && is_digit(text[at + 1]))) {  // .5 is 0.5
       add(Kind::Number, end_of_number(text, at));
     } else if (c == '"') {
       const std::size_t end = text.find('"', at + 1);

@@ -21,7 +21,16 @@ TEST(PrismLanguage, SaysWhatIsWrongAndWhere) {
   const struct {
     std::string text, message;
   } rows[] = {
-      {"ctmc", "1:1: expected 'mdp' or 'dtmc': models of these kinds are read"},
+      {"ctmc", "1:1: models of the kind ctmc are not read: mdp and dtmc are"},
+      {"mdp module m x : int; endmodule", "1:18: an unbounded integer is not read: give its range, such as [0..9]"},
+      {"mdp module m x : clock; endmodule", "1:18: a clock is not read: mdp and dtmc have none"},
+      {"mdp module m x : [0..1]; [] true -> [0.1,0.2]:(x'=1); endmodule",
+       "1:37: an interval of probabilities is not read: a number is"},
+      {"mdp system m endsystem",
+       "1:5: system … endsystem is not read: modules run side by side and meet in their actions"},
+      {"mdp const int k = 1; dtmc", "1:22: a second kind of model"},
+      {"mdp module m x : [0..1]; [] x=0 || x=1 -> true; endmodule",
+       "1:34: || is not read: 'or' is written |, and conditional probabilities are not answered"},
       {"mdp\n", "2:1: expected a module with variables"},
       {"mdp module m x : [0..1] endmodule", "1:25: expected ';'"},
       {"mdp module m x : [1..0]; endmodule", "1:14: the range of this variable is empty"},
