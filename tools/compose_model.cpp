@@ -1,8 +1,10 @@
 #include "tools/compose_model.hpp"
 
+#include <filesystem>
 #include <ostream>
 #include <sstream>
 #include <stdexcept>
+#include <utility>
 #include <variant>
 
 #include "libautomata/translation/ltl_to_parity.hpp"
@@ -74,8 +76,15 @@ void print_dot(const StateLabelled& model, std::ostream& out) {
   out << "}\n";
 }
 
+// Models in two formats keep their labels in files of one name.
+void keep_labels_of(const std::string& other, const std::string& prefix) {
+  if (std::filesystem::exists(other))
+    throw UsageError(other + " is a model whose labels are in " + prefix + ".lab: give another prefix by --out");
+}
+
 void write_explicit(const StateLabelled& model, const std::string& prefix) {
   if (prefix.empty()) throw UsageError("--format explicit is several files: give their prefix by --out");
+  keep_labels_of(prefix + ".gr", prefix);
   const plan::PrismExplicit files = plan::write_prism_explicit(model);
   write_file(prefix + ".tra", files.transitions);
   write_file(prefix + ".sta", files.states);
@@ -85,6 +94,7 @@ void write_explicit(const StateLabelled& model, const std::string& prefix) {
 
 void write_roads(const StateLabelled& model, const std::string& prefix) {
   if (prefix.empty()) throw UsageError("--format dimacs is two files: give their prefix by --out");
+  keep_labels_of(prefix + ".tra", prefix);
   std::ostringstream roads, labels;
   try {
     plan::write_dimacs(roads, labels, model);

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "libparser/corpus/corpus_file.hpp"
 #include "libparser/corpus/corpus_output.hpp"
 #include "libparser/language/generate.hpp"
 #include "tools/shell/data_directory.hpp"
@@ -58,10 +59,11 @@ ExitCode generate_corpus(const GenerateCorpusOptions& options) {
     return ExitCode::Done;
   }
   const std::filesystem::path folder = options.out;
+  std::vector<std::string> texts;  // read first: a map may be one of those that are removed
+  for (const std::string& map : options.maps) texts.push_back(read_file(map_file(map, options.data).string()));
   make_directory(options.maps.empty() ? folder : folder / "maps");
-  for (std::size_t m = 0; m < options.maps.size(); ++m)
-    write_file(folder / "maps" / (maps[m].name() + ".json"),
-               read_file(map_file(options.maps[m], options.data).string()));
+  for (const std::filesystem::path& older : parser::map_files(folder)) remove_file(older);  // they would be read, too
+  for (std::size_t m = 0; m < texts.size(); ++m) write_file(folder / "maps" / (maps[m].name() + ".json"), texts[m]);
   write_file(folder / "pairs.tsv", parser::pairs_text(corpus));
   write_file(folder / "instructions.jsonl", parser::json_lines(corpus));
   std::cout << options.out << ": " << corpus.paragraphs.size() << " paragraphs, " << corpus.sentences()

@@ -28,6 +28,12 @@ void check_takes_bytes(const std::filesystem::path& device) {
 
 }  // namespace
 
+void remove_file(const std::filesystem::path& path) {
+  std::error_code error;
+  std::filesystem::remove(path, error);
+  if (error) throw ltl::FormatError(path.string(), 0, 0, "cannot be removed: " + error.message());
+}
+
 void make_directory(const std::filesystem::path& path) {
   std::error_code error;
   std::filesystem::create_directories(path, error);

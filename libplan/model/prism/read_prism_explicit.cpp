@@ -8,6 +8,7 @@
 #include <istream>
 #include <map>
 #include <memory>
+#include <set>
 #include <sstream>
 #include <stdexcept>
 #include <string_view>
@@ -128,37 +129,73 @@ class ExplicitReader {
     ExplicitLines in = lines(files_.states, ".sta");
     if (!in.next()) in.fail("expected the names of the variables, such as (x,y)");
     names_.resize(states_);
+    std::set<std::uint32_t> named;
     while (in.next()) {
       const std::uint32_t state = in.index_below(states_, "state");
       in.expect(':');
       in.expect('(');
       names_[state] = in.until(')');
       in.expect_end();
+      named.insert(state);
     }
+    expect_together(in, named.size(), states_, "states");
+  }
+
+  // A file of another model, such as an older one that was left there, has other sizes.
+  void expect_together(const ExplicitLines& in, std::size_t found, std::size_t expected, const char* what) const {
+    if (found == expected) return;
+    in.fail("this file and " + prefix_ + ".tra do not belong together: " + std::to_string(found) + ' ' + what +
+            " here, and " + std::to_string(expected) + " there");
   }
 
   void read_state_rewards() {
     ExplicitLines in = lines(files_.state_rewards, ".srew");
     if (!in.next()) in.fail("expected the numbers of states and rewards");
-    if (in.index() != states_) in.fail("a file about another number of states");
+    expect_together(in, in.index(), states_, "states");
+    const std::uint32_t promised = in.index();
+    in.expect_end();
     state_rewards_.resize(states_);
-    while (in.next()) {
+    std::size_t found = 0;
+    for (; in.next(); ++found) {
       const std::uint32_t state = in.index_below(states_, "state");
       state_rewards_[state] += in.number();
       in.expect_end();
     }
+    expect_rewards(in, promised, found);
+  }
+
+  static void expect_rewards(const ExplicitLines& in, std::size_t promised, std::size_t found) {
+    if (promised != found)
+      in.fail("the first line promises " + std::to_string(promised) + " rewards, there are " + std::to_string(found));
   }
 
   void read_transition_rewards() {
     ExplicitLines in = lines(files_.transition_rewards, ".trew");
     if (!in.next()) in.fail("expected the numbers of states, choices and rewards");
-    if (in.index() != states_) in.fail("a file about another number of states");
-    while (in.next()) {
+    expect_together(in, in.index(), states_, "states");
+    expect_together(in, in.index(), rows_.choices().size(), "choices");
+    const std::uint32_t promised = in.index();
+    in.expect_end();
+    std::size_t found = 0;
+    for (; in.next(); ++found) {
       const std::uint32_t state = in.index_below(states_, "state"), choice = in.index();
       const std::uint32_t target = in.index_below(states_, "state");
-      transition_rewards_[{state, choice, target}] += in.number();
+      const double reward = in.number();
+      if (!has_transition(state, choice, target))
+        in.fail("a reward of a transition that " + prefix_ + ".tra does not have");
+      transition_rewards_[{state, choice, target}] += reward;
       in.expect_end();
     }
+    expect_rewards(in, promised, found);
+  }
+
+  bool has_transition(std::uint32_t state, std::uint32_t choice, std::uint32_t target) const {
+    const auto& all = rows_.choices();
+    const auto at = std::lower_bound(all.begin(), all.end(), std::pair(state, choice),
+                                     [](const auto& c, const auto& to) { return std::pair(c.source, c.number) < to; });
+    if (at == all.end() || at->source != state || at->number != choice) return false;
+    const auto outcomes = rows_.outcomes(static_cast<std::size_t>(at - all.begin()));
+    return std::any_of(outcomes.begin(), outcomes.end(), [&](const ModelOutcome& o) { return o.target == target; });
   }
 
   bool has_rewards() const { return files_.state_rewards != nullptr || files_.transition_rewards != nullptr; }

@@ -131,7 +131,15 @@ TEST(PrismExplicit, SaysWhatIsWrongAndWhere) {
       {{transitions, "0=\"init\"\n0: 0\n1: 0\n"}, "m.lab:3:5: a second initial state"},
       {{transitions, "0=\"init\"\n1: 3\n"}, "m.lab:2:5: there is no label 3"},
       {{transitions, "0=\"init\"\n"}, "m.lab:1:1: no state has the label \"init\""},
-      {{transitions, labels, {}, "3 1\n0 1\n"}, "m.srew:1:2: a file about another number of states"},
+      {{transitions, labels, {}, "3 1\n0 1\n"},
+       "m.srew:1:2: this file and m.tra do not belong together: 3 states here, and 2 there"},
+      {{transitions, labels, {}, "2 2\n0 1\n"}, "m.srew:2:1: the first line promises 2 rewards, there are 1"},
+      {{transitions, labels, {}, {}, "2 3 1\n0 0 0 1\n"},
+       "m.trew:1:4: this file and m.tra do not belong together: 3 choices here, and 2 there"},
+      {{transitions, labels, {}, {}, "2 2 1\n0 1 0 1\n"},
+       "m.trew:2:8: a reward of a transition that m.tra does not have"},
+      {{transitions, labels, "(s)\n0:(0)\n"},
+       "m.sta:2:1: this file and m.tra do not belong together: 1 states here, and 2 there"},
   };
   for (const auto& row : rows) EXPECT_EQ(complaint(row.files), row.message);
   EXPECT_EQ(complaint(PrismFiles{transitions, labels}), "");
