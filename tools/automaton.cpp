@@ -28,7 +28,7 @@ struct AutomatonOptions {
 
 Reply reply_to(automata::HoaAutomaton file, const std::string& source, std::size_t number,
                const AutomatonOptions& options, automata::Budget& budget, const std::stop_token& stop) {
-  Shown about{.line = number, .text = file.name, .name = file.name, .unicode_name = file.name};
+  Shown about{.line = number, .text = file.name, .name = file.name, .unicode_name = file.name, .stop = stop};
   AnyAutomaton any = understood(std::move(file), source, budget);
   about.semantics = std::holds_alternative<automata::Dfa>(any) ? "finite" : "infinite";
   const AutomatonRequest& request = options.request;
@@ -49,6 +49,9 @@ Reply limited_reply(automata::HoaAutomaton file, const std::string& source, std:
   automata::Budget budget(SIZE_MAX, options.request.states, watch.token());
   try {
     return reply_to(std::move(file), source, number, options, budget, watch.token());
+  } catch (const GaveUp&) {  // the drawing
+    if (watch.overrun() == ltl::Overrun::None) throw;
+    throw GaveUp(gave_up(watch.overrun(), options.limits));
   } catch (const automata::Budget::Exceeded& spent) {
     if (session.stop.stop_requested()) throw Interrupted();
     const std::string reason = spent.reason == automata::Budget::Exceeded::Reason::Stopped

@@ -226,7 +226,7 @@ Reply drawn(Reply reply, const Any& automaton, const Shown& about, const OutputO
   if (options.svg.empty() || reply.code != ExitCode::Done) return reply;
   const auto dot = automaton.states() > most_drawn_states ? std::nullopt : dot_of(automaton, about, most_drawn_edges);
   if (dot) {
-    draw_graph(*dot, options.svg);
+    draw_graph(*dot, options.svg, about.stop);
   } else {
     reply.code = ExitCode::GaveUp;
     reply.problem = "not drawn: more than " + counted(most_drawn_states, "state") + " or " +

@@ -1,6 +1,7 @@
 // The output of an automaton: every format of `waymark translate` and `waymark automaton`, and the size limits.
 #pragma once
 #include <cstddef>
+#include <stop_token>
 #include <string>
 #include <string_view>
 
@@ -31,6 +32,7 @@ struct Shown {
   std::string status = "ok";      // or unreduced
   double seconds = 0;
   std::string certificate = {};  // of JSON, when one was asked for
+  std::stop_token stop = {};     // of the drawing
 };
 
 // The automaton in the format asked for, and drawn where a picture was; past the limit on edges the answer is status

@@ -91,7 +91,7 @@ void answer(const plan::MapProduct& product, std::optional<ltl::Formula> formula
     print_dot(product, out);
   else
     print_text(product, formula, session.out, out);
-  if (!options.output.svg.empty()) draw_product(picture_of(product), options.output.svg);
+  if (!options.output.svg.empty()) draw_product(picture_of(product), options.output.svg, session.stop);
 }
 
 plan::MapProduct composed(const plan::Map& map, const automata::Dfa& dfa, std::span<const plan::PoseId> starts,

@@ -89,7 +89,10 @@ void write_explicit(const StateLabelled& model, const std::string& prefix) {
   write_file(prefix + ".tra", files.transitions);
   write_file(prefix + ".sta", files.states);
   write_file(prefix + ".lab", files.labels);
-  write_file(prefix + (files.rewards_on_states ? ".srew" : ".trew"), files.rewards);
+  const char *written = ".srew", *other = ".trew";
+  if (!files.rewards_on_states) std::swap(written, other);
+  write_file(prefix + written, files.rewards);
+  remove_file(prefix + other);  // an older one would be read, too
 }
 
 void write_roads(const StateLabelled& model, const std::string& prefix) {
@@ -186,7 +189,7 @@ class ProductWriter {
                              product.is_jump(s, k) ? "jump" : std::string(product.model().action(s.place, k)));
         });
     });
-    draw_product(picture, output_.svg);
+    draw_product(picture, output_.svg, stop_);
   }
 
   const plan::PlanningCase& case_;

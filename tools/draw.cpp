@@ -81,11 +81,11 @@ class Drawing {
   ltl::Formula formula() { return formula(arena_, ltl::Unknown::Reject); }
 
   Sketch walked(const Picture& picture) const {
-    return {options_.files.given() ? drawn_whole(picture) : "", terminal_map(map_, picture.route, session_.out),
-            picture.formula ? ltl::print(*picture.formula) : ""};
+    return {options_.files.given() ? drawn_whole(picture, session_.stop) : "",
+            terminal_map(map_, picture.route, session_.out), picture.formula ? ltl::print(*picture.formula) : ""};
   }
 
-  static Sketch tree_of(ltl::Formula f) { return {graph_picture(dot_of_tree(f)), "", ltl::print(f)}; }
+  Sketch tree_of(ltl::Formula f) const { return {graph_picture(dot_of_tree(f), session_.stop), "", ltl::print(f)}; }
   Sketch tree() const {
     ltl::Arena names;
     return tree_of(formula(names, ltl::Unknown::Add));
@@ -95,14 +95,15 @@ class Drawing {
     if (!options_.automaton.empty()) {
       const plan::GivenAutomaton given =
           plan::read_given_automaton(read_file(options_.automaton), source_name(options_.automaton));
-      if (const auto* dfa = std::get_if<automata::Dfa>(&given)) return {graph_picture(automata::write_dot(*dfa))};
+      if (const auto* dfa = std::get_if<automata::Dfa>(&given))
+        return {graph_picture(automata::write_dot(*dfa), session_.stop)};
       const auto dot = automata::write_dot_within(std::get<automata::Automaton>(given), most_drawn_edges);
       if (!dot) throw GaveUp("not drawn: the automaton has more than " + std::to_string(most_drawn_edges) + " edges");
-      return {graph_picture(*dot)};
+      return {graph_picture(*dot, session_.stop)};
     }
     ltl::Arena names;
     const ltl::Formula f = formula(names, ltl::Unknown::Add);
-    return {graph_picture(automata::write_dot(translate(f, session_.stop))), "", ltl::print(f)};
+    return {graph_picture(automata::write_dot(translate(f, session_.stop)), session_.stop), "", ltl::print(f)};
   }
 
   Sketch product() {
@@ -111,7 +112,7 @@ class Drawing {
     const auto starts = start_poses(options_.start, map_);
     const auto composed = plan::compose(map_, dfa, starts, {.states = SIZE_MAX, .stop = session_.stop});
     if (!composed) throw Interrupted();
-    return {product_svg(picture_of(*composed)), "", ltl::print(f)};
+    return {product_svg(picture_of(*composed), session_.stop), "", ltl::print(f)};
   }
 
   // The plan of the formula on its map, as `waymark plan` would give it.

@@ -112,10 +112,11 @@ void draw_motion(const Moved& moved, const MoveOptions& options, const plan::Map
   page.caption = "map " + map.name();
   automata::DotOptions look;
   look.trap = automata::DotOptions::Trap::Omit;
-  page.automaton = render::lay_out(automata::write_dot(dfa, look));
+  std::string left_out;
+  page.automaton = render::lay_out_or_leave_out(automata::write_dot(dfa, look), {}, left_out);
   const AutomatonSize size = size_of(dfa);
   page.automaton_caption = counted(size.states, "state") + ", " + counted(size.edges, "edge");
-  if (!page.automaton) complain("note", "waymark-layout is not installed: the automaton is left out of the picture");
+  if (!page.automaton) complain("note", "the automaton is left out of the picture: " + left_out);
   if (moved.motion) {
     page.motion = moved.motion;
     const plan::Motion& motion = moved.motion->motion();

@@ -28,45 +28,51 @@ std::string caption(const Picture& picture) {
 
 }  // namespace
 
-Drawn drawn(const Picture& picture) {
+Drawn drawn(const Picture& picture, const render::Layout& layout) {
   render::Page page{.map = picture.map, .instruction = picture.instruction, .caption = caption(picture)};
   if (picture.route) {
     page.route = trajectory_of(*picture.route, *picture.map);
     page.repeated = repeated_actions(*picture.route);
   }
   if (picture.formula) page.formula = ltl::print(*picture.formula, ltl::Style::Unicode);
+  std::string left_out;
   if (picture.dfa != nullptr) {
     automata::DotOptions look;
     look.trap = automata::DotOptions::Trap::Omit;
-    page.automaton = render::lay_out(automata::write_dot(*picture.dfa, look));
+    page.automaton = render::lay_out_or_leave_out(automata::write_dot(*picture.dfa, look), layout, left_out);
     const AutomatonSize size = size_of(*picture.dfa);
     page.automaton_caption = counted(size.states, "state") + ", " + counted(size.edges, "edge");
   }
   if (picture.omega != nullptr) {
-    constexpr std::size_t most_edges = 1000;  // more cannot be read
-    if (const auto dot = automata::write_dot_within(*picture.omega, most_edges)) page.automaton = render::lay_out(*dot);
-    page.automaton_caption = counted(picture.omega->states(), "state") + ", " +
-                             counted(automata::count_edges(picture.omega->transitions()), "edge");
+    const std::size_t edges = automata::count_edges(picture.omega->transitions());
+    const auto dot = automata::write_dot_within(*picture.omega, layout.edges);
+    if (dot)
+      page.automaton = render::lay_out_or_leave_out(*dot, layout, left_out);
+    else
+      left_out = "it has " + counted(edges, "edge") + ", and " + std::to_string(layout.edges) + " can be drawn";
+    page.automaton_caption = counted(picture.omega->states(), "state") + ", " + counted(edges, "edge");
   }
-  const bool left_out = (picture.dfa != nullptr || picture.omega != nullptr) && !page.automaton;
   return {render::draw_page(page), left_out};
 }
 
-std::string drawn_whole(const Picture& picture) {
-  Drawn page = drawn(picture);
-  if (page.automaton_left_out)
-    complain("note", "the automaton is left out of the picture: it is too large, or waymark-layout is not installed");
+std::string drawn_whole(const Picture& picture, const std::stop_token& stop) {
+  Drawn page = drawn(picture, {.stop = stop});
+  if (!page.left_out.empty()) complain("note", "the automaton is left out of the picture: " + page.left_out);
   return std::move(page.svg);
 }
 
-void draw(const Picture& picture, const std::string& path) { write_file(path, drawn_whole(picture)); }
+void draw(const Picture& picture, const std::string& path, const std::stop_token& stop) {
+  write_file(path, drawn_whole(picture, stop));
+}
 
-std::string graph_picture(const std::string& dot) {
-  const auto drawing = render::lay_out(dot, {});
+std::string graph_picture(const std::string& dot, const std::stop_token& stop) {
+  const auto drawing = render::lay_out(dot, {.attributes = {}, .stop = stop});
   if (!drawing) (void)needed_helper("waymark-layout", "lays graphs out");
   return render::alone(*drawing);
 }
 
-void draw_graph(const std::string& dot, const std::string& path) { write_file(path, graph_picture(dot)); }
+void draw_graph(const std::string& dot, const std::string& path, const std::stop_token& stop) {
+  write_file(path, graph_picture(dot, stop));
+}
 
 }  // namespace waymark::tools

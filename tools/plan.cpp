@@ -130,7 +130,8 @@ class Planning {
     if (route && !options_.tree.empty())
       write_file(options_.tree, plan::write_behavior_tree(trajectory_of(*route, map_), map_,
                                                           formula ? ltl::print(*formula) : "automaton"));
-    if (!options_.svg.empty()) draw({.map = &map_, .dfa = &dfa, .formula = formula, .route = route}, options_.svg);
+    if (!options_.svg.empty())
+      draw({.map = &map_, .dfa = &dfa, .formula = formula, .route = route}, options_.svg, session.stop);
     return route ? ExitCode::Done : ExitCode::No;
   }
 

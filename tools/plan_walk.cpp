@@ -162,7 +162,7 @@ class LassoPlanning {
   void draw_lasso() const {
     Picture picture{.map = &task_.map, .omega = &automaton_, .formula = task_.formula};
     if (found_.lasso) picture.route = *found_.lasso;
-    draw(picture, options_.svg);
+    draw(picture, options_.svg, stop_);
   }
 
   void write_tree() const {

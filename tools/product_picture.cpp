@@ -107,13 +107,15 @@ ProductPicture picture_of(const plan::MapProduct& product) {
   return picture;
 }
 
-std::string product_svg(const ProductPicture& picture) {
+std::string product_svg(const ProductPicture& picture, const std::stop_token& stop) {
   if (picture.drawn_nodes() > most_drawn_states)
     throw GaveUp("not drawn: the automaton has more than " + counted(most_drawn_states, "state") +
                  "; --format dot gives the graph as text");
-  return graph_picture(picture.dot());
+  return graph_picture(picture.dot(), stop);
 }
 
-void draw_product(const ProductPicture& picture, const std::string& path) { write_file(path, product_svg(picture)); }
+void draw_product(const ProductPicture& picture, const std::string& path, const std::stop_token& stop) {
+  write_file(path, product_svg(picture, stop));
+}
 
 }  // namespace waymark::tools

@@ -49,7 +49,7 @@ ProductPicture picture_of(const plan::MapProduct& product);
 
 // Lays it out, as an SVG document; the second writes it to `path`. Throws GaveUp when there are too many nodes even by
 // task.
-std::string product_svg(const ProductPicture& picture);
-void draw_product(const ProductPicture& picture, const std::string& path);
+std::string product_svg(const ProductPicture& picture, const std::stop_token& stop);
+void draw_product(const ProductPicture& picture, const std::string& path, const std::stop_token& stop);
 
 }  // namespace waymark::tools

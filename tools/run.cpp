@@ -161,7 +161,7 @@ class Running {
           .instruction = *answer.instruction,
           .formula = answer.formula,
           .route = tools::shown(answer.corridor_run)},
-         options_.svg);
+         options_.svg, session_.stop);
   }
 
   const RunOptions& options_;

@@ -84,8 +84,9 @@ void draw_tour(const TourAnswer& answer, const TourRequest& request, const plan:
   page.caption = terrain.name();
   automata::DotOptions look;
   look.trap = automata::DotOptions::Trap::Omit;
-  page.automaton = render::lay_out(automata::write_dot(dfa, look));
-  if (!page.automaton) complain("note", "waymark-layout is not installed: the automaton is left out of the picture");
+  std::string left_out;
+  page.automaton = render::lay_out_or_leave_out(automata::write_dot(dfa, look), {}, left_out);
+  if (!page.automaton) complain("note", "the automaton is left out of the picture: " + left_out);
   if (answer.tour) {
     page.motion = answer.tour;
     const plan::Motion& motion = answer.tour->motion();

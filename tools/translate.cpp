@@ -83,8 +83,11 @@ Reply translate_one(const Text& text, const TranslateOptions& options, const Tra
   const bool shows_names = options.output.format != "stats" || options.certify || !options.output.svg.empty();
   if (known && shows_names) made = renamed(*made, arena.vocabulary());
   const Translated& result = *made;
-  Shown about{
-      .line = text.line, .text = text.text, .semantics = std::string(translation.semantics), .seconds = watch.lap()};
+  Shown about{.line = text.line,
+              .text = text.text,
+              .semantics = std::string(translation.semantics),
+              .seconds = watch.lap(),
+              .stop = watched.token()};
   if (options.certify && !std::holds_alternative<automata::Exhausted>(result))
     about.certificate = certificate(formula, result, translation, limits);
   if (options.output.format != "stats") about.name = ltl::print(formula);
@@ -122,7 +125,12 @@ ExitCode run_translate(const TranslateOptions& options, const Session& session) 
   return answer_in_parallel(
       texts, session.stop, parallel,
       [&](const Text& text, const TextWatch& watched) {
-        return translate_one(text, options, translation, memo, watched);
+        try {
+          return translate_one(text, options, translation, memo, watched);
+        } catch (const GaveUp&) {  // the drawing
+          if (watched.overrun() == ltl::Overrun::None) throw;
+          throw GaveUp(gave_up(watched.overrun(), options.parallel.limits));
+        }
       },
       [&](const Text& text, const std::string& message) {
         const Shown about{.line = text.line, .text = text.text, .status = "error"};

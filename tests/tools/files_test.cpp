@@ -1,7 +1,9 @@
 // Files are written whole or not at all.
 #include <gtest/gtest.h>
+
 #include <sys/stat.h>
 #include <unistd.h>
+#include <csignal>
 
 #include <cstdlib>
 #include <filesystem>
@@ -9,6 +11,7 @@
 #include <iterator>
 
 #include "libltl/diagnostic.hpp"
+#include "libltl/watch.hpp"
 #include "tools/shell/input.hpp"
 #include "tools/shell/output.hpp"
 #include "tools/shell/process.hpp"
@@ -105,6 +108,20 @@ TEST(Process, TalksBothWaysWithoutWaitingForItself) {
   const Finished finished = run_helper("/bin/cat", {}, text);
   EXPECT_EQ(finished.exit_code, 0);
   EXPECT_EQ(finished.output, text);
+}
+
+TEST(Process, EndsAHelperWhenAsked) {
+  const ltl::Watch watch({.seconds = 0.1}, {});
+  EXPECT_THROW(run_helper("/bin/sh", {"-c", "exec sleep 1000"}, "", watch.token()), HelperStopped);
+  EXPECT_THROW(run_helper("/bin/sh", {"-c", "exec sleep 1000"}, std::string(1'000'000, 'y'), watch.token()),
+               HelperStopped);
+}
+
+// Ctrl-C reaches all processes of a terminal: helpers are ours to end.
+TEST(Process, KeepsCtrlCFromHelpersOnly) {
+  const std::vector<std::string> interrupted{"-c", "kill -INT $$; kill -TERM $$; echo still here"};
+  EXPECT_EQ(run_helper("/bin/sh", interrupted, "").output, "still here\n");
+  EXPECT_EQ(run_program("/bin/sh", interrupted, "").exit_code, 128 + SIGINT);
 }
 
 TEST(Process, SurvivesAHelperThatDoesNotRead) {

@@ -10,6 +10,7 @@
 
 #include "libplan/world/read_map.hpp"
 #include "tools/picture_files.hpp"
+#include "tools/render/automaton_picture.hpp"
 #include "tools/render/page.hpp"
 #include "tools/shell/data_directory.hpp"
 #include "tools/shell/exit_code.hpp"
@@ -84,6 +85,38 @@ TEST_F(Pictures, TooLargeForPngAreRefused) {
 TEST_F(Pictures, NeedAFile) {
   EXPECT_THROW(check_picture_files({}), UsageError);
   EXPECT_NO_THROW(check_picture_files({.svg = in("c.svg")}));
+}
+
+// A ring with chords of so many edges, in DOT.
+std::string dot_of(std::size_t edges) {
+  std::string out = "digraph ring {\n";
+  for (std::size_t i = 0; i < edges; ++i)
+    out += std::to_string(i % 90) + " -> " + std::to_string(i * i % 90) + " [label=\"a -> b\"];\n";
+  return out + "}\n";
+}
+
+TEST(Layout, RefusesWhatIsTooLargeBeforeItBegins) {
+  EXPECT_NO_THROW(render::lay_out(dot_of(20)));
+  try {
+    (void)render::lay_out(dot_of(render::most_drawn_edges + 1));
+    FAIL() << "a graph of too many edges was laid out";
+  } catch (const GaveUp& refused) {
+    EXPECT_EQ(std::string(refused.what()),
+              "not drawn: more than 250 edges; --format dot gives the graph as text, for other tools");
+  }
+  std::string left_out;
+  EXPECT_FALSE(render::lay_out_or_leave_out(dot_of(30), {.edges = 29}, left_out));
+  EXPECT_NE(left_out.find("more than 29 edges"), std::string::npos) << left_out;
+}
+
+TEST(Layout, EndsWithItsSecondsAndWhenItIsStopped) {
+  const std::string large = dot_of(4'000);
+  EXPECT_THROW((void)render::lay_out(large, {.edges = SIZE_MAX, .seconds = 0.2}), GaveUp);
+  std::stop_source stopped;
+  stopped.request_stop();
+  std::string left_out;
+  EXPECT_THROW((void)render::lay_out_or_leave_out(large, {.edges = SIZE_MAX, .stop = stopped.get_token()}, left_out),
+               GaveUp);
 }
 
 }  // namespace

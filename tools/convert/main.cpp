@@ -12,6 +12,8 @@
 #include <string>
 #include <string_view>
 
+#include "tools/shell/with_parent.hpp"
+
 namespace {
 
 constexpr int usage = 20, bad_input = 21, our_bug = 30;  // docs/cli.md
@@ -78,6 +80,7 @@ int write_pdf(RsvgHandle* picture, Size size) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  waymark::tools::end_with_parent();
   const std::string_view format = argc > 1 ? argv[1] : "";
   const double scale = argc > 2 ? std::stod(argv[2]) : 1;
   if ((format != "png" && format != "pdf") || !(scale > 0))

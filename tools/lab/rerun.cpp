@@ -77,8 +77,8 @@ class Rerun {
 
  private:
   void repeat(const TranscriptStep& step) {
-    const std::stop_callback ended(session_.stop, [] { signal_helper(SIGTERM); });  // it has helpers of its own
-    const Finished finished = run_helper(waymark_, step.arguments, "");
+    const std::stop_callback ended(session_.stop, [] { signal_helpers(SIGTERM); });  // it has helpers of its own
+    const Finished finished = run_program(waymark_, step.arguments, "");
     if (session_.stop.stop_requested()) throw Interrupted();
     if (!step.output.empty()) write_file(step.output, finished.output);
     const std::vector<std::string> now = step.output.empty() ? lines_of(finished.output) : std::vector<std::string>();

@@ -8,6 +8,8 @@
 #include <iterator>
 #include <string>
 
+#include "tools/shell/with_parent.hpp"
+
 namespace {
 
 constexpr int bad_input = 21, our_bug = 30;  // docs/cli.md
@@ -50,6 +52,7 @@ void pad_labels(Agraph_t* graph) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  waymark::tools::end_with_parent();
   const std::string dot{std::istreambuf_iterator<char>(std::cin), std::istreambuf_iterator<char>()};
   Context context;
   context.graph = agmemread(dot.c_str());

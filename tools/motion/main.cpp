@@ -22,6 +22,7 @@
 #include "tools/shell/options.hpp"
 #include "tools/shell/robot_options.hpp"
 #include "tools/shell/terminal.hpp"
+#include "tools/shell/with_parent.hpp"
 
 namespace waymark::tools {
 namespace {
@@ -145,4 +146,7 @@ ExitCode guarded_main(int argc, char** argv) {
 }  // namespace
 }  // namespace waymark::tools
 
-int main(int argc, char** argv) { return static_cast<int>(waymark::tools::guarded_main(argc, argv)); }
+int main(int argc, char** argv) {
+  waymark::tools::end_with_parent();
+  return static_cast<int>(waymark::tools::guarded_main(argc, argv));
+}

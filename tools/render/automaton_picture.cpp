@@ -5,7 +5,9 @@
 #include <stdexcept>
 #include <vector>
 
+#include "libltl/watch.hpp"
 #include "tools/shell/data_directory.hpp"
+#include "tools/shell/exit_code.hpp"
 #include "tools/shell/process.hpp"
 
 namespace waymark::render {
@@ -21,6 +23,17 @@ std::vector<double> numbers_in(std::string_view text) {
     values.push_back(value);
     text.remove_prefix(static_cast<std::size_t>(end - text.data()));
   }
+}
+
+// Lines of our DOT texts that hold an edge; a label may hold an arrow, too.
+std::size_t edges_of(std::string_view dot) {
+  std::size_t edges = 0;
+  while (!dot.empty()) {
+    const std::string_view line = dot.substr(0, dot.find('\n'));
+    if (line.substr(0, line.find_first_of("[\"")).find("->") != std::string_view::npos) ++edges;
+    dot.remove_prefix(std::min(line.size() + 1, dot.size()));
+  }
+  return edges;
 }
 
 }  // namespace
@@ -40,13 +53,35 @@ Drawing drawing_of(std::string_view svg) {
   return {values[2], values[3], std::string(svg.substr(root_end + 1, close - root_end - 1))};
 }
 
-std::optional<Drawing> lay_out(const std::string& dot, const std::vector<std::string>& attributes) {
+std::optional<Drawing> lay_out(const std::string& dot, const Layout& layout) {
   const auto program = tools::helper("waymark-layout");
   if (program.empty()) return std::nullopt;
-  const auto finished = tools::run_helper(program, attributes, dot);
-  if (finished.exit_code != 0)
-    throw std::runtime_error("waymark-layout ended with exit code " + std::to_string(finished.exit_code));
-  return drawing_of(finished.output);
+  if (edges_of(dot) > layout.edges)
+    throw tools::GaveUp("not drawn: more than " + std::to_string(layout.edges) +
+                        " edges; --format dot gives the graph as text, for other tools");
+  const ltl::Watch watch({.seconds = layout.seconds}, layout.stop);
+  try {
+    const auto finished = tools::run_helper(program, layout.attributes, dot, watch.token());
+    if (finished.exit_code != 0)
+      throw std::runtime_error("waymark-layout ended with exit code " + std::to_string(finished.exit_code));
+    return drawing_of(finished.output);
+  } catch (const tools::HelperStopped&) {
+    if (watch.overrun() == ltl::Overrun::None) throw tools::GaveUp("stopped before the picture was laid out");
+    throw tools::GaveUp("not drawn: the layout takes more than " + number(layout.seconds) +
+                        " s; --format dot gives the graph as text, for other tools");
+  }
+}
+
+std::optional<Drawing> lay_out_or_leave_out(const std::string& dot, const Layout& layout, std::string& left_out) {
+  try {
+    auto drawing = lay_out(dot, layout);
+    if (!drawing) left_out = "waymark-layout is not installed";
+    return drawing;
+  } catch (const tools::GaveUp& refused) {
+    if (layout.stop.stop_requested()) throw;
+    left_out = refused.what();
+    return std::nullopt;
+  }
 }
 
 std::string alone(const Drawing& drawing) {

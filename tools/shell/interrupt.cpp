@@ -62,7 +62,7 @@ void Interrupt::watch() {
   while (::poll(&pipe, 1, grace_milliseconds) > 0) {  // a second Ctrl-C starts the grace period anew
     if (::read(reader_, &byte, 1) == 1 && byte == done_byte) return;
   }
-  signal_helper(SIGKILL);
+  signal_helpers(SIGKILL);
   parser::discard_unfinished_files();
   constexpr std::string_view message = "\nerror: interrupted\n";
   [[maybe_unused]] const auto written = ::write(STDERR_FILENO, message.data(), message.size());

@@ -77,8 +77,12 @@ ApiAnswer Api::answer(std::string_view method, std::string_view path, std::strin
     std::atomic<int>& count;
     int taken = ++count;
     ~Place() { --count; }
-  } const place{at_once_};
+  };
+  const Place place{at_once_};
   if (place.taken > most_at_once) return failure(503, "busy", "too many requests at once");
+  if (path != "/api/automaton" && path != "/api/picture") return answer_within(method, path, body, stop);
+  const Place among_pictures{drawn_at_once_};
+  if (among_pictures.taken > most_drawn_at_once) return failure(503, "busy", "too many pictures at once");
   return answer_within(method, path, body, stop);
 }
 

@@ -18,8 +18,9 @@ struct ApiAnswer {
 
 class Api {
  public:
-  static constexpr double most_seconds = 10;  // of one request, unless told otherwise
-  static constexpr int most_at_once = 8;      // requests; one more is turned away
+  static constexpr double most_seconds = 10;    // of one request, unless told otherwise
+  static constexpr int most_at_once = 8;        // requests; one more is turned away
+  static constexpr int most_drawn_at_once = 3;  // among them, those for pictures, which leave places to the others
 
   Api(parser::Grounder reader, const std::filesystem::path& data, double seconds = most_seconds)
       : reader_(std::move(reader)), worlds_(data), seconds_(seconds) {}
@@ -33,7 +34,7 @@ class Api {
   const parser::Grounder reader_;
   Worlds worlds_;
   const double seconds_;  // of one request
-  std::atomic<int> at_once_ = 0;
+  std::atomic<int> at_once_ = 0, drawn_at_once_ = 0;
 };
 
 }  // namespace waymark::studio

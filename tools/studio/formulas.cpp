@@ -21,7 +21,10 @@ using tools::Json;
 using tools::JsonArray;
 using tools::JsonObject;
 
-constexpr std::size_t most_drawn_edges = 250;  // more cannot be read, and takes seconds to lay out
+// Small enough to be laid out at once: many may be asked for, and others wait.
+render::Layout layout_for(const Context& context) {
+  return {.edges = most_drawn_edges, .seconds = most_layout_seconds, .stop = context.stop};
+}
 
 ltl::Semantics semantics_of(const Request& request) {
   return request.one_of("semantics", {"finite", "infinite"}) == "finite" ? ltl::Semantics::Finite
@@ -40,9 +43,10 @@ struct Written {
         formula(formula_of(request, arena)) {}
 };
 
-Json drawing(const std::optional<std::string>& dot) {
+Json drawing(const std::optional<std::string>& dot, const Context& context) {
   if (!dot) return Json();
-  const auto laid_out = render::lay_out(*dot);
+  std::string left_out;
+  const auto laid_out = render::lay_out_or_leave_out(*dot, layout_for(context), left_out);
   if (!laid_out) return Json();
   render::Svg svg;
   svg.open("svg", "xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 " + render::number(laid_out->width) + ' ' +
@@ -53,7 +57,7 @@ Json drawing(const std::optional<std::string>& dot) {
   return svg.str();
 }
 
-JsonObject drawn(const automata::Dfa& dfa) {
+JsonObject drawn(const automata::Dfa& dfa, const Context& context) {
   JsonArray accepting, traps;
   for (std::uint32_t q = 0; q < dfa.states(); ++q) {
     if (dfa.is_accepting(automata::StateId{q})) accepting.add(q);
@@ -64,17 +68,17 @@ JsonObject drawn(const automata::Dfa& dfa) {
       .add("initial", dfa.initial().index)
       .add("accepting", accepting)
       .add("traps", traps)
-      .add("svg", drawing(readable ? std::optional(automata::write_dot(dfa)) : std::nullopt));
+      .add("svg", drawing(readable ? std::optional(automata::write_dot(dfa)) : std::nullopt, context));
 }
 
-JsonObject drawn(const automata::Automaton& automaton) {
+JsonObject drawn(const automata::Automaton& automaton, const Context& context) {
   return JsonObject()
       .add("states", automaton.states())
       .add("edges", automata::count_edges(automaton.transitions()))
       .add("sets", automaton.acceptance().sets)
       .add("propositions", automaton.reads().size())
       .add("initial", automaton.initial().index)
-      .add("svg", drawing(automata::write_dot_within(automaton, most_drawn_edges)));
+      .add("svg", drawing(automata::write_dot_within(automaton, most_drawn_edges), context));
 }
 
 }  // namespace
@@ -134,10 +138,11 @@ JsonObject translate_formula(const Request& request, const Context& context) {
 
 JsonObject draw_automaton(const Request& request, const Context& context) {
   const Written written(request, context);
-  if (semantics_of(request) == ltl::Semantics::Finite) return drawn(tools::translate(written.formula, context.stop));
+  if (semantics_of(request) == ltl::Semantics::Finite)
+    return drawn(tools::translate(written.formula, context.stop), context);
   const auto automaton = plan::lasso_automaton(written.formula, {.stop = context.stop});
   if (!automaton) throw tools::GaveUp("no automaton within the limits");
-  return drawn(*automaton);
+  return drawn(*automaton, context);
 }
 
 }  // namespace waymark::studio

@@ -131,18 +131,19 @@ JsonObject plan_formula(const Request& request, const Context& context) {
 
 JsonObject draw_plan(const Request& request, const Context& context) {
   const Planned task(request, context);
+  const render::Layout layout{.edges = most_drawn_edges, .seconds = most_layout_seconds, .stop = context.stop};
   tools::Picture picture{
       .map = &task.world->map, .instruction = request.text_or("instruction", ""), .formula = task.formula};
   if (task.infinite) {
     const tools::PlannedLasso found = tools::planned_lasso(task.walk(), {}, context.stop);
     picture.omega = &found.automaton;
     if (found.lasso) picture.route = *found.lasso;
-    return JsonObject().add("svg", tools::drawn(picture).svg);
+    return JsonObject().add("svg", tools::drawn(picture, layout).svg);
   }
   const automata::Dfa dfa = tools::translate(task.formula, context.stop);
   picture.dfa = &dfa;
   picture.route = tools::shown(tools::run_corridor(task.world->map, dfa, task.formula, task.starts, context.stop));
-  return JsonObject().add("svg", tools::drawn(picture).svg);
+  return JsonObject().add("svg", tools::drawn(picture, layout).svg);
 }
 
 }  // namespace waymark::studio
