@@ -11,6 +11,7 @@
 #include "libltl/text/read_word.hpp"
 #include "libplan/world/letter_lines.hpp"
 #include "tools/answer.hpp"
+#include "tools/check_model.hpp"
 #include "tools/judged_word.hpp"
 #include "tools/picture.hpp"
 #include "tools/shell/batch.hpp"
@@ -27,6 +28,7 @@ struct CheckOptions {
   std::string trajectory, trace, word, format = "auto", semantics, svg;
   double time_unit = 0;  // 0: rows are steps
   bool progress = false, json = false;
+  CheckModelOptions model;
 };
 
 // A word that formulas are checked on, and the names that they may use.
@@ -268,10 +270,22 @@ ExitCode check_all(const Text& text, bool batch, const Given& given, const Check
   return worst;
 }
 
+// Model checking, where no word is given.
+ExitCode run_check_on_model(const CheckOptions& options, const Session& session) {
+  if (!(options.trajectory + options.trace + options.word + options.svg).empty() || options.progress)
+    throw UsageError("--model asks about all runs: --trajectory, --trace, --word, --progress and --svg are about one");
+  if (options.semantics == "finite") throw UsageError("runs of a model have no end: --semantics infinite");
+  TextReader formulas(options.text, "formula");
+  CheckModelOptions model = options.model;
+  model.json = options.json;
+  return check_on_model(model, formulas, session);
+}
+
 ExitCode run_check(const CheckOptions& options, const Session& session) {
+  if (!options.model.model.empty()) return run_check_on_model(options, session);
   const int given =
       (options.trajectory.empty() ? 0 : 1) + (options.trace.empty() ? 0 : 1) + (options.word.empty() ? 0 : 1);
-  if (given != 1) throw UsageError("give one of --trajectory, --trace and --word; see waymark check --help");
+  if (given != 1) throw UsageError("give one of --trajectory, --trace, --word and --model; see waymark check --help");
   if (options.time_unit < 0) throw UsageError("--time-unit is a positive number");
   if (options.time_unit > 0 && options.trace.empty()) throw UsageError("--time-unit counts the column time of --trace");
   if (!options.svg.empty() && options.trajectory.empty()) throw UsageError("--svg draws a trajectory on its map");
@@ -316,6 +330,9 @@ Runner setup_check(Command command) {
   command.add_flag("--progress", options->progress, "print what remains of the formula after every letter");
   command.add_option("--svg", options->svg, "draw the trajectory on its map").type_name("FILE");
   command.add_flag("--json", options->json, "one JSON object a line");
+  add_check_model_options(command, options->model);
+  command.add_option("--start", options->model.start, "the landmark of a street graph where runs begin")
+      .type_name("LANDMARK");
   return [options](const Session& session) { return run_check(*options, session); };
 }
 

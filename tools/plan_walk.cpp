@@ -8,6 +8,7 @@
 #include "libplan/behavior_tree.hpp"
 #include "libplan/certify.hpp"
 #include "libplan/model/map_mdp.hpp"
+#include "libplan/solve/drop_conjuncts.hpp"
 #include "libplan/solve/least_lasso.hpp"
 #include "libplan/solve/least_routes.hpp"
 #include "tools/answer.hpp"
@@ -97,8 +98,27 @@ class LassoPlanning {
   }
 
   std::string reason() const {
-    return "no walk without end from " + poses_of(task_.starts, task_.map) + " satisfies the " +
-           (task_.formula ? "formula" : "automaton");
+    const std::string none = "no walk without end from " + poses_of(task_.starts, task_.map) + " satisfies ";
+    if (!task_.formula) return none + "the automaton";
+    try {
+      const plan::Violation violation =
+          plan::fewest_dropped(*task_.formula, [&](ltl::Formula part) { return has_lasso(part); });
+      return plan::conflict_behind(none, violation);
+    } catch (const GaveUp&) {
+      return none + "the formula";
+    }
+  }
+
+  bool has_lasso(ltl::Formula part) const {
+    const auto automaton = plan::lasso_automaton(part, {.stop = stop_});
+    for (const plan::PoseId start : task_.starts) {
+      if (!automaton) throw GaveUp("no automaton within the limits");
+      const auto answer = plan::least_lasso(plan::mdp_of(task_.map, start), *automaton, order_of(options_.order),
+                                            {.states = most_vertices, .stop = stop_});
+      if (!answer) throw GaveUp("the search for a lasso met its limit");
+      if (answer->route) return true;
+    }
+    return false;
   }
 
   JsonObject json() const {

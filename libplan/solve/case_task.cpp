@@ -63,6 +63,8 @@ class TaskSolver {
       answer_.status = Status::Exhausted;
       answer_.reason = spent.what;
     }
+    answer_.value = uncrossed(answer_.value);
+    if (answer_.strategy) answer_.strategy->re_evaluated = uncrossed(answer_.strategy->re_evaluated);
     return std::move(answer_);
   }
 
@@ -97,7 +99,9 @@ class TaskSolver {
     const ltl::Formula f = task_.logic == Logic::Ltl ? ltl::simplify(asked, ltl::Semantics::Infinite) : asked;
     if (task_.query == Query::LeastLasso) {
       if (task_.logic != Logic::Ltl) throw std::invalid_argument("query lasso is about infinite words");
-      return lasso(made(lasso_automaton(f, automaton_limit())), f, clock);
+      lasso(made(lasso_automaton(f, automaton_limit())), f, clock);
+      if (answer_.status == Status::Infeasible && options_.explain) explain(asked);
+      return;
     }
     if (const auto landmarks = visits(f);
         landmarks && by_search() && options_.top == 1 && !options_.strategy && model_.states() >= worth_compressing)
@@ -290,21 +294,42 @@ class TaskSolver {
     answer_.value = {value, value};
   }
 
-  void explain(ltl::Formula f) {
-    const auto possible = [&](ltl::Formula part) {
-      const TaskTable task = table_of(made(task_automaton(part, task_.logic, task_.query, automaton_limit())));
-      const auto product = ProductMdp<Model>::explore(model_, task, limit(), options_.sweepers.free());
-      if (!product) throw Spent{"the product met its limit"};
-      const Qualitative found = product->starts().empty() ? Qualitative::None : qualitative(*product);
-      return is_cost() ? found == Qualitative::Sure : found != Qualitative::None;
-    };
-    const Violation violation = fewest_dropped(f, possible);
-    answer_.reason = reason(violation);
-    for (ltl::Formula part : violation.dropped) answer_.dropped.push_back(ltl::print(part));
+  Qualitative chances(ltl::Formula part, Query query) const {
+    const TaskTable task = table_of(made(task_automaton(part, task_.logic, query, automaton_limit())));
+    const auto product = ProductMdp<Model>::explore(model_, task, limit(), options_.sweepers.free());
+    if (!product) throw Spent{"the product met its limit"};
+    return product->starts().empty() ? Qualitative::None : qualitative(*product);
   }
 
-  std::string reason(const Violation& violation) const {
-    std::string out = in_words(violation, is_cost());
+  bool is_possible(ltl::Formula part) const {
+    if (task_.query == Query::LeastLasso) {
+      const auto found = least_lasso(model_, made(lasso_automaton(part, automaton_limit())), options_.order, limit());
+      if (!found) throw Spent{"the search for a lasso met its limit"};
+      return found->route.has_value();
+    }
+    const Qualitative found = chances(part, task_.query);
+    return is_cost() ? found == Qualitative::Sure : found != Qualitative::None;
+  }
+
+  void explain(ltl::Formula f) {
+    const Violation violation = fewest_dropped(f, [&](ltl::Formula part) { return is_possible(part); });
+    answer_.reason = reason(violation, is_cost() && task_.logic == Logic::Ltl && is_sure_in_the_end(f));
+    for (ltl::Formula part : violation.dropped) answer_.dropped.push_back(ltl::print(part));
+  }
+  // Is some strategy sure to satisfy the formula, though not by a prefix of the run?
+  bool is_sure_in_the_end(ltl::Formula f) const {
+    try {
+      return chances(f, Query::MaxProbability) == Qualitative::Sure;
+    } catch (const Spent&) {
+      return false;
+    }
+  }
+
+  std::string reason(const Violation& violation, bool only_prefixes) const {
+    if (only_prefixes)
+      return conflict_behind("no strategy is sure to come to a finite prefix that decides ", violation);
+    std::string out = task_.query == Query::LeastLasso ? conflict_behind("no walk without end satisfies ", violation)
+                                                       : in_words(violation, is_cost());
     const std::vector<std::string> unseen = never_seen(model_, violation.conflict);
     for (std::size_t i = 0; i < unseen.size(); ++i)
       out += (i == 0 ? "; never seen from the start: " : ", ") + unseen[i];

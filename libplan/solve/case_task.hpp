@@ -38,6 +38,9 @@ struct CaseOptions {                      // how a task is solved
   std::stop_token stop = {};                                             // ends with Exhausted when it is asked for
 };
 
+// Bounds that meet may cross by the rounding of doubles. Of an answer they are in order.
+inline Bounds uncrossed(const Bounds& b) { return b.lower <= b.upper ? b : Bounds{b.upper, b.lower}; }
+
 struct CaseAnswer {                                                    // what solving comes to
   enum class Status : std::uint8_t { Solved, Infeasible, Exhausted };  // of a task
   Status status = Status::Exhausted;                                   // of this task

@@ -87,7 +87,12 @@ Violation fewest_dropped(ltl::Formula f, const std::function<bool(ltl::Formula)>
 }
 
 std::string in_words(const Violation& violation, bool must_be_sure) {
-  std::string out = must_be_sure ? "no strategy is sure to satisfy " : "no strategy has a chance to satisfy ";
+  return conflict_behind(must_be_sure ? "no strategy is sure to satisfy " : "no strategy has a chance to satisfy ",
+                         violation);
+}
+
+std::string conflict_behind(std::string_view words, const Violation& violation) {
+  std::string out(words);
   for (std::size_t i = 0; i < violation.conflict.size(); ++i)
     out += (i == 0 ? "" : i + 1 == violation.conflict.size() ? " and " : ", ") + ltl::print(violation.conflict[i]);
   return violation.conflict.size() > 1 ? out + " together" : out;

@@ -3,6 +3,7 @@
 #pragma once
 #include <functional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "libltl/formula.hpp"
@@ -24,6 +25,8 @@ Violation fewest_dropped(ltl::Formula f, const std::function<bool(ltl::Formula)>
 
 // "no strategy is sure to satisfy F a and G !a together"; where it need not be sure: "has a chance to satisfy".
 std::string in_words(const Violation& violation, bool must_be_sure);
+// "F a and G !a together" behind other words.
+std::string conflict_behind(std::string_view words, const Violation& violation);
 
 // Propositions of the formulas that no letter within reach of the start carries, sorted.
 template <class Model>

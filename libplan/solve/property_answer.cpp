@@ -59,6 +59,8 @@ class Solver {
       out.answer.status = Status::Exhausted;
       out.answer.reason = none.reason;
     }
+    out.answer.value = uncrossed(out.answer.value);
+    if (out.range) out.range = uncrossed(*out.range);
     return out;
   }
 
