@@ -18,8 +18,9 @@ struct LeastActions {                  // to satisfy a formula
   std::size_t pairs = 0;               // that were met
 };
 
-// nullopt: more pairs than the limit were met, or stopped. Progression does not always come to an end: a formula may
-// grow with the word. Throws ltl::FormatError for a proposition that the map lacks. O(pairs · |formulas|).
+// nullopt: more pairs than the limit were met, a formula grew with the word beyond all bounds, or stopped. What remains
+// is simplified after every letter. Throws ltl::FormatError for a proposition that the map lacks. O(pairs ·
+// |formulas|).
 std::optional<LeastActions> least_by_progression(ltl::Formula formula, const Map& map, std::span<const PoseId> starts,
                                                  const ltl::Limits& limits = {});
 

@@ -1,233 +1,292 @@
 #include "tools/verify_model.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <map>
-#include <queue>
+#include <set>
+#include <string>
 #include <utility>
 #include <variant>
+#include <vector>
 
 #include "libltl/diagnostic.hpp"
-#include "libltl/meaning/progress.hpp"
 #include "libltl/meaning/semantics.hpp"
 #include "libltl/structure/fragment.hpp"
 #include "libltl/text/parse.hpp"
 #include "libltl/text/print.hpp"
 #include "libplan/world/json_reader.hpp"
+#include "tools/named_walks.hpp"
+#include "tools/progression_product.hpp"
+#include "tools/progression_values.hpp"
 #include "tools/shell/json.hpp"
-#include "tools/value_from_below.hpp"
 
 namespace waymark::tools {
 namespace {
 
-using Value = plan::JsonReader::Value;
+using Value = Claims::Value;
 
-bool close(double a, double b) {
-  return std::isfinite(a) && std::isfinite(b) && std::abs(a - b) <= 1e-9 * std::max({1.0, std::abs(a), std::abs(b)});
-}
+struct Examined {  // a query whose value is examined
+  std::string_view query, value;
+  Optimum optimum, opposite;  // of a safe formula: of its negation, from 1
+};
+constexpr std::array examined_queries{
+    Examined{"pmax", "the greatest probability", Optimum::GreatestProbability, Optimum::LeastProbability},
+    Examined{"pmin", "the least probability", Optimum::LeastProbability, Optimum::GreatestProbability},
+    Examined{"rmin", "the least expected cost", Optimum::LeastCost, Optimum::LeastCost},
+    Examined{"rmax", "the greatest expected cost", Optimum::GreatestCost, Optimum::GreatestCost},
+    Examined{"steps", "the least cost", Optimum::LeastCost, Optimum::LeastCost}};
+constexpr std::array other_queries{"cycle", "lasso", "discounted"};
 
 template <class Model>
 class OnModel {
  public:
-  OnModel(const plan::JsonReader& in, const Value& answer, const plan::PlanningCase& of, const Model& model,
-          const ltl::Limits& limits)
-      : in_(in), answer_(answer), case_(of), model_(model), limits_(limits), arena_(model.letters().vocabulary()) {}
+  OnModel(Claims& claims, const plan::JsonReader& in, const Value& answer, const plan::PlanningCase& of,
+          const Model& model, const ltl::Limits& limits)
+      : claims_(claims),
+        in_(in),
+        answer_(answer),
+        case_(of),
+        model_(model),
+        limits_(limits),
+        arena_(model.letters().vocabulary()) {}
 
-  std::vector<Claim> examine() {
-    const std::string query = in_.string(in_.member(answer_, "", "query"), "query");
-    bounds(query.starts_with("p"));
-    const bool read = answer_.contains("formula") && answer_.contains("semantics");  // no automaton, no other logic
-    const bool finite = read && in_.string(answer_["semantics"], "semantics") == "finite";
-    if (read)  // what the model does not have never holds
-      formula_ = ltl::parse(in_.string(answer_["formula"], "formula"), arena_, {.unknown = ltl::Unknown::Add});
-    if (answer_.contains("cycle")) lasso();
-    if (answer_.contains("routes")) routes(query == "steps" && finite);
-    if (query == "steps" && finite) least();
-    if (formula_ && !finite) value(query);
-    return std::move(claims_);
+  void examine() {
+    query_ = claims_.text("query");
+    known_ = std::find_if(examined_queries.begin(), examined_queries.end(),
+                          [&](const Examined& e) { return e.query == query_; });
+    if (known_ == examined_queries.end() &&
+        std::find(other_queries.begin(), other_queries.end(), query_) == other_queries.end())
+      in_.fail("query", "there is no query \"" + query_ + '"');
+    read_formula();
+    status_ = claims_.text("status");
+    value_ = claims_.number("value"), lower_ = claims_.number("lower"), upper_ = claims_.number("upper");
+    if (!status()) return;
+    if (claims_.has("cycle") || claims_.has("prefix") || (query_ == "lasso" && status_ == "solved")) lasso();
+    if (claims_.has("routes")) routes();
+    if (status_ != "exhausted") value();
   }
 
  private:
-  struct Walk {
-    std::uint32_t end = 0;
-    std::vector<ltl::Letter> letters = {};  // of the steps
-    double cost = 0;
-  };
+  bool is_probability() const { return query_[0] == 'p'; }
 
-  void claim(std::optional<bool> holds, std::string text) { claims_.push_back({std::move(text), holds}); }
-
-  // A cost that no strategy keeps finite is a text; an answer that was given up has none.
-  std::optional<double> number(const char* key) const {
-    const Value& value = in_.member(answer_, "", key);
-    if (value.is_null()) return std::nullopt;
-    if (value.is_string() && value == "inf") return INFINITY;
-    return in_.number(value, key);
+  void read_formula() {
+    if (!claims_.has("formula") || !claims_.has("semantics")) return;  // an automaton, or another logic
+    const std::string semantics = claims_.text("semantics");
+    if (semantics != "finite" && semantics != "infinite") in_.fail("semantics", "expected \"finite\" or \"infinite\"");
+    semantics_ = semantics == "finite" ? ltl::Semantics::Finite : ltl::Semantics::Infinite;
+    // What the model does not have never holds.
+    formula_ = ltl::parse(claims_.text("formula"), arena_, {.unknown = ltl::Unknown::Add});
   }
 
-  void bounds(bool probability) {
-    const auto value = number("value"), lower = number("lower"), upper = number("upper");
-    if (!value || !lower || !upper) return;
-    claim(*lower <= *value && *value <= *upper, "the value lies between its bounds");
-    if (probability) claim(*lower >= 0 && *upper <= 1, "the bounds are probabilities");
+  // Does the status go with the value and the walks? Where it does not, nothing else is looked at.
+  bool status() {
+    if (status_ == "exhausted") {
+      const bool says_nothing = !value_ && !lower_ && !upper_ && !claims_.has("routes") && !claims_.has("cycle");
+      claims_.add(says_nothing, "an answer that was given up claims nothing");
+      return says_nothing;
+    }
+    const bool bounded = value_ && lower_ && upper_;
+    bool fits = bounded;
+    if (status_ == "infeasible")  // nothing to gain, or no finite cost
+      fits = bounded && (query_ == "pmax" || query_ == "discounted" ? *upper_ == 0 : std::isinf(*lower_)) &&
+             !claims_.has("routes") && !claims_.has("cycle") && query_ != "pmin" && query_ != "rmax";
+    else if (status_ == "solved")
+      fits = bounded &&
+             (query_ == "pmax" || query_ == "discounted" ? *upper_ > 0 : query_ == "rmax" || std::isfinite(*lower_));
+    else
+      in_.fail("status", "expected \"solved\", \"infeasible\" or \"exhausted\"");
+    claims_.add(fits, "status \"" + status_ + "\" goes with the value");
+    if (!bounded) return false;
+    bounds();
+    return fits;
   }
 
-  // The walk from a state by the names of places and actions; nothing: a step that the model does not have.
-  std::optional<Walk> walk(const Value& route, const std::string& path, std::uint32_t from) const {
-    const auto places = in_.strings(in_.member(route, path, "places"), path + ".places");
-    const auto actions = in_.strings(in_.member(route, path, "actions"), path + ".actions");
-    if (places.size() != actions.size() + 1 || model_.name(from) != places[0]) return std::nullopt;
-    Walk out{from};
-    for (std::size_t i = 0; i < actions.size(); ++i)
-      if (!step(out, actions[i], places[i + 1])) return std::nullopt;
-    return out;
+  void bounds() {
+    claims_.add(*lower_ <= *value_ && *value_ <= *upper_, "the value lies between its bounds");
+    claims_.add(std::isinf(*lower_) ? *value_ == *lower_ : is_close(*value_, *lower_ + (*upper_ - *lower_) / 2),
+                "the value is in their middle");
+    claims_.add(*lower_ >= 0 && (!(is_probability() || query_ == "discounted") || *upper_ <= 1),
+                is_probability() ? "the bounds are probabilities" : "the bounds are not negative");
   }
 
-  bool step(Walk& on, const std::string& action, const std::string& place) const {
-    for (std::uint32_t k = 0; k < model_.choices(on.end); ++k) {
-      if (model_.action(on.end, k) != action || model_.outcome_count(on.end, k) != 1) continue;
-      const plan::ModelOutcome outcome = model_.outcome(on.end, k, 0);
-      if (model_.name(outcome.target) != place) continue;
-      on.cost += model_.cost(on.end, k);
-      on.letters.push_back(model_.letters()[outcome.letter]);
-      on.end = outcome.target;
-      return true;
+  // ---- walks
+
+  ltl::Letter first_letter() const { return model_.letters()[model_.initial_letter()]; }
+
+  // The walks that are told and cost what is said.
+  std::optional<std::vector<ToldWalk>> walks(const Value& route, const std::string& what, std::uint32_t from) {
+    const auto places = in_.strings(in_.member(route, what, "places"), what + ".places");
+    const auto actions = in_.strings(in_.member(route, what, "actions"), what + ".actions");
+    const double said = in_.number(in_.member(route, what, "cost"), what + ".cost");
+    claims_.only(route, what, {"places", "actions", "cost"});
+    auto told = told_walks(model_, from, places, actions);
+    if (!told) {
+      claims_.add(std::nullopt, what + " stands for more walks than are looked at");
+      return std::nullopt;
+    }
+    claims_.add(!told->empty(), "every step of " + what + " is one of the model");
+    if (told->empty()) return std::nullopt;
+    told->erase(std::remove_if(told->begin(), told->end(), [&](const ToldWalk& w) { return !is_close(w.cost, said); }),
+                told->end());
+    claims_.add(!told->empty(), "the cost of " + what + " is " + Json(said).text());
+    return told->empty() ? std::nullopt : std::optional(std::move(*told));
+  }
+
+  std::vector<ltl::Letter> word(const ToldWalk& walk) const {
+    std::vector<ltl::Letter> letters{first_letter()};
+    letters.insert(letters.end(), walk.letters.begin(), walk.letters.end());
+    return letters;
+  }
+
+  void lasso() {
+    if (query_ != "lasso") return claims_.add(false, "query " + query_ + " is answered without a lasso");
+    const Value &before = claims_.member("prefix"), &again = claims_.member("cycle");
+    const double rounds = in_.number(claims_.member("rounds"), "rounds");
+    claims_.add(rounds >= 1 ? std::nullopt : std::optional(false), "rounds is " + Json(rounds).text());
+    const auto prefixes = walks(before, "prefix", model_.initial());
+    if (!prefixes) return;
+    const auto cycles = walks(again, "cycle", prefixes->front().end);
+    if (!cycles) return;
+    const double prefix_cost = prefixes->front().cost, cycle_cost = cycles->front().cost;
+    claims_.add(
+        is_close(*value_, prefix_cost) || is_close(*value_, cycle_cost) || is_close(*value_, cycle_cost / rounds),
+        "the value is a cost of the walk");
+    bool closes = false, satisfied = false;
+    for (const ToldWalk& prefix : *prefixes)
+      for (const ToldWalk& cycle : *cycles) {
+        if (cycle.letters.empty() || cycle.end != prefix.end) continue;
+        closes = true;
+        satisfied = satisfied || (formula_ && ltl::holds(ltl::Lasso(word(prefix), cycle.letters), *formula_));
+      }
+    claims_.add(closes, "the cycle ends where it begins");
+    if (closes && formula_) claims_.add(satisfied, "the walk without end satisfies " + ltl::print(*formula_));
+  }
+
+  void routes() {
+    if (query_ != "steps" && query_ != "rmin")
+      return claims_.add(false, "query " + query_ + " is answered without routes");
+    claims_.member("routes");
+    std::vector<std::pair<std::string, double>> listed;  // as they are told, and their costs
+    bool sorted = true, all_there = true, none_twice = true;
+    in_.each(answer_, "", "routes", [&](const Value& route, const std::string& path) {
+      const bool first = listed.empty();
+      const auto found = walks(route, path, model_.initial());
+      if (!found) return void(all_there = false);
+      const double cost = found->front().cost;
+      sorted = sorted && (first || cost >= listed.back().second - 1e-9);
+      listed.emplace_back(route.dump(), cost);
+      std::size_t ways = 0;
+      for (const ToldWalk& walk : *found) ways += walk.ways;
+      none_twice =
+          none_twice && static_cast<std::size_t>(std::count(listed.begin(), listed.end(), listed.back())) <= ways;
+      if (first) claims_.add(is_close(*value_, cost), "the value is the cost of the first route");
+      if (formula_ && semantics_ == ltl::Semantics::Finite) satisfies(*found, path);
+    });
+    if (listed.empty() && all_there) in_.fail("routes", "expected a route");
+    claims_.add(sorted, "the routes are in the order of their costs");
+    claims_.add(none_twice, "no route is listed twice");
+    if (all_there && listed.size() > 1) none_is_missing(listed);
+  }
+
+  void satisfies(const std::vector<ToldWalk>& walks, const std::string& path) {
+    const bool holds = std::any_of(walks.begin(), walks.end(), [&](const ToldWalk& walk) {
+      const std::vector<ltl::Letter> letters = word(walk);
+      for (auto end = letters.begin() + 1; end != letters.end(); ++end)
+        if (ltl::holds(ltl::Trace({letters.begin(), end}), *formula_)) return false;
+      return ltl::holds(ltl::Trace(letters), *formula_);
+    });
+    claims_.add(holds,
+                "the word of " + path + " satisfies " + ltl::print(*formula_) + ", at its end for the first time");
+  }
+
+  // Of the routes as dear as the last one, the list need not have all. Two choices that lead to one place make routes
+  // that the list may tell as one.
+  void none_is_missing(const std::vector<std::pair<std::string, double>>& listed) {
+    const double last = listed.back().second;
+    const auto cheaper = static_cast<double>(std::count_if(
+        listed.begin(), listed.end(), [&](const auto& l) { return l.second < last && !is_close(l.second, last); }));
+    std::optional<double> all;
+    if (const auto* product = pairs(); product != nullptr && !has_parallels())
+      all = count_walks(*product, last, limits_.states);
+    claims_.add(all ? std::optional(*all == cheaper) : std::nullopt,
+                "no route that costs less than the last one is missing");
+  }
+
+  bool has_parallels() const {
+    for (std::uint32_t s = 0; s < model_.states(); ++s) {
+      std::set<std::uint32_t> targets;
+      for (std::uint32_t k = 0; k < model_.choices(s); ++k)
+        if (!targets.insert(model_.outcome(s, k, 0).target).second) return true;
     }
     return false;
   }
 
-  bool steps_and_cost(const std::optional<Walk>& walked, const Value& route, const std::string& what) {
-    claim(walked.has_value(), "every step of " + what + " is one of the model");
-    if (!walked) return false;
-    const double said = in_.number(in_.member(route, what, "cost"), "cost");
-    claim(close(said, walked->cost), "the cost of " + what + " is " + Json(said).text());
-    return true;
+  // ---- values
+
+  // Null: there is no formula, progression does not settle it, or a limit was met. Made once.
+  const ProgressionProduct* pairs() {
+    if (!formula_ || ltl::has_past(*formula_)) return nullptr;
+    if (!tried_) {
+      tried_ = true;
+      const ltl::Fragments known = ltl::fragments(*formula_, ltl::Semantics::Infinite);
+      negated_ = semantics_ == ltl::Semantics::Infinite && !known.cosafety;
+      if (!negated_ || (known.safety && is_probability()))
+        product_ = product_by_progression(case_, negated_ ? ltl::negate(*formula_) : *formula_, semantics_, limits_);
+    }
+    return product_ ? &*product_ : nullptr;
   }
 
-  ltl::Letter first_letter() const { return model_.letters()[model_.initial_letter()]; }
-
-  void lasso() {
-    const Value &before = in_.member(answer_, "", "prefix"), &again = in_.member(answer_, "", "cycle");
-    const auto prefix = walk(before, "prefix", model_.initial());
-    if (!steps_and_cost(prefix, before, "the prefix")) return;
-    const auto cycle = walk(again, "cycle", prefix->end);
-    if (!steps_and_cost(cycle, again, "the cycle")) return;
-    const bool closes = !cycle->letters.empty() && cycle->end == prefix->end;
-    claim(closes, "the cycle ends where it begins");
-    if (!closes || !formula_) return;
-    std::vector<ltl::Letter> letters{first_letter()};
-    letters.insert(letters.end(), prefix->letters.begin(), prefix->letters.end());
-    claim(ltl::holds(ltl::Lasso(letters, cycle->letters), *formula_),
-          "the walk without end satisfies " + ltl::print(*formula_));
+  void value() {
+    const ProgressionProduct* product = known_ == examined_queries.end() ? nullptr : pairs();
+    const bool by_steps = query_ == "steps" && !model_.is_deterministic();
+    if (product == nullptr || by_steps)
+      return claims_.add(std::nullopt,
+                         query_ + " lies between " + Json(*lower_).text() + " and " + Json(*upper_).text());
+    Bracket found;
+    if (query_ == "steps") {
+      found.below = found.above = least_cost(*product);
+    } else {
+      found = bracket(*product, negated_ ? known_->opposite : known_->optimum, limits_.stop);
+      if (negated_) found = {1 - found.above, 1 - found.below};
+    }
+    compare(found);
   }
 
-  void routes(bool finite) {
-    double last = 0;
-    bool first = true, sorted = true;
-    in_.each(answer_, "", "routes", [&](const Value& route, const std::string& path) {
-      const auto walked = walk(route, path, model_.initial());
-      if (!steps_and_cost(walked, route, first ? "the route" : path)) return;
-      sorted = sorted && walked->cost >= last - 1e-9;
-      last = walked->cost;
-      if (const auto value = number("value"); first && value)
-        claim(close(*value, walked->cost), "the value is the cost of the first route");
-      first = false;
-      if (!finite || !formula_) return;
-      std::vector<ltl::Letter> letters{first_letter()};
-      letters.insert(letters.end(), walked->letters.begin(), walked->letters.end());
-      claim(ltl::holds(ltl::Trace(letters), *formula_), "its word satisfies " + ltl::print(*formula_));
-    });
-    claim(sorted, "the routes are in the order of their costs");
-  }
-
-  // Dijkstra's algorithm over pairs of a state and what remains of the formula. Infinite: proved that there is no word.
-  std::optional<double> least_by_progression() {
-    using Pair = std::pair<std::uint32_t, ltl::Formula>;
-    std::map<Pair, double> best;
-    using Entry = std::pair<double, std::size_t>;
-    std::vector<std::map<Pair, double>::iterator> met;
-    std::priority_queue<Entry, std::vector<Entry>, std::greater<>> open;
-    const auto meet = [&](std::uint32_t state, ltl::Formula rest, double cost) {
-      const auto [at, fresh] = best.emplace(Pair{state, rest}, cost);
-      if (!fresh && at->second <= cost) return;
-      at->second = cost;
-      met.push_back(at);
-      open.emplace(cost, met.size() - 1);
+  void compare(const Bracket& found) {
+    const auto slack = [](double a) { return std::isinf(a) ? 0 : 1e-6 * std::max(1.0, std::abs(a)); };
+    const auto decided = [&](bool proved, bool disproved) {
+      return proved ? std::optional(true) : disproved ? std::optional(false) : std::nullopt;
     };
-    meet(model_.initial(), ltl::progress(*formula_, first_letter()), 0);
-    while (!open.empty()) {
-      const auto [cost, number] = open.top();
-      open.pop();
-      const auto [state, rest] = met[number]->first;
-      if (met[number]->second < cost) continue;
-      if (ltl::accepts_empty(rest)) return cost;
-      if (best.size() > limits_.states || limits_.stop.stop_requested()) return std::nullopt;
-      for (std::uint32_t k = 0; k < model_.choices(state); ++k) {
-        const plan::ModelOutcome outcome = model_.outcome(state, k, 0);
-        meet(outcome.target, ltl::progress(rest, model_.letters()[outcome.letter]), cost + model_.cost(state, k));
-      }
-    }
-    return INFINITY;
+    const double low = *lower_ - slack(*lower_), high = *upper_ + slack(*upper_);
+    const std::string what(known_->value);
+    claims_.add(decided(found.below >= low, found.above < low),
+                what + " is at least " + Json(*lower_).text() + ", up to 10⁻⁶");
+    if (std::isfinite(*upper_))
+      claims_.add(decided(found.above <= high, found.below > high),
+                  what + " is at most " + Json(*upper_).text() + ", up to 10⁻⁶");
   }
 
-  void least() {
-    if (!formula_ || !model_.is_deterministic()) return;
-    const bool infeasible = in_.string(in_.member(answer_, "", "status"), "status") == "infeasible";
-    const auto value = number("value");
-    if (!infeasible && !value) return;
-    const auto found = least_by_progression();
-    if (infeasible)
-      claim(found ? std::optional(std::isinf(*found)) : std::nullopt, "no route satisfies " + ltl::print(*formula_));
-    else
-      claim(found ? std::optional(close(*found, *value)) : std::nullopt, "the least cost is " + Json(*value).text());
-  }
-
-  // What progression decides: of co-safe formulas it proves lower bounds of probabilities, of safe ones upper bounds
-  // (by the negation), and the bound on the other side is refuted where the value is beyond it.
-  void value(const std::string& query) {
-    const auto lower = number("lower"), upper = number("upper");
-    if (!lower || !upper) return;
-    const ltl::Fragments known = ltl::fragments(*formula_, ltl::Semantics::Infinite);
-    if (query == "rmin") {
-      if (std::isfinite(*lower)) bounded("the least expected cost", FromBelow::LeastCost, *formula_, *lower, *upper, 0);
-    } else if (query == "pmax" || query == "pmin") {
-      const bool greatest = query == "pmax";
-      const std::string what = greatest ? "the greatest probability" : "the least probability";
-      if (known.cosafety)
-        bounded(what, greatest ? FromBelow::GreatestProbability : FromBelow::LeastProbability, *formula_, *lower,
-                *upper, 0);
-      else if (known.safety)
-        bounded(what, greatest ? FromBelow::LeastProbability : FromBelow::GreatestProbability, ltl::negate(*formula_),
-                *lower, *upper, 1);
-    }
-  }
-
-  // `whole`: 0, or 1 where the value is what is missing to 1.
-  void bounded(const std::string& what, FromBelow how, ltl::Formula formula, double lower, double upper, int whole) {
-    const double near = whole == 0 ? lower : 1 - upper, far = whole == 0 ? upper : 1 - lower;
-    const double slack = 1e-6 * std::max(1.0, std::abs(near));
-    const auto found = value_from_below(case_, formula, how, far + slack, limits_);
-    const std::string proved = Json(whole == 0 ? lower : upper).text(), other = Json(whole == 0 ? upper : lower).text();
-    claim(found && *found >= near - slack ? std::optional(true) : std::nullopt,
-          what + (whole == 0 ? " is at least " : " is at most ") + proved + ", up to 10⁻⁶");
-    if (found && *found >= far + slack) claim(false, what + (whole == 0 ? " is at most " : " is at least ") + other);
-  }
-
+  Claims& claims_;
   const plan::JsonReader& in_;
   const Value& answer_;
   const plan::PlanningCase& case_;
   const Model& model_;
   const ltl::Limits& limits_;
   ltl::Arena arena_;
+  std::string query_, status_;
+  decltype(examined_queries)::const_iterator known_ = examined_queries.end();
+  std::optional<double> value_, lower_, upper_;  // absent: null
+  ltl::Semantics semantics_ = ltl::Semantics::Infinite;
   std::optional<ltl::Formula> formula_;
-  std::vector<Claim> claims_;
+  bool tried_ = false, negated_ = false;
+  std::optional<ProgressionProduct> product_;
 };
 
 }  // namespace
 
-std::vector<Claim> claims_on_model(const Text& text, const plan::PlanningCase& model, const ltl::Limits& limits) {
-  const plan::JsonReader in(text.text, text.source, text.line);
-  const Value answer = in.parse();
-  return std::visit([&](const auto& m) { return OnModel(in, answer, model, m, limits).examine(); }, model.model);
+void examine_on_model(Claims& claims, const plan::JsonReader& in, const Value& answer, const plan::PlanningCase& model,
+                      const ltl::Limits& limits) {
+  std::visit([&](const auto& m) { OnModel(claims, in, answer, model, m, limits).examine(); }, model.model);
 }
 
 }  // namespace waymark::tools
