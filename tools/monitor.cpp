@@ -51,8 +51,9 @@ Value within(std::variant<Value, automata::Exhausted> made, const Session& sessi
 
 class Watched {
  public:
-  Watched(ltl::Formula f, const MonitorOptions& options, const Session& session)
-      : words_(options.semantics == "infinite" ? automata::Words::Infinite : automata::Words::Finite),
+  Watched(ltl::Formula f, std::string typed, const MonitorOptions& options, const Session& session)
+      : typed_(std::move(typed)),
+        words_(options.semantics == "infinite" ? automata::Words::Infinite : automata::Words::Finite),
         formula_(f),
         rest_(f),
         rests_(automata::conjuncts(f)),
@@ -95,7 +96,7 @@ class Watched {
     rest_ = ltl::transfer(rest_, arena);
     for (ltl::Formula& part : rests_) part = ltl::transfer(part, arena);
   }
-  ltl::Formula formula() const { return formula_; }
+  const std::string& typed() const { return typed_; }
   automata::MonitorVerdict last = {};
 
  private:
@@ -118,6 +119,7 @@ class Watched {
     return ltl::simplify(ltl::progress(f, letter, semantics()), infinite ? ltl::Over::Infinite : ltl::Over::Rest);
   }
 
+  std::string typed_;  // the formula
   automata::Words words_;
   ltl::Formula formula_, rest_;
   std::vector<ltl::Formula> rests_;  // of the conjuncts, where they are many
@@ -130,11 +132,13 @@ class Monitoring {
  public:
   Monitoring(const MonitorOptions& options, const Session& session) : options_(options), session_(session) {
     TextReader texts(options.text, "formula");
-    std::vector<ltl::Formula> formulas;
-    while (const std::optional<Text> text = texts.next())
-      formulas.push_back(parse_formula(*text, *arena_, parse_options(options.notation, ltl::Unknown::Add)));
+    std::vector<std::pair<ltl::Formula, std::string>> formulas;
+    while (const std::optional<Text> text = texts.next()) {
+      const ltl::Formula f = parse_formula(*text, *arena_, parse_options(options.notation, ltl::Unknown::Add));
+      formulas.emplace_back(f, as_typed(*text, f, options.notation));
+    }
     if (formulas.empty()) throw ltl::FormatError(texts.source(), 0, 0, "there is no formula");
-    for (const ltl::Formula f : formulas) watched_.emplace_back(f, options, session);
+    for (const auto& [f, typed] : formulas) watched_.emplace_back(f, typed, options, session);
   }
 
   ExitCode run() {
@@ -215,7 +219,7 @@ class Monitoring {
   // Without the beginning of the object, which has the number of letters.
   static std::string json(const Watched& watched, std::optional<ltl::Formula> rest) {
     JsonObject json;
-    json.add("formula", ltl::print(watched.formula())).add("verdict", word_for(watched.last.foresight));
+    json.add("formula", watched.typed()).add("verdict", word_for(watched.last.foresight));
     if (watched.last.now) json.add("now", *watched.last.now);
     if (!watched.last.is_known_satisfiable) json.add("known_satisfiable", false);
     if (rest) json.add("remains", ltl::print(*rest)).add("english", english(watched, *rest));
@@ -228,7 +232,7 @@ class Monitoring {
     if (verdict.foresight == automata::Foresight::Open && verdict.now)
       out += *verdict.now ? ", holds now" : ", fails now";
     if (!verdict.is_known_satisfiable) out += ", not known to be satisfiable";
-    if (watched_.size() > 1) out += '\t' + shown(watched.formula(), session_.out);
+    if (watched_.size() > 1) out += '\t' + watched.typed();
     if (rest) out += '\t' + shown(*rest, session_.out) + '\t' + english(watched, *rest);
     return out + '\n';
   }

@@ -4,8 +4,8 @@
 // A successor of a tuple of states is found by choosing a move of each part, one after the other, whose cubes agree:
 // the moves that accept soonest come first, so that the first successor is usually the best. Over infinite words,
 // strongly connected components are merged along the depth-first path [Cou99], and one with all marks of all parts
-// accepts. Over finite words, a tuple of accepting places does. The product is never built: automata with few propositions in
-// common need a few steps, whatever their number.
+// accepts. Over finite words, a tuple of accepting places does. The product is never built: automata with few
+// propositions in common need a few steps, whatever their number.
 #pragma once
 #include <cstdint>
 #include <optional>
