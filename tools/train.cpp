@@ -90,56 +90,80 @@ TrainingData training_data_of(const TrainCommandOptions& options, parser::Dialec
   return instances;
 }
 
-void report(const TrainCommandOptions& options, const parser::TrainOptions& train, const TrainingData& instances,
-            std::size_t bytes, double seconds) {
-  const bool supervised = !options.supervised.empty();
-  const std::string numbers = told_or_hidden(options.training.tell_place_numbers || options.corpus.empty());
-  if (options.json)
-    std::cout << JsonObject()
-                     .add("model", options.training.model)
-                     .add("out", options.out)
-                     .add("paragraphs", instances.corpus.paragraphs.size())
-                     .add("sentences", instances.sentences)
-                     .add("corpus_checksum", hexadecimal(instances.checksum))
-                     .add("seed", train.seed)
-                     .add("convention", options.convention)
-                     .add("place_numbers", numbers)
-                     .add("bytes", bytes)
-                     .add("seconds", seconds)
-                     .text()
-              << '\n';
-  else
-    std::cout << "trained " << options.training.model << " on " << instances.sentences << " sentences "
-              << (supervised ? "with their formulas"
-                             : "of " + std::to_string(instances.corpus.paragraphs.size()) + " paragraphs")
-              << " (checksum " << hexadecimal(instances.checksum) << ", "
-              << (supervised ? "" : "unknown headings " + options.convention + ", numbers of places " + numbers + ", ")
-              << "seed " << train.seed << "), " << bytes << " bytes, " << fixed(seconds, 1) << " s: " << options.out
-              << '\n';
+// What the reader of commands is learned from, read before anything is learned.
+struct CommandData {
+  std::shared_ptr<const parser::WordVectors> vectors;
+  std::shared_ptr<const parser::Synonyms> synonyms;
+  std::optional<parser::SynchronousGrammar> grammar;
+  std::optional<parser::CommandDomains> domains;
+  std::vector<std::pair<std::string, std::vector<parser::Command>>> learned;  // file by file
+  std::vector<parser::Command> naming;  // which tell how landmarks are named: these, and those of --mentions
+};
+
+CommandData command_data_of(const TrainCommandOptions& options) {
+  CommandData data;
+  data.vectors = read_vectors(options.data);
+  data.synonyms = std::make_shared<const parser::Synonyms>(read_synonyms(options.data));
+  data.grammar.emplace(read_grammar(options.data));
+  std::vector<std::string> files = options.commands.files;
+  std::erase(files, "own");
+  for (const std::string& file : files) {
+    data.learned.emplace_back(file, parser::read_commands(file));
+    data.naming.insert(data.naming.end(), data.learned.back().second.begin(), data.learned.back().second.end());
+  }
+  for (parser::Command& command : commands_of(options.mentions, false)) data.naming.push_back(std::move(command));
+  files.insert(files.end(), options.mentions.begin(), options.mentions.end());
+  if (files.empty() && options.commands.domains.empty()) return data;
+  data.domains.emplace(domains_of(options.commands, files.empty() ? "" : files.front()));
+  for (const parser::Command& command : data.naming)
+    if (!command.suspect) data.domains->of(command.domain);  // cities are read when they are first asked for
+  return data;
 }
+
+// What a reader of commands was learned from.
+struct CommandsReport {
+  std::size_t networks = 0, own = 0, people = 0, left_out = 0, routes = 0, vectors = 0;
+  std::uint64_t seed = 0;  // of the first network
+
+  Json json() const {
+    return JsonObject()
+        .add("networks", networks)
+        .add("seed", seed)
+        .add("own", own)
+        .add("people", people)
+        .add("left_out", left_out)
+        .add("route_instructions", routes)
+        .add("vectors", vectors);
+  }
+  std::string text() const {
+    const std::string seeds = networks == 1
+                                  ? "seed " + std::to_string(seed)
+                                  : "seeds " + std::to_string(seed) + " to " + std::to_string(seed + networks - 1);
+    return counted(networks, "network") + " (" + seeds + ") on " + std::to_string(own) + " commands of our own, " +
+           std::to_string(people) + " of people (" + std::to_string(left_out) + " left out) and " +
+           counted(routes, "route instruction") + ", with " + counted(vectors, "word vector");
+  }
+};
 
 // The reader of commands: from people's commands, our own, and what it must leave to the reader of programs.
 std::shared_ptr<const parser::LiftedReader> learn_commands(const TrainCommandOptions& options, const TrainingData& data,
-                                                           const parser::TrainOptions& train) {
-  const auto vectors = read_vectors(options.data);
-  const auto synonyms = std::make_shared<const parser::Synonyms>(read_synonyms(options.data));
+                                                           CommandData& read, const parser::TrainOptions& train,
+                                                           CommandsReport& said) {
   std::vector<parser::LiftedExample> examples =
-      parser::own_commands(read_grammar(options.data), *vectors, options.commands.how.own);
-  const auto routes = parser::route_instructions(data.corpus, data.maps, *vectors, *synonyms, 0.25);
+      parser::own_commands(*read.grammar, *read.vectors, options.commands.how.own);
+  said.own = examples.size();
+  const auto routes = parser::route_instructions(data.corpus, data.maps, *read.vectors, *read.synonyms, 0.25);
   examples.insert(examples.end(), routes.begin(), routes.end());
-  parser::MentionModel mentions{parser::mention_weights_by_hand(), synonyms};
-  std::vector<std::string> files = options.commands.files;
-  std::erase(files, "own");
-  std::vector<std::string> naming = files;
-  naming.insert(naming.end(), options.mentions.begin(), options.mentions.end());
-  std::optional<parser::CommandDomains> domains;
-  if (!naming.empty()) {
-    domains = domains_of(options.commands, naming.front());
-    mentions.weights = parser::learn_mentions(commands_of(naming, false), *domains, *synonyms).weights;
-  }
-  for (const std::string& file : files) {
-    const auto labelled = parser::labelled_commands(parser::read_commands(file), *domains, mentions, 0.3);
+  parser::MentionModel mentions{parser::mention_weights_by_hand(), read.synonyms};
+  if (!read.naming.empty())
+    mentions.weights = parser::learn_mentions(read.naming, *read.domains, *read.synonyms).weights;
+  for (const auto& [file, commands] : read.learned) {
+    const auto labelled = parser::labelled_commands(commands, *read.domains, mentions, 0.3);
     examples.insert(examples.end(), labelled.examples.begin(), labelled.examples.end());
+    said.left_out += labelled.left_out;
+    said.people += static_cast<std::size_t>(std::count_if(commands.begin(), commands.end(),
+                                                          [](const parser::Command& c) { return !c.suspect; })) -
+                   labelled.left_out;
     if (labelled.left_out > 0)
       std::cerr << file << ": " << labelled.left_out
                 << " commands are left out: their texts do not name what their formulas speak of\n";
@@ -149,11 +173,60 @@ std::shared_ptr<const parser::LiftedReader> learn_commands(const TrainCommandOpt
   for (std::size_t i = 0; i < n; ++i) {
     parser::LiftedTraining how = options.commands.how.network;
     how.seed = train.seed + i;
-    networks.push_back(parser::learn_lifted(examples, vectors, how, [&](double done) {
+    networks.push_back(parser::learn_lifted(examples, read.vectors, how, [&](double done) {
       train.progress((static_cast<double>(i) + done) / static_cast<double>(n), "learning commands");
     }));
   }
-  return std::make_shared<const parser::LiftedReader>(vectors, std::move(networks), mentions);
+  said.networks = n, said.seed = train.seed, said.routes = routes.size(), said.vectors = read.vectors->size();
+  return std::make_shared<const parser::LiftedReader>(read.vectors, std::move(networks), mentions);
+}
+
+struct Trained {
+  std::size_t bytes;
+  double seconds;
+  std::optional<CommandsReport> commands;  // of the reader that was learned, if one was
+};
+
+void report_json(const TrainCommandOptions& options, const parser::TrainOptions& train, const TrainingData& instances,
+                 const Trained& trained) {
+  JsonArray readers;
+  if (options.base.empty()) readers.add("programs");
+  if (trained.commands) readers.add("commands");
+  std::cout << JsonObject()
+                   .add("model", options.base.empty() ? Json(options.training.model) : Json())
+                   .add("base", options.base.empty() ? Json() : Json(options.base))
+                   .add("trained", readers)
+                   .add("out", options.out)
+                   .add("paragraphs", instances.corpus.paragraphs.size())
+                   .add("sentences", instances.sentences)
+                   .add("corpus_checksum", hexadecimal(instances.checksum))
+                   .add("seed", train.seed)
+                   .add("convention", options.convention)
+                   .add("place_numbers", told_or_hidden(options.training.tell_place_numbers || options.corpus.empty()))
+                   .add("commands", trained.commands ? trained.commands->json() : Json())
+                   .add("bytes", trained.bytes)
+                   .add("seconds", trained.seconds)
+                   .text()
+            << '\n';
+}
+
+void report(const TrainCommandOptions& options, const parser::TrainOptions& train, const TrainingData& instances,
+            const Trained& trained) {
+  const bool supervised = !options.supervised.empty();
+  const std::string numbers = told_or_hidden(options.training.tell_place_numbers || options.corpus.empty());
+  const std::string end =
+      std::to_string(trained.bytes) + " bytes, " + fixed(trained.seconds, 1) + " s: " + options.out + '\n';
+  if (options.base.empty())
+    std::cout << "trained " << options.training.model << " on " << instances.sentences << " sentences "
+              << (supervised ? "with their formulas"
+                             : "of " + std::to_string(instances.corpus.paragraphs.size()) + " paragraphs")
+              << " (checksum " << hexadecimal(instances.checksum) << ", "
+              << (supervised ? "" : "unknown headings " + options.convention + ", numbers of places " + numbers + ", ")
+              << "seed " << train.seed << "), " << end;
+  else
+    std::cout << "kept the reader of programs of " << options.base << ", " << end;
+  std::cout << (options.base.empty() ? "base model: none; reader of commands: " : "reader of commands: ")
+            << (trained.commands ? trained.commands->text() : "none") << '\n';
 }
 
 ExitCode run_train(const TrainCommandOptions& options, const Session& session) {
@@ -164,6 +237,10 @@ ExitCode run_train(const TrainCommandOptions& options, const Session& session) {
     throw UsageError("--map and --leave-out go with --supervised");
   if (!options.mentions.empty() && options.commands.files.empty())
     throw UsageError("--mentions needs --commands: the reader of commands is learned from them");
+  if (!options.base.empty() && options.commands.files.empty())
+    throw UsageError("--base needs --commands: the reader of programs is kept, and the commands are learned");
+  if (!options.base.empty() && !options.supervised.empty())
+    throw UsageError("--base and --supervised: keep a reader of programs, or learn one?");
   check_writable(options.out);
   parser::TrainOptions train =
       options.training.settled(options.corpus.empty() ? parser::Dialect::Temporal : parser::Dialect::Plain);
@@ -172,16 +249,20 @@ ExitCode run_train(const TrainCommandOptions& options, const Session& session) {
   ProgressBar bar;
   train.progress = [&](double fraction, std::string_view what) { bar.show(fraction, what); };
   const TrainingData instances = training_data_of(options, train.dialect);
+  std::optional<CommandData> commands;
+  if (!options.commands.files.empty()) commands = command_data_of(options);
+  Trained trained{};
   const std::string& source = options.supervised.empty() ? options.corpus : options.supervised;
   parser::Grounder grounder = !options.base.empty() ? parser::load_grounder(options.base) : learn_from(source, [&] {
     return instances.pairs.empty() ? parser::train(instances.corpus, instances.maps, train)
                                    : parser::train_supervised(instances.pairs, instances.maps.front(), train);
   });
-  if (!options.commands.files.empty()) grounder.commands = learn_commands(options, instances, train);
+  if (commands) grounder.commands = learn_commands(options, instances, *commands, train, trained.commands.emplace());
   const std::string bytes = parser::serialize_within(grounder, parser::most_bytes);
   bar.wipe();
   write_file(options.out, bytes);
-  report(options, train, instances, bytes.size(), watch.lap());
+  trained.bytes = bytes.size(), trained.seconds = watch.lap();
+  (options.json ? report_json : report)(options, train, instances, trained);
   return ExitCode::Done;
 }
 

@@ -56,7 +56,15 @@ void complain(std::string_view label, std::string_view message) {
             << '\n';
 }
 
-ProgressBar::ProgressBar() : visible_(::isatty(STDERR_FILENO) != 0 && environment("TERM") != "dumb") {}
+std::string ProgressLines::line(Clock::time_point now, double fraction, std::string_view what) {
+  if (!last_) last_ = now;
+  if (now - *last_ < every_) return {};
+  last_ = now;
+  return std::string(what) + ": " + fixed(100 * fraction, 0) + " %\n";
+}
+
+ProgressBar::ProgressBar()
+    : redraws_(::isatty(STDERR_FILENO) != 0 && environment("TERM") != "dumb"), lines_(std::chrono::seconds(5)) {}
 
 ProgressBar::~ProgressBar() { wipe(); }
 
@@ -66,8 +74,11 @@ void ProgressBar::wipe() {
 }
 
 void ProgressBar::show(double fraction, std::string_view what) {
-  if (!visible_) return;
   const auto now = std::chrono::steady_clock::now();
+  if (!redraws_) {
+    std::cerr << lines_.line(now, fraction, what) << std::flush;
+    return;
+  }
   if (drawn_ && now - last_ < std::chrono::milliseconds(50)) return;
   last_ = now;
   drawn_ = true;

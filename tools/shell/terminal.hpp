@@ -1,7 +1,8 @@
-// The abilities of standard output and standard error: colour, Unicode, a progress bar.
+// The abilities of standard output and standard error: colour, Unicode, a progress bar, or lines of progress.
 #pragma once
 #include <chrono>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -19,7 +20,20 @@ Terminal terminal_of(int file_descriptor);
 // "error: message" (or another label) on standard error, once per problem.
 void complain(std::string_view label, std::string_view message);
 
-// One line on standard error that redraws itself; silent when that is no terminal.
+// The lines that say how far a long job is where nothing redraws itself, as in a pipe or a log: the first when `every`
+// has passed since the first report, then one each time that it has passed again. A short job has none.
+class ProgressLines {
+ public:
+  using Clock = std::chrono::steady_clock;
+  explicit ProgressLines(Clock::duration every) : every_(every) {}
+  std::string line(Clock::time_point now, double fraction, std::string_view what);  // whole, or empty: not yet
+
+ private:
+  Clock::duration every_;
+  std::optional<Clock::time_point> last_;
+};
+
+// How far a long job is, on standard error: on a terminal one line that redraws itself, else whole lines.
 class ProgressBar {
  public:
   ProgressBar();
@@ -31,9 +45,10 @@ class ProgressBar {
   void wipe();
 
  private:
-  bool visible_;
+  bool redraws_;
   bool drawn_ = false;
   std::chrono::steady_clock::time_point last_;
+  ProgressLines lines_;
 };
 
 bool stdin_is_terminal();
