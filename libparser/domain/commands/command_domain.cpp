@@ -184,9 +184,9 @@ std::optional<Lifted> CommandDomain::label(const Lift& lift, const std::string& 
 }
 
 CommandDomains::CommandDomains(const std::filesystem::path& domains, std::filesystem::path maps)
-    : maps_(std::move(maps)) {
-  const std::string text = text_of(domains), source = domains.string();
-  const plan::JsonReader in(text, source);
+    : file_(domains.string()), maps_(std::move(maps)) {
+  const std::string text = text_of(domains);
+  const plan::JsonReader in(text, file_);
   const plan::JsonReader::Value document = in.parse();
   if (!document.is_object()) in.fail("", "expected an object of domains");
   for (const auto& [name, domain] : document.items()) {
@@ -210,7 +210,7 @@ const CommandDomain& CommandDomains::of(const std::string& name) {
   if (known != domains_.end()) return known->second;
   const auto colon = name.find(':');
   if (colon == std::string::npos || name.find('/') != std::string::npos)
-    throw ltl::FormatError("", 0, 0, "no domain is called '" + name + "'");
+    throw ltl::FormatError(file_, 0, 0, "no domain is called '" + name + "'");
   const auto landmarks = read_landmarks(maps_ / (name.substr(colon + 1) + ".json"));
   return domains_.emplace(name, CommandDomain::city(name, landmarks)).first->second;
 }

@@ -65,6 +65,7 @@ class CommandDomains {
   const CommandDomain& of(const std::string& name);
 
  private:
+  std::string file_;  // of the domains
   std::map<std::string, CommandDomain> domains_;
   std::filesystem::path maps_;
 };
