@@ -25,8 +25,8 @@ export function show_welcome(shown) {
 
 // Words that seldom mean anything by themselves in an instruction.
 const small = new Set(('a about after all an and any are as at be been before but by can could do does down else ever for from ' +
-  'get go going have head i in into is it its just keep let move moving must never no not now of off on once one onto or ' +
-  'other out over past please robot should so some step take that the them then there this through till to toward ' +
+  'come continue corridor cross follow forward get go going hall hallway have head i in into is it its just keep let move moving must never no not now of off on once one onto or ' +
+  'other out over pass past place please reach robot should so some step take that the them then there this through till to toward ' +
   'towards until up visit walk walking was way we when where while will with without would you your').split(' '));
 
 // found: the answer of /api/words, null for nothing. A word counts as read when it names something, or when a symbol of
