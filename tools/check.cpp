@@ -164,7 +164,9 @@ void print_verdict(const std::string& label, ltl::Formula formula, const JudgedW
                    ltl::Semantics semantics, const Session& session) {
   std::cout << label;
   const bool foreseen = semantics == ltl::Semantics::Infinite && !checked.goes_on();
-  if (!judged.satisfied)
+  if (!judged.satisfied && !judged.is_known_satisfiable)
+    std::cout << "open: whether some continuation satisfies it is not known\n";
+  else if (!judged.satisfied)
     std::cout << "open: some continuations satisfy it, others do not\n";
   else if (*judged.satisfied)
     std::cout << session.out.paint(Paint::Green, "satisfied") << (foreseen ? ", however it goes on" : "") << '\n';

@@ -6,13 +6,11 @@
 #include <utility>
 #include <variant>
 
-#include "libautomata/finite/ltlf_to_dfa.hpp"
-#include "libautomata/finite/run.hpp"
+#include "libautomata/monitor/conjunction.hpp"
 #include "libltl/meaning/progress.hpp"
 #include "libltl/meaning/trace_check.hpp"
 #include "libltl/rewriting/simplify.hpp"
 #include "libltl/text/print.hpp"
-#include "libplan/solve/task_automaton.hpp"
 #include "tools/shell/exit_code.hpp"
 
 namespace waymark::tools {
@@ -50,74 +48,47 @@ bool satisfies(const ltl::Trace& word, ltl::Formula f) {
   return ltl::TraceCheck(f)(ltl::Columns(word, f.arena().vocabulary().size()));
 }
 
-// Verdicts letter by letter; absent when the automaton met its limit.
-using Verdicts = std::optional<std::vector<LetterVerdict>>;
-
-Verdicts finite_verdicts(ltl::Formula f, const ltl::Trace& word, const std::stop_token& stop) {
-  const auto made = automata::ltlf_to_dfa(f, {.states = most_states, .stop = stop});
-  const auto* dfa = std::get_if<automata::Dfa>(&made);
-  if (stop.stop_requested()) throw Interrupted();
-  if (dfa == nullptr) return std::nullopt;
-  const automata::Run run = automata::run(*dfa, word);
-  if (run.accepted != satisfies(word, f))
-    throw std::logic_error("automaton and definition disagree on " + ltl::print(f));
-  std::vector<LetterVerdict> out;
-  for (std::size_t i = 1; i < run.states.size(); ++i)
-    out.push_back(dfa->is_accepting(run.states[i]) ? LetterVerdict::Satisfied
-                  : dfa->is_trap(run.states[i])    ? LetterVerdict::Lost
-                                                   : LetterVerdict::Open);
-  return out;
-}
-
-// The states in which a run on the letters so far may be. The automaton is trimmed: none is left exactly when no
-// continuation is accepted.
-class Reached {
- public:
-  explicit Reached(const automata::Automaton& automaton) : automaton_(automaton), states_{automaton.initial().index} {}
-
-  bool read(const ltl::Letter& letter) {  // is any left?
-    std::vector<std::uint32_t> next;
-    for (const std::uint32_t q : states_)
-      for (const automata::Branch& branch : automaton_.next(automata::StateId{q}, letter))
-        next.push_back(branch.target);
-    std::sort(next.begin(), next.end());
-    next.erase(std::unique(next.begin(), next.end()), next.end());
-    states_ = std::move(next);
-    return !states_.empty();
-  }
-  const std::vector<std::uint32_t>& states() const { return states_; }
-
- private:
-  const automata::Automaton& automaton_;
-  std::vector<std::uint32_t> states_;
+// What monitors of the conjuncts say letter by letter. Of a lasso: of u and of one round of v; a loss in a later round is
+// one of the whole word, not of a letter.
+struct Verdicts {
+  std::vector<LetterVerdict> letters;
+  bool are_known = true;  // false: of some letter, whether a continuation satisfies the formula is not known
 };
 
-std::optional<automata::Automaton> trimmed(ltl::Formula f, const std::stop_token& stop) {
-  auto made = plan::lasso_automaton(f, {.states = most_states, .stop = stop});
-  if (stop.stop_requested()) throw Interrupted();
-  return made;
+LetterVerdict letter_verdict(const automata::MonitorVerdict& said) {
+  if (said.now.value_or(said.foresight == automata::Foresight::True)) return LetterVerdict::Satisfied;
+  return said.foresight == automata::Foresight::False ? LetterVerdict::Lost : LetterVerdict::Open;
 }
 
-// Of u and of one round of v; a loss in a later round is one of the whole word, not of a letter.
-Verdicts infinite_verdicts(ltl::Formula f, const std::vector<ltl::Letter>& letters, const std::stop_token& stop) {
-  const auto yes = trimmed(f, stop), no = trimmed(ltl::negate(f), stop);
-  if (!yes || !no) return std::nullopt;
-  Reached for_it(*yes), against_it(*no);
-  std::vector<LetterVerdict> out;
-  for (const ltl::Letter& letter : letters) {
-    const bool may_hold = for_it.read(letter), may_fail = against_it.read(letter);
-    out.push_back(!may_hold ? LetterVerdict::Lost : !may_fail ? LetterVerdict::Satisfied : LetterVerdict::Open);
+// Absent when an automaton met its limit.
+std::optional<Verdicts> foreseen(ltl::Formula f, const std::vector<ltl::Letter>& letters, ltl::Semantics semantics,
+                                 const std::stop_token& stop) {
+  const auto words = semantics == ltl::Semantics::Finite ? automata::Words::Finite : automata::Words::Infinite;
+  auto made = automata::ConjunctionMonitor::of(f, words, {.states = most_states, .stop = stop});
+  if (stop.stop_requested()) throw Interrupted();
+  auto* monitor = std::get_if<automata::ConjunctionMonitor>(&made);
+  if (monitor == nullptr) return std::nullopt;
+  Verdicts out;
+  try {
+    for (const ltl::Letter& letter : letters) {
+      if (stop.stop_requested()) throw Interrupted();
+      const automata::MonitorVerdict said = monitor->read(letter);
+      out.letters.push_back(letter_verdict(said));
+      out.are_known = out.are_known && said.is_known_satisfiable;
+    }
+  } catch (const automata::Budget::Exceeded&) {  // stopped
+    throw Interrupted();
   }
   return out;
 }
 
 std::optional<bool> verdict(ltl::Formula f, const ltl::AnyWord& word, ltl::Semantics semantics,
-                            const Verdicts& verdicts) {
+                            const std::optional<Verdicts>& verdicts) {
   if (const auto* lasso = std::get_if<ltl::Lasso>(&word)) return ltl::holds(*lasso, f);
   if (semantics == ltl::Semantics::Finite) return satisfies(std::get<ltl::Trace>(word), f);
   if (!verdicts) throw GaveUp("the automaton that foresees continuations has too many states");
-  if (verdicts->back() == LetterVerdict::Open) return std::nullopt;
-  return verdicts->back() == LetterVerdict::Satisfied;
+  if (verdicts->letters.back() == LetterVerdict::Open) return std::nullopt;
+  return verdicts->letters.back() == LetterVerdict::Satisfied;
 }
 
 }  // namespace
@@ -126,20 +97,21 @@ JudgedWord judge(ltl::Formula f, const ltl::AnyWord& word, ltl::Semantics semant
                  const std::stop_token& stop) {
   const std::vector<ltl::Letter> letters = letters_of(word);
   const bool finite = semantics == ltl::Semantics::Finite;
-  const auto verdicts_of_all = [&] {
-    return finite ? finite_verdicts(f, std::get<ltl::Trace>(word), stop) : infinite_verdicts(f, letters, stop);
-  };
   JudgedWord judged;
   const bool goes_on = !finite && std::holds_alternative<ltl::Trace>(word);
   if (!goes_on) judged.satisfied = verdict(f, word, semantics, std::nullopt);
   if (!each && judged.satisfied.value_or(false)) return judged;
 
-  const Verdicts verdicts = verdicts_of_all();
+  const std::optional<Verdicts> verdicts = foreseen(f, letters, semantics, stop);
   if (goes_on) judged.satisfied = verdict(f, word, semantics, verdicts);
   if (verdicts) {
-    judged.knows_loss = true;
-    const auto lost = std::find(verdicts->begin(), verdicts->end(), LetterVerdict::Lost);
-    if (lost != verdicts->end()) judged.lost = static_cast<std::size_t>(lost - verdicts->begin());
+    const std::vector<LetterVerdict>& all = verdicts->letters;
+    if (finite && (all.back() == LetterVerdict::Satisfied) != judged.satisfied)
+      throw std::logic_error("monitor and definition disagree on " + ltl::print(f));
+    judged.is_known_satisfiable = verdicts->are_known;
+    judged.knows_loss = verdicts->are_known;
+    const auto lost = std::find(all.begin(), all.end(), LetterVerdict::Lost);
+    if (lost != all.end()) judged.lost = static_cast<std::size_t>(lost - all.begin());
   }
   if (!each) return judged;
   judged.letters = progressed(f, letters, semantics, stop);
@@ -147,8 +119,8 @@ JudgedWord judge(ltl::Formula f, const ltl::AnyWord& word, ltl::Semantics semant
     throw std::logic_error("progression and definition disagree on " + ltl::print(f));
   if (!verdicts) return judged;
   for (std::size_t i = 0; i < letters.size(); ++i) {
-    judged.letters[i].verdict = (*verdicts)[i];
-    if ((*verdicts)[i] == LetterVerdict::Lost) judged.letters[i].remains = f.arena().constant(false);
+    judged.letters[i].verdict = verdicts->letters[i];
+    if (verdicts->letters[i] == LetterVerdict::Lost) judged.letters[i].remains = f.arena().constant(false);
   }
   return judged;
 }

@@ -1,7 +1,7 @@
 // A formula judged letter by letter on a word: what remains after each letter, and where all hope was lost.
 //
 // The verdict on the whole word is that of the definition of ⊨ and of nothing else. What every continuation shares is
-// asked of an automaton: of a DFA over finite words, of a trimmed generalised Büchi automaton over infinite ones.
+// asked of monitors of the conjuncts (libautomata/monitor/conjunction.hpp).
 #pragma once
 #include <cstdint>
 #include <optional>
@@ -26,6 +26,7 @@ struct JudgedWord {
   std::optional<bool> satisfied;      // absent: a word that goes on, and its continuations differ
   std::optional<std::size_t> lost;    // the first letter, counted from 0, after which no continuation satisfies it
   bool knows_loss = false;            // `lost` was looked for
+  bool is_known_satisfiable = true;   // false: of some letter, whether a continuation satisfies it is not known
   std::vector<JudgedLetter> letters;  // with `each` only; of a lasso those of u and of v once
 };
 
