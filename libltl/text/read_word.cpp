@@ -97,7 +97,7 @@ class WordReader {
     const std::size_t begin = at_;
     while (at_ < text_.size() && !ends_name(text_[at_])) ++at_;
     if (begin == at_) fail("expected the name of a proposition");
-    const std::string name(text_.substr(begin, at_ - begin));
+    std::string name(text_.substr(begin, at_ - begin));
     const auto refuse = [&](const std::string& message) { throw SyntaxError(text_, {begin, at_}, message); };
     if (name == "cycle" && peek() == '{') refuse("expected a lasso as {a}; ({b})w: cycle{b} is not read");
     if (is_name(name)) return name;
