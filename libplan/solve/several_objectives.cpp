@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <stdexcept>
 
 #include "libplan/solve/pareto_product.hpp"
@@ -11,7 +12,7 @@ namespace {
 
 struct BestStopped {};  // thrown
 
-constexpr double rounding = 1e-9;
+constexpr double rounding = 1e-9, infinite = std::numeric_limits<double>::infinity();
 
 bool is_loss(const Objective& o) { return o.costs != nullptr && !o.greatest; }
 double oriented(const Objective& o, double value) { return o.greatest ? value : -value; }  // more is better
@@ -154,21 +155,21 @@ class Several {
     curve_ = curve(product, objectives);
     const Best finite = along(curve_, objectives, bound);
     if (finite.possible || !is_loss(wanted)) return finite;
-    if (other == nullptr) return {true, -INFINITY};
+    if (other == nullptr) return {true, -infinite};
     std::vector<ParetoPoint> before = std::move(curve_);
     const Best at_any_cost = best_of(other->objective, nullptr);
     curve_ = std::move(before);
-    return {at_any_cost.possible && at_any_cost.value >= *bound - rounding, -INFINITY};
+    return {at_any_cost.possible && at_any_cost.value >= *bound - rounding, -infinite};
   }
 
   static Best endless_gain_refused() { throw std::invalid_argument("a reward that is to be great may be infinite"); }
 
   Best endless_gain(const ParetoProduct& product, const std::vector<Objective>& objectives,
                     std::optional<double> bound) const {
-    if (!bound) return {true, INFINITY};
+    if (!bound) return {true, infinite};
     const Best found = chance(product, objectives, 0, bound);
     if (!found.possible) return found;
-    return found.value > rounding ? Best{true, INFINITY} : endless_gain_refused();
+    return found.value > rounding ? Best{true, infinite} : endless_gain_refused();
   }
 
   // The bound is on a gain: any chance to earn for ever, however small, meets it.

@@ -139,7 +139,7 @@ ltl::Letter LetterLines::json_letter(std::string_view line) {
     const bool wanted = vocabulary_.find(name).has_value();
     if (!is_truth && ((!is_text && !member.is_number()) || wanted)) reader.fail(name, "expected true, false, 1 or 0");
     const std::string shown = is_text ? member.get<std::string>() : member.dump();
-    if (member == true || member == 1) letter.insert(names_.add(name));
+    if (member.is_boolean() ? member.get<bool>() : member == 1) letter.insert(names_.add(name));
     if (!is_truth) no_truths_.try_emplace(name, NoTruth{shown, line_});
     if (conditions_.compares(name) && std::find(keys_.begin(), keys_.end(), name) == keys_.end()) keys_.push_back(name);
     if (member.is_boolean()) continue;
