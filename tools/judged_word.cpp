@@ -48,8 +48,8 @@ bool satisfies(const ltl::Trace& word, ltl::Formula f) {
   return ltl::TraceCheck(f)(ltl::Columns(word, f.arena().vocabulary().size()));
 }
 
-// What monitors of the conjuncts say letter by letter. Of a lasso: of u and of one round of v; a loss in a later round is
-// one of the whole word, not of a letter.
+// What monitors of the conjuncts say letter by letter. Of a lasso: of u and of one round of v; a loss in a later round
+// is one of the whole word, not of a letter.
 struct Verdicts {
   std::vector<LetterVerdict> letters;
   bool are_known = true;  // false: of some letter, whether a continuation satisfies the formula is not known

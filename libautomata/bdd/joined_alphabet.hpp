@@ -22,7 +22,7 @@ struct JoinedAlphabet {
   std::vector<Mtbdd::Variable> of_second = {};  // by variable of the second
 };
 
-JoinedAlphabet joined(const Alphabet& first, const Alphabet& second);
+JoinedAlphabet joined(const Alphabet& first, const Alphabet& second);  // O(propositions)
 
 // The same functions in another manager, variable v renamed to name[v]; the order of variables may change.
 std::vector<Mtbdd::Node> renamed(const Mtbdd& from, const std::vector<Mtbdd::Node>& roots,

@@ -22,9 +22,9 @@
 
 namespace waymark::automata {
 
-struct MonitorVerdict {
-  Foresight foresight = Foresight::Open;
-  std::optional<bool> now = {};      // finite words: whether the word so far satisfies the formula
+struct MonitorVerdict {                   // after a letter
+  Foresight foresight = Foresight::Open;  // what all continuations share
+  std::optional<bool> now = {};           // finite words: whether the word so far satisfies the formula
   bool is_known_satisfiable = true;  // false: open, but whether some continuation satisfies the formula is not known
   friend bool operator==(const MonitorVerdict&, const MonitorVerdict&) = default;
 };

@@ -10,9 +10,9 @@
 
 namespace waymark::automata {
 
-struct UnsettledWord {  // accepted, although no prefix of it settles that
-  ltl::Lasso word;
-  ltl::Vocabulary vocabulary;
+struct UnsettledWord {         // accepted, although no prefix of it settles that
+  ltl::Lasso word;             // over `vocabulary`
+  ltl::Vocabulary vocabulary;  // of the automaton
 };
 
 // The finite words after which every continuation is accepted, minimal; or a word that no such prefix begins. Throws

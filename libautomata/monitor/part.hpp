@@ -20,14 +20,14 @@ namespace waymark::automata {
 
 class Part {
  public:
-  using Place = std::uint32_t;
+  using Place = std::uint32_t;         // a number
   static constexpr Place nowhere = 0;  // the empty set
 
-  struct Literal {  // of a letter
-    ltl::Proposition proposition;
-    bool value;
+  struct Literal {                 // of a letter
+    ltl::Proposition proposition;  // that a move asks for
+    bool value;                    // in the letter or not
   };
-  struct Move {
+  struct Move {                 // a way on
     std::vector<Literal> cube;  // in the order of the diagram
     Place target;               // of one state
     Marks marks;                // of the branch

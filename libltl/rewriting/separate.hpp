@@ -20,7 +20,7 @@ Purity purity(Formula f);  // read off the syntax: "yes" is proved. O(DAG)
 
 class Purities {  // … of many formulas of one arena, remembered: O(DAG) of all together
  public:
-  Purity of(Formula f);
+  Purity of(Formula f);  // as purity(f)
 
  private:
   Purity compute(Formula f) const;  // of operands that are known

@@ -14,7 +14,7 @@ struct Binding {       // of an operator between or before formulas
   int level = 0;       // binds tighter when larger
   bool right = false;  // φ ∘ ψ ∘ χ reads φ ∘ (ψ ∘ χ)
 };
-Binding binding(Symbol symbol, Dialect dialect);
+Binding binding(Symbol symbol, Dialect dialect);  // of a binary operator, in that dialect
 
 // Waymark and Infix: is the word a sequence of the unary letters X N F G?
 bool is_unary_run(std::string_view word, Dialect dialect);

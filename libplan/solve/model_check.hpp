@@ -15,14 +15,14 @@
 
 namespace waymark::plan {
 
-struct LikelyPath {                 // of a strategy
-  std::vector<std::string> places;  // the start first
-  std::vector<std::string> actions;
-  double probability = 0;  // of the outcomes on it
+struct LikelyPath {                  // of a strategy
+  std::vector<std::string> places;   // the start first
+  std::vector<std::string> actions;  // between them
+  double probability = 0;            // of the outcomes on it
 };
 
-struct ModelCheck {
-  bool holds = true;
+struct ModelCheck {                        // what was found of one formula
+  bool holds = true;                       // on all runs
   Bounds probability{1, 1};                // of the formula, under the worst strategy; where chance decides
   std::optional<CaseAnswer::Lasso> lasso;  // on which the formula does not hold
   std::vector<LikelyPath> paths;           // on which it does not hold
@@ -30,11 +30,11 @@ struct ModelCheck {
   bool is_chain = false;                   // no strategy has a choice
 };
 
-struct ModelCheckOptions {
+struct ModelCheckOptions {             // what may be spent and told
   std::size_t paths = 10;              // at most
   double tolerance = 1e-6;             // of the probability
   std::size_t states = 4'000'000'000;  // of the product
-  std::stop_token stop = {};
+  std::stop_token stop = {};           // polled
 };
 
 // nullopt: a limit was met, or stopped. Throws ltl::SyntaxError for a formula that cannot be read.

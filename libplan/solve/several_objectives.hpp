@@ -18,15 +18,15 @@ struct BoundedObjective {       // of a strategy
   std::optional<double> bound;  // that it must reach: at least where it is to be great, at most where it is to be small
 };
 
-struct SeveralAnswer {
-  enum class Kind : std::uint8_t {
-    Curve,       // nothing is bounded, and there are two: `curve`
-    Value,       // the best value under the bounds, which may be infinite
-    Truth,       // all is bounded: whether one strategy meets them, 1 or 0
-    Infeasible,  // no strategy meets the bound
+struct SeveralAnswer {              // of one or two objectives
+  enum class Kind : std::uint8_t {  // what is told
+    Curve,                          // nothing is bounded, and there are two: `curve`
+    Value,                          // the best value under the bounds, which may be infinite
+    Truth,                          // all is bounded: whether one strategy meets them, 1 or 0
+    Infeasible,                     // no strategy meets the bound
   };
-  Kind kind = Kind::Curve;
-  double value = 0;
+  Kind kind = Kind::Curve;              // of this answer
+  double value = 0;                     // a Value, or a Truth
   std::vector<ParetoPoint> curve = {};  // of the strategies whose costs are finite
 };
 

@@ -15,9 +15,9 @@
 
 namespace waymark::plan {
 
-struct NoTruth {      // a value that is neither true nor false
-  std::string value;  // the first of its column
-  std::size_t line = 0;
+struct NoTruth {         // a value that is neither true nor false
+  std::string value;     // the first of its column
+  std::size_t line = 0;  // where it stands
 };
 using NoTruths = std::map<std::string, NoTruth>;  // by the name of the column
 
@@ -25,7 +25,7 @@ using NoTruths = std::map<std::string, NoTruth>;  // by the name of the column
 class Conditions {
  public:
   explicit Conditions(const ltl::Vocabulary& vocabulary);
-  bool compares(const std::string& column) const { return by_column_.contains(column); }
+  bool compares(const std::string& column) const { return by_column_.contains(column); }  // is some condition on it?
   // A condition on none of these columns. O(conditions · columns).
   std::optional<std::string> on_none_of(const std::vector<std::string>& columns) const;
   // Inserts those that hold of this value; the condition that cannot be compared with it, if there is one.

@@ -8,7 +8,7 @@
 
 namespace waymark::plan {
 
-using PropertyNames = std::set<std::string, std::less<>>;
+using PropertyNames = std::set<std::string, std::less<>>;  // of other properties
 
 // "name": … before properties; labels of the same names are to be taken out.
 inline PropertyNames property_names(const PrismTokens& in) {
