@@ -64,7 +64,7 @@ std::string ProgressLines::line(Clock::time_point now, double fraction, std::str
 }
 
 ProgressBar::ProgressBar()
-    : redraws_(::isatty(STDERR_FILENO) != 0 && environment("TERM") != "dumb"), lines_(std::chrono::seconds(5)) {}
+    : redraws_(::isatty(STDERR_FILENO) != 0 && environment("TERM") != "dumb"), lines_(std::chrono::seconds(30)) {}
 
 ProgressBar::~ProgressBar() { wipe(); }
 
