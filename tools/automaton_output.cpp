@@ -297,7 +297,7 @@ Reply shown_ldba(const automata::MdpSafe& automaton, const Shown& about, const O
   if (options.format == "dot")
     return show_or_refuse(automaton.automaton(), dot_of(automaton, about, options.edges), about, options);
   Guesses guesses;
-  if (!automaton.is_deterministic()) guesses.properties.push_back("semi-deterministic");
+  if (!automaton.is_deterministic()) guesses.properties.emplace_back("semi-deterministic");
   std::string parts = "waymark-accepting-part:", jumps = "waymark-jumps:";
   for (std::uint32_t q = 0; q < automaton.states(); ++q) {
     if (automaton.in_accepting_part(automata::StateId{q})) {

@@ -20,9 +20,9 @@ namespace waymark::automata {
 
 enum class Words : std::uint8_t { Finite, Infinite };  // that are read
 
-struct JointAnswer {  // whether there is such a word
+struct JointAnswer {                                       // whether there is such a word
   enum class Verdict : std::uint8_t { No, Yes, Unknown };  // of the search
-  Verdict verdict = Verdict::Unknown;     // Unknown: a part has too many moves
+  Verdict verdict = Verdict::Unknown;                      // Unknown: a part has too many moves
   std::vector<ltl::Letter> letters = {};  // Yes: along these, all tuples have such a word; the first is for `from`
 };
 

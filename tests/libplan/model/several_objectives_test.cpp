@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <random>
 #include <stdexcept>
@@ -72,7 +73,7 @@ struct Chain {  // of a rule
   // The sum of what the steps from pair 0 on are worth.
   double sum(const std::array<double, pairs>& worth) const {
     for (std::uint32_t i = 0; i < pairs; ++i)
-      if (reach[0][i] && recurs(i) && worth[i] > 0) return INFINITY;
+      if (reach[0][i] && recurs(i) && worth[i] > 0) return std::numeric_limits<double>::infinity();
     std::array<double, pairs> at{};
     at[0] = 1;
     double out = 0;
@@ -120,17 +121,18 @@ std::vector<Rule> all_rules(const Mdp& mdp) {
 
 // The best first coordinate of mixtures whose second one is at least the bound; nothing: there are none.
 std::optional<double> best_mixture(const std::vector<std::array<double, 2>>& points, std::optional<double> bound) {
+  constexpr double infinite = std::numeric_limits<double>::infinity();
   std::optional<double> best;
   const auto offer = [&](double x) { best = best ? std::max(*best, x) : x; };
   for (const auto& [x, y] : points) {
     if (!bound || y >= *bound - 1e-7) offer(x);
     for (const auto& [u, v] : points) {
       if (!bound || y >= *bound || v <= *bound || std::isinf(y)) continue;  // a little of the second, or some of it
-      if (std::isinf(x) && x > 0 && u > -INFINITY) offer(INFINITY);
+      if (std::isinf(x) && x > 0 && u > -infinite) offer(infinite);
       const double share = std::isinf(v) ? 0 : (*bound - y) / (v - y);
       if (std::isfinite(x) && std::isfinite(u)) offer(x + share * (u - x));
-      if (std::isfinite(x) && u > 0 && std::isinf(u)) offer(INFINITY);
-      if (u == -INFINITY || x == -INFINITY) offer(-INFINITY);
+      if (std::isfinite(x) && u > 0 && std::isinf(u)) offer(infinite);
+      if (u == -infinite || x == -infinite) offer(-infinite);
     }
   }
   return best;

@@ -29,7 +29,7 @@ TEST(Dimacs, ReadsArcsLabelsAndStart) {
   const std::string gr = "c a town\np sp 3 4\na 2 1 7\na 1 2 5\r\na 3 1 0\na 1 3 9\n";
   const std::string lab = "0=\"init\" 1=\"park\" 4=\"old town\"\n2: 1\n3: 0 4 1\n";
   const RoadGraph graph = parsed(gr, lab);
-  EXPECT_EQ(testing::show(graph), "start 3\n1 {} 2:5 3:9\n2 {park} 1:7\n3 {park, old town} 1:0\n");
+  EXPECT_EQ(testing::show(graph), "start 3\n1 {} 2:5 3:9\n2 {park} 1:7\n3 {park, \"old town\"} 1:0\n");
   EXPECT_EQ(parsed(gr, lab, "2").start(), 1U);
   EXPECT_EQ(parsed(gr, lab, "park").start(), 1U);
   EXPECT_EQ(parsed("p sp 1 0\n", "1=\"a\"\n1: 1\n").start(), 0U);

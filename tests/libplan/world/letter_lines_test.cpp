@@ -103,7 +103,7 @@ TEST(LetterLines, SeveralTracesStandBetweenLinesOfDashes) {
 }
 
 TEST(LetterLines, ValuesAreComparedAndNoTruth) {
-  const auto with = [](const char* text, std::vector<std::string> wanted) {
+  const auto with = [](const char* text, const std::vector<std::string>& wanted) {
     return refusal(text, {.wanted = ltl::Vocabulary(wanted)});
   };
   const char* table = "a,x,state\n1,2.5,idle\n0,3,busy\n";

@@ -11,7 +11,7 @@ namespace waymark::parser {
 namespace {
 
 std::filesystem::path written(const std::string& text) {
-  const std::filesystem::path file = std::filesystem::path(::testing::TempDir()) / "landmark_test.json";
+  std::filesystem::path file = std::filesystem::path(::testing::TempDir()) / "landmark_test.json";
   std::ofstream(file) << text;
   return file;
 }
