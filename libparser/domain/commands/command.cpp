@@ -1,5 +1,6 @@
 #include "libparser/domain/commands/command.hpp"
 
+#include <algorithm>
 #include <sstream>
 
 #include "libltl/text/read_text.hpp"
@@ -36,10 +37,38 @@ class CommandReader {
         c.landmarks[proposition] =
             words.is_null() ? std::nullopt : std::optional(in_.string(words, "landmarks." + proposition));
     }
+    c.hand = in_.string_or(object_, "", "hand", "");
+    c.style = in_.string_or(object_, "", "style", "");
+    if (const auto* also = in_.find(object_, "", "also")) c.also = in_.strings(*also, "also");
+    if (const auto* things = in_.find(object_, "", "things")) {
+      if (!things->is_object()) in_.fail("things", "expected an object");
+      for (const auto& [key, name] : things->items()) c.things[key] = in_.string(name, "things." + key);
+    }
+    if (const auto* mentions = in_.find(object_, "", "mentions"))
+      for (const auto& mention : *mentions) c.mentions.push_back(marked(mention, c));
+    std::stable_sort(c.mentions.begin(), c.mentions.end(),
+                     [](const MarkedMention& a, const MarkedMention& b) { return a.begin < b.begin; });
     return c;
   }
 
  private:
+  // [begin, end, thing, negated], in characters of the text.
+  MarkedMention marked(const plan::JsonReader::Value& mention, const Command& c) const {
+    if (!mention.is_array() || mention.size() != 4)
+      in_.fail("mentions", "expected lists of a beginning, an end, a key of things, and whether it is negated");
+    const auto byte = [&](const plan::JsonReader::Value& character) {
+      const int n = in_.integer(character, "mentions");
+      std::size_t at = 0;
+      for (int i = 0; i < n && at < c.text.size(); ++i) do
+          ++at;
+        while (at < c.text.size() && (static_cast<unsigned char>(c.text[at]) & 0xC0U) == 0x80U);
+      return at;
+    };
+    MarkedMention m{byte(mention[0]), byte(mention[1]), in_.string(mention[2], "mentions"),
+                    in_.truth(mention[3], "mentions")};
+    if (m.begin >= m.end || !c.things.contains(m.thing)) in_.fail("mentions", "names no words, or no thing");
+    return m;
+  }
   std::size_t count(const std::string& key, std::size_t otherwise) const {
     const auto* const value = in_.find(object_, "", key);
     if (value == nullptr) return otherwise;

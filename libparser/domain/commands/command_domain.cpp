@@ -96,6 +96,19 @@ CommandDomain CommandDomain::city(std::string name, const std::vector<Landmark>&
   return domain;
 }
 
+CommandDomain CommandDomain::of_things(const Command& command) {
+  std::vector<Landmark> landmarks;
+  for (const auto& [key, name] : command.things) {
+    std::string proposition = key;
+    std::transform(proposition.begin(), proposition.end(), proposition.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    landmarks.push_back({std::move(proposition), name, {}, {}});
+  }
+  CommandDomain domain = city(command.domain, landmarks);
+  domain.network_domain_.clear();
+  return domain;
+}
+
 std::vector<NamedThing> CommandDomain::named_things() const {
   if (!city_) return things_;
   std::vector<NamedThing> out;

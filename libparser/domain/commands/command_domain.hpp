@@ -28,6 +28,8 @@ class CommandDomain {
   static CommandDomain with_letters(std::string name, std::vector<std::string> names = {});
   static CommandDomain small(std::string name, const std::vector<std::string>& propositions);
   static CommandDomain city(std::string name, const std::vector<Landmark>& landmarks);
+  // What one command may name: propositions are the keys of its things in lower case.
+  static CommandDomain of_things(const Command& command);
 
   struct Lift {                      // a text with slots
     LiftedText text;                 // its mentions are slots
