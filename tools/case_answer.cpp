@@ -98,11 +98,12 @@ JsonObject case_json(const std::string& model, const plan::CaseTask& task, const
   if (answer.lasso)
     out.add("prefix", route_json(answer.lasso->prefix))
         .add("cycle", route_json(answer.lasso->cycle))
-        .add("rounds", answer.lasso->rounds);
+        .add("rounds", answer.lasso->rounds)
+        .add("order", plan::name(answer.lasso->order));
   if (!answer.routes.empty()) {
     JsonArray routes;
     for (const plan::NamedRoute& route : answer.routes) routes.add(route_json(route));
-    out.add("routes", routes);
+    out.add("asked", answer.asked).add("routes", routes);
   }
   if (!answer.reason.empty()) out.add("reason", answer.reason);
   if (!answer.dropped.empty()) {

@@ -187,18 +187,6 @@ std::string model_text(const CaseChoice& choice, const ltl::Limits& limits) {
   return plan::write_prism(plan::with_labels_on_states(std::get<plan::Mdp>(read.model)));
 }
 
-std::vector<PrismProperty> read_properties(const CaseChoice& choice, const ltl::Limits& limits) {
-  const std::string model = choice.model.ends_with(".jani") ? read_file(choice.model) : model_text(choice, limits);
-  if (choice.model.ends_with(".jani")) {
-    if (choice.properties != choice.model)
-      throw UsageError("the properties of a model in JANI are those of its document: --properties " + choice.model);
-    return plan::parse_jani_properties({model, choice.model}, constants_of(choice.constants), limits);
-  }
-  const std::string text = read_file(choice.properties);
-  return plan::parse_prism_properties({model, choice.model}, {text, choice.properties}, constants_of(choice.constants),
-                                      limits);
-}
-
 // Within the limits of a property.
 std::vector<PrismProperty> properties_of(const CaseChoice& choice, const std::stop_token& stop) {
   const ltl::Watch watch(granted(choice.parallel.limits), stop);
@@ -212,6 +200,23 @@ std::vector<PrismProperty> properties_of(const CaseChoice& choice, const std::st
 }
 
 }  // namespace
+
+std::vector<PrismProperty> read_properties(const CaseChoice& choice, const ltl::Limits& limits) {
+  const bool jani = choice.model.ends_with(".jani");
+  if (jani && choice.properties != choice.model)
+    throw UsageError("the properties of a model in JANI are those of its document: --properties " + choice.model);
+  const std::string text = jani ? "" : read_file(choice.properties);
+  return properties_in(choice, {text, choice.properties}, limits);
+}
+
+std::vector<PrismProperty> properties_in(const CaseChoice& choice, const plan::PrismSource& text,
+                                         const ltl::Limits& limits) {
+  const plan::PrismConstants constants = constants_of(choice.constants);
+  const bool jani = choice.model.ends_with(".jani");
+  const std::string model = jani ? read_file(choice.model) : model_text(choice, limits);
+  if (jani) return plan::parse_jani_properties({model, choice.model}, constants, limits);
+  return plan::parse_prism_properties({model, choice.model}, text, constants, limits);
+}
 
 ExitCode plan_properties(const CaseChoice& choice, const Session& session) {
   const std::vector<PrismProperty> properties = properties_of(choice, session.stop);

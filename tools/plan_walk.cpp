@@ -40,6 +40,10 @@ std::string poses_of(std::span<const plan::PoseId> starts, const plan::Map& map)
   return out;
 }
 
+JsonArray starts_json(const WalkTask& task) {
+  return json_of(plan::Trajectory{{task.starts.begin(), task.starts.end()}, {}}, task.map);
+}
+
 struct FoundLasso {
   std::optional<plan::CertifiedLasso> lasso;
   plan::Route prefix, cycle;
@@ -146,7 +150,7 @@ class LassoPlanning {
           .add("mean_cost", found_.lasso->route().mean());
       add_certificate(out, *found_.lasso);
     } else {
-      out.add("status", "infeasible").add("reason", reason());
+      out.add("status", "infeasible").add("reason", reason()).add("starts", starts_json(task_));
     }
     return out.add("seconds", JsonObject()
                                   .add("load", options_.load)
@@ -245,6 +249,8 @@ JsonObject routes_json(const FoundRoutes& found, const WalkTask& task, const aut
       .add("automaton", json_of(size_of(dfa)))
       .add("product", JsonObject().add("states", found.statistics.met).add("edges", found.statistics.edges))
       .add("status", found.routes.empty() ? "infeasible" : "solved")
+      .add("asked", options.top)
+      .add("starts", starts_json(task))
       .add("routes", list);
   if (!found.routes.empty()) add_certificate(json, shown(found.routes.front()));
   return json.add("seconds", JsonObject()

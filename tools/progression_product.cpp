@@ -5,6 +5,7 @@
 #include <map>
 #include <queue>
 #include <unordered_map>
+#include <unordered_set>
 #include <variant>
 
 #include "libltl/meaning/progress.hpp"
@@ -19,6 +20,16 @@ struct GaveUpOnPairs {};  // thrown
 
 constexpr std::size_t largest_remainder = 2'000;  // subformulas
 constexpr std::size_t most_propositions = 12;     // of a formula whose validity is asked for
+
+std::vector<ltl::Letter> letters_of(ltl::Formula f) {
+  const std::vector<ltl::Proposition> asked = ltl::propositions(f);
+  if (asked.size() > most_propositions) throw GaveUpOnPairs{};
+  std::vector<ltl::Letter> out(std::size_t{1} << asked.size());
+  for (std::size_t bits = 0; bits < out.size(); ++bits)
+    for (std::size_t i = 0; i < asked.size(); ++i)
+      if ((bits >> i & 1U) != 0) out[bits].insert(asked[i]);
+  return out;
+}
 
 class Remainders {
  public:
@@ -43,14 +54,8 @@ class Remainders {
     if (f.op() == ltl::Op::False) return false;
     const auto [known, fresh] = valid_.emplace(f, false);
     if (!fresh) return known->second;
-    const std::vector<ltl::Proposition> asked = ltl::propositions(f);
-    if (asked.size() > most_propositions) throw GaveUpOnPairs{};
-    for (std::size_t bits = 0; bits < std::size_t{1} << asked.size(); ++bits) {
-      ltl::Letter letter;
-      for (std::size_t i = 0; i < asked.size(); ++i)
-        if ((bits >> i & 1U) != 0) letter.insert(asked[i]);
+    for (const ltl::Letter& letter : letters_of(f))
       if (!is_valid(after(f, letter))) return false;
-    }
     return valid_[f] = true;
   }
 
@@ -133,6 +138,55 @@ std::optional<ProgressionProduct> product_by_progression(const plan::PlanningCas
 }
 
 double least_cost(const ProgressionProduct& product) { return costs_to_go(product)[0]; }
+
+double count_walks(const ProgressionProduct& product) {
+  const std::vector<double> to_go = costs_to_go(product);
+  const auto each_step = [&](std::uint32_t at, const auto& visit) {
+    for (const ProgressionProduct::Choice& c : product.choices[at])
+      if (std::isfinite(to_go[c.outcomes[0].first])) visit(c.outcomes[0].first);
+  };
+  std::vector<std::size_t> steps_into(product.goal.size(), 0);
+  std::size_t left = 0;
+  for (std::uint32_t at = 0; at < product.goal.size(); ++at) {
+    if (std::isinf(to_go[at])) continue;
+    ++left;
+    each_step(at, [&](std::uint32_t to) { ++steps_into[to]; });
+  }
+  if (left == 0) return 0;
+  if (steps_into[0] > 0) return INFINITY;
+  std::vector<double> walks(product.goal.size(), 0);
+  walks[0] = 1;
+  double found = 0;
+  for (std::vector<std::uint32_t> open{0}; !open.empty(); --left) {
+    const std::uint32_t at = open.back();
+    open.pop_back();
+    if (product.goal[at]) found += walks[at];
+    each_step(at, [&](std::uint32_t to) {
+      walks[to] += walks[at];
+      if (--steps_into[to] == 0) open.push_back(to);
+    });
+  }
+  return left == 0 ? found : INFINITY;
+}
+
+std::optional<bool> has_finite_word(ltl::Formula formula, const ltl::Limits& limits) {
+  Remainders remainders(ltl::Semantics::Finite);
+  std::vector<ltl::Formula> met{formula};
+  std::unordered_set<ltl::Formula> known;  // the empty word is none: the formula counts once it is come back to
+  try {
+    for (std::size_t at = 0; at < met.size(); ++at) {
+      if (met.size() > limits.states || limits.stop.stop_requested()) return std::nullopt;
+      for (const ltl::Letter& letter : letters_of(met[at])) {
+        const ltl::Formula rest = remainders.after(met[at], letter);
+        if (remainders.settles(rest)) return true;
+        if (known.insert(rest).second) met.push_back(rest);
+      }
+    }
+  } catch (const GaveUpOnPairs&) {
+    return std::nullopt;
+  }
+  return false;
+}
 
 std::optional<double> count_walks(const ProgressionProduct& product, double below, std::size_t most) {
   const std::vector<double> to_go = costs_to_go(product);

@@ -37,5 +37,10 @@ double least_cost(const ProgressionProduct& product);
 // The walks to a goal, which none passes before its end, that cost less than `below`; those within a billionth of it do
 // not count. Nothing: more than `most` entries of the count, a choice that costs nothing.
 std::optional<double> count_walks(const ProgressionProduct& product, double below, std::size_t most);
+// All of them; infinite where one can go in circles on its way.
+double count_walks(const ProgressionProduct& product);
+
+// Does some finite word satisfy the formula, over all letters? Nothing: as above.
+std::optional<bool> has_finite_word(ltl::Formula formula, const ltl::Limits& limits);
 
 }  // namespace waymark::tools

@@ -8,9 +8,9 @@
 #include <utility>
 #include <vector>
 
-#include "libplan/model/formats/read_model.hpp"
 #include "libplan/world/json_reader.hpp"
 #include "tools/claims.hpp"
+#include "tools/plan_case.hpp"
 #include "tools/shell/batch.hpp"
 #include "tools/shell/json.hpp"
 #include "tools/shell/options.hpp"
@@ -18,8 +18,10 @@
 #include "tools/shell/subcommand.hpp"
 #include "tools/shell/work_limits.hpp"
 #include "tools/verify_automaton.hpp"
+#include "tools/verify_check.hpp"
 #include "tools/verify_map.hpp"
 #include "tools/verify_model.hpp"
+#include "tools/verify_property.hpp"
 
 namespace waymark::tools {
 namespace {
@@ -27,7 +29,9 @@ namespace {
 struct VerifyOptions {
   TextOptions text;
   MapOptions map{.map = "", .data = {}};  // no map: the answer's
-  std::string model, start;               // of the answers of plan --model and --case
+  ModelOptions reader;                    // of the texts of run
+  CaseChoice of;                          // --model, --const, --properties
+  std::string start;                      // of its street graph
   std::size_t words = 2000, pairs = 1'000'000;
   WorkLimits limits;
   bool json = false;
@@ -35,14 +39,19 @@ struct VerifyOptions {
 
 // The kind of an answer, by the keys that only this kind has; then its examiner.
 std::vector<Claim> claims_of(const Text& text, const VerifyOptions& options, const plan::PlanningCase* model,
-                             const std::stop_token& stop) {
+                             TextReferee& read, const std::stop_token& stop) {
   const plan::JsonReader in(text.text, text.source, text.line);
   const Claims::Value answer = in.parse();
   if (!answer.is_object()) in.fail("", "expected the JSON object that a subcommand printed");
   Claims claims(in, answer);
   const ltl::Limits limits{.states = options.pairs, .stop = stop};
-  if (answer.contains("query")) {
-    if (model == nullptr) throw UsageError("an answer on a model: give the file to --model");
+  const bool on_model = answer.contains("query") || answer.contains("property") || answer.contains("holds");
+  if (on_model && model == nullptr) throw UsageError("an answer on a model: give the file to --model");
+  if (answer.contains("property")) {
+    examine_property(claims, in, options.of, limits);
+  } else if (answer.contains("holds")) {
+    examine_check(claims, in, answer, *model, limits);
+  } else if (answer.contains("query")) {
     examine_on_model(claims, in, answer, *model, limits);
   } else if (answer.contains("hoa")) {
     examine_automaton(claims, in, text.source, options.words, stop);
@@ -51,11 +60,12 @@ std::vector<Claim> claims_of(const Text& text, const VerifyOptions& options, con
     if (of_map.map.empty()) of_map.map = claims.text("map");
     const plan::Map map = read_map(of_map);
     claims.expect_text("map", map.name());
-    examine_on_map(claims, in, answer, text, map, limits);
+    examine_on_map(claims, in, answer, text, map, read, limits);
   } else {
     in.fail("",
-            "expected an answer of plan or run with its map, of plan --model with its query, or of translate "
-            "--format json with its automaton");
+            "expected an answer of plan or run with its map, of plan --model with its query or property, of check "
+            "--model, or "
+            "of translate --format json with its automaton");
   }
   return std::move(claims).all();
 }
@@ -65,10 +75,10 @@ const char* word_for(const Claim& claim) {
   return *claim.holds ? "verified      " : "refuted       ";
 }
 
-ExitCode verify_one(const Text& text, const VerifyOptions& options, const plan::PlanningCase* model,
+ExitCode verify_one(const Text& text, const VerifyOptions& options, const plan::PlanningCase* model, TextReferee& read,
                     const Session& session) {
   const ltl::Watch watch(granted(options.limits), session.stop);
-  const std::vector<Claim> claims = claims_of(text, options, model, watch.token());
+  const std::vector<Claim> claims = claims_of(text, options, model, read, watch.token());
   if (session.stop.stop_requested()) throw Interrupted();
   const ExitCode verdict = verdict_of(claims);
   if (options.json) {
@@ -92,11 +102,17 @@ Runner setup_verify(Command command) {
       .type_name("FILE");
   command.add_option("--map", options->map.map, "the map of the answer (else by the name that the answer gives)")
       .type_name("MAP");
-  command.add_option("--model", options->model, "the model of answers of plan --model and plan --case")
+  command
+      .add_option("--model", options->of.model, "the model of answers of plan --model, plan --case and check --model")
       .type_name("FILE");
   command.add_option("--start", options->start, "the landmark of a street graph where they start")
       .type_name("LANDMARK");
+  command.add_option("--model-file", options->reader.file, "the model by which run read its texts").type_name("FILE");
   add_data_option(command, options->map.data);
+  command.add_option("--const", options->of.constants, "of a model in the language of PRISM: N=3,p=0.5")
+      .type_name("LIST");
+  command.add_option("--properties", options->of.properties, "the file of properties that answers are about")
+      .type_name("FILE");
   command.add_option("--words", options->words, "on which an automaton is compared with its formula")
       .between(1, 100'000'000)
       .show_default();
@@ -110,12 +126,11 @@ Runner setup_verify(Command command) {
     if (from.file.empty()) from.file = "-";
     TextReader texts(from, "answer");
     std::optional<plan::PlanningCase> model;
-    if (!options->model.empty())
-      model =
-          plan::read_model(options->model, options->start, {.states = plan::most_model_states, .stop = session.stop});
+    TextReferee read(options->reader, options->map.data);
+    if (!options->of.model.empty()) model = read_model(options->of, options->start, session.stop);
     return answer_each(
         texts, session.stop,
-        [&](const Text& text) { return verify_one(text, *options, model ? &*model : nullptr, session); },
+        [&](const Text& text) { return verify_one(text, *options, model ? &*model : nullptr, read, session); },
         options->json);
   };
 }

@@ -1,8 +1,8 @@
 #include "tools/verify_map.hpp"
 
 #include <algorithm>
+#include <functional>
 #include <optional>
-#include <set>
 #include <utility>
 #include <vector>
 
@@ -11,10 +11,13 @@
 #include "libltl/text/print.hpp"
 #include "libplan/least_by_progression.hpp"
 #include "libplan/model/map_mdp.hpp"
+#include "libplan/solve/drop_conjuncts.hpp"
 #include "libplan/world/json_reader.hpp"
 #include "libplan/world/trajectory.hpp"
 #include "tools/progression_product.hpp"
-#include "tools/shell/json.hpp"
+#include "tools/verify_order.hpp"
+#include "tools/verify_reason.hpp"
+#include "tools/walk_referee.hpp"
 
 namespace waymark::tools {
 namespace {
@@ -24,8 +27,15 @@ using Value = Claims::Value;
 class OnMap {
  public:
   OnMap(Claims& claims, const plan::JsonReader& in, const Value& answer, const Text& text, const plan::Map& map,
-        const ltl::Limits& limits)
-      : claims_(claims), in_(in), answer_(answer), text_(text), map_(map), limits_(limits), arena_(map.vocabulary()) {}
+        TextReferee& texts, const ltl::Limits& limits)
+      : claims_(claims),
+        in_(in),
+        answer_(answer),
+        text_(text),
+        map_(map),
+        texts_(texts),
+        limits_(limits),
+        arena_(map.vocabulary()) {}
 
   void examine() {
     read_formula();
@@ -41,6 +51,10 @@ class OnMap {
       route();
     else
       infeasible();
+    if (claims_.has("instruction") && formula_ && start_)
+      examine_reading(claims_, in_,
+                      {map_, *formula_, infinite ? ltl::Semantics::Infinite : ltl::Semantics::Finite, *start_}, texts_,
+                      limits_.stop);
   }
 
  private:
@@ -56,6 +70,7 @@ class OnMap {
     try {
       plan::Walk walk = plan::parse_walk(document, map_, text_.source);
       claims_.add(true, "every step is one on map " + map_.name());
+      start_ = walk.trajectory.poses.front();
       return walk;
     } catch (const ltl::FormatError& error) {
       const std::string what = error.what();
@@ -116,7 +131,10 @@ class OnMap {
     });
     claims_.member("routes");
     claims_.add(found.empty() == (status == "infeasible"), "status is \"" + status + '"');
-    if (found.empty()) return claims_.add(std::nullopt, "no route satisfies the task: the starts are not told");
+    const auto asked = static_cast<double>(in_.integer(claims_.member("asked"), "asked"));
+    claims_.add(static_cast<double>(found.size()) <= asked && asked >= 1,
+                "no more routes are listed than were asked for");
+    if (found.empty()) return no_route();
     certified(formula_ ? std::optional(all_hold) : std::nullopt);
     const auto costs_more = [](const plan::Trajectory& a, const plan::Trajectory& b) {
       return a.actions.size() < b.actions.size();
@@ -125,18 +143,18 @@ class OnMap {
     bool twice = false;
     for (auto one = found.begin(); one != found.end(); ++one) twice = twice || std::count(one, found.end(), *one) > 1;
     claims_.add(!twice, "no route is listed twice");
-    if (formula_) none_is_missing(found);
+    if (formula_) none_is_missing(found, static_cast<double>(found.size()) < asked);
   }
 
-  // From the starts that are there; of the routes as dear as the last one, the list need not have all.
-  void none_is_missing(const std::vector<plan::Trajectory>& routes) {
+  // Of the routes as dear as the last one, the list need not have all, unless it has fewer than were asked for.
+  void none_is_missing(const std::vector<plan::Trajectory>& routes, bool all_asked_for) {
     const std::size_t last = routes.back().actions.size();
-    std::set<std::uint32_t> starts;
     std::size_t listed = 0;
-    bool stop_at_first = true;
+    bool stop_at_first = true, from_starts = true;
+    const std::vector<plan::PoseId> starts = told_starts();
     for (const plan::Trajectory& route : routes) {
-      starts.insert(route.poses.front().index);
-      if (route.actions.size() < last) ++listed;
+      from_starts = from_starts && std::find(starts.begin(), starts.end(), route.poses.front()) != starts.end();
+      if (all_asked_for || route.actions.size() < last) ++listed;
       for (std::size_t n = 0; n < route.actions.size(); ++n) {
         const auto end = static_cast<std::ptrdiff_t>(n);
         stop_at_first = stop_at_first && !satisfied({{route.poses.begin(), route.poses.begin() + end + 1},
@@ -144,25 +162,30 @@ class OnMap {
       }
     }
     claims_.add(stop_at_first, "every route ends where it first satisfies the formula");
+    claims_.add(from_starts, "every route begins at one of the starts");
     std::optional<double> all = 0;
-    for (const std::uint32_t start : starts) {
-      const plan::PlanningCase from{"", plan::mdp_of(map_, plan::PoseId{start}), {}};
-      const auto product = product_by_progression(from, *formula_, ltl::Semantics::Finite, limits_);
-      const auto more = product ? count_walks(*product, static_cast<double>(last), limits_.states) : std::nullopt;
+    for (const plan::PoseId start : starts) {
+      const auto product = product_by_progression(from(start), *formula_, ltl::Semantics::Finite, limits_);
+      const auto more = !product        ? std::nullopt
+                        : all_asked_for ? std::optional(count_walks(*product))
+                                        : count_walks(*product, static_cast<double>(last), limits_.states);
       all = all && more ? std::optional(*all + *more) : std::nullopt;
     }
     claims_.add(all ? std::optional(*all == static_cast<double>(listed)) : std::nullopt,
-                "no route from these starts that costs less than the last one is missing");
+                all_asked_for ? "there is no further route from these starts"
+                              : "no route from these starts that costs less than the last one is missing");
   }
 
   // ---- walks without end
 
   void without_end(const std::string& status) {
     claims_.add(claims_.has("semantics") && claims_.text("semantics") == "infinite", "semantics is \"infinite\"");
+    const std::string order = claims_.text("order");
+    if (order != "prefix" && order != "cycle" && order != "mean")
+      in_.fail("order", "expected \"prefix\", \"cycle\" or \"mean\"");
     if (status == "infeasible") {
       claims_.add(!claims_.has("prefix") && !claims_.has("cycle"), "an infeasible answer has no walk");
-      claims_.is_figure("order");
-      return claims_.add(std::nullopt, "no walk without end satisfies the task: the starts are not told");
+      return no_walk();
     }
     Value only = Value::object();
     for (const char* key : {"prefix", "cycle"}) only[key] = claims_.member(key);
@@ -171,43 +194,98 @@ class OnMap {
     const auto repeated = static_cast<double>(walk->repeated);
     cost("prefix_cost", claims_.member("prefix_cost"), static_cast<double>(walk->trajectory.actions.size()) - repeated);
     cost("cycle_cost", claims_.member("cycle_cost"), repeated);
-    rounds(repeated);
-    if (!formula_) return certified(std::nullopt);
+    const double rounds = in_.number(claims_.member("rounds"), "rounds");
+    const Value& mean = claims_.member("mean_cost");
+    claims_.add(is_close(in_.number(mean, "mean_cost"), repeated / rounds), "mean_cost is " + mean.dump());
+    if (!formula_) {
+      claims_.add(std::nullopt, "no other walk comes first in the order \"" + order + '"');
+      return certified(std::nullopt);
+    }
     const bool holds = ltl::holds(plan::lasso_of(*walk, map_), *formula_);
     claims_.add(holds, "the walk without end satisfies " + ltl::print(*formula_));
     certified(holds);
+    const ToldLasso told{static_cast<double>(walk->trajectory.actions.size()) - repeated, repeated, rounds,
+                         plan::lasso_of(*walk, map_)};
+    examine_order(claims_, order, told, from(walk->trajectory.poses.front()), *formula_, limits_);
   }
 
-  // Only of the order mean is the cycle of more rounds than one.
-  void rounds(double cycle_cost) {
-    const std::string order = claims_.text("order");
-    if (order != "prefix" && order != "cycle" && order != "mean")
-      in_.fail("order", "expected \"prefix\", \"cycle\" or \"mean\"");
-    claims_.add(std::nullopt, "no other walk comes first in the order \"" + order + '"');
-    const double said = in_.number(claims_.member("rounds"), "rounds");
-    if (order == "mean" && said >= 1)
-      claims_.add(std::nullopt, "rounds is " + Json(said).text());
-    else
-      claims_.add(said == 1, "rounds is " + Json(said).text());
-    const Value& mean = claims_.member("mean_cost");
-    claims_.add(is_close(in_.number(mean, "mean_cost"), cycle_cost / said), "mean_cost is " + mean.dump());
+  plan::PlanningCase from(plan::PoseId start) const { return {"", plan::mdp_of(map_, start), {}}; }
+
+  void no_walk() {
+    const std::vector<plan::PoseId> starts = told_starts();
+    if (starts.empty()) return claims_.add(std::nullopt, "no walk without end satisfies the task: no starts are told");
+    if (!formula_) return claims_.add(std::nullopt, "no walk without end from these starts is accepted");
+    const auto possible = [&](ltl::Formula f) { return has_walk_from(starts, f); };
+    const auto found = possible(*formula_);
+    claims_.add(found ? std::optional(!*found) : std::nullopt,
+                "no walk without end from these starts satisfies " + ltl::print(*formula_));
+    reason("no walk without end from ", ", ", starts, possible);
   }
 
-  void infeasible() {
-    claims_.add(!claims_.has("route"), "an infeasible answer has no route");
-    claims_.member("starts");
+  std::optional<bool> has_walk_from(const std::vector<plan::PoseId>& starts, ltl::Formula f) const {
+    std::optional<bool> found = false;
+    for (const plan::PoseId start : starts) {
+      const auto here = has_walk(from(start), f, limits_);
+      if (here == true) return true;
+      if (!here) found = std::nullopt;
+    }
+    return found;
+  }
+
+  // The sentence that names what cannot be met.
+  void reason(const std::string& head, const char* between, const std::vector<plan::PoseId>& starts,
+              const std::function<std::optional<bool>(ltl::Formula)>& possible) {
+    if (!claims_.has("reason")) return;
+    std::string from_there = head;
+    for (std::size_t i = 0; i < starts.size(); ++i)
+      from_there += (i == 0 ? "" : between) + plan::show(map_.pose(starts[i]));
+    const auto never_seen = [&](ltl::Formula f) {
+      std::vector<std::string> out = plan::never_seen(plan::mdp_of(map_, starts.front()), {f});
+      for (const plan::PoseId start : starts) {
+        const auto here = plan::never_seen(plan::mdp_of(map_, start), {f});
+        out.erase(std::remove_if(out.begin(), out.end(),
+                                 [&](const auto& n) { return std::find(here.begin(), here.end(), n) == here.end(); }),
+                  out.end());
+      }
+      return out;
+    };
+    examine_reason(claims_, claims_.text("reason"), *formula_,
+                   {{from_there + " satisfies "}, possible, never_seen, limits_});
+  }
+
+  std::vector<plan::PoseId> told_starts() {
     std::vector<plan::PoseId> starts;
+    if (!claims_.has("starts")) return starts;
+    claims_.member("starts");
     in_.each(answer_, "", "starts", [&](const Value& one, const std::string& path) {
       if (!one.is_array() || one.size() != 3) in_.fail(path, "expected a pose [x,y,heading]");
       const auto pose = map_.find({in_.integer(one[0], path), in_.integer(one[1], path), in_.integer(one[2], path)});
       if (!pose) in_.fail(path, "there is no such place on map " + map_.name());
       starts.push_back(*pose);
     });
+    if (!start_ && !starts.empty()) start_ = starts.front();
+    return starts;
+  }
+
+  std::optional<bool> has_route(const std::vector<plan::PoseId>& starts, ltl::Formula f) const {
+    const auto least = plan::least_by_progression(f, map_, starts, limits_);
+    return least ? std::optional(least->actions.has_value()) : std::nullopt;
+  }
+
+  void infeasible() {
+    claims_.add(!claims_.has("route"), "an infeasible answer has no route");
+    no_route();
+  }
+
+  void no_route() {
+    const std::vector<plan::PoseId> starts = told_starts();
     if (starts.empty()) in_.fail("starts", "expected a pose from which there is no route");
     if (!formula_) return claims_.add(std::nullopt, "no route from these starts is accepted");
-    const auto least = plan::least_by_progression(*formula_, map_, starts, limits_);
-    claims_.add(least ? std::optional(!least->actions) : std::nullopt,
+    const auto possible = [&](ltl::Formula f) { return has_route(starts, f); };
+    const auto found = possible(*formula_);
+    claims_.add(found ? std::optional(!*found) : std::nullopt,
                 "no route from these starts satisfies " + ltl::print(*formula_));
+    reason("no route from ", " or ", starts, possible);
   }
 
   Claims& claims_;
@@ -215,16 +293,18 @@ class OnMap {
   const Value& answer_;
   const Text& text_;
   const plan::Map& map_;
+  TextReferee& texts_;
   const ltl::Limits& limits_;
   ltl::Arena arena_;
   std::optional<ltl::Formula> formula_;
+  std::optional<plan::PoseId> start_;  // of a route, or the first of those without one
 };
 
 }  // namespace
 
 void examine_on_map(Claims& claims, const plan::JsonReader& in, const Value& answer, const Text& text,
-                    const plan::Map& map, const ltl::Limits& limits) {
-  OnMap(claims, in, answer, text, map, limits).examine();
+                    const plan::Map& map, TextReferee& texts, const ltl::Limits& limits) {
+  OnMap(claims, in, answer, text, map, texts, limits).examine();
 }
 
 }  // namespace waymark::tools

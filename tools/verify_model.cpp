@@ -11,30 +11,22 @@
 
 #include "libltl/diagnostic.hpp"
 #include "libltl/meaning/semantics.hpp"
-#include "libltl/structure/fragment.hpp"
 #include "libltl/text/parse.hpp"
 #include "libltl/text/print.hpp"
+#include "libplan/solve/drop_conjuncts.hpp"
 #include "libplan/world/json_reader.hpp"
 #include "tools/named_walks.hpp"
-#include "tools/progression_product.hpp"
-#include "tools/progression_values.hpp"
 #include "tools/shell/json.hpp"
+#include "tools/verify_order.hpp"
+#include "tools/verify_reason.hpp"
+#include "tools/verify_value.hpp"
+#include "tools/walk_referee.hpp"
 
 namespace waymark::tools {
 namespace {
 
 using Value = Claims::Value;
 
-struct Examined {  // a query whose value is examined
-  std::string_view query, value;
-  Optimum optimum, opposite;  // of a safe formula: of its negation, from 1
-};
-constexpr std::array examined_queries{
-    Examined{"pmax", "the greatest probability", Optimum::GreatestProbability, Optimum::LeastProbability},
-    Examined{"pmin", "the least probability", Optimum::LeastProbability, Optimum::GreatestProbability},
-    Examined{"rmin", "the least expected cost", Optimum::LeastCost, Optimum::LeastCost},
-    Examined{"rmax", "the greatest expected cost", Optimum::GreatestCost, Optimum::GreatestCost},
-    Examined{"steps", "the least cost", Optimum::LeastCost, Optimum::LeastCost}};
 constexpr std::array other_queries{"cycle", "lasso", "discounted"};
 
 template <class Model>
@@ -52,9 +44,7 @@ class OnModel {
 
   void examine() {
     query_ = claims_.text("query");
-    known_ = std::find_if(examined_queries.begin(), examined_queries.end(),
-                          [&](const Examined& e) { return e.query == query_; });
-    if (known_ == examined_queries.end() &&
+    if (value_in_words(query_).empty() &&
         std::find(other_queries.begin(), other_queries.end(), query_) == other_queries.end())
       in_.fail("query", "there is no query \"" + query_ + '"');
     read_formula();
@@ -64,6 +54,7 @@ class OnModel {
     if (claims_.has("cycle") || claims_.has("prefix") || (query_ == "lasso" && status_ == "solved")) lasso();
     if (claims_.has("routes")) routes();
     if (status_ != "exhausted") value();
+    reason();
   }
 
  private:
@@ -142,24 +133,32 @@ class OnModel {
     if (query_ != "lasso") return claims_.add(false, "query " + query_ + " is answered without a lasso");
     const Value &before = claims_.member("prefix"), &again = claims_.member("cycle");
     const double rounds = in_.number(claims_.member("rounds"), "rounds");
-    claims_.add(rounds >= 1 ? std::nullopt : std::optional(false), "rounds is " + Json(rounds).text());
+    const std::string order = claims_.text("order");
+    if (order != "prefix" && order != "cycle" && order != "mean")
+      in_.fail("order", "expected \"prefix\", \"cycle\" or \"mean\"");
     const auto prefixes = walks(before, "prefix", model_.initial());
     if (!prefixes) return;
     const auto cycles = walks(again, "cycle", prefixes->front().end);
     if (!cycles) return;
     const double prefix_cost = prefixes->front().cost, cycle_cost = cycles->front().cost;
-    claims_.add(
-        is_close(*value_, prefix_cost) || is_close(*value_, cycle_cost) || is_close(*value_, cycle_cost / rounds),
-        "the value is a cost of the walk");
-    bool closes = false, satisfied = false;
+    const double first = order == "prefix" ? prefix_cost : order == "cycle" ? cycle_cost : cycle_cost / rounds;
+    claims_.add(is_close(*value_, first) && *lower_ == *upper_,
+                "the value is what the order \"" + order + "\" puts first");
+    bool closes = false;
+    std::optional<ltl::Lasso> satisfying;
     for (const ToldWalk& prefix : *prefixes)
       for (const ToldWalk& cycle : *cycles) {
         if (cycle.letters.empty() || cycle.end != prefix.end) continue;
         closes = true;
-        satisfied = satisfied || (formula_ && ltl::holds(ltl::Lasso(word(prefix), cycle.letters), *formula_));
+        ltl::Lasso told(word(prefix), cycle.letters);
+        if (formula_ && !satisfying && ltl::holds(told, *formula_)) satisfying = std::move(told);
       }
     claims_.add(closes, "the cycle ends where it begins");
-    if (closes && formula_) claims_.add(satisfied, "the walk without end satisfies " + ltl::print(*formula_));
+    if (!closes || !formula_)
+      return claims_.add(std::nullopt, "no other walk comes first in the order \"" + order + '"');
+    claims_.add(satisfying.has_value(), "the walk without end satisfies " + ltl::print(*formula_));
+    if (satisfying)
+      examine_order(claims_, order, {prefix_cost, cycle_cost, rounds, *satisfying}, case_, *formula_, limits_);
   }
 
   void routes() {
@@ -185,7 +184,10 @@ class OnModel {
     if (listed.empty() && all_there) in_.fail("routes", "expected a route");
     claims_.add(sorted, "the routes are in the order of their costs");
     claims_.add(none_twice, "no route is listed twice");
-    if (all_there && listed.size() > 1) none_is_missing(listed);
+    const auto asked = static_cast<double>(in_.integer(claims_.member("asked"), "asked"));
+    const auto count = static_cast<double>(listed.size());
+    claims_.add(count <= asked, "no more routes are listed than were asked for");
+    if (all_there && asked > 1) none_is_missing(listed, count < asked);
   }
 
   void satisfies(const std::vector<ToldWalk>& walks, const std::string& path) {
@@ -199,17 +201,19 @@ class OnModel {
                 "the word of " + path + " satisfies " + ltl::print(*formula_) + ", at its end for the first time");
   }
 
-  // Of the routes as dear as the last one, the list need not have all. Two choices that lead to one place make routes
-  // that the list may tell as one.
-  void none_is_missing(const std::vector<std::pair<std::string, double>>& listed) {
+  // Of the routes as dear as the last one, the list need not have all, unless it has fewer than were asked for. Two
+  // choices that lead to one place make routes that the list may tell as one.
+  void none_is_missing(const std::vector<std::pair<std::string, double>>& listed, bool all_asked_for) {
     const double last = listed.back().second;
-    const auto cheaper = static_cast<double>(std::count_if(
-        listed.begin(), listed.end(), [&](const auto& l) { return l.second < last && !is_close(l.second, last); }));
+    const auto cheaper = static_cast<double>(std::count_if(listed.begin(), listed.end(), [&](const auto& l) {
+      return all_asked_for || (l.second < last && !is_close(l.second, last));
+    }));
     std::optional<double> all;
-    if (const auto* product = pairs(); product != nullptr && !has_parallels())
-      all = count_walks(*product, last, limits_.states);
+    if (const Judged* found = judged(); found != nullptr && !has_parallels())
+      all = all_asked_for ? std::optional(count_walks(found->product))
+                          : count_walks(found->product, last, limits_.states);
     claims_.add(all ? std::optional(*all == cheaper) : std::nullopt,
-                "no route that costs less than the last one is missing");
+                all_asked_for ? "there is no further route" : "no route that costs less than the last one is missing");
   }
 
   bool has_parallels() const {
@@ -224,46 +228,49 @@ class OnModel {
   // ---- values
 
   // Null: there is no formula, progression does not settle it, or a limit was met. Made once.
-  const ProgressionProduct* pairs() {
-    if (!formula_ || ltl::has_past(*formula_)) return nullptr;
-    if (!tried_) {
-      tried_ = true;
-      const ltl::Fragments known = ltl::fragments(*formula_, ltl::Semantics::Infinite);
-      negated_ = semantics_ == ltl::Semantics::Infinite && !known.cosafety;
-      if (!negated_ || (known.safety && is_probability()))
-        product_ = product_by_progression(case_, negated_ ? ltl::negate(*formula_) : *formula_, semantics_, limits_);
-    }
-    return product_ ? &*product_ : nullptr;
+  const Judged* judged() {
+    if (!formula_) return nullptr;
+    if (!tried_) judged_ = judge(case_, *formula_, semantics_, query_, limits_);
+    tried_ = true;
+    return judged_ ? &*judged_ : nullptr;
   }
 
   void value() {
-    const ProgressionProduct* product = known_ == examined_queries.end() ? nullptr : pairs();
+    if (query_ == "lasso" && status_ == "solved") return;  // by its walk
     const bool by_steps = query_ == "steps" && !model_.is_deterministic();
-    if (product == nullptr || by_steps)
-      return claims_.add(std::nullopt,
-                         query_ + " lies between " + Json(*lower_).text() + " and " + Json(*upper_).text());
-    Bracket found;
-    if (query_ == "steps") {
-      found.below = found.above = least_cost(*product);
-    } else {
-      found = bracket(*product, negated_ ? known_->opposite : known_->optimum, limits_.stop);
-      if (negated_) found = {1 - found.above, 1 - found.below};
-    }
-    compare(found);
+    const Judged* found = value_in_words(query_).empty() || by_steps ? nullptr : judged();
+    if (found != nullptr)
+      return compare(claims_, std::string(value_in_words(query_)), *lower_, *upper_,
+                     bracket_of(*found, query_, limits_.stop));
+    const std::string claim = query_ + " lies between " + Json(*lower_).text() + " and " + Json(*upper_).text();
+    std::optional<bool> holds;
+    if (status_ == "infeasible" && formula_)
+      if (const auto met = can_be_met(*formula_)) holds = !*met;
+    claims_.add(holds, claim);
   }
 
-  void compare(const Bracket& found) {
-    const auto slack = [](double a) { return std::isinf(a) ? 0 : 1e-6 * std::max(1.0, std::abs(a)); };
-    const auto decided = [&](bool proved, bool disproved) {
-      return proved ? std::optional(true) : disproved ? std::optional(false) : std::nullopt;
-    };
-    const double low = *lower_ - slack(*lower_), high = *upper_ + slack(*upper_);
-    const std::string what(known_->value);
-    claims_.add(decided(found.below >= low, found.above < low),
-                what + " is at least " + Json(*lower_).text() + ", up to 10⁻⁶");
-    if (std::isfinite(*upper_))
-      claims_.add(decided(found.above <= high, found.below > high),
-                  what + " is at most " + Json(*upper_).text() + ", up to 10⁻⁶");
+  // ---- why there is none
+
+  std::optional<bool> can_be_met(ltl::Formula f) const {
+    if (query_ == "lasso") return has_walk(case_, f, limits_);
+    if (query_ == "steps" && !model_.is_deterministic()) return std::nullopt;
+    return is_possible(case_, f, semantics_, query_, limits_);
+  }
+
+  void reason() {
+    if (status_ != "infeasible" || !formula_) return;
+    const bool is_cost = query_ == "rmin" || query_ == "steps";
+    ReasonReferee referee{{"no strategy has a chance to satisfy "},
+                          [&](ltl::Formula f) { return can_be_met(f); },
+                          [&](ltl::Formula f) { return plan::never_seen(model_, {f}); },
+                          limits_};
+    if (query_ == "lasso") referee.heads = {"no walk without end satisfies "};
+    if (is_cost)
+      referee.heads = {"no strategy is sure to satisfy ",
+                       "no strategy is sure to come to a finite prefix that decides ", "no route satisfies "};
+    if (claims_.has("reason")) examine_reason(claims_, claims_.text("reason"), *formula_, referee);
+    if (claims_.has("dropped"))
+      examine_dropped(claims_, in_.strings(claims_.member("dropped"), "dropped"), *formula_, referee);
   }
 
   Claims& claims_;
@@ -274,12 +281,11 @@ class OnModel {
   const ltl::Limits& limits_;
   ltl::Arena arena_;
   std::string query_, status_;
-  decltype(examined_queries)::const_iterator known_ = examined_queries.end();
   std::optional<double> value_, lower_, upper_;  // absent: null
   ltl::Semantics semantics_ = ltl::Semantics::Infinite;
   std::optional<ltl::Formula> formula_;
-  bool tried_ = false, negated_ = false;
-  std::optional<ProgressionProduct> product_;
+  bool tried_ = false;
+  std::optional<Judged> judged_;
 };
 
 }  // namespace

@@ -193,6 +193,7 @@ class TaskSolver {
     answer_.product_states = statistics.met;
     answer_.product_edges = statistics.edges;
     if (routes.empty()) return infeasible(INFINITY);
+    answer_.asked = options_.top;
     for (const ChoiceRoute& route : routes) {
       certify_route(route, automaton, f);
       if (options_.top > 1 || options_.route) answer_.routes.push_back(named(model_, route));
@@ -227,7 +228,7 @@ class TaskSolver {
     const CertifiedLasso certified =
         f ? certify(std::move(*found->route), model_, *f) : certify(std::move(*found->route), model_, automaton);
     const LassoRoute& route = certified.route();
-    answer_.lasso = {named(model_, route.prefix), named(model_, route.cycle), route.rounds};
+    answer_.lasso = {named(model_, route.prefix), named(model_, route.cycle), route.rounds, options_.order};
     answer_.status = Status::Solved;
     const double value = options_.order == LassoOrder::Prefix  ? route.prefix.cost
                          : options_.order == LassoOrder::Cycle ? route.cycle.cost

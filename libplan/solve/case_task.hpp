@@ -55,9 +55,11 @@ struct CaseAnswer {                                                    // what s
   std::string reason;                // of Infeasible and Exhausted
   std::vector<std::string> dropped;  // infeasible conjunctions: the fewest conjuncts without which the rest can be met
   std::vector<NamedRoute> routes;    // of a search when they were asked for, cheapest first
+  std::size_t asked = 1;             // so many routes
   struct Lasso {                     // of a deterministic model
     NamedRoute prefix, cycle;        // the cycle begins and ends where the prefix ends
     std::uint64_t rounds = 1;        // that a walk of the cycle completes
+    LassoOrder order = LassoOrder::Prefix;  // in which it comes first
   };
   std::optional<Lasso> lasso;         // certified
   struct Written {                    // a strategy for files
