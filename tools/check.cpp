@@ -9,7 +9,7 @@
 
 #include "libltl/text/print.hpp"
 #include "libltl/text/read_word.hpp"
-#include "libplan/world/letter_lines.hpp"
+#include "libplan/world/letter_source.hpp"
 #include "tools/answer.hpp"
 #include "tools/check_model.hpp"
 #include "tools/judged_word.hpp"
@@ -214,8 +214,7 @@ Given read_given(const CheckOptions& options) {
   if (!options.trace.empty()) {
     std::string text = read_file(options.trace);
     const plan::NamedTraces read = read_traces(text, options, {});
-    if (read.has_time && options.time_unit == 0)
-      std::cerr << "note: rows are steps; with --time-unit, the column time says how many steps pass between them\n";
+    if (read.has_time && options.time_unit == 0) std::cerr << note_of_time;
     Given out = given_by(read, read.names_all ? ltl::Unknown::Reject : ltl::Unknown::Add);
     out.text = std::move(text);
     return out;
@@ -319,10 +318,7 @@ Runner setup_check(Command command) {
   command.add_option("--trace", options->trace, "a word without a map, letters line by line; - is standard input")
       .type_name("FILE");
   add_letter_format_option(command, options->format);
-  command
-      .add_option("--time-unit", options->time_unit,
-                  "of a table with a column time: a step is so much time, and a row holds until the next one")
-      .type_name("T");
+  add_time_unit_option(command, options->time_unit);
   command.add_option("--word", options->word, "a word without a map: '{a}; {b}', or a lasso: '{a}; ({b})w'")
       .type_name("WORD");
   command

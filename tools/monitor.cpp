@@ -20,7 +20,7 @@
 #include "libltl/rewriting/simplify.hpp"
 #include "libltl/text/print.hpp"
 #include "libltl/text/read_text.hpp"
-#include "libplan/world/letter_lines.hpp"
+#include "libplan/world/letter_source.hpp"
 #include "tools/answer.hpp"
 #include "tools/shell/input.hpp"
 #include "tools/shell/options.hpp"
@@ -33,6 +33,7 @@ struct MonitorOptions {
   TextOptions text;
   NotationOptions notation;
   std::string letters = "-", format = "auto", semantics = "infinite";
+  double time_unit = 0;  // 0: rows are steps
   std::size_t states = ltl::Limits{}.states;
   bool quiet = false, json = false;
 };
@@ -57,8 +58,15 @@ class Watched {
         formula_(f),
         rest_(f),
         rests_(automata::conjuncts(f)),
-        monitor_(within(automata::ConjunctionMonitor::of(f, words_, {.states = options.states, .stop = session.stop}),
-                        session)) {}
+        monitor_(monitor(options, session)) {}
+
+  // Another word.
+  void begin(const MonitorOptions& options, const Session& session) {
+    last = {};
+    rest_ = formula_;
+    rests_ = automata::conjuncts(formula_);
+    monitor_ = monitor(options, session);
+  }
 
   automata::MonitorVerdict read(const ltl::Letter& letter) { return monitor_.read(letter); }
 
@@ -101,6 +109,11 @@ class Watched {
 
  private:
   using Key = std::tuple<std::optional<std::uint32_t>, automata::Foresight, std::optional<bool>, bool>;
+  automata::ConjunctionMonitor monitor(const MonitorOptions& options, const Session& session) const {
+    return within(automata::ConjunctionMonitor::of(formula_, words_, {.states = options.states, .stop = session.stop}),
+                  session);
+  }
+
   static constexpr std::size_t few_parts = 8;  // that are simplified together
 
   ltl::Formula simplified(const ltl::Letter& letter) {
@@ -148,15 +161,29 @@ class Monitoring {
       if (!file) throw ltl::FormatError(options_.letters, 0, 0, "cannot read the file");
     }
     std::istream& in = options_.letters == "-" ? std::cin : file;
-    plan::LetterLines lines(arena_->vocabulary(), letter_format(options_.format), source_name(options_.letters));
-    ltl::LineReader texts(in, source_name(options_.letters));
-    for (std::string line; texts.next(line);) {
+    const std::string source = source_name(options_.letters);
+    const plan::LetterFormat format = letter_format(options_.format);
+    plan::LetterOptions read_as{.format = format, .wanted = arena_->vocabulary()};
+    if (options_.time_unit > 0) read_as.time_unit = options_.time_unit;
+    plan::LetterLines lines(plan::LetterLines::Forgetful{std::move(read_as)}, source);
+    ltl::LineReader texts(in, source);
+    plan::LetterSource from(lines, format, source, [&](std::string& line) { return texts.next(line); });
+    for (std::string line; from.next(line);) {
       if (session_.stop.stop_requested()) throw Interrupted();
+      if (plan::LetterLines::separates(line)) {
+        end_trace();
+        begin_trace(lines);
+        continue;
+      }
       for (const ltl::Letter& letter : letters_of(line, lines)) read(letter);
       if (in.rdbuf()->in_avail() <= 0) std::cout.flush();  // nothing more is there yet
     }
-    if (options_.quiet) show_all();
-    return verdict();
+    if (position_ > 0 || trace_ == 1) end_trace();
+    const auto condition = lines.uncompared();
+    if (condition && !seen_.contains(*arena_->vocabulary().find(*condition)))
+      throw ltl::FormatError(source, 0, 0, "no letter has a value to compare in \"" + *condition + '"');
+    if (lines.has_time() && options_.time_unit == 0) std::cerr << note_of_time;
+    return worst_;
   }
 
  private:
@@ -172,6 +199,8 @@ class Monitoring {
       for (Watched& watched : watched_) watched.forget();
     }
     std::vector<ltl::Letter> letters = lines.read(line);
+    for (const ltl::Letter& letter : letters) seen_.insert_all(letter);
+    if (options_.time_unit > 0) return timed_ = std::move(letters);  // how many depends on the row before
     if (!letters.empty()) return known_.insert_or_assign(line, std::move(letters)).first->second;
     return no_letters_;
   }
@@ -186,7 +215,7 @@ class Monitoring {
   void read(const ltl::Letter& letter) {
     constexpr std::size_t most_formulas = 200'000;
     if (arena_->size() > most_formulas) renew_arena();
-    ++position_;
+    if (++position_ == 1 && trace_ > 1 && !options_.json) std::cout << "-- trace " << trace_ << '\n';
     for (Watched& watched : watched_) {
       const automata::MonitorVerdict verdict = watched.read(letter);
       const bool changed = verdict.foresight != watched.last.foresight ||
@@ -199,6 +228,21 @@ class Monitoring {
     }
   }
 
+  void begin_trace(plan::LetterLines& lines) {
+    lines.begin_trace();
+    known_.clear();  // what was a row may be the header, which is repeated
+    ++trace_;
+    position_ = 0;
+    for (Watched& watched : watched_) watched.begin(options_, session_);
+  }
+
+  void end_trace() {
+    if (position_ == 0)
+      throw ltl::FormatError(source_name(options_.letters), 0, 0, "there are no letters; the empty letter is {}");
+    if (options_.quiet) show_all();
+    worst_ = worse(worst_, verdict());
+  }
+
   void show_all() {
     for (Watched& watched : watched_)
       if (watched.last.foresight == automata::Foresight::Open) show(watched, std::nullopt);
@@ -207,7 +251,9 @@ class Monitoring {
   void show(Watched& watched, std::optional<ltl::Formula> rest) const {
     const std::string& line =
         watched.line(rest, [&] { return options_.json ? json(watched, rest) : text(watched, rest); });
-    std::cout << (options_.json ? "{\"letters\":" : "") << position_ << line;
+    if (options_.json && trace_ > 1) std::cout << "{\"trace\":" << trace_ << ",\"letters\":" << position_ << line;
+    if (options_.json && trace_ == 1) std::cout << "{\"letters\":" << position_ << line;
+    if (!options_.json) std::cout << position_ << line;
   }
 
   static std::string english(const Watched& watched, ltl::Formula rest) {
@@ -239,7 +285,6 @@ class Monitoring {
 
   // As of check: 10 when a formula is violated; over finite words when one does not hold at the end.
   ExitCode verdict() const {
-    if (position_ == 0) throw ltl::FormatError(source_name(options_.letters), 0, 0, "there are no letters");
     for (const Watched& watched : watched_)
       if (watched.last.foresight == automata::Foresight::False || watched.last.now == false) return ExitCode::No;
     return ExitCode::Done;
@@ -251,7 +296,10 @@ class Monitoring {
   std::vector<Watched> watched_;
   std::unordered_map<std::string, std::vector<ltl::Letter>> known_;
   const std::vector<ltl::Letter> no_letters_;
-  std::size_t position_ = 0;
+  std::vector<ltl::Letter> timed_;
+  ltl::Letter seen_;  // what some letter had
+  std::size_t position_ = 0, trace_ = 1;
+  ExitCode worst_ = ExitCode::Done;
 };
 
 ExitCode run_monitor(const MonitorOptions& options, const Session& session) {
@@ -260,6 +308,7 @@ ExitCode run_monitor(const MonitorOptions& options, const Session& session) {
                                        : options.text.arguments[0] == "-";
   if (formulas_from_stdin && options.letters == "-")
     throw UsageError("formulas and letters cannot both come from standard input");
+  if (options.time_unit < 0) throw UsageError("--time-unit is a positive number");
   return Monitoring(options, session).run();
 }
 
@@ -273,6 +322,7 @@ Runner setup_monitor(Command command) {
       .type_name("FILE")
       .show_default();
   add_letter_format_option(command, options->format);
+  add_time_unit_option(command, options->time_unit);
   command.add_option("--semantics", options->semantics, "what words the formulas are read on")
       .one_of({"finite", "infinite"})
       .show_default();

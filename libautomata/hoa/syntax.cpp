@@ -267,8 +267,7 @@ class Parser {
 }  // namespace
 
 HoaReader::HoaReader(std::string_view text, std::string_view source) : lexer_(text, source), source_(source) {
-  if (const std::string hint = ltl::foreign_hint(text, "an automaton in HOA"); !hint.empty())
-    throw ltl::FormatError(source, 1, 1, "expected 'HOA: v1' at the beginning: " + hint);
+  ltl::refuse_foreign(text, source, "'HOA: v1' at the beginning", "an automaton in HOA");
 }
 
 std::optional<HoaAutomaton> HoaReader::next() {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "libltl/diagnostic.hpp"
 #include "libltl/text/character.hpp"
 
 namespace waymark::ltl {
@@ -121,6 +122,11 @@ std::string foreign_hint(std::string_view text, std::string_view own) {
   const auto found = foreign_format(text);
   if (!found || found->name == own) return "";
   return "this is " + std::string(found->name) + "; " + std::string(found->reads);
+}
+
+void refuse_foreign(std::string_view text, std::string_view source, std::string_view expected, std::string_view own) {
+  if (const std::string hint = foreign_hint(text, own); !hint.empty())
+    throw FormatError(source, 1, 1, "expected " + std::string(expected) + ": " + hint);
 }
 
 }  // namespace waymark::ltl

@@ -16,5 +16,8 @@ std::optional<Foreign> foreign_format(std::string_view text);
 
 // "this is a VCD file; waymark check --trace reads it", or "". Nothing is said of the format that the reader reads.
 std::string foreign_hint(std::string_view text, std::string_view own = "");
+// Throws FormatError at the first line where there is a hint: "expected letters: this is …".
+void refuse_foreign(std::string_view text, std::string_view source, std::string_view expected,
+                    std::string_view own = "");
 
 }  // namespace waymark::ltl

@@ -9,7 +9,6 @@
 #include "libltl/text/foreign.hpp"
 #include "libltl/text/read_word.hpp"
 #include "libplan/world/json_reader.hpp"
-#include "libplan/world/read_vcd.hpp"
 
 namespace waymark::plan {
 namespace {
@@ -24,32 +23,12 @@ std::string_view trimmed(std::string_view text) {
 
 bool is_passed_over(std::string_view line) { return line.empty() || line.front() == '#'; }
 
-std::string_view take_line(std::string_view& text) {
-  const auto end = text.find('\n');
-  const std::string_view line = text.substr(0, end);
-  text.remove_prefix(end == std::string_view::npos ? text.size() : end + 1);
-  return line;
-}
-
-// The first two lines that say something.
-std::pair<std::string_view, std::string_view> first_lines(std::string_view text) {
-  std::vector<std::string_view> found;
-  while (!text.empty() && found.size() < 2) {
-    const std::string_view line = take_line(text);
-    if (!is_passed_over(trimmed(line))) found.push_back(line);
-  }
-  found.resize(2);
-  return {found[0], found[1]};
-}
-
 }  // namespace
 
-LetterLines::LetterLines(ltl::Vocabulary vocabulary, LetterFormat format, std::string source)
-    : vocabulary_(std::move(vocabulary)),
-      names_(vocabulary_),
-      options_{.format = format, .wanted = vocabulary_},
-      source_(std::move(source)),
-      conditions_(vocabulary_) {}
+LetterLines::LetterLines(Forgetful options, std::string source)
+    : LetterLines(std::move(options.options), std::move(source)) {
+  forgets_ = true;
+}
 LetterLines::LetterLines(LetterOptions options, std::string source)
     : vocabulary_(options.wanted),
       names_(vocabulary_),
@@ -85,9 +64,7 @@ std::vector<ltl::Letter> LetterLines::read(std::string_view whole) {
   const std::string_view line = trimmed(whole);
   if (is_passed_over(line)) return {};
   if (separates(line))
-    throw ltl::FormatError(source_, line_, 1,
-                           "a line of dashes separates traces, and one is read here; waymark check --trace reads "
-                           "several");
+    throw ltl::FormatError(source_, line_, 1, "a line of dashes separates traces, and one is read here");
   if (options_.format == LetterFormat::Auto && line == "{}") return {ltl::Letter()};  // in text as in JSON
   if (options_.format == LetterFormat::Auto) options_.format = format_of(line);
   if (forgets_ && !table_ && names_.size() > vocabulary_.size() + most_further_names) names_ = vocabulary_;
@@ -161,41 +138,6 @@ std::vector<ltl::Letter> LetterLines::table_letters(std::string_view line) {
   if (table_) return table_->row(line, line_);
   begin_table(line);
   return {};
-}
-
-NamedTraces read_traces(std::string_view text, const LetterOptions& options, const std::string& source) {
-  std::string table;
-  if (options.format == LetterFormat::Auto && is_vcd(text)) text = table = table_of_vcd(text, source);
-  const std::string hint = table.empty() && options.format == LetterFormat::Auto ? ltl::foreign_hint(text) : "";
-  if (!hint.empty()) throw ltl::FormatError(source, 1, 1, "expected letters: " + hint);
-  LetterLines lines(options, table.empty() ? source : source + " as a table");
-  const auto [first, second] = first_lines(text);
-  if (options.format == LetterFormat::Auto)
-    if (const auto delimiter = table_delimiter(first, second)) lines.split_at(*delimiter);
-  NamedTraces out;
-  std::vector<ltl::Letter> letters;
-  const auto end_trace = [&] {
-    if (letters.empty())
-      throw ltl::FormatError(source, lines.line(), 0, "there are no letters; the empty letter is {}");
-    out.words.emplace_back(std::exchange(letters, {}));
-  };
-  while (!text.empty()) {
-    const std::string_view line = take_line(text);
-    if (LetterLines::separates(line)) {
-      end_trace();
-      lines.begin_trace();
-      continue;
-    }
-    for (ltl::Letter& letter : lines.read(line)) letters.push_back(std::move(letter));
-  }
-  if (!letters.empty() || out.words.empty()) end_trace();
-  if (const auto condition = lines.uncompared())
-    throw ltl::FormatError(source, 0, 0, "no letter has a value to compare in \"" + *condition + '"');
-  out.vocabulary = lines.vocabulary();
-  out.names_all = lines.is_table();
-  out.has_time = lines.has_time();
-  out.no_truths = lines.no_truths();
-  return out;
 }
 
 }  // namespace waymark::plan

@@ -12,6 +12,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "libltl/vocabulary.hpp"
@@ -32,19 +33,23 @@ struct LetterOptions {                       // how letters are written, and whi
 
 class LetterLines {
  public:
-  // Letters are over `vocabulary`, further names behind it. These mean nothing from one letter to the next, for only
-  // some thousands are remembered.
-  LetterLines(ltl::Vocabulary vocabulary, LetterFormat format, std::string source);
+  // Letters are over the wanted names, further names behind them. These mean nothing from one letter to the next, for
+  // only some thousands are remembered.
+  struct Forgetful {
+    LetterOptions options;
+  };
+  LetterLines(Forgetful options, std::string source);
   // Letters are over the wanted names and those that occur, all of which are remembered.
   LetterLines(LetterOptions options, std::string source);
 
   // The letters of the next line; none of a header, a comment or a blank line. Throws ltl::FormatError or
-  // ltl::SyntaxError with the number of the line; a line that separates traces is such an error.
+  // ltl::SyntaxError with the number of the line; of a line that separates traces too.
   std::vector<ltl::Letter> read(std::string_view line);
   void pass_over() { ++line_; }  // a line that the caller knows already
   static bool separates(std::string_view line);
   void begin_trace();             // the line was one that separates; a table may repeat its header
   void split_at(char delimiter);  // the lines are a table with this delimiter
+  void name_source(std::string source) { source_ = std::move(source); }  // of the errors from now on
   const ltl::Vocabulary& vocabulary() const { return names_; }
   bool is_table() const { return table_.has_value(); }
   bool has_time() const { return table_ && table_->has_time(); }
@@ -73,15 +78,5 @@ class LetterLines {
   NoTruths no_truths_;             // of JSON
   std::vector<std::string> keys_;  // of JSON, those that conditions compare
 };
-
-struct NamedTraces {              // words with their names
-  std::vector<ltl::Trace> words;  // one or more
-  ltl::Vocabulary vocabulary;     // of the words
-  bool names_all = false;         // of a table: other propositions are not merely false, they are unknown
-  bool has_time = false;          // a column time
-  NoTruths no_truths;             // names in the vocabulary that are no propositions
-};
-// All letters of a text, which may be a VCD file. Throws as above, and ltl::FormatError when a trace has no letters.
-NamedTraces read_traces(std::string_view text, const LetterOptions& options, const std::string& source);
 
 }  // namespace waymark::plan

@@ -152,6 +152,9 @@ LetterTable::LetterTable(std::string_view heading, char delimiter, ltl::Vocabula
       if (const auto condition = condition_of(name)) known.push_back(condition->column);
   if (const auto condition = conditions_.on_none_of(known))
     fail(line, "the table has no column to compare in \"" + *condition + '"');
+  for (const std::string& name : wanted.names())
+    if (std::find(known.begin(), known.end(), name) == known.end() && !condition_of(name))
+      fail(line, "the table has no column '" + name + "'");
 }
 
 void LetterTable::fail(std::size_t line, const std::string& message) const {

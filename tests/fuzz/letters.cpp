@@ -7,7 +7,7 @@
 
 #include "libltl/diagnostic.hpp"
 #include "libltl/text/read_word.hpp"
-#include "libplan/world/letter_lines.hpp"
+#include "libplan/world/letter_source.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace waymark;

@@ -66,9 +66,11 @@ TextReader::TextReader(TextOptions options, const std::string& what) : arguments
 
 TextReader::~TextReader() = default;
 
-void TextReader::refuse_other_formats(std::string_view beginning) const {
-  if (const std::string hint = ltl::foreign_hint(beginning); !hint.empty())
-    throw ltl::FormatError(source_, 1, 1, "expected one " + what_ + " a line: " + hint);
+// Nothing is read behind it, whoever asks next.
+void TextReader::refuse_other_formats(std::string_view beginning) {
+  refused_ = true;
+  ltl::refuse_foreign(beginning, source_, "one " + what_ + " a line");
+  refused_ = false;
 }
 
 std::size_t TextReader::count() const {
@@ -88,7 +90,7 @@ std::optional<Text> TextReader::next() {
     const std::size_t number = ++argument_;
     return Text{arguments_[number - 1], "", number};
   }
-  for (std::string line; lines_->next(line);) {
+  for (std::string line; !refused_ && lines_->next(line);) {
     if (passed_over(line)) continue;
     if (!any_line_) refuse_other_formats(line);
     any_line_ = true;

@@ -38,13 +38,13 @@ class TextReader {
   const std::string& source() const { return source_; }
 
  private:
-  void refuse_other_formats(std::string_view beginning) const;
+  void refuse_other_formats(std::string_view beginning);
 
   std::vector<std::string> arguments_;
   std::size_t argument_ = 0;
   std::unique_ptr<std::istream> file_;
   std::string source_, what_;
-  bool any_line_ = false;
+  bool any_line_ = false, refused_ = false;
   std::optional<ltl::LineReader> lines_;  // nothing: arguments
 };
 

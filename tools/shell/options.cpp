@@ -131,6 +131,13 @@ void add_letter_format_option(Command command, std::string& format) {
       .show_default();
 }
 
+void add_time_unit_option(Command command, double& unit) {
+  command
+      .add_option("--time-unit", unit,
+                  "of a table with a column time: a step is so much time, and a row holds until the next one")
+      .type_name("T");
+}
+
 plan::LetterFormat letter_format(const std::string& name) {
   if (name == "text") return plan::LetterFormat::Text;
   if (name == "json") return plan::LetterFormat::Json;

@@ -44,5 +44,9 @@ ltl::Formula parse_on_map(const Text& text, ltl::Arena& arena, const NotationOpt
 // --letter-format, and what its value means.
 void add_letter_format_option(Command command, std::string& format);
 plan::LetterFormat letter_format(const std::string& name);
+// --time-unit of tables with a column time; without it there is a note.
+void add_time_unit_option(Command command, double& unit);
+inline constexpr const char* note_of_time =
+    "note: rows are steps; with --time-unit, the column time says how many steps pass between them\n";
 
 }  // namespace waymark::tools

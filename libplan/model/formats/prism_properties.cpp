@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "libltl/diagnostic.hpp"
+#include "libltl/text/foreign.hpp"
 #include "libplan/model/formats/path_formula.hpp"
 #include "libplan/model/formats/result_comment.hpp"
 #include "libplan/model/formats/unanswered.hpp"
@@ -388,6 +389,7 @@ class PropertiesReader {
 
 std::vector<PrismProperty> parse_prism_properties(const PrismSource& model, const PrismSource& properties,
                                                   const PrismConstants& constants, const ltl::Limits& limits) {
+  ltl::refuse_foreign(properties.text, properties.source, "properties in the language of PRISM");
   return PropertiesReader(model, properties, constants, limits).read();
 }
 

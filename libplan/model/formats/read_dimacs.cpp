@@ -9,10 +9,12 @@
 #include <ostream>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
 #include "libltl/diagnostic.hpp"
+#include "libltl/text/foreign.hpp"
 #include "libltl/text/read_text.hpp"
 #include "libplan/model/prism/explicit_lines.hpp"
 
@@ -29,6 +31,9 @@ class Characters {
     return static_cast<unsigned char>(block_[at_]);
   }
   void skip() { ++at_; }
+  std::string_view ahead() {
+    return peek() == end ? std::string_view() : std::string_view(block_.data() + at_, size_ - at_);
+  }
 
  private:
   bool fill() {
@@ -48,6 +53,7 @@ class ArcReader {
 
   // Tails and arcs; the letters are left to be filled in.
   RoadGraph::Parts read() {
+    ltl::refuse_foreign(in_.ahead(), source_, "roads in the format of DIMACS");
     for (; in_.peek() != Characters::end; end_line()) {
       const int kind = in_.peek();
       if (kind == 'a')

@@ -52,8 +52,7 @@ PlanningCase read_model(const std::filesystem::path& file, std::string_view star
     return {name, parse_transition_system(text, source), {}};
   if (file.extension() == ".json") return parse_case(text, source);
   if (file.extension() == ".jani") return {name, parse_jani(text, source, limits, prism), {}};
-  if (const std::string hint = ltl::foreign_hint(text, "a PRISM model"); !hint.empty())
-    throw ltl::FormatError(source, 1, 1, "expected a model in the language of PRISM: " + hint);
+  ltl::refuse_foreign(text, source, "a model in the language of PRISM", "a PRISM model");
   return {name, parse_prism(text, source, limits, prism), {}};
 }
 

@@ -11,6 +11,7 @@
 #include "libltl/diagnostic.hpp"
 #include "libltl/meaning/semantics.hpp"
 #include "libltl/structure/fragment.hpp"
+#include "libltl/text/foreign.hpp"
 #include "libltl/text/parse.hpp"
 
 namespace waymark::plan {
@@ -22,6 +23,7 @@ class Reader {
  public:
   Reader(std::string_view yaml, std::string_view source) : source_(source) {
     if (yaml.size() > most_bytes) throw ltl::FormatError(source, 0, 0, "expected at most 16 MiB");
+    ltl::refuse_foreign(yaml, source, "a transition system in YAML");
     try {
       document_ = YAML::Load(std::string(yaml));
       read();

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "libltl/diagnostic.hpp"
+#include "libltl/text/foreign.hpp"
 
 namespace waymark::plan {
 namespace {
@@ -19,6 +20,7 @@ pugi::xml_node after(pugi::xml_node node, const pugi::xml_node& root) {
 }  // namespace
 
 XmlDocument::XmlDocument(std::string_view text, std::string_view source, Blanks blanks) : source_(source) {
+  ltl::refuse_foreign(text, source, "XML", "an XML document");
   for (std::size_t i = 0; i < text.size(); ++i)
     if (text[i] == '\n') newlines_.push_back(static_cast<std::ptrdiff_t>(i));
   const unsigned options = pugi::parse_default | (blanks == Blanks::Kept ? pugi::parse_ws_pcdata : 0U);

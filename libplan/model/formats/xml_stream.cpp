@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <charconv>
 #include <cstdint>
+#include <utility>
 
 #include "libltl/diagnostic.hpp"
+#include "libltl/text/foreign.hpp"
 
 namespace waymark::plan {
 namespace {
@@ -49,6 +51,7 @@ bool XmlStream::fill() {
   buffer_.resize(kept + bytes_at_once);
   in_.read(buffer_.data() + kept, static_cast<std::streamsize>(bytes_at_once));
   buffer_.resize(kept + static_cast<std::size_t>(in_.gcount()));
+  if (!std::exchange(is_xml_, true)) ltl::refuse_foreign(buffer_, source_, "XML", "an XML document");
   if (buffer_.find('\0', kept) != std::string::npos) fail("a byte 0: this is no XML");
   return buffer_.size() > kept;
 }

@@ -44,8 +44,8 @@ class XmlStream {
   std::vector<std::string> open_;
   std::vector<std::pair<std::string_view, std::string_view>> attributes_;  // in the buffer
   std::deque<std::string> decoded_;
-  std::size_t taken_ = 0;  // bytes of the tag that attributes still lie in
-  bool ends_ = false, left_ = false, began_ = false;
+  std::size_t taken_ = 0;                                              // bytes of the tag that attributes still lie in
+  bool ends_ = false, left_ = false, began_ = false, is_xml_ = false;  // is_xml_: of no other format that is known
 };
 
 }  // namespace waymark::plan

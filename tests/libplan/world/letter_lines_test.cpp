@@ -1,4 +1,4 @@
-#include "libplan/world/letter_lines.hpp"
+#include "libplan/world/letter_source.hpp"
 
 #include <gtest/gtest.h>
 
@@ -43,7 +43,7 @@ TEST(LetterLines, OnlyATableNamesAllPropositions) {
 TEST(LetterLines, AnEmptyFirstLetterDoesNotSettleTheFormat) { EXPECT_EQ(shown(read_auto("{}\n{a}\n")), "{}; {a}"); }
 
 TEST(LetterLines, KeepTheVocabularyTheyWereGiven) {
-  LetterLines lines(ltl::Vocabulary({"p", "q"}), LetterFormat::Text, "t");
+  LetterLines lines(LetterLines::Forgetful{{.format = LetterFormat::Text, .wanted = ltl::Vocabulary({"p", "q"})}}, "t");
   for (int i = 0; i < 10'000; ++i) lines.read("{other" + std::to_string(i) + "}");
   EXPECT_LT(lines.vocabulary().size(), 6'000U);
   EXPECT_EQ(lines.read("{q}").front(), ltl::Letter({ltl::Proposition{1}}));
@@ -97,7 +97,7 @@ TEST(LetterLines, SeveralTracesStandBetweenLinesOfDashes) {
     EXPECT_EQ(ltl::show(read.words[0], read.vocabulary), "{a}; {b}") << text;
     EXPECT_EQ(ltl::show(read.words[1], read.vocabulary), "{c}") << text;
   }
-  LetterLines stream(ltl::Vocabulary(), LetterFormat::Auto, "t");
+  LetterLines stream(LetterOptions(), "t");
   stream.read("{a}");
   EXPECT_THROW(stream.read("--"), ltl::FormatError) << "who reads one trace never joins two";
 }
@@ -116,6 +116,7 @@ TEST(LetterLines, ValuesAreComparedAndNoTruth) {
   EXPECT_NE(with(table, {"x"}).find("t:2:1"), std::string::npos) << with(table, {"x"});
   EXPECT_NE(with(table, {"state > 2"}).find("'idle' cannot be compared"), std::string::npos);
   EXPECT_NE(with(table, {"y > 2"}).find("no column to compare in \"y > 2\""), std::string::npos);
+  EXPECT_NE(with(table, {"b"}).find("the table has no column 'b'\n  t:1:1"), std::string::npos) << with(table, {"b"});
   EXPECT_NE(with("{\"a\":1}\n", {"y > 2"}).find("no letter has a value to compare"), std::string::npos);
   EXPECT_NE(with("{\"p\":\"true\"}\n", {"p"}).find("expected true, false, 1 or 0"), std::string::npos);
   EXPECT_EQ(read_auto(table).no_truths.at("x").value, "2.5");
@@ -150,6 +151,27 @@ TEST(LetterLines, WaveformsAreTables) {
   EXPECT_NE(refusal("$var wire 1 ! a $end\n#0\n1?\n").find("no $var has the identifier '?'"), std::string::npos);
   EXPECT_NE(refusal("$var wire 1 ! a $end\n").find("there is no time"), std::string::npos);
   EXPECT_NE(refusal("$comment never ends\n").find("not the end of the file"), std::string::npos);
+}
+
+// A letter is given before the next line is asked for, but for a first line that may be the header of a table.
+TEST(LetterSource, HoldsWhatMayBeAHeader) {
+  const auto asked_before_first = [](std::vector<std::string> text, LetterFormat format) {
+    LetterLines lines(LetterOptions{.format = format}, "t");
+    std::size_t asked = 0;
+    LetterSource from(lines, format, "t", [&](std::string& line) {
+      if (asked == text.size()) return false;
+      line = text[asked++];
+      return true;
+    });
+    std::string line;
+    EXPECT_TRUE(from.next(line));
+    return asked;
+  };
+  EXPECT_EQ(asked_before_first({"{a}", "{b}", "{}"}, LetterFormat::Auto), 1U);
+  EXPECT_EQ(asked_before_first({"[\"a\"]", "[]"}, LetterFormat::Auto), 1U);
+  EXPECT_EQ(asked_before_first({"a", "a", "b"}, LetterFormat::Auto), 2U);
+  EXPECT_EQ(asked_before_first({"a", "a", "b"}, LetterFormat::Text), 1U);
+  EXPECT_EQ(asked_before_first({"# a;b", "", "a;b", "1;0", "0;1"}, LetterFormat::Auto), 4U);
 }
 
 }  // namespace
