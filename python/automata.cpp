@@ -9,7 +9,7 @@
 #include "libautomata/hoa/finite.hpp"
 #include "libautomata/hoa/omega.hpp"
 #include "libautomata/limit_deterministic/ltl_to_ldba.hpp"
-#include "libautomata/monitor/monitor.hpp"
+#include "libautomata/monitor/conjunction.hpp"
 #include "libautomata/omega/emptiness.hpp"
 #include "libautomata/omega/lasso.hpp"
 #include "libautomata/translation/ltl_to_buchi.hpp"
@@ -272,39 +272,50 @@ const char* name_of(automata::Foresight verdict) {
   return verdict == automata::Foresight::True ? "true" : "false";
 }
 
-// A monitor with the state that its word has led to.
-struct RunningMonitor {
-  explicit RunningMonitor(automata::Monitor made) : monitor(std::move(made)), at(monitor.initial()) {}
-  automata::Monitor monitor;
-  automata::Monitor::State at;
+// A monitor of the conjuncts, kept apart, and the formula to begin anew.
+class RunningMonitor {
+ public:
+  RunningMonitor(const FormulaHandle& f, const std::string& semantics, std::size_t limit_states)
+      : formula_(ltl::transfer(f.formula, *arena_)),
+        words_(semantics_of(semantics) == ltl::Semantics::Finite ? automata::Words::Finite : automata::Words::Infinite),
+        limit_states_(limit_states),
+        monitor_(made()) {}
+
+  void reset() { monitor_ = made(); }
+  const char* read(const py::object& letter) {
+    return name_of(monitor_.read(letter_of(letter, arena_->vocabulary())).foresight);
+  }
+  automata::MonitorVerdict verdict() const { return monitor_.verdict(); }
+
+ private:
+  automata::ConjunctionMonitor made() const {
+    return interruptible([&](std::stop_token stop) {
+      return within_limits(automata::ConjunctionMonitor::of(formula_, words_, {limit_states_, std::move(stop)}));
+    });
+  }
+
+  std::unique_ptr<ltl::Arena> arena_ = std::make_unique<ltl::Arena>();
+  ltl::Formula formula_;
+  automata::Words words_;
+  std::size_t limit_states_;
+  automata::ConjunctionMonitor monitor_;
 };
 
-RunningMonitor monitor_of(const FormulaHandle& f, std::size_t limit_states) {
-  ltl::Arena arena;
-  const ltl::Formula own = ltl::transfer(f.formula, arena);
-  return RunningMonitor(interruptible([&](std::stop_token stop) {
-    return within_limits(automata::ltl_to_monitor(own, {limit_states, std::move(stop)}));
-  }));
-}
-
 void bind_monitor(py::module_& m) {
-  py::class_<RunningMonitor>(m, "Monitor", "The verdict of a growing word about a formula over infinite words.")
-      .def(py::init(&monitor_of), py::arg("formula"), py::arg("limit_states") = 1'000'000)
-      .def(
-          "read",
-          [](RunningMonitor& r, const py::object& letter) {
-            r.at = r.monitor.next(r.at, letter_of(letter, r.monitor.vocabulary()));
-            return name_of(r.monitor.verdict(r.at));
-          },
-          py::arg("letter"), "Reads one letter; returns the verdict.")
-      .def(
-          "reset", [](RunningMonitor& r) { r.at = r.monitor.initial(); }, "Forgets all letters.")
+  py::class_<RunningMonitor>(m, "Monitor", "The verdict of a growing word about a formula.")
+      .def(py::init<const FormulaHandle&, const std::string&, std::size_t>(), py::arg("formula"),
+           py::arg("semantics") = "infinite", py::arg("limit_states") = 1'000'000)
+      .def("read", &RunningMonitor::read, py::arg("letter"), "Reads one letter; returns the verdict.")
+      .def("reset", &RunningMonitor::reset, "Forgets all letters.")
       .def_property_readonly(
-          "verdict", [](const RunningMonitor& r) { return name_of(r.monitor.verdict(r.at)); },
+          "verdict", [](const RunningMonitor& r) { return name_of(r.verdict().foresight); },
           "'true': every continuation satisfies the formula; 'false': none does; else 'open'.")
       .def_property_readonly(
-          "is_hopeful", [](const RunningMonitor& r) { return r.monitor.is_hopeful(r.at); },
-          "Can the verdict still change from open?");
+          "holds_now", [](const RunningMonitor& r) { return r.verdict().now; },
+          "Over finite words, after a letter: does the word so far satisfy the formula? Else None.")
+      .def_property_readonly(
+          "is_known_satisfiable", [](const RunningMonitor& r) { return r.verdict().is_known_satisfiable; },
+          "False: open, but whether some continuation satisfies the formula was not found out.");
 }
 
 }  // namespace

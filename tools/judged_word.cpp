@@ -9,7 +9,7 @@
 #include "libautomata/monitor/conjunction.hpp"
 #include "libltl/meaning/progress.hpp"
 #include "libltl/meaning/trace_check.hpp"
-#include "libltl/rewriting/simplify.hpp"
+#include "libltl/rewriting/remainder.hpp"
 #include "libltl/text/print.hpp"
 #include "tools/shell/exit_code.hpp"
 
@@ -28,13 +28,13 @@ std::vector<ltl::Letter> letters_of(const ltl::AnyWord& word) {
   return letters;
 }
 
-std::vector<JudgedLetter> progressed(ltl::Formula rest, const std::vector<ltl::Letter>& letters,
-                                     ltl::Semantics semantics, const std::stop_token& stop) {
-  const auto over = semantics == ltl::Semantics::Finite ? ltl::Over::Rest : ltl::Over::Infinite;
+std::vector<JudgedLetter> progressed(ltl::Formula f, const std::vector<ltl::Letter>& letters, ltl::Semantics semantics,
+                                     const std::stop_token& stop) {
+  ltl::Remainder remainder(f, semantics);
   std::vector<JudgedLetter> out;
   for (const ltl::Letter& letter : letters) {
     if (stop.stop_requested()) throw Interrupted();
-    rest = ltl::simplify(ltl::progress(rest, letter, semantics), over);
+    const ltl::Formula rest = remainder.read(letter);
     if (ltl::tree_size(rest) > most_tree) throw GaveUp("what remains of the formula is too large");
     out.push_back({rest, std::nullopt});
   }

@@ -147,6 +147,22 @@ class Monitors(unittest.TestCase):
         monitor.reset()
         self.assertEqual(monitor.verdict, "open")
 
+    def test_conjuncts_are_monitored_apart(self):
+        phi = " & ".join(f"G(a{i} -> F b{i})" for i in range(200))
+        for semantics, last in (("infinite", "open"), ("finite", "open")):
+            monitor = wm.monitor(phi, semantics)
+            for i in range(300):
+                self.assertEqual(monitor.read({f"a{i % 200}"}), last)
+            if semantics == "finite":
+                self.assertFalse(monitor.holds_now)
+                monitor.read({f"b{i}" for i in range(200)})
+                self.assertTrue(monitor.holds_now)
+        monitor = wm.monitor(phi + " & G !c")
+        monitor.read({"a1"})
+        self.assertEqual(monitor.read({"c"}), "false")
+        together = wm.monitor("G a & F !a")
+        self.assertEqual(together.verdict, "false")
+
     def test_verdicts_over_finite_words_agree_with_the_definition(self):
         for phi in wm.random_formulas(15, seed=10, size=6, propositions=["a", "b"]):
             for word in finite_words(2):

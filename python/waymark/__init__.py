@@ -81,7 +81,8 @@ class Monitor:
 
     Over infinite words `verdict` is 'true' (whatever follows), 'false' (whatever follows) or 'open'. Over finite words
     the verdict is 'true' or 'false' once no continuation changes it, and `holds_now` says what holds if the word ended
-    here. `remains` is what remains of the formula.
+    here. `remains` is what remains of the formula. The conjuncts of a formula are monitored apart: hundreds are no more
+    work than their sum.
     """
 
     def __init__(self, formula: str | Formula, semantics: str = "infinite", limit_states: int = 1_000_000):
@@ -89,47 +90,38 @@ class Monitor:
             raise ValueError(f"semantics is 'finite' or 'infinite', not {semantics!r}")
         self.formula = parse(formula)
         self.semantics = semantics
-        self._infinite = _waymark.Monitor(self.formula, limit_states) if semantics == "infinite" else None
-        self._dfa = self._against = None
-        if self._infinite is None:
-            self._dfa = _waymark.translate(self.formula, "dfa", limit_states)
-            self._against = _waymark.translate(~self.formula, "dfa", limit_states)
-        self.reset()
+        self._monitor = _waymark.Monitor(self.formula, semantics, limit_states)
+        self.letters = 0
+        self.remains = self.formula
 
     def reset(self) -> None:
         """Forgets all letters."""
         self.letters = 0
         self.remains = self.formula
-        if self._infinite is not None:
-            self._infinite.reset()
-        else:
-            self._at, self._at_against = self._dfa.initial, self._against.initial
+        self._monitor.reset()
 
     def read(self, letter: Letter) -> str:
         """Reads one letter; returns the verdict."""
         self.letters += 1
         self.remains = self.remains.progress(letter, self.semantics)
-        if self._infinite is not None:
-            return self._infinite.read(letter)
-        self._at = self._dfa.next(self._at, letter)
-        self._at_against = self._against.next(self._at_against, letter)
-        return self.verdict
+        return self._monitor.read(letter)
 
     @property
     def verdict(self) -> str:
         """'true', 'false' or 'open'."""
-        if self._infinite is not None:
-            return self._infinite.verdict
-        if self._dfa.is_trap(self._at):
-            return "false"
-        return "true" if self._against.is_trap(self._at_against) else "open"
+        return self._monitor.verdict
+
+    @property
+    def is_known_satisfiable(self) -> bool:
+        """False: open, but whether some continuation satisfies the formula was not found out within the budget."""
+        return self._monitor.is_known_satisfiable
 
     @property
     def holds_now(self) -> bool:
         """Does the word so far satisfy the formula? Over finite words, after one letter or more."""
-        if self._infinite is not None or self.letters == 0:
+        if self._monitor.holds_now is None:
             raise ValueError("asked of a finite word of one letter or more")
-        return self._dfa.is_accepting(self._at)
+        return self._monitor.holds_now
 
 
 def monitor(formula: str | Formula, semantics: str = "infinite") -> Monitor:
