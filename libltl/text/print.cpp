@@ -86,7 +86,8 @@ bool is_binary(const View& v) { return !is_unary(v.symbol); }
 class Printer {
  public:
   explicit Printer(Style style)
-      : style_(style), options_{.bounds = style != Style::Lbt && style != Style::Postfix, .implications = true} {}
+      : style_(style),
+        options_{.bounds = style != Style::Lbt && style != Style::Postfix, .delays = true, .implications = true} {}
 
   std::string print(Formula f) {
     push(ViewOperand{{f}});
@@ -166,8 +167,11 @@ void Printer::write_postfix(View v) {
 void Printer::write_unary(View v) {
   out_ += spell(v.symbol, style_);
   if (v.bound) {
-    const std::string k = std::to_string(*v.bound);
-    out_ += style_ == Style::Latex ? "_{\\leq " + k + "}" : (style_ == Style::Unicode ? "≤" : "<=") + k;
+    const std::string k = std::to_string(v.from + *v.bound), from = std::to_string(v.from);
+    if (v.from > 0)
+      out_ += style_ == Style::Latex ? "_{[" + from + "," + k + "]}" : '[' + from + ':' + k + ']';
+    else
+      out_ += style_ == Style::Latex ? "_{\\leq " + k + "}" : (style_ == Style::Unicode ? "≤" : "<=") + k;
   }
   ViewOperand& operand = v.operands.front();
   const bool parenthesised = !is_leaf(operand) && is_binary(view(operand, options_));

@@ -8,9 +8,9 @@
 namespace waymark::ltl {
 namespace {
 
-View unary(Symbol symbol, Formula operand) { return {symbol, {{{operand}}}, {}}; }
+View unary(Symbol symbol, Formula operand) { return {symbol, {{{operand}}}, {}, 0}; }
 View binary(Symbol symbol, ViewOperand left, ViewOperand right) {
-  return {symbol, {std::move(left), std::move(right)}, {}};
+  return {symbol, {std::move(left), std::move(right)}, {}, 0};
 }
 
 std::vector<Formula> parts_of(Formula f, Op junction) {
@@ -57,7 +57,7 @@ View of_junction(std::span<const Formula> parts, Op op, const ViewOptions& optio
   auto bound = options.bounds ? bounded(parts, op) : std::nullopt;
   if (bound && bound->rest.empty()) {
     const Symbol symbol = op == Op::Or ? Symbol::Eventually : Symbol::Always;
-    return View{symbol, {{parts_of(bound->bound.body, op), op}}, bound->bound.steps};
+    return View{symbol, {{parts_of(bound->bound.body, op), op}}, bound->bound.steps, 0};
   }
   if (const auto no = op == Op::Or ? premise(parts, options.implications) : parts.end(); no != parts.end()) {
     ViewOperand conclusion{{}, Op::Or};
@@ -65,10 +65,26 @@ View of_junction(std::span<const Formula> parts, Op op, const ViewOptions& optio
       if (f != *no) conclusion.parts.push_back(f);
     return binary(Symbol::Implies, {{(*no)[0]}}, std::move(conclusion));
   }
-  View out{op == Op::And ? Symbol::And : Symbol::Or, {}, {}};
+  View out{op == Op::And ? Symbol::And : Symbol::Or, {}, {}, 0};
   for (Formula f : bound ? std::span<const Formula>(bound->rest) : parts) out.operands.push_back({{f}});
   if (bound) out.operands.push_back({std::move(bound->members), op});
   return out;
+}
+
+// X … X F<=k φ and N … N G<=k φ.
+View of_next(Formula f, Symbol symbol, const ViewOptions& options) {
+  const Op junction = f.op() == Op::Next ? Op::Or : Op::And;
+  std::size_t steps = 0;
+  Formula inner = f;
+  for (; inner.op() == f.op(); inner = inner[0]) ++steps;
+  if (options.bounds && options.delays && inner.op() == junction) {
+    View bound = of_junction(inner.operands(), junction, options);
+    if (bound.bound) {
+      bound.from = steps;
+      return bound;
+    }
+  }
+  return unary(symbol, f[0]);
 }
 
 View of_until(Formula f) {
@@ -112,8 +128,8 @@ View view(Formula f, const ViewOptions& options) {
     case Op::And:
     case Op::Or: return of_junction(f.operands(), f.op(), options);
     case Op::Iff: return binary(Symbol::Iff, {{f[0]}}, {{f[1]}});
-    case Op::Next: return unary(Symbol::Next, f[0]);
-    case Op::WeakNext: return unary(Symbol::WeakNext, f[0]);
+    case Op::Next: return of_next(f, Symbol::Next, options);
+    case Op::WeakNext: return of_next(f, Symbol::WeakNext, options);
     case Op::Until: return of_until(f);
     case Op::Release: return of_release(f);
     case Op::Yesterday: return unary(Symbol::Yesterday, f[0]);

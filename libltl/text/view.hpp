@@ -21,10 +21,12 @@ struct View {
   Symbol symbol = Symbol::Not;        // the outermost operator
   std::vector<ViewOperand> operands;  // in the order of the text
   std::optional<std::size_t> bound;   // F<=k and G<=k, k ≥ 2
+  std::size_t from = 0;               // steps until then: X X F<=3 is F[2:5], of bound 3
 };
 
 struct ViewOptions {          // which definitions are recognised
   bool bounds = true;         // recognise F<=k and G<=k
+  bool delays = false;        // recognise F[i:j] and G[i:j], bounds behind nexts
   bool implications = false;  // also of φ -> ¬ψ, where the age of the parts shows that it was typed so
 };
 

@@ -79,6 +79,16 @@ TEST(Print, AsciiHasTheParenthesesAReaderNeeds) {
       {"F<=2 (a | b)", "F<=2 (a | b)"},
       {"G<=2 N a", "G<=2 N a"},
       {"F<=2 F<=3 a", "F<=2 F<=3 a"},
+      {"F[2:5] a", "F[2:5] a"},
+      {"X X F<=3 a", "F[2:5] a"},
+      {"N G<=2 (a | b)", "G[1:3] (a | b)"},
+      {"X G<=2 a", "X G<=2 a"},
+      {"X[2] N F<=2 a", "X X N F<=2 a"},
+      {"F[2:3] a", "X X(a | X a)"},
+      {"F[3:3] a", "X X X a"},
+      {"G(a -> F[2,5](b & F[0,10] c))", "G(a -> F[2:5] (b & F<=10 c))"},
+      {"X(a & X F<=2 b)", "X(a & F[1:3] b)"},
+      {"F[1:3] F[2:6] a | b", "F[1:3] F[2:6] a | b"},
       {"a R a", "a R a"},
       {"(a | b | c) W b", "(a | c) W b"},
       {"(b | c) R (a | b | c)", "a W (b | c)"},
@@ -120,6 +130,22 @@ void expect_round_trips(Formula f) {
 TEST(Laws, ParseInvertsPrintOnEverySmallFormula) {
   Arena arena(letters_vocabulary(2));
   for_each_formula(arena, {.size = 5, .atoms = 2}, expect_round_trips);
+}
+
+// Bounds behind nexts, of both kinds, of all small formulas.
+TEST(Laws, ParseInvertsPrintOfDelayedBounds) {
+  Arena arena(letters_vocabulary(2));
+  for_each_formula(arena, {.size = 3, .atoms = 2}, [](Formula body) {
+    for (std::size_t k = 0; k <= 3; ++k)
+      for (const Formula bound : {eventually_within(k, body), always_within(k, body)})
+        for (std::size_t nexts = 0; nexts < 8; ++nexts) {
+          Formula f = bound;
+          for (std::size_t i = 0; i < 3; ++i) f = (nexts >> i & 1U) != 0 ? next(f) : weak_next(f);
+          expect_round_trips(f);
+          expect_round_trips(conjunction(f, body));
+          expect_round_trips(disjunction(next(bound), weak_next(bound)));
+        }
+  });
 }
 
 TEST(Laws, ParseInvertsPrintOnRandomFormulas) {
