@@ -276,14 +276,19 @@ ExitCode run_check_on_model(const CheckOptions& options, const Session& session)
   if (!(options.trajectory + options.trace + options.word + options.svg).empty() || options.progress)
     throw UsageError("--model asks about all runs: --trajectory, --trace, --word, --progress and --svg are about one");
   if (options.semantics == "finite") throw UsageError("runs of a model have no end: --semantics infinite");
-  TextReader formulas(options.text, "formula");
   CheckModelOptions model = options.model;
   model.json = options.json;
+  const bool asks = !options.text.arguments.empty() || !options.text.file.empty();
+  if (!model.automaton.empty() && asks) throw UsageError("give formulas or --automaton, not both");
+  if (!model.automaton.empty()) return check_automaton_on_model(model, session);
+  TextReader formulas(options.text, "formula");
   return check_on_model(model, formulas, session);
 }
 
 ExitCode run_check(const CheckOptions& options, const Session& session) {
   if (!options.model.model.empty()) return run_check_on_model(options, session);
+  if (!(options.model.automaton + options.model.rewards).empty())
+    throw UsageError("--automaton and --rewards go with --model");
   const int given =
       (options.trajectory.empty() ? 0 : 1) + (options.trace.empty() ? 0 : 1) + (options.word.empty() ? 0 : 1);
   if (given != 1) throw UsageError("give one of --trajectory, --trace, --word and --model; see waymark check --help");

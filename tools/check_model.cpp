@@ -38,16 +38,18 @@ std::string exact(double value) {
   return out.str();
 }
 
-void print_json(ltl::Formula formula, const std::string& model, const plan::ModelCheck& found, bool chance) {
+// The formula is null of an automaton.
+void print_json(const Json& formula, const std::string& model, const plan::ModelCheck& found, bool chance,
+                const char* certifier) {
   JsonObject json;
-  json.add("formula", ltl::print(formula)).add("model", model).add("semantics", "infinite").add("holds", found.holds);
+  json.add("formula", formula).add("model", model).add("semantics", "infinite").add("holds", found.holds);
   if (chance)
     json.add("probability", JsonObject().add("lower", found.probability.lower).add("upper", found.probability.upper));
   if (found.lasso)
     json.add("prefix", json_of(found.lasso->prefix.places, found.lasso->prefix.actions))
         .add("cycle", json_of(found.lasso->cycle.places, found.lasso->cycle.actions))
         .add("certified", true)
-        .add("certified_by", "definition");
+        .add("certified_by", certifier);
   if (chance && !found.holds) {
     JsonArray paths;
     for (const plan::LikelyPath& path : found.paths)
@@ -84,6 +86,37 @@ bool has_chance(const plan::PlanningCase& model) {
   return std::visit([](const auto& m) { return !m.is_deterministic(); }, model.model);
 }
 
+struct Specification {
+  Json formula;
+  const char* certifier;  // of a lasso that violates it
+};
+
+// `check(options)`: what the library found.
+template <class Check>
+ExitCode told(const plan::PlanningCase& model, const CheckModelOptions& options, const Session& session,
+              const Specification& of, const Check& check) {
+  const ltl::Watch watch(granted(options.limits), session.stop);
+  const std::optional<plan::ModelCheck> found = check({.paths = options.paths, .stop = watch.token()});
+  if (!found && session.stop.stop_requested()) throw Interrupted();
+  if (!found)
+    throw GaveUp(watch.overrun() == ltl::Overrun::None ? "gave up: the product or its automaton met a limit"
+                                                       : gave_up(watch.overrun(), options.limits));
+  if (options.json)
+    print_json(of.formula, model.name, *found, has_chance(model), of.certifier);
+  else
+    print(*found, has_chance(model), session.out);
+  return found->holds ? ExitCode::Done : ExitCode::No;
+}
+
+plan::PlanningCase model_of(const CheckModelOptions& options, const Session& session) {
+  CaseChoice choice;
+  choice.model = options.model;
+  choice.constants = options.constants;
+  choice.rewards = options.rewards;
+  choice.parallel.limits = options.limits;
+  return read_model(choice, options.start, session.stop);
+}
+
 ExitCode check_one(const Text& text, const plan::PlanningCase& model, const CheckModelOptions& options,
                    const Session& session) {
   ltl::Arena arena(std::visit([](const auto& m) { return m.letters().vocabulary(); }, model.model));
@@ -95,17 +128,9 @@ ExitCode check_one(const Text& text, const plan::PlanningCase& model, const Chec
       throw error.in(text.source, text.line);
     }
   }();
-  const ltl::Watch watch(granted(options.limits), session.stop);
-  const auto found = plan::check_model(model, ltl::print(formula), {.paths = options.paths, .stop = watch.token()});
-  if (!found && session.stop.stop_requested()) throw Interrupted();
-  if (!found)
-    throw GaveUp(watch.overrun() == ltl::Overrun::None ? "gave up: the product or its automaton met a limit"
-                                                       : gave_up(watch.overrun(), options.limits));
-  if (options.json)
-    print_json(formula, model.name, *found, has_chance(model));
-  else
-    print(*found, has_chance(model), session.out);
-  return found->holds ? ExitCode::Done : ExitCode::No;
+  return told(model, options, session, {ltl::print(formula), "definition"}, [&](const plan::ModelCheckOptions& within) {
+    return plan::check_model(model, ltl::print(formula), within);
+  });
 }
 
 }  // namespace
@@ -115,6 +140,12 @@ void add_check_model_options(Command command, CheckModelOptions& options) {
       .add_option("--model", options.model, "does every run of this model satisfy the formula? else a counterexample")
       .type_name("FILE");
   command.add_option("--const", options.constants, "of a model in the language of PRISM: N=3,p=0.5").type_name("LIST");
+  command.add_option("--rewards", options.rewards, "of such a model: the rewards that are costs of a counterexample")
+      .type_name("NAME");
+  command
+      .add_option("--automaton", options.automaton,
+                  "with --model: an automaton in HOA that is to accept every run, in the place of formulas")
+      .type_name("FILE");
   command.add_option("--paths", options.paths, "of a counterexample where chance decides, at most")
       .between(1, 100'000)
       .show_default();
@@ -122,13 +153,24 @@ void add_check_model_options(Command command, CheckModelOptions& options) {
 }
 
 ExitCode check_on_model(const CheckModelOptions& options, TextReader& formulas, const Session& session) {
-  CaseChoice choice;
-  choice.model = options.model;
-  choice.constants = options.constants;
-  choice.parallel.limits = options.limits;
-  const plan::PlanningCase model = read_model(choice, options.start, session.stop);
+  const plan::PlanningCase model = model_of(options, session);
   return answer_each(
       formulas, session.stop, [&](const Text& text) { return check_one(text, model, options, session); }, options.json);
+}
+
+ExitCode check_automaton_on_model(const CheckModelOptions& options, const Session& session) {
+  const plan::PlanningCase model = model_of(options, session);
+  const std::string source = source_name(options.automaton);
+  const plan::GivenAutomaton given = plan::read_given_automaton(read_file(options.automaton), source);
+  const auto* automaton = std::get_if<automata::Automaton>(&given);
+  if (automaton == nullptr)
+    throw ltl::FormatError(source, 0, 0, "the automaton is about finite words, runs have no end");
+  const ltl::Vocabulary known = std::visit([](const auto& m) { return m.letters().vocabulary(); }, model.model);
+  for (const ltl::Proposition p : automaton->reads())
+    if (const std::string& name = automaton->vocabulary().name(p); !known.find(name))
+      throw ltl::FormatError(source, 0, 0, "the model has no proposition '" + name + "'");
+  return told(model, options, session, {Json(), "automaton"},
+              [&](const plan::ModelCheckOptions& within) { return plan::check_model(model, given, within); });
 }
 
 }  // namespace waymark::tools

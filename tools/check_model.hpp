@@ -11,6 +11,7 @@ namespace waymark::tools {
 
 struct CheckModelOptions {
   std::string model, start, constants;  // --model, --start, --const
+  std::string rewards, automaton;       // --rewards; --automaton in the place of formulas
   std::size_t paths = 10;               // of a counterexample where chance decides
   WorkLimits limits;                    // of a formula
   bool json = false;
@@ -18,7 +19,8 @@ struct CheckModelOptions {
 // The options but --start and --json, which are those of the caller.
 void add_check_model_options(Command command, CheckModelOptions& options);
 
-// Of every formula: 0 where it holds, 10 with a counterexample.
+// Of every formula, or of the automaton: 0 where it holds, 10 with a counterexample.
 ExitCode check_on_model(const CheckModelOptions& options, TextReader& formulas, const Session& session);
+ExitCode check_automaton_on_model(const CheckModelOptions& options, const Session& session);
 
 }  // namespace waymark::tools

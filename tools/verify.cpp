@@ -111,6 +111,7 @@ Runner setup_verify(Command command) {
   add_data_option(command, options->map.data);
   command.add_option("--const", options->of.constants, "of a model in the language of PRISM: N=3,p=0.5")
       .type_name("LIST");
+  command.add_option("--rewards", options->of.rewards, "of such a model: the rewards that are costs").type_name("NAME");
   command.add_option("--properties", options->of.properties, "the file of properties that answers are about")
       .type_name("FILE");
   command.add_option("--words", options->words, "on which an automaton is compared with its formula")

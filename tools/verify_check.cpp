@@ -191,6 +191,8 @@ class OfRuns {
 
 void examine_check(Claims& claims, const plan::JsonReader& in, const Value& answer, const plan::PlanningCase& model,
                    const ltl::Limits& limits) {
+  if (claims.member("formula").is_null())
+    return claims.add(std::nullopt, "the automaton, which the answer does not bring, accepts every run");
   std::visit([&](const auto& m) { OfRuns(claims, in, answer, model, m, limits).examine(); }, model.model);
 }
 

@@ -7,7 +7,6 @@
 
 #include "libltl/rewriting/simplify.hpp"
 #include "libltl/text/parse.hpp"
-#include "libltl/text/print.hpp"
 
 namespace waymark::plan {
 namespace {
@@ -89,16 +88,12 @@ class PathSearch {
   std::priority_queue<std::pair<double, std::uint32_t>> open_;
 };
 
+// `violated`: of the runs that are to be found.
 template <class Model>
-std::optional<ModelCheck> checked_with_chance(const Model& model, const std::string& formula,
+std::optional<ModelCheck> checked_with_chance(const Model& model, const std::optional<TaskAutomaton>& violated,
                                               const ModelCheckOptions& options) {
-  ltl::Arena arena(model.letters().vocabulary());
-  const ltl::Formula violated = ltl::simplify(ltl::negate(ltl::parse(formula, arena)), ltl::Semantics::Infinite);
-  using Task = CaseTask;
-  const auto automaton = task_automaton(violated, Task::Logic::Ltl, Task::Query::MaxProbability,
-                                        {.states = options.states / 1000 + 1, .stop = options.stop});
-  if (!automaton) return std::nullopt;
-  const TaskTable task = std::visit([&](const auto& a) { return TaskTable(a, model.letters()); }, *automaton);
+  if (!violated) return std::nullopt;
+  const TaskTable task = std::visit([&](const auto& a) { return TaskTable(a, model.letters()); }, *violated);
   const auto product = ProductMdp<Model>::explore(model, task, {.states = options.states, .stop = options.stop});
   if (!product) return std::nullopt;
   ModelCheck out;
@@ -114,15 +109,19 @@ std::optional<ModelCheck> checked_with_chance(const Model& model, const std::str
   return out;
 }
 
-std::optional<ModelCheck> checked_walks(const PlanningCase& model, const std::string& formula,
-                                        const ModelCheckOptions& options) {
-  const CaseTask violated{"", "!(" + formula + ')', CaseTask::Logic::Ltl, CaseTask::Query::LeastLasso};
-  CaseAnswer found = answer(model, violated, {.states = options.states, .explain = false, .stop = options.stop});
+std::optional<ModelCheck> checked_walks(CaseAnswer found) {
   if (found.status == CaseAnswer::Status::Exhausted) return std::nullopt;
   ModelCheck out;
   out.holds = !found.lasso;
   out.lasso = std::move(found.lasso);
   return out;
+}
+
+ltl::Limits automaton_limits(const ModelCheckOptions& options) {
+  return {.states = options.states / 1000 + 1, .stop = options.stop};
+}
+CaseOptions case_options(const ModelCheckOptions& options) {
+  return {.states = options.states, .explain = false, .stop = options.stop};
 }
 
 }  // namespace
@@ -131,7 +130,31 @@ std::optional<ModelCheck> check_model(const PlanningCase& model, const std::stri
                                       const ModelCheckOptions& options) {
   return std::visit(
       [&](const auto& m) {
-        return m.is_deterministic() ? checked_walks(model, formula, options) : checked_with_chance(m, formula, options);
+        if (m.is_deterministic())
+          return checked_walks(answer(model,
+                                      {"", "!(" + formula + ')', CaseTask::Logic::Ltl, CaseTask::Query::LeastLasso},
+                                      case_options(options)));
+        ltl::Arena arena(m.letters().vocabulary());
+        const ltl::Formula violated = ltl::simplify(ltl::negate(ltl::parse(formula, arena)), ltl::Semantics::Infinite);
+        return checked_with_chance(
+            m,
+            task_automaton(violated, CaseTask::Logic::Ltl, CaseTask::Query::MaxProbability, automaton_limits(options)),
+            options);
+      },
+      model.model);
+}
+
+std::optional<ModelCheck> check_model(const PlanningCase& model, const GivenAutomaton& specification,
+                                      const ModelCheckOptions& options) {
+  const auto violated = complement(specification, automaton_limits(options));
+  if (!violated) return std::nullopt;
+  return std::visit(
+      [&](const auto& m) {
+        if (m.is_deterministic())
+          return checked_walks(answer(model, {"", "", CaseTask::Logic::Ltl, CaseTask::Query::LeastLasso}, *violated,
+                                      case_options(options)));
+        return checked_with_chance(
+            m, task_automaton(*violated, CaseTask::Query::MaxProbability, automaton_limits(options)), options);
       },
       model.model);
 }

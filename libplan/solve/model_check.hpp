@@ -1,4 +1,4 @@
-// Does every run of a model satisfy a formula over infinite words? If not, a counterexample.
+// Does every run of a model satisfy a formula over infinite words, or an automaton? If not, a counterexample.
 //
 // Where every choice has one outcome, all walks are asked about, and the counterexample is a lasso, certified by the
 // definition of ⊨. Where chance decides, the formula holds if every strategy satisfies it with probability 1; the
@@ -39,6 +39,10 @@ struct ModelCheckOptions {             // what may be spent and told
 
 // nullopt: a limit was met, or stopped. Throws ltl::SyntaxError for a formula that cannot be read.
 std::optional<ModelCheck> check_model(const PlanningCase& model, const std::string& formula,
+                                      const ModelCheckOptions& options = {});
+// Does it accept every run? A lasso is certified by its complement. Throws std::invalid_argument for an automaton about
+// finite words.
+std::optional<ModelCheck> check_model(const PlanningCase& model, const GivenAutomaton& specification,
                                       const ModelCheckOptions& options = {});
 
 }  // namespace waymark::plan

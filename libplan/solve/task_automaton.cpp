@@ -134,6 +134,13 @@ std::optional<TaskAutomaton> task_automaton(const GivenAutomaton& given, Query q
   });
 }
 
+std::optional<GivenAutomaton> complement(const GivenAutomaton& given, const ltl::Limits& limits) {
+  const auto* automaton = std::get_if<Automaton>(&given);
+  if (automaton == nullptr)
+    throw std::invalid_argument("a run of a model is an infinite word, the automaton is about finite ones");
+  return within(limits, [&](Budget& budget) -> GivenAutomaton { return complement_of(*automaton, budget); });
+}
+
 std::optional<Automaton> lasso_automaton(ltl::Formula f, const ltl::Limits& limits) {
   auto made = automata::ltl_to_tgba(f, limits);
   if (auto* done = found(made)) return std::move(done->automaton);

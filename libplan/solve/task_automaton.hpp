@@ -40,6 +40,10 @@ GivenAutomaton read_given_automaton(std::string_view hoa, std::string_view sourc
 std::optional<TaskAutomaton> task_automaton(const GivenAutomaton& given, CaseTask::Query query,
                                             const ltl::Limits& limits);
 
+// Of all other words. nullopt: the limits were met. Throws std::invalid_argument for a DFA: it says nothing of words
+// without end.
+std::optional<GivenAutomaton> complement(const GivenAutomaton& given, const ltl::Limits& limits);
+
 // Generalised Büchi, for lassos on deterministic models. Throws std::invalid_argument for a DFA.
 std::optional<automata::Automaton> lasso_automaton(ltl::Formula f, const ltl::Limits& limits);
 std::optional<automata::Automaton> lasso_automaton(const GivenAutomaton& given, const ltl::Limits& limits);

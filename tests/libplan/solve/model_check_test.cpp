@@ -6,6 +6,7 @@
 
 #include <map>
 
+#include "libautomata/translation/ltl_to_buchi.hpp"
 #include "libltl/meaning/semantics.hpp"
 #include "libltl/structure/random.hpp"
 #include "libltl/text/parse.hpp"
@@ -54,6 +55,27 @@ TEST(ModelCheck, HoldsWhereTheLeastProbabilityIsOne) {
   }
   EXPECT_GT(hold, 10U);
   EXPECT_GT(paths, 100U);
+}
+
+// The automaton of a formula in the place of the formula, of every kind that there is.
+TEST(ModelCheck, AnAutomatonIsASpecification) {
+  ltl::Random random(34);
+  std::size_t hold = 0, lassos = 0;
+  for (int i = 0; i < waymark::testing::scaled(150); ++i) {
+    const PlanningCase model{
+        "", testing::random_model(random, {.states = 4, .most_choices = 2, .deterministic = i % 2 == 0}), {}};
+    const std::string formula = random_text(random);
+    ltl::Arena arena(testing::vocabulary_ab());
+    const GivenAutomaton given = automata::ltl_to_tgba(ltl::parse(formula, arena));
+    const auto expected = check_model(model, formula).value(), found = check_model(model, given).value();
+    ASSERT_EQ(found.holds, expected.holds) << formula << '\n' << testing::show(std::get<Mdp>(model.model));
+    ASSERT_EQ(found.lasso.has_value(), expected.lasso.has_value());
+    ASSERT_NEAR(found.probability.middle(), expected.probability.middle(), 1e-5) << formula;
+    hold += found.holds ? 1 : 0;
+    lassos += found.lasso ? 1 : 0;
+  }
+  EXPECT_GT(hold, 10U);
+  EXPECT_GT(lassos, 10U);
 }
 
 // A walk of names has one word here: choices of a state have different names.
