@@ -2,7 +2,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <set>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "libltl/meaning/semantics.hpp"
@@ -12,14 +14,15 @@
 namespace waymark::ltl {
 namespace {
 
+std::vector<Letter> letters(std::string_view text) {
+  std::vector<Letter> out;
+  for (char c : text) out.push_back(c == '-' ? Letter{} : Letter{Proposition{static_cast<std::uint32_t>(c - 'a')}});
+  return out;
+}
+
 // Words over places a, b, c: which letters, once or (…) for ever.
 bool achieves(Mission mission_, std::string_view once, std::string_view forever, std::size_t places) {
   Arena arena(testing::letters_vocabulary(places));
-  const auto letters = [](std::string_view text) {
-    std::vector<Letter> out;
-    for (char c : text) out.push_back(c == '-' ? Letter{} : Letter{Proposition{static_cast<std::uint32_t>(c - 'a')}});
-    return out;
-  };
   std::vector<Formula> l;
   for (std::uint32_t i = 0; i < places; ++i) l.push_back(arena.atom(Proposition{i}));
   return holds(Lasso(letters(once), letters(forever)), mission(mission_, l));
@@ -101,20 +104,56 @@ TEST(Patterns, MissionsJudgeWordsAsTheCatalogueDoes) {
       {Mission::FairPatrolling, "a-c-b-", "abc", 3, true},
       {Mission::FairPatrolling, "a-ca-b", "abac", 3, false},
       {Mission::GlobalAvoidance, "b--", "b-", 1, true},
+      {Mission::GlobalAvoidance, "b-b", "-ba", 1, false},
       {Mission::PastAvoidance, "--bab", "-", 2, true},
       {Mission::PastAvoidance, "--ab", "-", 2, false},
       {Mission::FutureAvoidance, "--b--", "-a-", 2, false},
+      {Mission::FutureAvoidance, "a-a-b--", "-b", 2, true},
+      {Mission::PromptReaction, "-ab-", "ab-", 2, true},
+      {Mission::PromptReaction, "-ab-", "a-b", 2, false},
       {Mission::DelayedReaction, "b-ab-", "-", 2, true},
       {Mission::DelayedReaction, "bba-", "-", 2, false},
       {Mission::InstantaneousReaction, "b-b", "-", 2, true},
       {Mission::InstantaneousReaction, "b-ab", "-", 2, false},
+      {Mission::BoundReaction, "--", "-", 2, true},
+      {Mission::BoundReaction, "-a-", "b", 2, false},
+      {Mission::Wait, "aaab-", "a-", 2, true},
+      {Mission::Wait, "aa-", "ab", 2, false},
       {Mission::BoundDelay, "-ab-ab", "-", 2, true},
       {Mission::BoundDelay, "-abb", "-", 2, false},
   };
-  for (const auto& row : table)
+  std::set<std::pair<Mission, bool>> judged;
+  for (const auto& row : table) {
     EXPECT_EQ(achieves(row.mission, row.once, row.forever, row.places), row.fulfils)
         << mission_patterns()[static_cast<std::size_t>(row.mission)].name << " on " << row.once << "(" << row.forever
         << ")w";
+    judged.emplace(row.mission, row.fulfils);
+  }
+  constexpr std::size_t restricted = 3;  // which count, below
+  EXPECT_EQ(judged.size(), 2 * (mission_patterns().size() - restricted)) << "each is fulfilled once and once not";
+}
+
+// As above: a place at most, at least and exactly so many times.
+TEST(Patterns, RestrictedMissionsJudgeWords) {
+  const struct {
+    Mission mission;
+    std::size_t bound;
+    const char *once, *forever;
+    bool fulfils;
+  } table[] = {
+      {Mission::UpperRestrictedAvoidance, 2, "-a--a", "-", true},
+      {Mission::UpperRestrictedAvoidance, 2, "-a--a-a", "-", false},
+      {Mission::LowerRestrictedAvoidance, 2, "-a-", "-a", true},
+      {Mission::LowerRestrictedAvoidance, 2, "-a-", "-", false},
+      {Mission::ExactRestrictedAvoidance, 2, "-a--a", "-", true},
+      {Mission::ExactRestrictedAvoidance, 2, "-a", "-a", false},
+  };
+  Arena arena(testing::letters_vocabulary(1));
+  for (const auto& row : table)
+    EXPECT_EQ(holds(Lasso(letters(row.once), letters(row.forever)),
+                    restricted_avoidance(row.mission, row.bound, arena.atom("a"))),
+              row.fulfils)
+        << row.once << "(" << row.forever << ")w";
 }
 
 // By counting visits along the word, and once more round the cycle: unequal growth shows within three rounds.
