@@ -39,7 +39,7 @@ class Explorer {
     PrismValues values;
     for (std::uint32_t s = 0; s < states_.size(); ++s) {
       if (limits_.stop.stop_requested()) throw ReadingStopped{};
-      if (states_.size() > limits_.states) text_.fail(program_.variables[0].where, "more states than the limit");
+      if (states_.size() > limits_.states) text_.fail(first_place(), "more states than the limit");
       states_.read(s, values);
       builder.add_state(show(values));
       add_choices(builder, s, values);
@@ -130,7 +130,11 @@ class Explorer {
     return *found;
   }
 
+  // Of the first variable; a program without variables has one state.
+  ltl::Span first_place() const { return program_.variables.empty() ? ltl::Span{} : program_.variables[0].where; }
+
   std::string show(const PrismValues& values) const {
+    if (program_.variables.empty()) return "()";
     std::string out;
     for (std::size_t v = 0; v < program_.variables.size(); ++v)
       out += (v == 0 ? "" : ",") + std::to_string(static_cast<std::int64_t>(values[v]));
@@ -317,7 +321,7 @@ class Explorer {
   void add_choices(MdpBuilder& builder, std::uint32_t s, const PrismValues& values) {
     std::vector<Choice> found = choices(values);
     if (!program_.is_mdp) draw(found);
-    if (found.empty()) found.push_back({"stay", cost("stay", values, program_.variables[0].where), {{s, 1}}});
+    if (found.empty()) found.push_back({"stay", cost("stay", values, first_place()), {{s, 1}}});
     for (const Choice& choice : found) {
       builder.add_choice(choice.action, choice.cost);
       for (const Outcome& o : choice.outcomes) builder.add_outcome(o.target, letter(builder, o.target), o.probability);

@@ -20,8 +20,7 @@ class ProgramReader {
   PrismProgram read() {
     while (in_.peek().kind != PrismToken::Kind::End) item();
     for (const Renaming& renaming : renamings_) rename(renaming);
-    if (out_.modules.empty()) in_.fail("expected a module with variables");
-    if (out_.variables.empty()) in_.fail("expected a module with variables");
+    if (out_.modules.empty()) in_.fail("expected a module");
     bind();
     return std::move(out_);
   }

@@ -31,7 +31,7 @@ TEST(PrismLanguage, SaysWhatIsWrongAndWhere) {
       {"mdp const int k = 1; dtmc", "1:22: a second kind of model"},
       {"mdp module m x : [0..1]; [] x=0 || x=1 -> true; endmodule",
        "1:34: || is not read: 'or' is written |, and conditional probabilities are not answered"},
-      {"mdp\n", "2:1: expected a module with variables"},
+      {"mdp\n", "2:1: expected a module"},
       {"mdp module m x : [0..1] endmodule", "1:25: expected ';'"},
       {"mdp module m x : [1..0]; endmodule", "1:14: the range of this variable is empty"},
       {"mdp module m x : [0..1] init 2; endmodule", "1:14: the initial value is out of range"},

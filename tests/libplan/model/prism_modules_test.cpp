@@ -108,6 +108,20 @@ TEST(PrismModules, OfAMarkovChainDrawTheirCommands) {
   EXPECT_DOUBLE_EQ(chain.cost(0, 0), 5);
 }
 
+TEST(PrismModules, WithoutVariablesHaveOneState) {
+  const Mdp chain = parse_prism("dtmc\nmodule m\n [] true -> true;\nendmodule\nlabel \"a\" = true;\n");
+  EXPECT_EQ(chain.states(), 1U);
+  EXPECT_EQ(chain.name(0), "()");
+  EXPECT_EQ(answer({"", chain, {}}, {"", "G a", CaseTask::Logic::Ltl, CaseTask::Query::MaxProbability}).value.lower, 1);
+  const Mdp dead = parse_prism("mdp\nmodule m\nendmodule\nmodule n\n [go] false -> true;\nendmodule\n");
+  EXPECT_EQ(dead.states(), 1U);
+  const Mdp rewarded = parse_prism(
+      "mdp\nmodule m\n [a] true -> true;\n [b] true -> true;\nendmodule\nrewards\n [a] true : 2;\n true : "
+      "1;\nendrewards\n");
+  EXPECT_EQ(rewarded.cost(0, 0), 3);
+  EXPECT_EQ(rewarded.cost(0, 1), 1);
+}
+
 TEST(PrismModules, TakeConstantsAndRewards) {
   const std::string text =
       "mdp const int n; const double p; const bool b; module m x : [0..n]; [] x<n & b -> "
