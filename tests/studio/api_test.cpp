@@ -229,5 +229,35 @@ TEST(Api, AnswersManyAtOnceAndTurnsTheRestAway) {
   EXPECT_EQ(post("/api/formula", R"({"formula": "F sofa"})").status, 200);
 }
 
+// Automata that take hours, eight asked for at once: three are worked on until they are stopped, and who asks for
+// something else is answered.
+TEST(Api, DrawsThreePicturesAtATime) {
+  const std::vector<std::string> names = {"chair", "sofa",     "easel",  "lamp",  "hatrack", "barstool", "blue",
+                                          "brick", "concrete", "flower", "grass", "gravel",  "wood"};
+  std::string hard = "F yellow";
+  for (std::size_t i = 0; i + 1 < names.size(); ++i)
+    hard += " & F(" + names[i] + " & X X X " + names[i + 1] + " & F(" + names[i + 1] + " & G(" + names[i] + " -> X X " +
+            names[i + 1] + ")))";
+  const std::string body = json{{"formula", hard}}.dump();
+  constexpr int asked = Api::most_at_once, turned_away = asked - Api::most_drawn_at_once;
+  std::stop_source stop;
+  std::atomic<int> away = 0, ended = 0;
+  std::vector<std::jthread> all;
+  for (int i = 0; i < asked; ++i)
+    all.emplace_back([&] {
+      const int status = api().answer("POST", "/api/automaton", body, stop.get_token()).status;
+      ++(status == 503 ? away : ended);
+    });
+  while (away < turned_away && ended == 0) std::this_thread::yield();
+  EXPECT_EQ(ended, 0) << "the three are not at work";
+  EXPECT_EQ(post("/api/picture", R"({"formula": "F sofa"})").status, 503);
+  EXPECT_EQ(post("/api/formula", R"({"formula": "F sofa"})").status, 200);
+  stop.request_stop();
+  all.clear();
+  EXPECT_EQ(away, turned_away);
+  EXPECT_EQ(ended, Api::most_drawn_at_once);
+  EXPECT_EQ(post("/api/picture", R"({"formula": "F sofa"})").status, 200);
+}
+
 }  // namespace
 }  // namespace waymark::studio
