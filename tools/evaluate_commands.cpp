@@ -6,6 +6,7 @@
 #include "libparser/model_file.hpp"
 #include "tools/shell/json.hpp"
 #include "tools/shell/learning.hpp"
+#include "tools/shell/options.hpp"
 #include "tools/shell/output.hpp"
 
 namespace waymark::tools {
@@ -20,6 +21,7 @@ void add_to(parser::CommandScore& sum, const parser::CommandScore& more) {
   sum.n += more.n;
   sum.exact += more.exact;
   sum.equivalent += more.equivalent;
+  sum.refused += more.refused;
 }
 
 JsonObject json_of(const parser::CommandScore& score) {
@@ -27,6 +29,9 @@ JsonObject json_of(const parser::CommandScore& score) {
       .add("accuracy", score.percent(score.equivalent))
       .add("exact", score.percent(score.exact))
       .add("equivalent", score.percent(score.equivalent))
+      .add("right", score.percent(score.equivalent))
+      .add("refused", score.percent(score.refused))
+      .add("wrong", score.percent(score.wrong()))
       .add("n", score.n);
 }
 
@@ -68,6 +73,7 @@ struct Total {
                    .add("gold", a.command->formula)
                    .add("formula", a.formula)
                    .add("probability", a.probability)
+                   .add("refused", a.refused)
                    .add("exact", a.exact)
                    .add("equivalent", a.equivalent)
                    .text() +
@@ -103,10 +109,11 @@ void print(const Total& total, bool json) {
   }
   const auto row = [](const std::string& name, const parser::CommandScore& score) {
     std::cout << name << std::string(name.size() < 34 ? 34 - name.size() : 1, ' ')
-              << fixed(score.percent(score.equivalent), 2) << "  " << fixed(score.percent(score.exact), 2) << "  "
+              << fixed(score.percent(score.equivalent), 2) << "  " << fixed(score.percent(score.refused), 2) << "  "
+              << fixed(score.percent(score.wrong()), 2) << "  " << fixed(score.percent(score.exact), 2) << "  "
               << score.n << '\n';
   };
-  std::cout << "                                  equivalent  exact  commands\n";
+  std::cout << "                                  right  refused  wrong  exact  commands\n";
   for (const auto& [name, score] : total.by_type) row(name, score);
   for (const auto& [name, score] : total.by_domain) row(name, score);
   row("all", total.all);
@@ -131,6 +138,12 @@ void add_commands_request(Command command, CommandsRequest& request) {
   command.add_option("--command-predictions", request.predictions, "write what was answered, as JSON Lines")
       .type_name("FILE")
       .group(group);
+  command.add_flag("--given-mentions", request.marks,
+                   "test the reader of formulas alone: marks tell what words name, where commands have them");
+  command.add_option("--least-probability", request.least, "refuse answers that are less likely")
+      .type_name("P")
+      .between(0, 1)
+      .group(group);
   command.add_flag("--doubted", request.training.how.doubted, "learn from commands whose labels may be doubted, too");
   command.add_flag("--clean", request.clean, "test no commands whose labels may be doubted");
 }
@@ -142,12 +155,15 @@ ExitCode evaluate_commands(const CommandsRequest& request, const Session&) {
     throw UsageError("--test-commands needs --commands to learn from, or --model-file");
   const std::string& beside = request.training.files.empty() ? request.tests.front() : request.training.files.front();
   parser::CommandDomains domains = domains_of(request.training, beside == "own" ? request.tests.front() : beside);
+  const auto synonyms = std::make_shared<const parser::Synonyms>(read_synonyms(request.data));
+  const parser::MarkedCommands marked(read_map({"grid", request.data}).vocabulary(), synonyms.get());
+  parser::ScoreOptions scoring{.read = {}, .marks_are_given = request.marks, .least = request.least};
   Total total;
   if (request.training.files.empty()) {
     const parser::Grounder grounder = parser::load_grounder(request.model_file);
     if (!grounder.commands) throw UsageError(request.model_file + " has no reader of commands");
     const auto tests = commands_of(request.tests, request.clean);
-    total.add(request.model_file, parser::score_commands(*grounder.commands, tests, domains, {}));
+    total.add(request.model_file, parser::score_commands(*grounder.commands, tests, domains, marked, scoring));
   } else {
     const auto vectors = read_vectors(request.data);
     const parser::SynchronousGrammar grammar = read_grammar(request.data);
@@ -164,10 +180,11 @@ ExitCode evaluate_commands(const CommandsRequest& request, const Session&) {
       how.network.seed = request.seed;
       how.synonyms = read_synonyms(request.data);
       how.progress = [&](double done) { bar.show(done, "learning commands"); };
-      const parser::LiftedReader reader = parser::train_commands(split, domains, grammar, vectors, how);
+      const parser::LiftedReader reader = parser::train_commands(split, domains, marked, grammar, vectors, how);
       bar.wipe();
       const std::string name = fold.empty() ? "all" : std::filesystem::path(fold).stem().string();
-      total.add(name, parser::score_commands(reader, split.test, domains, {.names_domain = !split.new_kinds}));
+      scoring.read.names_domain = !split.new_kinds;
+      total.add(name, parser::score_commands(reader, split.test, domains, marked, scoring));
     }
   }
   if (!request.predictions.empty()) write_file(request.predictions, total.lines);

@@ -116,7 +116,8 @@ CommandData command_data_of(const TrainCommandOptions& options) {
   if (files.empty() && options.commands.domains.empty()) return data;
   data.domains.emplace(domains_of(options.commands, files.empty() ? "" : files.front()));
   for (const parser::Command& command : data.naming)
-    if (!command.suspect) data.domains->of(command.domain);  // cities are read when they are first asked for
+    if (!command.suspect && !command.marked)
+      data.domains->of(command.domain);  // cities are read when they are first asked for
   return data;
 }
 
@@ -149,36 +150,37 @@ struct CommandsReport {
 std::shared_ptr<const parser::LiftedReader> learn_commands(const TrainCommandOptions& options, const TrainingData& data,
                                                            CommandData& read, const parser::TrainOptions& train,
                                                            CommandsReport& said) {
-  std::vector<parser::LiftedExample> examples =
-      parser::own_commands(*read.grammar, *read.vectors, options.commands.how.own);
-  said.own = examples.size();
+  std::vector<parser::LiftedExample> own = parser::own_commands(*read.grammar, *read.vectors, options.commands.how.own);
+  said.own = own.size();
+  std::vector<parser::LiftedExample> examples;
   const auto routes = parser::route_instructions(data.corpus, data.maps, *read.vectors, *read.synonyms, 0.25);
   examples.insert(examples.end(), routes.begin(), routes.end());
   parser::MentionModel mentions{parser::mention_weights_by_hand(), read.synonyms};
   if (!read.naming.empty())
     mentions.weights = parser::learn_mentions(read.naming, *read.domains, *read.synonyms).weights;
+  const parser::MarkedCommands marked(read_map({"grid", options.data}).vocabulary(), read.synonyms.get());
   for (const auto& [file, commands] : read.learned) {
-    const auto labelled = parser::labelled_commands(commands, *read.domains, mentions, 0.3);
+    std::vector<parser::Command> with_marks, others;
+    for (const parser::Command& c : commands)
+      if (!c.suspect) (c.marked ? with_marks : others).push_back(c);
+    const auto labelled = parser::labelled_commands(others, *read.domains, mentions, 0.3);
+    const auto texts = parser::marked_examples(with_marks, marked);
     examples.insert(examples.end(), labelled.examples.begin(), labelled.examples.end());
-    said.left_out += labelled.left_out;
-    said.people += static_cast<std::size_t>(std::count_if(commands.begin(), commands.end(),
-                                                          [](const parser::Command& c) { return !c.suspect; })) -
-                   labelled.left_out;
-    if (labelled.left_out > 0)
-      std::cerr << file << ": " << labelled.left_out
+    examples.insert(examples.end(), texts.examples.begin(), texts.examples.end());
+    const std::size_t left_out = labelled.left_out + texts.left_out;
+    said.left_out += left_out;
+    said.people += with_marks.size() + others.size() - left_out;
+    if (left_out > 0)
+      std::cerr << file << ": " << left_out
                 << " commands are left out: their texts do not name what their formulas speak of\n";
   }
-  std::vector<std::shared_ptr<const parser::LiftedNetwork>> networks;
-  const std::size_t n = options.commands.how.networks;
-  for (std::size_t i = 0; i < n; ++i) {
-    parser::LiftedTraining how = options.commands.how.network;
-    how.seed = train.seed + i;
-    networks.push_back(parser::learn_lifted(examples, read.vectors, how, [&](double done) {
-      train.progress((static_cast<double>(i) + done) / static_cast<double>(n), "learning commands");
-    }));
-  }
-  said.networks = n, said.seed = train.seed, said.routes = routes.size(), said.vectors = read.vectors->size();
-  return std::make_shared<const parser::LiftedReader>(read.vectors, std::move(networks), mentions);
+  parser::CommandsExperiment how = options.commands.how;
+  how.network.seed = train.seed;
+  how.progress = [&](double done) { train.progress(done, "learning commands"); };
+  said.networks = how.networks, said.seed = train.seed, said.routes = routes.size(),
+  said.vectors = read.vectors->size();
+  return std::make_shared<const parser::LiftedReader>(
+      parser::learn_reader(std::move(own), examples, read.vectors, mentions, how));
 }
 
 struct Trained {

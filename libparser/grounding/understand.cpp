@@ -24,23 +24,20 @@ using enum LiftedSymbol;
 
 constexpr std::size_t beam = 12;
 
-// Does a formula speak of what happens again and again, or from some moment on for ever?
-bool is_ongoing(const Lifted& lifted) {
-  for (std::size_t i = 0; i < lifted.size(); ++i) switch (lifted[i]) {
-      case Patrol:
-      case Alternate:
-      case React:
-      case Follow: return true;
-      case Eventually:
-        if (i + 1 < lifted.size() && lifted[i + 1] == Always) return true;
-        break;
-      case Always:
-        if (i == 0) return true;
-        break;
-      default: break;
-    }
-  return false;
+// Does a formula speak of what happens again and again, or from some moment on for ever? G over F or U, F over G of
+// what holds, and whatever is G as a whole.
+bool is_ongoing(ltl::Formula f) {
+  const auto has = [](ltl::Formula g, const auto& wanted) {
+    const auto all = ltl::subformulas(g);
+    return std::any_of(all.begin(), all.end(), wanted);
+  };
+  const auto lasts = [](ltl::Formula g) { return ltl::is_always(g) && g[1].op() != ltl::Op::Not; };
+  const auto recurs = [](ltl::Formula g) { return g.op() == ltl::Op::Until; };
+  return has(f, [&](ltl::Formula g) {
+    return (ltl::is_always(g) && has(g[1], recurs)) || (ltl::is_eventually(g) && has(g[1], lasts));
+  });
 }
+bool is_ongoing(const Lifted& lifted, ltl::Formula f) { return lifted.front() == Always || is_ongoing(f); }
 
 // Words that say what no text of the training said: neither slots, nor known, nor marks.
 std::vector<std::string> unknown_words(const LiftedReader& reader, const LiftedText& text) {
@@ -162,7 +159,7 @@ Understanding understand(const Grounder& grounder, const std::string& text, cons
     } else if (r.lifted.front() == Nothing) {
       nothing += p;
     } else if (const auto formula = formula_of(r.lifted, bindings)) {
-      add(found, {{*formula, p, {}}, is_ongoing(r.lifted)});
+      add(found, {{*formula, p, {}}, is_ongoing(r.lifted, *formula)});
     }
   }
   if (const auto said = exact_reading(text, executor.map(), arena)) {

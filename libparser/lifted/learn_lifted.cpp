@@ -31,14 +31,6 @@ WordTable words_of(std::span<const LiftedExample> examples) {
   return table;
 }
 
-std::vector<LiftedExample> upright(std::span<const LiftedExample> examples) {
-  std::vector<LiftedExample> out(examples.begin(), examples.end());
-  for (LiftedExample& example : out)
-    if (is_read_in_mirror(example.text))
-      example = {mirrored(std::move(example.text)), mirrored(std::move(example.lifted)), example.weight};
-  return out;
-}
-
 bool is_mark(const std::string& token) {
   return token.size() == 1 && std::string_view(",.;:!?").find(token[0]) != std::string_view::npos;
 }
@@ -166,6 +158,14 @@ class Learner {
 };
 
 }  // namespace
+
+std::vector<LiftedExample> upright(std::span<const LiftedExample> examples) {
+  std::vector<LiftedExample> out(examples.begin(), examples.end());
+  for (LiftedExample& example : out)
+    if (is_read_in_mirror(example.text))
+      example = {mirrored(std::move(example.text)), mirrored(std::move(example.lifted)), example.weight};
+  return out;
+}
 
 std::shared_ptr<const LiftedNetwork> learn_lifted(std::span<const LiftedExample> examples,
                                                   std::shared_ptr<const WordVectors> vectors,

@@ -3,6 +3,7 @@
 #include <functional>
 #include <memory>
 #include <span>
+#include <vector>
 
 #include "libparser/lifted/lifted_network.hpp"
 
@@ -13,6 +14,9 @@ struct LiftedExample {  // a text with its formula
   Lifted lifted;        // that it means
   double weight = 1;    // how often it is drawn, compared with others
 };
+
+// Texts that are read in the mirror, mirrored with their formulas.
+std::vector<LiftedExample> upright(std::span<const LiftedExample> examples);
 
 struct LiftedTraining {    // of one network
   LiftedSizes sizes = {};  // of its layers

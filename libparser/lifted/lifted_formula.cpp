@@ -201,16 +201,14 @@ class Denotation {
     return ltl::strong_release(visits, stays);
   }
 
+  // Where one can move along the thing: moving along it only. Else: it holds always.
   Formula stay_on() {
-    const auto begin = at_;
-    const Formula here = formula();
-    const auto after = at_;
-    if (after - begin == 1 && is_thing(lifted_[begin]))
-      if (const auto along = bindings_.literal(Along, lifted_[begin])) {
-        const auto behind = bindings_.literal(Behind, lifted_[begin]);
-        if (behind) return ltl::always(ltl::implies(literal(End, Moved), *behind));
+    if (is_thing(peek()) && bindings_.literal(Along, peek()))
+      if (const auto behind = bindings_.literal(Behind, peek())) {
+        take();
+        return ltl::always(ltl::implies(literal(End, Moved), *behind));
       }
-    return ltl::always(here);
+    return ltl::always(formula());
   }
 
   Formula if_else() {

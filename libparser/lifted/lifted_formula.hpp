@@ -30,8 +30,11 @@ struct Bindings {
 // None when a literal does not exist. Throws std::invalid_argument when it is no complete lifted formula.
 std::optional<ltl::Formula> formula_of(std::span<const LiftedSymbol> lifted, const Bindings& bindings);
 
-// A spelling of φ whose formula is φ: macros where φ is one, operators elsewhere. symbol: of each proposition of φ;
-// none where a proposition has no symbol. Finds counts up to five, and orders of up to five places. [LYIL23]
-std::optional<Lifted> spell(ltl::Formula f, const std::function<std::optional<LiftedSymbol>(ltl::Proposition)>& symbol);
+// A literal of a proposition: a thing or an event by itself, or a direction and a thing.
+using SpelledLiteral = std::function<std::optional<Lifted>(ltl::Proposition)>;
+// A spelling of φ whose formula is φ: macros where φ is one, operators elsewhere. None where a proposition has no
+// literal or the past is spoken of. Finds counts up to five, orders of up to five places, and actions that follow one
+// another. [LYIL23]
+std::optional<Lifted> spell(ltl::Formula f, const SpelledLiteral& literal);
 
 }  // namespace waymark::parser

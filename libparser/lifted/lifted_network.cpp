@@ -220,6 +220,39 @@ void log_softmax(const neural::ConstView& scores, Index column, const LiftedPref
   for (float& p : log_p) p -= logarithm;
 }
 
+std::vector<double> score_lifted(const LiftedNetwork& network, const LiftedText& text,
+                                 std::span<const Lifted> formulas) {
+  std::vector<double> out;
+  if (formulas.empty()) return out;
+  const LiftedNetwork::Sentence sentence = network.sentence(text);
+  const LiftedNetwork::Sentence* const one = &sentence;
+  LiftedNetwork::Pass pass;
+  pass.encode(network, network.parameters(), {&one, 1});
+  std::vector<LiftedNetwork::Prefix> prefixes;
+  for (const Lifted& formula : formulas) {
+    LiftedNetwork::Prefix prefix;
+    for (const LiftedSymbol s : formula) {
+      prefixes.push_back(prefix);
+      if (!prefix.grammar.allows(s, text.scope)) break;
+      prefix = prefix.after(s);
+    }
+  }
+  const Index begin[] = {0, static_cast<Index>(prefixes.size())};
+  const Matrix& scores = pass.decode(begin, prefixes);
+  std::array<float, lifted_symbols> log_p;
+  Index column = 0;
+  for (const Lifted& formula : formulas) {
+    out.push_back(0);
+    for (const LiftedSymbol s : formula) {
+      const LiftedPrefix& prefix = prefixes[static_cast<std::size_t>(column)].grammar;
+      log_softmax(scores, column++, prefix, text.scope, log_p);
+      out.back() += static_cast<double>(log_p[static_cast<std::size_t>(s)]);
+      if (!prefix.allows(s, text.scope)) break;
+    }
+  }
+  return out;
+}
+
 std::vector<LiftedReading> read_lifted(const LiftedNetwork& network, const LiftedText& text, std::size_t beam) {
   struct Open {
     LiftedNetwork::Prefix prefix;

@@ -117,6 +117,9 @@ struct LiftedReading {         // a formula that the text may mean
   Lifted lifted;               // complete
   double log_probability = 0;  // given the text
 };
+// log p of formulas, −∞ of those that the scope does not allow. One pass through the network.
+std::vector<double> score_lifted(const LiftedNetwork& network, const LiftedText& text,
+                                 std::span<const Lifted> formulas);
 // The likeliest lifted formulas by a beam of that width, best first.
 std::vector<LiftedReading> read_lifted(const LiftedNetwork& network, const LiftedText& text, std::size_t beam);
 

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstring>
+#include <limits>
 #include <map>
 
 #include "libltl/diagnostic.hpp"
@@ -38,19 +39,63 @@ std::shared_ptr<const WordVectors> LiftedReader::load_vectors(const std::filesys
 }
 
 LiftedReader::LiftedReader(std::shared_ptr<const WordVectors> vectors,
-                           std::vector<std::shared_ptr<const LiftedNetwork>> networks, MentionModel mentions)
-    : vectors_(std::move(vectors)), networks_(std::move(networks)), mentions_(std::move(mentions)) {}
+                           std::vector<std::shared_ptr<const LiftedNetwork>> networks, MentionModel mentions,
+                           std::shared_ptr<const FormulaMatcher> matcher)
+    : vectors_(std::move(vectors)),
+      networks_(std::move(networks)),
+      mentions_(std::move(mentions)),
+      matcher_(std::move(matcher)) {}
+
+// p by the networks of the formulas that they spell.
+std::map<Lifted, double> LiftedReader::spelled(const LiftedText& text, std::size_t beam) const {
+  std::map<Lifted, double> votes;
+  for (const auto& network : networks_)
+    for (const LiftedReading& reading : read_lifted(*network, text, beam))
+      votes[reading.lifted] += std::exp(reading.log_probability) / static_cast<double>(networks_.size());
+  return votes;
+}
+
+namespace {
+
+constexpr double networks_exponent = 0.6, matcher_exponent = 0.4;  // chosen on hands that were left out
+
+// The candidates of the networks and of the matcher by both, as log probabilities.
+std::map<Lifted, double> joined(std::map<Lifted, double> votes, const FormulaMatcher& matcher,
+                                std::span<const std::shared_ptr<const LiftedNetwork>> networks, const LiftedText& text,
+                                std::size_t beam) {
+  const neural::Vector encoded = matcher.encode(text);
+  const FormulaMatcher::Matches matches = matcher.best(encoded, text.scope, beam);
+  std::vector<Lifted> more;
+  for (const FormulaMatcher::Match& match : matches.best)
+    if (!votes.contains(*match.lifted)) more.push_back(*match.lifted);
+  for (const auto& network : networks) {
+    const std::vector<double> log_p = score_lifted(*network, text, more);
+    for (std::size_t i = 0; i < more.size(); ++i)
+      votes[more[i]] += std::exp(log_p[i]) / static_cast<double>(networks.size());
+  }
+  double highest = -std::numeric_limits<double>::infinity(), total = 0;
+  for (auto& [lifted, p] : votes) {
+    p = networks_exponent * std::log(std::max(p, 1e-300)) +
+        matcher_exponent * (matcher.score(encoded, lifted) - matches.log_total);
+    highest = std::max(highest, p);
+  }
+  for (const auto& [lifted, p] : votes) total += std::exp(p - highest);
+  for (auto& [lifted, p] : votes) p -= highest + std::log(total);
+  return votes;
+}
+
+}  // namespace
 
 std::vector<LiftedReading> LiftedReader::read(const LiftedText& text, std::size_t beam) const {
-  std::map<Lifted, double> votes;
   const bool in_mirror = is_read_in_mirror(text);
   const LiftedText read = in_mirror ? mirrored(text) : text;
-  for (const auto& network : networks_)
-    for (const LiftedReading& reading : read_lifted(*network, read, beam))
-      votes[in_mirror ? mirrored(reading.lifted) : reading.lifted] +=
-          std::exp(reading.log_probability) / static_cast<double>(networks_.size());
+  std::map<Lifted, double> all = spelled(read, beam);
+  if (matcher_)
+    all = joined(std::move(all), *matcher_, networks_, read, beam);
+  else
+    for (auto& [lifted, p] : all) p = std::log(p);
   std::vector<LiftedReading> out;
-  for (const auto& [lifted, p] : votes) out.push_back({lifted, std::log(p)});
+  for (const auto& [lifted, log_p] : all) out.push_back({in_mirror ? mirrored(lifted) : lifted, log_p});
   std::stable_sort(out.begin(), out.end(), [](const LiftedReading& a, const LiftedReading& b) {
     return a.log_probability > b.log_probability;
   });
@@ -74,6 +119,8 @@ void LiftedReader::write(WeightsWriter& out) const {
     for (const float v : values) halves.push_back(Eigen::half_impl::float_to_half_rtne(v).x);
     out.list(halves);
   }
+  out.number(matcher_ ? 1 : 0);
+  if (matcher_) matcher_->write(out);
   out.list(std::vector<float>(mentions_.weights.begin(), mentions_.weights.end()));
   const auto groups = mentions_.synonyms->groups();
   out.strings(std::vector<std::string>(groups.begin(), groups.end()));
@@ -105,6 +152,8 @@ std::shared_ptr<const LiftedReader> LiftedReader::read_from(WeightsReader& in,
     }
     networks.push_back(std::make_shared<const LiftedNetwork>(std::move(network)));
   }
+  std::shared_ptr<const FormulaMatcher> matcher;
+  if (!in.old_ && in.number() != 0) matcher = std::make_shared<const FormulaMatcher>(FormulaMatcher::read(in, owner));
   const auto weights = in.list<float>();
   if (weights.size() != mention_features) in.fail("another number of weights of mentions than there are features");
   MentionModel mentions;
@@ -112,7 +161,8 @@ std::shared_ptr<const LiftedReader> LiftedReader::read_from(WeightsReader& in,
   if (!std::all_of(weights.begin(), weights.end(), [](float w) { return std::abs(w) <= largest_mention_weight; }))
     in.fail("a weight of mentions that cannot be");
   mentions.synonyms = std::make_shared<const Synonyms>(in.strings());
-  return std::make_shared<const LiftedReader>(std::move(vectors), std::move(networks), std::move(mentions));
+  return std::make_shared<const LiftedReader>(std::move(vectors), std::move(networks), std::move(mentions),
+                                              std::move(matcher));
 }
 
 }  // namespace waymark::parser

@@ -181,4 +181,13 @@ void LiftedPrefix::close() {
   }
 }
 
+bool is_spelled_in(std::span<const LiftedSymbol> lifted, const LiftedScope& scope) {
+  LiftedPrefix prefix;
+  for (const LiftedSymbol s : lifted) {
+    if (prefix.ended() || !prefix.allows(s, scope)) return false;
+    prefix.append(s);
+  }
+  return prefix.ended();
+}
+
 }  // namespace waymark::parser

@@ -147,4 +147,7 @@ class LiftedPrefix {
   std::uint32_t slots_used_ = 0;
 };
 
+// Is it one complete formula that may be said in the scope?
+bool is_spelled_in(std::span<const LiftedSymbol> lifted, const LiftedScope& scope);
+
 }  // namespace waymark::parser

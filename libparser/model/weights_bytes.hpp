@@ -20,7 +20,7 @@ namespace waymark::parser {
 
 // What a model file says of itself first.
 struct ModelHeader {
-  static constexpr std::uint32_t version = 15;  // others are refused
+  static constexpr std::uint32_t version = 16;  // others are refused
   std::uint16_t kind = 0;                       // `file_kind` of the word model
   Dialect dialect = Dialect::Plain;             // of the programs
 };
@@ -78,6 +78,9 @@ class WeightsReader {
   std::shared_ptr<const MappedFile> file_;
   std::string_view bytes_, source_;
   std::size_t at_ = 0;
+ public:
+  bool old_ = false;
+ private:
   ModelHeader header_;
 };
 

@@ -34,6 +34,12 @@ void add_command_training_options(Command command, CommandTrainingOptions& optio
       .type_name("X")
       .show_default()
       .group(group);
+  command
+      .add_option("--matcher-draws", options.how.matcher.draws,
+                  "commands that the matcher is learned from, with repetitions")
+      .type_name("N")
+      .show_default()
+      .group(group);
   command.add_option("--command-epochs", options.how.network.epochs, "passes over all commands")
       .type_name("N")
       .between(1, 1000)
@@ -43,6 +49,7 @@ void add_command_training_options(Command command, CommandTrainingOptions& optio
 
 parser::CommandDomains domains_of(const CommandTrainingOptions& options, const std::string& file) {
   const std::filesystem::path beside = std::filesystem::path(file).parent_path();
+  if (options.domains.empty() && options.maps.empty() && !std::filesystem::exists(beside / "domains.json")) return {};
   return {options.domains.empty() ? beside / "domains.json" : std::filesystem::path(options.domains),
           options.maps.empty() ? beside / "maps" : std::filesystem::path(options.maps)};
 }

@@ -39,12 +39,15 @@ class CommandReader {
     }
     c.hand = in_.string_or(object_, "", "hand", "");
     c.style = in_.string_or(object_, "", "style", "");
-    if (const auto* also = in_.find(object_, "", "also")) c.also = in_.strings(*also, "also");
     if (const auto* things = in_.find(object_, "", "things")) {
       if (!things->is_object()) in_.fail("things", "expected an object");
       for (const auto& [key, name] : things->items()) c.things[key] = in_.string(name, "things." + key);
     }
-    if (const auto* mentions = in_.find(object_, "", "mentions"))
+    const auto* const mentions = in_.find(object_, "", "mentions");
+    c.marked = mentions != nullptr;
+    if (const auto* also = in_.find(object_, "", "also"); also != nullptr && c.marked)
+      c.also = in_.strings(*also, "also");
+    if (c.marked)
       for (const auto& mention : *mentions) c.mentions.push_back(marked(mention, c));
     std::stable_sort(c.mentions.begin(), c.mentions.end(),
                      [](const MarkedMention& a, const MarkedMention& b) { return a.begin < b.begin; });

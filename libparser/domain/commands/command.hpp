@@ -25,6 +25,7 @@ struct Command {
   std::vector<std::string> propositions;  // of the formula
   std::map<std::string, std::optional<std::string>> landmarks;  // proposition → its words in the text, if verbatim
   std::map<std::string, std::string> things;  // what the text may name: in formulas the key in lower case → its name
+  bool marked = false;                        // says what it may name, and where
   std::vector<MarkedMention> mentions;        // of things, in the order of the text
   std::vector<std::string> also;              // formulas that are right, too
   std::string hand, style;                    // who wrote the text, and in which manner

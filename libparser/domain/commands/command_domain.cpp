@@ -186,13 +186,13 @@ Bindings CommandDomain::bindings(ltl::Arena& arena, std::vector<std::string> slo
 std::optional<Lifted> CommandDomain::label(const Lift& lift, const std::string& formula) const {
   ltl::Arena arena;
   const ltl::Formula f = ltl::parse(formula, arena);
-  return spell(f, [&](ltl::Proposition p) -> std::optional<LiftedSymbol> {
+  return spell(f, [&](ltl::Proposition p) -> std::optional<Lifted> {
     const std::string& name = arena.vocabulary().name(p);
     const auto at = std::find(lift.slots.begin(), lift.slots.end(), name);
-    if (at != lift.slots.end()) return slot(static_cast<std::size_t>(at - lift.slots.begin()) + 1);
+    if (at != lift.slots.end()) return Lifted{slot(static_cast<std::size_t>(at - lift.slots.begin()) + 1)};
     const auto c = std::find(constants_.begin(), constants_.end(), name);
     if (c == constants_.end()) return std::nullopt;
-    return constant(static_cast<std::size_t>(c - constants_.begin()) + 1);
+    return Lifted{constant(static_cast<std::size_t>(c - constants_.begin()) + 1)};
   });
 }
 
@@ -226,6 +226,10 @@ const CommandDomain& CommandDomains::of(const std::string& name) {
     throw ltl::FormatError(file_, 0, 0, "no domain is called '" + name + "'");
   const auto landmarks = read_landmarks(maps_ / (name.substr(colon + 1) + ".json"));
   return domains_.emplace(name, CommandDomain::city(name, landmarks)).first->second;
+}
+
+CommandDomain CommandDomains::of(const Command& command) {
+  return command.marked ? CommandDomain::of_things(command) : of(command.domain);
 }
 
 }  // namespace waymark::parser

@@ -62,12 +62,14 @@ class CommandDomain {
 // All domains of a file domains.json, and cities of a directory of maps, read when they are first asked for.
 class CommandDomains {
  public:
+  CommandDomains() = default;  // none: of commands that say themselves what they may name
   CommandDomains(const std::filesystem::path& domains, std::filesystem::path maps);
   // "lifted", "cleanup", "osm:boston" … Throws ltl::FormatError when there is none of the name.
   const CommandDomain& of(const std::string& name);
+  CommandDomain of(const Command& command);  // its own things, or the domain that it names
 
  private:
-  std::string file_;  // of the domains
+  std::string file_ = "domains.json";  // of the domains
   std::map<std::string, CommandDomain> domains_;
   std::filesystem::path maps_;
 };

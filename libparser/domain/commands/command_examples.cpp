@@ -86,15 +86,6 @@ class Speaking {
   ltl::Random random_;
 };
 
-bool is_spelled_in_scope(const Lifted& lifted, const LiftedScope& scope) {
-  LiftedPrefix prefix;
-  for (const LiftedSymbol s : lifted) {
-    if (!prefix.allows(s, scope)) return false;
-    prefix.append(s);
-  }
-  return prefix.ended();
-}
-
 }  // namespace
 
 std::vector<LiftedExample> own_commands(const SynchronousGrammar& grammar, const WordVectors& vectors,
@@ -110,7 +101,7 @@ LabelledCommands labelled_commands(std::span<const Command> commands, CommandDom
     const CommandDomain& domain = domains.of(command.domain);
     const auto lift = domain.lift(command.text, mentions).front();
     const auto label = domain.label(lift, command.formula);
-    if (!label || !is_spelled_in_scope(*label, lift.text.scope)) {
+    if (!label || !is_spelled_in(*label, lift.text.scope)) {
       ++out.left_out;
       continue;
     }

@@ -35,17 +35,15 @@ void sort(std::vector<CommandReading>& all) {
 
 }  // namespace
 
-CommandReadings read_command(const LiftedReader& reader, const CommandDomain& domain, const std::string& text,
-                             ltl::Arena& arena, const ReadCommandOptions& options) {
+CommandReadings read_lifts(const LiftedReader& reader, std::span<const BoundLift> lifts,
+                           const ReadCommandOptions& options) {
   CommandReadings out;
   double heaviest = 0;
-  for (CommandDomain::Lift lift : domain.lift(text, reader.mentions())) {
-    if (!options.names_domain) lift.text.domain.clear();
-    const Bindings bindings = domain.bindings(arena, lift.slots);
+  for (const BoundLift& lift : lifts) {
     double command = 0;
     for (const LiftedReading& r : reader.read(lift.text, options.beam))
       if (r.lifted.front() != LiftedSymbol::Route && r.lifted.front() != LiftedSymbol::Nothing)
-        if (const auto formula = formula_of(r.lifted, bindings)) {
+        if (const auto formula = formula_of(r.lifted, lift.bindings)) {
           vote(out.readings, {*formula, lift.probability * std::exp(r.log_probability)});
           command += std::exp(r.log_probability);
         }
@@ -66,6 +64,16 @@ CommandReadings read_command(const LiftedReader& reader, const CommandDomain& do
   for (const CommandReading& r : out.readings) total += r.probability;
   for (CommandReading& r : out.readings) r.probability /= total;
   return out;
+}
+
+CommandReadings read_command(const LiftedReader& reader, const CommandDomain& domain, const std::string& text,
+                             ltl::Arena& arena, const ReadCommandOptions& options) {
+  std::vector<BoundLift> lifts;
+  for (CommandDomain::Lift& lift : domain.lift(text, reader.mentions())) {
+    if (!options.names_domain) lift.text.domain.clear();
+    lifts.push_back({std::move(lift.text), lift.probability, domain.bindings(arena, lift.slots)});
+  }
+  return read_lifts(reader, lifts, options);
 }
 
 }  // namespace waymark::parser

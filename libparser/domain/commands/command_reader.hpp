@@ -28,6 +28,16 @@ struct ReadCommandOptions {  // what reading may cost
   bool names_domain = true;  // the reader is told which domain it is
 };
 
+// What the words of a text may name, and how likely they name it.
+struct BoundLift {
+  LiftedText text;         // its mentions are slots
+  double probability = 1;  // of the lifts of one text: 1 together
+  Bindings bindings;       // what its slots denote, in the arena of the readings
+};
+// Readings of the lifts together.
+CommandReadings read_lifts(const LiftedReader& reader, std::span<const BoundLift> lifts,
+                           const ReadCommandOptions& options = {});
+
 // No readings when no lifted formula of the beam denotes a formula of the domain.
 CommandReadings read_command(const LiftedReader& reader, const CommandDomain& domain, const std::string& text,
                              ltl::Arena& arena, const ReadCommandOptions& options = {});

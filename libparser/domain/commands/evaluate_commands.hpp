@@ -10,12 +10,16 @@
 
 #include "libparser/domain/commands/command_examples.hpp"
 #include "libparser/domain/commands/command_reader.hpp"
+#include "libparser/domain/commands/marked_commands.hpp"
+#include "libparser/lifted/learn_matcher.hpp"
 
 namespace waymark::parser {
 
 struct CommandScore {                            // counts of commands that were read as labelled
-  std::size_t exact = 0, equivalent = 0, n = 0;  // the same formula; the same language over infinite words
-  double percent(std::size_t count) const {      // of n
+  std::size_t exact = 0, equivalent = 0, n = 0;  // a formula that is right; the same language as one; commands
+  std::size_t refused = 0;                       // not understood, or not likely enough
+  std::size_t wrong() const { return n - equivalent - refused; }
+  double percent(std::size_t count) const {  // of n
     return n > 0 ? 100.0 * static_cast<double>(count) / static_cast<double>(n) : 0;
   }
 };
@@ -25,6 +29,7 @@ struct CommandAnswer {                     // one answer of a test
   std::string formula;                     // empty: none
   double probability = 0;                  // of the formula
   bool exact = false, equivalent = false;  // as in CommandScore
+  bool refused = false;                    // …
 };
 
 // How well probabilities agree with how often answers are right, in ten bins of equal width [GPSW17, Sec. 2].
@@ -46,9 +51,14 @@ struct CommandScores {                                     // of a test
   std::vector<CommandAnswer> answers;                      // in the order of the commands
 };
 
-// Reads every command.
+struct ScoreOptions {
+  ReadCommandOptions read;
+  bool marks_are_given = false;  // what the words name is told by the marks: the reader of formulas alone is tested
+  double least = 0;              // answers that are less likely are refused
+};
+// Reads every command. Languages are compared over infinite words; over finite ones where a formula says weak next.
 CommandScores score_commands(const LiftedReader& reader, std::span<const Command> commands, CommandDomains& domains,
-                             const ReadCommandOptions& options);
+                             const MarkedCommands& marked, const ScoreOptions& options);
 
 // What is tested, and what is left to learn from: the rows of the fold are tested; with commands made from others
 // (`from`) those are tested whose origin is in the fold.
@@ -65,11 +75,19 @@ struct CommandsExperiment {              // what is learned from, and how
   bool doubted = false;                  // learn from labels that may be doubted too
   OwnCommands own;                       // commands of our own
   LiftedTraining network;                // of each network
+  MatcherTraining matcher;               // of the matcher
   std::size_t networks = 3;              // that vote
   std::function<void(double)> progress;  // called with the share that is done
 };
-// Where the test has new kinds, domains are not told: what was said of a domain is then no reason against a kind.
-LiftedReader train_commands(const CommandSplit& split, CommandDomains& domains, const SynchronousGrammar& grammar,
-                            const std::shared_ptr<const WordVectors>& vectors, const CommandsExperiment& how);
+// Networks, each of the next seed, and a matcher. `own`: commands of our own language, from which the matcher takes what
+// says nothing alone: it decides over formulas that people's texts have.
+LiftedReader learn_reader(std::vector<LiftedExample> own, std::span<const LiftedExample> people,
+                          const std::shared_ptr<const WordVectors>& vectors, const MentionModel& mentions,
+                          const CommandsExperiment& how);
+// Commands of our own, and people's. Where the test has new kinds, domains are not told: what was said of a domain is
+// then no reason against a kind.
+LiftedReader train_commands(const CommandSplit& split, CommandDomains& domains, const MarkedCommands& marked,
+                            const SynchronousGrammar& grammar, const std::shared_ptr<const WordVectors>& vectors,
+                            const CommandsExperiment& how);
 
 }  // namespace waymark::parser

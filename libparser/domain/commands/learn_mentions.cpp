@@ -26,7 +26,7 @@ std::vector<Example> examples_of(std::span<const Command> commands, CommandDomai
   std::vector<std::string> sources;
   std::map<std::string, double> met;
   for (const Command& command : commands) {
-    if (command.suspect) continue;
+    if (command.suspect || command.marked) continue;
     const CommandDomain& domain = domains.of(command.domain);
     if (!domain.city_words()) continue;
     Example example{landmark_tokens(command.text), domain.city_words(), {}, 1};

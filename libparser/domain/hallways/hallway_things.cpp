@@ -176,9 +176,20 @@ void HallwayThings::add(const Synonyms& synonyms) {
 }
 
 LiftedMentions HallwayThings::lift(const std::vector<std::string>& tokens, const WordVectors* known) const {
-  const std::vector<std::string> words = with_places(tokens);
+  return lift(with_places(tokens), {}, known);
+}
+
+LiftedMentions HallwayThings::lift(const std::vector<std::string>& words, std::vector<Mention> given,
+                                   const WordVectors* known) const {
   std::vector<Mention> mentions = find_mentions(words, things_, known);
-  std::erase_if(mentions, [&](const Mention& m) { return is_verb(words, m); });
+  std::erase_if(mentions, [&](const Mention& m) {
+    return is_verb(words, m) || std::any_of(given.begin(), given.end(), [&](const Mention& other) {
+             return m.begin < other.end && other.begin < m.end;
+           });
+  });
+  mentions.insert(mentions.end(), given.begin(), given.end());
+  std::stable_sort(mentions.begin(), mentions.end(),
+                   [](const Mention& a, const Mention& b) { return a.begin < b.begin; });
   LiftedMentions out = parser::lift(words, Absorbing(words, std::move(mentions), kinds_).run());
   out.text.scope.spatial = true;
   return out;
@@ -225,7 +236,7 @@ Bindings HallwayThings::bindings(ltl::Arena& arena, std::vector<std::size_t> slo
                                : thing == LiftedSymbol::OpenLeft    ? "left_open"
                                : thing == LiftedSymbol::OpenRight   ? "right_open"
                                                                     : "";
-            if (thing == LiftedSymbol::Start && start) name = "place_" + std::to_string(*start);
+            if (thing == LiftedSymbol::Start) name = start ? "place_" + std::to_string(*start) : "start";
             const auto p = name.empty() ? std::nullopt : arena.vocabulary().find(name);
             return p && direction == LiftedSymbol::End ? std::optional(arena.atom(*p)) : std::nullopt;
           }};

@@ -21,6 +21,9 @@ class HallwayThings {
   const std::vector<NamedThing>& things() const { return things_; }  // in a fixed order
   // Slots for what is mentioned; "the hall with the blue floor" is one mention.
   LiftedMentions lift(const std::vector<std::string>& tokens, const WordVectors* words = nullptr) const;
+  // The same where some mentions are given: others are found among the other words.
+  LiftedMentions lift(const std::vector<std::string>& tokens, std::vector<Mention> given,
+                      const WordVectors* words = nullptr) const;
   // `slots`: things of slot 1, 2 … start: where it is said, for "come back here"; none: not known.
   Bindings bindings(ltl::Arena& arena, std::vector<std::size_t> slots, std::optional<std::size_t> start) const;
 

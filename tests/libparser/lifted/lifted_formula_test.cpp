@@ -38,10 +38,10 @@ struct Letters {
     return names;
   }
   std::optional<Lifted> spell(ltl::Formula f) const {
-    return parser::spell(f, [&](ltl::Proposition p) -> std::optional<LiftedSymbol> {
+    return parser::spell(f, [&](ltl::Proposition p) -> std::optional<Lifted> {
       const auto at = std::find(names.begin(), names.end(), arena.vocabulary().name(p));
       if (at == names.end()) return std::nullopt;
-      return slot(static_cast<std::size_t>(at - names.begin()) + 1);
+      return Lifted{slot(static_cast<std::size_t>(at - names.begin()) + 1)};
     });
   }
   std::optional<ltl::Formula> formula(const char* lifted) const { return formula_of(parse_lifted(lifted), bindings); }
@@ -242,6 +242,30 @@ TEST(CanonicalLifted, SortsWhatHasNoOrderAndKeepsWhatHas) {
   becomes("sequence turnleft end", "sequence turnleft end");
   EXPECT_THROW(canonical(parse_lifted("visit #1")), std::invalid_argument);
   EXPECT_THROW(canonical(parse_lifted("#1 #2")), std::invalid_argument);
+}
+
+// Actions, directions and conditions are spelled with the words that they have, and denote what they did.
+TEST(Spelling, FindsActionsThatFollowOneAnother) {
+  const Letters letters({"a", "b"});
+  const auto literal = [&](ltl::Proposition p) -> std::optional<Lifted> {
+    const std::string& called = letters.arena.vocabulary().name(p);
+    for (const LiftedSymbol s : {TurnedLeft, TurnedRight, Moved, Start, OpenLeft, OpenRight})
+      if (called == name(s)) return Lifted{s};
+    const auto at = std::find(letters.names.begin(), letters.names.end(), called);
+    return Lifted{slot(static_cast<std::size_t>(at - letters.names.begin()) + 1)};
+  };
+  for (const char* const said :
+       {"sequence steps 3 turnleft end", "sequence turnright steps 2 turnleft steps 4 end", "sequence turnaround end",
+        "sequence steps 2 turnaround steps 2 end", "sequence nth 2 open_left turnleft end", "sequence nth 1 #1 end",
+        "sequence #1 nth 1 #2 end", "sequence #1 turnright #2 end", "ifelse #1 eventually #2 sequence steps 2 end",
+        "atmost 1 or turned_left turned_right end", "exactly 1 or turned_left turned_right end",
+        "and eventually #1 never turned_left end end"}) {
+    const auto f = letters.formula(said);
+    ASSERT_TRUE(f) << said;
+    const auto spelled = parser::spell(*f, literal);
+    ASSERT_TRUE(spelled) << said;
+    EXPECT_EQ(print(*spelled), said);
+  }
 }
 
 }  // namespace

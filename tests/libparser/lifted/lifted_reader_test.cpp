@@ -203,6 +203,7 @@ TEST(LiftedReaderFile, NetworksThatCannotBeAreRefused) {
     out.strings(WordTable().words());
     for (int i = 0; i < 5; ++i) out.number(layer);
     out.list(std::vector<std::uint16_t>(weights, weight));
+    out.number(0);  // no matcher
     out.list(std::vector<float>(mentions, mention));
     out.strings(std::vector<std::string>{});
     const auto file = std::make_shared<const MappedFile>(std::string_view(out.finish()));
