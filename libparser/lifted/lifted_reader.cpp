@@ -155,9 +155,9 @@ std::shared_ptr<const LiftedReader> LiftedReader::read_from(WeightsReader& in,
   std::shared_ptr<const FormulaMatcher> matcher;
   if (!in.old_ && in.number() != 0) matcher = std::make_shared<const FormulaMatcher>(FormulaMatcher::read(in, owner));
   const auto weights = in.list<float>();
-  if (weights.size() != mention_features) in.fail("another number of weights of mentions than there are features");
+  if (weights.size() > mention_features) in.fail("more weights of mentions than there are features");
   MentionModel mentions;
-  std::copy(weights.begin(), weights.end(), mentions.weights.begin());
+  mentions.weights = completed_mention_weights(weights);
   if (!std::all_of(weights.begin(), weights.end(), [](float w) { return std::abs(w) <= largest_mention_weight; }))
     in.fail("a weight of mentions that cannot be");
   mentions.synonyms = std::make_shared<const Synonyms>(in.strings());

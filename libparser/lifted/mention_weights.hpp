@@ -1,10 +1,12 @@
 // What counts for and against a phrase of a text as the mention of a landmark, the weights of a log-linear model, and
 // the synonyms of nouns.
 #pragma once
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <span>
 
 #include "libparser/lexicon/synonyms.hpp"
 
@@ -35,8 +37,35 @@ enum class MentionFeature : std::uint8_t {  // what is counted of a phrase
   FollowsArticle,  // "the" or "a" stands before
   FollowsLink,     // "to", "visit" and the like stands before, or the text begins
   PrecedesLink,    // "and", "then" and the like, a mark, or the end of the text follows
+  // The rest counts for names that describe: "the bookstore", "the door is open".
+  Described,    // each phrase for such a name
+  Clause,       // each phrase for a name that is a clause
+  Form,         // words in another form: "running" for "runs"
+  State,        // words that say the same of a thing: "shut" for "closed"
+  Opposite,     // words that say the opposite
+  Short,        // abbreviations
+  Particle,     // "on" of "the heater is on"
+  Light,        // "be", "gets", "must" inside
+  Negation,     // "not" and the like inside
+  FirstWord,    // the first word of the name is said
+  LastWord,     // the last word of the name is said
+  LoneWord,     // one word of several is said
+  LoneOther,    // the only word that is said is in another form, or says the same or the opposite
+  MissingWord,  // words of the name that are not said, of that for which they are fewest
+  LoneSubject,  // one word of several is said, the first of a clause
+  LoneGeneral,  // the only word that is said is a general noun, or names nothing by itself
+  Again,        // the first word of the name stands before the phrase, too
+  LoneAgain,    // the same, and one word of several is said
+  StateAgain,   // the same, and that word is no subject but in another form, or says the same or the opposite
+  StateOfName,  // the first word of the name is said, and one that says the same or the opposite
+  Repeated,     // words of the name that are said twice
+  AfterLight,   // a light verb stands before
+  BeforeLight,  // a light verb follows
 };
-inline constexpr std::size_t mention_features = static_cast<std::size_t>(MentionFeature::PrecedesLink) + 1;  // how many
+// What counts for any name. Names that describe have weights of their own for it, behind the features above.
+inline constexpr std::size_t common_mention_features = static_cast<std::size_t>(MentionFeature::PrecedesLink) + 1;
+inline constexpr std::size_t first_of_descriptions = static_cast<std::size_t>(MentionFeature::BeforeLight) + 1;
+inline constexpr std::size_t mention_features = first_of_descriptions + common_mention_features;  // how many
 
 using MentionVector = std::array<double, mention_features>;  // a number for each feature
 // By feature.
@@ -64,6 +93,25 @@ constexpr MentionVector mention_weights_by_hand() {
   w[static_cast<std::size_t>(MentionFeature::NameLength)] = 1;
   w[static_cast<std::size_t>(MentionFeature::UnorderedName)] = 3.6;
   w[static_cast<std::size_t>(MentionFeature::Adjacent)] = -10;
+  w[static_cast<std::size_t>(MentionFeature::Form)] = -0.5;
+  w[static_cast<std::size_t>(MentionFeature::State)] = -1.2;
+  w[static_cast<std::size_t>(MentionFeature::Opposite)] = -1.2;
+  w[static_cast<std::size_t>(MentionFeature::Short)] = -0.7;
+  w[static_cast<std::size_t>(MentionFeature::Particle)] = 0.5;
+  w[static_cast<std::size_t>(MentionFeature::Light)] = -0.1;
+  w[static_cast<std::size_t>(MentionFeature::Negation)] = -0.3;
+  w[static_cast<std::size_t>(MentionFeature::LoneOther)] = -1.5;
+  for (std::size_t f = 0; f < common_mention_features; ++f) w[first_of_descriptions + f] = w[f];
+  return w;
+}
+
+// Weights of a file that knows fewer features: the others count for nothing. Where it knows only what counts for any
+// name, that counts for descriptions, too.
+inline MentionVector completed_mention_weights(std::span<const float> known) {
+  MentionVector w{};
+  std::copy(known.begin(), known.end(), w.begin());
+  if (known.size() <= common_mention_features)
+    std::copy(known.begin(), known.end(), w.begin() + static_cast<std::ptrdiff_t>(first_of_descriptions));
   return w;
 }
 

@@ -103,6 +103,7 @@ LiftedMentions lift(const std::vector<std::string>& tokens, const std::vector<Me
     auto slot_at = std::find(out.things.begin(), out.things.end(), next->thing);
     if (slot_at == out.things.end() && out.things.size() < most_slots)
       slot_at = out.things.insert(out.things.end(), next->thing);
+    if (slot_at != out.things.end() && next->negated) out.text.tokens.emplace_back("not");
     if (slot_at != out.things.end())
       out.text.tokens.push_back(name(slot(static_cast<std::size_t>(slot_at - out.things.begin()) + 1)));
     if (names == Names::Stay)

@@ -18,6 +18,7 @@ struct NamedThing {
 struct Mention {
   std::size_t begin = 0, end = 0;  // in the tokens
   std::size_t thing = 0;           // that is named
+  bool negated = false;            // the words state its opposite
 };
 
 // The longest phrases from left to right; ties: the thing that stands first. A word of five letters or more also
@@ -30,7 +31,8 @@ struct LiftedMentions {             // a text and its mentions
   LiftedText text;                  // its mentions are slots
   std::vector<std::size_t> things;  // of slot 1, 2 …
 };
-// Mentions become slots; articles before them go, unless they stay. Names that stay follow their slots.
+// Mentions become slots, negated ones "not" and their slots; articles before them go, unless they stay. Names that stay
+// follow their slots.
 enum class Articles : std::uint8_t { Go, Stay };
 enum class Names : std::uint8_t { Go, Stay };
 LiftedMentions lift(const std::vector<std::string>& tokens, const std::vector<Mention>& mentions,

@@ -15,11 +15,11 @@ struct LandmarkLift {              // a text whose mentions of landmarks are slo
   double probability = 1;          // that the words name just these
 };
 
-// The readings of the mentions, likeliest first; one at least. Covers that name the same landmarks in the same order
-// are one reading.
+// The readings of the mentions, likeliest first; one at least. Covers that name the same landmarks in the same order,
+// and negate the same ones, are one reading.
 std::vector<LandmarkLift> lift_landmarks(const std::string& text, const CityWords& city, const MentionModel& model);
 
-// The tokens of a text in which landmarks are looked for: "-" and "/" separate words.
+// The tokens of a text in which landmarks are looked for: "-", "_" and "/" separate words.
 std::vector<std::string> landmark_tokens(const std::string& text);
 
 }  // namespace waymark::parser

@@ -1,7 +1,7 @@
 // The phrases of a text that may name landmarks of a city, and the log-linear model over covers: sets of phrases that
 // do not overlap. It is a semi-Markov conditional random field [SC04, Sec. 2]:
 //   p(cover | text) ∝ exp(Σ over its phrases of weights · features)
-// with the weight Adjacent for each phrase beside the one before.
+// with the weight Adjacent for each phrase beside the one before, unless it is for a clause.
 #pragma once
 #include <cstddef>
 #include <span>
@@ -9,14 +9,10 @@
 #include <vector>
 
 #include "libparser/domain/commands/city_words.hpp"
+#include "libparser/domain/commands/mention_phrases.hpp"
 #include "libparser/lifted/mention_weights.hpp"
 
 namespace waymark::parser {
-
-struct MentionPhrase {                           // words that may name a landmark
-  std::size_t begin = 0, end = 0, landmark = 0;  // tokens [begin, end)
-  MentionVector features{};                      // all but Adjacent
-};
 
 struct Cover {                       // one way to find mentions
   std::vector<std::size_t> phrases;  // of the lattice, from left to right
@@ -25,20 +21,24 @@ struct Cover {                       // one way to find mentions
 
 class MentionLattice {
  public:
-  static constexpr std::size_t longest_phrase = 14, most_foreign = 2;  // words
-
-  // Phrases begin and end with words of their landmark. O(tokens · phrases).
+  // O(tokens · phrases).
   MentionLattice(const std::vector<std::string>& tokens, const CityWords& city, const Synonyms& synonyms);
 
   std::span<const MentionPhrase> phrases() const { return phrases_; }
   // The k covers of most weight, best first; the empty cover is one of them. O(phrases · k log k).
   std::vector<Cover> best(const MentionVector& weights, std::size_t k) const;
+  // The sum of the features of phrases that do not overlap, from left to right, Adjacent with them.
+  MentionVector features(std::span<const std::size_t> phrases) const;
   // log Σ of the weights of all covers, and the expected features. With `wanted`: of the covers that name just these
   // landmarks, each at least once; -∞ when there is none. At most 8 are wanted. O(phrases · 2^wanted).
   double log_sum(const MentionVector& weights, MentionVector& expected,
                  const std::vector<std::size_t>* wanted = nullptr) const;
 
  private:
+  bool is_beside(const MentionPhrase& phrase, std::size_t ended) const {
+    return !phrase.clause && before_[phrase.begin] == ended;
+  }
+
   std::size_t tokens_ = 0;
   std::vector<std::size_t> before_;     // for each token: where the words end that do not separate it from a phrase
   std::vector<MentionPhrase> phrases_;  // by their ends

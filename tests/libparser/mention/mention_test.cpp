@@ -78,5 +78,10 @@ TEST(Mentions, AreTwelveAtMost) {
   EXPECT_EQ(out.text.tokens.back(), "#12");
 }
 
+TEST(Mention, ANegatedMentionIsNotAndItsSlot) {
+  const LiftedMentions lifted = lift({"keep", "the", "door", "shut", "now"}, {{2, 4, 0, true}});
+  EXPECT_EQ(lifted.text.tokens, (std::vector<std::string>{"keep", "not", "#1", "now"}));
+}
+
 }  // namespace
 }  // namespace waymark::parser

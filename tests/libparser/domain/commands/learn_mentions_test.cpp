@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 
@@ -59,6 +60,31 @@ TEST(LearnMentions, LeavesOutDoubtsOtherDomainsAndWhatNoCoverExplains) {
   const LearnedMentions one = learn_mentions(std::vector{said("go to the pier", {"walk"})}, domains, Synonyms());
   EXPECT_EQ(one.commands, 0U);
   EXPECT_EQ(one.unexplained, 1U);
+}
+
+// Marks tell where a thing is named; what else looks like it is no mention.
+TEST(LearnMentions, LearnsFromMarks) {
+  CommandDomains domains = towns();
+  const auto marked = [](const std::string& text, const std::string& words) {
+    Command command = said(text, {});
+    command.domain = "anything";
+    command.things = {{"A", "the lamp is on"}};
+    if (!words.empty()) command.mentions = {{text.find(words), text.find(words) + words.size(), "A", false}};
+    return command;
+  };
+  std::vector<Command> commands;
+  for (int i = 0; i < 30; ++i) commands.push_back(marked("dust the lamp while the lamp is on", "the lamp is on"));
+  const auto found = [&](const MentionVector& weights) {
+    const CommandDomain domain = CommandDomain::of_things(commands.front());
+    const auto lift =
+        domain.lift("buy a lamp if the lamp is on", {weights, std::make_shared<const Synonyms>()}).front();
+    return std::count(lift.text.tokens.begin(), lift.text.tokens.end(), "#1");
+  };
+  const LearnedMentions learned = learn_mentions(commands, domains, Synonyms(), {.epochs = 60, .penalty = 0});
+  EXPECT_EQ(learned.marked, 30U);
+  EXPECT_EQ(learned.commands, 30U);
+  EXPECT_EQ(found(mention_weights_by_hand()), 2);
+  EXPECT_EQ(found(learned.weights), 1);
 }
 
 TEST(LearnMentions, ASeedFixesTheWeights) {

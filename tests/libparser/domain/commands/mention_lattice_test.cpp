@@ -16,7 +16,8 @@ const CityWords& old_mill() {
   static const CityWords words({{"bar", "Otter Bar", {}, {{"amenity", "pub"}, {"addr:street", "Mill Street"}}},
                                 {"stop", "Mill St & Oak St", {}, {{"highway", "bus_stop"}}},
                                 {"library", "Oak Library", {}, {{"amenity", "library"}}},
-                                {"cafe", "Otter Café", {}, {{"amenity", "cafe"}, {"cuisine", "thai"}}}});
+                                {"cafe", "Otter Café", {}, {{"amenity", "cafe"}, {"cuisine", "thai"}}},
+                                {"full", "the mill pond is full", {}, {}}});
   return words;
 }
 
@@ -50,7 +51,7 @@ struct Enumerated {
       if (phrase.begin < from) continue;
       Cover longer = cover;
       for (std::size_t i = 0; i < mention_features; ++i) longer.score += weights[i] * phrase.features[i];
-      if (!cover.phrases.empty() && is_beside(tokens, from, phrase.begin))
+      if (!cover.phrases.empty() && !phrase.clause && is_beside(tokens, from, phrase.begin))
         longer.score += at(weights, MentionFeature::Adjacent);
       longer.phrases.push_back(p);
       extend(longer, phrase.end);
@@ -63,7 +64,8 @@ const char* const texts[] = {"go to the otter bar on mill street",
                              "avoid oak library",
                              "otter bar mill street",
                              "walk on",
-                             "otter cafe , a cafe near the bar"};
+                             "otter cafe , a cafe near the bar",
+                             "otter bar the mill pond is not full"};
 
 TEST(MentionLattice, SumsAndBestCoversAreThoseOfEnumeration) {
   ltl::Random random(7);
@@ -82,7 +84,13 @@ TEST(MentionLattice, SumsAndBestCoversAreThoseOfEnumeration) {
                      [](const Cover& a, const Cover& b) { return a.score > b.score; });
     const auto best = lattice.best(weights, 5);
     ASSERT_EQ(best.size(), std::min<std::size_t>(5, all.covers.size())) << text;
-    for (std::size_t i = 0; i < best.size(); ++i) EXPECT_NEAR(best[i].score, all.covers[i].score, 1e-9) << text;
+    for (std::size_t i = 0; i < best.size(); ++i) {
+      EXPECT_NEAR(best[i].score, all.covers[i].score, 1e-9) << text;
+      const MentionVector features = lattice.features(best[i].phrases);
+      double score = 0;
+      for (std::size_t f = 0; f < mention_features; ++f) score += weights[f] * features[f];
+      EXPECT_NEAR(score, best[i].score, 1e-9) << text;
+    }
   }
 }
 
