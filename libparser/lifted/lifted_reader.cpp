@@ -158,6 +158,11 @@ std::shared_ptr<const LiftedReader> LiftedReader::read_from(WeightsReader& in,
   if (weights.size() > mention_features) in.fail("more weights of mentions than there are features");
   MentionModel mentions;
   mentions.weights = completed_mention_weights(weights);
+  if (weights.size() <= common_mention_features) {  // what descriptions have of their own was not learned: as by hand
+    constexpr MentionVector by_hand = mention_weights_by_hand();
+    std::copy(by_hand.begin() + common_mention_features, by_hand.begin() + first_of_descriptions,
+              mentions.weights.begin() + common_mention_features);
+  }
   if (!std::all_of(weights.begin(), weights.end(), [](float w) { return std::abs(w) <= largest_mention_weight; }))
     in.fail("a weight of mentions that cannot be");
   mentions.synonyms = std::make_shared<const Synonyms>(in.strings());
