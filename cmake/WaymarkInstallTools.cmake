@@ -27,4 +27,5 @@ if(TARGET waymark-distributed)  # the same of PETSc
 endif()
 install(DIRECTORY data/maps data/models data/words data/language data/schemas data/workspaces
                   data/experiments
-  DESTINATION ${CMAKE_INSTALL_DATADIR}/waymark COMPONENT tools PATTERN fetch EXCLUDE)
+  DESTINATION ${CMAKE_INSTALL_DATADIR}/waymark COMPONENT tools
+  PATTERN fetch EXCLUDE PATTERN wordings EXCLUDE)  # what models are learned from is in the source

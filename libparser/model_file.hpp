@@ -15,7 +15,7 @@ inline constexpr double least_weight = 0.0085;  // smaller weights of the linear
 // Of the reranker and the start-pose model, whose many small weights add up, the threshold is this share of what it is
 // for others.
 inline constexpr double least_of_rerankers = 0.6;
-inline constexpr std::size_t most_bytes = 12'000'000;
+inline constexpr std::size_t most_bytes = 24'000'000;
 
 // Weights of tables smaller than `threshold` in absolute value are dropped.
 std::string serialize(const Grounder& grounder, double threshold = least_weight);

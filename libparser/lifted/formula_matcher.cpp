@@ -117,6 +117,10 @@ double FormulaMatcher::score(const Vector& encoded, std::span<const LiftedSymbol
   return static_cast<double>(encoded.dot(encode(formula)));
 }
 
+bool FormulaMatcher::knows(const Lifted& formula) const {
+  return std::binary_search(known_.begin(), known_.end(), formula);
+}
+
 FormulaMatcher::Matches FormulaMatcher::best(const Vector& encoded, const LiftedScope& scope, std::size_t k) const {
   const Vector scores = vectors_.transpose() * encoded;
   std::vector<Match> all;
@@ -170,6 +174,7 @@ FormulaMatcher FormulaMatcher::read(WeightsReader& in, const std::shared_ptr<con
     if (!is_spelled_in(lifted, everything)) in.fail("a known formula that is none");
     known.push_back(std::move(lifted));
   }
+  if (!std::is_sorted(known.begin(), known.end())) in.fail("known formulas that do not ascend");
   return {std::move(texts), std::move(formulas), std::move(known)};
 }
 

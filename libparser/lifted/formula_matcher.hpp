@@ -3,9 +3,9 @@
 //   h(text) = [relu(Σ E_f / √n), 1]     f: the n features of the text that are known
 //   g(φ)    =  Σ P_f / √m               f: the m features of the formula
 //   p(φ | text) ∝ exp(h(text) · g(φ))   over the formulas that were learned and those that are asked about
-// The sides meet in their features: a formula that no text of the training means still shares its kind, the order of
-// its slots and its parts with others. Deciding over whole formulas needs fewer texts than spelling them symbol by
-// symbol [WBL15 is the protocol of the texts]. Bilinear scores of sparse towers: [WCA+10]. Entries are kept in 8 bits.
+// The sides meet in their features: a formula that few texts mean still shares its kind, the order of its slots and its
+// parts with others. Deciding over whole formulas needs fewer texts than spelling them symbol by symbol. Scores of two
+// sides that are embedded apart: [WBU11, Sec. 2]. Entries are kept in 8 bits.
 #pragma once
 #include <cstdint>
 #include <memory>
@@ -29,7 +29,7 @@ class FeatureTable {
   // Adds `weight` times the vectors of the keys that are known; how many these are. O(keys · log size)
   std::size_t add(std::span<const std::uint64_t> keys, float weight, Eigen::Ref<neural::Vector> sum) const;
 
-  void write(WeightsWriter& out) const;
+  void write(WeightsWriter& out) const;                                                   // the part of a model file
   static FeatureTable read(WeightsReader& in, const std::shared_ptr<const void>& owner);  // throws ltl::FormatError
 
  private:
@@ -42,8 +42,9 @@ class FeatureTable {
   std::span<const std::int8_t> entries_;  // [width × size]
 };
 
-class FormulaMatcher {
+class FormulaMatcher {  // of texts and formulas
  public:
+  // Known formulas ascend.
   FormulaMatcher(FeatureTable texts, FeatureTable formulas, std::vector<Lifted> known);
 
   struct Match {                 // a formula that is known
@@ -60,7 +61,7 @@ class FormulaMatcher {
   };
   // The k likeliest known formulas that the scope allows. O(known · width)
   Matches best(const neural::Vector& encoded, const LiftedScope& scope, std::size_t k) const;
-  std::span<const Lifted> known() const { return known_; }  // formulas that were learned
+  bool knows(const Lifted& formula) const;  // was it learned? O(log known)
 
   void write(WeightsWriter& out) const;                                                     // the part of a model file
   static FormulaMatcher read(WeightsReader& in, const std::shared_ptr<const void>& owner);  // throws ltl::FormatError
@@ -75,6 +76,6 @@ class FormulaMatcher {
 
 // What a formula needs of a text.
 LiftedScope needed_scope(std::span<const LiftedSymbol> formula);
-bool is_within(const LiftedScope& needed, const LiftedScope& scope);
+bool is_within(const LiftedScope& needed, const LiftedScope& scope);  // may what is needed be said?
 
 }  // namespace waymark::parser

@@ -110,8 +110,12 @@ class Learner {
       features.push_back(matching_features(examples[i].text));
       for (const std::uint64_t f : features.back()) ++texts[f];
     }
+    std::vector<std::pair<std::uint32_t, std::uint64_t>> by_count;
     for (const auto& [feature, count] : texts)
-      if (count >= options_.least_texts) text_keys_.push_back(feature);
+      if (count >= options_.least_texts) by_count.emplace_back(count, feature);
+    std::sort(by_count.rbegin(), by_count.rend());
+    by_count.resize(std::min(by_count.size(), options_.most_features));
+    for (const auto& [count, feature] : by_count) text_keys_.push_back(feature);
     std::sort(text_keys_.begin(), text_keys_.end());
     double total = 0;
     for (std::size_t k = 0; k < taken.size(); ++k) {

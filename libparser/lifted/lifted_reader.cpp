@@ -73,14 +73,19 @@ std::map<Lifted, double> joined(std::map<Lifted, double> votes, const FormulaMat
     for (std::size_t i = 0; i < more.size(); ++i)
       votes[more[i]] += std::exp(log_p[i]) / static_cast<double>(networks.size());
   }
-  double highest = -std::numeric_limits<double>::infinity(), total = 0;
-  for (auto& [lifted, p] : votes) {
-    p = networks_exponent * std::log(std::max(p, 1e-300)) +
-        matcher_exponent * (matcher.score(encoded, lifted) - matches.log_total);
-    highest = std::max(highest, p);
-  }
-  for (const auto& [lifted, p] : votes) total += std::exp(p - highest);
-  for (auto& [lifted, p] : votes) p -= highest + std::log(total);
+  // Whether it is a command, and which formulas that are not known to the matcher, is the networks' to say: the matcher
+  // deals what they give to the formulas that it knows.
+  std::map<Lifted, double> known;
+  double by_networks = 0, matched = 0, total = 0;
+  for (const auto& [lifted, p] : votes)
+    if (lifted.front() != LiftedSymbol::Route && lifted.front() != LiftedSymbol::Nothing && matcher.knows(lifted)) {
+      by_networks += p;
+      matched += known[lifted] = std::exp(matcher.score(encoded, lifted) - matches.log_total);
+    }
+  for (auto& [lifted, p] : known)
+    total += p = std::pow(votes[lifted] / by_networks, networks_exponent) * std::pow(p / matched, matcher_exponent);
+  for (const auto& [lifted, p] : known) votes[lifted] = p / total * by_networks;
+  for (auto& [lifted, p] : votes) p = std::log(std::max(p, 1e-300));
   return votes;
 }
 
@@ -153,7 +158,7 @@ std::shared_ptr<const LiftedReader> LiftedReader::read_from(WeightsReader& in,
     networks.push_back(std::make_shared<const LiftedNetwork>(std::move(network)));
   }
   std::shared_ptr<const FormulaMatcher> matcher;
-  if (!in.old_ && in.number() != 0) matcher = std::make_shared<const FormulaMatcher>(FormulaMatcher::read(in, owner));
+  if (in.number() != 0) matcher = std::make_shared<const FormulaMatcher>(FormulaMatcher::read(in, owner));
   const auto weights = in.list<float>();
   if (weights.size() > mention_features) in.fail("more weights of mentions than there are features");
   MentionModel mentions;

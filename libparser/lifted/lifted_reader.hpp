@@ -1,10 +1,11 @@
 // A reader of lifted texts: networks that spell formulas and vote, a matcher that decides over whole formulas, the word
 // vectors that the networks share, and what finds mentions of landmarks.
 //
-// Candidates are what the networks spell and the known formulas that match best. With a matcher,
-//   p(φ | text) ∝ p(φ | text, networks)^a · p(φ | text, matcher)^b   over the candidates
-// where the former is the mean over the networks; without one it is that mean. In a model file: the bytes of the word
-// vectors once, the networks in 16-bit floats, the matcher, the weights of mentions, and the groups of synonyms.
+// Candidates are what the networks spell, by the mean over them, and the known formulas that match best. What the
+// networks give to formulas that the matcher knows is dealt anew among these, in proportion to
+//   p(φ | text, networks)^a · p(φ | text, matcher)^b
+// In a model file: the bytes of the word vectors once, the networks in 16-bit floats, the matcher, the weights of
+// mentions, and the groups of synonyms.
 #pragma once
 #include <map>
 #include <memory>

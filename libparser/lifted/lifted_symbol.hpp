@@ -2,9 +2,9 @@
 // mention.
 //
 //   "go to a, then b, but avoid c"   =   and  sequence 1 2 end  never 3  end
-// A slot is the number of a mention, so a text means the same whatever its places are called. Macros name what people
-// say (visit, patrol, never, ordered, exactly twice …) and take any number of places, so sizes that were never met are
-// read with the parts of those that were. The operators of LTL stand beside the macros: every formula has a spelling.
+// A slot is the number of a mention: a text means the same whatever its places are called. Macros name what people say
+// (visit, patrol, never, ordered, exactly twice …) and take any number of places. The operators of LTL stand beside the
+// macros: every formula has a spelling.
 // Sources: the mission patterns of [MTP+21], the templates of [LYIL23]; what each symbol denotes: lifted_formula.hpp.
 #pragma once
 #include <cstddef>
@@ -91,7 +91,6 @@ constexpr bool is_number(LiftedSymbol s) { return s >= LiftedSymbol::Number1 && 
 constexpr bool is_slot(LiftedSymbol s) { return s >= LiftedSymbol::Slot1 && s <= LiftedSymbol::Slot12; }
 constexpr bool is_constant(LiftedSymbol s) { return s >= LiftedSymbol::Constant1; }
 constexpr bool is_thing(LiftedSymbol s) { return s >= LiftedSymbol::Slot1; }  // a slot or a constant
-// Kinds of symbols.
 constexpr bool is_direction(LiftedSymbol s) { return s >= LiftedSymbol::Ahead && s <= LiftedSymbol::Along; }
 constexpr bool is_event(LiftedSymbol s) { return s >= LiftedSymbol::TurnedLeft && s <= LiftedSymbol::OpenRight; }
 constexpr bool is_action(LiftedSymbol s) { return s >= LiftedSymbol::TurnLeft && s <= LiftedSymbol::Nth; }
@@ -100,9 +99,8 @@ LiftedSymbol constant(std::size_t number);  // from 1; … above 16
 LiftedSymbol number(std::size_t number);    // from 1; … above 9
 std::size_t number_of(LiftedSymbol s);      // of a slot, a constant or a number, from 1
 
-// How many operands a symbol takes; `any_number`: as many as one likes, then End.
-inline constexpr std::size_t any_number = 255;
-std::size_t operands_of(LiftedSymbol s);
+inline constexpr std::size_t any_number = 255;  // operands: as many as one likes
+std::size_t operands_of(LiftedSymbol s);        // how many it takes; `any_number`: as many as there are up to End
 
 std::string name(LiftedSymbol s);  // "visit", "3" for Number3, "#3" for Slot3, "@3" for Constant3
 std::optional<LiftedSymbol> lifted_symbol(std::string_view name);  // nothing when there is none
@@ -114,8 +112,7 @@ Lifted parse_lifted(std::string_view text);
 // Throws std::invalid_argument when it is no complete lifted formula.
 Lifted canonical(std::span<const LiftedSymbol> lifted);
 
-// Left and right exchanged.
-Lifted mirrored(Lifted lifted);
+Lifted mirrored(Lifted lifted);  // left and right exchanged
 
 // What may be said: how many slots and constants there are, and whether the domain is one where one turns and sees.
 struct LiftedScope {

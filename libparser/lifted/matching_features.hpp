@@ -2,8 +2,8 @@
 //
 //   of a text      its n-grams of up to four words, pairs with one word between, four letters of a word in a row, the
 //                  words after and before each slot up to the next one, the order of its slots
-//   of a formula   the whole; the whole without the names of its slots; the order of its slots; its symbols, pairs and triples of
-//                  neighbours; each slot with the operators around it
+//   of a formula   the whole; the whole without the names of its slots; the order of its slots; its symbols, pairs and
+//                  triples of neighbours; each slot with the operators around it
 #pragma once
 #include <cstdint>
 #include <span>

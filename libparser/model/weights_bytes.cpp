@@ -138,8 +138,7 @@ WeightsReader::WeightsReader(std::shared_ptr<const MappedFile> file, std::string
   if (bytes_.substr(0, magic.size()) != magic) fail("is no model file of waymark");
   if (bytes_.size() < header_bytes + checksum_bytes) fail("the model file is cut short");
   const auto version = read_at<std::uint32_t>(bytes_, magic.size());
-  old_ = version == 15;
-  if (version != ModelHeader::version && !old_)
+  if (version != ModelHeader::version)
     fail("is a model file of version " + std::to_string(version) + ", and this waymark reads version " +
          std::to_string(ModelHeader::version) + ": train the model again with waymark train");
   const auto sum = read_at<std::uint64_t>(bytes_, bytes_.size() - checksum_bytes);

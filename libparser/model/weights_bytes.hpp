@@ -78,9 +78,6 @@ class WeightsReader {
   std::shared_ptr<const MappedFile> file_;
   std::string_view bytes_, source_;
   std::size_t at_ = 0;
- public:
-  bool old_ = false;
- private:
   ModelHeader header_;
 };
 

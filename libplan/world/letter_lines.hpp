@@ -36,7 +36,7 @@ class LetterLines {
   // Letters are over the wanted names, further names behind them. These mean nothing from one letter to the next, for
   // only some thousands are remembered.
   struct Forgetful {
-    LetterOptions options;
+    LetterOptions options;  // of the letters
   };
   LetterLines(Forgetful options, std::string source);
   // Letters are over the wanted names and those that occur, all of which are remembered.

@@ -29,9 +29,9 @@ enum class WordMatch : std::uint8_t {  // how a word of a text stands for a word
   Short,                               // an abbreviation
   Misspelled,                          // some letters are wrong
 };
-struct WordMeaning {  // what a word may stand for
-  std::string word;   // of a name or tag
-  WordMatch match = WordMatch::Same;
+struct WordMeaning {                  // what a word may stand for
+  std::string word;                   // of a name or tag
+  WordMatch match = WordMatch::Same;  // how it stands for that word
 };
 
 class CityWords {

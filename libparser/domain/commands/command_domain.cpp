@@ -221,6 +221,8 @@ CommandDomains::CommandDomains(const std::filesystem::path& domains, std::filesy
 const CommandDomain& CommandDomains::of(const std::string& name) {
   const auto known = domains_.find(name);
   if (known != domains_.end()) return known->second;
+  if (file_.empty())
+    throw ltl::FormatError("domains.json", 0, 0, "no such file beside the commands: what does '" + name + "' name?");
   const auto colon = name.find(':');
   if (colon == std::string::npos || name.find('/') != std::string::npos)
     throw ltl::FormatError(file_, 0, 0, "no domain is called '" + name + "'");

@@ -69,7 +69,7 @@ class CommandDomains {
   CommandDomain of(const Command& command);  // its own things, or the domain that it names
 
  private:
-  std::string file_ = "domains.json";  // of the domains
+  std::string file_;  // of the domains
   std::map<std::string, CommandDomain> domains_;
   std::filesystem::path maps_;
 };

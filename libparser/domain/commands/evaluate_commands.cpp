@@ -178,7 +178,7 @@ LiftedReader train_commands(const CommandSplit& split, CommandDomains& domains, 
   const auto synonyms = std::make_shared<const Synonyms>(how.synonyms);
   std::vector<Command> with_marks, others;
   for (const Command& command : split.training) (command.marked ? with_marks : others).push_back(command);
-  const MentionModel mentions{learn_mentions(others, domains, *synonyms).weights, synonyms};
+  const MentionModel mentions{learn_mentions(split.training, domains, *synonyms).weights, synonyms};
   std::vector<LiftedExample> people =
       labelled_commands(others, domains, mentions, split.new_kinds ? 1 : 0, how.doubted).examples;
   const auto texts = marked_examples(with_marks, marked);

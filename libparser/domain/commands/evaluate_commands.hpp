@@ -18,8 +18,8 @@ namespace waymark::parser {
 struct CommandScore {                            // counts of commands that were read as labelled
   std::size_t exact = 0, equivalent = 0, n = 0;  // a formula that is right; the same language as one; commands
   std::size_t refused = 0;                       // not understood, or not likely enough
-  std::size_t wrong() const { return n - equivalent - refused; }
-  double percent(std::size_t count) const {  // of n
+  std::size_t wrong() const { return n - equivalent - refused; }  // answered, and not right
+  double percent(std::size_t count) const {                       // of n
     return n > 0 ? 100.0 * static_cast<double>(count) / static_cast<double>(n) : 0;
   }
 };
@@ -29,7 +29,7 @@ struct CommandAnswer {                     // one answer of a test
   std::string formula;                     // empty: none
   double probability = 0;                  // of the formula
   bool exact = false, equivalent = false;  // as in CommandScore
-  bool refused = false;                    // …
+  bool refused = false;                    // not understood, or not likely enough
 };
 
 // How well probabilities agree with how often answers are right, in ten bins of equal width [GPSW17, Sec. 2].
@@ -51,8 +51,8 @@ struct CommandScores {                                     // of a test
   std::vector<CommandAnswer> answers;                      // in the order of the commands
 };
 
-struct ScoreOptions {
-  ReadCommandOptions read;
+struct ScoreOptions {            // how a reader is tested
+  ReadCommandOptions read;       // what reading may cost
   bool marks_are_given = false;  // what the words name is told by the marks: the reader of formulas alone is tested
   double least = 0;              // answers that are less likely are refused
 };
@@ -79,8 +79,8 @@ struct CommandsExperiment {              // what is learned from, and how
   std::size_t networks = 3;              // that vote
   std::function<void(double)> progress;  // called with the share that is done
 };
-// Networks, each of the next seed, and a matcher. `own`: commands of our own language, from which the matcher takes what
-// says nothing alone: it decides over formulas that people's texts have.
+// Networks, each of the next seed, and a matcher. `own`: commands of our own language, of which the matcher takes those
+// that say nothing alone: it decides over formulas that people's texts have.
 LiftedReader learn_reader(std::vector<LiftedExample> own, std::span<const LiftedExample> people,
                           const std::shared_ptr<const WordVectors>& vectors, const MentionModel& mentions,
                           const CommandsExperiment& how);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <numeric>
 #include <set>
@@ -49,16 +50,16 @@ std::vector<Example> examples_of(std::span<const Command> commands, CommandDomai
 bool gradient(const Example& example, const Synonyms& synonyms, const MentionVector& weights, MentionVector& out) {
   const MentionLattice lattice(example.tokens, *example.city, synonyms);
   MentionVector expected{}, wanted{};
-  if (lattice.log_sum(weights, wanted, &example.wanted) == -INFINITY) return false;
+  if (lattice.log_sum(weights, wanted, &example.wanted) == -std::numeric_limits<double>::infinity()) return false;
   lattice.log_sum(weights, expected);
   for (std::size_t i = 0; i < mention_features; ++i) out[i] = wanted[i] - expected[i];
   return true;
 }
 
 // Commands with marks, and the names that their domains have.
-class MarkedCommands {
+class MarkedTexts {
  public:
-  explicit MarkedCommands(std::span<const Command> commands) {
+  explicit MarkedTexts(std::span<const Command> commands) {
     for (const Command& command : commands) {
       if (command.suspect || command.mentions.empty()) continue;
       commands_.push_back(&command);
@@ -144,7 +145,7 @@ class Ascent {
 LearnedMentions learn_mentions(std::span<const Command> commands, CommandDomains& domains, const Synonyms& synonyms,
                                const MentionTraining& options) {
   const std::vector<Example> examples = examples_of(commands, domains);
-  const MarkedCommands marked(commands);
+  const MarkedTexts marked(commands);
   LearnedMentions out;
   MentionVector g{};
   Ascent ascent(out.weights, options);

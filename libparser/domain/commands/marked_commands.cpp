@@ -21,12 +21,12 @@ std::string in_lower_case(std::string text) {
 }
 
 // The tokens of a text; marks begin and end where tokens do.
-struct Tokens {
+struct MarkedTokens {
   std::vector<std::string> tokens;
   std::vector<std::pair<std::size_t, std::size_t>> marks;  // [begin, end) of each mark, where "not" was put before some
 };
-Tokens tokens_of(const Command& command, bool hallway) {
-  Tokens out;
+MarkedTokens tokens_of(const Command& command, bool hallway) {
+  MarkedTokens out;
   std::size_t at = 0;
   const auto add = [&](std::size_t begin, std::size_t end) {
     const std::string part = command.text.substr(begin, end - begin);
@@ -51,7 +51,7 @@ Tokens tokens_of(const Command& command, bool hallway) {
 ltl::Vocabulary with_start(const ltl::Vocabulary& vocabulary) {
   std::vector<std::string> names(vocabulary.names().begin(), vocabulary.names().end());
   if (std::find(names.begin(), names.end(), "start") == names.end()) names.emplace_back("start");
-  return ltl::Vocabulary(std::move(names));
+  return ltl::Vocabulary(names);
 }
 
 }  // namespace
@@ -61,7 +61,7 @@ MarkedCommands::MarkedCommands(const ltl::Vocabulary& hallways, const Synonyms* 
 
 MarkedCommands::Marked MarkedCommands::lift(const Command& command) const {
   const bool hallway = command.domain == hallway_domain;
-  const Tokens text = tokens_of(command, hallway);
+  const MarkedTokens text = tokens_of(command, hallway);
   std::vector<Mention> mentions;
   std::vector<std::string> keys;
   for (std::size_t i = 0; i < text.marks.size(); ++i) {

@@ -1,4 +1,4 @@
-// Commands whose words for things are marked: as lifted texts with formulas to learn from, and as questions to test with.
+// Commands whose words for things are marked: lifted texts with formulas to learn from, and questions to test with.
 //
 // A mention becomes a slot where the mark stands; words that state the opposite become "not" and the slot. On hallway
 // maps, floors, pictures and kinds of places that nobody marked are found by their names.
@@ -19,6 +19,7 @@ inline constexpr const char* hallway_domain = "hallway";  // of commands whose f
 // Where commands of the domain "hallway" are said: the names of a map, and `start`, the place where one stands.
 class MarkedCommands {
  public:
+  // Synonyms of furniture and floors count as names of theirs.
   explicit MarkedCommands(const ltl::Vocabulary& hallways, const Synonyms* synonyms = nullptr);
 
   struct Marked {                     // a text by its marks
@@ -26,11 +27,11 @@ class MarkedCommands {
     std::vector<std::string> slots;   // keys of things in lower case, outside of hallways
     std::vector<std::size_t> things;  // hallways: of slot 1, 2 …
   };
-  Marked lift(const Command& command) const;
+  Marked lift(const Command& command) const;  // a command that has marks
   // The command with its first formula that has a spelling; none where no formula has one over what the text names.
   std::optional<LiftedExample> example(const Command& command) const;
 
-  const HallwayThings& hallways() const { return things_; }
+  const HallwayThings& hallways() const { return things_; }          // what hallway texts name
   const ltl::Vocabulary& vocabulary() const { return vocabulary_; }  // of the map, and `start`
 
  private:
@@ -45,6 +46,7 @@ struct MarkedExamples {
   std::vector<LiftedExample> examples;  // of weight 1
   std::size_t left_out = 0;             // without a formula that can be spelled
 };
+// O(texts · what hallways may name).
 MarkedExamples marked_examples(std::span<const Command> commands, const MarkedCommands& marked);
 
 }  // namespace waymark::parser

@@ -100,7 +100,7 @@ TEST(Understand, LeftAndRightAreReadAlike) {
   EXPECT_GT(sided, 20U);
 }
 
-// Texts that the training did not draw: another seed.
+// Texts that the training did not draw: another seed. People's words decide, and our own language is the smaller voice.
 TEST(Understand, ReadsItsOwnLanguage) {
   const SynchronousGrammar grammar(source / "data" / "language" / "commands.grammar");
   ltl::Random random(987'654'321);
@@ -110,7 +110,7 @@ TEST(Understand, ReadsItsOwnLanguage) {
     const auto readings = shipped().commands->read({said.tokens, {said.slots, 0, true}, ""});
     right += canonical(readings.front().lifted) == canonical(said.lifted) ? 1 : 0;
   }
-  EXPECT_GE(right, 85 * texts / 100) << right;
+  EXPECT_GE(right, 80 * texts / 100) << right;
 }
 
 // A sentence of waymark is read as it is, even where no route can fulfil it and a likelier text would have one.

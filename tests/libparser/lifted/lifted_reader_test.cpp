@@ -2,10 +2,13 @@
 #include "libparser/lifted/lifted_reader.hpp"
 
 #include <cmath>
+#include <limits>
+#include <map>
 #include <sstream>
 
 #include "libltl/diagnostic.hpp"
 #include "libparser/lifted/learn_lifted.hpp"
+#include "libparser/lifted/learn_matcher.hpp"
 #include "libparser/model_file.hpp"
 #include "tests/libneural/reference.hpp"
 #include "tests/libparser/lifted/few_words.hpp"
@@ -191,6 +194,58 @@ TEST(LiftedReaderFile, EveryCutAndEveryFlippedBitIsNoticed) {
     altered[i] = static_cast<char>(altered[i] ^ 1 << i % 8);
     EXPECT_THROW(parse_grounder(altered), ltl::FormatError) << i;
   }
+}
+
+// What a beam finds has the probability that the formula is given when it is asked for; what is not in scope has none.
+TEST(LiftedNetwork, FormulasThatAreAskedForHaveTheProbabilityOfTheBeam) {
+  const LiftedNetwork network = tiny_network();
+  const LiftedText text = toys()[1].text;
+  std::vector<Lifted> formulas;
+  const auto readings = read_lifted(network, text, 6);
+  ASSERT_FALSE(readings.empty());
+  for (const LiftedReading& r : readings) formulas.push_back(r.lifted);
+  formulas.push_back(parse_lifted("eventually #3"));
+  const std::vector<double> log_p = score_lifted(network, text, formulas);
+  for (std::size_t i = 0; i < readings.size(); ++i) EXPECT_NEAR(log_p[i], readings[i].log_probability, 1e-4) << i;
+  EXPECT_EQ(log_p.back(), -std::numeric_limits<double>::infinity());
+  EXPECT_TRUE(score_lifted(network, text, {}).empty());
+}
+
+// What the networks give to formulas that the matcher knows is dealt anew among these, and nothing else changes.
+TEST(LiftedReader, DecidesByNetworksAndMatcher) {
+  const std::vector<LiftedExample> all = toys();
+  MatcherTraining training{.width = 8, .draws = 2000, .batch = 8, .rate = 1e-2, .feature_dropout = 0, .dropout = 0};
+  training.least_texts = 1;
+  const auto matcher = learn_matcher(all, training);
+  const auto network = std::make_shared<const LiftedNetwork>(tiny_network());
+  const LiftedReader with(few_vectors(), {network}, {}, matcher), without(few_vectors(), {network});
+  const LiftedText text = all[1].text;
+  std::map<Lifted, double> before;
+  for (const LiftedReading& r : without.read(text)) before[r.lifted] = r.log_probability;
+  double by_networks = 0, dealt = 0;
+  std::vector<Lifted> known;
+  std::vector<double> log_p;
+  for (const LiftedReading& r : with.read(text)) {
+    if (!matcher->knows(r.lifted) || r.lifted == Lifted{LiftedSymbol::Nothing}) {
+      ASSERT_TRUE(before.contains(r.lifted));
+      EXPECT_NEAR(r.log_probability, before[r.lifted], 1e-6);
+      continue;
+    }
+    dealt += std::exp(r.log_probability);
+    known.push_back(r.lifted);
+    log_p.push_back(r.log_probability);
+  }
+  ASSERT_GE(known.size(), 3U);
+  const std::vector<double> networks = score_lifted(*network, text, known);
+  const neural::Vector encoded = matcher->encode(text);
+  for (const double p : networks) by_networks += std::exp(p);
+  EXPECT_NEAR(dealt, by_networks, 1e-5);
+  for (std::size_t i = 1; i < known.size(); ++i)
+    EXPECT_NEAR(log_p[i] - log_p[0],
+                0.6 * (networks[i] - networks[0]) +
+                    0.4 * (matcher->score(encoded, known[i]) - matcher->score(encoded, known[0])),
+                1e-3)
+        << print(known[i]);
 }
 
 // What no writer writes, under a checksum that fits.

@@ -68,6 +68,7 @@ TEST(LearnMentions, LearnsFromMarks) {
   const auto marked = [](const std::string& text, const std::string& words) {
     Command command = said(text, {});
     command.domain = "anything";
+    command.marked = true;
     command.things = {{"A", "the lamp is on"}};
     if (!words.empty()) command.mentions = {{text.find(words), text.find(words) + words.size(), "A", false}};
     return command;

@@ -1,5 +1,5 @@
-// Commands with marks: their lifted texts and formulas, and the texts of data/language/wordings, each of which must give
-// an example to learn from.
+// Commands with marks: their lifted texts and formulas, and the texts of data/language/wordings, nearly all of which
+// must give an example to learn from.
 #include "libparser/domain/commands/marked_commands.hpp"
 
 #include <gtest/gtest.h>
